@@ -1,0 +1,102 @@
+//! The contract between the daemon and its instruments.
+//!
+//! Calls block; the acquisition room gives every device a thread of its own. Drivers (Aravis,
+//! serial) and the simulated bench implement the same two traits, and nothing above them knows
+//! which one it drives.
+
+use std::time::Duration;
+
+use thiserror::Error;
+
+use crate::{RawImage, timing::PulseSchedule};
+
+/// A camera that delivers one frame for every exposure the synchroniser triggers.
+///
+/// In double-frame mode one trigger gives two frames, exposure 1 and then exposure 2.
+pub trait Camera: Send {
+    /// Name of this camera as configured, for messages.
+    fn name(&self) -> &str;
+    /// Allocates buffers and begins to wait for triggers.
+    fn start(&mut self) -> Result<(), DeviceError>;
+    /// The next frame, or `None` when none came within `timeout`.
+    fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError>;
+    /// Stops waiting for triggers. Idempotent.
+    fn stop(&mut self) -> Result<(), DeviceError>;
+    /// What the stream counted since `start`.
+    fn statistics(&self) -> StreamStatistics;
+}
+
+/// The unit that times laser and cameras.
+pub trait Synchroniser: Send {
+    /// The unit's identity string.
+    fn identify(&mut self) -> Result<String, DeviceError>;
+    /// Writes a validated schedule and compares its read-back; outputs stay off.
+    fn program(&mut self, schedule: &PulseSchedule) -> Result<(), DeviceError>;
+    /// Fires one bounded burst of `shots` periods. Returns once the unit has accepted it.
+    fn fire(&mut self, shots: u64) -> Result<(), DeviceError>;
+    /// Triggers given since `program`, read from the unit.
+    fn trigger_count(&mut self) -> Result<u64, DeviceError>;
+    /// The unit's state, read from the unit and never remembered.
+    fn state(&mut self) -> Result<SynchroniserState, DeviceError>;
+    /// Q-switches off, then lamps off, verified by read-back. Idempotent.
+    fn make_safe(&mut self) -> Result<(), DeviceError>;
+}
+
+/// What the synchroniser is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SynchroniserState {
+    /// All outputs off.
+    Safe,
+    /// Programmed, not firing.
+    Armed,
+    /// A burst is running.
+    Firing,
+    /// The line does not answer; use the hardware interlock.
+    Unknown,
+}
+
+/// One exposure as delivered.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// The picture.
+    pub image: RawImage,
+    /// Frame number since `start`, unwrapped from the device's counter.
+    pub frame_id: u64,
+    /// The camera's own clock, in ns.
+    pub device_timestamp_ns: u64,
+    /// Host clock at reception, in ns since the Unix epoch.
+    pub host_timestamp_ns: u64,
+    /// Whether every byte arrived.
+    pub status: FrameStatus,
+}
+
+/// Completeness of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrameStatus {
+    /// Every byte arrived.
+    Complete,
+    /// Packets are missing; the missing pixels are zero.
+    MissingPackets,
+}
+
+/// Counters of one camera's stream since its start.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct StreamStatistics {
+    /// Frames delivered whole.
+    pub completed: u64,
+    /// Frames delivered damaged.
+    pub failed: u64,
+    /// Frames lost because no buffer was free.
+    pub underruns: u64,
+}
+
+/// Why a device could not do what it was asked.
+#[derive(Debug, Error)]
+pub enum DeviceError {
+    /// The device no longer answers.
+    #[error("{device}: connection lost: {detail}")]
+    Lost { device: String, detail: String },
+    /// The device answered, but refused.
+    #[error("{device}: refused: {detail}")]
+    Refused { device: String, detail: String },
+}

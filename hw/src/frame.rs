@@ -1,0 +1,54 @@
+//! Images as a camera delivers them.
+
+use thiserror::Error;
+
+/// A raw grey image, row-major, row 0 at the top (DESIGN section 2: row `r` lies at
+/// `((Ny−1)/2 − r)·p` along the camera's `up`).
+///
+/// Eight-bit images are widened to `u16` unscaled: the values are the counts in the file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RawImage {
+    columns: usize,
+    rows: usize,
+    counts: Vec<u16>,
+}
+
+/// A buffer whose length is not columns × rows.
+#[derive(Debug, Error)]
+#[error("image of {columns} x {rows} pixels needs {} counts, got {counts}", columns * rows)]
+pub struct ImageSizeError {
+    columns: usize,
+    rows: usize,
+    counts: usize,
+}
+
+impl RawImage {
+    /// Wraps `counts` (length `columns * rows`, row-major).
+    pub fn new(columns: usize, rows: usize, counts: Vec<u16>) -> Result<Self, ImageSizeError> {
+        if counts.len() == columns * rows {
+            Ok(Self { columns, rows, counts })
+        } else {
+            Err(ImageSizeError { columns, rows, counts: counts.len() })
+        }
+    }
+
+    /// Number of pixel columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Number of pixel rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// All counts, row-major.
+    pub fn counts(&self) -> &[u16] {
+        &self.counts
+    }
+
+    /// One pixel row.
+    pub fn row(&self, row: usize) -> &[u16] {
+        &self.counts[row * self.columns..(row + 1) * self.columns]
+    }
+}

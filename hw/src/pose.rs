@@ -1,0 +1,114 @@
+//! Where a camera stands: the change from world to camera coordinates.
+
+use garde::Validate;
+use nalgebra::{Point3, Vector3};
+use serde::{Deserialize, Serialize};
+
+/// Orientation and position of one camera in the world frame (right-handed, millimetres).
+///
+/// `right × up = axis`; `axis` points from the volume to the camera. `origin_mm` is the world
+/// point at which the optical axis crosses the focal plane.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Pose {
+    /// Unit vector along increasing pixel column.
+    #[garde(custom(unit_vector))]
+    pub right: Vector3<f64>,
+    /// Unit vector along decreasing pixel row.
+    #[garde(custom(unit_vector))]
+    pub up: Vector3<f64>,
+    /// Unit vector from the volume to the camera.
+    #[garde(custom(unit_vector), custom(completes(&self.right, &self.up)))]
+    pub axis: Vector3<f64>,
+    /// World point in focus on the optical axis, in mm.
+    #[serde(default = "Vector3::zeros")]
+    #[garde(custom(near_origin))]
+    pub origin_mm: Vector3<f64>,
+}
+
+/// A world point seen from one camera, all in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CameraPoint {
+    /// Lateral coordinate along `right`.
+    pub xi_mm: f64,
+    /// Lateral coordinate along `up`.
+    pub eta_mm: f64,
+    /// Coordinate along `axis`: positive is nearer to the camera than the focal plane.
+    pub depth_mm: f64,
+}
+
+impl Pose {
+    /// The camera coordinates of a world point.
+    pub fn to_camera(&self, world_mm: &Point3<f64>) -> CameraPoint {
+        let offset = world_mm.coords - self.origin_mm;
+        CameraPoint {
+            xi_mm: offset.dot(&self.right),
+            eta_mm: offset.dot(&self.up),
+            depth_mm: offset.dot(&self.axis),
+        }
+    }
+}
+
+/// How far a configured direction may be from unit length or from a right angle.
+const DIRECTION_TOLERANCE: f64 = 1e-6;
+
+fn unit_vector(v: &Vector3<f64>, _: &()) -> garde::Result {
+    if (v.norm() - 1.0).abs() <= DIRECTION_TOLERANCE {
+        Ok(())
+    } else {
+        Err(garde::Error::new(format!("has length {}, allowed: 1 within 1e-6", v.norm())))
+    }
+}
+
+fn completes<'a>(
+    right: &'a Vector3<f64>,
+    up: &'a Vector3<f64>,
+) -> impl FnOnce(&Vector3<f64>, &()) -> garde::Result + 'a {
+    move |axis, _| {
+        if (right.cross(up) - axis).norm() <= DIRECTION_TOLERANCE {
+            Ok(())
+        } else {
+            Err(garde::Error::new("is not right x up; allowed: a right-handed orthonormal triple"))
+        }
+    }
+}
+
+fn near_origin(v: &Vector3<f64>, _: &()) -> garde::Result {
+    if v.iter().all(|c| c.abs() <= 100.0) {
+        Ok(())
+    } else {
+        Err(garde::Error::new("allowed: each coordinate within -100 to 100 mm"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Camera 2 of DESIGN section 2.
+    fn camera_two() -> Pose {
+        Pose {
+            right: Vector3::x(),
+            up: -Vector3::z(),
+            axis: Vector3::y(),
+            origin_mm: Vector3::zeros(),
+        }
+    }
+
+    #[test]
+    fn camera_coordinates_are_projections_on_its_directions() {
+        let seen = camera_two().to_camera(&Point3::new(1.0, 2.0, 3.0));
+        assert_eq!(seen, CameraPoint { xi_mm: 1.0, eta_mm: -3.0, depth_mm: 2.0 });
+    }
+
+    #[test]
+    fn a_left_handed_or_non_finite_triple_is_refused() {
+        assert!(camera_two().validate().is_ok());
+        let mut flipped = camera_two();
+        flipped.axis = -flipped.axis;
+        assert!(flipped.validate().unwrap_err().to_string().contains("right x up"));
+        let mut broken = camera_two();
+        broken.right.x = f64::NAN;
+        assert!(broken.validate().is_err());
+    }
+}

@@ -1,0 +1,5 @@
+//! A bench that is not there.
+
+pub mod scene;
+
+pub use scene::Scene;

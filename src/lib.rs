@@ -1,0 +1,8 @@
+//! lfpiv: light field -> volume -> velocity. See ARCHITECTURE.md for the rooms.
+
+pub mod config;
+pub mod lightfield;
+pub mod model;
+pub mod pipeline;
+pub mod reconstruction;
+pub mod velocimetry;

@@ -1,0 +1,5 @@
+//! From raw images to views.
+
+mod settings;
+
+pub use settings::ImageSettings;

@@ -1,0 +1,5 @@
+//! What a voxel does to a pixel.
+
+mod grid;
+
+pub use grid::VolumeGrid;

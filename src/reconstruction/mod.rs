@@ -1,0 +1,5 @@
+//! From views to volumes.
+
+mod settings;
+
+pub use settings::{ReconstructionSettings, Solver};

@@ -1,0 +1,54 @@
+//! The `[reconstruction]` table of the configuration.
+
+use garde::Validate;
+use serde::{Deserialize, Serialize};
+
+/// The algorithm that turns views into a volume.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Solver {
+    /// Product of the line-of-sight intensities: where the other solvers start.
+    Mlos,
+    /// All views of a camera at once (paper, Eq. 2).
+    Sart,
+    /// SART over ordered subsets of views, cameras alternating (paper, Eq. 4 and Fig. 6).
+    OsSart,
+    /// SART on the voxels that pre-recognition keeps (paper's reference 23).
+    PrSart,
+    /// Multiplicative updates over ordered subsets on active voxels, pruned as it goes.
+    OsMart,
+}
+
+/// How a volume is reconstructed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct ReconstructionSettings {
+    /// The algorithm.
+    #[garde(skip)]
+    pub solver: Solver,
+    /// Passes over all views; the solver's own default when absent.
+    #[garde(inner(range(min = 1, max = 100_000)))]
+    pub passes: Option<usize>,
+    /// Views per ordered subset; the solver's own default when absent.
+    #[garde(inner(range(min = 1, max = 10_000)))]
+    pub views_per_subset: Option<usize>,
+    /// Relaxation factor μ; the solver's own default when absent.
+    #[garde(inner(range(min = 0.01, max = 1.99)))]
+    pub relaxation: Option<f64>,
+    /// Each voxel is split into this many along each axis once empty ones are pruned
+    /// (`os-mart` only).
+    #[garde(range(min = 1, max = 4))]
+    pub refinement: usize,
+}
+
+impl Default for ReconstructionSettings {
+    fn default() -> Self {
+        Self {
+            solver: Solver::OsMart,
+            passes: None,
+            views_per_subset: None,
+            relaxation: None,
+            refinement: 2,
+        }
+    }
+}

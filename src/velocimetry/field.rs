@@ -1,0 +1,85 @@
+//! The result: one displacement vector per interrogation window.
+
+use serde::{Deserialize, Serialize};
+
+/// Where the vectors are: the centres of the interrogation windows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct VectorGrid {
+    /// Vector counts along x, y, z.
+    pub vectors: [usize; 3],
+    /// World position of vector (0, 0, 0), in mm.
+    pub first_mm: [f64; 3],
+    /// Distance between neighbouring vectors, in mm.
+    pub spacing_mm: f64,
+}
+
+impl VectorGrid {
+    /// Number of vectors.
+    pub fn len(&self) -> usize {
+        self.vectors.iter().product()
+    }
+
+    /// Whether there is no vector.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// World position of the vector stored at `index` (order z, y, x), in mm.
+    pub fn position_mm(&self, index: usize) -> [f64; 3] {
+        let [nx, ny, _] = self.vectors;
+        let ijk = [index % nx, index / nx % ny, index / (nx * ny)];
+        std::array::from_fn(|a| self.first_mm[a] + ijk[a] as f64 * self.spacing_mm)
+    }
+
+    /// World coordinates of the vectors along one axis (0 is x), in mm.
+    pub fn axis_mm(&self, axis: usize) -> Vec<f64> {
+        (0..self.vectors[axis]).map(|i| self.first_mm[axis] + i as f64 * self.spacing_mm).collect()
+    }
+}
+
+/// What a vector is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum VectorStatus {
+    /// Measured, and in line with its neighbours.
+    Valid,
+    /// Measured value discarded; the stored one is interpolated from valid neighbours.
+    Replaced,
+    /// No value: the window holds no particles, or nothing valid is near. Stored as zero.
+    Invalid,
+}
+
+/// A displacement field on a [`VectorGrid`]; every array is stored z, y, x (x fastest) and every
+/// number is finite.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct VelocityField {
+    /// Positions of the vectors.
+    pub grid: VectorGrid,
+    /// Displacement from frame a to frame b along x, y, z, in voxels.
+    pub displacement_vox: Vec<[f32; 3]>,
+    /// What each vector is worth.
+    pub status: Vec<VectorStatus>,
+    /// Highest over second highest correlation peak; 0 where there is no peak.
+    pub peak_ratio: Vec<f32>,
+    /// Curl of the displacement, in voxel per voxel.
+    pub vorticity: Vec<[f32; 3]>,
+    /// Divergence of the displacement, in voxel per voxel.
+    pub divergence: Vec<f32>,
+    /// Edge length of a voxel, in mm.
+    pub voxel_mm: f64,
+    /// Time between the frames, in s.
+    pub dt_s: f64,
+}
+
+impl VelocityField {
+    /// Factor from displacement in voxels to velocity in m/s.
+    pub fn metres_per_second_per_voxel(&self) -> f64 {
+        self.voxel_mm * 1e-3 / self.dt_s
+    }
+
+    /// Share of the vectors that were measured and accepted, 0 to 1.
+    pub fn valid_share(&self) -> f64 {
+        let valid = self.status.iter().filter(|s| **s == VectorStatus::Valid).count();
+        valid as f64 / self.status.len().max(1) as f64
+    }
+}

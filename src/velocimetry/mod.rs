@@ -1,0 +1,7 @@
+//! From a pair of volumes to a velocity field.
+
+mod field;
+mod settings;
+
+pub use field::{VectorGrid, VectorStatus, VelocityField};
+pub use settings::VelocimetrySettings;

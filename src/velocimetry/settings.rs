@@ -1,0 +1,46 @@
+//! The `[velocimetry]` table of the configuration.
+
+use garde::Validate;
+use serde::{Deserialize, Serialize};
+
+/// How volumes are correlated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct VelocimetrySettings {
+    /// Edge of the final interrogation windows, in mm.
+    #[garde(range(min = 0.01, max = 100.0))]
+    pub window_mm: f64,
+    /// Overlap of neighbouring windows, as a share of their edge.
+    #[garde(range(min = 0.0, max = 0.9))]
+    pub overlap: f64,
+    /// Correlation passes; each one after the first deforms the volumes by the last result.
+    #[garde(range(min = 1, max = 20))]
+    pub passes: usize,
+    /// Largest displacement component to expect, in voxels. The first pass uses windows of at
+    /// least four times this.
+    #[garde(range(min = 0.1, max = 100.0))]
+    pub max_displacement_vox: f64,
+    /// Edge of the first pass's windows, in mm; derived from `max_displacement_vox` when absent.
+    #[garde(inner(range(min = 0.01, max = 100.0)))]
+    pub first_window_mm: Option<f64>,
+    /// Threshold of the normalised median test (Westerweel and Scarano 2005).
+    #[garde(range(min = 0.5, max = 100.0))]
+    pub median_threshold: f64,
+    /// Fluctuation level ε of the normalised median test, in voxels.
+    #[garde(range(min = 0.0, max = 10.0))]
+    pub median_epsilon_vox: f64,
+}
+
+impl Default for VelocimetrySettings {
+    fn default() -> Self {
+        Self {
+            window_mm: 1.6,
+            overlap: 0.5,
+            passes: 3,
+            max_displacement_vox: 6.0,
+            first_window_mm: None,
+            median_threshold: 2.0,
+            median_epsilon_vox: 0.1,
+        }
+    }
+}
