@@ -1,5 +1,9 @@
 //! From raw images to views.
 
+mod layout;
+mod sampling;
 mod settings;
 
+pub use layout::{MicrolensWindow, View, ViewLayout, ViewStack};
+pub use sampling::{AxisSampling, Sample};
 pub use settings::ImageSettings;
