@@ -16,9 +16,12 @@ use std::ops::Range;
 use thiserror::Error;
 
 pub use grid::VolumeGrid;
-pub use thin_lens::ThinLensModel;
+pub use thin_lens::{ThinLensModel, thin_lens_model};
 
 use crate::lightfield::ViewLayout;
+
+/// A pixel belongs to a voxel's support when it receives more than this share of its light.
+pub const SUPPORT_SHARE: f32 = 0.01;
 
 /// One view of one camera.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -53,6 +56,12 @@ pub trait Projector: Send + Sync {
 
     /// Spreads a view back: `out[j − range.start] += Σ_i w_ji image[i]` for voxels `j` in `range`.
     fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
+
+    /// The brightest pixel that each voxel reaches: `out[j − range.start] = max_i image[i] / c_i`
+    /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view,
+    /// with c_i the open share of the pixel's pupil cell. Infinite, that is no evidence, for a
+    /// voxel with such a pixel less than half open or outside the view.
+    fn brightest(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 
     /// Keeps only the voxels whose flag is set.
     fn retain(&mut self, keep: &[bool]);

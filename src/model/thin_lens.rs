@@ -6,7 +6,7 @@ use lfpiv_hw::{Optics, Pose};
 use nalgebra::Vector3;
 
 use super::{
-    ForwardModel, ModelError, Projector, ViewId, VolumeGrid,
+    ForwardModel, ModelError, Projector, SUPPORT_SHARE, ViewId, VolumeGrid,
     footprint::RayMap,
     tables::{AxisGeometry, AxisTable, Nodes, Tap},
 };
@@ -347,6 +347,38 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
                 at += width;
             }
             *out += sum;
+        }
+    }
+
+    fn brightest(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]) {
+        let (columns, rows, width, coverage) = self.tables(view);
+        let judged: Vec<f32>;
+        let image = match coverage {
+            None => image,
+            Some(coverage) => {
+                let judge = |(&i, &c): (&f32, &f32)| if c > 0.5 { i / c } else { f32::INFINITY };
+                judged = image.iter().zip(coverage).map(judge).collect();
+                &judged
+            }
+        };
+        for (place, out) in self.places[view.camera][range].iter().zip(out) {
+            let column = &columns[place.column as usize];
+            let row = &rows[place.row as usize];
+            let mut at = row.first as usize * width + column.first as usize;
+            let mut most: Option<f32> = None;
+            for weight in row.weights {
+                if weight > SUPPORT_SHARE
+                    && let Some(line) = image.get(at..at + W)
+                {
+                    for (&pixel, share) in line.iter().zip(column.weights) {
+                        if share > SUPPORT_SHARE {
+                            most = Some(most.unwrap_or(0.0).max(pixel));
+                        }
+                    }
+                }
+                at += width;
+            }
+            *out = most.unwrap_or(f32::INFINITY);
         }
     }
 
