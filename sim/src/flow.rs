@@ -9,6 +9,7 @@ mod fields;
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
+pub(crate) use fields::finite;
 pub use fields::{Abc, Axis, Jet, LinearShear, RingVortex, SolidRotation, Uniform};
 
 /// mm/s in one m/s.
@@ -76,8 +77,7 @@ impl Flow {
         let fourth = self.velocity_m_s(ahead(third, step));
         std::array::from_fn(|axis| {
             at[axis]
-                + step / 6.0
-                    * (first[axis] + 2.0 * second[axis] + 2.0 * third[axis] + fourth[axis])
+                + step / 6.0 * (first[axis] + 2.0 * second[axis] + 2.0 * third[axis] + fourth[axis])
         })
     }
 }

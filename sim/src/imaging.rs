@@ -49,19 +49,35 @@ pub struct PointSource {
 /// What a sensor collected, in photo-electrons; row-major, row 0 at the top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElectronImage {
-    /// Pixel columns.
-    pub columns: usize,
-    /// Pixel rows.
-    pub rows: usize,
-    /// Mean photo-electrons per pixel, length `columns × rows`.
-    pub electrons: Vec<f32>,
+    columns: usize,
+    rows: usize,
+    electrons: Vec<f32>,
 }
 
 impl ElectronImage {
     /// A dark image of the sensor's size.
     pub fn dark(optics: &Optics) -> Self {
-        let (columns, rows) = (optics.sensor.columns, optics.sensor.rows);
-        Self { columns, rows, electrons: vec![0.0; columns * rows] }
+        Self::uniform(optics.sensor.columns, optics.sensor.rows, 0.0)
+    }
+
+    /// The same light on every pixel.
+    pub fn uniform(columns: usize, rows: usize, electrons: f32) -> Self {
+        Self { columns, rows, electrons: vec![electrons; columns * rows] }
+    }
+
+    /// Number of pixel columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Number of pixel rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Mean photo-electrons per pixel, row-major, length `columns × rows`.
+    pub fn electrons(&self) -> &[f32] {
+        &self.electrons
     }
 
     /// Sum over all pixels.
@@ -91,8 +107,7 @@ impl<'a> RayTracer<'a> {
                 sigma_mm(lens.focal_length_mm / lens.pitch_mm),
             )
         });
-        let strata =
-            PupilStrata::new(optics.pupil_diameter_mm() / 2.0, settings.rays_per_particle);
+        let strata = PupilStrata::new(optics.pupil_diameter_mm() / 2.0, settings.rays_per_particle);
         Self { optics, pose, strata, blur_mm }
     }
 
@@ -156,9 +171,8 @@ impl<'a> RayTracer<'a> {
         let mut pixels: Vec<u32> = (first..first + RAYS_PER_BOX_TASK)
             .filter_map(|ray| {
                 let [u, v, fractions @ ..] = sequence.point(ray);
-                let start_mm: [f64; 3] = std::array::from_fn(|axis| {
-                    centre_mm[axis] + (fractions[axis] - 0.5) * edge_mm
-                });
+                let start_mm: [f64; 3] =
+                    std::array::from_fn(|axis| centre_mm[axis] + (fractions[axis] - 0.5) * edge_mm);
                 let on_pupil_mm = concentric_disc([2.0 * u - 1.0, 2.0 * v - 1.0], radius_mm);
                 self.point_imaging(start_mm)?.pixel(self, on_pupil_mm, &mut rng)
             })
@@ -217,9 +231,8 @@ impl PointImaging {
     fn pixel(&self, tracer: &RayTracer, pupil_mm: [f64; 2], rng: &mut Pcg64Mcg) -> Option<u32> {
         let optics = tracer.optics;
         let lens = &optics.microlens;
-        let mut plane_mm: [f64; 2] = std::array::from_fn(|axis| {
-            self.pupil_factor * pupil_mm[axis] + self.centre_mm[axis]
-        });
+        let mut plane_mm: [f64; 2] =
+            std::array::from_fn(|axis| self.pupil_factor * pupil_mm[axis] + self.centre_mm[axis]);
         if let Some((sigma_mm, _)) = tracer.blur_mm {
             blur(&mut plane_mm, sigma_mm, rng);
         }

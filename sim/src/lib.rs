@@ -5,11 +5,17 @@
 //! reconstruction, whose accuracy it is there to judge.
 
 pub mod flow;
+pub mod geometry;
 pub mod imaging;
 pub mod particles;
 pub mod scene;
+pub mod sensor;
 mod stream;
+#[cfg(test)]
+mod test_bench;
 
 pub use flow::Flow;
-pub use particles::{Particle, Volume};
-pub use scene::Scene;
+pub use geometry::{BenchGeometry, Volume};
+pub use particles::Particle;
+pub use scene::{Scene, SimulatedShot, Truth};
+pub use sensor::SensorSettings;

@@ -7,26 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     flow::Flow,
+    geometry::Volume,
     stream::{Purpose, random_stream},
 };
-
-/// The measurement volume as plain data.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Volume {
-    /// Voxels along x, y and z.
-    pub voxels: [usize; 3],
-    /// Voxel edge, in mm.
-    pub voxel_mm: f64,
-    /// World position of the volume's centre, in mm.
-    pub centre_mm: [f64; 3],
-}
-
-impl Volume {
-    /// Edge lengths (x, y, z), in mm.
-    pub fn extents_mm(&self) -> [f64; 3] {
-        self.voxels.map(|count| count as f64 * self.voxel_mm)
-    }
-}
 
 /// Where particles sit in the middle of the pulse pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -110,8 +93,7 @@ impl AlignedBox {
     }
 
     fn grown(&self, margin_mm: [f64; 3]) -> Self {
-        let extents_mm =
-            std::array::from_fn(|axis| self.extents_mm[axis] + 2.0 * margin_mm[axis]);
+        let extents_mm = std::array::from_fn(|axis| self.extents_mm[axis] + 2.0 * margin_mm[axis]);
         Self { centre_mm: self.centre_mm, extents_mm }
     }
 

@@ -130,19 +130,13 @@ pub struct Jet {
 
 impl Default for Jet {
     fn default() -> Self {
-        Self {
-            peak_m_s: 3.0,
-            radius_mm: 3.0,
-            momentum_thickness_mm: 0.3,
-            axis_offset_mm: [0.0; 2],
-        }
+        Self { peak_m_s: 3.0, radius_mm: 3.0, momentum_thickness_mm: 0.3, axis_offset_mm: [0.0; 2] }
     }
 }
 
 impl Jet {
     pub(super) fn velocity_m_s(&self, [x, _, z]: [f64; 3]) -> [f64; 3] {
-        let ratio =
-            (x - self.axis_offset_mm[0]).hypot(z - self.axis_offset_mm[1]) / self.radius_mm;
+        let ratio = (x - self.axis_offset_mm[0]).hypot(z - self.axis_offset_mm[1]) / self.radius_mm;
         let steepness = self.radius_mm / (4.0 * self.momentum_thickness_mm);
         let profile = (1.0 + (steepness * (1.0 / ratio - ratio)).tanh()) / 2.0;
         [0.0, self.peak_m_s * profile, 0.0]
@@ -187,11 +181,7 @@ impl Abc {
 
 /// Range checks alone let NaN through.
 pub(crate) fn finite(value: &f64, _: &()) -> garde::Result {
-    if value.is_finite() {
-        Ok(())
-    } else {
-        Err(garde::Error::new("allowed: a finite number"))
-    }
+    if value.is_finite() { Ok(()) } else { Err(garde::Error::new("allowed: a finite number")) }
 }
 
 fn differs(component: Axis) -> impl FnOnce(&Axis, &()) -> garde::Result {

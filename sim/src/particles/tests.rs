@@ -35,9 +35,8 @@ fn a_larger_sheet_keeps_the_density() {
 
 #[test]
 fn seeds_and_shots_give_different_particles_and_repeat() {
-    let draw = |key| {
-        seeding(Placement::OffGrid).particles(&cube(), 0.1, &flow_along_x(1.0), 1e-4, key)
-    };
+    let draw =
+        |key| seeding(Placement::OffGrid).particles(&cube(), 0.1, &flow_along_x(1.0), 1e-4, key);
     assert_eq!(draw((1, 2)), draw((1, 2)));
     assert_ne!(draw((1, 2)), draw((1, 3)));
     assert_ne!(draw((1, 2)), draw((2, 2)));
@@ -67,8 +66,7 @@ fn particles_enter_and_leave_a_sharp_sheet() {
 #[test]
 fn on_grid_particles_sit_on_distinct_voxel_centres_in_mid_time() {
     let odd = Volume { voxels: [21, 20, 19], voxel_mm: 0.2, centre_mm: [1.0, 0.0, -1.0] };
-    let abc =
-        Flow::Abc(Abc { wavelength_mm: 10.0, amplitude_m_s: 1.0, coefficients: [1.0; 3] });
+    let abc = Flow::Abc(Abc { wavelength_mm: 10.0, amplitude_m_s: 1.0, coefficients: [1.0; 3] });
     let particles = seeding(Placement::OnGrid).particles(&odd, 0.1, &abc, 1e-4, (7, 0));
     let mut seen = HashSet::new();
     for p in &particles {
