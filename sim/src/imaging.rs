@@ -18,8 +18,8 @@ use crate::stream::{Purpose, random_stream};
 use pupil::{LowDiscrepancy, PupilStrata, concentric_disc};
 
 /// Particles traced in parallel before they are added to the image: bounds the memory of the
-/// footprints, about 4 kB each.
-const PARTICLES_PER_BATCH: usize = 4096;
+/// footprints, about 20 kB each.
+const PARTICLES_PER_BATCH: usize = 1024;
 
 /// Rays of a box traced as one task.
 const RAYS_PER_BOX_TASK: u64 = 1 << 16;
@@ -180,19 +180,26 @@ impl<'a> RayTracer<'a> {
         count_runs(&mut pixels)
     }
 
-    /// Rays per pixel of one source.
+    /// Pixels hit by the rays of one source and by how many in a row; a pixel may come again.
     fn footprint(&self, source: &PointSource, stream: &[u64]) -> Vec<(u32, u32)> {
         let Some(imaging) = self.point_imaging(source.position_mm) else {
             return Vec::new();
         };
         let key: Vec<u64> = stream.iter().copied().chain([source.id]).collect();
         let mut rng = random_stream(Purpose::Rays, &key);
-        let mut pixels = Vec::with_capacity(self.strata.rays());
+        let mut runs: Vec<(u32, u32)> = Vec::with_capacity(self.strata.rays() / 2);
         for stratum in 0..self.strata.rays() {
             let on_pupil_mm = self.strata.jittered(stratum, rng.next_u64());
-            pixels.extend(imaging.pixel(self, on_pupil_mm, &mut rng));
+            let Some(pixel) = imaging.pixel(self, on_pupil_mm, &mut rng) else {
+                continue;
+            };
+            // Neighbouring strata mostly hit the same pixel.
+            match runs.last_mut() {
+                Some((last, rays)) if *last == pixel => *rays += 1,
+                _ => runs.push((pixel, 1)),
+            }
         }
-        count_runs(&mut pixels)
+        runs
     }
 
     /// How the main lens images a world point, or `None` for a point not in front of the lens.
@@ -258,7 +265,8 @@ impl PointImaging {
 /// Index of the nearest of `count` cells of unit pitch centred on zero, or `None` outside them.
 #[inline]
 fn nearest(position: f64, count: usize) -> Option<usize> {
-    let from_edge = (position + count as f64 / 2.0).floor();
+    let from_edge = position + count as f64 / 2.0;
+    // Casting cuts the fraction off; `floor` would be a call on processors without SSE 4.1.
     (from_edge >= 0.0 && from_edge < count as f64).then_some(from_edge as usize)
 }
 
