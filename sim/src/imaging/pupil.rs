@@ -1,6 +1,6 @@
 //! Points on the circular pupil, spread evenly.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::FRAC_PI_4;
 
 use rand::{Rng, RngExt};
 
@@ -43,13 +43,33 @@ pub(super) fn concentric_disc([x, y]: [f64; 2], radius: f64) -> [f64; 2] {
     if x == 0.0 && y == 0.0 {
         return [0.0, 0.0];
     }
-    let (r, angle) = if x.abs() > y.abs() {
-        (radius * x, FRAC_PI_4 * (y / x))
+    if x.abs() > y.abs() {
+        let (sin, cos) = sin_cos_of_octant(FRAC_PI_4 * (y / x));
+        [radius * x * cos, radius * x * sin]
     } else {
-        (radius * y, FRAC_PI_2 - FRAC_PI_4 * (x / y))
-    };
-    let (sin, cos) = angle.sin_cos();
-    [r * cos, r * sin]
+        let (sin, cos) = sin_cos_of_octant(FRAC_PI_4 * (x / y));
+        [radius * y * sin, radius * y * cos]
+    }
+}
+
+/// Sine and cosine for |angle| ≤ π/4 by their Taylor series: within 2e-9, far below a pixel's
+/// width, and faster than the library's, which would take a third of all tracing.
+#[inline]
+fn sin_cos_of_octant(angle: f64) -> (f64, f64) {
+    let square = angle * angle;
+    let sin = angle
+        * (1.0
+            + square
+                * (-1.0 / 6.0
+                    + square * (1.0 / 120.0 + square * (-1.0 / 5040.0 + square / 362_880.0))));
+    let cos = 1.0
+        + square
+            * (-0.5
+                + square
+                    * (1.0 / 24.0
+                        + square
+                            * (-1.0 / 720.0 + square * (1.0 / 40_320.0 - square / 3_628_800.0))));
+    (sin, cos)
 }
 
 /// Additive sequence in the unit cube whose steps are powers of 1/φ, φ the root of
@@ -130,7 +150,14 @@ mod tests {
         #[test]
         fn the_map_stays_in_the_disc_and_keeps_rings(x in -1.0..1.0_f64, y in -1.0..1.0_f64) {
             let [a, b] = concentric_disc([x, y], 3.0);
-            prop_assert!((a.hypot(b) - 3.0 * x.abs().max(y.abs())).abs() < 1e-9);
+            prop_assert!((a.hypot(b) - 3.0 * x.abs().max(y.abs())).abs() < 1e-8);
+        }
+
+        #[test]
+        fn the_series_are_sine_and_cosine(angle in -FRAC_PI_4..FRAC_PI_4) {
+            let (sin, cos) = sin_cos_of_octant(angle);
+            prop_assert!((sin - angle.sin()).abs() < 2e-9);
+            prop_assert!((cos - angle.cos()).abs() < 2e-9);
         }
     }
 }
