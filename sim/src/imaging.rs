@@ -10,7 +10,6 @@ mod pupil;
 
 use lfpiv_hw::{CameraPoint, Optics, Pose};
 use nalgebra::Point3;
-use rand::Rng;
 use rayon::prelude::*;
 
 use crate::stream::{Purpose, random_stream};
@@ -178,19 +177,18 @@ impl<'a> RayTracer<'a> {
         };
         let key: Vec<u64> = stream.iter().copied().chain([source.id]).collect();
         let mut rng = random_stream(Purpose::Rays, &key);
+        let mut diffraction_rng = random_stream(Purpose::Diffraction, &key);
         let mut runs: Vec<(u32, u32)> = Vec::with_capacity(self.strata.rays() / 2);
-        for stratum in 0..self.strata.rays() {
-            let on_pupil_mm = self.strata.jittered(stratum, rng.next_u64());
+        self.strata.jittered(&mut rng, |on_pupil_mm| {
             let plane_mm = imaging.on_microlenses_mm(on_pupil_mm);
-            let Some(pixel) = self.detector.pixel(plane_mm, on_pupil_mm, &mut rng) else {
-                continue;
-            };
+            let pixel = self.detector.pixel(plane_mm, on_pupil_mm, &mut diffraction_rng);
             // Neighbouring strata mostly hit the same pixel.
-            match runs.last_mut() {
-                Some((last, rays)) if *last == pixel => *rays += 1,
-                _ => runs.push((pixel, 1)),
+            match (pixel, runs.last_mut()) {
+                (None, _) => {}
+                (Some(pixel), Some((last, rays))) if *last == pixel => *rays += 1,
+                (Some(pixel), _) => runs.push((pixel, 1)),
             }
-        }
+        });
         runs
     }
 
