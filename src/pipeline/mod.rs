@@ -1,8 +1,10 @@
 //! From image pairs to results.
 
 mod pair;
+mod plan;
 mod processor;
 
 pub use crate::reconstruction::DenseVolume;
 pub use pair::{ImagePair, PairResult, StageSeconds};
+pub use plan::Plan;
 pub use processor::{Measurement, ProcessError, Processor, SetupError};
