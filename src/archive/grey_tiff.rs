@@ -52,7 +52,7 @@ pub enum FileDepth {
 
 impl FileDepth {
     /// The smallest depth that holds a sensor's counts.
-    pub fn for_sensor_bits(bits: u32) -> Self {
+    pub fn for_sensor_bits(bits: u8) -> Self {
         if bits <= 8 { Self::Eight } else { Self::Sixteen }
     }
 }
