@@ -7,3 +7,6 @@ pub mod model;
 pub mod pipeline;
 pub mod reconstruction;
 pub mod velocimetry;
+
+#[cfg(test)]
+mod test_bench;

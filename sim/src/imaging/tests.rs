@@ -30,7 +30,8 @@ fn centroid_mm(image: &ElectronImage) -> [f64; 2] {
 }
 
 /// First and last microlens column that receive light, from the pixels' own micro-images. Pixels
-/// near a border of two micro-images are left out: rays may cross it.
+/// beyond 0.45 of the pitch are left out, since rays may cross the border of two micro-images: the
+/// others see |U| < 0.45 s_i p_m (1 + f_m/s_i) / f_m = 11.3 mm of the pupil.
 fn lit_microlens_columns(image: &ElectronImage) -> (usize, usize) {
     let optics = optics();
     let lit = image.electrons().iter().enumerate().filter(|(_, electrons)| **electrons > 0.0);
@@ -91,13 +92,13 @@ fn one_ray_lands_where_design_section_2_says() {
 
 #[test]
 fn disparity_with_depth_has_the_closed_form() {
-    // x = a U + b ξ: over the pupil the spot on the microlens plane is |a| D wide, and an edge
+    // x = a U + b ξ: the spot on the microlens plane reaches to |a U| on either side, and an edge
     // ray on the right (U > 0) falls to the right of the axis for a point nearer than focus.
-    for depth in [-4.0, -2.0, 2.0, 4.0] {
+    for depth in [-5.0, -4.0, -2.0, 2.0, 4.0, 5.0] {
         let s: f64 = 200.0 - depth;
         let a = 1.0 - 200.0 * (1.0 / 100.0 - 1.0 / s);
         let (low, high) = lit_microlens_columns(&image_of([0.0, 0.0, depth], 0));
-        let half_width = (a.abs() * 12.5 / 0.1).round() as usize;
+        let half_width = (a.abs() * 11.3 / 0.1).round() as usize;
         assert_eq!((low, high), (64 - half_width, 64 + half_width), "depth {depth}");
         let (optics, poses) = (optics(), poses());
         let tracer = RayTracer::new(&optics, &poses[0], &settings(1));
