@@ -10,7 +10,7 @@ use anyhow::{Context, bail};
 use indicatif::ProgressBar;
 use serde::{Deserialize, de::value::StrDeserializer};
 
-use super::output::{print, progress_bar};
+use super::output::{count, print, progress_bar};
 use crate::{
     archive::{VtiSeries, find_pair_folders, read_pair, write_velocity, write_volumes, write_vti},
     config::ConfigFile,
@@ -46,10 +46,11 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         tracing::error!("{failure}");
     }
     let bar = progress_bar(jobs.len(), "pairs");
-    let mut series = VtiSeries::default();
+    let (mut series, mut measured) = (VtiSeries::default(), 0_usize);
     for (number, job) in (0..).zip(&jobs) {
         match run.measure(job) {
             Ok(result) => {
+                measured += 1;
                 series.push(format!("{}/velocity.vti", job.name), number);
                 report(&bar, job, &result)?;
             }
@@ -62,7 +63,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    if failures.len() < jobs.len() {
+    if measured > 0 {
         series.write(&args.out.join("velocity.vti.series"))?;
     }
     if failures.is_empty() {
@@ -181,10 +182,6 @@ fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<(
         }
         print(&line)
     })
-}
-
-fn count(number: usize, what: &str) -> String {
-    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
 }
 
 /// A solver by the name it has in the configuration.
