@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test packages readers format lint test-rust test-readers clean
+.PHONY: help demo test packages components readers format lint test-rust test-readers clean
 
 # The compiler's linker, and the NetCDF library with what finds it.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
@@ -12,7 +12,7 @@ DEMO_SHOTS := 5
 help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make test    everything that continuous integration checks"
-	@echo "make clean   remove build outputs, the Python environment and demo results"
+	@echo "make clean   remove build outputs and the Python environment"
 
 demo: packages
 	cargo build --release --locked
@@ -24,13 +24,18 @@ test: format lint test-rust test-readers
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)
 
+# A minimal toolchain lacks these two.
+components:
+	@cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
+	@cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
+
 readers: packages
 	@scripts/install-readers.sh
 
-format:
+format: components
 	cargo fmt --all --check
 
-lint: packages
+lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
 test-rust: packages

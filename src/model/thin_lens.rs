@@ -45,7 +45,9 @@ pub fn thin_lens_model(
     Ok(match widest.floor() as usize + 2 {
         ..=2 => Box::new(ThinLensModel::<2>::new(optics, views, grid, footprint_mm)),
         3 => Box::new(ThinLensModel::<3>::new(optics, views, grid, footprint_mm)),
-        4..=MOST_TAPS => Box::new(ThinLensModel::<MOST_TAPS>::new(optics, views, grid, footprint_mm)),
+        4..=MOST_TAPS => {
+            Box::new(ThinLensModel::<MOST_TAPS>::new(optics, views, grid, footprint_mm))
+        }
         _ => {
             let (camera, most) = (1, MOST_TAPS - 2);
             let voxel_mm = footprint_mm;
@@ -216,7 +218,8 @@ impl<const W: usize> ThinLensModel<W> {
             .into_iter()
             .zip(&layouts)
             .map(|(view, layout)| {
-                let [columns, rows] = view.geometries(optics, &layout.columns, &layout.rows, footprint_mm);
+                let [columns, rows] =
+                    view.geometries(optics, &layout.columns, &layout.rows, footprint_mm);
                 let (columns, rows) =
                     rayon::join(|| AxisTable::new(&columns), || AxisTable::new(&rows));
                 let width = view.window.columns.len();
