@@ -1,5 +1,7 @@
 //! lfpiv: light field -> volume -> velocity. See ARCHITECTURE.md for the rooms.
 
+pub mod archive;
+pub mod cli;
 pub mod config;
 pub mod lightfield;
 pub mod model;

@@ -1,0 +1,252 @@
+//! Configuration files: the shipped ones load; a wrong one is refused with file, line, key, value
+//! and what is allowed.
+
+use lfpiv::config::{Config, ConfigFile};
+
+#[allow(dead_code)]
+mod support;
+
+use support::{SHIPPED, shipped};
+
+/// The bench's configuration with one piece of text replaced.
+struct Changed {
+    text: String,
+    /// First byte of the replacement.
+    start: usize,
+}
+
+impl Changed {
+    fn new(from: &str, to: &str) -> Self {
+        let text = shipped("bench");
+        let start = text.find(from).unwrap_or_else(|| panic!("{from} is not in bench.toml"));
+        let text = format!("{}{to}{}", &text[..start], &text[start + from.len()..]);
+        Self { text, start }
+    }
+
+    /// What is said against it as `run.toml`.
+    fn refusal(&self) -> String {
+        match Config::parse("run.toml", &self.text) {
+            Ok(_) => panic!("this was accepted:\n{}", self.text),
+            Err(error) => error.to_string(),
+        }
+    }
+
+    /// `run.toml:LINE:COLUMN` of the first `marker` at or after the replacement.
+    fn place(&self, marker: &str) -> String {
+        let byte = self.start + self.text[self.start..].find(marker).expect(marker);
+        self.place_of(byte)
+    }
+
+    /// The same for the last `marker` before the replacement.
+    fn place_before(&self, marker: &str) -> String {
+        self.place_of(self.text[..self.start].rfind(marker).expect(marker))
+    }
+
+    fn place_of(&self, byte: usize) -> String {
+        let line_start = self.text[..byte].rfind('\n').map_or(0, |newline| newline + 1);
+        let line = self.text[..byte].matches('\n').count() + 1;
+        format!("run.toml:{line}:{}", byte - line_start + 1)
+    }
+}
+
+/// What is said against the bench's configuration with one piece of text replaced.
+fn refusal(from: &str, to: &str) -> String {
+    Changed::new(from, to).refusal()
+}
+
+#[test]
+fn shipped_configurations_load() {
+    for name in SHIPPED {
+        let config = Config::parse(name, &shipped(name)).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(config.camera.len(), 2, "{name}");
+        assert!(config.simulation.is_some(), "{name}");
+    }
+}
+
+#[test]
+fn shipped_configurations_describe_the_documented_benches() {
+    let load = |name: &str| Config::parse(name, &shipped(name)).unwrap();
+    let bench = load("bench");
+    assert_eq!(bench.volume.voxels, [100, 80, 80]);
+    assert_eq!((bench.optics.microlens.columns, bench.optics.microlens.rows), (129, 97));
+    assert_eq!((bench.velocimetry.window_mm, bench.velocimetry.overlap), (1.6, 0.5));
+    assert_eq!(bench.shot.dt_us, 100.0);
+    let paper = load("paper");
+    assert_eq!((paper.optics.sensor.columns, paper.optics.microlens.rows), (4582, 251));
+    assert_eq!(paper.reconstruction.refinement, 1);
+    let jet = load("jet");
+    assert_eq!(jet.volume.voxels, [130, 100, 120]);
+    assert_eq!(jet.camera[1].axis.as_slice(), [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn a_value_out_of_range_is_shown_with_the_range() {
+    let cases = [
+        (
+            "voxel_mm = 0.1",
+            "voxel_mm = -0.1",
+            "-0.1",
+            "volume.voxel_mm = -0.1: allowed 0.001 to 10",
+        ),
+        ("voxels = [100,", "voxels = [0,", "0,", "volume.voxels[0] = 0: allowed 1 to 2000"),
+        ("queue = 4", "queue = -4", "-4", "pipeline.queue = -4: allowed 1 to 1000"),
+        (
+            "# saturation_counts = 4095",
+            "saturation_counts = 70000",
+            "70000",
+            "image.saturation_counts = 70000: allowed 1 to 65535",
+        ),
+        (
+            "wavelength_mm = 10.0",
+            "wavelength_mm = 0.0",
+            "0.0",
+            "simulation.flow.wavelength_mm = 0.0: allowed 0.01 to 10000",
+        ),
+        (
+            "object_distance_mm = 200.0",
+            "object_distance_mm = 50.0",
+            "50.0",
+            "optics.object_distance_mm = 50.0: allowed: more than the focal length, 100 mm",
+        ),
+    ];
+    for (from, to, marker, expected) in cases {
+        let changed = Changed::new(from, to);
+        assert_eq!(changed.refusal(), format!("{}: {expected}", changed.place(marker)));
+    }
+}
+
+#[test]
+fn a_value_of_the_wrong_type_is_shown_with_what_is_allowed() {
+    let cases = [
+        (
+            "voxel_mm = 0.1",
+            "voxel_mm = \"small\"",
+            "volume.voxel_mm = \"small\": allowed 0.001 to 10",
+        ),
+        (
+            "shot_noise = true",
+            "shot_noise = 1",
+            "simulation.sensor.shot_noise = 1: allowed: true or false",
+        ),
+        (
+            "\"os-mart\"\n",
+            "\"mart\"\n",
+            "reconstruction.solver = \"mart\": allowed: mlos, sart, os-sart",
+        ),
+        (
+            "127.0.0.1:8640",
+            "localhost",
+            "server.address = \"localhost\": allowed: address and port",
+        ),
+        ("dir = \"results\"", "dir = 3", "output.dir = 3: allowed: text in quotes"),
+        (
+            "up = [0.0, 1.0, 0.0]",
+            "up = [0.0, 1.0]",
+            "camera[0].up = [0.0, 1.0]: allowed: an array of 3",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let message = refusal(from, to);
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+#[test]
+fn an_unknown_key_is_named_with_the_keys_that_exist() {
+    let cases = [
+        (
+            "voxel_mm = 0.1",
+            "voxel = 0.1",
+            "voxel",
+            "volume.voxel: unknown key; allowed: voxels, voxel_mm, centre_mm",
+        ),
+        (
+            "wavelength_mm = 10.0",
+            "wavelength = 10.0",
+            "wavelength",
+            "simulation.flow.wavelength: unknown key; allowed: wavelength_mm, amplitude_m_s, \
+             coefficients",
+        ),
+        (
+            "[optics.sensor]",
+            "[optics.chip]",
+            "chip",
+            "optics.chip: unknown key; allowed: focal_length_mm, f_number, object_distance_mm, \
+             microlens, sensor",
+        ),
+    ];
+    for (from, to, marker, expected) in cases {
+        let changed = Changed::new(from, to);
+        assert_eq!(changed.refusal(), format!("{}: {expected}", changed.place(marker)));
+    }
+}
+
+#[test]
+fn a_missing_key_is_named_with_its_range_at_its_table() {
+    let changed = Changed::new("voxel_mm = 0.1\n", "");
+    let expected = "volume.voxel_mm: required key is missing; allowed 0.001 to 10";
+    assert_eq!(changed.refusal(), format!("{}: {expected}", changed.place_before("[volume]")));
+}
+
+#[test]
+fn cameras_may_be_one_or_two() {
+    let text = shipped("bench");
+    let first = text.find("[[camera]]\nright").unwrap();
+    let second = first + 1 + text[first + 1..].find("[[camera]]").unwrap();
+    let end = text.find("[volume]").unwrap();
+    let camera = &text[first..second];
+    let with = |cameras: String| {
+        let changed = format!("{}{cameras}{}", &text[..first], &text[end..]);
+        Config::parse("run.toml", &changed).map(|c| c.camera.len()).map_err(|e| e.to_string())
+    };
+    assert_eq!(with(camera.to_owned()), Ok(1));
+    let missing = with(String::new()).unwrap_err();
+    assert!(missing.contains("camera: required key is missing"), "{missing}");
+    let three = with(camera.repeat(3)).unwrap_err();
+    assert!(three.contains("camera: 3 cameras; allowed: 1 or 2"), "{three}");
+}
+
+#[test]
+fn the_second_cameras_bad_vector_is_told_from_the_firsts() {
+    let changed = Changed::new("up = [0.0, 0.0, -1.0]", "up = [0.0, 0.0, -2.0]");
+    let message = changed.refusal();
+    let expected = "camera[1].up = [0.0, 0.0, -2.0]: has length 2, allowed: 1 within 1e-6";
+    assert!(message.starts_with(&format!("{}: {expected}", changed.place("["))), "{message}");
+    assert!(message.contains("camera[1].axis"), "{message}");
+    let changed = Changed::new("up = [0.0, 0.0, -1.0]", "up = [0.0, nan, -1.0]");
+    let message = changed.refusal();
+    let expected = format!("{}: camera[1].up[1] = nan: allowed", changed.place("nan"));
+    assert!(message.starts_with(&expected), "{message}");
+}
+
+#[test]
+fn broken_syntax_is_placed() {
+    for (to, marker) in [
+        ("voxel_mm = 1e999", "1e999"),
+        ("voxel_mm = 0.1 0.2", "0.1"),
+        ("voxel_mm = 0.1\nvoxel_mm = 0.2", "voxel_mm = 0.2"),
+    ] {
+        let changed = Changed::new("voxel_mm = 0.1", to);
+        let message = changed.refusal();
+        let expected = format!("{}: not TOML: ", changed.place(marker));
+        assert!(message.starts_with(&expected), "{expected} {message}");
+    }
+}
+
+#[test]
+fn all_faults_are_reported_at_once_in_the_order_of_the_file() {
+    let text = shipped("bench")
+        .replace("overlap = 0.5", "overlap = 2.0")
+        .replace("f_number = 4.0", "f_number = nan");
+    let message = Config::parse("run.toml", &text).unwrap_err().to_string();
+    let lines: Vec<&str> = message.lines().collect();
+    assert_eq!(lines.len(), 2, "{message}");
+    assert!(lines[0].contains("optics.f_number = nan: allowed 0.5 to 64"), "{message}");
+    assert!(lines[1].contains("velocimetry.overlap = 2.0: allowed 0 to 0.9"), "{message}");
+}
+
+#[test]
+fn a_file_that_cannot_be_read_is_named() {
+    let message = ConfigFile::load("no/such.toml".as_ref()).unwrap_err().to_string();
+    assert!(message.contains("no/such.toml"), "{message}");
+}
