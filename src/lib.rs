@@ -1,5 +1,6 @@
 //! lfpiv: light field -> volume -> velocity. See ARCHITECTURE.md for the rooms.
 
+pub mod acquisition;
 pub mod config;
 pub mod lightfield;
 pub mod model;
