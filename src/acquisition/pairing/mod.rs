@@ -17,6 +17,8 @@
 
 mod rules;
 mod slot;
+#[cfg(test)]
+mod tests;
 mod track;
 
 use std::{collections::BTreeMap, time::Duration};
@@ -91,6 +93,8 @@ pub struct Pairing {
     settings: PairingSettings,
     grid: TimeGrid,
     burst: Burst,
+    /// Triggers that the synchroniser is known to have given.
+    given: u64,
     tracks: Vec<Track>,
     last_arrival: Vec<Duration>,
     /// Timestamp of each camera less that of camera 0, for the same trigger.
@@ -109,6 +113,7 @@ impl Pairing {
         Self {
             grid,
             burst: Burst::default(),
+            given: 0,
             tracks: vec![Track::default(); settings.cameras],
             last_arrival: vec![Duration::ZERO; settings.cameras],
             clock_offsets_ns: (settings.cameras == 1).then(|| vec![0]),
@@ -170,7 +175,8 @@ impl Pairing {
         self.tracks[camera].report_underruns(total);
     }
 
-    /// Time has passed.
+    /// Time has passed. A trigger is given up for silence only once it is known to have been
+    /// given: from [`Self::burst_ended`] or because a camera saw it.
     pub fn tick(&mut self, now: Duration) -> Vec<Ruling> {
         let mut rulings = Vec::new();
         let triggers: Vec<u64> = self.open.keys().copied().collect();
@@ -187,10 +193,10 @@ impl Pairing {
             return Err(ExtraTriggers { counted, asked: self.burst.end });
         }
         self.burst.end = counted.max(self.burst.first);
+        self.given = self.burst.end;
         let mut rulings = Vec::new();
         for (trigger, open) in self.open.split_off(&self.burst.end) {
-            let untouched = open.slots.iter().all(|slot| slot.is_empty() && !slot.settled);
-            if untouched {
+            if open.slots.iter().all(Slot::is_untouched) {
                 rulings.push(Ruling::Withdrawn { trigger });
             } else {
                 // Frames prove that it happened, whatever the counter says.

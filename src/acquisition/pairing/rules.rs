@@ -78,6 +78,9 @@ impl Pairing {
     /// their clocks, and by how many periods.
     fn find_camera_behind(&self, open: &OpenTrigger) -> Option<(usize, u64)> {
         let offsets = self.clock_offsets_ns.as_ref()?;
+        if open.slots.iter().any(|slot| !slot.disagreement.is_empty()) {
+            return None;
+        }
         let first = open.slots[0].timestamp_ns()?;
         open.slots.iter().zip(offsets).enumerate().find_map(|(camera, (slot, offset))| {
             let (steps, off_grid_ns) = self.grid.steps(slot.timestamp_ns()? - first - offset);
@@ -175,6 +178,9 @@ impl Pairing {
     ) {
         let patience = self.settings.patience;
         let Some(open) = self.open.get_mut(&trigger) else { return };
+        if trigger >= self.given && open.slots.iter().all(Slot::is_untouched) {
+            return;
+        }
         let mut any_overdue = false;
         for (slot, last_arrival) in open.slots.iter_mut().zip(&self.last_arrival) {
             // A camera that still delivers is slow, not silent: its clock runs from its last frame.

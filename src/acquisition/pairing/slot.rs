@@ -29,6 +29,11 @@ impl Slot {
         self.frames.iter().all(Option::is_none)
     }
 
+    /// Whether nothing is known that shows that the trigger was given.
+    pub fn is_untouched(&self) -> bool {
+        self.is_empty() && !self.settled && !self.missed && self.passed_at.is_none()
+    }
+
     pub fn frames_missing(&self) -> u64 {
         self.frames.iter().filter(|frame| frame.is_none()).count() as u64
     }

@@ -112,6 +112,12 @@ impl Track {
         } else if behind > 0 && timed < i128::from(burst.end) {
             let missed = behind.unsigned_abs() as u64;
             located(counted + missed, missed)
+        } else if behind < 0
+            && behind + i128::from(self.missed) >= 0
+            && timed >= i128::from(burst.first)
+        {
+            // It was sent before a trigger that is known by now to have been missed.
+            located(counted - behind.unsigned_abs() as u64, 0)
         } else {
             doubt(format!("frame id says trigger {counted}, timestamp says {timed}"))
         }
