@@ -1,5 +1,21 @@
-//! A bench that is not there.
+//! A bench that is not there: known flows, particles that follow them, and the light-field images
+//! two cameras would take, by ray tracing.
+//!
+//! It depends on the description of the bench (`lfpiv-hw`) alone and shares no code with the
+//! reconstruction, whose accuracy it is there to judge.
 
+pub mod flow;
+pub mod geometry;
+pub mod imaging;
+pub mod particles;
 pub mod scene;
+pub mod sensor;
+mod stream;
+#[cfg(test)]
+mod test_bench;
 
-pub use scene::Scene;
+pub use flow::Flow;
+pub use geometry::{BenchGeometry, Volume};
+pub use particles::Particle;
+pub use scene::{Scene, SimulatedShot, Truth};
+pub use sensor::SensorSettings;

@@ -1,13 +1,169 @@
 //! What is in front of the simulated cameras: the `[simulation]` table of the configuration.
 
 use garde::Validate;
+use lfpiv_hw::RawImage;
 use serde::{Deserialize, Serialize};
+
+use crate::{
+    flow::{Flow, finite},
+    geometry::BenchGeometry,
+    imaging::{ElectronImage, PointSource, RaySettings, RayTracer},
+    particles::{FrameOfPair, Particle, Placement, Seeding},
+    sensor::SensorSettings,
+};
 
 /// Flow, particles, light and sensor of a simulated run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct Scene {
-    /// Particles per microlens (ppm).
-    #[garde(range(min = 0.0, max = 20.0))]
+    /// Particles per microlens (ppm): 1 over 100 × 100 microlenses is 10,000 particles inside
+    /// the measurement volume.
+    #[garde(custom(finite), range(min = 0.0, max = 20.0))]
     pub ppm: f64,
+    /// Whether particles sit anywhere (`off-grid`) or on voxel centres (`on-grid`).
+    #[garde(skip)]
+    pub placement: Placement,
+    /// Half-width s of the uniform distribution of relative brightness on [1 − s, 1 + s].
+    #[garde(custom(finite), range(min = 0.0, max = 1.0))]
+    pub intensity_spread: f64,
+    /// Edge lengths (x, y, z) of the sharp-edged light sheet, centred on the volume, in mm; the
+    /// volume's own when absent. Another size is seeded at the same number density.
+    #[garde(inner(inner(custom(finite), range(min = 0.01, max = 1000.0))))]
+    pub sheet_mm: Option<[f64; 3]>,
+    /// Seed of a run that names none.
+    #[garde(skip)]
+    pub seed: u64,
+    /// Photo-electrons that the mean particle releases per exposure if no ray is lost. In focus
+    /// they spread over about 256 pixels of the bench's cameras.
+    #[garde(custom(finite), range(min = 0.0, max = 1e9))]
+    pub particle_photoelectrons: f64,
+    /// Rays per particle and frame, rounded up to a square number.
+    #[garde(range(min = 1, max = 4_000_000))]
+    pub rays_per_particle: usize,
+    /// Whether light is spread by diffraction at the main lens and at the microlenses.
+    #[garde(skip)]
+    pub diffraction: bool,
+    /// Wavelength of the laser, in nm; only diffraction depends on it.
+    #[garde(custom(finite), range(min = 100.0, max = 2000.0))]
+    pub wavelength_nm: f64,
+    /// What the particles follow.
+    #[garde(dive)]
+    pub flow: Flow,
+    /// How light becomes counts.
+    #[garde(dive)]
+    pub sensor: SensorSettings,
 }
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            ppm: 1.0,
+            placement: Placement::OffGrid,
+            intensity_spread: 0.2,
+            sheet_mm: None,
+            seed: 1,
+            particle_photoelectrons: 100_000.0,
+            rays_per_particle: 4096,
+            diffraction: false,
+            wavelength_nm: 532.0,
+            flow: Flow::default(),
+            sensor: SensorSettings::default(),
+        }
+    }
+}
+
+/// The images of one shot, and what is behind them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SimulatedShot {
+    /// Exposures 1 and 2 of every camera, in the order of the poses.
+    pub images: Vec<[RawImage; 2]>,
+    /// The particles that made them.
+    pub truth: Truth,
+}
+
+/// What a simulated shot shows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Truth {
+    /// Seed of the run.
+    pub seed: u64,
+    /// Number of the shot in the run.
+    pub shot: u64,
+    /// Time between the pulses, in s.
+    pub dt_s: f64,
+    /// The velocity field.
+    pub flow: Flow,
+    /// Every particle that is lit in at least one frame.
+    pub particles: Vec<Particle>,
+}
+
+impl Scene {
+    /// The particles of one shot: the truth without the images.
+    pub fn truth(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Truth {
+        let seeding = Seeding {
+            ppm: self.ppm,
+            placement: self.placement,
+            intensity_spread: self.intensity_spread,
+            sheet_mm: self.sheet_mm,
+        };
+        let particles = seeding.particles(
+            &bench.volume,
+            bench.object_pitch_mm(),
+            &self.flow,
+            bench.dt_s,
+            (seed, shot),
+        );
+        Truth { seed, shot, dt_s: bench.dt_s, flow: self.flow.clone(), particles }
+    }
+
+    /// One shot as all cameras record it. The same for the same scene, bench, seed and shot,
+    /// whatever the number of threads.
+    pub fn shot(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> SimulatedShot {
+        let truth = self.truth(bench, seed, shot);
+        let images = (0..bench.poses.len())
+            .map(|camera| {
+                [FrameOfPair::A, FrameOfPair::B].map(|frame| {
+                    let light = self.light(bench, &truth, camera, frame);
+                    self.sensor.expose(&light, &stream_key(&truth, camera, frame))
+                })
+            })
+            .collect();
+        SimulatedShot { images, truth }
+    }
+
+    /// What one camera's sensor collects in one frame, before background and noise.
+    pub fn light(
+        &self,
+        bench: &BenchGeometry,
+        truth: &Truth,
+        camera: usize,
+        frame: FrameOfPair,
+    ) -> ElectronImage {
+        let Some(pose) = bench.poses.get(camera) else {
+            return ElectronImage::dark(&bench.optics);
+        };
+        let settings = RaySettings {
+            rays_per_particle: self.rays_per_particle,
+            diffraction_nm: self.diffraction.then_some(self.wavelength_nm),
+        };
+        let sources = self.sources(&truth.particles, frame);
+        RayTracer::new(&bench.optics, pose, &settings)
+            .trace(&sources, &stream_key(truth, camera, frame))
+    }
+
+    fn sources(&self, particles: &[Particle], frame: FrameOfPair) -> Vec<PointSource> {
+        let lit = particles.iter().enumerate().filter_map(|(id, particle)| {
+            let electrons = particle.intensity * self.particle_photoelectrons;
+            let position_mm = particle.lit_mm(frame)?;
+            Some(PointSource { id: id as u64, position_mm, electrons })
+        });
+        lit.collect()
+    }
+}
+
+/// Names the random streams of one exposure.
+fn stream_key(truth: &Truth, camera: usize, frame: FrameOfPair) -> [u64; 4] {
+    [truth.seed, truth.shot, camera as u64, frame as u64]
+}
+
+#[cfg(test)]
+mod tests;

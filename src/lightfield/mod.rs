@@ -1,5 +1,11 @@
 //! From raw images to views.
 
+mod layout;
+mod photometry;
+mod sampling;
 mod settings;
 
+pub use layout::{MicrolensWindow, View, ViewLayout, ViewStack};
+pub use photometry::{LightLevels, PhotometricZones};
+pub use sampling::{AxisSampling, Sample};
 pub use settings::ImageSettings;

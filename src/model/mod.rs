@@ -1,5 +1,91 @@
 //! What a voxel does to a pixel.
+//!
+//! The reconstruction knows the optics only through [`ForwardModel`]: a set of views, and for any
+//! set of active voxels a [`Projector`] that images intensities into one view and spreads one
+//! view's values back onto the voxels. [`ThinLensModel`] does it with separable tables and stores
+//! no matrix; [`ExplicitModel`] holds sparse matrices, subset by subset as the paper does, and is
+//! the reference that the tables are tested against.
 
+pub mod footprint;
 mod grid;
+mod tables;
+mod thin_lens;
+
+use std::ops::Range;
+
+use thiserror::Error;
 
 pub use grid::VolumeGrid;
+pub use thin_lens::{ThinLensModel, thin_lens_model};
+
+use crate::lightfield::ViewLayout;
+
+/// A pixel belongs to a voxel's support when it receives more than this share of its light.
+pub const SUPPORT_SHARE: f32 = 0.01;
+
+/// One view of one camera.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ViewId {
+    /// Camera, in the order of the configuration.
+    pub camera: usize,
+    /// View, in the order of that camera's layout.
+    pub view: usize,
+}
+
+/// The linear map from voxel intensities to the pixels of every view.
+///
+/// The intensity of a voxel is the count that it gives a pixel whose pupil cell is fully open and
+/// that receives all of the voxel's light in that view: the weights of an inner voxel in an open
+/// view sum to 1.
+pub trait ForwardModel: Send + Sync {
+    /// The voxels.
+    fn grid(&self) -> &VolumeGrid;
+    /// The views of every camera.
+    fn layouts(&self) -> &[ViewLayout];
+    /// A projector for the voxels at these positions of the grid's z, y, x order, ascending.
+    fn projector(&self, voxels: &[u32]) -> Box<dyn Projector + '_>;
+    /// Bytes held for the whole life of the model.
+    fn memory_bytes(&self) -> usize;
+}
+
+/// A [`ForwardModel`] restricted to a list of active voxels.
+pub trait Projector: Send + Sync {
+    /// Images the voxels into a view: `image[i] = Σ_j w_ji intensity[j]`, row-major over the
+    /// camera's microlens window. Overwrites `image`.
+    fn project(&self, view: ViewId, intensity: &[f32], image: &mut [f32]);
+
+    /// Spreads a view back: `out[j − range.start] += Σ_i w_ji image[i]` for voxels `j` in `range`.
+    fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
+
+    /// The brightest pixel that each voxel reaches: `out[j − range.start] = max_i image[i] / c_i`
+    /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view,
+    /// with c_i the open share of the pixel's pupil cell. Infinite, that is no evidence, for a
+    /// voxel with such a pixel less than half open or outside the view.
+    fn brightest(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
+
+    /// Keeps only the voxels whose flag is set.
+    fn retain(&mut self, keep: &[bool]);
+}
+
+/// Why the optics cannot see the volume.
+#[derive(Debug, Error, PartialEq)]
+pub enum ModelError {
+    /// No part of the volume is imaged.
+    #[error(
+        "camera {camera} does not see the volume: its image lies wholly outside the microlens \
+         array; move [volume] or correct the pose of camera {camera}"
+    )]
+    VolumeOutOfView { camera: usize },
+    /// The volume reaches the lens or lies behind it.
+    #[error(
+        "camera {camera}: the volume reaches to a depth of {depth_mm:.1} mm, allowed: less than \
+         {limit_mm:.1} mm (object distance minus focal length); make [volume] smaller"
+    )]
+    TooDeep { camera: usize, depth_mm: f64, limit_mm: f64 },
+    /// A voxel's shadow is wider than the tables hold.
+    #[error(
+        "camera {camera}: a voxel of {voxel_mm} mm covers {pitches:.1} microlenses at its \
+         deepest, allowed: {most}; use smaller voxels or a shallower volume"
+    )]
+    FootprintTooWide { camera: usize, voxel_mm: f64, pitches: f64, most: usize },
+}

@@ -3,5 +3,6 @@
 mod pair;
 mod processor;
 
+pub use crate::reconstruction::DenseVolume;
 pub use pair::{ImagePair, PairResult, StageSeconds};
-pub use processor::{DenseVolume, Measurement, ProcessError, Processor, SetupError};
+pub use processor::{Measurement, ProcessError, Processor, SetupError};

@@ -7,7 +7,7 @@ use crate::{
     lightfield::ImageSettings,
     model::VolumeGrid,
     pipeline::{ImagePair, PairResult},
-    reconstruction::ReconstructionSettings,
+    reconstruction::{DenseVolume, ReconstructionSettings},
     velocimetry::VelocimetrySettings,
 };
 
@@ -28,15 +28,6 @@ pub struct Measurement {
     pub velocimetry: VelocimetrySettings,
     /// Time between the frames, in s.
     pub dt_s: f64,
-}
-
-/// A volume of light intensity, stored z, y, x (x fastest).
-#[derive(Debug, Clone, PartialEq)]
-pub struct DenseVolume {
-    /// Where the voxels are.
-    pub grid: VolumeGrid,
-    /// One intensity per voxel, finite and not negative.
-    pub intensity: Vec<f32>,
 }
 
 /// Why a measurement cannot be set up.

@@ -1,17 +1,52 @@
 //! The configuration: one TOML file describes bench, volume, method and, for simulated runs,
-//! the scene. Each room owns the settings of its own table; this file only puts them together.
+//! the scene. Each room owns the settings of its own table; this room puts them together and says
+//! where a file is wrong.
 
-use std::{net::SocketAddr, path::PathBuf};
+mod location;
+mod problem;
+mod range;
+
+use std::{
+    fs,
+    net::SocketAddr,
+    path::{Path, PathBuf},
+};
 
 use garde::Validate;
 use lfpiv_hw::{Optics, Pose};
-use lfpiv_sim::Scene;
+use lfpiv_sim::{BenchGeometry, Scene, Volume};
 use serde::{Deserialize, Serialize};
 
 use crate::{
     lightfield::ImageSettings, model::VolumeGrid, pipeline::Measurement,
     reconstruction::ReconstructionSettings, velocimetry::VelocimetrySettings,
 };
+
+pub use problem::{ConfigError, Problem};
+
+/// A configuration and the text it was read from, which is stored with the results.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConfigFile {
+    /// Where it was read from.
+    pub path: PathBuf,
+    /// The file's text.
+    pub text: String,
+    /// Its content, checked.
+    pub config: Config,
+}
+
+impl ConfigFile {
+    /// Reads and checks a configuration file.
+    ///
+    /// # Errors
+    /// [`ConfigError`]: the file cannot be read, or what is wrong in it, line by line.
+    pub fn load(path: &Path) -> Result<Self, ConfigError> {
+        let text = fs::read_to_string(path)
+            .map_err(|source| ConfigError::Unreadable { path: path.into(), source })?;
+        let config = Config::parse(&path.display().to_string(), &text)?;
+        Ok(Self { path: path.into(), text, config })
+    }
+}
 
 /// A whole configuration file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
@@ -21,7 +56,7 @@ pub struct Config {
     #[garde(dive)]
     pub optics: Optics,
     /// Where the cameras stand; one or two.
-    #[garde(length(min = 1, max = 2), dive)]
+    #[garde(custom(one_or_two), dive)]
     pub camera: Vec<Pose>,
     /// The measurement volume.
     #[garde(dive)]
@@ -114,7 +149,38 @@ impl Default for OutputSettings {
     }
 }
 
+fn one_or_two(cameras: &[Pose], _: &()) -> garde::Result {
+    match cameras.len() {
+        1 | 2 => Ok(()),
+        other => {
+            Err(garde::Error::new(format!("{other} cameras; allowed: 1 or 2 [[camera]] tables")))
+        }
+    }
+}
+
 impl Config {
+    /// Reads and checks the text of a configuration; `file` is only named in the messages.
+    ///
+    /// # Errors
+    /// [`ConfigError::Invalid`] with everything that is wrong.
+    pub fn parse(file: &str, text: &str) -> Result<Self, ConfigError> {
+        problem::read(file, text).map_err(|problems| ConfigError::Invalid { problems })
+    }
+
+    /// The bench as the simulator sees it.
+    pub fn bench_geometry(&self) -> BenchGeometry {
+        BenchGeometry {
+            optics: self.optics.clone(),
+            poses: self.camera.clone(),
+            volume: Volume {
+                voxels: self.volume.voxels,
+                voxel_mm: self.volume.voxel_mm,
+                centre_mm: self.volume.centre_mm,
+            },
+            dt_s: self.shot.dt_us * 1e-6,
+        }
+    }
+
     /// The part of the configuration that turns image pairs into vectors.
     pub fn measurement(&self) -> Measurement {
         Measurement {

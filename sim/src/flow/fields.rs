@@ -1,0 +1,195 @@
+//! The velocity fields one by one, each with its formula.
+
+use std::f64::consts::TAU;
+
+use garde::Validate;
+use serde::{Deserialize, Serialize};
+
+use super::MM_PER_M;
+
+/// An axis of the world frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Axis {
+    /// First world axis.
+    X,
+    /// Second world axis.
+    Y,
+    /// Third world axis.
+    Z,
+}
+
+/// The same velocity everywhere.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Uniform {
+    /// Velocity (x, y, z), in m/s.
+    #[garde(inner(custom(finite), range(min = -1000.0, max = 1000.0)))]
+    pub velocity_m_s: [f64; 3],
+}
+
+/// Velocity `component` = rate × coordinate `along`; zero at the origin.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct LinearShear {
+    /// The velocity component that is not zero.
+    #[garde(skip)]
+    pub component: Axis,
+    /// The coordinate with which it grows.
+    #[garde(custom(differs(self.component)))]
+    pub along: Axis,
+    /// Velocity gradient, in 1/s.
+    #[garde(custom(finite), range(min = -1e6, max = 1e6))]
+    pub rate_per_s: f64,
+}
+
+impl LinearShear {
+    pub(super) fn velocity_m_s(&self, position_mm: [f64; 3]) -> [f64; 3] {
+        let mut velocity = [0.0; 3];
+        velocity[self.component as usize] =
+            self.rate_per_s * position_mm[self.along as usize] / MM_PER_M;
+        velocity
+    }
+}
+
+/// Rigid rotation about the z axis: velocity = rate × (−y, x, 0).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct SolidRotation {
+    /// Angular rate, counter-clockwise seen from +z, in rad/s.
+    #[garde(custom(finite), range(min = -1e6, max = 1e6))]
+    pub rate_rad_s: f64,
+}
+
+impl SolidRotation {
+    pub(super) fn velocity_m_s(&self, [x, y, _]: [f64; 3]) -> [f64; 3] {
+        let rate = self.rate_rad_s / MM_PER_M;
+        [-rate * y, rate * x, 0.0]
+    }
+}
+
+/// Gaussian vortex ring of DESIGN section 2, axis z, centre at the origin.
+///
+/// Swirl about the circular core, at distance ρ from it: u_θ(ρ) = A (ρ/s) exp(−ρ²/2s²), which
+/// peaks at ρ = s with A exp(−1/2). Inside the ring the fluid moves towards +z for positive A.
+/// The field is free of divergence but for the curvature of the core, ∇·u = u_r / r: at most
+/// 8 % of the core vorticity for the default ring.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct RingVortex {
+    /// Radius R0 of the core's circle, in mm.
+    #[garde(custom(finite), range(min = 0.01, max = 1000.0))]
+    pub ring_radius_mm: f64,
+    /// Core size s, in mm.
+    #[garde(custom(finite), range(min = 0.01, max = 1000.0))]
+    pub core_radius_mm: f64,
+    /// A of the formula, in m/s. The default is 0.30 mm per pair at dt = 100 µs.
+    #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
+    pub amplitude_m_s: f64,
+}
+
+impl Default for RingVortex {
+    fn default() -> Self {
+        Self { ring_radius_mm: 3.5, core_radius_mm: 0.9, amplitude_m_s: 3.0 }
+    }
+}
+
+impl RingVortex {
+    pub(super) fn velocity_m_s(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let radius = x.hypot(y);
+        let outward = radius - self.ring_radius_mm;
+        let s = self.core_radius_mm;
+        let decay = (-(outward * outward + z * z) / (2.0 * s * s)).exp();
+        let swirl_per_mm = self.amplitude_m_s / s * decay;
+        // The radial direction is undefined on the axis; the radial velocity there is not felt.
+        let radial_per_mm = if radius > 0.0 { swirl_per_mm * z / radius } else { 0.0 };
+        [radial_per_mm * x, radial_per_mm * y, -swirl_per_mm * outward]
+    }
+}
+
+/// A round jet along +y whose profile does not change downstream.
+///
+/// Smooth top hat with a shear layer of momentum thickness θ (Michalke's profile):
+/// v(r) = V/2 · (1 + tanh(R/(4θ) · (R/r − r/R))).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields, default)]
+pub struct Jet {
+    /// Velocity V on the axis, in m/s; negative for a jet along −y.
+    #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
+    pub peak_m_s: f64,
+    /// Radius R at half the peak velocity, in mm.
+    #[garde(custom(finite), range(min = 0.01, max = 1000.0))]
+    pub radius_mm: f64,
+    /// Momentum thickness θ of the shear layer, in mm.
+    #[garde(custom(finite), range(min = 0.001, max = 1000.0))]
+    pub momentum_thickness_mm: f64,
+    /// Position (x, z) of the jet's axis, in mm.
+    #[garde(inner(custom(finite), range(min = -1000.0, max = 1000.0)))]
+    pub axis_offset_mm: [f64; 2],
+}
+
+impl Default for Jet {
+    fn default() -> Self {
+        Self { peak_m_s: 3.0, radius_mm: 3.0, momentum_thickness_mm: 0.3, axis_offset_mm: [0.0; 2] }
+    }
+}
+
+impl Jet {
+    pub(super) fn velocity_m_s(&self, [x, _, z]: [f64; 3]) -> [f64; 3] {
+        let ratio = (x - self.axis_offset_mm[0]).hypot(z - self.axis_offset_mm[1]) / self.radius_mm;
+        let steepness = self.radius_mm / (4.0 * self.momentum_thickness_mm);
+        let profile = (1.0 + (steepness * (1.0 / ratio - ratio)).tanh()) / 2.0;
+        [0.0, self.peak_m_s * profile, 0.0]
+    }
+}
+
+/// Arnold-Beltrami-Childress flow with k = 2π / wavelength and coefficients a, b, c:
+///
+/// - u = A (a sin kz + c cos ky)
+/// - v = A (b sin kx + a cos kz)
+/// - w = A (c sin ky + b cos kx)
+///
+/// With the default coefficients of 1 each component peaks at **2 A**: for displacements that
+/// peak at 2 voxels of 0.1 mm at dt = 100 µs, A is 1.0 m/s.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Abc {
+    /// Wavelength, in mm.
+    #[garde(custom(finite), range(min = 0.01, max = 10_000.0))]
+    pub wavelength_mm: f64,
+    /// A of the formula, in m/s: half the peak of each component.
+    #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
+    pub amplitude_m_s: f64,
+    /// Coefficients a, b, c.
+    #[serde(default = "equal_coefficients")]
+    #[garde(inner(custom(finite), range(min = -100.0, max = 100.0)))]
+    pub coefficients: [f64; 3],
+}
+
+fn equal_coefficients() -> [f64; 3] {
+    [1.0; 3]
+}
+
+impl Abc {
+    pub(super) fn velocity_m_s(&self, position_mm: [f64; 3]) -> [f64; 3] {
+        let [(sin_x, cos_x), (sin_y, cos_y), (sin_z, cos_z)] =
+            position_mm.map(|coordinate| (TAU * coordinate / self.wavelength_mm).sin_cos());
+        let [a, b, c] = self.coefficients.map(|coefficient| coefficient * self.amplitude_m_s);
+        [a * sin_z + c * cos_y, b * sin_x + a * cos_z, c * sin_y + b * cos_x]
+    }
+}
+
+/// Range checks alone let NaN through.
+pub(crate) fn finite(value: &f64, _: &()) -> garde::Result {
+    if value.is_finite() { Ok(()) } else { Err(garde::Error::new("allowed: a finite number")) }
+}
+
+fn differs(component: Axis) -> impl FnOnce(&Axis, &()) -> garde::Result {
+    move |along, _| {
+        if *along == component {
+            Err(garde::Error::new("allowed: an axis other than component, or it is no shear"))
+        } else {
+            Ok(())
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! Why something could not be read from or written to disk.
+
+use std::{io, path::PathBuf};
+
+use thiserror::Error;
+
+use super::ImageSize;
+
+/// Why something could not be read from or written to disk.
+#[derive(Debug, Error)]
+pub enum ArchiveError {
+    /// The operating system refused.
+    #[error("cannot {action} {}: {source}", path.display())]
+    Io {
+        /// What was tried.
+        action: &'static str,
+        /// On which file or folder.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The NetCDF library refused.
+    #[error("cannot write NetCDF file {}: {source}", path.display())]
+    NetCdf {
+        /// The file.
+        path: PathBuf,
+        /// The library's reason.
+        source: netcdf::Error,
+    },
+    /// An image of the pair is not there.
+    #[error(
+        "{} is missing: with {cameras} configured a pair folder needs {needed}; \
+         add the image or remove the camera from the configuration", path.display()
+    )]
+    MissingImage {
+        /// The file that should be there.
+        path: PathBuf,
+        /// "1 camera" or "2 cameras".
+        cameras: String,
+        /// All files that should be there.
+        needed: String,
+    },
+    /// The file is damaged or no TIFF.
+    #[error(
+        "cannot read {}: {source}; the file is damaged, truncated or not a TIFF: \
+         copy or record it again", path.display()
+    )]
+    UnreadableImage {
+        /// The file.
+        path: PathBuf,
+        /// The decoder's reason.
+        source: image::ImageError,
+    },
+    /// The image is not 8- or 16-bit grey.
+    #[error(
+        "{} is {found}: save it as grey TIFF of 8 or 16 bit without colour or transparency",
+        path.display()
+    )]
+    NotGrey {
+        /// The file.
+        path: PathBuf,
+        /// The pixel type found.
+        found: String,
+    },
+    /// The image is not as large as the sensor.
+    #[error(
+        "{} has {found} pixels but the configured sensor has {expected}: correct \
+         optics.sensor.columns and rows, or use the configuration this image was recorded with",
+        path.display()
+    )]
+    WrongSize {
+        /// The file.
+        path: PathBuf,
+        /// Its size.
+        found: ImageSize,
+        /// The sensor's size.
+        expected: ImageSize,
+    },
+    /// There is nothing to process.
+    #[error(
+        "no image pair in {}: a pair folder holds cam1_a.tif and cam1_b.tif (and cam2_a.tif, \
+         cam2_b.tif with two cameras); give such a folder or the folder above several of them",
+        path.display()
+    )]
+    NoPair {
+        /// The folder searched.
+        path: PathBuf,
+    },
+    /// A run's folder is already in use.
+    #[error("{} already holds results: choose another folder or move them away", path.display())]
+    AlreadyUsed {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// One file holds one vector grid and one dt.
+    #[error(
+        "shot {shot} lies on another vector grid or dt than the shots already in {}: start a new \
+         run for changed settings", path.display()
+    )]
+    GridChanged {
+        /// The shot refused.
+        shot: u64,
+        /// The file that holds the others.
+        path: PathBuf,
+    },
+}
+
+impl ArchiveError {
+    /// Adapter for `map_err`: adds what was tried and on which path.
+    pub(super) fn io(
+        action: &'static str,
+        path: impl Into<PathBuf>,
+    ) -> impl FnOnce(io::Error) -> Self {
+        let path = path.into();
+        move |source| Self::Io { action, path, source }
+    }
+
+    /// Adapter for `map_err`: adds the file.
+    pub(super) fn netcdf(path: impl Into<PathBuf>) -> impl FnOnce(netcdf::Error) -> Self {
+        let path = path.into();
+        move |source| Self::NetCdf { path, source }
+    }
+}

@@ -1,0 +1,29 @@
+//! What is on disk: image pairs as they come in, results as they go out.
+//!
+//! - [`read_pair`], [`find_pair_folders`], [`write_pair`]: folders of grey TIFF images
+//!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
+//! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files).
+//! - [`write_velocity`], [`write_volumes`]: the files of one processed pair.
+//!
+//! NetCDF files appear under their final name only when they are whole: they are written as
+//! `NAME.part`, closed, fsynced and renamed. A `.part` file is the rest of a run that was killed.
+
+mod durable;
+mod error;
+mod grey_tiff;
+mod netcdf_file;
+mod pair_folder;
+mod paraview;
+mod store;
+#[cfg(test)]
+mod test_data;
+mod velocity_file;
+mod volume_file;
+
+pub use error::ArchiveError;
+pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
+pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
+pub use paraview::write_vti;
+pub use store::ResultStore;
+pub use velocity_file::write_velocity;
+pub use volume_file::write_volumes;

@@ -1,0 +1,160 @@
+//! What all NetCDF files of this program share: provenance, axes, described variables.
+
+use std::{
+    path::{Path, PathBuf},
+    time::SystemTime,
+};
+
+use netcdf::{FileMut, NcTypeDescriptor};
+
+use super::{
+    ArchiveError,
+    durable::{part_path, seal},
+};
+
+/// Names and meaning of one variable.
+pub(super) struct Described {
+    /// NetCDF name.
+    pub name: &'static str,
+    /// UDUNITS unit; "1" for a plain number.
+    pub units: &'static str,
+    /// One line for the reader.
+    pub long_name: &'static str,
+}
+
+/// A NetCDF-4 file being written under its `.part` name.
+pub(super) struct NetCdfFile {
+    path: PathBuf,
+    file: FileMut,
+}
+
+impl NetCdfFile {
+    /// Creates `path` + `.part` with the global attributes; `configuration` is the TOML text the
+    /// results were made with.
+    pub fn create(path: &Path, title: &str, configuration: &str) -> Result<Self, ArchiveError> {
+        let wrap = ArchiveError::netcdf(path);
+        let create = || {
+            let mut file = netcdf::create(part_path(path))?;
+            let version = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
+            let now = humantime::format_rfc3339_seconds(SystemTime::now());
+            file.add_attribute("Conventions", "CF-1.11")?;
+            file.add_attribute("title", title)?;
+            file.add_attribute("source", version)?;
+            file.add_attribute("code_version", version)?;
+            file.add_attribute("history", format!("{now} written by {version}").as_str())?;
+            file.add_attribute("configuration", configuration)?;
+            Ok(file)
+        };
+        Ok(Self { path: path.into(), file: create().map_err(wrap)? })
+    }
+
+    /// Where the finished file will lie.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Adds the dimensions x, y, z with their coordinates in mm (`axes_mm` in this order).
+    pub fn add_axes(&mut self, axes_mm: [Vec<f64>; 3]) -> Result<(), ArchiveError> {
+        for (name, coordinates) in ["x", "y", "z"].into_iter().zip(axes_mm) {
+            self.with(|file| file.add_dimension(name, coordinates.len()).map(|_| ()))?;
+            self.add::<f64>(&axis(name), &[name])?;
+            self.with(|file| {
+                let mut variable = required(file, name)?;
+                variable.put_attribute("axis", name.to_uppercase().as_str())?;
+                variable.put_values(&coordinates, ..)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Adds the dimension along which records are appended.
+    pub fn add_record_dimension(&mut self, name: &str) -> Result<(), ArchiveError> {
+        self.with(|file| file.add_unlimited_dimension(name).map(|_| ()))
+    }
+
+    /// Adds a described variable.
+    pub fn add<T: NcTypeDescriptor>(
+        &mut self,
+        described: &Described,
+        dimensions: &[&str],
+    ) -> Result<(), ArchiveError> {
+        self.with(|file| {
+            let mut variable = file.add_variable::<T>(described.name, dimensions)?;
+            variable.put_attribute("units", described.units)?;
+            variable.put_attribute("long_name", described.long_name)?;
+            Ok(())
+        })
+    }
+
+    /// Adds a variable of 0 and 1 as signed bytes with the meaning of both values.
+    pub fn add_flag(
+        &mut self,
+        described: &Described,
+        dimensions: &[&str],
+        meanings: &str,
+    ) -> Result<(), ArchiveError> {
+        self.add::<i8>(described, dimensions)?;
+        self.with(|file| {
+            let mut variable = required(file, described.name)?;
+            variable.put_attribute("flag_values", vec![0_i8, 1])?;
+            variable.put_attribute("flag_meanings", meanings)?;
+            Ok(())
+        })
+    }
+
+    /// Compresses a variable losslessly; must come before its values.
+    pub fn compress(&mut self, name: &str) -> Result<(), ArchiveError> {
+        self.with(|file| required(file, name)?.set_compression(1, true))
+    }
+
+    /// Writes a whole variable without record dimension.
+    pub fn put<T: NcTypeDescriptor>(
+        &mut self,
+        name: &str,
+        values: &[T],
+    ) -> Result<(), ArchiveError> {
+        self.with(|file| required(file, name)?.put_values(values, ..))
+    }
+
+    /// Writes record `index` of a variable.
+    pub fn put_record<T: NcTypeDescriptor>(
+        &mut self,
+        name: &str,
+        index: usize,
+        values: &[T],
+    ) -> Result<(), ArchiveError> {
+        self.with(|file| {
+            let mut variable = required(file, name)?;
+            let mut extents = vec![netcdf::Extent::from(index..index + 1)];
+            extents.resize(variable.dimensions().len(), (..).into());
+            variable.put_values(values, extents)
+        })
+    }
+
+    /// Closes the file and gives it its final name.
+    pub fn seal(self) -> Result<PathBuf, ArchiveError> {
+        self.file.close().map_err(ArchiveError::netcdf(&self.path))?;
+        seal(&self.path)?;
+        Ok(self.path)
+    }
+
+    fn with<R>(
+        &mut self,
+        action: impl FnOnce(&mut FileMut) -> netcdf::Result<R>,
+    ) -> Result<R, ArchiveError> {
+        action(&mut self.file).map_err(ArchiveError::netcdf(&self.path))
+    }
+}
+
+fn axis(name: &'static str) -> Described {
+    let long_name = match name {
+        "x" => "x in the world frame",
+        "y" => "y in the world frame",
+        _ => "z in the world frame",
+    };
+    Described { name, units: "mm", long_name }
+}
+
+fn required<'f>(file: &'f mut FileMut, name: &str) -> netcdf::Result<netcdf::VariableMut<'f>> {
+    file.variable_mut(name).ok_or_else(|| netcdf::Error::NotFound(name.into()))
+}

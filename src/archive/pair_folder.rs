@@ -1,0 +1,151 @@
+//! A recorded or imported image pair: one folder, one file per camera and frame.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use lfpiv_hw::RawImage;
+
+use super::{ArchiveError, FileDepth, ImageSize, grey_tiff, read_grey_tiff, write_grey_tiff};
+use crate::pipeline::ImagePair;
+
+/// File names of frames a and b of camera `index` (from 0): `cam1_a.tif`, `cam1_b.tif`.
+pub fn image_names(index: usize) -> [String; 2] {
+    ["a", "b"].map(|frame| format!("cam{}_{frame}.tif", index + 1))
+}
+
+/// Reads the images of the first `cameras` cameras from a pair folder.
+///
+/// Every image must have `size` pixels. Images of further cameras in the folder are ignored.
+pub fn read_pair(
+    folder: &Path,
+    cameras: usize,
+    size: ImageSize,
+) -> Result<ImagePair, ArchiveError> {
+    let read = |name: &String| read_image(&folder.join(name), cameras, size);
+    let cameras = (0..cameras)
+        .map(|index| {
+            let [a, b] = image_names(index);
+            Ok([read(&a)?, read(&b)?])
+        })
+        .collect::<Result<_, ArchiveError>>()?;
+    Ok(ImagePair { cameras })
+}
+
+fn read_image(path: &Path, cameras: usize, size: ImageSize) -> Result<RawImage, ArchiveError> {
+    if !path.exists() {
+        return Err(ArchiveError::MissingImage {
+            path: path.into(),
+            cameras: if cameras == 1 { "1 camera".into() } else { format!("{cameras} cameras") },
+            needed: (0..cameras).flat_map(image_names).collect::<Vec<_>>().join(", "),
+        });
+    }
+    let image = read_grey_tiff(path)?;
+    let found = grey_tiff::size_of(&image);
+    if found == size {
+        Ok(image)
+    } else {
+        Err(ArchiveError::WrongSize { path: path.into(), found, expected: size })
+    }
+}
+
+/// Writes a pair folder, creating it if need be.
+pub fn write_pair(folder: &Path, pair: &ImagePair, depth: FileDepth) -> Result<(), ArchiveError> {
+    super::durable::create_folder(folder)?;
+    for (index, frames) in pair.cameras.iter().enumerate() {
+        for (name, image) in image_names(index).iter().zip(frames) {
+            write_grey_tiff(&folder.join(name), image, depth)?;
+        }
+    }
+    Ok(())
+}
+
+/// The pair folders that `folder` stands for: itself when it holds images of a pair, otherwise
+/// those directly below it that do, sorted by name.
+///
+/// A folder with only some of its images counts: the missing ones are reported when it is read.
+pub fn find_pair_folders(folder: &Path) -> Result<Vec<PathBuf>, ArchiveError> {
+    if holds_images(folder) {
+        return Ok(vec![folder.into()]);
+    }
+    let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
+    let mut found = Vec::new();
+    for entry in entries {
+        let path = entry.map_err(ArchiveError::io("list the folder", folder))?.path();
+        if path.is_dir() && holds_images(&path) {
+            found.push(path);
+        }
+    }
+    if found.is_empty() {
+        return Err(ArchiveError::NoPair { path: folder.into() });
+    }
+    found.sort();
+    Ok(found)
+}
+
+fn holds_images(folder: &Path) -> bool {
+    (0..2).flat_map(image_names).any(|name| folder.join(name).is_file())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: ImageSize = ImageSize { columns: 4, rows: 3 };
+
+    fn pair(cameras: usize) -> ImagePair {
+        let image = |level: u16| RawImage::new(4, 3, vec![level; 12]).unwrap();
+        let cameras = (0..cameras as u16).map(|c| [image(10 * c), image(10 * c + 1)]).collect();
+        ImagePair { cameras }
+    }
+
+    fn failure(folder: &Path, cameras: usize) -> String {
+        read_pair(folder, cameras, SIZE).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn cameras_and_frames_keep_their_order() {
+        let root = tempfile::tempdir().unwrap();
+        write_pair(root.path(), &pair(2), FileDepth::Eight).unwrap();
+        let read = read_pair(root.path(), 2, SIZE).unwrap();
+        assert_eq!(read.cameras, pair(2).cameras);
+        assert_eq!(read_pair(root.path(), 1, SIZE).unwrap().cameras, pair(1).cameras);
+    }
+
+    #[test]
+    fn a_missing_image_is_named_with_all_that_are_needed() {
+        let root = tempfile::tempdir().unwrap();
+        write_pair(root.path(), &pair(1), FileDepth::Sixteen).unwrap();
+        let message = failure(root.path(), 2);
+        assert!(message.contains("cam2_a.tif is missing"), "{message}");
+        assert!(message.contains("cam1_a.tif, cam1_b.tif, cam2_a.tif, cam2_b.tif"), "{message}");
+    }
+
+    #[test]
+    fn one_image_of_another_size_is_named_with_both_sizes() {
+        let root = tempfile::tempdir().unwrap();
+        write_pair(root.path(), &pair(2), FileDepth::Sixteen).unwrap();
+        let odd = RawImage::new(5, 3, vec![0; 15]).unwrap();
+        write_grey_tiff(&root.path().join("cam2_a.tif"), &odd, FileDepth::Sixteen).unwrap();
+        let message = failure(root.path(), 2);
+        assert!(message.contains("cam2_a.tif has 5 x 3 pixels"), "{message}");
+        assert!(message.contains("sensor has 4 x 3"), "{message}");
+    }
+
+    #[test]
+    fn a_folder_stands_for_itself_or_for_the_pairs_below_it() {
+        let root = tempfile::tempdir().unwrap();
+        assert!(find_pair_folders(root.path()).unwrap_err().to_string().contains("cam1_a.tif"));
+        for name in ["shot_0001", "shot_0000"] {
+            write_pair(&root.path().join(name), &pair(1), FileDepth::Eight).unwrap();
+        }
+        fs::create_dir(root.path().join("notes")).unwrap();
+        let found = find_pair_folders(root.path()).unwrap();
+        let names: Vec<_> = found.iter().map(|p| p.file_name().unwrap()).collect();
+        assert_eq!(names, ["shot_0000", "shot_0001"]);
+        assert_eq!(find_pair_folders(&found[0]).unwrap(), found[..1]);
+        let absent = find_pair_folders(&root.path().join("absent")).unwrap_err().to_string();
+        assert!(absent.contains("absent"), "{absent}");
+    }
+}

@@ -1,0 +1,170 @@
+//! Files for ParaView: one `.vti` per shot (VTK XML ImageData, raw appended data) and a
+//! `.vti.series` that lists them.
+
+use std::{
+    io::{self, Write},
+    path::Path,
+};
+
+use serde::Serialize;
+
+use super::{ArchiveError, durable::replace};
+use crate::velocimetry::{VectorStatus, VelocityField};
+
+/// One array of the file: name, VTK type, components, little-endian bytes.
+struct Array {
+    name: &'static str,
+    vtk_type: &'static str,
+    components: usize,
+    bytes: Vec<u8>,
+}
+
+impl Array {
+    fn vectors(name: &'static str, values: impl Iterator<Item = [f32; 3]>) -> Self {
+        let bytes = values.flatten().flat_map(f32::to_le_bytes).collect();
+        Self { name, vtk_type: "Float32", components: 3, bytes }
+    }
+
+    fn scalars(name: &'static str, values: &[f32]) -> Self {
+        let bytes = values.iter().flat_map(|v| v.to_le_bytes()).collect();
+        Self { name, vtk_type: "Float32", components: 1, bytes }
+    }
+
+    fn flags(name: &'static str, values: impl Iterator<Item = bool>) -> Self {
+        Self { name, vtk_type: "UInt8", components: 1, bytes: values.map(u8::from).collect() }
+    }
+}
+
+/// Writes one velocity field for ParaView: vectors at the points of an ImageData, lengths in mm.
+///
+/// Point arrays: `velocity` (m/s), `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`,
+/// `replaced`.
+pub fn write_vti(path: &Path, field: &VelocityField) -> Result<(), ArchiveError> {
+    let arrays = arrays_of(field);
+    replace(path, |writer| {
+        write_header(writer, field, &arrays)?;
+        for array in &arrays {
+            writer.write_all(&(array.bytes.len() as u64).to_le_bytes())?;
+            writer.write_all(&array.bytes)?;
+        }
+        writer.write_all(b"\n</AppendedData>\n</VTKFile>\n")
+    })
+}
+
+fn arrays_of(field: &VelocityField) -> [Array; 6] {
+    let to_velocity = field.metres_per_second_per_voxel() as f32;
+    let to_rate = (1.0 / field.dt_s) as f32;
+    let scaled = |values: &[[f32; 3]], factor: f32| -> Vec<[f32; 3]> {
+        values.iter().map(|vector| vector.map(|component| component * factor)).collect()
+    };
+    let is = |wanted: VectorStatus| field.status.iter().map(move |status| *status == wanted);
+    [
+        Array::vectors("velocity", scaled(&field.displacement_vox, to_velocity).into_iter()),
+        Array::vectors("displacement_vox", field.displacement_vox.iter().copied()),
+        Array::vectors("vorticity_per_s", scaled(&field.vorticity, to_rate).into_iter()),
+        Array::scalars("peak_ratio", &field.peak_ratio),
+        Array::flags("valid", is(VectorStatus::Valid)),
+        Array::flags("replaced", is(VectorStatus::Replaced)),
+    ]
+}
+
+fn write_header(
+    writer: &mut impl Write,
+    field: &VelocityField,
+    arrays: &[Array],
+) -> io::Result<()> {
+    let [nx, ny, nz] = field.grid.vectors.map(|n| n.saturating_sub(1));
+    let [x, y, z] = field.grid.first_mm;
+    let spacing = field.grid.spacing_mm;
+    let extent = format!("0 {nx} 0 {ny} 0 {nz}");
+    write!(
+        writer,
+        r#"<?xml version="1.0"?>
+<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<ImageData WholeExtent="{extent}" Origin="{x} {y} {z}" Spacing="{spacing} {spacing} {spacing}">
+<Piece Extent="{extent}">
+<PointData Vectors="velocity" Scalars="valid">
+"#
+    )?;
+    let mut offset = 0;
+    for Array { name, vtk_type, components, bytes } in arrays {
+        writeln!(
+            writer,
+            r#"<DataArray type="{vtk_type}" Name="{name}" NumberOfComponents="{components}" format="appended" offset="{offset}"/>"#
+        )?;
+        offset += size_of::<u64>() + bytes.len();
+    }
+    // The underscore marks the first byte of the data.
+    write!(writer, "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_")
+}
+
+/// The list of a run's `.vti` files; ParaView opens it as one animation.
+#[derive(Debug, Serialize)]
+pub(super) struct Series {
+    #[serde(rename = "file-series-version")]
+    version: &'static str,
+    files: Vec<SeriesEntry>,
+}
+
+#[derive(Debug, Serialize)]
+struct SeriesEntry {
+    name: String,
+    /// ParaView's time; here the shot number.
+    time: f64,
+}
+
+impl Series {
+    /// A series without files.
+    pub fn new() -> Self {
+        Self { version: "1.0", files: Vec::new() }
+    }
+
+    /// Adds a file that lies beside the series file.
+    pub fn push(&mut self, name: String, shot: u64) {
+        self.files.push(SeriesEntry { name, time: shot as f64 });
+    }
+
+    /// Writes the list, replacing an older one.
+    pub fn write(&self, path: &Path) -> Result<(), ArchiveError> {
+        replace(path, |writer| serde_json::to_writer_pretty(writer, self).map_err(io::Error::from))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::archive::test_data::result;
+
+    #[test]
+    fn appended_arrays_lie_where_the_header_says() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("shot.vti");
+        let field = result([4, 3, 2]).field;
+        write_vti(&path, &field).unwrap();
+        let bytes = std::fs::read(&path).unwrap();
+        let marker = b"<AppendedData encoding=\"raw\">\n_";
+        let data = bytes.windows(marker.len()).position(|w| w == marker).unwrap() + marker.len();
+        let header = std::str::from_utf8(&bytes[..data]).unwrap();
+        assert!(header.contains(r#"WholeExtent="0 3 0 2 0 1""#));
+        let line = header.lines().find(|l| l.contains("\"peak_ratio\"")).unwrap();
+        let offset: usize =
+            line.split("offset=\"").nth(1).unwrap().trim_end_matches("\"/>").parse().unwrap();
+        let at = |i: usize| &bytes[data + offset + i..];
+        assert_eq!(u64::from_le_bytes(at(0)[..8].try_into().unwrap()), 24 * 4);
+        assert_eq!(f32::from_le_bytes(at(8 + 4)[..4].try_into().unwrap()), field.peak_ratio[1]);
+    }
+
+    #[test]
+    fn a_series_lists_its_shots() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("velocity.vti.series");
+        let mut series = Series::new();
+        series.push("shot_000003.vti".into(), 3);
+        series.write(&path).unwrap();
+        let read: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+        assert_eq!(read["file-series-version"], "1.0");
+        assert_eq!(read["files"][0]["name"], "shot_000003.vti");
+        assert_eq!(read["files"][0]["time"], 3.0);
+    }
+}

@@ -1,0 +1,207 @@
+//! The results of a run on disk, shot by shot.
+//!
+//! ```text
+//! DIR/configuration.toml     the configuration of the run
+//! DIR/velocity_000000.nc     sealed segment, named by its first shot
+//! DIR/velocity_000600.nc.part  the segment being written: unreadable until sealed
+//! DIR/shot_000000.vti        one per shot, for ParaView
+//! DIR/velocity.vti.series    the list of the above
+//! ```
+
+use std::{
+    io::Write as _,
+    path::{Path, PathBuf},
+    time::{Duration, Instant},
+};
+
+use super::{
+    ArchiveError,
+    durable::{create_folder, replace},
+    paraview::{Series, write_vti},
+    velocity_file::VelocityFile,
+};
+use crate::pipeline::PairResult;
+
+/// How long a segment stays open: what a crash can cost of the NetCDF results.
+const SEGMENT_AGE: Duration = Duration::from_secs(60);
+
+/// Writes the results of one run. Used by one thread; [`Self::close`] it to learn of failures.
+pub struct ResultStore {
+    folder: PathBuf,
+    configuration: String,
+    segment_age: Duration,
+    segment: Option<Segment>,
+    series: Series,
+}
+
+struct Segment {
+    file: VelocityFile,
+    opened: Instant,
+}
+
+impl ResultStore {
+    /// Starts a run in `folder`, created if need be; `configuration` is the TOML text used.
+    ///
+    /// # Errors
+    /// [`ArchiveError::AlreadyUsed`] when the folder holds the results of another run;
+    /// [`ArchiveError::Io`].
+    pub fn create(folder: &Path, configuration: &str) -> Result<Self, ArchiveError> {
+        Self::with_segment_age(folder, configuration, SEGMENT_AGE)
+    }
+
+    /// [`Self::create`] with segments sealed after another time than 60 s.
+    pub fn with_segment_age(
+        folder: &Path,
+        configuration: &str,
+        segment_age: Duration,
+    ) -> Result<Self, ArchiveError> {
+        create_folder(folder)?;
+        let copy = folder.join("configuration.toml");
+        if copy.exists() {
+            return Err(ArchiveError::AlreadyUsed { path: folder.into() });
+        }
+        replace(&copy, |writer| writer.write_all(configuration.as_bytes()))?;
+        Ok(Self {
+            folder: folder.into(),
+            configuration: configuration.into(),
+            segment_age,
+            segment: None,
+            series: Series::new(),
+        })
+    }
+
+    /// The folder of the run.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Stores the result of one shot. Seals the open segment when its time has come.
+    ///
+    /// Shots may come in any order, each once. The `.vti` can be read on return; the NetCDF
+    /// record once its segment is sealed.
+    pub fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+        let mut segment = match self.segment.take() {
+            Some(segment) => segment,
+            None => self.open_segment(shot, result)?,
+        };
+        let appended = segment.file.append(shot, result);
+        let due = segment.opened.elapsed() >= self.segment_age;
+        self.segment = Some(segment);
+        appended?;
+        if due {
+            self.seal()?;
+        }
+        self.write_for_paraview(shot, result)
+    }
+
+    fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+        let name = format!("shot_{shot:06}.vti");
+        write_vti(&self.folder.join(&name), &result.field)?;
+        self.series.push(name, shot);
+        self.series.write(&self.folder.join("velocity.vti.series"))
+    }
+
+    /// Seals the open segment, if any, and says where it lies.
+    pub fn seal(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
+        self.segment.take().map(|segment| segment.file.seal()).transpose()
+    }
+
+    /// Seals what is open and ends the run.
+    pub fn close(mut self) -> Result<(), ArchiveError> {
+        self.seal().map(|_| ())
+    }
+
+    fn open_segment(&self, shot: u64, result: &PairResult) -> Result<Segment, ArchiveError> {
+        let path = self.folder.join(format!("velocity_{shot:06}.nc"));
+        let file = VelocityFile::create(&path, &self.configuration, &result.field)?;
+        Ok(Segment { file, opened: Instant::now() })
+    }
+}
+
+impl Drop for ResultStore {
+    fn drop(&mut self) {
+        if let Err(error) = self.seal() {
+            tracing::error!(%error, "the last results of the run are not sealed");
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+    use crate::archive::test_data::result;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<_> = fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    fn shots_in(path: &Path) -> Vec<i64> {
+        netcdf::open(path).unwrap().variable("shot").unwrap().get_values(..).unwrap()
+    }
+
+    #[test]
+    fn shots_gather_in_a_segment_that_appears_when_closed() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join("runs/one");
+        let mut store = ResultStore::create(&folder, "[shot]\n").unwrap();
+        for shot in [0, 2, 1] {
+            store.append(shot, &result([4, 3, 2])).unwrap();
+        }
+        assert!(names(&folder).contains(&"velocity_000000.nc.part".into()));
+        store.close().unwrap();
+        assert_eq!(
+            names(&folder),
+            [
+                "configuration.toml",
+                "shot_000000.vti",
+                "shot_000001.vti",
+                "shot_000002.vti",
+                "velocity.vti.series",
+                "velocity_000000.nc"
+            ]
+        );
+        assert_eq!(shots_in(&folder.join("velocity_000000.nc")), [0, 2, 1]);
+    }
+
+    #[test]
+    fn a_segment_is_sealed_when_its_time_has_come() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::with_segment_age(root.path(), "", Duration::ZERO).unwrap();
+        for shot in [5, 6] {
+            store.append(shot, &result([4, 3, 2])).unwrap();
+            assert_eq!(
+                shots_in(&root.path().join(format!("velocity_{shot:06}.nc"))),
+                [shot as i64]
+            );
+        }
+    }
+
+    #[test]
+    fn dropping_the_store_seals_it_and_its_folder_is_not_reused() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::create(root.path(), "").unwrap();
+        store.append(0, &result([4, 3, 2])).unwrap();
+        drop(store);
+        assert_eq!(shots_in(&root.path().join("velocity_000000.nc")), [0]);
+        let again = ResultStore::create(root.path(), "").err().unwrap().to_string();
+        assert!(again.contains("already holds results"), "{again}");
+    }
+
+    #[test]
+    fn a_shot_refused_for_its_grid_does_not_cost_the_others() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::create(root.path(), "").unwrap();
+        store.append(0, &result([4, 3, 2])).unwrap();
+        assert!(store.append(1, &result([5, 3, 2])).is_err());
+        store.append(2, &result([4, 3, 2])).unwrap();
+        store.close().unwrap();
+        assert_eq!(shots_in(&root.path().join("velocity_000000.nc")), [0, 2]);
+    }
+}

@@ -1,0 +1,32 @@
+//! A made-up result for the tests of this room.
+
+use crate::{
+    pipeline::{PairResult, StageSeconds},
+    velocimetry::{VectorGrid, VectorStatus, VelocityField},
+};
+
+/// A result whose every number can be told from the others; voxels of 0.1 mm, dt 100 µs.
+pub(super) fn result(vectors: [usize; 3]) -> PairResult {
+    let grid = VectorGrid { vectors, first_mm: [-1.0, -2.0, -3.0], spacing_mm: 0.8 };
+    let numbers = |scale: f32| -> Vec<f32> {
+        (0..grid.len()).map(|index| scale * (1.0 + index as f32)).collect()
+    };
+    let triples = |scale: f32| -> Vec<[f32; 3]> {
+        numbers(scale).into_iter().map(|n| [n, 2.0 * n, -n]).collect()
+    };
+    let cycle = [VectorStatus::Valid, VectorStatus::Replaced, VectorStatus::Invalid];
+    PairResult {
+        field: VelocityField {
+            displacement_vox: triples(0.01),
+            status: (0..grid.len()).map(|index| cycle[index % 3]).collect(),
+            peak_ratio: numbers(0.5),
+            vorticity: triples(0.001),
+            divergence: numbers(0.002),
+            voxel_mm: 0.1,
+            dt_s: 1e-4,
+            grid,
+        },
+        seconds: StageSeconds { decode_s: 1.0, reconstruct_s: 2.0, correlate_s: 3.0 },
+        warnings: Vec::new(),
+    }
+}

@@ -1,0 +1,198 @@
+//! Velocity fields as NetCDF-4/CF, one record per shot.
+//!
+//! Dimensions `shot, z, y, x`. Nothing is NaN: an invalid vector is zero with `valid` = 0, a
+//! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1.
+
+use std::path::{Path, PathBuf};
+
+use super::{
+    ArchiveError,
+    netcdf_file::{Described, NetCdfFile},
+};
+use crate::{
+    pipeline::{PairResult, StageSeconds},
+    velocimetry::{VectorGrid, VectorStatus, VelocityField},
+};
+
+/// A quantity that each vector has.
+type PerVector = fn(&VelocityField, usize) -> f32;
+
+/// The time spent in one stage.
+type PerStage = fn(&StageSeconds) -> f64;
+
+const SHOT: Described =
+    Described { name: "shot", units: "1", long_name: "shot number within the run" };
+const DT: Described = Described { name: "dt", units: "s", long_name: "time between the frames" };
+const VALID: Described =
+    Described { name: "valid", units: "1", long_name: "vector was measured and accepted" };
+const REPLACED: Described = Described {
+    name: "replaced",
+    units: "1",
+    long_name: "measurement was rejected, value is interpolated from valid neighbours",
+};
+
+const FIELDS: [(Described, PerVector); 8] = [
+    (velocity("u", "velocity along x"), |f, i| velocity_of(f, i, 0)),
+    (velocity("v", "velocity along y"), |f, i| velocity_of(f, i, 1)),
+    (velocity("w", "velocity along z"), |f, i| velocity_of(f, i, 2)),
+    (
+        Described {
+            name: "peak_ratio",
+            units: "1",
+            long_name: "highest over second highest correlation peak, 0 without a peak",
+        },
+        |f, i| f.peak_ratio[i],
+    ),
+    (rate("vorticity_x", "vorticity about x"), |f, i| per_second(f, f.vorticity[i][0])),
+    (rate("vorticity_y", "vorticity about y"), |f, i| per_second(f, f.vorticity[i][1])),
+    (rate("vorticity_z", "vorticity about z"), |f, i| per_second(f, f.vorticity[i][2])),
+    (rate("divergence", "divergence of the velocity"), |f, i| per_second(f, f.divergence[i])),
+];
+
+const SECONDS: [(Described, PerStage); 3] = [
+    (seconds("decode_seconds", "time spent from raw images to views"), |s| s.decode_s),
+    (seconds("reconstruct_seconds", "time spent from views to volumes"), |s| s.reconstruct_s),
+    (seconds("correlate_seconds", "time spent from volumes to vectors"), |s| s.correlate_s),
+];
+
+const fn velocity(name: &'static str, long_name: &'static str) -> Described {
+    Described { name, units: "m s-1", long_name }
+}
+
+const fn rate(name: &'static str, long_name: &'static str) -> Described {
+    Described { name, units: "s-1", long_name }
+}
+
+const fn seconds(name: &'static str, long_name: &'static str) -> Described {
+    Described { name, units: "s", long_name }
+}
+
+fn velocity_of(field: &VelocityField, index: usize, component: usize) -> f32 {
+    let displacement_vox = f64::from(field.displacement_vox[index][component]);
+    (displacement_vox * field.metres_per_second_per_voxel()) as f32
+}
+
+/// Voxel per voxel and pair to s⁻¹.
+fn per_second(field: &VelocityField, gradient: f32) -> f32 {
+    (f64::from(gradient) / field.dt_s) as f32
+}
+
+/// Writes the result of one pair as a file of one shot, replacing an older one.
+pub fn write_velocity(
+    path: &Path,
+    configuration: &str,
+    shot: u64,
+    result: &PairResult,
+) -> Result<(), ArchiveError> {
+    let mut file = VelocityFile::create(path, configuration, &result.field)?;
+    file.append(shot, result)?;
+    file.seal().map(|_| ())
+}
+
+/// A velocity file that is being written.
+pub(super) struct VelocityFile {
+    file: NetCdfFile,
+    grid: VectorGrid,
+    dt_s: f64,
+    shots: usize,
+}
+
+impl VelocityFile {
+    /// Creates the file for fields on the grid and with the dt of `like`.
+    pub fn create(
+        path: &Path,
+        configuration: &str,
+        like: &VelocityField,
+    ) -> Result<Self, ArchiveError> {
+        const VECTORS: [&str; 4] = ["shot", "z", "y", "x"];
+        let mut file = NetCdfFile::create(path, "Velocity fields", configuration)?;
+        file.add_record_dimension("shot")?;
+        file.add_axes([0, 1, 2].map(|axis| like.grid.axis_mm(axis)))?;
+        file.add::<i64>(&SHOT, &["shot"])?;
+        file.add::<f64>(&DT, &[])?;
+        file.put("dt", &[like.dt_s])?;
+        for (described, _) in &FIELDS {
+            file.add::<f32>(described, &VECTORS)?;
+        }
+        file.add_flag(&VALID, &VECTORS, "not_measured measured")?;
+        file.add_flag(&REPLACED, &VECTORS, "as_measured interpolated")?;
+        for (described, _) in &SECONDS {
+            file.add::<f64>(described, &["shot"])?;
+        }
+        Ok(Self { file, grid: like.grid.clone(), dt_s: like.dt_s, shots: 0 })
+    }
+
+    /// Adds one shot.
+    pub fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+        let field = &result.field;
+        if field.grid != self.grid || field.dt_s != self.dt_s {
+            return Err(ArchiveError::GridChanged { shot, path: self.file.path().into() });
+        }
+        let record = self.shots;
+        self.file.put_record("shot", record, &[shot as i64])?;
+        for (described, value_of) in &FIELDS {
+            let values: Vec<f32> = (0..self.grid.len()).map(|i| value_of(field, i)).collect();
+            self.file.put_record(described.name, record, &values)?;
+        }
+        for (described, wanted) in
+            [(VALID, VectorStatus::Valid), (REPLACED, VectorStatus::Replaced)]
+        {
+            let flags: Vec<i8> = field.status.iter().map(|s| i8::from(*s == wanted)).collect();
+            self.file.put_record(described.name, record, &flags)?;
+        }
+        for (described, value_of) in &SECONDS {
+            self.file.put_record(described.name, record, &[value_of(&result.seconds)])?;
+        }
+        self.shots += 1;
+        Ok(())
+    }
+
+    /// Closes the file and gives it its final name.
+    pub fn seal(self) -> Result<PathBuf, ArchiveError> {
+        self.file.seal()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::archive::test_data::result;
+
+    #[test]
+    fn velocities_flags_and_seconds_are_in_si_units() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("velocity.nc");
+        let result = result([4, 3, 2]);
+        write_velocity(&path, "[volume]\n", 7, &result).unwrap();
+
+        let file = netcdf::open(&path).unwrap();
+        let floats = |name: &str| file.variable(name).unwrap().get_values::<f64, _>(..).unwrap();
+        let names: Vec<_> =
+            file.variable("u").unwrap().dimensions().iter().map(|d| d.name()).collect();
+        assert_eq!(names, ["shot", "z", "y", "x"]);
+        assert_eq!(floats("shot"), [7.0]);
+        assert_eq!(floats("dt"), [1e-4]);
+        // One voxel of 0.1 mm in 100 us is 1 m/s.
+        let expected: Vec<f64> =
+            result.field.displacement_vox.iter().map(|d| f64::from(d[1])).collect();
+        for (found, expected) in floats("v").iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-6, "{found} {expected}");
+        }
+        let spin = f64::from(result.field.vorticity[5][2]) / 1e-4;
+        assert!((floats("vorticity_z")[5] - spin).abs() < 1e-3 * spin.abs());
+        assert_eq!(floats("valid")[..3], [1.0, 0.0, 0.0]);
+        assert_eq!(floats("replaced")[..3], [0.0, 1.0, 0.0]);
+        assert_eq!(floats("correlate_seconds"), [3.0]);
+        assert_eq!(floats("x"), result.field.grid.axis_mm(0));
+    }
+
+    #[test]
+    fn a_shot_on_another_grid_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("velocity.nc");
+        let mut file = VelocityFile::create(&path, "", &result([4, 3, 2]).field).unwrap();
+        file.append(0, &result([4, 3, 2])).unwrap();
+        let message = file.append(1, &result([4, 4, 2])).unwrap_err().to_string();
+        assert!(message.contains("shot 1"), "{message}");
+    }
+}

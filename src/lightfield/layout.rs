@@ -1,0 +1,263 @@
+//! Views: the sub-aperture images hidden in a raw light-field image.
+//!
+//! View (k, l) collects, behind every microlens, the pixel that looks through the pupil near
+//! (k, l) pupil cells. It is a small picture, one value per microlens, of the scene seen from
+//! that part of the main lens; the paper's Fig. 5 calls it a sub-aperture image.
+
+use std::ops::Range;
+
+use lfpiv_hw::{Optics, RawImage};
+
+use super::sampling::AxisSampling;
+
+/// Views with a smaller mean coverage carry too little light to be worth their time.
+const LEAST_MEAN_COVERAGE: f64 = 0.3;
+
+/// Chords per pupil cell when its overlap with the round aperture is integrated.
+const CHORDS: usize = 32;
+
+/// The part of the microlens array that sees the volume.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MicrolensWindow {
+    /// Microlens columns, along `right`.
+    pub columns: Range<usize>,
+    /// Microlens rows, along `up`.
+    pub rows: Range<usize>,
+}
+
+impl MicrolensWindow {
+    /// The whole array.
+    pub fn whole(optics: &Optics) -> Self {
+        Self { columns: 0..optics.microlens.columns, rows: 0..optics.microlens.rows }
+    }
+
+    /// Microlenses in the window.
+    pub fn len(&self) -> usize {
+        self.columns.len() * self.rows.len()
+    }
+
+    /// Whether the window holds no microlens.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// One sub-aperture direction.
+#[derive(Debug, Clone)]
+pub struct View {
+    /// Pupil cell along `right`, counted from the centre.
+    pub k: i32,
+    /// Pupil cell along `up`, counted from the centre.
+    pub l: i32,
+    /// Share of each pixel's pupil cell that lies inside the aperture, 0 where the microlens has
+    /// no pixel of its own for this view; row-major over the window. `None`: 1 everywhere.
+    pub coverage: Option<Vec<f32>>,
+}
+
+/// How one camera's raw image is cut into views.
+#[derive(Debug, Clone)]
+pub struct ViewLayout {
+    /// Sampling of the sensor's columns.
+    pub columns: AxisSampling,
+    /// Sampling of the sensor's rows.
+    pub rows: AxisSampling,
+    /// Microlenses kept.
+    pub window: MicrolensWindow,
+    /// The views with enough light, in order of l, then k.
+    pub views: Vec<View>,
+}
+
+/// The views of one raw image: for each view of the layout one value per microlens of the window,
+/// row-major, in counts above the black level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ViewStack {
+    view_len: usize,
+    values: Vec<f32>,
+}
+
+impl ViewStack {
+    /// A stack of `views` images of `view_len` values each.
+    pub fn new(view_len: usize, values: Vec<f32>) -> Self {
+        debug_assert!(view_len > 0 && values.len().is_multiple_of(view_len));
+        Self { view_len, values }
+    }
+
+    /// One view, row-major over the microlens window.
+    pub fn view(&self, index: usize) -> &[f32] {
+        &self.values[index * self.view_len..(index + 1) * self.view_len]
+    }
+
+    /// Number of views.
+    pub fn len(&self) -> usize {
+        self.values.len() / self.view_len
+    }
+
+    /// Whether there is no view.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// All values, view after view.
+    pub fn values(&self) -> &[f32] {
+        &self.values
+    }
+}
+
+impl ViewLayout {
+    /// The layout of a camera with these optics, restricted to `window`.
+    pub fn new(optics: &Optics, window: MicrolensWindow) -> Self {
+        let columns = AxisSampling::columns(optics);
+        let rows = AxisSampling::rows(optics);
+        let aperture = Aperture { radius_mm: optics.pupil_diameter_mm() / 2.0 };
+        let mut views = Vec::new();
+        for l in -rows.reach..=rows.reach {
+            for k in -columns.reach..=columns.reach {
+                let coverage = aperture.coverage(&columns, &rows, &window, k, l);
+                let mean =
+                    coverage.iter().map(|&c| f64::from(c)).sum::<f64>() / coverage.len() as f64;
+                if mean >= LEAST_MEAN_COVERAGE {
+                    let open = coverage.iter().all(|&c| c == 1.0);
+                    views.push(View { k, l, coverage: (!open).then_some(coverage) });
+                }
+            }
+        }
+        Self { columns, rows, window, views }
+    }
+
+    /// Cuts a raw image into views. Each count becomes `map(column, row, count)`, in counts above
+    /// the black level; microlenses without a pixel for a view get 0.
+    pub fn decode(&self, image: &RawImage, map: impl Fn(usize, usize, u16) -> f32) -> ViewStack {
+        let view_len = self.window.len();
+        let width = self.window.columns.len();
+        let mut values = vec![0.0; view_len * self.views.len()];
+        for (index, view) in self.views.iter().enumerate() {
+            let columns: Vec<Option<u32>> = self
+                .window
+                .columns
+                .clone()
+                .map(|i| self.columns.sample(view.k, i).map(|s| s.pixel))
+                .collect();
+            let target = &mut values[index * view_len..(index + 1) * view_len];
+            for (j, line) in self.window.rows.clone().zip(target.chunks_exact_mut(width)) {
+                let Some(row) = self.rows.sample(view.l, j).map(|s| s.pixel as usize) else {
+                    continue;
+                };
+                let counts = image.row(row);
+                for (value, column) in line.iter_mut().zip(&columns) {
+                    if let Some(c) = column {
+                        *value = map(*c as usize, row, counts[*c as usize]);
+                    }
+                }
+            }
+        }
+        ViewStack { view_len, values }
+    }
+}
+
+/// The round aperture of the main lens.
+struct Aperture {
+    radius_mm: f64,
+}
+
+impl Aperture {
+    /// Coverage of view (k, l) over the window, row-major.
+    fn coverage(
+        &self,
+        columns: &AxisSampling,
+        rows: &AxisSampling,
+        window: &MicrolensWindow,
+        k: i32,
+        l: i32,
+    ) -> Vec<f32> {
+        let chords: Vec<Option<[f64; CHORDS]>> = window
+            .columns
+            .clone()
+            .map(|i| columns.sample(k, i).map(|s| self.chords(s.pupil_mm, columns.cell_mm)))
+            .collect();
+        let mut coverage = Vec::with_capacity(window.len());
+        for j in window.rows.clone() {
+            let row = rows.sample(l, j);
+            coverage.extend(chords.iter().map(|column| match (column, row) {
+                (Some(chords), Some(row)) => covered(chords, row.pupil_mm, rows.cell_mm) as f32,
+                _ => 0.0,
+            }));
+        }
+        coverage
+    }
+
+    /// Half-lengths of the chords at evenly spaced U inside a cell; negative outside the aperture.
+    fn chords(&self, centre_mm: f64, cell_mm: f64) -> [f64; CHORDS] {
+        std::array::from_fn(|n| {
+            let u = centre_mm + ((n as f64 + 0.5) / CHORDS as f64 - 0.5) * cell_mm;
+            let square = self.radius_mm * self.radius_mm - u * u;
+            if square > 0.0 { square.sqrt() } else { -1.0 }
+        })
+    }
+}
+
+/// Share of the cell around `centre_mm` that lies within the chords.
+fn covered(chords: &[f64; CHORDS], centre_mm: f64, cell_mm: f64) -> f64 {
+    let (low, high) = (centre_mm - cell_mm / 2.0, centre_mm + cell_mm / 2.0);
+    let length: f64 = chords.iter().map(|&half| (high.min(half) - low.max(-half)).max(0.0)).sum();
+    let share = length / (cell_mm * CHORDS as f64);
+    // Rounding must not turn an open cell into a nearly open one.
+    if share > 1.0 - 1e-9 { 1.0 } else { share }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_bench;
+
+    #[test]
+    fn about_250_views_carry_the_light_of_the_aperture() {
+        let optics = test_bench::optics();
+        let layout = ViewLayout::new(&optics, MicrolensWindow::whole(&optics));
+        assert!((230..=290).contains(&layout.views.len()), "{}", layout.views.len());
+        let light: f64 = layout
+            .views
+            .iter()
+            .map(|v| match &v.coverage {
+                None => 1.0,
+                Some(c) => c.iter().map(|&c| f64::from(c)).sum::<f64>() / c.len() as f64,
+            })
+            .sum();
+        // The aperture holds pi/4 (25/1.375)^2 = 259.6 cells; border columns and dim views are lost.
+        assert!((235.0..259.6).contains(&light), "{light}");
+    }
+
+    #[test]
+    fn coverage_of_one_cell_matches_fine_sampling() {
+        let aperture = Aperture { radius_mm: 12.5 };
+        for (u, v) in [(8.0, 8.2), (11.9, 1.0), (0.3, 12.2), (9.0, 9.0), (3.0, 3.0)] {
+            let share = covered(&aperture.chords(u, 1.375), v, 1.375);
+            let n = 400;
+            let inside = (0..n * n)
+                .filter(|m| {
+                    let cell = |m: usize| ((m as f64 + 0.5) / f64::from(n as u32) - 0.5) * 1.375;
+                    (u + cell(m % n)).hypot(v + cell(m / n)) < 12.5
+                })
+                .count();
+            // A chord that ends inside the cell is right to half a chord spacing.
+            assert!((share - inside as f64 / (n * n) as f64).abs() < 0.5 / CHORDS as f64);
+        }
+    }
+
+    #[test]
+    fn decoding_picks_the_pixels_that_the_sampling_names() {
+        let optics = test_bench::optics();
+        let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);
+        let counts = (0..nx * ny).map(|n| ((n * 7919) % 4096) as u16).collect();
+        let image = RawImage::new(nx, ny, counts).unwrap();
+        let window = MicrolensWindow { columns: 20..60, rows: 10..50 };
+        let layout = ViewLayout::new(&optics, window);
+        let stack = layout.decode(&image, |_, _, count| f32::from(count) - 10.0);
+        assert_eq!(stack.len(), layout.views.len());
+        let index = layout.views.iter().position(|v| (v.k, v.l) == (3, -5)).unwrap();
+        let (i, j) = (33, 21);
+        let column = layout.columns.sample(3, i).unwrap().pixel as usize;
+        let row = layout.rows.sample(-5, j).unwrap().pixel as usize;
+        let expected = f32::from(image.row(row)[column]) - 10.0;
+        assert_eq!(stack.view(index)[(j - 10) * 40 + (i - 20)], expected);
+    }
+}

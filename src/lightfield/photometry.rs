@@ -1,0 +1,252 @@
+//! Light levels of a raw image, estimated from the image itself.
+//!
+//! At one particle per microlens hardly a pixel between the particles is dark, but the optics keep
+//! some dark by geometry: the micro-image of a round aperture leaves the four corners of every
+//! square micro-image unlit. Those corners give the black level and the noise of any image,
+//! however densely seeded; pixels that see the open aperture then give the uniform background.
+
+use lfpiv_hw::{Optics, RawImage};
+
+use super::{ImageSettings, sampling::AxisSampling};
+
+/// Corner pixels count as dark when the nearest point of their pupil cell is this many pupil radii
+/// from the centre: diffraction at the microlens leaks about one pixel beyond the edge.
+const DARK_RADII: f64 = 1.12;
+
+/// Fewer dark corners than this cannot be trusted; the darkest pixels of the image stand in.
+const LEAST_CORNERS: u64 = 500;
+
+/// A level that at least this many pixels share, all at the top of the range, is saturation.
+const LEAST_SATURATED: u64 = 16;
+
+/// Noise of an ideal sensor: rounding to whole counts.
+const ROUNDING_NOISE_COUNTS: f64 = 0.289;
+
+/// What a raw image says about its own zero, noise and limits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LightLevels {
+    /// Black level, in counts.
+    pub offset_counts: f64,
+    /// Uniform light above the black level, in counts; 0 when below the noise.
+    pub background_counts: f64,
+    /// Standard deviation of a dark pixel, in counts.
+    pub noise_counts: f64,
+    /// Count from which a pixel is saturated, if any pixel is.
+    pub saturation_counts: Option<u16>,
+    /// Share of the pixels that are saturated, 0 to 1.
+    pub saturated_share: f64,
+    /// Mean of the lit pixels above black level and background, in counts.
+    pub mean_signal_counts: f64,
+}
+
+/// The parts of a micro-image that are dark, and fully lit, whatever the scene.
+#[derive(Debug, Clone)]
+pub struct PhotometricZones {
+    /// Per pixel column: least and greatest |U| of its pupil interval, in mm.
+    columns: Vec<Option<(f64, f64)>>,
+    rows: Vec<Option<(f64, f64)>>,
+    radius_mm: f64,
+}
+
+impl PhotometricZones {
+    /// The zones of a camera's raw images.
+    pub fn new(optics: &Optics, columns: &AxisSampling, rows: &AxisSampling) -> Self {
+        Self {
+            columns: pupil_extents(columns, optics.sensor.columns),
+            rows: pupil_extents(rows, optics.sensor.rows),
+            radius_mm: optics.pupil_diameter_mm() / 2.0,
+        }
+    }
+
+    /// Histograms of the dark corners, and of the pixels that see the open aperture.
+    fn histograms(&self, image: &RawImage) -> (Histogram, Histogram) {
+        let (mut dark, mut lit) = (Histogram::default(), Histogram::default());
+        let dark_square = (self.radius_mm * DARK_RADII).powi(2);
+        let lit_square = self.radius_mm.powi(2);
+        for (row, extent) in self.rows.iter().enumerate() {
+            let Some((v_near, v_far)) = extent else { continue };
+            for (&count, extent) in image.row(row).iter().zip(&self.columns) {
+                let Some((u_near, u_far)) = extent else { continue };
+                if u_far * u_far + v_far * v_far < lit_square {
+                    lit.add(count);
+                } else if u_near * u_near + v_near * v_near > dark_square {
+                    dark.add(count);
+                }
+            }
+        }
+        (dark, lit)
+    }
+
+    /// The light levels of an image, with what the settings already know.
+    pub fn levels(&self, image: &RawImage, settings: &ImageSettings) -> LightLevels {
+        let (dark, lit) = self.histograms(image);
+        let zero = if dark.total >= LEAST_CORNERS { &dark } else { &lit };
+        let middle = if dark.total >= LEAST_CORNERS { 0.5 } else { 0.01 };
+        let median = zero.quantile(middle);
+        let offset_counts = settings.offset_counts.unwrap_or(median);
+        // The upper flank: a black level of 0 clips the lower one.
+        let spread = dark.quantile(0.841) - dark.quantile(0.5);
+        let noise_counts = settings.read_noise_counts.unwrap_or(spread).max(ROUNDING_NOISE_COUNTS);
+        let background_counts = background(&lit, offset_counts, noise_counts);
+        let black = offset_counts + background_counts;
+        let saturation_counts = settings.saturation_counts.or_else(|| lit.pile_up());
+        let saturated = saturation_counts.map_or(0, |level| lit.at_least(level));
+        LightLevels {
+            offset_counts,
+            background_counts,
+            noise_counts,
+            saturation_counts,
+            saturated_share: saturated as f64 / lit.total.max(1) as f64,
+            mean_signal_counts: (lit.mean() - black).max(0.0),
+        }
+    }
+}
+
+fn pupil_extents(axis: &AxisSampling, pixels: usize) -> Vec<Option<(f64, f64)>> {
+    let mut extents = vec![None; pixels];
+    for k in -axis.reach..=axis.reach {
+        for sample in (0..axis.microlenses).filter_map(|i| axis.sample(k, i)) {
+            let (middle, half) = (sample.pupil_mm.abs(), axis.cell_mm / 2.0);
+            extents[sample.pixel as usize] = Some(((middle - half).max(0.0), middle + half));
+        }
+    }
+    extents
+}
+
+/// Uniform light between the particles. The darkest 2 % of the lit pixels lie among those that no
+/// particle lights; with a share f of such pixels they are its 2 %/f quantile, 1.8 noise widths
+/// below its mean at f = 0.3 and within half a width of that for every f between 0.1 and 1.
+fn background(lit: &Histogram, offset_counts: f64, noise_counts: f64) -> f64 {
+    let level = lit.quantile(0.02) + 1.8 * noise_counts - offset_counts;
+    if level > 2.5 * noise_counts { level } else { 0.0 }
+}
+
+/// How often each count occurs.
+#[derive(Debug, Default)]
+struct Histogram {
+    bins: Vec<u64>,
+    total: u64,
+}
+
+impl Histogram {
+    fn add(&mut self, count: u16) {
+        let bin = usize::from(count);
+        if bin >= self.bins.len() {
+            self.bins.resize(bin + 1, 0);
+        }
+        self.bins[bin] += 1;
+        self.total += 1;
+    }
+
+    /// Quantile in counts, interpolated inside a bin as if its counts were spread over its width;
+    /// 0 for an empty histogram.
+    fn quantile(&self, share: f64) -> f64 {
+        let target = share * self.total as f64;
+        let mut below = 0.0;
+        for (bin, &n) in self.bins.iter().enumerate() {
+            let n = n as f64;
+            if n > 0.0 && below + n >= target {
+                return (bin as f64 - 0.5 + (target - below) / n).max(0.0);
+            }
+            below += n;
+        }
+        0.0
+    }
+
+    fn mean(&self) -> f64 {
+        let sum: f64 = self.bins.iter().enumerate().map(|(bin, &n)| bin as f64 * n as f64).sum();
+        sum / self.total.max(1) as f64
+    }
+
+    fn at_least(&self, level: u16) -> u64 {
+        self.bins.iter().skip(usize::from(level)).sum()
+    }
+
+    /// The highest count, when so many pixels share it that light cannot have put them there: more
+    /// than in the hundredth part of the range just below it altogether.
+    fn pile_up(&self) -> Option<u16> {
+        let top = self.bins.len().checked_sub(1)?;
+        let below = top.saturating_sub((top / 100).max(8));
+        let neighbours: u64 = self.bins[below..top].iter().sum();
+        let piled = self.bins[top];
+        (top > 0 && piled >= LEAST_SATURATED && piled > 2 * neighbours).then_some(top as u16)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_bench;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// A bench image whose lit pixels hold `lit` counts and whose corners hold none, with offset
+    /// and roughly Gaussian noise on both.
+    fn image(lit: impl Fn(&mut Pcg64Mcg) -> f64, offset: f64, noise: f64) -> RawImage {
+        let optics = test_bench::optics();
+        let mut random = Pcg64Mcg::seed_from_u64(7);
+        let zones = zones();
+        let mut counts = Vec::new();
+        for row in &zones.rows {
+            for column in &zones.columns {
+                let inside = match (column, row) {
+                    (Some((u, _)), Some((v, _))) => u.hypot(*v) < zones.radius_mm,
+                    _ => false,
+                };
+                let normal = (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0;
+                let signal = if inside { lit(&mut random) } else { 0.0 };
+                let level = (offset + signal + noise * normal).round();
+                counts.push(level.clamp(0.0, 4095.0) as u16);
+            }
+        }
+        RawImage::new(optics.sensor.columns, optics.sensor.rows, counts).unwrap()
+    }
+
+    fn zones() -> PhotometricZones {
+        let optics = test_bench::optics();
+        PhotometricZones::new(
+            &optics,
+            &AxisSampling::columns(&optics),
+            &AxisSampling::rows(&optics),
+        )
+    }
+
+    #[test]
+    fn black_level_and_noise_hold_when_few_lit_pixels_are_dark() {
+        for offset in [0.0, 64.0] {
+            let bright = image(|r| if r.random::<f64>() < 0.15 { 0.0 } else { 300.0 }, offset, 4.0);
+            let levels = zones().levels(&bright, &ImageSettings::default());
+            assert!((levels.offset_counts - offset).abs() < 0.5, "{levels:?}");
+            assert!((levels.noise_counts - 4.0).abs() < 0.5, "{levels:?}");
+            assert_eq!(levels.background_counts, 0.0);
+            assert_eq!(levels.saturation_counts, None);
+            assert!((levels.mean_signal_counts - 255.0).abs() < 2.0);
+        }
+    }
+
+    #[test]
+    fn uniform_background_is_told_from_the_black_level() {
+        let scene = image(|r| if r.random::<f64>() < 0.4 { 40.0 } else { 300.0 }, 64.0, 4.0);
+        let levels = zones().levels(&scene, &ImageSettings::default());
+        assert!((levels.background_counts - 40.0).abs() < 3.0, "{levels:?}");
+    }
+
+    #[test]
+    fn saturation_is_a_pile_up_at_the_top_at_any_depth() {
+        let clipped = image(|r| (r.random::<f64>() * 2000.0).min(936.0), 64.0, 0.0);
+        let levels = zones().levels(&clipped, &ImageSettings::default());
+        assert_eq!(levels.saturation_counts, Some(1000));
+        assert!((levels.saturated_share - 0.532).abs() < 0.02, "{levels:?}");
+    }
+
+    #[test]
+    fn an_all_zero_image_has_no_signal_and_finite_levels() {
+        let optics = test_bench::optics();
+        let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);
+        let black = RawImage::new(nx, ny, vec![0; nx * ny]).unwrap();
+        let levels = zones().levels(&black, &ImageSettings::default());
+        assert_eq!(levels.mean_signal_counts, 0.0);
+        assert_eq!(levels.saturation_counts, None);
+        assert!(levels.noise_counts > 0.0 && levels.offset_counts == 0.0);
+    }
+}
