@@ -19,7 +19,8 @@ use thiserror::Error;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// Both frames arrived whole, were paired, and what was made of them was kept.
+    /// Both frames arrived whole, were paired and processed. Whether processing found vectors is
+    /// the shot's story, not the trigger's.
     Complete,
     /// A frame arrived damaged, or was sent and never arrived.
     MissingPackets,

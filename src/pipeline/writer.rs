@@ -1,0 +1,89 @@
+//! The end of the pool: one thread that stores results and settles shots.
+
+use std::sync::{Arc, mpsc::Receiver};
+
+use tokio::sync::OwnedSemaphorePermit;
+
+use super::{PairResult, PoolLinks, ShotRecord};
+use crate::{
+    acquisition::Outcome,
+    archive::{ArchiveError, ResultStore},
+};
+
+/// Where results are kept.
+pub trait ResultSink: Send + 'static {
+    /// Why a result cannot be kept.
+    type Error: std::error::Error;
+    /// Keeps the result of one shot.
+    fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), Self::Error>;
+    /// Seals what was kept.
+    fn close(self) -> Result<(), Self::Error>;
+}
+
+impl ResultSink for ResultStore {
+    type Error = ArchiveError;
+
+    fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+        Self::append(self, shot, result)
+    }
+
+    fn close(self) -> Result<(), ArchiveError> {
+        Self::close(self)
+    }
+}
+
+/// Sees every shot that ends in the pool, with its result when there is one.
+pub type Observer = Box<dyn FnMut(&ShotRecord, Option<&PairResult>) + Send>;
+
+/// A shot that a worker is done with. The worker is free again once this is written.
+pub(super) struct Finished {
+    pub shot: u64,
+    pub result: Result<PairResult, String>,
+    pub worker: OwnedSemaphorePermit,
+}
+
+pub(super) struct Writer<S> {
+    sink: S,
+    observer: Observer,
+    links: PoolLinks,
+}
+
+impl<S: ResultSink> Writer<S> {
+    pub fn new(sink: S, observer: Observer, links: PoolLinks) -> Self {
+        Self { sink, observer, links }
+    }
+
+    /// Writes until every worker is gone; the error is that of closing.
+    pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
+        for Finished { shot, result, worker } in inbox {
+            match result {
+                Ok(result) => self.write(shot, Arc::new(result)),
+                Err(message) => self.fail(shot, message),
+            }
+            drop(worker);
+        }
+        self.sink.close().map_err(|error| error.to_string())
+    }
+
+    fn write(&mut self, shot: u64, result: Arc<PairResult>) {
+        let board = &self.links.board;
+        let (record, outcome) = match self.sink.append(shot, &result) {
+            Ok(()) => (board.done(shot, result.clone()), Outcome::Complete),
+            Err(error) => {
+                tracing::error!(shot, %error, "the result is not on disk");
+                let record = board.write_failed(shot, result.clone(), error.to_string());
+                (record, Outcome::WriteFailed)
+            }
+        };
+        self.links.settle(shot, outcome);
+        (self.observer)(&record, Some(&result));
+    }
+
+    /// The frames were whole: what failed is the shot's processing, not the trigger.
+    fn fail(&mut self, shot: u64, message: String) {
+        tracing::error!(shot, message, "no result");
+        let record = self.links.board.failed(shot, message);
+        self.links.settle(shot, Outcome::Complete);
+        (self.observer)(&record, None);
+    }
+}
