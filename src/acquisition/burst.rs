@@ -12,6 +12,8 @@ const TICK: Duration = Duration::from_millis(20);
 const SILENT_TRIGGERS: u64 = 5;
 /// How much longer than planned a burst may take.
 const BURST_GRACE: Duration = Duration::from_secs(2);
+/// How long frames on their way are waited for once the run is being stopped.
+const STOP_GRACE: Duration = Duration::from_secs(5);
 
 impl Run {
     /// Shots of the next burst; `None` when the run is over.
@@ -45,19 +47,13 @@ impl Run {
         Ok(self.places.len() as u64)
     }
 
-    /// Fires one burst and waits until each of its triggers is ruled on.
+    /// Fires one burst and waits until each of its triggers is ruled on, or, once the run is
+    /// being stopped, for as long as [`STOP_GRACE`].
     pub(super) async fn run_burst(&mut self, shots: u64) -> Result<(), AcquisitionError> {
-        let first = self.pairing.fired(shots, self.began.elapsed());
-        for trigger in first..first + shots {
-            note(self.ledger.lock().enter(trigger));
-        }
-        self.fired += shots;
-        self.silent.iter_mut().for_each(|silent| *silent += shots);
-        self.synchroniser.call(move |unit| unit.fire(shots)).await?;
-        let fired_at = Instant::now();
-        let duration = self.settings.period() * u32::try_from(shots).unwrap_or(u32::MAX)
-            + self.settings.period();
-        let mut ended = false;
+        let fired_before = self.fired;
+        self.fire(shots).await?;
+        let planned_end = Instant::now() + self.planned_duration(shots);
+        let (mut ended, mut stop_by) = (false, None);
         let mut tick = tokio::time::interval(TICK);
         while !ended || self.pairing.open_triggers() > 0 {
             tokio::select! {
@@ -66,22 +62,48 @@ impl Run {
                     let rulings = self.pairing.tick(self.began.elapsed());
                     self.apply(rulings)?;
                 }
-                () = self.stop.cancelled(), if !ended => {
+                () = self.stop.cancelled(), if stop_by.is_none() => {
                     self.synchroniser.call(|unit| unit.make_safe()).await?;
+                    stop_by = Some(Instant::now() + STOP_GRACE);
                 }
             }
-            let due = fired_at.elapsed() >= duration
-                || self.pairing.open_triggers() == 0
-                || self.stop.is_cancelled();
-            if !ended && due {
+            let now = Instant::now();
+            let all_ruled = self.pairing.open_triggers() == 0;
+            if !ended && (now >= planned_end || all_ruled || stop_by.is_some()) {
                 ended = self.try_end_burst().await?;
             }
-            if !ended && fired_at.elapsed() > duration + BURST_GRACE {
+            // Frames may set the pace of a simulated bench: a burst ends late while they come.
+            let last_sign = planned_end.max(self.last_frame);
+            if !ended && now > last_sign + self.settings.patience + BURST_GRACE {
                 return Err(AcquisitionError::Endless { shots });
+            }
+            if stop_by.is_some_and(|end| now > end) {
+                break;
             }
         }
         self.places.clear();
+        if self.stop.is_cancelled() {
+            return Ok(());
+        }
+        if self.fired == fired_before {
+            return Err(AcquisitionError::NoTriggers { shots });
+        }
         self.check_silence()
+    }
+
+    async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
+        let first = self.pairing.fired(shots, self.began.elapsed());
+        for trigger in first..first + shots {
+            note(self.ledger.lock().enter(trigger));
+        }
+        self.fired += shots;
+        self.silent.iter_mut().for_each(|silent| *silent += shots);
+        self.synchroniser.call(move |unit| unit.fire(shots)).await
+    }
+
+    /// A period more than the triggers need: the last one's frames must be read out.
+    fn planned_duration(&self, shots: u64) -> Duration {
+        self.settings.period() * u32::try_from(shots).unwrap_or(u32::MAX).saturating_add(1)
     }
 
     /// Once the unit no longer fires, compares its count with what was asked for.
@@ -99,10 +121,8 @@ impl Run {
     fn check_silence(&self) -> Result<(), AcquisitionError> {
         let silent = self.silent.iter().position(|triggers| *triggers >= SILENT_TRIGGERS);
         match silent {
-            Some(camera) if !self.stop.is_cancelled() => {
-                Err(AcquisitionError::Silent { camera, triggers: self.silent[camera] })
-            }
-            _ => Ok(()),
+            Some(camera) => Err(AcquisitionError::Silent { camera, triggers: self.silent[camera] }),
+            None => Ok(()),
         }
     }
 }

@@ -82,6 +82,7 @@ pub(super) struct Run {
     pub(super) pairing: Pairing,
     pub(super) identity: String,
     pub(super) began: Instant,
+    pub(super) last_frame: Instant,
     pub(super) fired: u64,
     /// The unit's count when it was programmed.
     pub(super) first_count: u64,
@@ -125,6 +126,7 @@ impl Run {
             pairing,
             identity: String::new(),
             began: Instant::now(),
+            last_frame: Instant::now(),
             fired: 0,
             first_count: 0,
             silent: vec![0; count],

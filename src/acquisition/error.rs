@@ -21,6 +21,12 @@ pub enum AcquisitionError {
          and the synchroniser's camera channel"
     )]
     Silent { camera: usize, triggers: u64 },
+    /// The unit accepted a burst and gave none of it.
+    #[error(
+        "the synchroniser gave none of the {shots} triggers asked for: check its interlock and its \
+         trigger mode"
+    )]
+    NoTriggers { shots: u64 },
     /// No camera thread is left.
     #[error("every camera has stopped; see the log for the reasons")]
     NoCamera,

@@ -32,7 +32,7 @@ pub enum Outcome {
     Late,
     /// Both frames arrived whole, but another camera's did not.
     Unpaired,
-    /// Paired, but not processed: the queue was full or the run ended.
+    /// Not processed although nothing is wrong with it: the queue was full or the run ended.
     Shed,
     /// Processed, but the result could not be written.
     WriteFailed,
@@ -235,6 +235,11 @@ impl Ledger {
     /// The triggers remembered, oldest first.
     pub fn entries(&self) -> impl DoubleEndedIterator<Item = &TriggerEntry> {
         self.entries.values()
+    }
+
+    /// Shots that were handed on and are not settled: queued or with a worker.
+    pub fn handed_on(&self) -> u64 {
+        self.entries.values().filter(|entry| entry.queued && !entry.is_settled()).count() as u64
     }
 
     /// Whether the conservation law holds for every camera.

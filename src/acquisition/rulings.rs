@@ -1,5 +1,7 @@
 //! What comes of a burst: camera events, rulings, the ledger, the queue.
 
+use std::time::Instant;
+
 use tokio::sync::mpsc;
 
 use super::{
@@ -12,6 +14,7 @@ impl Run {
         match event {
             Some(CameraEvent::Frame { camera, frame, underruns }) => {
                 self.silent[camera] = 0;
+                self.last_frame = Instant::now();
                 self.pairing.underruns(camera, underruns);
                 let rulings = self.pairing.frame(camera, frame, self.began.elapsed());
                 self.apply(rulings)

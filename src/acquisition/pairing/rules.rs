@@ -246,6 +246,18 @@ impl Pairing {
         self.drop_when_settled(trigger);
     }
 
+    /// The run ends before there was time for these.
+    pub(super) fn shed_untouched(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+        let Some(open) = self.open.get_mut(&trigger) else { return };
+        for (camera, slot) in open.slots.iter_mut().enumerate() {
+            if slot.is_untouched() && slot.overdue_at.is_none() {
+                rulings.push(Ruling::Settled { trigger, camera, outcome: Outcome::Shed });
+                slot.settle();
+            }
+        }
+        self.drop_when_settled(trigger);
+    }
+
     fn drop_when_settled(&mut self, trigger: u64) {
         if self.open.get(&trigger).is_some_and(|open| open.slots.iter().all(|slot| slot.settled)) {
             self.open.remove(&trigger);
