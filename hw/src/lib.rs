@@ -4,6 +4,7 @@
 //! Everything here is a description or a contract. The simulated devices live in `lfpiv-sim`;
 //! neither this crate nor that one knows how a volume is reconstructed.
 
+pub mod check;
 pub mod device;
 pub mod frame;
 pub mod optics;
@@ -13,3 +14,4 @@ pub mod timing;
 pub use frame::RawImage;
 pub use optics::{MicrolensArray, Optics, Sensor};
 pub use pose::{CameraPoint, Pose};
+pub use timing::{PulseSchedule, TimingError, TimingSettings};

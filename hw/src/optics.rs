@@ -6,18 +6,20 @@
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
+use crate::check::finite;
+
 /// One light-field camera's optics. Both cameras of a bench share them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Optics {
     /// Focal length F of the main lens, in mm.
-    #[garde(range(min = 1.0, max = 2000.0))]
+    #[garde(custom(finite), range(min = 1.0, max = 2000.0))]
     pub focal_length_mm: f64,
     /// Main lens f-number: focal length over pupil diameter.
-    #[garde(range(min = 0.5, max = 64.0))]
+    #[garde(custom(finite), range(min = 0.5, max = 64.0))]
     pub f_number: f64,
     /// Distance from the main lens to the plane in focus, in mm; must exceed the focal length.
-    #[garde(range(min = 1.0, max = 10_000.0), custom(beyond(self.focal_length_mm)))]
+    #[garde(custom(finite), range(min = 1.0, max = 10_000.0), custom(beyond(self.focal_length_mm)))]
     pub object_distance_mm: f64,
     /// The microlens array.
     #[garde(dive)]
@@ -32,10 +34,10 @@ pub struct Optics {
 #[serde(deny_unknown_fields)]
 pub struct MicrolensArray {
     /// Centre-to-centre distance p_m, in mm.
-    #[garde(range(min = 0.005, max = 5.0))]
+    #[garde(custom(finite), range(min = 0.005, max = 5.0))]
     pub pitch_mm: f64,
     /// Microlens focal length f_m, in mm: the sensor stands this far behind the array.
-    #[garde(range(min = 0.01, max = 50.0))]
+    #[garde(custom(finite), range(min = 0.01, max = 50.0))]
     pub focal_length_mm: f64,
     /// Microlenses along the sensor's columns (n_x).
     #[garde(range(min = 1, max = 2000))]
@@ -56,7 +58,7 @@ pub struct Sensor {
     #[garde(range(min = 1, max = 20_000))]
     pub rows: usize,
     /// Pixel pitch p, in µm.
-    #[garde(range(min = 0.5, max = 100.0))]
+    #[garde(custom(finite), range(min = 0.5, max = 100.0))]
     pub pixel_pitch_um: f64,
 }
 
@@ -168,6 +170,13 @@ mod tests {
         assert_eq!(optics.microlens.column_centre_mm(64), 0.0);
         assert!((optics.sensor.row_centre_mm(0) - 1767.0 / 2.0 * 0.0055).abs() < 1e-12);
         assert!((optics.sensor.column_centre_mm(0) + 2351.0 / 2.0 * 0.0055).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_length_that_is_no_number_is_refused() {
+        let mut optics = bench();
+        optics.microlens.pitch_mm = f64::NAN;
+        assert!(optics.validate().unwrap_err().to_string().contains("microlens.pitch_mm"));
     }
 
     #[test]

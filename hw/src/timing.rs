@@ -1,10 +1,148 @@
 //! The pulse schedule: when lamps, Q-switches and cameras fire, in µs after T0.
+//!
+//! One period of a double-frame shot (DESIGN section 5, "Timing at 10 Hz"):
+//!
+//! ```text
+//! T0 |--lamp 1--------Q1          Q2
+//!    |       lamp 2----+-----------^
+//!    |   [latency][  exposure 1  ]gap[  exposure 2 = readout of 1  ][readout of 2] | T0
+//! ```
+//!
+//! Q1 must fall into exposure 1 and Q2 into exposure 2. The gap between them stands in the middle
+//! of the two pulses while they are close; for slow flows it stays half an exposure behind Q1.
 
-/// A validated schedule of one period.
+mod error;
+mod settings;
+
+pub use error::{Signal, TimingError, Violation};
+pub use settings::TimingSettings;
+
+/// Differences below this are rounding, in µs: a picosecond, finer than any synchroniser sets.
+const ROUNDING_US: f64 = 1e-6;
+
+/// A validated schedule of one period. All times are in µs after T0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PulseSchedule {
     /// Time between T0 pulses, in µs.
     pub period_us: f64,
     /// Time between the two laser pulses, in µs.
     pub dt_us: f64,
+    /// Flash lamp triggers of laser heads 1 and 2.
+    pub lamp_us: [f64; 2],
+    /// Q-switch triggers of laser heads 1 and 2: the light pulses.
+    pub q_switch_us: [f64; 2],
+    /// Trigger of all cameras.
+    pub camera_trigger_us: f64,
+    /// Start and end of exposure 1.
+    pub exposure_1_us: [f64; 2],
+    /// Start and end of exposure 2.
+    pub exposure_2_us: [f64; 2],
+    /// When the cameras have read out both frames and can be triggered again.
+    pub camera_ready_us: f64,
+    /// Width of every trigger pulse, in µs.
+    pub pulse_width_us: f64,
 }
+
+impl PulseSchedule {
+    /// The schedule for two pulses `dt_us` apart, `rate_hz` times a second.
+    ///
+    /// Errors name every rule of DESIGN section 5 that it would break, with value and limit.
+    pub fn plan(settings: &TimingSettings, dt_us: f64, rate_hz: f64) -> Result<Self, TimingError> {
+        positive("dt_us", dt_us)?;
+        positive("rate_hz", rate_hz)?;
+        let schedule = Self::place(settings, dt_us, rate_hz);
+        let violations: Vec<Violation> = [
+            schedule.laser_rate(settings, rate_hz),
+            schedule.pulse_in_exposure(1, settings.margin_us),
+            schedule.pulse_in_exposure(2, settings.margin_us),
+            schedule.camera_ready(),
+        ]
+        .into_iter()
+        .flatten()
+        .chain(schedule.signals_outside_period())
+        .collect();
+        if violations.is_empty() { Ok(schedule) } else { Err(TimingError { violations }) }
+    }
+
+    /// Laser rate in Hz.
+    pub fn rate_hz(&self) -> f64 {
+        1e6 / self.period_us
+    }
+
+    fn place(settings: &TimingSettings, dt_us: f64, rate_hz: f64) -> Self {
+        let q1_us = settings.lamp_1_us + settings.lamp_to_q_switch_us[0];
+        let q2_us = q1_us + dt_us;
+        // DESIGN section 5: the gap starts at Q1 + min((dt − gap)/2, exposure 1/2).
+        let gap_start_us =
+            q1_us + ((dt_us - settings.gap_us) / 2.0).min(settings.exposure_1_us / 2.0);
+        let gap_end_us = gap_start_us + settings.gap_us;
+        let exposure_1_start_us = gap_start_us - settings.exposure_1_us;
+        // Exposure 2 lasts as long as frame 1 is read out; then frame 2 is.
+        let exposure_2_end_us = gap_end_us + settings.readout_us;
+        Self {
+            period_us: 1e6 / rate_hz,
+            dt_us,
+            lamp_us: [settings.lamp_1_us, q2_us - settings.lamp_to_q_switch_us[1]],
+            q_switch_us: [q1_us, q2_us],
+            camera_trigger_us: exposure_1_start_us - settings.camera_latency_us,
+            exposure_1_us: [exposure_1_start_us, gap_start_us],
+            exposure_2_us: [gap_end_us, exposure_2_end_us],
+            camera_ready_us: exposure_2_end_us + settings.readout_us,
+            pulse_width_us: settings.pulse_width_us,
+        }
+    }
+
+    fn laser_rate(&self, settings: &TimingSettings, rate_hz: f64) -> Option<Violation> {
+        let limit_hz = settings.laser_rate_limit_hz;
+        (rate_hz > limit_hz).then_some(Violation::LaserRate { rate_hz, limit_hz })
+    }
+
+    /// Light pulse `number` (1 or 2) against the exposure of the same number.
+    fn pulse_in_exposure(&self, number: u8, margin_us: f64) -> Option<Violation> {
+        let (pulse_us, [start_us, end_us]) = match number {
+            1 => (self.q_switch_us[0], self.exposure_1_us),
+            _ => (self.q_switch_us[1], self.exposure_2_us),
+        };
+        let (earliest_us, latest_us) = (start_us + margin_us, end_us - margin_us);
+        let inside = earliest_us - ROUNDING_US <= pulse_us && pulse_us <= latest_us + ROUNDING_US;
+        (!inside).then_some(Violation::PulseOutsideExposure {
+            number,
+            pulse_us,
+            earliest_us,
+            latest_us,
+        })
+    }
+
+    fn camera_ready(&self) -> Option<Violation> {
+        let (ready_us, period_us) = (self.camera_ready_us, self.period_us);
+        (ready_us >= period_us - ROUNDING_US)
+            .then_some(Violation::CameraBusy { ready_us, period_us })
+    }
+
+    fn signals_outside_period(&self) -> impl Iterator<Item = Violation> {
+        let signals = [
+            (Signal::Lamp1, self.lamp_us[0]),
+            (Signal::Lamp2, self.lamp_us[1]),
+            (Signal::QSwitch1, self.q_switch_us[0]),
+            (Signal::QSwitch2, self.q_switch_us[1]),
+            (Signal::CameraTrigger, self.camera_trigger_us),
+        ];
+        let (width_us, period_us) = (self.pulse_width_us, self.period_us);
+        signals.into_iter().filter_map(move |(signal, start_us)| {
+            let end_us = start_us + width_us;
+            let inside = start_us >= -ROUNDING_US && end_us <= period_us + ROUNDING_US;
+            (!inside).then_some(Violation::OutsidePeriod { signal, start_us, end_us, period_us })
+        })
+    }
+}
+
+fn positive(quantity: &'static str, value: f64) -> Result<(), TimingError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(TimingError { violations: vec![Violation::NotPositive { quantity, value }] })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -9,7 +9,6 @@ mod fields;
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
-pub(crate) use fields::finite;
 pub use fields::{Abc, Axis, Jet, LinearShear, RingVortex, SolidRotation, Uniform};
 
 /// mm/s in one m/s.

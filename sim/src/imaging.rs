@@ -5,21 +5,20 @@
 //! judge a reconstruction. Simplifications: every particle sends the same light through the pupil
 //! wherever it is (no fall-off with distance), and lenses are free of aberrations.
 
+mod detector;
 mod pupil;
 
 use lfpiv_hw::{CameraPoint, Optics, Pose};
 use nalgebra::Point3;
-use rand::{Rng, RngExt};
-use rand_distr::StandardNormal;
-use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::stream::{Purpose, random_stream};
+use detector::Detector;
 use pupil::{LowDiscrepancy, PupilStrata, concentric_disc};
 
 /// Particles traced in parallel before they are added to the image: bounds the memory of the
-/// footprints, about 4 kB each.
-const PARTICLES_PER_BATCH: usize = 4096;
+/// footprints, about 20 kB each.
+const PARTICLES_PER_BATCH: usize = 1024;
 
 /// Rays of a box traced as one task.
 const RAYS_PER_BOX_TASK: u64 = 1 << 16;
@@ -29,9 +28,8 @@ const RAYS_PER_BOX_TASK: u64 = 1 << 16;
 pub struct RaySettings {
     /// Rays per particle, rounded up to a square number.
     pub rays_per_particle: usize,
-    /// Wavelength in nm where diffraction at both apertures is wanted. Each Airy pattern is
-    /// replaced by the Gaussian of the same core, σ = 0.42 λ N (Zhang, Zerubia and Olivo-Marin
-    /// 2007), with the working f-numbers of the main lens and of a microlens.
+    /// Wavelength in nm where diffraction is wanted. Each Airy pattern, of the main lens on the
+    /// microlenses and of a microlens on the sensor, is replaced by a Gaussian of the same core.
     pub diffraction_nm: Option<f64>,
 }
 
@@ -92,23 +90,14 @@ pub struct RayTracer<'a> {
     optics: &'a Optics,
     pose: &'a Pose,
     strata: PupilStrata,
-    /// Standard deviations of the diffraction blur on the microlens plane and on the sensor, mm.
-    blur_mm: Option<(f64, f64)>,
+    detector: Detector,
 }
 
 impl<'a> RayTracer<'a> {
     /// A tracer through `optics` standing at `pose`.
     pub fn new(optics: &'a Optics, pose: &'a Pose, settings: &RaySettings) -> Self {
-        let blur_mm = settings.diffraction_nm.map(|wavelength_nm| {
-            let sigma_mm = |f_number: f64| 0.42 * wavelength_nm * 1e-6 * f_number;
-            let lens = &optics.microlens;
-            (
-                sigma_mm(optics.image_distance_mm() / optics.pupil_diameter_mm()),
-                sigma_mm(lens.focal_length_mm / lens.pitch_mm),
-            )
-        });
         let strata = PupilStrata::new(optics.pupil_diameter_mm() / 2.0, settings.rays_per_particle);
-        Self { optics, pose, strata, blur_mm }
+        Self { optics, pose, strata, detector: Detector::new(optics, settings.diffraction_nm) }
     }
 
     /// The image of `sources`. `stream` (seed, shot, camera, frame…) and each source's id choose
@@ -174,25 +163,33 @@ impl<'a> RayTracer<'a> {
                 let start_mm: [f64; 3] =
                     std::array::from_fn(|axis| centre_mm[axis] + (fractions[axis] - 0.5) * edge_mm);
                 let on_pupil_mm = concentric_disc([2.0 * u - 1.0, 2.0 * v - 1.0], radius_mm);
-                self.point_imaging(start_mm)?.pixel(self, on_pupil_mm, &mut rng)
+                let imaging = self.point_imaging(start_mm)?;
+                self.detector.pixel(imaging.on_microlenses_mm(on_pupil_mm), on_pupil_mm, &mut rng)
             })
             .collect();
         count_runs(&mut pixels)
     }
 
-    /// Rays per pixel of one source.
+    /// Pixels hit by the rays of one source and by how many in a row; a pixel may come again.
     fn footprint(&self, source: &PointSource, stream: &[u64]) -> Vec<(u32, u32)> {
         let Some(imaging) = self.point_imaging(source.position_mm) else {
             return Vec::new();
         };
         let key: Vec<u64> = stream.iter().copied().chain([source.id]).collect();
         let mut rng = random_stream(Purpose::Rays, &key);
-        let mut pixels = Vec::with_capacity(self.strata.rays());
-        for stratum in 0..self.strata.rays() {
-            let on_pupil_mm = self.strata.jittered(stratum, rng.next_u64());
-            pixels.extend(imaging.pixel(self, on_pupil_mm, &mut rng));
-        }
-        count_runs(&mut pixels)
+        let mut diffraction_rng = random_stream(Purpose::Diffraction, &key);
+        let mut runs: Vec<(u32, u32)> = Vec::with_capacity(self.strata.rays() / 2);
+        self.strata.jittered(&mut rng, |on_pupil_mm| {
+            let plane_mm = imaging.on_microlenses_mm(on_pupil_mm);
+            let pixel = self.detector.pixel(plane_mm, on_pupil_mm, &mut diffraction_rng);
+            // Neighbouring strata mostly hit the same pixel.
+            match (pixel, runs.last_mut()) {
+                (None, _) => {}
+                (Some(pixel), Some((last, rays))) if *last == pixel => *rays += 1,
+                (Some(pixel), _) => runs.push((pixel, 1)),
+            }
+        });
+        runs
     }
 
     /// How the main lens images a world point, or `None` for a point not in front of the lens.
@@ -226,46 +223,10 @@ impl PointImaging {
         })
     }
 
-    /// Index of the pixel that the ray through `pupil_mm` hits, if any.
+    /// Where the ray through `pupil_mm` meets the microlens plane, in mm.
     #[inline]
-    fn pixel(&self, tracer: &RayTracer, pupil_mm: [f64; 2], rng: &mut Pcg64Mcg) -> Option<u32> {
-        let optics = tracer.optics;
-        let lens = &optics.microlens;
-        let mut plane_mm: [f64; 2] =
-            std::array::from_fn(|axis| self.pupil_factor * pupil_mm[axis] + self.centre_mm[axis]);
-        if let Some((sigma_mm, _)) = tracer.blur_mm {
-            blur(&mut plane_mm, sigma_mm, rng);
-        }
-        let column = nearest(plane_mm[0] / lens.pitch_mm, lens.columns)?;
-        let row = nearest(plane_mm[1] / lens.pitch_mm, lens.rows)?;
-        let slope = lens.focal_length_mm / optics.image_distance_mm();
-        let mut sensor_mm = [
-            lens.column_centre_mm(column) + slope * (plane_mm[0] - pupil_mm[0]),
-            lens.row_centre_mm(row) + slope * (plane_mm[1] - pupil_mm[1]),
-        ];
-        if let Some((_, sigma_mm)) = tracer.blur_mm {
-            blur(&mut sensor_mm, sigma_mm, rng);
-        }
-        let sensor = &optics.sensor;
-        let pitch_mm = optics.pixel_pitch_mm();
-        let pixel_column = nearest(sensor_mm[0] / pitch_mm, sensor.columns)?;
-        // Rows count downwards, against `up`.
-        let pixel_row = nearest(-sensor_mm[1] / pitch_mm, sensor.rows)?;
-        Some((pixel_row * sensor.columns + pixel_column) as u32)
-    }
-}
-
-/// Index of the nearest of `count` cells of unit pitch centred on zero, or `None` outside them.
-#[inline]
-fn nearest(position: f64, count: usize) -> Option<usize> {
-    let from_edge = (position + count as f64 / 2.0).floor();
-    (from_edge >= 0.0 && from_edge < count as f64).then_some(from_edge as usize)
-}
-
-fn blur(position_mm: &mut [f64; 2], sigma_mm: f64, rng: &mut Pcg64Mcg) {
-    for coordinate in position_mm {
-        let deviation: f64 = rng.sample(StandardNormal);
-        *coordinate += sigma_mm * deviation;
+    fn on_microlenses_mm(&self, pupil_mm: [f64; 2]) -> [f64; 2] {
+        std::array::from_fn(|axis| self.pupil_factor * pupil_mm[axis] + self.centre_mm[axis])
     }
 }
 

@@ -4,6 +4,8 @@
 //! It depends on the description of the bench (`lfpiv-hw`) alone and shares no code with the
 //! reconstruction, whose accuracy it is there to judge.
 
+pub mod bench;
+mod camera;
 pub mod flow;
 pub mod geometry;
 pub mod imaging;
@@ -11,11 +13,15 @@ pub mod particles;
 pub mod scene;
 pub mod sensor;
 mod stream;
+mod synchroniser;
 #[cfg(test)]
 mod test_bench;
+mod triggers;
 
+pub use bench::{SimulatedBench, connect};
 pub use flow::Flow;
 pub use geometry::{BenchGeometry, Volume};
 pub use particles::Particle;
 pub use scene::{Scene, SimulatedShot, Truth};
 pub use sensor::SensorSettings;
+pub use triggers::{LEAD, Pacing};

@@ -1,11 +1,11 @@
 //! What is in front of the simulated cameras: the `[simulation]` table of the configuration.
 
 use garde::Validate;
-use lfpiv_hw::RawImage;
+use lfpiv_hw::{RawImage, check::finite};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    flow::{Flow, finite},
+    flow::Flow,
     geometry::BenchGeometry,
     imaging::{ElectronImage, PointSource, RaySettings, RayTracer},
     particles::{FrameOfPair, Particle, Placement, Seeding},

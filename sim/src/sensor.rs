@@ -1,15 +1,13 @@
 //! From photo-electrons to the counts in a file.
 
 use garde::Validate;
-use lfpiv_hw::RawImage;
-use rand::Rng;
-use rand::RngExt;
+use lfpiv_hw::{RawImage, check::finite};
+use rand::{Rng, RngExt};
 use rand_distr::{Normal, Poisson};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    flow::finite,
     imaging::ElectronImage,
     stream::{Purpose, random_stream},
 };

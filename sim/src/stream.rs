@@ -10,6 +10,7 @@ pub(crate) enum Purpose {
     Rays = 2,
     Sensor = 3,
     Box = 4,
+    Diffraction = 5,
 }
 
 /// A generator of its own for every (purpose, key).

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use garde::Validate;
+use lfpiv_hw::check::finite;
 use serde::{Deserialize, Serialize};
 
 use super::MM_PER_M;
@@ -177,11 +178,6 @@ impl Abc {
         let [a, b, c] = self.coefficients.map(|coefficient| coefficient * self.amplitude_m_s);
         [a * sin_z + c * cos_y, b * sin_x + a * cos_z, c * sin_y + b * cos_x]
     }
-}
-
-/// Range checks alone let NaN through.
-pub(crate) fn finite(value: &f64, _: &()) -> garde::Result {
-    if value.is_finite() { Ok(()) } else { Err(garde::Error::new("allowed: a finite number")) }
 }
 
 fn differs(component: Axis) -> impl FnOnce(&Axis, &()) -> garde::Result {

@@ -86,7 +86,10 @@ fn one_ray_lands_where_design_section_2_says() {
     let column = (on_sensor / 0.0055 + 1175.5).round() as u32;
     let mut rng = random_stream(Purpose::Rays, &[0]);
     let imaging = tracer.point_imaging([xi, 0.0, depth]).unwrap();
-    let pixel = imaging.pixel(&tracer, [pupil, 0.0], &mut rng).unwrap();
+    let pixel = tracer
+        .detector
+        .pixel(imaging.on_microlenses_mm([pupil, 0.0]), [pupil, 0.0], &mut rng)
+        .unwrap();
     assert_eq!(pixel % 2352, column);
 }
 
@@ -104,7 +107,8 @@ fn disparity_with_depth_has_the_closed_form() {
         let tracer = RayTracer::new(&optics, &poses[0], &settings(1));
         let imaging = tracer.point_imaging([0.0, 0.0, depth]).unwrap();
         let mut rng = random_stream(Purpose::Rays, &[0]);
-        let pixel = imaging.pixel(&tracer, [12.0, 0.0], &mut rng).unwrap() % 2352;
+        let plane_mm = imaging.on_microlenses_mm([12.0, 0.0]);
+        let pixel = tracer.detector.pixel(plane_mm, [12.0, 0.0], &mut rng).unwrap() % 2352;
         assert_eq!(pixel > 1176, depth > 0.0, "depth {depth}: pixel {pixel}");
     }
 }

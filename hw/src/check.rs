@@ -1,0 +1,7 @@
+//! Checks of configured values that `garde` does not bring.
+
+/// Refuses NaN and infinities. A `range` rule alone lets NaN through, since NaN is neither below
+/// the minimum nor above the maximum.
+pub fn finite(value: &f64, _: &()) -> garde::Result {
+    if value.is_finite() { Ok(()) } else { Err(garde::Error::new("allowed: a finite number")) }
+}
