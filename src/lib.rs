@@ -2,6 +2,7 @@
 
 pub mod acquisition;
 pub mod archive;
+pub mod cli;
 pub mod config;
 pub mod lightfield;
 pub mod model;

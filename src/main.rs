@@ -1,1 +1,7 @@
-fn main() {}
+//! The `lfpiv` command.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    lfpiv::cli::main()
+}

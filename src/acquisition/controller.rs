@@ -106,7 +106,7 @@ impl Run {
         let pairing = Pairing::new(PairingSettings {
             cameras: count,
             period_ns: u64::try_from(settings.period().as_nanos()).unwrap_or(u64::MAX),
-            frame_interval_ns: settings.frame_interval_ns,
+            frame_interval_ns: settings.frame_interval().as_nanos() as u64,
             frame_interval_tolerance_ns: FRAME_INTERVAL_TOLERANCE_NS,
             patience: settings.patience,
         });

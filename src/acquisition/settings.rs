@@ -20,8 +20,6 @@ pub enum OverloadPolicy {
 pub struct AcquisitionSettings {
     /// The pulse schedule, validated.
     pub schedule: PulseSchedule,
-    /// Timestamp of frame b less that of frame a, in ns.
-    pub frame_interval_ns: u64,
     /// Triggers to give; unbounded when absent.
     pub shots: Option<NonZeroU64>,
     /// What happens when the queue is full.
@@ -34,6 +32,13 @@ impl AcquisitionSettings {
     /// Time between triggers.
     pub fn period(&self) -> Duration {
         Duration::from_secs_f64(self.schedule.period_us * 1e-6)
+    }
+
+    /// From the start of exposure 1, which stamps frame a, to that of exposure 2.
+    pub fn frame_interval(&self) -> Duration {
+        let [frame_a_us, frame_b_us] =
+            [self.schedule.exposure_1_us[0], self.schedule.exposure_2_us[0]];
+        Duration::from_secs_f64((frame_b_us - frame_a_us).max(0.0) * 1e-6)
     }
 
     /// Shots in the longest burst: what fits in [`MAX_BURST`], and at least one.

@@ -31,7 +31,7 @@ pub(super) fn seal(path: &Path) -> Result<(), ArchiveError> {
 
 /// Writes a convenience file (one that can be made again): a reader sees the old or the new
 /// content, never half of it. Not fsynced.
-pub(super) fn replace(
+pub fn replace(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>,
 ) -> Result<(), ArchiveError> {

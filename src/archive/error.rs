@@ -7,25 +7,27 @@ use thiserror::Error;
 use super::ImageSize;
 
 /// Why something could not be read from or written to disk.
+///
+/// Every message is complete: the reason is part of it, not a `source` to be printed after it.
 #[derive(Debug, Error)]
 pub enum ArchiveError {
     /// The operating system refused.
-    #[error("cannot {action} {}: {source}", path.display())]
+    #[error("cannot {action} {}: {reason}", path.display())]
     Io {
         /// What was tried.
         action: &'static str,
         /// On which file or folder.
         path: PathBuf,
         /// The system's reason.
-        source: io::Error,
+        reason: io::Error,
     },
     /// The NetCDF library refused.
-    #[error("cannot write NetCDF file {}: {source}", path.display())]
+    #[error("cannot write NetCDF file {}: {reason}", path.display())]
     NetCdf {
         /// The file.
         path: PathBuf,
         /// The library's reason.
-        source: netcdf::Error,
+        reason: netcdf::Error,
     },
     /// An image of the pair is not there.
     #[error(
@@ -42,14 +44,14 @@ pub enum ArchiveError {
     },
     /// The file is damaged or no TIFF.
     #[error(
-        "cannot read {}: {source}; the file is damaged, truncated or not a TIFF: \
+        "cannot read {}: {reason}; the file is damaged, truncated or not a TIFF: \
          copy or record it again", path.display()
     )]
     UnreadableImage {
         /// The file.
         path: PathBuf,
         /// The decoder's reason.
-        source: image::ImageError,
+        reason: image::ImageError,
     },
     /// The image is not 8- or 16-bit grey.
     #[error(
@@ -112,12 +114,12 @@ impl ArchiveError {
         path: impl Into<PathBuf>,
     ) -> impl FnOnce(io::Error) -> Self {
         let path = path.into();
-        move |source| Self::Io { action, path, source }
+        move |reason| Self::Io { action, path, reason }
     }
 
     /// Adapter for `map_err`: adds the file.
     pub(super) fn netcdf(path: impl Into<PathBuf>) -> impl FnOnce(netcdf::Error) -> Self {
         let path = path.into();
-        move |source| Self::NetCdf { path, source }
+        move |reason| Self::NetCdf { path, reason }
     }
 }

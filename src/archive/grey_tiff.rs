@@ -71,9 +71,9 @@ pub fn read_grey_tiff(path: &Path) -> Result<RawImage, ArchiveError> {
             return Err(ArchiveError::NotGrey { path: path.into(), found });
         }
     };
-    RawImage::new(columns, rows, counts).map_err(|source| ArchiveError::UnreadableImage {
+    RawImage::new(columns, rows, counts).map_err(|error| ArchiveError::UnreadableImage {
         path: path.into(),
-        source: ImageError::IoError(io::Error::other(source)),
+        reason: ImageError::IoError(io::Error::other(error)),
     })
 }
 
@@ -119,7 +119,7 @@ fn describe_failure(path: &Path, source: ImageError) -> ArchiveError {
         ImageError::Unsupported(detail) => {
             ArchiveError::NotGrey { path, found: format!("of a kind not supported ({detail})") }
         }
-        source => ArchiveError::UnreadableImage { path, source },
+        reason => ArchiveError::UnreadableImage { path, reason },
     }
 }
 

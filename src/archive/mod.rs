@@ -20,10 +20,11 @@ mod test_data;
 mod velocity_file;
 mod volume_file;
 
+pub use durable::replace as write_replacing;
 pub use error::ArchiveError;
 pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
-pub use paraview::write_vti;
+pub use paraview::{VtiSeries, write_vti};
 pub use store::ResultStore;
 pub use velocity_file::write_velocity;
 pub use volume_file::write_volumes;

@@ -1,11 +1,9 @@
 //! What all NetCDF files of this program share: provenance, axes, described variables.
 
-use std::{
-    path::{Path, PathBuf},
-    time::SystemTime,
-};
+use std::path::{Path, PathBuf};
 
 use netcdf::{FileMut, NcTypeDescriptor};
+use time::{OffsetDateTime, format_description::well_known::Rfc3339};
 
 use super::{
     ArchiveError,
@@ -36,12 +34,13 @@ impl NetCdfFile {
         let create = || {
             let mut file = netcdf::create(part_path(path))?;
             let version = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
-            let now = humantime::format_rfc3339_seconds(SystemTime::now());
+            let now = OffsetDateTime::now_utc().truncate_to_second().format(&Rfc3339);
+            let history = format!("{} written by {version}", now.unwrap_or_default());
             file.add_attribute("Conventions", "CF-1.11")?;
             file.add_attribute("title", title)?;
             file.add_attribute("source", version)?;
             file.add_attribute("code_version", version)?;
-            file.add_attribute("history", format!("{now} written by {version}").as_str())?;
+            file.add_attribute("history", history.as_str())?;
             file.add_attribute("configuration", configuration)?;
             Ok(file)
         };

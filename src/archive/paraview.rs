@@ -98,9 +98,9 @@ fn write_header(
     write!(writer, "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_")
 }
 
-/// The list of a run's `.vti` files; ParaView opens it as one animation.
+/// A list of `.vti` files that ParaView opens as one animation: the `.vti.series` file.
 #[derive(Debug, Serialize)]
-pub(super) struct Series {
+pub struct VtiSeries {
     #[serde(rename = "file-series-version")]
     version: &'static str,
     files: Vec<SeriesEntry>,
@@ -113,13 +113,14 @@ struct SeriesEntry {
     time: f64,
 }
 
-impl Series {
-    /// A series without files.
-    pub fn new() -> Self {
+impl Default for VtiSeries {
+    fn default() -> Self {
         Self { version: "1.0", files: Vec::new() }
     }
+}
 
-    /// Adds a file that lies beside the series file.
+impl VtiSeries {
+    /// Adds a file; `name` is its path seen from the series file.
     pub fn push(&mut self, name: String, shot: u64) {
         self.files.push(SeriesEntry { name, time: shot as f64 });
     }
@@ -158,7 +159,7 @@ mod tests {
     fn a_series_lists_its_shots() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("velocity.vti.series");
-        let mut series = Series::new();
+        let mut series = VtiSeries::default();
         series.push("shot_000003.vti".into(), 3);
         series.write(&path).unwrap();
         let read: serde_json::Value =

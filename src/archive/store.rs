@@ -17,7 +17,7 @@ use std::{
 use super::{
     ArchiveError,
     durable::{create_folder, replace},
-    paraview::{Series, write_vti},
+    paraview::{VtiSeries, write_vti},
     velocity_file::VelocityFile,
 };
 use crate::pipeline::PairResult;
@@ -31,7 +31,7 @@ pub struct ResultStore {
     configuration: String,
     segment_age: Duration,
     segment: Option<Segment>,
-    series: Series,
+    series: VtiSeries,
 }
 
 struct Segment {
@@ -66,7 +66,7 @@ impl ResultStore {
             configuration: configuration.into(),
             segment_age,
             segment: None,
-            series: Series::new(),
+            series: VtiSeries::default(),
         })
     }
 

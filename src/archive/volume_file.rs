@@ -6,7 +6,7 @@ use super::{
     ArchiveError,
     netcdf_file::{Described, NetCdfFile},
 };
-use crate::pipeline::DenseVolume;
+use crate::reconstruction::DenseVolume;
 
 const NAMES: [Described; 2] = [
     Described { name: "a", units: "1", long_name: "light intensity per voxel, frame a" },

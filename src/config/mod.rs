@@ -42,7 +42,7 @@ impl ConfigFile {
     /// [`ConfigError`]: the file cannot be read, or what is wrong in it, line by line.
     pub fn load(path: &Path) -> Result<Self, ConfigError> {
         let text = fs::read_to_string(path)
-            .map_err(|source| ConfigError::Unreadable { path: path.into(), source })?;
+            .map_err(|reason| ConfigError::Unreadable { path: path.into(), reason })?;
         let config = Config::parse(&path.display().to_string(), &text)?;
         Ok(Self { path: path.into(), text, config })
     }
@@ -179,6 +179,14 @@ impl Config {
             },
             dt_s: self.shot.dt_us * 1e-6,
         }
+    }
+
+    /// Mean number of particles in the volume of a simulated run; `None` without a scene.
+    pub fn simulated_particles(&self) -> Option<f64> {
+        let scene = self.simulation.as_ref()?;
+        let bench = self.bench_geometry();
+        let [x_mm, y_mm, _] = bench.volume.extents_mm();
+        Some(scene.ppm * x_mm * y_mm / bench.object_pitch_mm().powi(2))
     }
 
     /// The part of the configuration that turns image pairs into vectors.

@@ -1,0 +1,110 @@
+//! `lfpiv check`: is the configuration right, and what will be done with it?
+
+use std::{fmt::Write, path::PathBuf};
+
+use anyhow::Context;
+
+use super::output::print;
+use crate::{
+    config::{Config, ConfigFile},
+    model::VolumeGrid,
+    pipeline::Processor,
+};
+
+/// Arguments of `lfpiv check`.
+#[derive(Debug, clap::Args)]
+pub struct CheckArgs {
+    /// Configuration file (TOML).
+    #[arg(long, value_name = "FILE")]
+    pub config: PathBuf,
+}
+
+/// Validates a configuration, sets the measurement up and prints what it will do.
+pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
+    let file = ConfigFile::load(&args.config)?;
+    Processor::new(file.config.measurement())
+        .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
+    print(&format!("{} is valid.\n\n{}", args.config.display(), summary(&file.config)))
+}
+
+/// What is known from the configuration alone, one line per subject.
+fn summary(config: &Config) -> String {
+    let mut lines = vec![
+        ("cameras", cameras(config)),
+        ("field of view", field_of_view(config)),
+        ("volume", volume(&config.volume)),
+        ("memory", memory(config)),
+        ("windows", windows(config)),
+        ("timing", format!("dt {} us, {} shots/s", config.shot.dt_us, config.shot.rate_hz)),
+    ];
+    if let Some(scene) = &config.simulation {
+        let particles = config
+            .simulated_particles()
+            .map_or(String::new(), |n| format!(", {n:.0} in the volume"));
+        lines.push(("simulation", format!("{} particles per microlens{particles}", scene.ppm)));
+    }
+    lines.push(("server", format!("http://{}", config.server.address)));
+    lines.push(("output", config.output.dir.display().to_string()));
+    lines.into_iter().fold(String::new(), |mut text, (subject, line)| {
+        // Writing to a String does not fail.
+        let _ = writeln!(text, "{subject:<14} {line}");
+        text
+    })
+}
+
+fn cameras(config: &Config) -> String {
+    let optics = &config.optics;
+    format!(
+        "{}, each {} x {} microlenses on {} x {} pixels of {} um",
+        config.camera.len(),
+        optics.microlens.columns,
+        optics.microlens.rows,
+        optics.sensor.columns,
+        optics.sensor.rows,
+        optics.sensor.pixel_pitch_um
+    )
+}
+
+fn field_of_view(config: &Config) -> String {
+    let optics = &config.optics;
+    let object_pitch_mm =
+        optics.microlens.pitch_mm * optics.object_distance_mm / optics.image_distance_mm();
+    format!(
+        "{:.2} x {:.2} mm in focus, one microlens {object_pitch_mm:.3} mm",
+        optics.microlens.columns as f64 * object_pitch_mm,
+        optics.microlens.rows as f64 * object_pitch_mm
+    )
+}
+
+fn volume(grid: &VolumeGrid) -> String {
+    let [x, y, z] = [0, 1, 2].map(|axis| {
+        let half_mm = grid.voxels[axis] as f64 * grid.voxel_mm / 2.0;
+        let centre_mm = grid.centre_mm[axis];
+        format!("{:.2} to {:.2}", centre_mm - half_mm, centre_mm + half_mm)
+    });
+    let [nx, ny, nz] = grid.voxels;
+    format!("{nx} x {ny} x {nz} voxels of {} mm: x {x}, y {y}, z {z} mm", grid.voxel_mm)
+}
+
+fn memory(config: &Config) -> String {
+    let megabytes = |bytes: usize| bytes as f64 / 1e6;
+    let sensor = &config.optics.sensor;
+    let images = config.camera.len() * 2 * sensor.columns * sensor.rows * size_of::<u16>();
+    let volumes = 2 * config.volume.len() * size_of::<f32>();
+    format!(
+        "{:.0} MB for the raw images of a pair, {:.0} MB for its two dense volumes",
+        megabytes(images),
+        megabytes(volumes)
+    )
+}
+
+fn windows(config: &Config) -> String {
+    let settings = &config.velocimetry;
+    format!(
+        "{} mm ({:.1} voxels) at {:.0} % overlap, {} passes",
+        settings.window_mm,
+        settings.window_mm / config.volume.voxel_mm,
+        settings.overlap * 100.0,
+        settings.passes
+    )
+}

@@ -1,0 +1,79 @@
+//! The command line: `lfpiv check | simulate | process | run`.
+//!
+//! Results and tables go to standard output, logs, progress and errors to standard error. The
+//! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
+
+mod check;
+mod output;
+mod process;
+mod run;
+mod simulate;
+
+use std::{io::IsTerminal, process::ExitCode};
+
+use clap::{Parser, Subcommand};
+use tracing_subscriber::EnvFilter;
+
+pub use check::CheckArgs;
+pub use process::ProcessArgs;
+pub use run::RunArgs;
+pub use simulate::SimulateArgs;
+
+/// Dual-camera light-field particle image velocimetry.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Check a configuration and print what will be done with it.
+    Check(CheckArgs),
+    /// Make image pairs of a known flow by ray tracing.
+    Simulate(SimulateArgs),
+    /// Measure recorded image pairs.
+    Process(ProcessArgs),
+    /// Run the bench: acquire, measure, serve and store.
+    Run(RunArgs),
+}
+
+/// Parses the command line, does what it says and reports errors.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    start_logging();
+    let done = match cli.command {
+        Command::Check(args) => check::check(&args),
+        Command::Simulate(args) => simulate::simulate(&args),
+        Command::Process(args) => process::process(&args),
+        Command::Run(args) => run::run(args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Logs to standard error; `RUST_LOG` chooses what, by default warnings and notices.
+fn start_logging() {
+    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new("info"));
+    tracing_subscriber::fmt()
+        .with_env_filter(filter)
+        .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal())
+        .init();
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        super::Cli::command().debug_assert();
+    }
+}

@@ -1,0 +1,227 @@
+//! `lfpiv process`: recorded or imported image pairs to velocity.
+
+use std::{
+    collections::HashMap,
+    ffi::OsString,
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context, bail};
+use indicatif::ProgressBar;
+use serde::{Deserialize, de::value::StrDeserializer};
+
+use super::output::{print, progress_bar};
+use crate::{
+    archive::{VtiSeries, find_pair_folders, read_pair, write_velocity, write_volumes, write_vti},
+    config::ConfigFile,
+    pipeline::{PairResult, Processor},
+    reconstruction::Solver,
+};
+
+/// Arguments of `lfpiv process`.
+#[derive(Debug, clap::Args)]
+pub struct ProcessArgs {
+    /// Configuration file (TOML) of the bench that took the images.
+    #[arg(long, value_name = "FILE")]
+    pub config: PathBuf,
+    /// Folder for the results: one folder per pair, called as the pair's.
+    #[arg(long, value_name = "OUT")]
+    pub out: PathBuf,
+    /// Write the reconstructed volumes, too.
+    #[arg(long)]
+    pub save_volumes: bool,
+    /// Solver to use instead of the configuration's.
+    #[arg(long, value_name = "NAME", value_parser = solver_by_name)]
+    pub solver: Option<Solver>,
+    /// Pair folders, or folders of pair folders.
+    #[arg(required = true, value_name = "DIR")]
+    pub folders: Vec<PathBuf>,
+}
+
+/// Measures every pair; a pair that fails is reported and the others are still measured.
+pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
+    let run = Run::prepare(args)?;
+    let (jobs, mut failures) = jobs(&args.folders, &args.out);
+    for failure in &failures {
+        tracing::error!("{failure}");
+    }
+    let bar = progress_bar(jobs.len(), "pairs");
+    let mut series = VtiSeries::default();
+    for (number, job) in (0..).zip(&jobs) {
+        match run.measure(job) {
+            Ok(result) => {
+                series.push(format!("{}/velocity.vti", job.name), number);
+                report(&bar, job, &result)?;
+            }
+            Err(error) => {
+                let failure = format!("{}: {error:#}", job.pair.display());
+                bar.suspend(|| tracing::error!("{failure}"));
+                failures.push(failure);
+            }
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    if failures.len() < jobs.len() {
+        series.write(&args.out.join("velocity.vti.series"))?;
+    }
+    if failures.is_empty() {
+        return Ok(());
+    }
+    let listed = failures.iter().map(|failure| format!("\n  {failure}")).collect::<String>();
+    bail!("{} could not be measured:{listed}", count(failures.len(), "pair folder"))
+}
+
+/// What is the same for all pairs.
+struct Run {
+    processor: Processor,
+    file: ConfigFile,
+    save_volumes: bool,
+}
+
+impl Run {
+    fn prepare(args: &ProcessArgs) -> anyhow::Result<Self> {
+        let mut file = ConfigFile::load(&args.config)?;
+        if let Some(solver) = args.solver {
+            file.config.reconstruction.solver = solver;
+            let note = "\n# Overridden on the command line: reconstruction.solver = ";
+            file.text.push_str(&format!("{note}{solver:?}\n"));
+        }
+        let processor = Processor::new(file.config.measurement())
+            .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
+        Ok(Self { processor, file, save_volumes: args.save_volumes })
+    }
+
+    /// Reads, measures and stores one pair.
+    fn measure(&self, job: &Job) -> anyhow::Result<PairResult> {
+        let config = &self.file.config;
+        let pair = read_pair(&job.pair, config.camera.len(), (&config.optics.sensor).into())?;
+        let (result, volumes) = if self.save_volumes {
+            let (result, volumes) = self.processor.process_with_volumes(&pair)?;
+            (result, Some(volumes))
+        } else {
+            (self.processor.process(&pair)?, None)
+        };
+        self.store(&job.results, &result)?;
+        if let Some(volumes) = volumes {
+            write_volumes(&job.results.join("volumes.nc"), &self.file.text, &volumes)?;
+        }
+        Ok(result)
+    }
+
+    fn store(&self, folder: &Path, result: &PairResult) -> anyhow::Result<()> {
+        std::fs::create_dir_all(folder)
+            .with_context(|| format!("cannot create {}", folder.display()))?;
+        write_velocity(&folder.join("velocity.nc"), &self.file.text, 0, result)?;
+        write_vti(&folder.join("velocity.vti"), &result.field)?;
+        Ok(())
+    }
+}
+
+/// One pair and where its results go.
+#[derive(Debug, PartialEq)]
+struct Job {
+    pair: PathBuf,
+    name: String,
+    results: PathBuf,
+}
+
+/// The pairs below all folders given, and a message for each that cannot be one.
+fn jobs(folders: &[PathBuf], out: &Path) -> (Vec<Job>, Vec<String>) {
+    let (mut jobs, mut failures) = (Vec::new(), Vec::new());
+    let mut taken: HashMap<String, PathBuf> = HashMap::new();
+    for folder in folders {
+        let pairs = match find_pair_folders(folder) {
+            Ok(pairs) => pairs,
+            Err(error) => {
+                failures.push(error.to_string());
+                continue;
+            }
+        };
+        for pair in pairs {
+            let name = name_of(&pair);
+            if let Some(other) = taken.insert(name.clone(), pair.clone()) {
+                failures.push(format!(
+                    "{}: its results would replace those of {}: rename one of the folders or \
+                     process them with different --out",
+                    pair.display(),
+                    other.display()
+                ));
+                taken.insert(name, other);
+                continue;
+            }
+            jobs.push(Job { results: out.join(&name), pair, name });
+        }
+    }
+    (jobs, failures)
+}
+
+/// A folder's own name, for `.` and `..` too.
+fn name_of(folder: &Path) -> String {
+    let own = |path: &Path| path.file_name().map(OsString::from);
+    let name = own(folder).or_else(|| folder.canonicalize().ok().as_deref().and_then(own));
+    name.map_or_else(|| "pair".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<()> {
+    let seconds = &result.seconds;
+    let line = format!(
+        "{}: {}, {:.1} % valid; decoded in {:.2} s, reconstructed in {:.2} s, correlated in {:.2} s -> {}",
+        job.name,
+        count(result.field.grid.len(), "vector"),
+        100.0 * result.field.valid_share(),
+        seconds.decode_s,
+        seconds.reconstruct_s,
+        seconds.correlate_s,
+        job.results.display()
+    );
+    bar.suspend(|| {
+        for warning in &result.warnings {
+            tracing::warn!("{}: {warning}", job.name);
+        }
+        print(&line)
+    })
+}
+
+fn count(number: usize, what: &str) -> String {
+    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
+}
+
+/// A solver by the name it has in the configuration.
+fn solver_by_name(name: &str) -> Result<Solver, String> {
+    Solver::deserialize(StrDeserializer::<serde::de::value::Error>::new(name))
+        .map_err(|error| error.to_string().replace("unknown variant", "no solver is called"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn solvers_go_by_the_names_of_the_configuration() {
+        assert_eq!(solver_by_name("os-sart"), Ok(Solver::OsSart));
+        let message = solver_by_name("magic").unwrap_err();
+        assert!(message.contains("`magic`, expected one of `mlos`, `sart`"), "{message}");
+    }
+
+    #[test]
+    fn two_pairs_of_one_name_are_not_written_over_each_other() {
+        let root = tempfile::tempdir().unwrap();
+        let folders: Vec<PathBuf> =
+            ["monday/shot_0000", "tuesday/shot_0000"].map(|name| root.path().join(name)).into();
+        for folder in &folders {
+            std::fs::create_dir_all(folder).unwrap();
+            std::fs::write(folder.join("cam1_a.tif"), b"").unwrap();
+        }
+        let (jobs, failures) = jobs(&folders, Path::new("out"));
+        assert_eq!(jobs.len(), 1);
+        assert_eq!(jobs[0].results, Path::new("out/shot_0000"));
+        assert!(failures[0].contains("tuesday") && failures[0].contains("monday"), "{failures:?}");
+    }
+
+    #[test]
+    fn a_folder_given_as_a_dot_has_its_own_name() {
+        let here = std::env::current_dir().unwrap();
+        assert_eq!(name_of(Path::new(".")), here.file_name().unwrap().to_string_lossy());
+    }
+}

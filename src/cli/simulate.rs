@@ -1,0 +1,83 @@
+//! `lfpiv simulate`: image pairs of a known flow, with the truth beside them.
+
+use std::{
+    fs,
+    io::{self, Write},
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context, bail};
+use lfpiv_sim::{Scene, Truth};
+
+use super::output::{print, progress_bar};
+use crate::{
+    archive::{FileDepth, write_pair, write_replacing},
+    config::ConfigFile,
+    pipeline::ImagePair,
+};
+
+/// Arguments of `lfpiv simulate`.
+#[derive(Debug, clap::Args)]
+pub struct SimulateArgs {
+    /// Configuration file (TOML) with a [simulation] table.
+    #[arg(long, value_name = "FILE")]
+    pub config: PathBuf,
+    /// Folder for the pair folders shot_0000, shot_0001, ...
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Number of shots.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub shots: u64,
+    /// Seed of the random numbers; the configuration's when absent.
+    #[arg(long, value_name = "S")]
+    pub seed: Option<u64>,
+}
+
+/// Writes pair folders with 8- or 16-bit images, as the sensor is, and `truth.json` in each:
+/// particle positions at both pulses in mm, their brightness, the flow and dt.
+pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
+    let file = ConfigFile::load(&args.config)?;
+    let Some(scene) = &file.config.simulation else {
+        bail!(
+            "{} has no [simulation] table: add one, or take config/sim.toml as a start",
+            args.config.display()
+        );
+    };
+    let folders = new_folders(args)?;
+    let bench = file.config.bench_geometry();
+    let seed = args.seed.unwrap_or(scene.seed);
+    fs::create_dir_all(&args.out)
+        .with_context(|| format!("cannot create {}", args.out.display()))?;
+    write_replacing(&args.out.join("configuration.toml"), |writer| {
+        writer.write_all(file.text.as_bytes())
+    })?;
+    let bar = progress_bar(folders.len(), "shots");
+    for (shot, folder) in (0..).zip(&folders) {
+        let simulated = scene.shot(&bench, seed, shot);
+        let pair = ImagePair { cameras: simulated.images };
+        write_pair(folder, &pair, depth_of(scene))?;
+        write_truth(&folder.join("truth.json"), &simulated.truth)?;
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    print(&format!("{} shots with seed {seed} in {}", args.shots, args.out.display()))
+}
+
+/// The shots' folders; none may exist, so that no recorded pair is overwritten.
+fn new_folders(args: &SimulateArgs) -> anyhow::Result<Vec<PathBuf>> {
+    let folders: Vec<PathBuf> =
+        (0..args.shots).map(|shot| args.out.join(format!("shot_{shot:04}"))).collect();
+    if let Some(existing) = folders.iter().find(|folder| folder.exists()) {
+        bail!("{} exists already: choose another --out or remove it", existing.display());
+    }
+    Ok(folders)
+}
+
+fn depth_of(scene: &Scene) -> FileDepth {
+    FileDepth::for_sensor_bits(scene.sensor.bits)
+}
+
+fn write_truth(path: &Path, truth: &Truth) -> anyhow::Result<()> {
+    write_replacing(path, |writer| serde_json::to_writer(writer, truth).map_err(io::Error::from))?;
+    Ok(())
+}
