@@ -8,6 +8,7 @@ pub mod lightfield;
 pub mod model;
 pub mod pipeline;
 pub mod reconstruction;
+pub mod server;
 pub mod velocimetry;
 
 #[cfg(test)]

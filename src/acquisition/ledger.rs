@@ -239,7 +239,16 @@ impl Ledger {
 
     /// Shots that were handed on and are not settled: queued or with a worker.
     pub fn handed_on(&self) -> u64 {
-        self.entries.values().filter(|entry| entry.queued && !entry.is_settled()).count() as u64
+        self.unsettled(|entry| entry.queued)
+    }
+
+    /// Triggers whose frames are still waited for.
+    pub fn awaiting_frames(&self) -> u64 {
+        self.unsettled(|entry| !entry.queued)
+    }
+
+    fn unsettled(&self, choose: impl Fn(&TriggerEntry) -> bool) -> u64 {
+        self.entries.values().filter(|entry| !entry.is_settled() && choose(entry)).count() as u64
     }
 
     /// Whether the conservation law holds for every camera.

@@ -21,10 +21,10 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    Board, ImagePair, PairResult,
+    Board, ImagePair, PairResult, ShotRecord,
     writer::{Finished, Observer, ResultSink, Writer},
 };
-use crate::acquisition::{Ledger, Outcome, Shot, panic_message};
+use crate::acquisition::{Ledger, LedgerError, Outcome, Shot, panic_message};
 
 /// How many workers, on how many threads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -123,7 +123,7 @@ where
             let Ok(worker) = free.clone().acquire_owned().await else { break };
             let Some(shot) = queue.recv().await else { break };
             if self.links.stop.is_cancelled() {
-                self.links.settle(shot.trigger, Outcome::Shed);
+                note(self.links.ledger.lock().settle_all(shot.trigger, Outcome::Shed));
             } else {
                 self.hand_to(worker, shot);
             }
@@ -159,23 +159,36 @@ where
 impl PoolLinks {
     /// Nobody is left to write this one.
     fn write_failed(&self, lost: Finished, message: &str) {
+        let shot = lost.shot;
         match lost.result {
-            Ok(result) => {
-                self.board.write_failed(lost.shot, Arc::new(result), message.to_owned());
-                self.settle(lost.shot, Outcome::WriteFailed);
-            }
+            Ok(result) => self.conclude(shot, Outcome::WriteFailed, |board| {
+                board.write_failed(shot, Arc::new(result), message.to_owned())
+            }),
             Err(reason) => {
-                self.board.failed(lost.shot, reason);
-                self.settle(lost.shot, Outcome::Complete);
+                self.conclude(shot, Outcome::Complete, |board| board.failed(shot, reason))
             }
-        }
+        };
     }
 
-    /// Settles a shot for all cameras.
-    pub(super) fn settle(&self, shot: u64, outcome: Outcome) {
-        if let Err(error) = self.ledger.lock().settle_all(shot, outcome) {
-            tracing::error!(%error, "the ledger refused an entry");
-        }
+    /// Ends a shot on the board and in the ledger at once: whoever holds the ledger's lock sees
+    /// both or neither.
+    pub(super) fn conclude(
+        &self,
+        shot: u64,
+        outcome: Outcome,
+        record: impl FnOnce(&Board) -> ShotRecord,
+    ) -> ShotRecord {
+        let mut ledger = self.ledger.lock();
+        let record = record(&self.board);
+        note(ledger.settle_all(shot, outcome));
+        record
+    }
+}
+
+/// A refused entry is a fault of this program: it is told, and the run goes on.
+fn note(entry: Result<(), LedgerError>) {
+    if let Err(error) = entry {
+        tracing::error!(%error, "the ledger refused an entry");
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::{Arc, mpsc::Receiver};
 
 use tokio::sync::OwnedSemaphorePermit;
 
-use super::{PairResult, PoolLinks, ShotRecord};
+use super::{Board, PairResult, PoolLinks, ShotRecord};
 use crate::{
     acquisition::Outcome,
     archive::{ArchiveError, ResultStore},
@@ -66,24 +66,25 @@ impl<S: ResultSink> Writer<S> {
     }
 
     fn write(&mut self, shot: u64, result: Arc<PairResult>) {
-        let board = &self.links.board;
-        let (record, outcome) = match self.sink.append(shot, &result) {
-            Ok(()) => (board.done(shot, result.clone()), Outcome::Complete),
+        let kept = result.clone();
+        let record = match self.sink.append(shot, &result) {
+            Ok(()) => self.links.conclude(shot, Outcome::Complete, |board| board.done(shot, kept)),
             Err(error) => {
                 tracing::error!(shot, %error, "the result is not on disk");
-                let record = board.write_failed(shot, result.clone(), error.to_string());
-                (record, Outcome::WriteFailed)
+                let message = error.to_string();
+                self.links.conclude(shot, Outcome::WriteFailed, |board| {
+                    board.write_failed(shot, kept, message)
+                })
             }
         };
-        self.links.settle(shot, outcome);
         (self.observer)(&record, Some(&result));
     }
 
     /// The frames were whole: what failed is the shot's processing, not the trigger.
     fn fail(&mut self, shot: u64, message: String) {
         tracing::error!(shot, message, "no result");
-        let record = self.links.board.failed(shot, message);
-        self.links.settle(shot, Outcome::Complete);
+        let conclude = |board: &Board| board.failed(shot, message);
+        let record = self.links.conclude(shot, Outcome::Complete, conclude);
         (self.observer)(&record, None);
     }
 }
