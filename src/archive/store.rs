@@ -85,13 +85,17 @@ impl ResultStore {
             None => self.open_segment(shot, result)?,
         };
         let appended = segment.file.append(shot, result);
-        let due = segment.opened.elapsed() >= self.segment_age;
         self.segment = Some(segment);
         appended?;
-        if due {
-            self.seal()?;
-        }
+        self.seal_if_due()?;
         self.write_for_paraview(shot, result)
+    }
+
+    /// Seals the open segment if it is old enough. For the pauses of a run, when no shot comes
+    /// whose [`Self::append`] would do it.
+    pub fn seal_if_due(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
+        let age = self.segment.as_ref().map(|segment| segment.opened.elapsed());
+        if age.is_some_and(|age| age >= self.segment_age) { self.seal() } else { Ok(None) }
     }
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
@@ -181,6 +185,18 @@ mod tests {
                 [shot as i64]
             );
         }
+    }
+
+    #[test]
+    fn a_pause_seals_what_is_old_enough_only() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store =
+            ResultStore::with_segment_age(root.path(), "", Duration::from_millis(300)).unwrap();
+        store.append(0, &result([4, 3, 2])).unwrap();
+        assert_eq!(store.seal_if_due().unwrap(), None);
+        std::thread::sleep(Duration::from_millis(350));
+        assert_eq!(store.seal_if_due().unwrap(), Some(root.path().join("velocity_000000.nc")));
+        assert_eq!(store.seal_if_due().unwrap(), None);
     }
 
     #[test]

@@ -4,11 +4,12 @@ use std::{fmt::Write, path::PathBuf};
 
 use anyhow::Context;
 
-use super::output::print;
+use super::{output::print, solver::solver_name};
 use crate::{
     config::{Config, ConfigFile},
     model::VolumeGrid,
     pipeline::Processor,
+    reconstruction::ReconstructionSettings,
 };
 
 /// Arguments of `lfpiv check`.
@@ -34,6 +35,7 @@ fn summary(config: &Config) -> String {
         ("field of view", field_of_view(config)),
         ("volume", volume(&config.volume)),
         ("memory", memory(config)),
+        ("solver", solver(&config.reconstruction)),
         ("windows", windows(config)),
         ("timing", format!("dt {} us, {} shots/s", config.shot.dt_us, config.shot.rate_hz)),
     ];
@@ -95,6 +97,18 @@ fn memory(config: &Config) -> String {
         "{:.0} MB for the raw images of a pair, {:.0} MB for its two dense volumes",
         megabytes(images),
         megabytes(volumes)
+    )
+}
+
+fn solver(settings: &ReconstructionSettings) -> String {
+    let defaulted = |value: Option<String>| value.unwrap_or_else(|| "by default".to_owned());
+    format!(
+        "{}, passes {}, views per subset {}, relaxation {}, voxels split by {}",
+        solver_name(settings.solver),
+        defaulted(settings.passes.map(|passes| passes.to_string())),
+        defaulted(settings.views_per_subset.map(|views| views.to_string())),
+        defaulted(settings.relaxation.map(|relaxation| relaxation.to_string())),
+        settings.refinement
     )
 }
 

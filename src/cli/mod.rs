@@ -8,6 +8,7 @@ mod output;
 mod process;
 mod run;
 mod simulate;
+mod solver;
 
 use std::{io::IsTerminal, process::ExitCode};
 

@@ -24,3 +24,8 @@ pub fn progress_bar(steps: usize, what: &str) -> ProgressBar {
     // A template that cannot be read costs the looks, not the work.
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
+
+/// "1 shot", "2 shots".
+pub fn count(number: usize, what: &str) -> String {
+    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
+}

@@ -8,9 +8,11 @@ use std::{
 
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
-use serde::{Deserialize, de::value::StrDeserializer};
 
-use super::output::{print, progress_bar};
+use super::{
+    output::{count, print, progress_bar},
+    solver::{solver_by_name, solver_name},
+};
 use crate::{
     archive::{VtiSeries, find_pair_folders, read_pair, write_velocity, write_volumes, write_vti},
     config::ConfigFile,
@@ -46,10 +48,11 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         tracing::error!("{failure}");
     }
     let bar = progress_bar(jobs.len(), "pairs");
-    let mut series = VtiSeries::default();
+    let (mut series, mut measured) = (VtiSeries::default(), 0_usize);
     for (number, job) in (0..).zip(&jobs) {
         match run.measure(job) {
             Ok(result) => {
+                measured += 1;
                 series.push(format!("{}/velocity.vti", job.name), number);
                 report(&bar, job, &result)?;
             }
@@ -62,7 +65,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    if failures.len() < jobs.len() {
+    if measured > 0 {
         series.write(&args.out.join("velocity.vti.series"))?;
     }
     if failures.is_empty() {
@@ -84,8 +87,9 @@ impl Run {
         let mut file = ConfigFile::load(&args.config)?;
         if let Some(solver) = args.solver {
             file.config.reconstruction.solver = solver;
-            let note = "\n# Overridden on the command line: reconstruction.solver = ";
-            file.text.push_str(&format!("{note}{solver:?}\n"));
+            let name = solver_name(solver);
+            let note = "# Overridden on the command line: reconstruction.solver";
+            file.text.push_str(&format!("\n{note} = \"{name}\"\n"));
         }
         let processor = Processor::new(file.config.measurement())
             .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
@@ -183,26 +187,9 @@ fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<(
     })
 }
 
-fn count(number: usize, what: &str) -> String {
-    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
-}
-
-/// A solver by the name it has in the configuration.
-fn solver_by_name(name: &str) -> Result<Solver, String> {
-    Solver::deserialize(StrDeserializer::<serde::de::value::Error>::new(name))
-        .map_err(|error| error.to_string().replace("unknown variant", "no solver is called"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn solvers_go_by_the_names_of_the_configuration() {
-        assert_eq!(solver_by_name("os-sart"), Ok(Solver::OsSart));
-        let message = solver_by_name("magic").unwrap_err();
-        assert!(message.contains("`magic`, expected one of `mlos`, `sart`"), "{message}");
-    }
 
     #[test]
     fn two_pairs_of_one_name_are_not_written_over_each_other() {

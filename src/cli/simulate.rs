@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context, bail};
 use lfpiv_sim::{Scene, Truth};
 
-use super::output::{print, progress_bar};
+use super::output::{count, print, progress_bar};
 use crate::{
     archive::{FileDepth, write_pair, write_replacing},
     config::ConfigFile,
@@ -60,7 +60,7 @@ pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    print(&format!("{} shots with seed {seed} in {}", args.shots, args.out.display()))
+    print(&format!("{} with seed {seed} in {}", count(folders.len(), "shot"), args.out.display()))
 }
 
 /// The shots' folders; none may exist, so that no recorded pair is overwritten.

@@ -177,7 +177,7 @@ impl Config {
                 voxel_mm: self.volume.voxel_mm,
                 centre_mm: self.volume.centre_mm,
             },
-            dt_s: self.shot.dt_us * 1e-6,
+            dt_s: self.shot.dt_us / 1e6,
         }
     }
 
@@ -198,7 +198,7 @@ impl Config {
             image: self.image.clone(),
             reconstruction: self.reconstruction.clone(),
             velocimetry: self.velocimetry.clone(),
-            dt_s: self.shot.dt_us * 1e-6,
+            dt_s: self.shot.dt_us / 1e6,
         }
     }
 }

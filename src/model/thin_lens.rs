@@ -26,6 +26,7 @@ pub fn thin_lens_model(
     optics: &Optics,
     poses: &[Pose],
     grid: &VolumeGrid,
+    footprint_mm: f64,
 ) -> Result<Box<dyn ForwardModel>, ModelError> {
     let views = poses
         .iter()
@@ -36,18 +37,20 @@ pub fn thin_lens_model(
     let rows = AxisSampling::rows(optics);
     let mut widest: f64 = 0.0;
     for view in &views {
-        for axis in view.geometries(optics, &columns, &rows, grid) {
+        for axis in view.geometries(optics, &columns, &rows, footprint_mm) {
             widest = widest.max(axis.widest_pitches());
         }
     }
     // A footprint of width w covers at most floor(w) + 2 microlenses, wherever it lies.
     Ok(match widest.floor() as usize + 2 {
-        ..=2 => Box::new(ThinLensModel::<2>::new(optics, views, grid)),
-        3 => Box::new(ThinLensModel::<3>::new(optics, views, grid)),
-        4..=MOST_TAPS => Box::new(ThinLensModel::<MOST_TAPS>::new(optics, views, grid)),
+        ..=2 => Box::new(ThinLensModel::<2>::new(optics, views, grid, footprint_mm)),
+        3 => Box::new(ThinLensModel::<3>::new(optics, views, grid, footprint_mm)),
+        4..=MOST_TAPS => {
+            Box::new(ThinLensModel::<MOST_TAPS>::new(optics, views, grid, footprint_mm))
+        }
         _ => {
             let (camera, most) = (1, MOST_TAPS - 2);
-            let voxel_mm = grid.voxel_mm;
+            let voxel_mm = footprint_mm;
             return Err(ModelError::FootprintTooWide { camera, voxel_mm, pitches: widest, most });
         }
     })
@@ -135,10 +138,9 @@ impl CameraView {
         optics: &'a Optics,
         columns: &'a AxisSampling,
         rows: &'a AxisSampling,
-        grid: &VolumeGrid,
+        voxel_mm: f64,
     ) -> [AxisGeometry<'a>; 2] {
         let depths = self.depth.nodes;
-        let voxel_mm = grid.voxel_mm;
         let window = self.window.clone();
         [
             AxisGeometry {
@@ -209,14 +211,15 @@ struct CameraTables<const W: usize> {
 }
 
 impl<const W: usize> ThinLensModel<W> {
-    fn new(optics: &Optics, views: Vec<CameraView>, grid: &VolumeGrid) -> Self {
+    fn new(optics: &Optics, views: Vec<CameraView>, grid: &VolumeGrid, footprint_mm: f64) -> Self {
         let layouts: Vec<_> =
             views.iter().map(|view| ViewLayout::new(optics, view.window.clone())).collect();
         let cameras = views
             .into_iter()
             .zip(&layouts)
             .map(|(view, layout)| {
-                let [columns, rows] = view.geometries(optics, &layout.columns, &layout.rows, grid);
+                let [columns, rows] =
+                    view.geometries(optics, &layout.columns, &layout.rows, footprint_mm);
                 let (columns, rows) =
                     rayon::join(|| AxisTable::new(&columns), || AxisTable::new(&rows));
                 let width = view.window.columns.len();

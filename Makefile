@@ -1,0 +1,51 @@
+# `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test packages components readers format lint test-rust test-readers clean
+
+# The compiler's linker, and the NetCDF library with what finds it.
+BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
+
+DEMO_CONFIG := config/sim.toml
+DEMO_SHOTS := 5
+
+help:
+	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
+	@echo "make test    everything that continuous integration checks"
+	@echo "make clean   remove build outputs and the Python environment"
+
+demo: packages
+	cargo build --release --locked
+	@echo "While the demo runs, its status is at http://127.0.0.1:8640/api/v1/status"
+	target/release/lfpiv run --config $(DEMO_CONFIG) --shots $(DEMO_SHOTS)
+
+test: format lint test-rust test-readers
+
+packages:
+	@scripts/install-packages.sh $(BUILD_PACKAGES)
+
+# A minimal toolchain lacks these two.
+components:
+	@cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
+	@cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
+
+readers: packages
+	@scripts/install-readers.sh
+
+format: components
+	cargo fmt --all --check
+
+lint: packages components
+	cargo clippy --workspace --all-targets --locked -- -D warnings
+
+test-rust: packages
+	cargo test --workspace --locked
+
+# Reads what the binary of the Rust tests writes.
+test-readers: packages readers
+	cargo build --locked
+	LFPIV=target/debug/lfpiv .venv/bin/python -m pytest --quiet tests/readers
+
+clean:
+	cargo clean
+	rm -rf .venv

@@ -1,0 +1,33 @@
+//! Solvers by the names they have in the configuration.
+
+use serde::{
+    Deserialize,
+    de::value::{Error, StrDeserializer},
+};
+
+use crate::reconstruction::Solver;
+
+/// A solver's name.
+pub fn solver_name(solver: Solver) -> String {
+    let value = toml::Value::try_from(solver).ok();
+    value.as_ref().and_then(toml::Value::as_str).unwrap_or_default().to_owned()
+}
+
+/// The solver of this name, or a message that lists all names.
+pub fn solver_by_name(name: &str) -> Result<Solver, String> {
+    Solver::deserialize(StrDeserializer::<Error>::new(name))
+        .map_err(|error| error.to_string().replace("unknown variant", "no solver is called"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_to_solvers_and_back() {
+        assert_eq!(solver_by_name("os-sart"), Ok(Solver::OsSart));
+        assert_eq!(solver_name(Solver::OsSart), "os-sart");
+        let message = solver_by_name("magic").unwrap_err();
+        assert!(message.contains("`magic`, expected one of `mlos`, `sart`"), "{message}");
+    }
+}

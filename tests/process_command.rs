@@ -1,0 +1,143 @@
+//! `lfpiv process` through the real binary: what is wrong with a pair is said, and costs only it.
+
+#[allow(dead_code)]
+mod support;
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use image::{DynamicImage, ImageFormat};
+use support::{lfpiv, process, simulate, small_configuration};
+
+/// A simulated pair copied to `root/name` and then damaged.
+fn damaged(root: &Path, name: &str, damage: impl FnOnce(&Path)) -> PathBuf {
+    let source = root.join("pairs/shot_0000");
+    if !source.exists() {
+        assert!(simulate(&small_configuration(), &root.join("pairs"), 1, 5).success);
+    }
+    let folder = root.join(name);
+    fs::create_dir(&folder).expect("a new folder");
+    for entry in fs::read_dir(source).expect("the simulated pair") {
+        let path = entry.expect("an entry").path();
+        fs::copy(&path, folder.join(path.file_name().expect("a name"))).expect("a copy");
+    }
+    damage(&folder);
+    folder
+}
+
+fn save(image: DynamicImage, path: PathBuf) {
+    image.save_with_format(path, ImageFormat::Tiff).expect("an image");
+}
+
+fn truncate(path: &Path) {
+    let whole = fs::read(path).expect("an image");
+    fs::write(path, &whole[..whole.len() / 2]).expect("half an image");
+}
+
+/// The damaged folder, and what must be said about it.
+fn bad_folders(root: &Path) -> Vec<(PathBuf, &'static str)> {
+    let remove = |file: &'static str| {
+        move |folder: &Path| fs::remove_file(folder.join(file)).expect("an image")
+    };
+    vec![
+        (damaged(root, "missing", remove("cam2_b.tif")), "cam2_b.tif is missing: with 2 cameras"),
+        (damaged(root, "truncated", |folder| truncate(&folder.join("cam1_a.tif"))), "cam1_a.tif: "),
+        (
+            damaged(root, "empty", |folder| {
+                fs::write(folder.join("cam1_b.tif"), b"").expect("a file")
+            }),
+            "cam1_b.tif: ",
+        ),
+        (
+            damaged(root, "small", |folder| {
+                save(DynamicImage::new_luma16(700, 748), folder.join("cam2_a.tif"))
+            }),
+            "cam2_a.tif has 700 x 748 pixels but the configured sensor has 748 x 748",
+        ),
+        (
+            damaged(root, "colour", |folder| {
+                save(DynamicImage::new_rgb8(748, 748), folder.join("cam1_b.tif"))
+            }),
+            "cam1_b.tif is colour or transparent",
+        ),
+        (
+            damaged(root, "text", |folder| {
+                fs::write(folder.join("cam2_a.tif"), "no image").expect("a file")
+            }),
+            "cam2_a.tif: ",
+        ),
+    ]
+}
+
+#[test]
+fn every_bad_folder_is_reported_with_its_fault() {
+    let root = tempfile::tempdir().unwrap();
+    let bad = bad_folders(root.path());
+    let folders: Vec<PathBuf> = bad.iter().map(|(folder, _)| folder.clone()).collect();
+    let done = process(&root.path().join("out"), &folders);
+    assert!(!done.success);
+    assert!(done.stdout.is_empty(), "{}", done.stdout);
+    let summary = done.stderr.rsplit("\nerror: ").next().unwrap();
+    assert!(summary.starts_with("6 pair folders could not be measured"), "{summary}");
+    for (folder, fault) in bad {
+        let name = folder.display().to_string();
+        let line = summary.lines().find(|line| line.trim().starts_with(&name));
+        let line = line.unwrap_or_else(|| panic!("{name} is not in {summary}"));
+        assert!(line.contains(fault), "{line}");
+    }
+}
+
+#[test]
+fn good_pairs_are_measured_beside_bad_ones() {
+    let root = tempfile::tempdir().unwrap();
+    let bad = damaged(root.path(), "bad", |folder| truncate(&folder.join("cam2_b.tif")));
+    let good = damaged(root.path(), "good", |_| ());
+    let out = root.path().join("out");
+    let done = process(&out, &[bad, root.path().join("absent"), good]);
+    assert!(!done.success);
+    assert!(done.stderr.contains("2 pair folders could not be measured"), "{}", done.stderr);
+    assert!(done.stdout.starts_with("good: "), "{}", done.stdout);
+    assert!(out.join("good/velocity.nc").is_file());
+    assert!(!out.join("good/volumes.nc").exists());
+    assert!(!out.join("bad").exists());
+}
+
+#[test]
+fn a_folder_of_pairs_is_processed_pair_by_pair() {
+    let root = tempfile::tempdir().unwrap();
+    let pairs = root.path().join("pairs");
+    assert!(simulate(&small_configuration(), &pairs, 2, 5).success);
+    let out = root.path().join("out");
+    let done = process(&out, &[pairs]);
+    assert!(done.success, "{}", done.stderr);
+    for name in ["shot_0000", "shot_0001"] {
+        assert!(done.stdout.contains(&format!("{name}: ")), "{}", done.stdout);
+        assert!(out.join(name).join("velocity.nc").is_file());
+    }
+    let leftovers = fs::read_dir(out.join("shot_0000")).unwrap().filter(|entry| {
+        entry.as_ref().unwrap().path().extension().is_some_and(|extension| extension == "part")
+    });
+    assert_eq!(leftovers.count(), 0);
+}
+
+#[test]
+fn a_folder_without_pairs_says_what_a_pair_is() {
+    let root = tempfile::tempdir().unwrap();
+    let done = process(&root.path().join("out"), &[root.path().to_path_buf()]);
+    assert!(!done.success);
+    assert!(
+        done.stderr.contains("a pair folder holds cam1_a.tif and cam1_b.tif"),
+        "{}",
+        done.stderr
+    );
+}
+
+#[test]
+fn an_unknown_solver_is_refused_with_the_known_ones() {
+    let done = lfpiv(["process", "--config", "x", "--out", "y", "--solver", "magic", "z"]);
+    assert!(!done.success);
+    assert!(done.stderr.contains("no solver is called `magic`"), "{}", done.stderr);
+    assert!(done.stderr.contains("os-mart"), "{}", done.stderr);
+}

@@ -1,0 +1,72 @@
+//! Runs the real binary.
+
+use std::{
+    ffi::OsStr,
+    path::{Path, PathBuf},
+    process::{Command, Output},
+};
+
+/// What a run of `lfpiv` left behind.
+pub struct Done {
+    /// Whether the exit code was 0.
+    pub success: bool,
+    /// Standard output.
+    pub stdout: String,
+    /// Standard error.
+    pub stderr: String,
+}
+
+/// Runs `lfpiv` with these arguments to its end.
+pub fn lfpiv<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Done {
+    let output: Output = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+        .args(arguments)
+        .env_remove("RUST_LOG")
+        .output()
+        .expect("the binary starts");
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!stderr.contains("panicked"), "{stderr}");
+    Done {
+        success: output.status.success(),
+        stdout: String::from_utf8_lossy(&output.stdout).into_owned(),
+        stderr,
+    }
+}
+
+/// The configuration of a bench that is quick to simulate and to measure.
+pub fn small_configuration() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml")
+}
+
+/// Its text with one piece replaced, as a file in `folder`.
+pub fn changed_configuration(folder: &Path, from: &str, to: &str) -> PathBuf {
+    let text = std::fs::read_to_string(small_configuration()).expect("small.toml");
+    assert!(text.contains(from), "{from}");
+    let path = folder.join("changed.toml");
+    std::fs::write(&path, text.replacen(from, to, 1)).expect("a file in the test's folder");
+    path
+}
+
+/// Simulates `shots` pairs of the small bench into `out`.
+pub fn simulate(config: &Path, out: &Path, shots: u32, seed: u32) -> Done {
+    let (shots, seed) = (shots.to_string(), seed.to_string());
+    let arguments: [&OsStr; 9] = [
+        "simulate".as_ref(),
+        "--config".as_ref(),
+        config.as_ref(),
+        "--out".as_ref(),
+        out.as_ref(),
+        "--shots".as_ref(),
+        shots.as_ref(),
+        "--seed".as_ref(),
+        seed.as_ref(),
+    ];
+    lfpiv(arguments)
+}
+
+/// Processes pair folders with the small bench's configuration.
+pub fn process(out: &Path, folders: &[PathBuf]) -> Done {
+    let config = small_configuration();
+    let fixed: [&OsStr; 5] =
+        ["process".as_ref(), "--config".as_ref(), config.as_ref(), "--out".as_ref(), out.as_ref()];
+    lfpiv(fixed.into_iter().chain(folders.iter().map(AsRef::as_ref)))
+}
