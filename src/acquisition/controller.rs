@@ -191,7 +191,7 @@ impl Run {
     }
 
     /// Safe, and read back.
-    async fn make_safe(&self) -> Result<(), AcquisitionError> {
+    async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
         self.synchroniser.call(|unit| unit.make_safe()).await?;
         match self.synchroniser.call(|unit| unit.state()).await? {
             SynchroniserState::Safe => Ok(()),
