@@ -33,7 +33,12 @@ impl Run {
             match ruling {
                 Ruling::Paired(shot) => self.send_on(shot)?,
                 Ruling::Settled { trigger, camera, outcome } => {
-                    tracing::warn!(trigger, camera, outcome = outcome.name(), "shot lost");
+                    // What is shed was nobody's fault, and there may be many at the end of a run.
+                    if outcome == Outcome::Shed {
+                        tracing::debug!(trigger, camera, "shed");
+                    } else {
+                        tracing::warn!(trigger, camera, outcome = outcome.name(), "shot lost");
+                    }
                     note(self.ledger.lock().settle(trigger, camera, outcome));
                 }
                 Ruling::Withdrawn { trigger } => {

@@ -146,6 +146,13 @@ impl Board {
         state.finish(record)
     }
 
+    /// A shot was measured, and its result was lost on the way to disk.
+    pub fn write_lost(&self, shot: u64, message: String) -> ShotRecord {
+        let mut state = self.state.lock();
+        state.counts.write_failed += 1;
+        state.finish(ShotRecord::new(shot, Stage::WriteFailed, Some(message)))
+    }
+
     /// How many shots are where.
     pub fn counts(&self) -> PoolCounts {
         let state = self.state.lock();

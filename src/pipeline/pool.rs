@@ -50,8 +50,8 @@ pub enum PoolError {
     /// No writer thread.
     #[error("no thread for the writer of results")]
     WriterThread(#[source] std::io::Error),
-    /// The writer ended before its time.
-    #[error("the writer of results panicked: {0}; results since then are not on disk")]
+    /// Closing the results panicked.
+    #[error("closing the results panicked: {0}; the last of them are not on disk")]
     WriterPanicked(String),
     /// The last results could not be sealed.
     #[error("the results could not be closed: {0}")]

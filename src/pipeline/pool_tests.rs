@@ -18,7 +18,7 @@ use crate::{
     velocimetry::{VectorGrid, VectorStatus, VelocityField},
 };
 
-/// Keeps shot numbers; refuses shot 2.
+/// Keeps shot numbers; refuses shot 2 and panics at shot 7.
 #[derive(Clone, Default)]
 struct Shelf {
     kept: Arc<Mutex<Vec<u64>>>,
@@ -32,6 +32,7 @@ impl ResultSink for Shelf {
         if shot == 2 {
             return Err(io::Error::other("disk full"));
         }
+        assert!(shot != 7, "library bug");
         self.kept.lock().push(shot);
         Ok(())
     }
@@ -142,6 +143,18 @@ async fn a_panic_a_failure_and_a_full_disk_cost_one_shot_each() {
     assert_eq!(rig.seen.lock().len(), 5);
     let counts = board.counts();
     assert_eq!((counts.done, counts.failed, counts.write_failed, counts.processing), (2, 2, 1, 0));
+}
+
+#[tokio::test]
+async fn a_panic_of_the_writer_costs_one_shot() {
+    let rig = Rig::new(9);
+    rig.pool(1, |_| Ok(result())).run(filled(9).await).await.unwrap();
+    let lost = rig.links.board.record(7).unwrap();
+    assert_eq!(lost.stage, Stage::WriteFailed);
+    assert_eq!(lost.message.unwrap(), "the writer panicked: library bug");
+    assert_eq!((rig.settled(Outcome::Complete), rig.settled(Outcome::WriteFailed)), (7, 2));
+    assert_eq!(*rig.shelf.kept.lock(), [0, 1, 3, 4, 5, 6, 8]);
+    assert_eq!(rig.shelf.closed.load(Ordering::SeqCst), 1);
 }
 
 #[tokio::test]

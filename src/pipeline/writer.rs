@@ -1,12 +1,15 @@
 //! The end of the pool: one thread that stores results and settles shots.
 
-use std::sync::{Arc, mpsc::Receiver};
+use std::{
+    panic::{AssertUnwindSafe, catch_unwind},
+    sync::{Arc, mpsc::Receiver},
+};
 
 use tokio::sync::OwnedSemaphorePermit;
 
 use super::{Board, PairResult, PoolLinks, ShotRecord};
 use crate::{
-    acquisition::Outcome,
+    acquisition::{Outcome, panic_message},
     archive::{ArchiveError, ResultStore},
 };
 
@@ -56,13 +59,27 @@ impl<S: ResultSink> Writer<S> {
     /// Writes until every worker is gone; the error is that of closing.
     pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
         for Finished { shot, result, worker } in inbox {
-            match result {
+            let ended = catch_unwind(AssertUnwindSafe(|| match result {
                 Ok(result) => self.write(shot, Arc::new(result)),
                 Err(message) => self.fail(shot, message),
+            }));
+            if let Err(panic) = ended {
+                self.end_after_panic(shot, &panic_message(panic.as_ref()));
             }
             drop(worker);
         }
         self.sink.close().map_err(|error| error.to_string())
+    }
+
+    /// A panic while writing costs the shot its file, not the run its conservation law.
+    fn end_after_panic(&self, shot: u64, message: &str) {
+        let message = format!("the writer panicked: {message}");
+        tracing::error!(shot, message);
+        let settled = self.links.ledger.lock().entry(shot).is_none_or(|entry| entry.is_settled());
+        if !settled {
+            self.links
+                .conclude(shot, Outcome::WriteFailed, |board| board.write_lost(shot, message));
+        }
     }
 
     fn write(&mut self, shot: u64, result: Arc<PairResult>) {

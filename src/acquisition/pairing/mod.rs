@@ -207,13 +207,13 @@ impl Pairing {
         Ok(rulings)
     }
 
-    /// The end: every open trigger is ruled on with what is known. Where nothing is known, the
-    /// end of the run is the reason, and the trigger is shed.
+    /// The end: every open trigger is ruled on with what is known. Where nothing says
+    /// that a frame is lost, the end of the run is the reason, and the trigger is shed.
     pub fn finish(&mut self) -> Vec<Ruling> {
         let mut rulings = Vec::new();
         for trigger in self.open.keys().copied().collect::<Vec<_>>() {
             self.give_up(trigger, &mut rulings);
-            self.shed_untouched(trigger, &mut rulings);
+            self.shed_unfinished(trigger, &mut rulings);
             self.close_slots(trigger, |_| true, &mut rulings);
         }
         rulings

@@ -246,11 +246,12 @@ impl Pairing {
         self.drop_when_settled(trigger);
     }
 
-    /// The run ends before there was time for these.
-    pub(super) fn shed_untouched(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+    /// The run ends before there was time for these: nothing says that anything is lost.
+    pub(super) fn shed_unfinished(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
         let Some(open) = self.open.get_mut(&trigger) else { return };
         for (camera, slot) in open.slots.iter_mut().enumerate() {
-            if slot.is_untouched() && slot.overdue_at.is_none() {
+            let lost = slot.missed || slot.passed_at.is_some() || slot.overdue_at.is_some();
+            if !slot.settled && !lost {
                 rulings.push(Ruling::Settled { trigger, camera, outcome: Outcome::Shed });
                 slot.settle();
             }

@@ -294,6 +294,18 @@ fn underruns_reported_by_the_stream_are_charged_to_lost_frames() {
 }
 
 #[test]
+fn the_end_of_a_run_sheds_what_was_under_way() {
+    let mut rig = Rig::new(1);
+    rig.fire(2);
+    let rulings = rig.pairing.frame(0, frame(0, 0, 0), Duration::ZERO);
+    rig.apply(rulings);
+    let rulings = rig.pairing.finish();
+    rig.apply(rulings);
+    assert_eq!(rig.ledger.accounts()[0].outcomes.of(Outcome::Shed), 2);
+    assert_eq!(rig.pairing.open_triggers(), 0);
+}
+
+#[test]
 fn a_wrong_interval_makes_a_shot_suspect_and_keeps_it() {
     let mut rig = Rig::new(1);
     rig.fire(1);
