@@ -16,7 +16,6 @@ help:
 
 demo: packages
 	cargo build --release --locked
-	@echo "While the demo runs, its status is at http://127.0.0.1:8640/api/v1/status"
 	target/release/lfpiv run --config $(DEMO_CONFIG) --shots $(DEMO_SHOTS)
 
 test: format lint test-rust test-readers

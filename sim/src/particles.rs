@@ -114,6 +114,13 @@ impl Seeding {
         self.ppm * (x_mm / object_pitch_mm) * (y_mm / object_pitch_mm)
     }
 
+    /// Number of particles that [`Seeding::particles`] draws, before those that are never lit
+    /// are dropped.
+    pub fn drawn(&self, volume: &Volume, object_pitch_mm: f64, flow: &Flow, dt_s: f64) -> f64 {
+        let region = self.region(volume, flow, dt_s);
+        self.density_per_mm3(volume, object_pitch_mm) * region.volume_mm3()
+    }
+
     /// The particles of one shot that are lit in at least one frame; the same for the same
     /// `(seed, shot)`.
     ///
@@ -129,16 +136,9 @@ impl Seeding {
         dt_s: f64,
         (seed, shot): (u64, u64),
     ) -> Vec<Particle> {
-        let sheet = AlignedBox {
-            centre_mm: volume.centre_mm,
-            extents_mm: self.sheet_mm.unwrap_or_else(|| volume.extents_mm()),
-        };
-        let region = sheet.grown(reach_mm(&sheet, flow, dt_s));
-        let volume_mm3: f64 = volume.extents_mm().iter().product();
-        if volume_mm3 <= 0.0 {
-            return Vec::new();
-        }
-        let density_per_mm3 = self.count_in_volume(volume, object_pitch_mm) / volume_mm3;
+        let sheet = self.sheet(volume);
+        let region = self.region(volume, flow, dt_s);
+        let density_per_mm3 = self.density_per_mm3(volume, object_pitch_mm);
         let mut rng = random_stream(Purpose::Seeding, &[seed, shot]);
         let middles = match self.placement {
             Placement::OffGrid => anywhere(&mut rng, &region, density_per_mm3),
@@ -153,6 +153,29 @@ impl Seeding {
             })
             .filter(|particle| particle.visible_a || particle.visible_b)
             .collect()
+    }
+
+    fn sheet(&self, volume: &Volume) -> AlignedBox {
+        AlignedBox {
+            centre_mm: volume.centre_mm,
+            extents_mm: self.sheet_mm.unwrap_or_else(|| volume.extents_mm()),
+        }
+    }
+
+    /// Where particles are in the middle of the pair that are in the sheet before or after it.
+    fn region(&self, volume: &Volume, flow: &Flow, dt_s: f64) -> AlignedBox {
+        let sheet = self.sheet(volume);
+        sheet.grown(reach_mm(&sheet, flow, dt_s))
+    }
+
+    /// Zero in a volume without voxels.
+    fn density_per_mm3(&self, volume: &Volume, object_pitch_mm: f64) -> f64 {
+        let volume_mm3: f64 = volume.extents_mm().iter().product();
+        if volume_mm3 > 0.0 {
+            self.count_in_volume(volume, object_pitch_mm) / volume_mm3
+        } else {
+            0.0
+        }
     }
 }
 
@@ -170,7 +193,8 @@ fn particle(
 }
 
 /// How far the flow carries any particle of the sheet along each axis in half a pulse separation,
-/// in mm: the largest on a grid of points, and a tenth more for what the grid misses.
+/// in mm: the largest on a grid of points, and a tenth more for what the grid misses. At most
+/// the sheet's own extents: no pair of frames can be matched across more.
 fn reach_mm(sheet: &AlignedBox, flow: &Flow, dt_s: f64) -> [f64; 3] {
     const POINTS: usize = 13;
     let fraction = |index: usize| index as f64 / (POINTS - 1) as f64;
@@ -188,7 +212,7 @@ fn reach_mm(sheet: &AlignedBox, flow: &Flow, dt_s: f64) -> [f64; 3] {
             }
         }
     }
-    reach_mm
+    std::array::from_fn(|axis| reach_mm[axis].min(sheet.extents_mm[axis]))
 }
 
 /// Points uniform in `region`.

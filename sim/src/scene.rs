@@ -3,6 +3,7 @@
 use garde::Validate;
 use lfpiv_hw::{RawImage, check::finite};
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use crate::{
     flow::Flow,
@@ -11,6 +12,20 @@ use crate::{
     particles::{FrameOfPair, Particle, Placement, Seeding},
     sensor::SensorSettings,
 };
+
+/// Most particles of a shot: ten million take minutes and about a gigabyte.
+pub const PARTICLE_LIMIT: f64 = 1e7;
+
+/// Why a scene cannot be simulated.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SceneError {
+    /// ppm, light sheet and volume together ask for too many.
+    #[error(
+        "ppm, sheet_mm and the volume ask for {particles:.0} particles: allowed: at most \
+         {PARTICLE_LIMIT:.0}"
+    )]
+    TooManyParticles { particles: f64 },
+}
 
 /// Flow, particles, light and sensor of a simulated run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
@@ -97,15 +112,22 @@ pub struct Truth {
 }
 
 impl Scene {
+    /// Whether this scene can be simulated on `bench`; call it once before asking for shots.
+    ///
+    /// Errors: more particles than [`PARTICLE_LIMIT`].
+    pub fn check(&self, bench: &BenchGeometry) -> Result<(), SceneError> {
+        let particles =
+            self.seeding().drawn(&bench.volume, bench.object_pitch_mm(), &self.flow, bench.dt_s);
+        if particles <= PARTICLE_LIMIT {
+            Ok(())
+        } else {
+            Err(SceneError::TooManyParticles { particles })
+        }
+    }
+
     /// The particles of one shot: the truth without the images.
     pub fn truth(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Truth {
-        let seeding = Seeding {
-            ppm: self.ppm,
-            placement: self.placement,
-            intensity_spread: self.intensity_spread,
-            sheet_mm: self.sheet_mm,
-        };
-        let particles = seeding.particles(
+        let particles = self.seeding().particles(
             &bench.volume,
             bench.object_pitch_mm(),
             &self.flow,
@@ -148,6 +170,15 @@ impl Scene {
         let sources = self.sources(&truth.particles, frame);
         RayTracer::new(&bench.optics, pose, &settings)
             .trace(&sources, &stream_key(truth, camera, frame))
+    }
+
+    fn seeding(&self) -> Seeding {
+        Seeding {
+            ppm: self.ppm,
+            placement: self.placement,
+            intensity_spread: self.intensity_spread,
+            sheet_mm: self.sheet_mm,
+        }
     }
 
     fn sources(&self, particles: &[Particle], frame: FrameOfPair) -> Vec<PointSource> {

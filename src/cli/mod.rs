@@ -18,7 +18,8 @@ mod solver;
 use std::{io::IsTerminal, process::ExitCode};
 
 use clap::{Parser, Subcommand};
-use tracing_subscriber::EnvFilter;
+use tracing::level_filters::LevelFilter;
+use tracing_subscriber::{filter::Targets, prelude::*};
 
 pub use check::CheckArgs;
 pub use process::ProcessArgs;
@@ -64,14 +65,15 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Logs to standard error; `RUST_LOG` chooses what, by default warnings and notices.
+/// Logs to standard error. `RUST_LOG` chooses what (`warn`, `info,lfpiv=debug`); notices and worse
+/// when it is absent or cannot be read.
 fn start_logging() {
-    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new("info"));
-    tracing_subscriber::fmt()
-        .with_env_filter(filter)
+    let wanted = std::env::var("RUST_LOG").ok().and_then(|wanted| wanted.parse::<Targets>().ok());
+    let filter = wanted.unwrap_or_else(|| Targets::new().with_default(LevelFilter::INFO));
+    let lines = tracing_subscriber::fmt::layer()
         .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal())
-        .init();
+        .with_ansi(std::io::stderr().is_terminal());
+    tracing_subscriber::registry().with(lines).with(filter).init();
 }
 
 #[cfg(test)]

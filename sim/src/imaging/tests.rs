@@ -127,7 +127,7 @@ fn rays_beyond_the_array_are_lost() {
 fn diffraction_widens_a_micro_image_and_keeps_its_energy() {
     let (optics, poses) = (optics(), poses());
     let spread = |diffraction_nm| {
-        let settings = RaySettings { rays_per_particle: 4096, diffraction_nm };
+        let settings = RaySettings { rays_per_particle: 1_000_000, diffraction_nm };
         let image = RayTracer::new(&optics, &poses[0], &settings).trace(&[source([0.0; 3])], &[1]);
         assert!((image.total() - 1000.0).abs() < 0.01);
         let moment = image.electrons().iter().enumerate().map(|(index, &electrons)| {
@@ -136,10 +136,11 @@ fn diffraction_widens_a_micro_image_and_keeps_its_energy() {
         });
         moment.sum::<f64>() / image.total()
     };
-    // σ = 0.42 × 532 nm × 8 at the microlens; the main lens' blur moves few rays to a neighbour.
+    // σ = 0.42 × 532 nm × 8 behind the microlens; the main lens' blur stays inside it. Whole
+    // pixels widen the sharp disc less than the blurred one: 1.21 σ² by numerical integration.
     let added = spread(Some(532.0)) - spread(None);
-    let expected = (0.42 * 532e-6 * 8.0_f64).powi(2);
-    assert!((added / expected - 1.0).abs() < 0.5, "{added} instead of {expected}");
+    let expected = 1.21 * (0.42 * 532e-6 * 8.0_f64).powi(2);
+    assert!((added / expected - 1.0).abs() < 0.1, "{added} instead of {expected}");
 }
 
 #[test]

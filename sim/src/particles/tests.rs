@@ -95,6 +95,15 @@ fn an_empty_volume_or_no_seeding_gives_no_particles() {
     assert!(some.particles(&empty, 0.1, &Flow::default(), 1e-4, (1, 0)).is_empty());
 }
 
+#[test]
+fn an_absurd_velocity_does_not_seed_without_end() {
+    let carried = flow_along_x(1000.0);
+    let drawn = seeding(Placement::OffGrid).drawn(&cube(), 0.1, &carried, 1.0);
+    assert_eq!(drawn.round(), 30_000.0);
+    let still = seeding(Placement::OffGrid).drawn(&cube(), 0.1, &Flow::default(), 1.0);
+    assert_eq!(still.round(), 10_000.0);
+}
+
 proptest! {
     #[test]
     fn brightness_stays_in_its_range(spread in 0.0..1.0_f64, seed in any::<u64>()) {

@@ -65,6 +65,15 @@ fn an_empty_scene_and_an_unknown_camera_are_dark() {
 }
 
 #[test]
+fn too_many_particles_are_refused_in_advance() {
+    let bench = test_bench::small();
+    assert!(scene().check(&bench).is_ok());
+    let flooded = Scene { ppm: 20.0, sheet_mm: Some([100.0; 3]), ..scene() };
+    let text = flooded.check(&bench).unwrap_err().to_string();
+    assert!(text.contains("allowed: at most 10000000"), "{text}");
+}
+
+#[test]
 fn the_table_has_defaults_and_refuses_unknown_keys_and_bad_values() {
     let read = |text: &str| toml::from_str::<Scene>(text);
     assert_eq!(read("").unwrap(), Scene::default());
