@@ -1,7 +1,16 @@
 //! From a pair of volumes to a velocity field.
 
+mod cloud;
+mod derived;
 mod field;
+mod lattice;
+mod multipass;
+mod peak;
 mod settings;
+mod spectrum;
+mod validate;
 
+pub use cloud::PointCloud;
 pub use field::{VectorGrid, VectorStatus, VelocityField};
+pub use multipass::Interrogation;
 pub use settings::VelocimetrySettings;

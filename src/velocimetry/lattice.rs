@@ -1,0 +1,133 @@
+//! A vector field on the nodes of a regular lattice, and its value anywhere.
+
+/// Vectors on a regular lattice in voxel coordinates, stored z, y, x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lattice {
+    /// Nodes along x, y, z.
+    pub nodes: [usize; 3],
+    /// Position of node (0, 0, 0), in voxels.
+    pub first_vox: f32,
+    /// Distance between nodes, in voxels.
+    pub step_vox: f32,
+    /// The vectors.
+    pub values: Vec<[f32; 3]>,
+}
+
+impl Lattice {
+    /// The field with its shortest waves taken out: (1 2 1)/4 along each axis inside, the face
+    /// nodes as they are along their own axis.
+    pub fn smoothed(&self) -> Self {
+        let mut values = self.values.clone();
+        for (axis, stride) in
+            [1, self.nodes[0], self.nodes[0] * self.nodes[1]].into_iter().enumerate()
+        {
+            let from = values.clone();
+            for (index, value) in values.iter_mut().enumerate() {
+                let place = index / stride % self.nodes[axis];
+                if place > 0 && place + 1 < self.nodes[axis] {
+                    let (low, high) = (from[index - stride], from[index + stride]);
+                    *value =
+                        std::array::from_fn(|c| (low[c] + 2.0 * from[index][c] + high[c]) / 4.0);
+                }
+            }
+        }
+        Self { values, ..*self }
+    }
+
+    /// The field at a position: cubic convolution (Keys 1981) between the nodes, linear outside.
+    pub fn at(&self, position_vox: [f32; 3]) -> [f32; 3] {
+        let taps: [([usize; 4], [f32; 4]); 3] = std::array::from_fn(|axis| {
+            let t = (position_vox[axis] - self.first_vox) / self.step_vox;
+            axis_taps(t, self.nodes[axis])
+        });
+        let [nx, ny, _] = self.nodes;
+        let mut sum = [0.0; 3];
+        for (&k, wz) in taps[2].0.iter().zip(taps[2].1) {
+            for (&j, wy) in taps[1].0.iter().zip(taps[1].1) {
+                let row = (k * ny + j) * nx;
+                for (&i, wx) in taps[0].0.iter().zip(taps[0].1) {
+                    let w = wz * wy * wx;
+                    for (sum, value) in sum.iter_mut().zip(self.values[row + i]) {
+                        *sum += w * value;
+                    }
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// Four nodes and their weights at node coordinate `t`. A node beyond an end is replaced by the
+/// linear extrapolation of the two nodes at that end.
+fn axis_taps(t: f32, count: usize) -> ([usize; 4], [f32; 4]) {
+    if count == 1 {
+        return ([0; 4], [1.0, 0.0, 0.0, 0.0]);
+    }
+    let last = count as i64 - 1;
+    let cell = (t.floor() as i64).clamp(0, last - 1);
+    let u = t - cell as f32;
+    let weights = if (0.0..=1.0).contains(&u) {
+        [
+            ((2.0 - u) * u - 1.0) * u / 2.0,
+            ((3.0 * u - 5.0) * u * u + 2.0) / 2.0,
+            ((4.0 - 3.0 * u) * u + 1.0) * u / 2.0,
+            (u - 1.0) * u * u / 2.0,
+        ]
+    } else {
+        [0.0, 1.0 - u, u, 0.0]
+    };
+    let mut nodes = [0; 4];
+    let mut folded = weights;
+    for (n, node) in nodes.iter_mut().enumerate() {
+        let place = cell - 1 + n as i64;
+        *node = place.clamp(0, last) as usize;
+        if place < 0 {
+            folded[0] = 0.0;
+            folded[1] += 2.0 * weights[0];
+            folded[2] -= weights[0];
+        } else if place > last {
+            folded[3] = 0.0;
+            folded[2] += 2.0 * weights[3];
+            folded[1] -= weights[3];
+        }
+    }
+    (nodes, folded)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lattice(f: impl Fn([f32; 3]) -> f32) -> Lattice {
+        let nodes = [5, 4, 6];
+        let mut values = Vec::new();
+        for k in 0..6 {
+            for j in 0..4 {
+                for i in 0..5 {
+                    let v = f([i, j, k].map(|n| 7.5 + 8.0 * n as f32));
+                    values.push([v, -v, 2.0 * v]);
+                }
+            }
+        }
+        Lattice { nodes, first_vox: 7.5, step_vox: 8.0, values }
+    }
+
+    #[test]
+    fn linear_fields_are_exact_inside_and_outside() {
+        let plane = |p: [f32; 3]| 0.1 * p[0] - 0.2 * p[1] + 0.05 * p[2] + 1.0;
+        let field = lattice(plane);
+        for p in [[7.5, 7.5, 7.5], [20.0, 11.0, 30.0], [0.0, 40.0, 60.0], [44.0, 2.0, -4.0]] {
+            let value = field.at(p);
+            assert!((value[0] - plane(p)).abs() < 1e-4, "{p:?} {value:?}");
+            assert!((value[2] - 2.0 * plane(p)).abs() < 2e-4);
+        }
+    }
+
+    #[test]
+    fn nodes_are_reproduced() {
+        let field = lattice(|p| (p[0] * 0.1).sin() + p[1] * p[2] * 0.01);
+        assert!(
+            (field.at([23.5, 15.5, 31.5])[0] - field.values[(3 * 4 + 1) * 5 + 2][0]).abs() < 1e-5
+        );
+    }
+}
