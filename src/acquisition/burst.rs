@@ -63,7 +63,7 @@ impl Run {
                     self.apply(rulings)?;
                 }
                 () = self.stop.cancelled(), if stop_by.is_none() => {
-                    self.synchroniser.call(|unit| unit.make_safe()).await?;
+                    self.make_safe().await?;
                     stop_by = Some(Instant::now() + STOP_GRACE);
                 }
             }

@@ -56,7 +56,9 @@ pub async fn acquire(
     let closed = run.close().await;
     // What ended the run matters more than what went wrong afterwards, except for the laser.
     match (ended, closed) {
-        (_, Err(unsafe_end @ AcquisitionError::NotSafe { .. })) => Err(unsafe_end),
+        (Err(error), Err(AcquisitionError::NotSafe { reason, .. })) => {
+            Err(AcquisitionError::NotSafe { reason, before: Some(Box::new(error)) })
+        }
         (Err(error), _) => Err(error),
         (Ok(()), closed) => closed,
     }
@@ -191,11 +193,16 @@ impl Run {
     }
 
     /// Safe, and read back.
-    async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
-        self.synchroniser.call(|unit| unit.make_safe()).await?;
-        match self.synchroniser.call(|unit| unit.state()).await? {
-            SynchroniserState::Safe => Ok(()),
-            state => Err(AcquisitionError::NotSafe { state }),
-        }
+    pub(super) async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
+        let made = self.synchroniser.call(|unit| unit.make_safe()).await;
+        let state = self.synchroniser.call(|unit| unit.state()).await;
+        let reason = match (made, state) {
+            (Ok(()), Ok(SynchroniserState::Safe)) => return Ok(()),
+            (_, Ok(SynchroniserState::Safe)) => "it answered an error, then Safe".to_owned(),
+            (_, Ok(state)) => format!("it reads back {state:?}"),
+            (_, Err(error)) => error.to_string(),
+        };
+        tracing::error!(reason, "state unknown: use the hardware interlock");
+        Err(AcquisitionError::NotSafe { reason, before: None })
     }
 }

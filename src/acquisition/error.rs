@@ -1,6 +1,6 @@
 //! Why acquisition ended.
 
-use lfpiv_hw::device::{DeviceError, SynchroniserState};
+use lfpiv_hw::device::DeviceError;
 use thiserror::Error;
 
 use super::pairing::ExtraTriggers;
@@ -40,6 +40,15 @@ pub enum AcquisitionError {
     #[error("the worker pool no longer takes shots")]
     QueueClosed,
     /// The synchroniser does not confirm its safe state.
-    #[error("the synchroniser reads back {state:?}, not Safe: use the hardware interlock")]
-    NotSafe { state: SynchroniserState },
+    #[error(
+        "the laser may still fire: the synchroniser does not confirm that it is safe ({reason}). \
+         Use the hardware interlock{}",
+        before.as_ref().map_or(String::new(), |error| format!(". Before that: {error}"))
+    )]
+    NotSafe {
+        /// What it answered instead.
+        reason: String,
+        /// What had ended the run before.
+        before: Option<Box<AcquisitionError>>,
+    },
 }

@@ -135,6 +135,22 @@ async fn a_lost_camera_ends_the_run_safely() {
 }
 
 #[tokio::test]
+async fn a_lost_line_to_the_synchroniser_is_an_alarm() {
+    let settings = settings(50, OverloadPolicy::Shed);
+    let tricks = [(0, 6, Trick::CutLine)];
+    let taken = take(settings, &tricks, 50, CancellationToken::new(), |_| {}).await;
+    let error = taken.ended.unwrap_err().to_string();
+    assert!(
+        error.starts_with("the laser may still fire") && error.contains("no answer"),
+        "{error}"
+    );
+    assert!(error.contains("Use the hardware interlock. Before that: unit"), "{error}");
+    let calls = taken.calls.lock();
+    let bursts = calls.iter().filter(|call| call.starts_with("fire")).count();
+    assert_eq!(bursts, 2, "no burst after the line was lost");
+}
+
+#[tokio::test]
 async fn a_silent_camera_ends_the_firing() {
     let tricks: Vec<_> = (0..200).map(|id| (1, id, Trick::Lose)).collect();
     let settings = settings(50, OverloadPolicy::Shed);

@@ -36,6 +36,8 @@ pub enum Trick {
     Fail,
     /// The driver has a bug.
     Panic,
+    /// The line to the synchroniser breaks.
+    CutLine,
 }
 
 /// The calls that reached the devices, in order.
@@ -90,6 +92,7 @@ impl Camera for TrickCamera {
                 return Err(DeviceError::Lost { device, detail });
             }
             Some(Trick::Panic) => panic!("driver bug"),
+            Some(Trick::CutLine) => self.log.lock().push(CUT.to_owned()),
         }
         Ok(Some(frame))
     }
@@ -104,31 +107,49 @@ impl Camera for TrickCamera {
     }
 }
 
+const CUT: &str = "line cut";
+
 struct LoggedUnit {
     inner: Box<dyn Synchroniser>,
     log: CallLog,
 }
 
+impl LoggedUnit {
+    /// Whether the line still answers.
+    fn line(&self) -> Result<(), DeviceError> {
+        if self.log.lock().iter().any(|call| call == CUT) {
+            let (device, detail) = ("unit".to_owned(), "no answer".to_owned());
+            return Err(DeviceError::Lost { device, detail });
+        }
+        Ok(())
+    }
+}
+
 impl Synchroniser for LoggedUnit {
     fn identify(&mut self) -> Result<String, DeviceError> {
+        self.line()?;
         self.inner.identify()
     }
 
     fn program(&mut self, schedule: &PulseSchedule) -> Result<(), DeviceError> {
+        self.line()?;
         self.log.lock().push("program".to_owned());
         self.inner.program(schedule)
     }
 
     fn fire(&mut self, shots: u64) -> Result<(), DeviceError> {
+        self.line()?;
         self.log.lock().push(format!("fire {shots}"));
         self.inner.fire(shots)
     }
 
     fn trigger_count(&mut self) -> Result<u64, DeviceError> {
+        self.line()?;
         self.inner.trigger_count()
     }
 
     fn state(&mut self) -> Result<SynchroniserState, DeviceError> {
+        self.line()?;
         let state = self.inner.state()?;
         if state == SynchroniserState::Safe {
             self.log.lock().push("reads back safe".to_owned());
@@ -137,6 +158,7 @@ impl Synchroniser for LoggedUnit {
     }
 
     fn make_safe(&mut self) -> Result<(), DeviceError> {
+        self.line()?;
         self.log.lock().push("make safe".to_owned());
         self.inner.make_safe()
     }
