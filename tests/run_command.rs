@@ -109,6 +109,41 @@ fn stops_cleanly_on(signal: &str) {
     assert_eq!(unsealed.count(), 0);
 }
 
+/// The whole way, nothing replaced: rendered, reconstructed, correlated, written, tabulated.
+#[test]
+#[ignore = "until Processor::process measures"]
+fn a_bounded_run_measures_the_flow_that_was_simulated() {
+    let root = tempfile::tempdir().expect("a folder");
+    let results = format!("dir = \"{}\"", root.path().join("results").display());
+    let config = changed_configuration(root.path(), "dir = \"results\"", &results);
+    let done = lfpiv([
+        "run".as_ref(),
+        "--config".as_ref(),
+        config.as_os_str(),
+        "--shots".as_ref(),
+        "3".as_ref(),
+    ]);
+    assert!(done.success, "{}{}", done.stdout, done.stderr);
+    let rows: Vec<Vec<&str>> = done
+        .stdout
+        .lines()
+        .map(|line| line.split_whitespace().collect::<Vec<_>>())
+        .filter(|words| words.get(3) == Some(&"%"))
+        .collect();
+    assert_eq!(rows.len(), 3, "{}", done.stdout);
+    for (shot, row) in rows.iter().enumerate() {
+        assert_eq!(row[0], shot.to_string());
+        let number = |column: usize| row[column].parse::<f64>().expect("a number");
+        assert!(number(1) > 0.0 && number(2) > 50.0, "vectors and valid share: {row:?}");
+        assert!((4..7).all(|column| number(column) < 0.3), "errors: {row:?}");
+    }
+    let folder = done.stdout.lines().find_map(|line| line.strip_prefix("results are in "));
+    let folder = Path::new(folder.expect("where the results are"));
+    for name in ["velocity_000000.nc", "velocity.vti.series", "shot_000002.vti", "ledger.json"] {
+        assert!(folder.join(name).exists(), "{name}");
+    }
+}
+
 #[test]
 fn sigterm_ends_a_run_cleanly() {
     stops_cleanly_on("TERM");

@@ -72,6 +72,10 @@ fn mean_error_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]> {
     (count > 0).then(|| sum.map(|total| total / count as f64))
 }
 
+/// Says what the figures mean.
+const NOTE: &str = "Errors are those of valid vectors against the simulated flow. Seconds are \
+wall-clock, while\nthe same cores render the next shots: `lfpiv process` measures alone.";
+
 /// The table, in order of shots.
 pub fn table(rows: &[Row]) -> String {
     let mut sorted: Vec<&Row> = rows.iter().collect();
@@ -87,6 +91,7 @@ pub fn table(rows: &[Row]) -> String {
     for row in sorted {
         let _ = write!(text, "\n{}", row.line());
     }
+    let _ = write!(text, "\n{NOTE}");
     text
 }
 
@@ -134,7 +139,7 @@ mod tests {
         let done = Row::new(&board.done(0, result().into()), Some(&good), &flow);
         let text = table(&[failed, done]);
         let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(lines.len(), 4);
+        assert_eq!(lines.len(), 6);
         assert!(lines[2].contains("50.0 %") && lines[2].contains("1.500  0.000  0.250"), "{text}");
         assert!(lines[3].ends_with("1  no result: camera 2 is dark"), "{text}");
         let columns = lines[1].find("correlate").map(|at| at + "correlate".len());
