@@ -44,7 +44,8 @@ fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
         schedule: PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap(),
         shots: NonZeroU64::new(shots),
         overload,
-        patience: Duration::from_millis(700),
+        // Longer than a loaded machine takes to render a frame.
+        patience: Duration::from_secs(2),
     }
 }
 
@@ -153,7 +154,8 @@ async fn a_lost_line_to_the_synchroniser_is_an_alarm() {
 #[tokio::test]
 async fn a_silent_camera_ends_the_firing() {
     let tricks: Vec<_> = (0..200).map(|id| (1, id, Trick::Lose)).collect();
-    let settings = settings(50, OverloadPolicy::Shed);
+    let patience = Duration::from_millis(700);
+    let settings = AcquisitionSettings { patience, ..settings(50, OverloadPolicy::Shed) };
     let taken = take(settings, &tricks, 50, CancellationToken::new(), |_| {}).await;
     assert!(matches!(taken.ended, Err(AcquisitionError::Silent { camera: 1, triggers: 5 })));
     assert_eq!(taken.ledger.accounts()[1].outcomes.of(Outcome::MissedTrigger), 5);

@@ -17,12 +17,15 @@ use lfpiv_hw::{
 use lfpiv_sim::{Pacing, connect};
 use parking_lot::Mutex;
 
-/// The small bench with few particles, its results below `results_dir`.
+/// A bench of a few pixels, so that no test waits for rendering; results below `results_dir`.
 pub fn configuration(results_dir: &Path) -> ConfigFile {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
     let mut file = ConfigFile::load(&path).unwrap();
     file.config.output.dir = results_dir.to_owned();
-    file.config.simulation.as_mut().unwrap().ppm = 0.05;
+    let optics = &mut file.config.optics;
+    (optics.microlens.columns, optics.microlens.rows) = (5, 5);
+    (optics.sensor.columns, optics.sensor.rows) = (92, 92);
+    file.config.volume.voxels = [4, 4, 4];
     file
 }
 
