@@ -1,5 +1,6 @@
 //! lfpiv: light field -> volume -> velocity. See ARCHITECTURE.md for the rooms.
 
+pub mod acquisition;
 pub mod archive;
 pub mod cli;
 pub mod config;
@@ -7,6 +8,7 @@ pub mod lightfield;
 pub mod model;
 pub mod pipeline;
 pub mod reconstruction;
+pub mod server;
 pub mod velocimetry;
 
 #[cfg(test)]

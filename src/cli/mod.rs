@@ -4,9 +4,14 @@
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
 
 mod check;
+pub mod daemon;
+mod demo_table;
+mod ledger_file;
 mod output;
 mod process;
 mod run;
+mod run_folder;
+mod run_info;
 mod simulate;
 mod solver;
 

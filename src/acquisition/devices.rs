@@ -1,0 +1,160 @@
+//! A thread per device: device calls block, and nothing else may wait for them.
+
+use std::{
+    any::Any,
+    panic::{AssertUnwindSafe, catch_unwind},
+    sync::mpsc as std_mpsc,
+    thread::JoinHandle,
+    time::Duration,
+};
+
+use lfpiv_hw::device::{Camera, DeviceError, Frame, Synchroniser};
+use tokio::sync::{mpsc, oneshot};
+use tokio_util::sync::CancellationToken;
+
+use super::AcquisitionError;
+
+/// How long a camera thread waits for a frame before it looks whether it should stop.
+const FRAME_WAIT: Duration = Duration::from_millis(50);
+
+/// What a camera thread reports.
+#[derive(Debug)]
+pub(super) enum CameraEvent {
+    /// The camera waits for triggers.
+    Started { camera: usize },
+    /// A frame came; `underruns` counts frames lost for want of a buffer since the start.
+    Frame { camera: usize, frame: Frame, underruns: u64 },
+    /// The camera is of no more use; its thread has ended.
+    Failed { error: DeviceError },
+}
+
+/// Starts the camera on a thread of its own; the thread stops the camera once `stop` is cancelled.
+pub(super) fn spawn_camera(
+    index: usize,
+    mut camera: Box<dyn Camera>,
+    events: mpsc::Sender<CameraEvent>,
+    stop: CancellationToken,
+) -> Result<JoinHandle<()>, AcquisitionError> {
+    let name = camera.name().to_owned();
+    let thread = std::thread::Builder::new().name(format!("camera {name}"));
+    let run = move || {
+        let device = camera.name().to_owned();
+        let streamed = guarded(&device, || stream(index, camera.as_mut(), &events, &stop));
+        let stopped = guarded(&device, || camera.stop());
+        if let Err(error) = streamed.and(stopped) {
+            // With the receiver gone nobody is left to tell but the log.
+            if events.blocking_send(CameraEvent::Failed { error }).is_err() {
+                tracing::warn!(camera = device, "failed while the run was ending");
+            }
+        }
+    };
+    thread.spawn(run).map_err(|source| AcquisitionError::Thread { device: name, source })
+}
+
+fn stream(
+    index: usize,
+    camera: &mut dyn Camera,
+    events: &mpsc::Sender<CameraEvent>,
+    stop: &CancellationToken,
+) -> Result<(), DeviceError> {
+    camera.start()?;
+    let mut listening = events.blocking_send(CameraEvent::Started { camera: index }).is_ok();
+    while listening && !stop.is_cancelled() {
+        if let Some(frame) = camera.next_frame(FRAME_WAIT)? {
+            let underruns = camera.statistics().underruns;
+            let event = CameraEvent::Frame { camera: index, frame, underruns };
+            listening = events.blocking_send(event).is_ok();
+        }
+    }
+    Ok(())
+}
+
+/// A driver's panic must not leave the laser on or a thread silently dead.
+fn guarded<T>(
+    device: &str,
+    call: impl FnOnce() -> Result<T, DeviceError>,
+) -> Result<T, DeviceError> {
+    catch_unwind(AssertUnwindSafe(call)).unwrap_or_else(|panic| {
+        Err(DeviceError::Lost {
+            device: device.to_owned(),
+            detail: format!("its driver panicked: {}", panic_message(panic.as_ref())),
+        })
+    })
+}
+
+/// The words of a panic.
+pub fn panic_message(panic: &(dyn Any + Send)) -> String {
+    let words = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    words
+        .or_else(|| panic.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "no message".to_owned())
+}
+
+type Command = Box<dyn FnOnce(&mut dyn Synchroniser) + Send>;
+
+/// The synchroniser on its thread. When the last handle goes, whatever the reason, the thread
+/// brings the unit to its safe state before it ends.
+#[derive(Debug)]
+pub(super) struct SynchroniserThread {
+    commands: Option<std_mpsc::Sender<Command>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl SynchroniserThread {
+    pub fn spawn(mut synchroniser: Box<dyn Synchroniser>) -> Result<Self, AcquisitionError> {
+        let (commands, inbox) = std_mpsc::channel::<Command>();
+        let run = move || {
+            for command in inbox {
+                command(synchroniser.as_mut());
+            }
+            if let Err(error) = guarded(SYNCHRONISER, || synchroniser.make_safe()) {
+                tracing::error!(%error, "state unknown: use the hardware interlock");
+            }
+        };
+        let thread = std::thread::Builder::new()
+            .name(SYNCHRONISER.to_owned())
+            .spawn(run)
+            .map_err(|source| AcquisitionError::Thread { device: SYNCHRONISER.into(), source })?;
+        Ok(Self { commands: Some(commands), thread: Some(thread) })
+    }
+
+    /// Runs one call on the synchroniser's thread and waits for its answer.
+    pub async fn call<T: Send + 'static>(
+        &self,
+        call: impl FnOnce(&mut dyn Synchroniser) -> Result<T, DeviceError> + Send + 'static,
+    ) -> Result<T, AcquisitionError> {
+        let (answer, answered) = oneshot::channel();
+        let command: Command = Box::new(move |synchroniser| {
+            // Nobody waits for the answer when the run is being torn down.
+            let _ = answer.send(guarded(SYNCHRONISER, || call(synchroniser)));
+        });
+        let sent = self.commands.as_ref().is_some_and(|commands| commands.send(command).is_ok());
+        let gone = || DeviceError::Lost {
+            device: SYNCHRONISER.to_owned(),
+            detail: "its thread has ended".to_owned(),
+        };
+        if !sent {
+            return Err(gone().into());
+        }
+        Ok(answered.await.map_err(|_| gone())??)
+    }
+
+    /// Lets the thread end, safe state first, and waits for it.
+    pub async fn close(mut self) {
+        drop(self.commands.take());
+        if let Some(thread) = self.thread.take() {
+            join(thread).await;
+        }
+    }
+}
+
+const SYNCHRONISER: &str = "synchroniser";
+
+/// Waits for a thread without blocking the runtime.
+pub(super) async fn join(thread: JoinHandle<()>) {
+    let name = thread.thread().name().unwrap_or("unnamed").to_owned();
+    let joined = tokio::task::spawn_blocking(move || thread.join()).await;
+    if !matches!(joined, Ok(Ok(()))) {
+        tracing::error!(thread = name, "ended by a panic");
+    }
+}

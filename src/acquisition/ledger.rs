@@ -1,0 +1,226 @@
+//! What became of every trigger, per camera: a ledger with a conservation law.
+//!
+//! Every trigger that is entered ends, for each camera, as exactly one [`Outcome`]. At any time
+//! and for every camera
+//!
+//! ```text
+//! triggers = complete + missing packets + underrun + missed trigger + late + unpaired
+//!          + shed + write failed + open
+//! ```
+//!
+//! and at the end of a run `open` is zero. The ledger refuses whatever would break the law.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use thiserror::Error;
+
+use super::{Account, Outcome};
+
+/// What the ledger remembers of one trigger.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct TriggerEntry {
+    /// Trigger number since the synchroniser was programmed, from 0. It is the shot's number.
+    pub trigger: u64,
+    /// Whether the shot was paired and handed on.
+    pub queued: bool,
+    /// Evidence that disagrees with the pairing; empty for a shot in order.
+    pub suspect: Vec<String>,
+    /// Outcome per camera; absent while open.
+    pub cameras: Vec<Option<Outcome>>,
+}
+
+impl TriggerEntry {
+    /// Whether every camera's outcome is known.
+    pub fn is_settled(&self) -> bool {
+        self.cameras.iter().all(Option::is_some)
+    }
+
+    /// Whether every camera's outcome is [`Outcome::Complete`].
+    pub fn is_complete(&self) -> bool {
+        self.cameras.iter().all(|outcome| *outcome == Some(Outcome::Complete))
+    }
+}
+
+/// An entry that would break the conservation law; the ledger stays as it was.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum LedgerError {
+    /// Settled before, or never entered.
+    #[error("trigger {trigger}, camera {camera}: not open, cannot end as {}", outcome.name())]
+    NotOpen { trigger: u64, camera: usize, outcome: Outcome },
+    /// Entered before.
+    #[error("trigger {trigger} is entered already")]
+    Entered { trigger: u64 },
+    /// Something is known about it, so it happened.
+    #[error("trigger {trigger} cannot be withdrawn: it is unknown or partly settled")]
+    NotWithdrawable { trigger: u64 },
+}
+
+/// Settled triggers whose entries are kept for inquiry; their counts are kept for ever.
+const HISTORY: usize = 10_000;
+
+/// The accounts of a run.
+#[derive(Debug, Clone)]
+pub struct Ledger {
+    accounts: Vec<Account>,
+    entries: BTreeMap<u64, TriggerEntry>,
+}
+
+impl Ledger {
+    /// An empty ledger for `cameras` cameras.
+    pub fn new(cameras: usize) -> Self {
+        Self { accounts: vec![Account::default(); cameras], entries: BTreeMap::new() }
+    }
+
+    /// Enters a trigger: from now on it is open for every camera.
+    pub fn enter(&mut self, trigger: u64) -> Result<(), LedgerError> {
+        if self.entries.contains_key(&trigger) {
+            return Err(LedgerError::Entered { trigger });
+        }
+        let cameras = vec![None; self.accounts.len()];
+        self.entries
+            .insert(trigger, TriggerEntry { trigger, queued: false, suspect: Vec::new(), cameras });
+        for account in &mut self.accounts {
+            account.triggers += 1;
+            account.open += 1;
+        }
+        self.forget_oldest();
+        Ok(())
+    }
+
+    /// Takes back a trigger that was asked for and never given.
+    pub fn withdraw(&mut self, trigger: u64) -> Result<(), LedgerError> {
+        let untouched = |entry: &TriggerEntry| entry.cameras.iter().all(Option::is_none);
+        if !self.entries.get(&trigger).is_some_and(untouched) {
+            return Err(LedgerError::NotWithdrawable { trigger });
+        }
+        self.entries.remove(&trigger);
+        for account in &mut self.accounts {
+            account.triggers -= 1;
+            account.open -= 1;
+        }
+        Ok(())
+    }
+
+    /// Notes that a trigger's frames were paired and handed on.
+    pub fn queued(&mut self, trigger: u64, suspect: &[String]) {
+        if let Some(entry) = self.entries.get_mut(&trigger) {
+            entry.queued = true;
+            entry.suspect = suspect.to_vec();
+        }
+    }
+
+    /// Settles a trigger for one camera, once.
+    pub fn settle(
+        &mut self,
+        trigger: u64,
+        camera: usize,
+        outcome: Outcome,
+    ) -> Result<(), LedgerError> {
+        let refused = LedgerError::NotOpen { trigger, camera, outcome };
+        let slot = self.entries.get_mut(&trigger).and_then(|entry| entry.cameras.get_mut(camera));
+        match slot {
+            Some(slot @ None) => *slot = Some(outcome),
+            _ => return Err(refused),
+        }
+        let account = &mut self.accounts[camera];
+        account.settle(outcome);
+        Ok(())
+    }
+
+    /// Settles a trigger for all cameras.
+    pub fn settle_all(&mut self, trigger: u64, outcome: Outcome) -> Result<(), LedgerError> {
+        (0..self.accounts.len()).try_for_each(|camera| self.settle(trigger, camera, outcome))
+    }
+
+    /// One account per camera.
+    pub fn accounts(&self) -> &[Account] {
+        &self.accounts
+    }
+
+    /// What is known of a trigger; `None` before it and long after it.
+    pub fn entry(&self, trigger: u64) -> Option<&TriggerEntry> {
+        self.entries.get(&trigger)
+    }
+
+    /// The triggers remembered, oldest first.
+    pub fn entries(&self) -> impl DoubleEndedIterator<Item = &TriggerEntry> {
+        self.entries.values()
+    }
+
+    /// Shots that were handed on and are not settled: queued or with a worker.
+    pub fn handed_on(&self) -> u64 {
+        self.unsettled(|entry| entry.queued)
+    }
+
+    /// Triggers whose frames are still waited for.
+    pub fn awaiting_frames(&self) -> u64 {
+        self.unsettled(|entry| !entry.queued)
+    }
+
+    fn unsettled(&self, choose: impl Fn(&TriggerEntry) -> bool) -> u64 {
+        self.entries.values().filter(|entry| !entry.is_settled() && choose(entry)).count() as u64
+    }
+
+    /// Whether the conservation law holds for every camera.
+    pub fn is_balanced(&self) -> bool {
+        self.accounts.iter().all(Account::is_balanced)
+    }
+
+    /// Open entries stay: forgetting one would break the law.
+    fn forget_oldest(&mut self) {
+        while self.entries.len() > HISTORY {
+            match self.entries.first_entry() {
+                Some(oldest) if oldest.get().is_settled() => drop(oldest.remove()),
+                _ => break,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trigger_is_settled_once_per_camera() {
+        let mut ledger = Ledger::new(2);
+        ledger.enter(0).unwrap();
+        ledger.settle(0, 1, Outcome::Late).unwrap();
+        let again = ledger.settle(0, 1, Outcome::Complete).unwrap_err();
+        assert_eq!(
+            again,
+            LedgerError::NotOpen { trigger: 0, camera: 1, outcome: Outcome::Complete }
+        );
+        assert_eq!((ledger.accounts()[0].open, ledger.accounts()[1].open), (1, 0));
+        assert_eq!(ledger.accounts()[1].outcomes.of(Outcome::Late), 1);
+        assert!(ledger.is_balanced());
+    }
+
+    #[test]
+    fn only_an_untouched_trigger_can_be_withdrawn() {
+        let mut ledger = Ledger::new(2);
+        ledger.enter(0).unwrap();
+        ledger.enter(1).unwrap();
+        ledger.settle(0, 0, Outcome::Unpaired).unwrap();
+        assert_eq!(ledger.withdraw(0), Err(LedgerError::NotWithdrawable { trigger: 0 }));
+        ledger.withdraw(1).unwrap();
+        assert_eq!(ledger.accounts()[0].triggers, 1);
+        assert!(ledger.is_balanced());
+    }
+
+    #[test]
+    fn history_is_bounded_and_never_drops_an_open_trigger() {
+        let mut ledger = Ledger::new(1);
+        for trigger in 0..HISTORY as u64 + 10 {
+            ledger.enter(trigger).unwrap();
+            if trigger != 3 {
+                ledger.settle_all(trigger, Outcome::Complete).unwrap();
+            }
+        }
+        assert!(ledger.entry(0).is_none() && ledger.entry(3).is_some());
+        ledger.settle(3, 0, Outcome::Shed).unwrap();
+        assert_eq!(ledger.accounts()[0].triggers, HISTORY as u64 + 10);
+        assert!(ledger.is_balanced());
+    }
+}

@@ -1,0 +1,99 @@
+//! How triggers end, and one camera's count of it.
+
+use serde::{Serialize, Serializer};
+
+/// How a trigger ended for one camera.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// Both frames arrived whole, were paired and processed. Whether processing found vectors is
+    /// the shot's story, not the trigger's.
+    Complete,
+    /// A frame arrived damaged, or was sent and never arrived.
+    MissingPackets,
+    /// A frame was lost because the host had no free buffer.
+    Underrun,
+    /// The camera did not see the trigger.
+    MissedTrigger,
+    /// Both frames arrived whole, but after the shot was given up.
+    Late,
+    /// Both frames arrived whole, but another camera's did not.
+    Unpaired,
+    /// Not processed although nothing is wrong with it: the queue was full or the run ended.
+    Shed,
+    /// Processed, but the result could not be written.
+    WriteFailed,
+}
+
+impl Outcome {
+    /// Every outcome, in the order of their counts.
+    pub const ALL: [Self; 8] = [
+        Self::Complete,
+        Self::MissingPackets,
+        Self::Underrun,
+        Self::MissedTrigger,
+        Self::Late,
+        Self::Unpaired,
+        Self::Shed,
+        Self::WriteFailed,
+    ];
+
+    /// Name in JSON and in metrics.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Complete => "complete",
+            Self::MissingPackets => "missing_packets",
+            Self::Underrun => "underrun",
+            Self::MissedTrigger => "missed_trigger",
+            Self::Late => "late",
+            Self::Unpaired => "unpaired",
+            Self::Shed => "shed",
+            Self::WriteFailed => "write_failed",
+        }
+    }
+}
+
+/// How many triggers ended as each outcome.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct OutcomeCounts([u64; Outcome::ALL.len()]);
+
+impl OutcomeCounts {
+    /// Triggers that ended as `outcome`.
+    pub fn of(&self, outcome: Outcome) -> u64 {
+        self.0[outcome as usize]
+    }
+
+    fn total(&self) -> u64 {
+        self.0.iter().sum()
+    }
+}
+
+impl Serialize for OutcomeCounts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(Outcome::ALL.map(|outcome| (outcome.name(), self.of(outcome))))
+    }
+}
+
+/// One camera's account.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct Account {
+    /// Triggers entered.
+    pub triggers: u64,
+    /// Triggers not settled yet.
+    pub open: u64,
+    /// Triggers settled.
+    pub outcomes: OutcomeCounts,
+}
+
+impl Account {
+    /// One open trigger ends.
+    pub(super) fn settle(&mut self, outcome: Outcome) {
+        self.open -= 1;
+        self.outcomes.0[outcome as usize] += 1;
+    }
+
+    /// Whether the conservation law holds.
+    pub fn is_balanced(&self) -> bool {
+        self.triggers == self.outcomes.total() + self.open
+    }
+}

@@ -1,0 +1,221 @@
+//! From frames to shots: a state machine without clocks, threads or devices.
+//!
+//! Trigger `n` makes frames `2n` and `2n + 1` of every camera. The frame id decides, and three
+//! witnesses check it: the camera's own timestamps (frames b follow frames a after a fixed time,
+//! triggers of a burst are whole periods apart), the other cameras (the difference between two
+//! cameras' clocks is the same in every shot), and the synchroniser's trigger count. The order in
+//! which frames arrive decides nothing.
+//!
+//! A camera that misses a trigger does not count it, so all its later frame ids are one shot
+//! behind. Within a burst its timestamps show this; for the first trigger of a burst the other
+//! camera does, given the difference of their clocks. That difference is learnt from bursts of a
+//! single shot, in which nothing can be exchanged: fire such bursts until
+//! [`Pairing::has_reference`].
+//!
+//! Each trigger entered with [`Pairing::fired`] leads, for each camera, to exactly one ruling.
+//! Time is passed in, as a duration since any fixed moment.
+
+mod rules;
+mod slot;
+#[cfg(test)]
+mod tests;
+mod track;
+
+use std::{collections::BTreeMap, time::Duration};
+
+use lfpiv_hw::device::Frame;
+use serde::Serialize;
+use slot::Slot;
+use thiserror::Error;
+use track::{Burst, Location, TimeGrid, Track};
+
+use super::{Outcome, Shot};
+
+/// What pairing needs to know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PairingSettings {
+    /// Number of cameras.
+    pub cameras: usize,
+    /// Time between triggers of a burst, in ns.
+    pub period_ns: u64,
+    /// Timestamp of frame b less that of frame a, in ns.
+    pub frame_interval_ns: u64,
+    /// How far that difference may be off before the shot is suspect, in ns.
+    pub frame_interval_tolerance_ns: u64,
+    /// How long to wait for a frame that is due. A shot is given up after this; what comes within
+    /// as long again is late.
+    pub patience: Duration,
+}
+
+/// What was decided about a trigger.
+#[derive(Debug)]
+pub enum Ruling {
+    /// All cameras delivered.
+    Paired(Shot),
+    /// One camera's part in a shot that will not be paired.
+    Settled { trigger: u64, camera: usize, outcome: Outcome },
+    /// The trigger was asked for, but never given.
+    Withdrawn { trigger: u64 },
+}
+
+/// Frames that became no part of a shot or of a verdict.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct FrameCounters {
+    /// Frames received in all.
+    pub received: u64,
+    /// Frames that were there already.
+    pub duplicate: u64,
+    /// Frames of no open trigger.
+    pub stray: u64,
+}
+
+/// The synchroniser gave more triggers than it was asked for.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error(
+    "the synchroniser counts {counted} triggers, {asked} were asked for: something else fires the \
+     laser; use the hardware interlock"
+)]
+pub struct ExtraTriggers {
+    counted: u64,
+    asked: u64,
+}
+
+#[derive(Debug)]
+struct OpenTrigger {
+    due: Duration,
+    given_up: bool,
+    slots: Vec<Slot>,
+}
+
+/// The state machine; see the module.
+#[derive(Debug)]
+pub struct Pairing {
+    settings: PairingSettings,
+    grid: TimeGrid,
+    burst: Burst,
+    /// Triggers that the synchroniser is known to have given.
+    given: u64,
+    tracks: Vec<Track>,
+    last_arrival: Vec<Duration>,
+    /// Timestamp of each camera less that of camera 0, for the same trigger.
+    clock_offsets_ns: Option<Vec<i128>>,
+    open: BTreeMap<u64, OpenTrigger>,
+    counters: FrameCounters,
+}
+
+impl Pairing {
+    /// A machine that waits for the first burst.
+    pub fn new(settings: PairingSettings) -> Self {
+        let grid = TimeGrid {
+            period_ns: i128::from(settings.period_ns.max(1)),
+            interval_ns: i128::from(settings.frame_interval_ns),
+        };
+        Self {
+            grid,
+            burst: Burst::default(),
+            given: 0,
+            tracks: vec![Track::default(); settings.cameras],
+            last_arrival: vec![Duration::ZERO; settings.cameras],
+            clock_offsets_ns: (settings.cameras == 1).then(|| vec![0]),
+            open: BTreeMap::new(),
+            counters: FrameCounters::default(),
+            settings,
+        }
+    }
+
+    /// Whether the difference between the cameras' clocks is known. Until then, fire single shots.
+    pub fn has_reference(&self) -> bool {
+        self.clock_offsets_ns.is_some()
+    }
+
+    /// Triggers that are not ruled on yet.
+    pub fn open_triggers(&self) -> usize {
+        self.open.len()
+    }
+
+    /// Frames counted so far.
+    pub fn counters(&self) -> FrameCounters {
+        self.counters
+    }
+
+    /// A burst of `shots` triggers begins now; its first trigger's number is returned.
+    pub fn fired(&mut self, shots: u64, now: Duration) -> u64 {
+        let first = self.burst.end;
+        self.burst = Burst { first, end: first + shots };
+        let period = Duration::from_nanos(self.settings.period_ns);
+        for trigger in first..self.burst.end {
+            let due = now + period * u32::try_from(trigger - first).unwrap_or(u32::MAX);
+            let slots = (0..self.settings.cameras).map(|_| Slot::default()).collect();
+            self.open.insert(trigger, OpenTrigger { due, given_up: false, slots });
+        }
+        first
+    }
+
+    /// A frame arrived from `camera`.
+    pub fn frame(&mut self, camera: usize, frame: Frame, now: Duration) -> Vec<Ruling> {
+        self.counters.received += 1;
+        self.last_arrival[camera] = now;
+        let half = (frame.frame_id % 2) as usize;
+        let mut rulings = Vec::new();
+        match self.tracks[camera].locate(&frame, self.burst, self.grid) {
+            Location::Past => self.counters.stray += 1,
+            Location::Trigger { trigger, missed, disagreement } => {
+                self.mark_missed(camera, trigger - missed..trigger, &mut rulings);
+                self.mark_passed(camera, trigger, now);
+                if self.store(camera, trigger, half, frame, disagreement) {
+                    self.examine(trigger, &mut rulings);
+                }
+            }
+        }
+        rulings
+    }
+
+    /// The stream of `camera` has lost `total` frames since its start for want of a buffer.
+    pub fn underruns(&mut self, camera: usize, total: u64) {
+        self.tracks[camera].report_underruns(total);
+    }
+
+    /// Time has passed. A trigger is given up for silence only once it is known to have been
+    /// given: from [`Self::burst_ended`] or because a camera saw it.
+    pub fn tick(&mut self, now: Duration) -> Vec<Ruling> {
+        let mut rulings = Vec::new();
+        let triggers: Vec<u64> = self.open.keys().copied().collect();
+        for trigger in triggers {
+            self.wait_or_give_up(trigger, now, &mut rulings);
+        }
+        rulings
+    }
+
+    /// The burst is over and the synchroniser has counted `counted` triggers since it was
+    /// programmed. Triggers that were not given are withdrawn.
+    pub fn burst_ended(&mut self, counted: u64) -> Result<Vec<Ruling>, ExtraTriggers> {
+        if counted > self.burst.end {
+            return Err(ExtraTriggers { counted, asked: self.burst.end });
+        }
+        self.burst.end = counted.max(self.burst.first);
+        self.given = self.burst.end;
+        let mut rulings = Vec::new();
+        for (trigger, open) in self.open.split_off(&self.burst.end) {
+            if open.slots.iter().all(Slot::is_untouched) {
+                rulings.push(Ruling::Withdrawn { trigger });
+            } else {
+                // Frames prove that it happened, whatever the counter says.
+                self.burst.end = self.burst.end.max(trigger + 1);
+                self.open.insert(trigger, open);
+            }
+        }
+        Ok(rulings)
+    }
+
+    /// The end: every open trigger is ruled on with what is known. Where nothing says
+    /// that a frame is lost, the end of the run is the reason, and the trigger is shed.
+    pub fn finish(&mut self) -> Vec<Ruling> {
+        let mut rulings = Vec::new();
+        for trigger in self.open.keys().copied().collect::<Vec<_>>() {
+            self.give_up(trigger, &mut rulings);
+            self.shed_unfinished(trigger, &mut rulings);
+            self.close_slots(trigger, |_| true, &mut rulings);
+        }
+        rulings
+    }
+}

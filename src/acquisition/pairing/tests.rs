@@ -1,0 +1,337 @@
+//! Pairing against cameras that lose, damage, repeat and delay frames and miss triggers.
+
+use std::time::Duration;
+
+use lfpiv_hw::{
+    RawImage,
+    device::{Frame, FrameStatus},
+};
+use proptest::prelude::*;
+
+use super::*;
+use crate::acquisition::Ledger;
+
+const PERIOD_NS: u64 = 100_000_000;
+const INTERVAL_NS: u64 = 202_000;
+const PATIENCE: Duration = Duration::from_millis(400);
+
+/// What one camera does with one trigger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fate {
+    Delivered,
+    Missed,
+    LostFirst,
+    LostSecond,
+    LostBoth,
+    Damaged,
+    Repeated,
+    Delayed,
+}
+
+fn settings(cameras: usize) -> PairingSettings {
+    PairingSettings {
+        cameras,
+        period_ns: PERIOD_NS,
+        frame_interval_ns: INTERVAL_NS,
+        frame_interval_tolerance_ns: 20_000,
+        patience: PATIENCE,
+    }
+}
+
+/// A frame; `host_timestamp_ns` carries the true trigger, which pairing must not look at.
+fn frame(frame_id: u64, timestamp_ns: u64, true_trigger: u64) -> Frame {
+    Frame {
+        image: RawImage::new(1, 1, vec![0]).unwrap(),
+        frame_id,
+        device_timestamp_ns: timestamp_ns,
+        host_timestamp_ns: true_trigger,
+        status: FrameStatus::Complete,
+    }
+}
+
+/// Two cameras with clocks of their own, fed into the machine in the order of arrival.
+struct Rig {
+    pairing: Pairing,
+    ledger: Ledger,
+    shots: Vec<Shot>,
+    now: Duration,
+    next_id: Vec<u64>,
+    given: u64,
+}
+
+impl Rig {
+    fn new(cameras: usize) -> Self {
+        Self {
+            pairing: Pairing::new(settings(cameras)),
+            ledger: Ledger::new(cameras),
+            shots: Vec::new(),
+            now: Duration::ZERO,
+            next_id: vec![0; cameras],
+            given: 0,
+        }
+    }
+
+    fn apply(&mut self, rulings: Vec<Ruling>) {
+        for ruling in rulings {
+            match ruling {
+                Ruling::Paired(shot) => {
+                    self.ledger.settle_all(shot.trigger, Outcome::Complete).unwrap();
+                    self.shots.push(shot);
+                }
+                Ruling::Settled { trigger, camera, outcome } => {
+                    self.ledger.settle(trigger, camera, outcome).unwrap();
+                }
+                Ruling::Withdrawn { trigger } => self.ledger.withdraw(trigger).unwrap(),
+            }
+            assert!(self.ledger.is_balanced());
+        }
+    }
+
+    fn fire(&mut self, shots: u64) -> u64 {
+        let first = self.pairing.fired(shots, self.now);
+        (first..first + shots).for_each(|trigger| self.ledger.enter(trigger).unwrap());
+        first
+    }
+
+    /// Fires a burst, of which the last `cut` triggers are never given, and waits until every
+    /// trigger is ruled on. `fates[shot][camera]`, `jitter_ms[shot][camera]`.
+    fn burst(&mut self, fates: &[Vec<Fate>], jitter_ms: &[Vec<u64>], cut: usize) {
+        let first = self.fire((fates.len() + cut) as u64);
+        let mut arrivals = Vec::new();
+        for (shot, (fates, jitter)) in fates.iter().zip(jitter_ms).enumerate() {
+            let at = self.now + Duration::from_nanos(PERIOD_NS) * shot as u32;
+            for (camera, fate) in fates.iter().enumerate() {
+                let delivered =
+                    self.deliver(camera, *fate, first + shot as u64, at, jitter[camera]);
+                arrivals.extend(delivered.into_iter().map(|(at, frame)| (at, camera, frame)));
+            }
+        }
+        self.given += fates.len() as u64;
+        arrivals.sort_by_key(|(at, ..)| *at);
+        for (at, camera, frame) in arrivals {
+            self.wait_until(at);
+            let rulings = self.pairing.frame(camera, frame, self.now);
+            self.apply(rulings);
+        }
+        let burst_over = self.now + Duration::from_nanos(PERIOD_NS) * fates.len() as u32;
+        self.wait_until(burst_over);
+        let rulings = self.pairing.burst_ended(self.given).unwrap();
+        self.apply(rulings);
+        self.wait_until(self.now + 4 * PATIENCE);
+        assert_eq!(self.pairing.open_triggers(), 0, "every trigger is ruled on in time");
+    }
+
+    fn wait_until(&mut self, end: Duration) {
+        while self.now < end {
+            self.now = end.min(self.now + PATIENCE / 4);
+            let rulings = self.pairing.tick(self.now);
+            self.apply(rulings);
+        }
+    }
+
+    fn deliver(
+        &mut self,
+        camera: usize,
+        fate: Fate,
+        trigger: u64,
+        at: Duration,
+        jitter_ms: u64,
+    ) -> Vec<(Duration, Frame)> {
+        if fate == Fate::Missed {
+            return Vec::new();
+        }
+        let id = self.next_id[camera];
+        self.next_id[camera] += 2;
+        // The cameras' clocks started at different times and run 50 ppm apart.
+        let at_ns = at.as_nanos() as u64;
+        let clock_ns = 7_000_000_000 * (camera as u64 + 1) + at_ns + at_ns / 20_000 * camera as u64;
+        let mut a = frame(id, clock_ns, trigger);
+        let b = frame(id + 1, clock_ns + INTERVAL_NS, trigger);
+        if fate == Fate::Damaged {
+            a.status = FrameStatus::MissingPackets;
+        }
+        let mut arrival = at + Duration::from_millis(jitter_ms);
+        if fate == Fate::Delayed {
+            arrival += PATIENCE * 3 / 2;
+        }
+        let (a, b) = ((arrival, a), (arrival + Duration::from_millis(jitter_ms % 7), b));
+        match fate {
+            Fate::LostFirst => vec![b],
+            Fate::LostSecond => vec![a],
+            Fate::LostBoth => Vec::new(),
+            Fate::Repeated => vec![a.clone(), b, a],
+            _ => vec![b, a],
+        }
+    }
+
+    fn true_triggers(shot: &Shot) -> Vec<u64> {
+        shot.cameras.iter().flatten().map(|frame| frame.host_timestamp_ns).collect()
+    }
+}
+
+fn fate() -> impl Strategy<Value = Fate> {
+    prop_oneof![
+        6 => Just(Fate::Delivered),
+        1 => Just(Fate::Missed),
+        1 => Just(Fate::LostFirst),
+        1 => Just(Fate::LostSecond),
+        1 => Just(Fate::LostBoth),
+        1 => Just(Fate::Damaged),
+        1 => Just(Fate::Repeated),
+        1 => Just(Fate::Delayed),
+    ]
+}
+
+type BurstPlan = (Vec<(Vec<Fate>, Vec<u64>)>, usize);
+
+fn burst_plan() -> impl Strategy<Value = BurstPlan> {
+    let shot = (prop::collection::vec(fate(), 2), prop::collection::vec(0_u64..150, 2));
+    (prop::collection::vec(shot, 1..7), prop_oneof![4 => Just(0_usize), 1 => 1_usize..3])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    /// Whatever the cameras do: the sums match, and a shot that mixes two triggers is marked.
+    #[test]
+    fn every_trigger_ends_once_and_no_shot_mixes_triggers_unmarked(
+        plans in prop::collection::vec(burst_plan(), 1..8)
+    ) {
+        let mut rig = Rig::new(2);
+        let mut none_missed = true;
+        for (shots, cut) in plans {
+            // As the daemon does: single shots until the clocks are known.
+            let (length, cut) = if rig.pairing.has_reference() { (shots.len(), cut) } else { (1, 0) };
+            let (fates, jitter): (Vec<_>, Vec<_>) = shots.into_iter().take(length).unzip();
+            none_missed &= fates.iter().flatten().all(|fate| *fate != Fate::Missed);
+            rig.burst(&fates, &jitter, cut);
+        }
+        for account in rig.ledger.accounts() {
+            prop_assert_eq!(account.open, 0);
+            prop_assert_eq!(account.triggers, rig.given);
+        }
+        for shot in &rig.shots {
+            let triggers = Rig::true_triggers(shot);
+            let mixed = triggers.iter().any(|t| *t != triggers[0]);
+            prop_assert!(!mixed || !shot.suspect.is_empty(), "{:?}", shot);
+            prop_assert!(!none_missed || triggers[0] == shot.trigger);
+        }
+    }
+}
+
+#[test]
+fn outcomes_say_what_happened() {
+    let mut rig = Rig::new(2);
+    let plan = [
+        (Fate::Delivered, Fate::Delivered),
+        (Fate::Damaged, Fate::Delivered),
+        (Fate::Delivered, Fate::LostBoth),
+        (Fate::Missed, Fate::Delivered),
+        (Fate::Delivered, Fate::LostSecond),
+        (Fate::Delivered, Fate::Delayed),
+        (Fate::Repeated, Fate::Delivered),
+    ];
+    for (index, (one, two)) in plan.into_iter().enumerate() {
+        if index == 0 {
+            rig.burst(&[vec![one, two]], &[vec![1, 2]], 0);
+            continue;
+        }
+        // A good shot on either side shows that the stream went on.
+        let good = vec![Fate::Delivered; 2];
+        rig.burst(&[good.clone(), vec![one, two], good], &vec![vec![1, 2]; 3], 0);
+    }
+    let outcomes: Vec<_> = [0, 2, 5, 8, 11, 14, 17]
+        .map(|trigger| rig.ledger.entry(trigger).unwrap().cameras.clone())
+        .into_iter()
+        .map(|cameras| (cameras[0].unwrap(), cameras[1].unwrap()))
+        .collect();
+    use Outcome::*;
+    let expected = [
+        (Complete, Complete),
+        (MissingPackets, Unpaired),
+        (Unpaired, MissingPackets),
+        (MissedTrigger, Unpaired),
+        (Unpaired, MissingPackets),
+        (Unpaired, Late),
+        (Complete, Complete),
+    ];
+    assert_eq!(outcomes, expected);
+    assert_eq!(rig.pairing.counters().duplicate, 1);
+    assert_eq!(rig.shots.len(), 1 + 2 * 6 + 1);
+}
+
+#[test]
+fn the_other_camera_shows_a_trigger_missed_at_the_start_of_a_burst() {
+    let mut rig = Rig::new(2);
+    let good = vec![Fate::Delivered; 2];
+    rig.burst(std::slice::from_ref(&good), &[vec![0, 0]], 0);
+    let plan = [vec![Fate::Missed, Fate::Delivered], good.clone(), good];
+    rig.burst(&plan, &vec![vec![3, 1]; 3], 0);
+    let paired: Vec<u64> = rig.shots.iter().map(|shot| shot.trigger).collect();
+    assert_eq!(paired, [0, 2, 3]);
+    for shot in &rig.shots {
+        assert_eq!(Rig::true_triggers(shot), [shot.trigger; 4]);
+    }
+    let missed = rig.ledger.entry(1).unwrap();
+    assert_eq!(missed.cameras, [Some(Outcome::MissedTrigger), Some(Outcome::Unpaired)]);
+}
+
+#[test]
+fn underruns_reported_by_the_stream_are_charged_to_lost_frames() {
+    let mut rig = Rig::new(1);
+    rig.fire(2);
+    rig.pairing.underruns(0, 2);
+    let late = Duration::from_millis(100);
+    for id in [2, 3] {
+        let at = 1_000_000_000 + PERIOD_NS + (id - 2) * INTERVAL_NS;
+        let rulings = rig.pairing.frame(0, frame(id, at, 1), late);
+        rig.apply(rulings);
+    }
+    let rulings = rig.pairing.finish();
+    rig.apply(rulings);
+    assert_eq!(rig.ledger.entry(0).unwrap().cameras, [Some(Outcome::Underrun)]);
+    assert_eq!(rig.ledger.entry(1).unwrap().cameras, [Some(Outcome::Complete)]);
+}
+
+#[test]
+fn the_end_of_a_run_sheds_what_was_under_way() {
+    let mut rig = Rig::new(1);
+    rig.fire(2);
+    let rulings = rig.pairing.frame(0, frame(0, 0, 0), Duration::ZERO);
+    rig.apply(rulings);
+    let rulings = rig.pairing.finish();
+    rig.apply(rulings);
+    assert_eq!(rig.ledger.accounts()[0].outcomes.of(Outcome::Shed), 2);
+    assert_eq!(rig.pairing.open_triggers(), 0);
+}
+
+#[test]
+fn a_wrong_interval_makes_a_shot_suspect_and_keeps_it() {
+    let mut rig = Rig::new(1);
+    rig.fire(1);
+    let mut rulings = rig.pairing.frame(0, frame(0, 1_000, 0), Duration::ZERO);
+    rulings.extend(rig.pairing.frame(0, frame(1, 5_001_000, 0), Duration::ZERO));
+    rig.apply(rulings);
+    assert!(rig.shots[0].suspect[0].contains("5000000 ns after frame a"));
+}
+
+#[test]
+fn a_slow_camera_is_waited_for_as_long_as_it_delivers() {
+    let mut rig = Rig::new(1);
+    rig.fire(4);
+    for id in 0..8 {
+        // Each frame comes just inside the patience, long after it was due.
+        rig.wait_until(rig.now + PATIENCE * 9 / 10);
+        let at = id / 2 * PERIOD_NS + id % 2 * INTERVAL_NS;
+        let rulings = rig.pairing.frame(0, frame(id, at, id / 2), rig.now);
+        rig.apply(rulings);
+    }
+    assert_eq!(rig.shots.len(), 4);
+}
+
+#[test]
+fn more_triggers_than_asked_for_is_an_alarm() {
+    let mut rig = Rig::new(1);
+    rig.fire(2);
+    assert_eq!(rig.pairing.burst_ended(3).unwrap_err(), ExtraTriggers { counted: 3, asked: 2 });
+}

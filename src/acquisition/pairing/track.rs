@@ -1,0 +1,148 @@
+//! Which trigger a frame belongs to: frame id, checked against the camera's own clock.
+
+use lfpiv_hw::device::Frame;
+
+/// The triggers of the burst that runs or ran last: `first` up to, not including, `end`.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Burst {
+    pub first: u64,
+    pub end: u64,
+}
+
+/// The time grid on which a camera's frames must lie.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TimeGrid {
+    pub period_ns: i128,
+    /// Timestamp of frame b less that of frame a.
+    pub interval_ns: i128,
+}
+
+impl TimeGrid {
+    /// Whole periods in a time difference, and what is left.
+    pub fn steps(&self, elapsed_ns: i128) -> (i128, i128) {
+        let steps = (elapsed_ns + self.period_ns.div_euclid(2)).div_euclid(self.period_ns);
+        (steps, elapsed_ns - steps * self.period_ns)
+    }
+
+    /// How far a timestamp may be off the grid. Missed triggers shift by a whole period, clocks
+    /// drift by parts in 10⁴ at most: an eighth of a period tells one from the other.
+    pub fn tolerance_ns(&self) -> i128 {
+        self.period_ns / 8
+    }
+}
+
+/// Where a frame belongs.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Location {
+    /// To this trigger. `missed` triggers before it were found not to have been seen.
+    Trigger { trigger: u64, missed: u64, disagreement: Option<String> },
+    /// To an earlier burst, all of whose triggers are closed.
+    Past,
+}
+
+/// What is known about one camera's stream.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Track {
+    /// Triggers the camera did not see: its frames `2m`, `2m + 1` belong to trigger `m + missed`.
+    pub missed: u64,
+    /// A located frame a: its trigger and its timestamp.
+    pub clock: Option<(u64, i128)>,
+    /// Frames the stream reports as lost for want of a buffer, not yet charged to a trigger.
+    pub underruns: u64,
+    reported_underruns: u64,
+}
+
+impl Track {
+    /// Takes in the stream's running count of underruns.
+    pub fn report_underruns(&mut self, total: u64) {
+        self.underruns += total.saturating_sub(self.reported_underruns);
+        self.reported_underruns = self.reported_underruns.max(total);
+    }
+
+    /// Charges a lost frame to an underrun, when one is left.
+    pub fn charge_underrun(&mut self) -> bool {
+        let charged = self.underruns > 0;
+        self.underruns = self.underruns.saturating_sub(1);
+        charged
+    }
+
+    /// Finds the trigger of a frame and moves the clock on.
+    pub fn locate(&mut self, frame: &Frame, burst: Burst, grid: TimeGrid) -> Location {
+        let half = i128::from(frame.frame_id % 2);
+        let timestamp = i128::from(frame.device_timestamp_ns) - half * grid.interval_ns;
+        let counted = frame.frame_id / 2 + self.missed;
+        let location = match self.clock {
+            Some(clock) if clock.0 >= burst.first => {
+                self.within_burst(counted, timestamp, clock, burst, grid)
+            }
+            Some(clock) => self.first_of_burst(counted, timestamp, clock, burst, grid),
+            None => located(counted, 0),
+        };
+        if let Location::Trigger { trigger, missed, disagreement } = &location {
+            self.missed += missed;
+            let newer = self.clock.is_none_or(|(last, _)| *trigger > last);
+            if newer && disagreement.is_none() && *trigger < burst.end {
+                self.clock = Some((*trigger, timestamp));
+            }
+        }
+        location
+    }
+
+    /// The clock was set in this burst: a whole number of periods has passed since.
+    fn within_burst(
+        &self,
+        counted: u64,
+        timestamp: i128,
+        clock: (u64, i128),
+        burst: Burst,
+        grid: TimeGrid,
+    ) -> Location {
+        let (steps, off_grid_ns) = grid.steps(timestamp - clock.1);
+        let timed = i128::from(clock.0) + steps;
+        let behind = timed - i128::from(counted);
+        let doubt = |words: String| Location::Trigger {
+            trigger: counted,
+            missed: 0,
+            disagreement: Some(words),
+        };
+        if off_grid_ns.abs() > grid.tolerance_ns() {
+            doubt(format!("timestamp is {} us off the trigger grid", off_grid_ns / 1000))
+        } else if behind == 0 {
+            located(counted, 0)
+        } else if behind > 0 && timed < i128::from(burst.end) {
+            let missed = behind.unsigned_abs() as u64;
+            located(counted + missed, missed)
+        } else if behind < 0
+            && behind + i128::from(self.missed) >= 0
+            && timed >= i128::from(burst.first)
+        {
+            // It was sent before a trigger that is known by now to have been missed.
+            located(counted - behind.unsigned_abs() as u64, 0)
+        } else {
+            doubt(format!("frame id says trigger {counted}, timestamp says {timed}"))
+        }
+    }
+
+    /// The clock was set in an earlier burst. The pause between bursts is of any length, so the
+    /// timestamp says only whether the frame came after the earlier burst.
+    fn first_of_burst(
+        &self,
+        counted: u64,
+        timestamp: i128,
+        clock: (u64, i128),
+        burst: Burst,
+        grid: TimeGrid,
+    ) -> Location {
+        let last_trigger = i128::from(burst.first) - 1;
+        let earlier_burst_ns = (last_trigger - i128::from(clock.0)) * grid.period_ns;
+        if timestamp - clock.1 <= earlier_burst_ns + grid.tolerance_ns() {
+            return Location::Past;
+        }
+        let missed = burst.first.saturating_sub(counted);
+        located(counted + missed, missed)
+    }
+}
+
+fn located(trigger: u64, missed: u64) -> Location {
+    Location::Trigger { trigger, missed, disagreement: None }
+}

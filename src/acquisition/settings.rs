@@ -1,0 +1,52 @@
+//! What acquisition needs to know, passed in by value.
+
+use std::{num::NonZeroU64, time::Duration};
+
+use lfpiv_hw::timing::PulseSchedule;
+
+/// What happens when shots come faster than they are processed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OverloadPolicy {
+    /// A shot that finds the queue full is not processed, and that is recorded: a real bench does
+    /// not wait.
+    Shed,
+    /// Triggers are given only as there is room in the queue: for bounded simulated runs, in
+    /// which every shot counts.
+    Wait,
+}
+
+/// How shots are taken.
+#[derive(Debug, Clone)]
+pub struct AcquisitionSettings {
+    /// The pulse schedule, validated.
+    pub schedule: PulseSchedule,
+    /// Triggers to give; unbounded when absent.
+    pub shots: Option<NonZeroU64>,
+    /// What happens when the queue is full.
+    pub overload: OverloadPolicy,
+    /// How long a frame that is due is waited for.
+    pub patience: Duration,
+}
+
+impl AcquisitionSettings {
+    /// Time between triggers.
+    pub fn period(&self) -> Duration {
+        Duration::from_secs_f64(self.schedule.period_us * 1e-6)
+    }
+
+    /// From the start of exposure 1, which stamps frame a, to that of exposure 2.
+    pub fn frame_interval(&self) -> Duration {
+        let [frame_a_us, frame_b_us] =
+            [self.schedule.exposure_1_us[0], self.schedule.exposure_2_us[0]];
+        Duration::from_secs_f64((frame_b_us - frame_a_us).max(0.0) * 1e-6)
+    }
+
+    /// Shots in the longest burst: what fits in [`MAX_BURST`], and at least one.
+    pub fn max_burst(&self) -> u64 {
+        let shots = MAX_BURST.as_secs_f64() / self.period().as_secs_f64();
+        (shots as u64).max(1)
+    }
+}
+
+/// Longest burst. A dead host or a lost line ends the firing within this time by itself.
+pub const MAX_BURST: Duration = Duration::from_secs(5);

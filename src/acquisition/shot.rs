@@ -1,0 +1,15 @@
+//! One shot: what all cameras saw of one trigger.
+
+use lfpiv_hw::device::Frame;
+
+/// The paired frames of one trigger.
+#[derive(Debug, Clone)]
+pub struct Shot {
+    /// Trigger number since the synchroniser was programmed, from 0.
+    pub trigger: u64,
+    /// Exposures 1 and 2 of each camera, in the order of the configuration's cameras.
+    pub cameras: Vec<[Frame; 2]>,
+    /// Evidence that disagrees with the pairing, in words; empty for a shot in order. A suspect
+    /// shot is kept and marked, and whoever reads its result must see the mark.
+    pub suspect: Vec<String>,
+}

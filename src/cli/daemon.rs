@@ -1,0 +1,213 @@
+//! The daemon: acquisition, worker pool, result store and server put together for one run.
+//!
+//! ```text
+//! bench -> acquire -> queue -> pool -> results on disk
+//!             |                 |
+//!           ledger            board  <- server -> HTTP
+//! ```
+//!
+//! Every task started here is awaited here. The run ends when the shots are done, when `stop` is
+//! cancelled, or when acquisition or pool fail; in each case the laser is off before anything
+//! else is ended, the shot in hand is finished, and the ledger is written last.
+
+use std::{
+    fmt::Display,
+    future::Future,
+    net::SocketAddr,
+    num::NonZeroU64,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Duration,
+};
+
+use anyhow::{Context, anyhow};
+use lfpiv_hw::{PulseSchedule, TimingSettings};
+use parking_lot::Mutex;
+use tokio::{net::TcpListener, sync::mpsc};
+use tokio_util::sync::CancellationToken;
+
+use super::{ledger_file::write_ledger, run_folder::create_run_folder, run_info::run_info};
+use crate::{
+    acquisition::{
+        AcquisitionReport, AcquisitionSettings, Bench, Ledger, OverloadPolicy, acquire,
+        panic_message,
+    },
+    archive::ResultStore,
+    config::ConfigFile,
+    pipeline::{Board, ImagePair, Observer, PairResult, Pool, PoolLinks, PoolSettings},
+    server::{ApiState, Phase, serve},
+};
+
+/// How long a frame that is due is waited for on a real bench: a few periods and readouts.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Rendering sets the pace of a simulated bench, and may take a minute for a large volume.
+const SIMULATED_PATIENCE: Duration = Duration::from_secs(120);
+/// How long open HTTP connections may delay the end.
+const SERVER_GRACE: Duration = Duration::from_secs(2);
+
+/// What a run is to do.
+#[derive(Debug, Clone)]
+pub struct DaemonPlan {
+    /// The configuration, checked.
+    pub file: ConfigFile,
+    /// Triggers to give; unbounded when absent.
+    pub shots: Option<NonZeroU64>,
+    /// What happens when shots come faster than they are processed.
+    pub overload: OverloadPolicy,
+}
+
+impl DaemonPlan {
+    fn acquisition(&self) -> anyhow::Result<AcquisitionSettings> {
+        let shot = &self.file.config.shot;
+        let schedule = PulseSchedule::plan(&TimingSettings::default(), shot.dt_us, shot.rate_hz)
+            .with_context(|| format!("{}: [shot] cannot be timed", self.file.path.display()))?;
+        let simulated = self.file.config.simulation.is_some();
+        Ok(AcquisitionSettings {
+            schedule,
+            shots: self.shots,
+            overload: self.overload,
+            patience: if simulated { SIMULATED_PATIENCE } else { PATIENCE },
+        })
+    }
+}
+
+/// A run that is listening but takes no shots yet.
+pub struct Daemon {
+    plan: DaemonPlan,
+    acquisition: AcquisitionSettings,
+    folder: PathBuf,
+    store: ResultStore,
+    listener: TcpListener,
+    address: SocketAddr,
+    state: ApiState,
+    ledger: Arc<Mutex<Ledger>>,
+    board: Arc<Board>,
+}
+
+/// How a run ended.
+#[derive(Debug, Clone)]
+pub struct DaemonReport {
+    /// Where results and ledger are.
+    pub folder: PathBuf,
+    /// What acquisition counted.
+    pub acquisition: AcquisitionReport,
+    /// The ledger, every trigger settled.
+    pub ledger: Ledger,
+}
+
+impl Daemon {
+    /// Checks the timing, makes the run's folder and binds the server's address.
+    ///
+    /// # Errors
+    ///
+    /// An impossible schedule, a folder that cannot be made, an address in use.
+    pub async fn prepare(plan: DaemonPlan) -> anyhow::Result<Self> {
+        let config = &plan.file.config;
+        let acquisition = plan.acquisition()?;
+        let address = config.server.address;
+        let listener = TcpListener::bind(address).await.with_context(|| {
+            format!("cannot listen on {address}: is another lfpiv running? See server.address")
+        })?;
+        let address = listener.local_addr().context("the server has no address")?;
+        let folder = create_run_folder(&config.output.dir)?;
+        let store = ResultStore::create(&folder, &plan.file.text)?;
+        let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
+        let board = Arc::new(Board::new());
+        let state = ApiState::new(run_info(&plan, &folder), ledger.clone(), board.clone());
+        Ok(Self { plan, acquisition, folder, store, listener, address, state, ledger, board })
+    }
+
+    /// The address that the server is bound to.
+    pub fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Where the results go.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Runs to the end. `processor` builds the tables, slowly, on a thread of its own;
+    /// `observer` sees every shot that leaves the pool.
+    ///
+    /// # Errors
+    ///
+    /// What ended the run before its time; results and ledger are on disk even then.
+    pub async fn run<P, E>(
+        self,
+        bench: Bench,
+        processor: impl FnOnce() -> anyhow::Result<P> + Send + 'static,
+        observer: Observer,
+        stop: CancellationToken,
+    ) -> anyhow::Result<DaemonReport>
+    where
+        P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
+        E: Display + 'static,
+    {
+        let stop_server = CancellationToken::new();
+        let server = serve(self.listener, self.state.clone(), stop_server.clone());
+        let server = tokio::spawn(server);
+        let links = PoolLinks {
+            ledger: self.ledger.clone(),
+            board: self.board.clone(),
+            stop: stop.clone(),
+        };
+        let work = async {
+            let process = unpanicked(tokio::task::spawn_blocking(processor)).await??;
+            let pool = Pool::new(PoolSettings::default(), process, self.store, observer, links)?;
+            self.state.set_phase(Phase::Running);
+            let queue = self.plan.file.config.pipeline.queue;
+            take_and_process(bench, self.acquisition, queue, pool, &self.ledger, &self.state, stop)
+                .await
+        };
+        let worked = work.await;
+        let written = write_ledger(&self.folder, &self.ledger.lock(), &self.board, &worked);
+        self.state.set_phase(match &worked {
+            Ok(_) => Phase::Finished,
+            Err(error) => Phase::Failed(format!("{error:#}")),
+        });
+        stop_server.cancel();
+        if tokio::time::timeout(SERVER_GRACE, server).await.is_err() {
+            tracing::warn!("a client kept its connection open; it was cut");
+        }
+        let acquisition = worked?;
+        written?;
+        let ledger = self.ledger.lock().clone();
+        Ok(DaemonReport { folder: self.folder, acquisition, ledger })
+    }
+}
+
+/// Acquisition and pool side by side until both have ended.
+async fn take_and_process<P, E>(
+    bench: Bench,
+    settings: AcquisitionSettings,
+    queue: usize,
+    pool: Pool<P>,
+    ledger: &Arc<Mutex<Ledger>>,
+    state: &ApiState,
+    stop: CancellationToken,
+) -> anyhow::Result<AcquisitionReport>
+where
+    P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
+    E: Display + 'static,
+{
+    let (sender, receiver) = mpsc::channel(queue);
+    let pool = tokio::spawn(pool.run(receiver));
+    let acquired = unpanicked(tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop)));
+    let acquired = acquired.await;
+    state.set_phase(Phase::Stopping);
+    let processed = unpanicked(pool).await;
+    let report = acquired?.context("acquisition ended before its time")?;
+    processed?.context("processing ended before its time")?;
+    Ok(report)
+}
+
+/// A task's result; its panic becomes an error.
+async fn unpanicked<T>(
+    task: impl Future<Output = Result<T, tokio::task::JoinError>>,
+) -> anyhow::Result<T> {
+    task.await.map_err(|error| match error.try_into_panic() {
+        Ok(panic) => anyhow!("a task panicked: {}", panic_message(panic.as_ref())),
+        Err(error) => anyhow!(error),
+    })
+}

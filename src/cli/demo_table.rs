@@ -1,0 +1,148 @@
+//! The table at the end of a bounded run: what was measured, how well, how fast.
+
+use std::fmt::Write;
+
+use lfpiv_sim::Flow;
+
+use crate::{
+    pipeline::{PairResult, ShotRecord, Stage, StageSeconds},
+    velocimetry::{VectorStatus, VelocityField},
+};
+
+/// One shot of the table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// How the shot ended.
+    pub stage: Stage,
+    shot: u64,
+    message: Option<String>,
+    vectors: usize,
+    valid_share: f64,
+    /// Mean |error| of the valid vectors along x, y, z; absent when none is valid.
+    error_vox: Option<[f64; 3]>,
+    seconds: StageSeconds,
+}
+
+impl Row {
+    /// A row for a shot, measured against the flow that was simulated.
+    pub fn new(record: &ShotRecord, result: Option<&PairResult>, flow: &Flow) -> Self {
+        Self {
+            stage: record.stage,
+            shot: record.shot,
+            message: record.message.clone(),
+            vectors: record.vectors.unwrap_or(0),
+            valid_share: record.valid_share.unwrap_or(0.0),
+            error_vox: result.and_then(|result| mean_error_vox(&result.field, flow)),
+            seconds: record.seconds.unwrap_or_default(),
+        }
+    }
+
+    fn line(&self) -> String {
+        if let (None, Some(message)) = (self.error_vox, &self.message) {
+            return format!("{:>4}  no result: {message}", self.shot);
+        }
+        let [x, y, z] = self.error_vox.map_or(["-"; 3].map(String::from), |error| {
+            error.map(|component| format!("{component:.3}"))
+        });
+        format!(
+            "{:>4}  {:>7}  {:>6.1} %  {x:>6} {y:>6} {z:>6}  {:>7.2} {:>12.2} {:>10.2}",
+            self.shot,
+            self.vectors,
+            100.0 * self.valid_share,
+            self.seconds.decode_s,
+            self.seconds.reconstruct_s,
+            self.seconds.correlate_s
+        )
+    }
+}
+
+/// Mean |measured − true| per component over the valid vectors, in voxels. The truth is the
+/// displacement of the particle that passes the vector's position half-way between the frames.
+fn mean_error_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]> {
+    let valid = |index: &usize| field.status[*index] == VectorStatus::Valid;
+    let (mut sum, mut count) = ([0.0; 3], 0_usize);
+    for index in (0..field.grid.len()).filter(valid) {
+        let truth_mm = flow.displacement_mm(field.grid.position_mm(index), field.dt_s);
+        for axis in 0..3 {
+            let measured_vox = f64::from(field.displacement_vox[index][axis]);
+            sum[axis] += (measured_vox - truth_mm[axis] / field.voxel_mm).abs();
+        }
+        count += 1;
+    }
+    (count > 0).then(|| sum.map(|total| total / count as f64))
+}
+
+/// Says what the figures mean.
+const NOTE: &str = "Errors are those of valid vectors against the simulated flow. Seconds are \
+wall-clock, while\nthe same cores render the next shots: `lfpiv process` measures alone.";
+
+/// The table, in order of shots.
+pub fn table(rows: &[Row]) -> String {
+    let mut sorted: Vec<&Row> = rows.iter().collect();
+    sorted.sort_by_key(|row| row.shot);
+    let mut text = String::new();
+    // Writing to a String does not fail.
+    let _ = writeln!(text, "{:>24}  {:^20}  {:^31}", "", "mean |error|, voxel", "seconds");
+    let _ = write!(
+        text,
+        "{:>4}  {:>7}  {:>8}  {:>6} {:>6} {:>6}  {:>7} {:>12} {:>10}",
+        "shot", "vectors", "valid", "x", "y", "z", "decode", "reconstruct", "correlate"
+    );
+    for row in sorted {
+        let _ = write!(text, "\n{}", row.line());
+    }
+    let _ = write!(text, "\n{NOTE}");
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use lfpiv_sim::flow::Uniform;
+
+    use super::*;
+    use crate::{pipeline::Board, velocimetry::VectorGrid};
+
+    /// Two vectors, the second invalid and far off.
+    fn result() -> PairResult {
+        PairResult {
+            field: VelocityField {
+                grid: VectorGrid { vectors: [2, 1, 1], first_mm: [0.0; 3], spacing_mm: 0.8 },
+                displacement_vox: vec![[1.5, 0.0, -0.25], [99.0; 3]],
+                status: vec![VectorStatus::Valid, VectorStatus::Invalid],
+                peak_ratio: vec![2.0; 2],
+                vorticity: vec![[0.0; 3]; 2],
+                divergence: vec![0.0; 2],
+                voxel_mm: 0.1,
+                dt_s: 1e-4,
+            },
+            seconds: StageSeconds { decode_s: 0.25, reconstruct_s: 1.5, correlate_s: 0.75 },
+            warnings: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn errors_are_taken_against_the_flow_over_valid_vectors() {
+        // 1 m/s during 100 us is 0.1 mm, one voxel.
+        let flow = Flow::Uniform(Uniform { velocity_m_s: [1.0, 0.0, 0.0] });
+        let error = mean_error_vox(&result().field, &flow).unwrap();
+        for (found, expected) in error.into_iter().zip([0.5, 0.0, 0.25]) {
+            assert!((found - expected).abs() < 1e-9, "{error:?}");
+        }
+    }
+
+    #[test]
+    fn the_table_lists_results_and_failures_in_order() {
+        let board = Board::new();
+        let flow = Flow::default();
+        let failed = Row::new(&board.failed(1, "camera 2 is dark".to_owned()), None, &flow);
+        let good = result();
+        let done = Row::new(&board.done(0, result().into()), Some(&good), &flow);
+        let text = table(&[failed, done]);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 6);
+        assert!(lines[2].contains("50.0 %") && lines[2].contains("1.500  0.000  0.250"), "{text}");
+        assert!(lines[3].ends_with("1  no result: camera 2 is dark"), "{text}");
+        let columns = lines[1].find("correlate").map(|at| at + "correlate".len());
+        assert_eq!(Some(lines[2].len()), columns, "{text}");
+    }
+}

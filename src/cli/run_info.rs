@@ -1,0 +1,39 @@
+//! What the server tells about a run's settings.
+
+use std::path::Path;
+
+use super::{daemon::DaemonPlan, solver::solver_name};
+use crate::{
+    acquisition::OverloadPolicy,
+    server::{ConfigurationSummary, RunInfo},
+};
+
+pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
+    let config = &plan.file.config;
+    RunInfo {
+        code_version: env!("CARGO_PKG_VERSION").to_owned(),
+        model: "thin-lens footprint, separable, from tables".to_owned(),
+        solver: format!(
+            "{}, voxels split by {}",
+            solver_name(config.reconstruction.solver),
+            config.reconstruction.refinement
+        ),
+        configuration: ConfigurationSummary {
+            file: plan.file.path.clone(),
+            simulated: config.simulation.is_some(),
+            cameras: (1..=config.camera.len()).map(|number| format!("cam{number}")).collect(),
+            voxels_xyz: config.volume.voxels,
+            voxel_mm: config.volume.voxel_mm,
+            window_mm: config.velocimetry.window_mm,
+            dt_us: config.shot.dt_us,
+            rate_hz: config.shot.rate_hz,
+            shots: plan.shots.map(|shots| shots.get()),
+            overload: match plan.overload {
+                OverloadPolicy::Shed => "shed".to_owned(),
+                OverloadPolicy::Wait => "wait".to_owned(),
+            },
+            queue: config.pipeline.queue,
+        },
+        results_dir: folder.to_owned(),
+    }
+}

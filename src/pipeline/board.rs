@@ -1,0 +1,212 @@
+//! What became of the shots that were handed on: shared by the pool, which writes, and the
+//! server, which reads.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+use parking_lot::Mutex;
+use serde::Serialize;
+
+use super::{PairResult, StageSeconds};
+
+/// Results kept in memory; older ones are on disk only.
+pub const RESULTS_IN_MEMORY: usize = 32;
+/// Records kept in memory: a few hours of shots.
+const RECORDS_IN_MEMORY: usize = 10_000;
+
+/// How far a shot got in the pool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stage {
+    /// A worker has it.
+    Processing,
+    /// Measured and written.
+    Done,
+    /// It gave no result; `message` says why.
+    Failed,
+    /// Measured, but not written; `message` says why.
+    WriteFailed,
+}
+
+/// One shot in the pool.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShotRecord {
+    /// Shot number.
+    pub shot: u64,
+    /// How far it got.
+    pub stage: Stage,
+    /// Why there is no result, or no file.
+    pub message: Option<String>,
+    /// What the reader of the result should know, suspect pairing included.
+    pub warnings: Vec<String>,
+    /// Number of vectors; absent without a result.
+    pub vectors: Option<usize>,
+    /// Share of vectors measured and accepted, 0 to 1; absent without a result.
+    pub valid_share: Option<f64>,
+    /// Seconds per stage; absent without a result.
+    pub seconds: Option<StageSeconds>,
+}
+
+impl ShotRecord {
+    fn new(shot: u64, stage: Stage, message: Option<String>) -> Self {
+        let (warnings, vectors, valid_share, seconds) = (Vec::new(), None, None, None);
+        Self { shot, stage, message, warnings, vectors, valid_share, seconds }
+    }
+
+    fn of_result(shot: u64, stage: Stage, message: Option<String>, result: &PairResult) -> Self {
+        Self {
+            warnings: result.warnings.clone(),
+            vectors: Some(result.field.grid.len()),
+            valid_share: Some(result.field.valid_share()),
+            seconds: Some(result.seconds),
+            ..Self::new(shot, stage, message)
+        }
+    }
+}
+
+/// How many shots are where.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct PoolCounts {
+    /// With a worker now.
+    pub processing: u64,
+    /// Measured and written.
+    pub done: u64,
+    /// Without a result.
+    pub failed: u64,
+    /// Measured, but not written.
+    pub write_failed: u64,
+}
+
+/// What is known of a shot's result.
+#[derive(Debug, Clone)]
+pub enum Lookup {
+    /// In memory.
+    Here(Arc<PairResult>),
+    /// Was in memory; it is on disk only.
+    OnDisk,
+    /// The shot has no result (yet); its record says why.
+    NoResult(ShotRecord),
+    /// The pool knows no such shot.
+    Unknown,
+}
+
+/// See the module.
+#[derive(Debug, Default)]
+pub struct Board {
+    state: Mutex<State>,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    records: BTreeMap<u64, ShotRecord>,
+    results: BTreeMap<u64, Arc<PairResult>>,
+    processing: BTreeSet<u64>,
+    counts: PoolCounts,
+    /// Highest number of a record that was forgotten.
+    forgotten: Option<u64>,
+}
+
+impl Board {
+    /// An empty board.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A worker begins with a shot.
+    pub fn processing(&self, shot: u64) {
+        let mut state = self.state.lock();
+        state.processing.insert(shot);
+        state.record(ShotRecord::new(shot, Stage::Processing, None));
+    }
+
+    /// A shot gave no result.
+    pub fn failed(&self, shot: u64, message: String) -> ShotRecord {
+        let mut state = self.state.lock();
+        state.counts.failed += 1;
+        state.finish(ShotRecord::new(shot, Stage::Failed, Some(message)))
+    }
+
+    /// A shot was measured and written.
+    pub fn done(&self, shot: u64, result: Arc<PairResult>) -> ShotRecord {
+        let mut state = self.state.lock();
+        state.counts.done += 1;
+        let record = ShotRecord::of_result(shot, Stage::Done, None, &result);
+        state.keep(shot, result);
+        state.finish(record)
+    }
+
+    /// A shot was measured, but its result could not be written.
+    pub fn write_failed(&self, shot: u64, result: Arc<PairResult>, message: String) -> ShotRecord {
+        let mut state = self.state.lock();
+        state.counts.write_failed += 1;
+        let record = ShotRecord::of_result(shot, Stage::WriteFailed, Some(message), &result);
+        state.keep(shot, result);
+        state.finish(record)
+    }
+
+    /// A shot was measured, and its result was lost on the way to disk.
+    pub fn write_lost(&self, shot: u64, message: String) -> ShotRecord {
+        let mut state = self.state.lock();
+        state.counts.write_failed += 1;
+        state.finish(ShotRecord::new(shot, Stage::WriteFailed, Some(message)))
+    }
+
+    /// How many shots are where.
+    pub fn counts(&self) -> PoolCounts {
+        let state = self.state.lock();
+        PoolCounts { processing: state.processing.len() as u64, ..state.counts }
+    }
+
+    /// Shots that workers have now.
+    pub fn in_process(&self) -> Vec<u64> {
+        self.state.lock().processing.iter().copied().collect()
+    }
+
+    /// A shot's record.
+    pub fn record(&self, shot: u64) -> Option<ShotRecord> {
+        self.state.lock().records.get(&shot).cloned()
+    }
+
+    /// The result of the highest shot number in memory.
+    pub fn latest(&self) -> Option<(u64, Arc<PairResult>)> {
+        let state = self.state.lock();
+        state.results.last_key_value().map(|(shot, result)| (*shot, result.clone()))
+    }
+
+    /// What is known of a shot's result.
+    pub fn result(&self, shot: u64) -> Lookup {
+        let state = self.state.lock();
+        match (state.results.get(&shot), state.records.get(&shot)) {
+            (Some(result), _) => Lookup::Here(result.clone()),
+            (None, Some(record)) if record.stage == Stage::Done => Lookup::OnDisk,
+            (None, Some(record)) => Lookup::NoResult(record.clone()),
+            (None, None) if state.forgotten.is_some_and(|last| shot <= last) => Lookup::OnDisk,
+            (None, None) => Lookup::Unknown,
+        }
+    }
+}
+
+impl State {
+    fn keep(&mut self, shot: u64, result: Arc<PairResult>) {
+        self.results.insert(shot, result);
+        while self.results.len() > RESULTS_IN_MEMORY {
+            self.results.pop_first();
+        }
+    }
+
+    fn record(&mut self, record: ShotRecord) {
+        self.records.insert(record.shot, record);
+        while self.records.len() > RECORDS_IN_MEMORY {
+            let oldest = self.records.pop_first().map(|(shot, _)| shot);
+            self.forgotten = self.forgotten.max(oldest);
+        }
+    }
+
+    fn finish(&mut self, record: ShotRecord) -> ShotRecord {
+        self.processing.remove(&record.shot);
+        self.record(record.clone());
+        record
+    }
+}

@@ -1,0 +1,210 @@
+//! The worker pool: shots from the queue to results on disk.
+//!
+//! One shot at a time by default: a shot's own stages run on all cores through rayon, a second
+//! shot in hand would cost some 100 MB and gain only the serial ends. Between the queue and the
+//! disk at most `workers` shots are in hand, however slow the disk is.
+//!
+//! A shot that cannot be processed, or whose worker panics, costs that shot and nothing else. Once
+//! `stop` is cancelled the shots in hand are finished and those still queued are shed.
+
+use std::{
+    fmt::Display,
+    panic::{AssertUnwindSafe, catch_unwind},
+    sync::{Arc, mpsc as std_mpsc},
+    thread::JoinHandle,
+};
+
+use parking_lot::Mutex;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use thiserror::Error;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc};
+use tokio_util::sync::CancellationToken;
+
+use super::{
+    Board, ImagePair, PairResult, ShotRecord,
+    writer::{Finished, Observer, ResultSink, Writer},
+};
+use crate::acquisition::{Ledger, LedgerError, Outcome, Shot, panic_message};
+
+/// How many workers, on how many threads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PoolSettings {
+    /// Shots processed at the same time.
+    pub workers: usize,
+    /// Threads that they share; 0 for one per core.
+    pub threads: usize,
+}
+
+impl Default for PoolSettings {
+    fn default() -> Self {
+        Self { workers: 1, threads: 0 }
+    }
+}
+
+/// Why the pool could not begin, or how it ended.
+#[derive(Debug, Error)]
+pub enum PoolError {
+    /// No worker threads.
+    #[error("no threads for the workers")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// No writer thread.
+    #[error("no thread for the writer of results")]
+    WriterThread(#[source] std::io::Error),
+    /// Closing the results panicked.
+    #[error("closing the results panicked: {0}; the last of them are not on disk")]
+    WriterPanicked(String),
+    /// The last results could not be sealed.
+    #[error("the results could not be closed: {0}")]
+    Close(String),
+}
+
+/// What the pool shares with the rest of the daemon.
+#[derive(Debug, Clone)]
+pub struct PoolLinks {
+    /// Where each shot's end is settled.
+    pub ledger: Arc<Mutex<Ledger>>,
+    /// Where records and results are shown.
+    pub board: Arc<Board>,
+    /// Cancelled when shots that wait shall not be processed any more.
+    pub stop: CancellationToken,
+}
+
+/// The pool, built and idle.
+pub struct Pool<P> {
+    process: Arc<P>,
+    threads: ThreadPool,
+    workers: usize,
+    links: PoolLinks,
+    results: std_mpsc::Sender<Finished>,
+    writer: JoinHandle<Result<(), String>>,
+}
+
+impl<P, E> Pool<P>
+where
+    P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
+    E: Display,
+{
+    /// Starts the threads. `process` turns a pair into a result, `sink` stores results, and
+    /// `observer` sees every shot that ends here, on the writer's thread.
+    ///
+    /// # Errors
+    ///
+    /// [`PoolError::Threads`], [`PoolError::WriterThread`].
+    pub fn new(
+        settings: PoolSettings,
+        process: P,
+        sink: impl ResultSink,
+        observer: Observer,
+        links: PoolLinks,
+    ) -> Result<Self, PoolError> {
+        let threads = ThreadPoolBuilder::new()
+            .num_threads(settings.threads)
+            .thread_name(|index| format!("worker {index}"))
+            .build()?;
+        let (results, inbox) = std_mpsc::channel();
+        let writer = Writer::new(sink, observer, links.clone());
+        let writer = std::thread::Builder::new()
+            .name("results".to_owned())
+            .spawn(move || writer.run(inbox))
+            .map_err(PoolError::WriterThread)?;
+        let workers = settings.workers.max(1);
+        Ok(Self { process: Arc::new(process), threads, workers, links, results, writer })
+    }
+
+    /// Processes shots until `queue` is closed and empty, then seals the results.
+    ///
+    /// # Errors
+    ///
+    /// [`PoolError::WriterPanicked`], [`PoolError::Close`].
+    pub async fn run(self, mut queue: mpsc::Receiver<Shot>) -> Result<(), PoolError> {
+        let free = Arc::new(Semaphore::new(self.workers));
+        loop {
+            // A worker first, a shot second: what no worker can take stays in the queue.
+            let Ok(worker) = free.clone().acquire_owned().await else { break };
+            let Some(shot) = queue.recv().await else { break };
+            if self.links.stop.is_cancelled() {
+                note(self.links.ledger.lock().settle_all(shot.trigger, Outcome::Shed));
+            } else {
+                self.hand_to(worker, shot);
+            }
+        }
+        drop(free.acquire_many_owned(u32::try_from(self.workers).unwrap_or(u32::MAX)).await);
+        drop(self.results);
+        let writer = self.writer;
+        let never = |error: tokio::task::JoinError| Err(Box::new(error.to_string()) as _);
+        match tokio::task::spawn_blocking(|| writer.join()).await.unwrap_or_else(never) {
+            Ok(closed) => closed.map_err(PoolError::Close),
+            Err(panic) => Err(PoolError::WriterPanicked(panic_message(panic.as_ref()))),
+        }
+    }
+
+    fn hand_to(&self, worker: OwnedSemaphorePermit, shot: Shot) {
+        let process = self.process.clone();
+        let results = self.results.clone();
+        let links = self.links.clone();
+        self.threads.spawn(move || {
+            let Shot { trigger, cameras, suspect } = shot;
+            links.board.processing(trigger);
+            let cameras = cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
+            let pair = ImagePair { cameras: cameras.collect() };
+            let result = process_guarded(process.as_ref(), &pair, suspect);
+            let finished = Finished { shot: trigger, result, worker };
+            if let Err(std_mpsc::SendError(lost)) = results.send(finished) {
+                links.write_failed(lost, "the writer of results has ended");
+            }
+        });
+    }
+}
+
+impl PoolLinks {
+    /// Nobody is left to write this one.
+    fn write_failed(&self, lost: Finished, message: &str) {
+        let shot = lost.shot;
+        match lost.result {
+            Ok(result) => self.conclude(shot, Outcome::WriteFailed, |board| {
+                board.write_failed(shot, Arc::new(result), message.to_owned())
+            }),
+            Err(reason) => {
+                self.conclude(shot, Outcome::Complete, |board| board.failed(shot, reason))
+            }
+        };
+    }
+
+    /// Ends a shot on the board and in the ledger at once: whoever holds the ledger's lock sees
+    /// both or neither.
+    pub(super) fn conclude(
+        &self,
+        shot: u64,
+        outcome: Outcome,
+        record: impl FnOnce(&Board) -> ShotRecord,
+    ) -> ShotRecord {
+        let mut ledger = self.ledger.lock();
+        let record = record(&self.board);
+        note(ledger.settle_all(shot, outcome));
+        record
+    }
+}
+
+/// A refused entry is a fault of this program: it is told, and the run goes on.
+fn note(entry: Result<(), LedgerError>) {
+    if let Err(error) = entry {
+        tracing::error!(%error, "the ledger refused an entry");
+    }
+}
+
+fn process_guarded<E: Display>(
+    process: &impl Fn(&ImagePair) -> Result<PairResult, E>,
+    pair: &ImagePair,
+    suspect: Vec<String>,
+) -> Result<PairResult, String> {
+    let processed = catch_unwind(AssertUnwindSafe(|| process(pair)));
+    let mut result = processed
+        .map_err(|panic| format!("the worker panicked: {}", panic_message(panic.as_ref())))?
+        .map_err(|error| error.to_string())?;
+    result.warnings.extend(suspect.into_iter().map(|words| format!("suspect pairing: {words}")));
+    Ok(result)
+}
+
+#[cfg(test)]
+#[path = "pool_tests.rs"]
+mod tests;

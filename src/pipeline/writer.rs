@@ -1,0 +1,107 @@
+//! The end of the pool: one thread that stores results and settles shots.
+
+use std::{
+    panic::{AssertUnwindSafe, catch_unwind},
+    sync::{Arc, mpsc::Receiver},
+};
+
+use tokio::sync::OwnedSemaphorePermit;
+
+use super::{Board, PairResult, PoolLinks, ShotRecord};
+use crate::{
+    acquisition::{Outcome, panic_message},
+    archive::{ArchiveError, ResultStore},
+};
+
+/// Where results are kept.
+pub trait ResultSink: Send + 'static {
+    /// Why a result cannot be kept.
+    type Error: std::error::Error;
+    /// Keeps the result of one shot.
+    fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), Self::Error>;
+    /// Seals what was kept.
+    fn close(self) -> Result<(), Self::Error>;
+}
+
+impl ResultSink for ResultStore {
+    type Error = ArchiveError;
+
+    fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+        Self::append(self, shot, result)
+    }
+
+    fn close(self) -> Result<(), ArchiveError> {
+        Self::close(self)
+    }
+}
+
+/// Sees every shot that ends in the pool, with its result when there is one.
+pub type Observer = Box<dyn FnMut(&ShotRecord, Option<&PairResult>) + Send>;
+
+/// A shot that a worker is done with. The worker is free again once this is written.
+pub(super) struct Finished {
+    pub shot: u64,
+    pub result: Result<PairResult, String>,
+    pub worker: OwnedSemaphorePermit,
+}
+
+pub(super) struct Writer<S> {
+    sink: S,
+    observer: Observer,
+    links: PoolLinks,
+}
+
+impl<S: ResultSink> Writer<S> {
+    pub fn new(sink: S, observer: Observer, links: PoolLinks) -> Self {
+        Self { sink, observer, links }
+    }
+
+    /// Writes until every worker is gone; the error is that of closing.
+    pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
+        for Finished { shot, result, worker } in inbox {
+            let ended = catch_unwind(AssertUnwindSafe(|| match result {
+                Ok(result) => self.write(shot, Arc::new(result)),
+                Err(message) => self.fail(shot, message),
+            }));
+            if let Err(panic) = ended {
+                self.end_after_panic(shot, &panic_message(panic.as_ref()));
+            }
+            drop(worker);
+        }
+        self.sink.close().map_err(|error| error.to_string())
+    }
+
+    /// A panic while writing costs the shot its file, not the run its conservation law.
+    fn end_after_panic(&self, shot: u64, message: &str) {
+        let message = format!("the writer panicked: {message}");
+        tracing::error!(shot, message);
+        let settled = self.links.ledger.lock().entry(shot).is_none_or(|entry| entry.is_settled());
+        if !settled {
+            self.links
+                .conclude(shot, Outcome::WriteFailed, |board| board.write_lost(shot, message));
+        }
+    }
+
+    fn write(&mut self, shot: u64, result: Arc<PairResult>) {
+        let kept = result.clone();
+        let record = match self.sink.append(shot, &result) {
+            Ok(()) => self.links.conclude(shot, Outcome::Complete, |board| board.done(shot, kept)),
+            Err(error) => {
+                tracing::error!(shot, %error, "the result is not on disk");
+                let message = error.to_string();
+                self.links.conclude(shot, Outcome::WriteFailed, |board| {
+                    board.write_failed(shot, kept, message)
+                })
+            }
+        };
+        (self.observer)(&record, Some(&result));
+    }
+
+    /// The frames were whole: what failed is the shot's processing, not the trigger.
+    fn fail(&mut self, shot: u64, message: String) {
+        tracing::error!(shot, message, "no result");
+        let conclude = |board: &Board| board.failed(shot, message);
+        let record = self.links.conclude(shot, Outcome::Complete, conclude);
+        (self.observer)(&record, None);
+    }
+}

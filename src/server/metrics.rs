@@ -1,0 +1,105 @@
+//! `/metrics`: counters and gauges in OpenMetrics text. They are read from ledger and board when
+//! asked for, so that nothing is counted twice or differs from `/api/v1/status`.
+
+use std::fmt;
+
+use axum::{
+    extract::State,
+    http::header,
+    response::{IntoResponse, Response},
+};
+use prometheus_client::{
+    collector::Collector,
+    encoding::{DescriptorEncoder, EncodeMetric, text::encode},
+    metrics::{MetricType, counter::ConstCounter, gauge::ConstGauge},
+    registry::Registry,
+};
+
+use super::{ApiError, ApiState, status::ShotCounts};
+use crate::acquisition::Outcome;
+
+const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
+
+pub(super) async fn metrics(State(state): State<ApiState>) -> Response {
+    let mut registry = Registry::with_prefix("lfpiv");
+    registry.register_collector(Box::new(Reader(state)));
+    let mut text = String::new();
+    match encode(&mut text, &registry) {
+        Ok(()) => ([(header::CONTENT_TYPE, MEDIA_TYPE)], text).into_response(),
+        Err(error) => {
+            ApiError::internal(format!("metrics cannot be written: {error}")).into_response()
+        }
+    }
+}
+
+#[derive(Debug)]
+struct Reader(ApiState);
+
+impl Collector for Reader {
+    fn encode(&self, mut encoder: DescriptorEncoder) -> Result<(), fmt::Error> {
+        self.encode_shots(&mut encoder)?;
+        self.encode_ledger(&mut encoder)?;
+        let uptime = ConstGauge::new(self.0.began.elapsed().as_secs_f64());
+        let metric = encoder.encode_descriptor(
+            "uptime_seconds",
+            "Time since the daemon started",
+            None,
+            uptime.metric_type(),
+        )?;
+        uptime.encode(metric)
+    }
+}
+
+impl Reader {
+    fn encode_shots(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
+        let counts = ShotCounts::of(&self.0);
+        let help = "Shots by where they are now";
+        let mut family = encoder.encode_descriptor("shots", help, None, MetricType::Gauge)?;
+        for (state, count) in [
+            ("awaiting_frames", counts.awaiting_frames),
+            ("queued", counts.queued),
+            ("processing", counts.processing),
+            ("done", counts.done),
+            ("failed", counts.failed),
+            ("write_failed", counts.write_failed),
+            ("shed", counts.shed),
+            ("lost", counts.lost),
+        ] {
+            let labels = [("state", state)];
+            let metric = family.encode_family(&labels)?;
+            ConstGauge::new(count as i64).encode(metric)?;
+        }
+        Ok(())
+    }
+
+    fn encode_ledger(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
+        let names = &self.0.info.configuration.cameras;
+        let accounts = self.0.ledger.lock().accounts().to_vec();
+        let help = "Triggers entered in the ledger";
+        let mut family = encoder.encode_descriptor("triggers", help, None, MetricType::Counter)?;
+        for (name, account) in names.iter().zip(&accounts) {
+            let labels = [("camera", name.as_str())];
+            let metric = family.encode_family(&labels)?;
+            ConstCounter::new(account.triggers).encode(metric)?;
+        }
+        let help = "Triggers by how they ended; with the open ones they sum to the triggers";
+        let mut family =
+            encoder.encode_descriptor("trigger_outcomes", help, None, MetricType::Counter)?;
+        for (name, account) in names.iter().zip(&accounts) {
+            for outcome in Outcome::ALL {
+                let labels = [("camera", name.as_str()), ("outcome", outcome.name())];
+                let metric = family.encode_family(&labels)?;
+                ConstCounter::new(account.outcomes.of(outcome)).encode(metric)?;
+            }
+        }
+        let help = "Triggers not settled yet";
+        let mut family =
+            encoder.encode_descriptor("triggers_open", help, None, MetricType::Gauge)?;
+        for (name, account) in names.iter().zip(&accounts) {
+            let labels = [("camera", name.as_str())];
+            let metric = family.encode_family(&labels)?;
+            ConstGauge::new(account.open as i64).encode(metric)?;
+        }
+        Ok(())
+    }
+}

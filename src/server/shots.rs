@@ -1,0 +1,132 @@
+//! `/api/v1/shots`: what became of each shot.
+
+use axum::{
+    Json,
+    extract::{Path, Query, State, rejection::QueryRejection},
+};
+use serde::{Deserialize, Serialize};
+
+use super::{ApiError, ApiState, shot_number};
+use crate::{
+    acquisition::{Outcome, TriggerEntry},
+    pipeline::{ShotRecord, Stage, StageSeconds},
+};
+
+/// Shots listed unless asked otherwise.
+const DEFAULT_LIMIT: usize = 100;
+/// Shots listed at most.
+const MAX_LIMIT: usize = 1000;
+
+/// Where a shot is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum ShotState {
+    AwaitingFrames,
+    Queued,
+    Processing,
+    Done,
+    Failed,
+    WriteFailed,
+    Shed,
+    /// Some camera did not deliver; see the outcomes.
+    Lost,
+}
+
+impl ShotState {
+    pub fn of(entry: &TriggerEntry, record: Option<&ShotRecord>) -> Self {
+        if let Some(record) = record {
+            return match record.stage {
+                Stage::Processing => Self::Processing,
+                Stage::Done => Self::Done,
+                Stage::Failed => Self::Failed,
+                Stage::WriteFailed => Self::WriteFailed,
+            };
+        }
+        match (entry.is_settled(), entry.queued) {
+            (false, false) => Self::AwaitingFrames,
+            (false, true) => Self::Queued,
+            (true, _) if entry.cameras.contains(&Some(Outcome::Shed)) => Self::Shed,
+            (true, _) => Self::Lost,
+        }
+    }
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct CameraOutcome {
+    camera: String,
+    outcome: Option<Outcome>,
+}
+
+/// One shot as clients see it.
+#[derive(Debug, Serialize)]
+pub(super) struct ShotView {
+    shot: u64,
+    state: ShotState,
+    cameras: Vec<CameraOutcome>,
+    /// Evidence that disagrees with the pairing.
+    suspect: Vec<String>,
+    message: Option<String>,
+    warnings: Vec<String>,
+    vectors: Option<usize>,
+    valid_share: Option<f64>,
+    seconds: Option<StageSeconds>,
+}
+
+impl ShotView {
+    fn new(state: &ApiState, entry: &TriggerEntry) -> Self {
+        let record = state.board.record(entry.trigger);
+        let names = &state.info.configuration.cameras;
+        let cameras = entry.cameras.iter().zip(names);
+        let cameras = cameras
+            .map(|(outcome, camera)| CameraOutcome { camera: camera.clone(), outcome: *outcome });
+        Self {
+            shot: entry.trigger,
+            state: ShotState::of(entry, record.as_ref()),
+            cameras: cameras.collect(),
+            suspect: entry.suspect.clone(),
+            message: record.as_ref().and_then(|record| record.message.clone()),
+            warnings: record.as_ref().map(|record| record.warnings.clone()).unwrap_or_default(),
+            vectors: record.as_ref().and_then(|record| record.vectors),
+            valid_share: record.as_ref().and_then(|record| record.valid_share),
+            seconds: record.as_ref().and_then(|record| record.seconds),
+        }
+    }
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct ListQuery {
+    limit: Option<usize>,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct ShotList {
+    shots: Vec<ShotView>,
+}
+
+pub(super) async fn list(
+    State(state): State<ApiState>,
+    query: Result<Query<ListQuery>, QueryRejection>,
+) -> Result<Json<ShotList>, ApiError> {
+    let Query(query) = query.map_err(|error| ApiError::bad_request(error.body_text()))?;
+    let limit = query.limit.unwrap_or(DEFAULT_LIMIT);
+    if limit > MAX_LIMIT {
+        let message = format!("limit = {limit}: allowed: 0 to {MAX_LIMIT}");
+        return Err(ApiError::bad_request(message));
+    }
+    let entries: Vec<TriggerEntry> =
+        state.ledger.lock().entries().rev().take(limit).cloned().collect();
+    let shots = entries.iter().map(|entry| ShotView::new(&state, entry)).collect();
+    Ok(Json(ShotList { shots }))
+}
+
+pub(super) async fn one(
+    State(state): State<ApiState>,
+    Path(shot): Path<String>,
+) -> Result<Json<ShotView>, ApiError> {
+    let shot = shot_number(&shot)?;
+    let entry = state.ledger.lock().entry(shot).cloned();
+    match entry {
+        Some(entry) => Ok(Json(ShotView::new(&state, &entry))),
+        None => Err(ApiError::not_found(format!("no shot {shot} is known"))),
+    }
+}

@@ -1,0 +1,181 @@
+//! Acquisition on the simulated bench: bursts, faults, and the way out.
+
+use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
+
+use lfpiv::acquisition::{
+    AcquisitionError, AcquisitionReport, AcquisitionSettings, Ledger, Outcome, OverloadPolicy,
+    Shot, acquire,
+};
+use lfpiv_hw::{PulseSchedule, TimingSettings};
+use parking_lot::Mutex;
+use tokio::sync::mpsc;
+use tokio_util::sync::CancellationToken;
+
+use crate::bench::{CallLog, Trick, bench, configuration};
+
+struct Taken {
+    ended: Result<AcquisitionReport, AcquisitionError>,
+    shots: Vec<Shot>,
+    ledger: Ledger,
+    calls: CallLog,
+}
+
+impl Taken {
+    fn outcomes(&self, trigger: u64) -> Vec<Option<Outcome>> {
+        self.ledger.entry(trigger).unwrap().cameras.clone()
+    }
+
+    fn triggers(&self) -> Vec<u64> {
+        self.shots.iter().map(|shot| shot.trigger).collect()
+    }
+
+    /// Laser off after the last burst, read back, and only then the cameras.
+    fn assert_safe_end(&self) {
+        let calls = self.calls.lock();
+        let last_fire = calls.iter().rposition(|call| call.starts_with("fire")).unwrap();
+        let after = |name: &str| calls[last_fire..].iter().position(|call| call == name).unwrap();
+        let order = [after("make safe"), after("reads back safe"), after("camera stop")];
+        assert!(order.is_sorted(), "{calls:?}");
+    }
+}
+
+fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
+    AcquisitionSettings {
+        schedule: PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap(),
+        shots: NonZeroU64::new(shots),
+        overload,
+        // Longer than a loaded machine takes to render a frame.
+        patience: Duration::from_secs(2),
+    }
+}
+
+/// Takes shots and settles every one that arrives as complete.
+async fn take(
+    settings: AcquisitionSettings,
+    tricks: &[(usize, u64, Trick)],
+    queue: usize,
+    stop: CancellationToken,
+    mut seen: impl FnMut(&Shot),
+) -> Taken {
+    let (bench, calls) = bench(&configuration(Path::new("unused")), tricks);
+    let ledger = Arc::new(Mutex::new(Ledger::new(2)));
+    let (sender, mut receiver) = mpsc::channel(queue);
+    let acquiring = tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop));
+    let mut shots = Vec::new();
+    while let Some(shot) = receiver.recv().await {
+        ledger.lock().settle_all(shot.trigger, Outcome::Complete).unwrap();
+        seen(&shot);
+        shots.push(shot);
+    }
+    let ended = acquiring.await.unwrap();
+    let ledger = ledger.lock().clone();
+    assert!(ledger.is_balanced());
+    assert!(ledger.accounts().iter().all(|account| account.open == 0), "{ledger:?}");
+    Taken { ended, shots, ledger, calls }
+}
+
+#[tokio::test]
+async fn shots_come_in_bounded_bursts_after_a_single_one() {
+    let settings = settings(8, OverloadPolicy::Wait);
+    let taken = take(settings, &[], 3, CancellationToken::new(), |_| {}).await;
+    assert_eq!(taken.triggers(), (0..8).collect::<Vec<_>>());
+    assert!(taken.shots.iter().all(|shot| shot.suspect.is_empty() && shot.cameras.len() == 2));
+    let ids = |shot: &Shot| shot.cameras.iter().flatten().map(|f| f.frame_id).collect::<Vec<_>>();
+    assert_eq!(ids(&taken.shots[3]), [6, 7, 6, 7]);
+    assert_eq!(taken.ended.as_ref().unwrap().triggers, 8);
+    taken.assert_safe_end();
+
+    let calls = taken.calls.lock().clone();
+    assert_eq!(calls[0], "make safe", "the laser is disabled before anything else");
+    let bursts: Vec<u64> =
+        calls.iter().filter_map(|call| call.strip_prefix("fire ")?.parse().ok()).collect();
+    assert_eq!((bursts[0], bursts.iter().sum::<u64>()), (1, 8));
+    assert!(bursts.iter().all(|shots| *shots <= 3), "no burst beyond the queue: {bursts:?}");
+}
+
+#[tokio::test]
+async fn lost_damaged_and_repeated_frames_are_accounted_for() {
+    // Triggers 1 to 7; frame ids are twice that.
+    let tricks = [(0, 4, Trick::Lose), (1, 7, Trick::Damage), (1, 10, Trick::Repeat)];
+    let settings = settings(8, OverloadPolicy::Shed);
+    let taken = take(settings, &tricks, 8, CancellationToken::new(), |_| {}).await;
+    assert_eq!(taken.triggers(), [0, 1, 4, 5, 6, 7]);
+    let expect = |first, second| vec![Some(first), Some(second)];
+    assert_eq!(taken.outcomes(2), expect(Outcome::MissingPackets, Outcome::Unpaired));
+    assert_eq!(taken.outcomes(3), expect(Outcome::Unpaired, Outcome::MissingPackets));
+    assert_eq!(taken.ended.as_ref().unwrap().frames.duplicate, 1);
+    taken.assert_safe_end();
+}
+
+#[tokio::test]
+async fn a_full_queue_sheds_and_the_ledger_says_so() {
+    let (bench, _) = bench(&configuration(Path::new("unused")), &[]);
+    let ledger = Arc::new(Mutex::new(Ledger::new(2)));
+    let (sender, mut receiver) = mpsc::channel(2);
+    let settings = settings(6, OverloadPolicy::Shed);
+    // Nobody takes a shot before the end.
+    acquire(bench, settings, ledger.clone(), sender, CancellationToken::new()).await.unwrap();
+    let queued = [receiver.recv().await.unwrap().trigger, receiver.recv().await.unwrap().trigger];
+    assert_eq!(queued, [0, 1]);
+    let account = ledger.lock().accounts()[0];
+    assert_eq!((account.triggers, account.open, account.outcomes.of(Outcome::Shed)), (6, 2, 4));
+}
+
+#[tokio::test]
+async fn a_lost_camera_ends_the_run_safely() {
+    for (trick, words) in [(Trick::Fail, "no heartbeat"), (Trick::Panic, "driver bug")] {
+        let settings = settings(50, OverloadPolicy::Shed);
+        let taken = take(settings, &[(1, 8, trick)], 50, CancellationToken::new(), |_| {}).await;
+        let error = taken.ended.as_ref().unwrap_err().to_string();
+        assert!(error.contains("cam2") && error.contains(words), "{error}");
+        let calls = taken.calls.lock().clone();
+        assert_eq!(calls.iter().filter(|call| *call == "camera stop").count(), 2);
+        assert_eq!(calls.last().map(String::as_str), Some("make safe"), "{calls:?}");
+        assert!(calls.contains(&"reads back safe".to_owned()));
+    }
+}
+
+#[tokio::test]
+async fn a_lost_line_to_the_synchroniser_is_an_alarm() {
+    let settings = settings(50, OverloadPolicy::Shed);
+    let tricks = [(0, 6, Trick::CutLine)];
+    let taken = take(settings, &tricks, 50, CancellationToken::new(), |_| {}).await;
+    let error = taken.ended.unwrap_err().to_string();
+    assert!(
+        error.starts_with("the laser may still fire") && error.contains("no answer"),
+        "{error}"
+    );
+    assert!(error.contains("Use the hardware interlock. Before that: unit"), "{error}");
+    let calls = taken.calls.lock();
+    let bursts = calls.iter().filter(|call| call.starts_with("fire")).count();
+    assert_eq!(bursts, 2, "no burst after the line was lost");
+}
+
+#[tokio::test]
+async fn a_silent_camera_ends_the_firing() {
+    let tricks: Vec<_> = (0..200).map(|id| (1, id, Trick::Lose)).collect();
+    let patience = Duration::from_millis(700);
+    let settings = AcquisitionSettings { patience, ..settings(50, OverloadPolicy::Shed) };
+    let taken = take(settings, &tricks, 50, CancellationToken::new(), |_| {}).await;
+    assert!(matches!(taken.ended, Err(AcquisitionError::Silent { camera: 1, triggers: 5 })));
+    assert_eq!(taken.ledger.accounts()[1].outcomes.of(Outcome::MissedTrigger), 5);
+    assert_eq!(taken.ledger.accounts()[0].outcomes.of(Outcome::Unpaired), 5);
+    taken.assert_safe_end();
+}
+
+#[tokio::test]
+async fn a_stop_ends_the_burst_and_keeps_what_was_seen() {
+    let stop = CancellationToken::new();
+    let settings = settings(50, OverloadPolicy::Shed);
+    let told = stop.clone();
+    let taken = take(settings, &[], 50, stop, |shot| {
+        if shot.trigger == 4 {
+            told.cancel();
+        }
+    })
+    .await;
+    let triggers = taken.ended.as_ref().unwrap().triggers;
+    assert!((5..20).contains(&triggers), "{triggers} triggers");
+    assert_eq!(taken.ledger.accounts()[0].outcomes.of(Outcome::Complete), triggers);
+    taken.assert_safe_end();
+}

@@ -1,0 +1,266 @@
+//! Every endpoint through a real socket.
+
+use std::{net::SocketAddr, path::PathBuf, sync::Arc};
+
+use lfpiv::{
+    acquisition::{Ledger, Outcome},
+    pipeline::{Board, ImagePair, RESULTS_IN_MEMORY},
+    server::{ApiState, ConfigurationSummary, Phase, RunInfo, serve},
+};
+use parking_lot::Mutex;
+use serde_json::Value;
+use tokio::{net::TcpListener, task::JoinHandle};
+use tokio_util::sync::CancellationToken;
+
+use crate::bench::quick_result;
+
+/// What came back.
+pub struct Answer {
+    pub status: u16,
+    pub media_type: String,
+    pub body: Vec<u8>,
+}
+
+impl Answer {
+    pub fn json(&self) -> Value {
+        assert_eq!(self.media_type, "application/json");
+        serde_json::from_slice(&self.body).unwrap()
+    }
+}
+
+/// GET, without blocking the runtime.
+pub async fn get(address: SocketAddr, path: &str, accept: Option<&str>) -> Answer {
+    let (url, accept) = (format!("http://{address}{path}"), accept.map(str::to_owned));
+    let ask = move || {
+        let agent = ureq::Agent::new_with_config(
+            ureq::Agent::config_builder().http_status_as_error(false).build(),
+        );
+        let request = agent.get(&url).header("Accept", accept.as_deref().unwrap_or("*/*"));
+        let mut response = request.call().unwrap();
+        let media_type = response.headers().get("content-type");
+        let media_type = media_type.map(|t| t.to_str().unwrap().to_owned()).unwrap_or_default();
+        let body = response.body_mut().read_to_vec().unwrap();
+        Answer { status: response.status().as_u16(), media_type, body }
+    };
+    tokio::task::spawn_blocking(ask).await.unwrap()
+}
+
+struct Server {
+    address: SocketAddr,
+    state: ApiState,
+    stop: CancellationToken,
+    task: JoinHandle<std::io::Result<()>>,
+}
+
+impl Server {
+    async fn start(ledger: Ledger, board: Board) -> Self {
+        let info = RunInfo {
+            code_version: "0.0.0".to_owned(),
+            model: "thin lens".to_owned(),
+            solver: "os-mart".to_owned(),
+            configuration: ConfigurationSummary {
+                file: PathBuf::from("bench.toml"),
+                simulated: true,
+                cameras: vec!["cam1".to_owned(), "cam2".to_owned()],
+                voxels_xyz: [3, 2, 1],
+                voxel_mm: 0.1,
+                window_mm: 1.6,
+                dt_us: 100.0,
+                rate_hz: 10.0,
+                shots: None,
+                overload: "shed".to_owned(),
+                queue: 4,
+            },
+            results_dir: PathBuf::from("/data/run-1"),
+        };
+        let state = ApiState::new(info, Arc::new(Mutex::new(ledger)), Arc::new(board));
+        state.set_phase(Phase::Running);
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let (address, stop) = (listener.local_addr().unwrap(), CancellationToken::new());
+        let task = tokio::spawn(serve(listener, state.clone(), stop.clone()));
+        Self { address, state, stop, task }
+    }
+
+    async fn get(&self, path: &str) -> Answer {
+        get(self.address, path, None).await
+    }
+
+    async fn assert_error(&self, path: &str, status: u16, words: &str) -> Value {
+        let answer = self.get(path).await;
+        assert_eq!(answer.status, status, "{path}");
+        let body = answer.json();
+        let error = body["error"].as_str().unwrap();
+        assert!(error.contains(words), "{path}: {error}");
+        body
+    }
+}
+
+/// More done shots than fit in memory, then one failed, shed, lost, processing, queued and
+/// awaiting frames each.
+async fn busy_server() -> (Server, u64) {
+    let (mut ledger, board) = (Ledger::new(2), Board::new());
+    let done = RESULTS_IN_MEMORY as u64 + 2;
+    let pair = ImagePair { cameras: Vec::new() };
+    for shot in 0..done + 6 {
+        ledger.enter(shot).unwrap();
+    }
+    for shot in 0..done {
+        ledger.queued(shot, &[]);
+        board.processing(shot);
+        board.done(shot, quick_result(&pair).into());
+        ledger.settle_all(shot, Outcome::Complete).unwrap();
+    }
+    board.failed(done, "camera 2 is dark".to_owned());
+    ledger.settle_all(done, Outcome::Complete).unwrap();
+    ledger.settle_all(done + 1, Outcome::Shed).unwrap();
+    ledger.settle(done + 2, 0, Outcome::Unpaired).unwrap();
+    ledger.settle(done + 2, 1, Outcome::MissingPackets).unwrap();
+    ledger.queued(done + 3, &["camera 1: frame b came late".to_owned()]);
+    board.processing(done + 3);
+    ledger.queued(done + 4, &[]);
+    (Server::start(ledger, board).await, done)
+}
+
+#[tokio::test]
+async fn status_counts_every_shot_once() {
+    let (server, done) = busy_server().await;
+    let status = server.get("/api/v1/status").await.json();
+    assert_eq!(status["state"], "running");
+    assert_eq!(status["stage"], format!("processing shot {}", done + 3));
+    assert_eq!(status["configuration"]["dt_us"], 100.0);
+    assert!(status["uptime_s"].as_f64().unwrap() >= 0.0);
+    let shots = &status["shots"];
+    assert_eq!(shots["triggered"], done + 6);
+    assert_eq!(shots["done"], done);
+    for state in ["failed", "shed", "lost", "processing", "queued", "awaiting_frames"] {
+        assert_eq!(shots[state], 1, "{state}: {shots}");
+    }
+    assert_eq!(status["ledger"]["balanced"], true);
+    let second = &status["ledger"]["cameras"][1];
+    assert_eq!((&second["camera"], &second["open"]), (&"cam2".into(), &3.into()));
+    assert_eq!(second["outcomes"]["missing_packets"], 1);
+}
+
+#[tokio::test]
+async fn shots_are_listed_newest_first_and_found_by_number() {
+    let (server, done) = busy_server().await;
+    let list = server.get("/api/v1/shots?limit=7").await.json();
+    let shots = list["shots"].as_array().unwrap();
+    let states: Vec<&str> = shots.iter().map(|shot| shot["state"].as_str().unwrap()).collect();
+    let expected = ["awaiting_frames", "queued", "processing", "lost", "shed", "failed", "done"];
+    assert_eq!(states, expected);
+
+    let shot = server.get(&format!("/api/v1/shots/{}", done - 1)).await.json();
+    assert_eq!((&shot["vectors"], &shot["valid_share"]), (&2.into(), &0.5.into()));
+    assert_eq!(shot["seconds"]["reconstruct_s"], 0.2);
+    assert_eq!(shot["cameras"][0]["outcome"], "complete");
+    let failed = server.get(&format!("/api/v1/shots/{done}")).await.json();
+    assert_eq!(failed["message"], "camera 2 is dark");
+    let suspect = server.get(&format!("/api/v1/shots/{}", done + 3)).await.json();
+    assert_eq!(suspect["suspect"][0], "camera 1: frame b came late");
+}
+
+#[tokio::test]
+async fn a_result_is_json_or_bytes() {
+    let (server, done) = busy_server().await;
+    let latest = server.get("/api/v1/results/latest").await.json();
+    let last = done - 1;
+    assert_eq!(latest["shot"], last);
+    assert_eq!(latest["grid"]["vectors_xyz"], serde_json::json!([2, 1, 1]));
+    // One voxel of 0.1 mm in 100 us is 1 m/s.
+    assert_eq!(latest["velocity_m_s"][0], serde_json::json!([1.0, -2.0, 0.5]));
+    assert_eq!(latest["status"], serde_json::json!(["valid", "invalid"]));
+    assert_eq!(latest["divergence_per_s"][0], 200.0);
+
+    let path = format!("/api/v1/results/{last}");
+    let by_query = server.get(&format!("{path}?format=binary")).await;
+    let by_header = get(server.address, &path, Some("application/octet-stream")).await;
+    assert_eq!(by_query.media_type, "application/octet-stream");
+    assert_eq!(by_query.body, by_header.body);
+    check_layout(&by_query.body, last);
+    assert_eq!(server.get(&path).await.json(), latest);
+}
+
+/// Reads the bytes by the documented offsets.
+fn check_layout(bytes: &[u8], shot: u64) {
+    let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let f32_at = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let f64_at = |at: usize| f64::from_le_bytes(bytes[at..at + 8].try_into().unwrap());
+    assert_eq!(&bytes[..8], b"LFPIVVF1");
+    assert_eq!(u64::from_le_bytes(bytes[8..16].try_into().unwrap()), shot);
+    assert_eq!([16, 20, 24, 28].map(u32_at), [2, 1, 1, 80]);
+    assert_eq!([32, 40, 48, 56, 64, 72].map(f64_at), [0.1, 0.2, 0.3, 0.8, 0.1, 1e-4]);
+    assert_eq!([80, 84, 88, 92].map(f32_at), [1.0, -2.0, 0.5, 0.0]);
+    assert_eq!([104, 108].map(f32_at), [2.5, 0.0]);
+    assert_eq!(bytes[112..], [0, 2]);
+}
+
+#[tokio::test]
+async fn what_is_not_there_is_said_with_the_reason() {
+    let (server, done) = busy_server().await;
+    let gone = server.assert_error("/api/v1/results/0", 410, "read it from disk").await;
+    assert_eq!(gone["results_dir"], "/data/run-1");
+    assert_eq!(gone["paraview_file"], "/data/run-1/shot_000000.vti");
+    let result = |shot: u64| format!("/api/v1/results/{shot}");
+    server.assert_error(&result(done), 404, "camera 2 is dark").await;
+    server.assert_error(&result(done + 1), 404, "shed").await;
+    server.assert_error(&result(done + 2), 404, "lost").await;
+    server.assert_error(&result(done + 3), 404, "being processed").await;
+    server.assert_error(&result(done + 4), 404, "waits for a worker").await;
+    server.assert_error(&result(done + 5), 404, "frames").await;
+    server.assert_error(&result(999), 404, "no shot 999").await;
+    server.assert_error("/api/v1/shots/999", 404, "no shot 999").await;
+    server.assert_error("/api/v1/nothing", 404, "no such endpoint").await;
+}
+
+#[tokio::test]
+async fn what_is_no_number_is_a_bad_request() {
+    let (server, _) = busy_server().await;
+    server.assert_error("/api/v1/shots/first", 400, "'first' is no shot number").await;
+    server.assert_error("/api/v1/results/-1", 400, "'-1' is no shot number").await;
+    server.assert_error("/api/v1/results/1.5", 400, "no shot number").await;
+    server.assert_error("/api/v1/shots?limit=many", 400, "limit").await;
+    server.assert_error("/api/v1/shots?limit=5000", 400, "0 to 1000").await;
+    server.assert_error("/api/v1/results/latest?format=xml", 400, "format=binary").await;
+}
+
+#[tokio::test]
+async fn without_results_latest_is_not_found() {
+    let server = Server::start(Ledger::new(2), Board::new()).await;
+    server.assert_error("/api/v1/results/latest", 404, "no shot has a result yet").await;
+    let status = server.get("/api/v1/status").await.json();
+    assert_eq!(status["stage"], "waiting for shots");
+}
+
+#[tokio::test]
+async fn metrics_and_health_follow_the_run() {
+    let (server, done) = busy_server().await;
+    let metrics = server.get("/metrics").await;
+    assert!(metrics.media_type.starts_with("application/openmetrics-text"));
+    let text = String::from_utf8(metrics.body).unwrap();
+    for line in [
+        format!("lfpiv_shots{{state=\"done\"}} {done}"),
+        "lfpiv_shots{state=\"queued\"} 1".to_owned(),
+        format!("lfpiv_triggers_total{{camera=\"cam1\"}} {}", done + 6),
+        "lfpiv_trigger_outcomes_total{camera=\"cam2\",outcome=\"missing_packets\"} 1".to_owned(),
+        "lfpiv_triggers_open{camera=\"cam2\"} 3".to_owned(),
+        "# EOF".to_owned(),
+    ] {
+        assert!(text.lines().any(|found| found == line), "{line} in\n{text}");
+    }
+    let health = server.get("/healthz").await;
+    assert_eq!((health.status, health.body.as_slice()), (200, b"ok\n".as_slice()));
+    server.state.set_phase(Phase::Failed("cam1: connection lost".to_owned()));
+    let health = server.get("/healthz").await;
+    assert_eq!(health.status, 503);
+    assert_eq!(server.get("/api/v1/status").await.json()["error"], "cam1: connection lost");
+}
+
+#[tokio::test]
+async fn the_server_ends_when_told() {
+    let server = Server::start(Ledger::new(1), Board::new()).await;
+    assert_eq!(server.get("/healthz").await.status, 200);
+    server.stop.cancel();
+    server.task.await.unwrap().unwrap();
+    assert!(std::net::TcpStream::connect(server.address).is_err());
+}
