@@ -64,6 +64,17 @@ pub enum ArchiveError {
         /// The pixel type found.
         found: String,
     },
+    /// The file holds more than one picture.
+    #[error(
+        "{} holds several pages of {size} pixels and it is not said which one is meant: save each \
+         frame of each camera as a file of its own", path.display()
+    )]
+    SeveralPages {
+        /// The file.
+        path: PathBuf,
+        /// Size of the pages.
+        size: ImageSize,
+    },
     /// The image is not as large as the sensor.
     #[error(
         "{} has {found} pixels but the configured sensor has {expected}: correct \

@@ -2,7 +2,8 @@
 
 use std::{
     fmt,
-    io::{self, Seek, Write},
+    fs::File,
+    io::{self, BufReader, Seek, Write},
     path::Path,
 };
 
@@ -12,6 +13,7 @@ use image::{
     error::{ParameterError, ParameterErrorKind::DimensionMismatch},
 };
 use lfpiv_hw::{RawImage, Sensor};
+use tiff::decoder::Decoder;
 
 use super::{ArchiveError, durable::replace};
 
@@ -63,6 +65,10 @@ pub fn read_grey_tiff(path: &Path) -> Result<RawImage, ArchiveError> {
     reader.set_format(ImageFormat::Tiff);
     let decoded = reader.decode().map_err(|source| describe_failure(path, source))?;
     let (columns, rows) = (decoded.width() as usize, decoded.height() as usize);
+    if has_second_page(path) {
+        let size = ImageSize { columns, rows };
+        return Err(ArchiveError::SeveralPages { path: path.into(), size });
+    }
     let counts = match decoded {
         DynamicImage::ImageLuma8(grey) => grey.iter().map(|count| u16::from(*count)).collect(),
         DynamicImage::ImageLuma16(grey) => grey.into_raw(),
@@ -75,6 +81,23 @@ pub fn read_grey_tiff(path: &Path) -> Result<RawImage, ArchiveError> {
         path: path.into(),
         reason: ImageError::IoError(io::Error::other(error)),
     })
+}
+
+/// Whether a readable file has a second page as large as its first. Both frames of a pair in one
+/// file would otherwise be read as the first frame twice: no motion. Thumbnails are no harm.
+fn has_second_page(path: &Path) -> bool {
+    let pages = || -> Option<bool> {
+        let mut decoder = Decoder::new(BufReader::new(File::open(path).ok()?)).ok()?;
+        let first = decoder.dimensions().ok()?;
+        while decoder.more_images() {
+            decoder.next_image().ok()?;
+            if decoder.dimensions().ok()? == first {
+                return Some(true);
+            }
+        }
+        Some(false)
+    };
+    pages().unwrap_or(false)
 }
 
 /// Writes an uncompressed grey TIFF. Counts above what `depth` holds become its maximum.
@@ -154,6 +177,25 @@ mod tests {
             assert!(message.contains("cam1_a.tif"), "{message}");
             assert!(message.contains("truncated"), "{message}");
         }
+    }
+
+    #[test]
+    fn two_frames_in_one_file_are_refused_but_not_a_thumbnail() {
+        use tiff::encoder::{TiffEncoder, colortype::Gray16};
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cam1_a.tif");
+        let write_pages = |sizes: [u32; 2]| {
+            let mut encoder = TiffEncoder::new(File::create(&path).unwrap()).unwrap();
+            for size in sizes {
+                let counts = vec![7_u16; (size * size) as usize];
+                encoder.write_image::<Gray16>(size, size, &counts).unwrap();
+            }
+        };
+        write_pages([8, 8]);
+        let message = read_grey_tiff(&path).unwrap_err().to_string();
+        assert!(message.contains("cam1_a.tif holds several pages of 8 x 8"), "{message}");
+        write_pages([8, 2]);
+        assert_eq!(read_grey_tiff(&path).unwrap().columns(), 8);
     }
 
     #[test]

@@ -1,10 +1,19 @@
-//! Runs the real binary.
+//! Configurations, and the real binary.
 
 use std::{
     ffi::OsStr,
     path::{Path, PathBuf},
     process::{Command, Output},
 };
+
+/// The configurations in `config/`.
+pub const SHIPPED: [&str; 4] = ["sim", "jet", "bench", "paper"];
+
+/// The text of a configuration in `config/`.
+pub fn shipped(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("config").join(name);
+    std::fs::read_to_string(path.with_extension("toml")).expect("shipped configuration")
+}
 
 /// What a run of `lfpiv` left behind.
 pub struct Done {
