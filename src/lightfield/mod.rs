@@ -1,11 +1,13 @@
 //! From raw images to views.
 
+mod background;
 mod layout;
 mod photometry;
 mod sampling;
 mod settings;
 
+pub use background::{Condensation, StationaryLight};
 pub use layout::{MicrolensWindow, View, ViewLayout, ViewStack};
 pub use photometry::{LightLevels, PhotometricZones};
 pub use sampling::{AxisSampling, Sample};
-pub use settings::ImageSettings;
+pub use settings::{Background, ImageSettings};

@@ -19,6 +19,17 @@ pub enum Solver {
     OsMart,
 }
 
+/// What a voxel of the model looks like to the cameras.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Footprint {
+    /// A cube that glows evenly: particles may be anywhere in it.
+    Voxel,
+    /// A point at the voxel's centre: particles known to sit on voxel centres, as in the paper's
+    /// numerical cases.
+    Point,
+}
+
 /// How a volume is reconstructed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
@@ -35,10 +46,14 @@ pub struct ReconstructionSettings {
     /// Relaxation factor μ; the solver's own default when absent.
     #[garde(inner(range(min = 0.01, max = 1.99)))]
     pub relaxation: Option<f64>,
-    /// Each voxel is split into this many along each axis once empty ones are pruned
-    /// (`os-mart` only).
+    /// How many voxels the solver uses along the edge of a voxel of the volume: particles between
+    /// the voxels of a coarse grid fit none of them, and a finer one costs time. `os-mart` starts
+    /// coarse and refines only what holds light; the other solvers use all voxels.
     #[garde(range(min = 1, max = 4))]
     pub refinement: usize,
+    /// What a voxel looks like to the cameras.
+    #[garde(skip)]
+    pub footprint: Footprint,
 }
 
 impl Default for ReconstructionSettings {
@@ -48,7 +63,8 @@ impl Default for ReconstructionSettings {
             passes: None,
             views_per_subset: None,
             relaxation: None,
-            refinement: 2,
+            refinement: 4,
+            footprint: Footprint::Voxel,
         }
     }
 }

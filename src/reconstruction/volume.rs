@@ -37,6 +37,25 @@ impl SparseVolume {
         self.grid.centre_of(self.index_of(n))
     }
 
+    /// The same light with each voxel split into `factor`³ equal parts.
+    pub fn refined(&self, factor: usize) -> Self {
+        let grid = self.grid.refined(factor);
+        let share = 1.0 / (factor * factor * factor) as f32;
+        let mut parts: Vec<(u32, f32)> = Vec::with_capacity(self.voxels.len() * factor.pow(3));
+        for (n, &light) in self.intensity.iter().enumerate() {
+            let [i, j, k] = self.index_of(n).map(|c| c * factor);
+            for c in 0..factor {
+                for b in 0..factor {
+                    let row = grid.linear([i, j + b, k + c]) as u32;
+                    parts.extend((0..factor as u32).map(|a| (row + a, light * share)));
+                }
+            }
+        }
+        parts.sort_unstable_by_key(|&(voxel, _)| voxel);
+        let (voxels, intensity) = parts.into_iter().unzip();
+        Self { grid, voxels, intensity }
+    }
+
     /// The light of this volume summed onto the voxels of a coarser or smaller grid. Light outside
     /// of `grid` is left out.
     pub fn on_grid(&self, grid: &VolumeGrid) -> DenseVolume {

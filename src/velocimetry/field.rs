@@ -77,6 +77,15 @@ impl VelocityField {
         self.voxel_mm * 1e-3 / self.dt_s
     }
 
+    /// Marks every vector invalid and sets it to zero.
+    pub fn invalidate(&mut self) {
+        self.displacement_vox.fill([0.0; 3]);
+        self.status.fill(VectorStatus::Invalid);
+        self.peak_ratio.fill(0.0);
+        self.vorticity.fill([0.0; 3]);
+        self.divergence.fill(0.0);
+    }
+
     /// Share of the vectors that were measured and accepted, 0 to 1.
     pub fn valid_share(&self) -> f64 {
         let valid = self.status.iter().filter(|s| **s == VectorStatus::Valid).count();

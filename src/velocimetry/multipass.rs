@@ -75,6 +75,11 @@ impl Interrogation {
         }
     }
 
+    /// Edges of the first and the final windows, in voxels.
+    pub fn windows_vox(&self) -> [usize; 2] {
+        [self.first_window, self.window]
+    }
+
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
         let mut field = self.at_rest();
@@ -121,12 +126,6 @@ impl Interrogation {
         pass: usize,
     ) -> Vec<Option<Peak>> {
         let first = pass == 0;
-        let smoothing = std::env::var("SM")
-            .unwrap_or("0,0,0".into())
-            .split(',')
-            .map(|s| s.parse().unwrap_or(0.0))
-            .nth(pass)
-            .unwrap_or(0.0f32);
         let render = |cloud: &PointCloud, sign: f32| {
             let shift = |at| half_shift(field, at, sign);
             let voxels = self.cloud_grid().voxels;
@@ -156,7 +155,7 @@ impl Interrogation {
                         (self.margin + n * self.step) as i64 - (GUARD * self.step) as i64 + centred
                     });
                     self.fill(correlator, workspace, &a, &b, corner, window).then(|| {
-                        correlator.correlate(workspace, smoothing);
+                        correlator.correlate(workspace);
                         highest_peak(correlator, &workspace.a, reach, &weight)
                     })?
                 },

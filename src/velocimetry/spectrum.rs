@@ -65,33 +65,16 @@ impl Correlator {
         }
     }
 
-    /// Circular cross-correlation: `a[s] = Σ_x a[x] b[x + s]`, lags modulo n, smoothed by a
-    /// Gaussian of standard deviation `smoothing_vox`.
-    pub fn correlate(&self, w: &mut Workspace, smoothing_vox: f32) {
+    /// Circular cross-correlation: `a[s] = Σ_x a[x] b[x + s]`, lags modulo n.
+    pub fn correlate(&self, w: &mut Workspace) {
         let scratch = &mut w.scratch;
         self.transform(&mut w.a, &mut w.spectrum_a, &mut w.turned, scratch);
         self.transform(&mut w.b, &mut w.spectrum_b, &mut w.turned, scratch);
         let scale = 1.0 / (self.n * self.n * self.n) as f32;
-        let low_pass = self.low_pass(smoothing_vox);
-        let (n, half) = (self.n, self.n / 2 + 1);
-        let rows = w.spectrum_a.chunks_exact_mut(n).zip(w.spectrum_b.chunks_exact(n));
-        for (row, (a, b)) in rows.enumerate() {
-            let outer = scale * low_pass[row / n % half] * low_pass[row % n];
-            for ((a, b), inner) in a.iter_mut().zip(b).zip(&low_pass) {
-                *a = a.conj() * b * (outer * inner);
-            }
+        for (a, b) in w.spectrum_a.iter_mut().zip(&w.spectrum_b) {
+            *a = a.conj() * b * scale;
         }
         self.transform_back(&mut w.spectrum_a, &mut w.a, &mut w.turned, scratch);
-    }
-
-    /// Transform of a Gaussian along one axis, exp(−(2π k σ/n)²/2), per frequency index.
-    fn low_pass(&self, sigma_vox: f32) -> Vec<f32> {
-        (0..self.n)
-            .map(|k| {
-                let frequency = k.min(self.n - k) as f32 * std::f32::consts::TAU / self.n as f32;
-                (-(frequency * sigma_vox).powi(2) / 2.0).exp()
-            })
-            .collect()
     }
 
     /// `cube` (destroyed) to its half spectrum, stored kx, ky, kz (kz fastest).
@@ -174,7 +157,7 @@ mod tests {
             let (a, b) = (cube(), cube());
             w.a.copy_from_slice(&a);
             w.b.copy_from_slice(&b);
-            correlator.correlate(&mut w, 0.0);
+            correlator.correlate(&mut w);
             let at = |x: usize, y: usize, z: usize| ((z % n) * n + y % n) * n + x % n;
             for (s, &fast) in w.a.iter().enumerate() {
                 let (sx, sy, sz) = (s % n, s / n % n, s / (n * n));
