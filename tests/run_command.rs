@@ -111,7 +111,6 @@ fn stops_cleanly_on(signal: &str) {
 
 /// The whole way, nothing replaced: rendered, reconstructed, correlated, written, tabulated.
 #[test]
-#[ignore = "until Processor::process measures"]
 fn a_bounded_run_measures_the_flow_that_was_simulated() {
     let root = tempfile::tempdir().expect("a folder");
     let results = format!("dir = \"{}\"", root.path().join("results").display());

@@ -36,6 +36,41 @@ pub struct AcquisitionReport {
 const EVENT_QUEUE: usize = 8;
 /// How far a frame interval may be off, in ns: a camera's timestamps are good to some µs.
 const FRAME_INTERVAL_TOLERANCE_NS: u64 = 20_000;
+/// Makes the synchroniser safe and reads it back: the first thing a run does, before anything
+/// that takes time. What an earlier run left behind must not fire while tables are built.
+///
+/// # Errors
+///
+/// [`AcquisitionError::NotSafe`].
+pub async fn secure(bench: Bench) -> Result<Bench, AcquisitionError> {
+    let Bench { cameras, mut synchroniser } = bench;
+    let secured = tokio::task::spawn_blocking(move || {
+        let made = synchroniser.make_safe();
+        let state = synchroniser.state();
+        (synchroniser, made, state)
+    });
+    let (synchroniser, made, state) = secured.await.map_err(|error| not_safe(error.to_string()))?;
+    confirm_safe(made, state)?;
+    Ok(Bench { cameras, synchroniser })
+}
+
+/// Safe is what is read back as safe; an error on the way there is not.
+fn confirm_safe<E: std::fmt::Display>(
+    made: Result<(), E>,
+    state: Result<SynchroniserState, E>,
+) -> Result<(), AcquisitionError> {
+    match (made, state) {
+        (Ok(()), Ok(SynchroniserState::Safe)) => Ok(()),
+        (Err(error), _) | (_, Err(error)) => Err(not_safe(error.to_string())),
+        (Ok(()), Ok(state)) => Err(not_safe(format!("it reads back {state:?}"))),
+    }
+}
+
+fn not_safe(reason: String) -> AcquisitionError {
+    tracing::error!(reason, "state unknown: use the hardware interlock");
+    AcquisitionError::NotSafe { reason, before: None }
+}
+
 /// Takes shots until `settings.shots` triggers are given or `stop` is cancelled, and sends them,
 /// paired, into `queue`. What becomes of each trigger is written to `ledger`; shots that were sent
 /// on are settled by whoever takes them from the queue.
@@ -196,13 +231,6 @@ impl Run {
     pub(super) async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
         let made = self.synchroniser.call(|unit| unit.make_safe()).await;
         let state = self.synchroniser.call(|unit| unit.state()).await;
-        let reason = match (made, state) {
-            (Ok(()), Ok(SynchroniserState::Safe)) => return Ok(()),
-            (_, Ok(SynchroniserState::Safe)) => "it answered an error, then Safe".to_owned(),
-            (_, Ok(state)) => format!("it reads back {state:?}"),
-            (_, Err(error)) => error.to_string(),
-        };
-        tracing::error!(reason, "state unknown: use the hardware interlock");
-        Err(AcquisitionError::NotSafe { reason, before: None })
+        confirm_safe(made, state)
     }
 }

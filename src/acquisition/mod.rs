@@ -18,7 +18,7 @@ mod rulings;
 mod settings;
 mod shot;
 
-pub use controller::{AcquisitionReport, Bench, acquire};
+pub use controller::{AcquisitionReport, Bench, acquire, secure};
 pub use devices::panic_message;
 pub use error::AcquisitionError;
 pub use ledger::{Ledger, LedgerError, TriggerEntry};

@@ -13,6 +13,7 @@
 use std::{
     fmt::Display,
     future::Future,
+    io,
     net::SocketAddr,
     num::NonZeroU64,
     path::{Path, PathBuf},
@@ -23,14 +24,14 @@ use std::{
 use anyhow::{Context, anyhow};
 use lfpiv_hw::{PulseSchedule, TimingSettings};
 use parking_lot::Mutex;
-use tokio::{net::TcpListener, sync::mpsc};
+use tokio::{net::TcpListener, sync::mpsc, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
 use super::{ledger_file::write_ledger, run_folder::create_run_folder, run_info::run_info};
 use crate::{
     acquisition::{
         AcquisitionReport, AcquisitionSettings, Bench, Ledger, OverloadPolicy, acquire,
-        panic_message,
+        panic_message, secure,
     },
     archive::ResultStore,
     config::ConfigFile,
@@ -153,6 +154,7 @@ impl Daemon {
             stop: stop.clone(),
         };
         let work = async {
+            let bench = secure(bench).await?;
             let process = unpanicked(tokio::task::spawn_blocking(processor)).await??;
             let pool = Pool::new(PoolSettings::default(), process, self.store, observer, links)?;
             self.state.set_phase(Phase::Running);
@@ -167,13 +169,21 @@ impl Daemon {
             Err(error) => Phase::Failed(format!("{error:#}")),
         });
         stop_server.cancel();
-        if tokio::time::timeout(SERVER_GRACE, server).await.is_err() {
-            tracing::warn!("a client kept its connection open; it was cut");
-        }
+        end_server(server).await;
         let acquisition = worked?;
         written?;
         let ledger = self.ledger.lock().clone();
         Ok(DaemonReport { folder: self.folder, acquisition, ledger })
+    }
+}
+
+/// Waits for the requests in hand, but not for a client that keeps its connection open.
+async fn end_server(mut server: JoinHandle<io::Result<()>>) {
+    match tokio::time::timeout(SERVER_GRACE, &mut server).await {
+        Ok(Ok(Ok(()))) => {}
+        Ok(Ok(Err(error))) => tracing::error!(%error, "the server ended by an error"),
+        Ok(Err(error)) => tracing::error!(%error, "the server ended by a panic"),
+        Err(_) => server.abort(),
     }
 }
 
