@@ -48,7 +48,7 @@ pub struct ReconstructionSettings {
     pub relaxation: Option<f64>,
     /// How many voxels the solver uses along the edge of a voxel of the volume: particles between
     /// the voxels of a coarse grid fit none of them, and a finer one costs time. `os-mart` starts
-    /// coarse and refines only what holds light; the other solvers use all voxels.
+    /// coarse and refines only what holds light; the other solvers work on the volume's own voxels.
     #[garde(range(min = 1, max = 4))]
     pub refinement: usize,
     /// What a voxel looks like to the cameras.

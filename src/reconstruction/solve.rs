@@ -160,7 +160,8 @@ impl Reconstructor {
 fn refinements(settings: &ReconstructionSettings) -> Vec<usize> {
     match (settings.solver, settings.refinement) {
         (Solver::OsMart, n) if n.is_multiple_of(4) => vec![n / 2, n],
-        (_, n) => vec![n],
+        (Solver::OsMart, n) => vec![n],
+        _ => vec![1],
     }
 }
 
