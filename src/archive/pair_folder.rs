@@ -8,7 +8,7 @@ use std::{
 use lfpiv_hw::RawImage;
 
 use super::{ArchiveError, FileDepth, ImageSize, grey_tiff, read_grey_tiff, write_grey_tiff};
-use crate::pipeline::ImagePair;
+use crate::lightfield::ImagePair;
 
 /// File names of frames a and b of camera `index` (from 0): `cam1_a.tif`, `cam1_b.tif`.
 pub fn image_names(index: usize) -> [String; 2] {

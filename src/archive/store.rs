@@ -20,7 +20,7 @@ use super::{
     paraview::{VtiSeries, write_vti},
     velocity_file::VelocityFile,
 };
-use crate::pipeline::PairResult;
+use crate::velocimetry::PairResult;
 
 /// How long a segment stays open: what a crash can cost of the NetCDF results.
 const SEGMENT_AGE: Duration = Duration::from_secs(60);

@@ -1,9 +1,6 @@
 //! A made-up result for the tests of this room.
 
-use crate::{
-    pipeline::{PairResult, StageSeconds},
-    velocimetry::{VectorGrid, VectorStatus, VelocityField},
-};
+use crate::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 
 /// A result whose every number can be told from the others; voxels of 0.1 mm, dt 100 µs.
 pub(super) fn result(vectors: [usize; 3]) -> PairResult {

@@ -9,10 +9,7 @@ use super::{
     ArchiveError,
     netcdf_file::{Described, NetCdfFile},
 };
-use crate::{
-    pipeline::{PairResult, StageSeconds},
-    velocimetry::{VectorGrid, VectorStatus, VelocityField},
-};
+use crate::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 
 /// A quantity that each vector has.
 type PerVector = fn(&VelocityField, usize) -> f32;

@@ -1,16 +1,8 @@
-//! What goes into the worker pool and what comes out of it.
+//! A measurement: the vectors and what it took to make them.
 
-use lfpiv_hw::RawImage;
 use serde::{Deserialize, Serialize};
 
-use crate::velocimetry::VelocityField;
-
-/// The four (or two) raw images of one shot.
-#[derive(Debug, Clone)]
-pub struct ImagePair {
-    /// Frames a and b of each camera, in the order of the configuration's cameras.
-    pub cameras: Vec<[RawImage; 2]>,
-}
+use super::VelocityField;
 
 /// Wall-clock seconds spent in each stage of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
