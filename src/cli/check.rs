@@ -4,12 +4,11 @@ use std::{fmt::Write, path::PathBuf};
 
 use anyhow::Context;
 
-use super::{output::print, solver::solver_name};
+use super::output::print;
 use crate::{
     config::{Config, ConfigFile},
     model::VolumeGrid,
     pipeline::Processor,
-    reconstruction::ReconstructionSettings,
 };
 
 /// Arguments of `lfpiv check`.
@@ -23,9 +22,10 @@ pub struct CheckArgs {
 /// Validates a configuration, sets the measurement up and prints what it will do.
 pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load(&args.config)?;
-    Processor::new(file.config.measurement())
+    let processor = Processor::new(file.config.measurement())
         .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
-    print(&format!("{} is valid.\n\n{}", args.config.display(), summary(&file.config)))
+    let (path, plan) = (args.config.display(), processor.plan());
+    print(&format!("{path} is valid.\n\n{}\n{plan}", summary(&file.config)))
 }
 
 /// What is known from the configuration alone, one line per subject.
@@ -34,9 +34,6 @@ fn summary(config: &Config) -> String {
         ("cameras", cameras(config)),
         ("field of view", field_of_view(config)),
         ("volume", volume(&config.volume)),
-        ("memory", memory(config)),
-        ("solver", solver(&config.reconstruction)),
-        ("windows", windows(config)),
         ("timing", format!("dt {} us, {} shots/s", config.shot.dt_us, config.shot.rate_hz)),
     ];
     if let Some(scene) = &config.simulation {
@@ -86,39 +83,4 @@ fn volume(grid: &VolumeGrid) -> String {
     });
     let [nx, ny, nz] = grid.voxels;
     format!("{nx} x {ny} x {nz} voxels of {} mm: x {x}, y {y}, z {z} mm", grid.voxel_mm)
-}
-
-fn memory(config: &Config) -> String {
-    let megabytes = |bytes: usize| bytes as f64 / 1e6;
-    let sensor = &config.optics.sensor;
-    let images = config.camera.len() * 2 * sensor.columns * sensor.rows * size_of::<u16>();
-    let volumes = 2 * config.volume.len() * size_of::<f32>();
-    format!(
-        "{:.0} MB for the raw images of a pair, {:.0} MB for its two dense volumes",
-        megabytes(images),
-        megabytes(volumes)
-    )
-}
-
-fn solver(settings: &ReconstructionSettings) -> String {
-    let defaulted = |value: Option<String>| value.unwrap_or_else(|| "by default".to_owned());
-    format!(
-        "{}, passes {}, views per subset {}, relaxation {}, voxels split by {}",
-        solver_name(settings.solver),
-        defaulted(settings.passes.map(|passes| passes.to_string())),
-        defaulted(settings.views_per_subset.map(|views| views.to_string())),
-        defaulted(settings.relaxation.map(|relaxation| relaxation.to_string())),
-        settings.refinement
-    )
-}
-
-fn windows(config: &Config) -> String {
-    let settings = &config.velocimetry;
-    format!(
-        "{} mm ({:.1} voxels) at {:.0} % overlap, {} passes",
-        settings.window_mm,
-        settings.window_mm / config.volume.voxel_mm,
-        settings.overlap * 100.0,
-        settings.passes
-    )
 }

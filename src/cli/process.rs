@@ -16,6 +16,7 @@ use super::{
 use crate::{
     archive::{VtiSeries, find_pair_folders, read_pair, write_velocity, write_volumes, write_vti},
     config::ConfigFile,
+    lightfield::{Background, ImagePair},
     pipeline::{PairResult, Processor},
     reconstruction::Solver,
 };
@@ -40,10 +41,14 @@ pub struct ProcessArgs {
     pub folders: Vec<PathBuf>,
 }
 
+/// With fewer pairs than this, what they have in common includes particles.
+const LEAST_BACKGROUND_PAIRS: usize = 3;
+
 /// Measures every pair; a pair that fails is reported and the others are still measured.
 pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
-    let run = Run::prepare(args)?;
+    let mut run = Run::prepare(args)?;
     let (jobs, mut failures) = jobs(&args.folders, &args.out);
+    run.learn_background(&jobs)?;
     for failure in &failures {
         tracing::error!("{failure}");
     }
@@ -96,10 +101,47 @@ impl Run {
         Ok(Self { processor, file, save_volumes: args.save_volumes })
     }
 
+    fn read(&self, folder: &Path) -> anyhow::Result<ImagePair> {
+        let config = &self.file.config;
+        Ok(read_pair(folder, config.camera.len(), (&config.optics.sensor).into())?)
+    }
+
+    /// Learns stationary light where the configuration asks for it: from its background images,
+    /// or from all the pairs. A pair that cannot be read is reported when its turn comes.
+    fn learn_background(&mut self, jobs: &[Job]) -> anyhow::Result<()> {
+        let image = &self.file.config.image;
+        match (image.background, &image.background_dir) {
+            (Background::Constant, _) => Ok(()),
+            (Background::Images, None) => bail!(
+                "image.background = \"images\" needs image.background_dir, a folder with one \
+                 background image per camera and frame, named like a pair"
+            ),
+            (Background::Images, Some(folder)) => {
+                let pair = self.read(folder).context("cannot read the background images")?;
+                Ok(self.processor.learn_background(&pair)?)
+            }
+            (Background::Minimum | Background::Mean, _) => {
+                if jobs.len() < LEAST_BACKGROUND_PAIRS {
+                    bail!(
+                        "image.background takes what {} have in common for stationary light: \
+                         at least {LEAST_BACKGROUND_PAIRS} are needed, or particles would be \
+                         removed; give more folders, or set image.background = \"constant\"",
+                        count(jobs.len(), "pair")
+                    );
+                }
+                for job in jobs {
+                    if let Ok(pair) = self.read(&job.pair) {
+                        self.processor.learn_background(&pair)?;
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+
     /// Reads, measures and stores one pair.
     fn measure(&self, job: &Job) -> anyhow::Result<PairResult> {
-        let config = &self.file.config;
-        let pair = read_pair(&job.pair, config.camera.len(), (&config.optics.sensor).into())?;
+        let pair = self.read(&job.pair)?;
         let (result, volumes) = if self.save_volumes {
             let (result, volumes) = self.processor.process_with_volumes(&pair)?;
             (result, Some(volumes))

@@ -4,28 +4,27 @@ use std::fmt;
 
 use super::Measurement;
 use crate::{
-    model::VolumeGrid,
-    reconstruction::{Footprint, Reconstructor, Solver},
+    reconstruction::{Footprint, ReconstructionSettings, Reconstructor},
     velocimetry::{Interrogation, VectorGrid},
 };
 
 /// The work that each pair will need.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The configured volume.
-    pub volume: VolumeGrid,
     /// Voxel counts of the solver's grids, coarse to fine, margins included.
     pub solver_voxels: Vec<[usize; 3]>,
     /// Views of each camera.
     pub views: Vec<usize>,
+    /// Ordered subsets in one pass over all views.
+    pub subsets: usize,
+    /// Bytes of the raw images of a pair.
+    pub image_bytes: usize,
     /// Bytes of the model's tables.
     pub table_bytes: usize,
     /// Bytes of the views of both frames.
     pub view_bytes: usize,
-    /// The solver.
-    pub solver: Solver,
-    /// What a voxel looks like.
-    pub footprint: Footprint,
+    /// Solver and its parameters.
+    pub reconstruction: ReconstructionSettings,
     /// Where the vectors will be.
     pub vectors: VectorGrid,
     /// Edges of the first and the final windows, in voxels.
@@ -42,14 +41,15 @@ impl Plan {
     ) -> Self {
         let layouts = reconstructor.layouts();
         let view_values: usize = layouts.iter().map(|l| l.views.len() * l.window.len()).sum();
+        let sensor = &measurement.optics.sensor;
         Self {
-            volume: measurement.volume.clone(),
             solver_voxels: reconstructor.grids().map(|grid| grid.voxels).collect(),
             views: layouts.iter().map(|layout| layout.views.len()).collect(),
+            subsets: reconstructor.subsets_per_pass(),
+            image_bytes: 2 * layouts.len() * sensor.columns * sensor.rows * size_of::<u16>(),
             table_bytes: reconstructor.memory_bytes(),
             view_bytes: 2 * view_values * size_of::<f32>(),
-            solver: measurement.reconstruction.solver,
-            footprint: measurement.reconstruction.footprint,
+            reconstruction: measurement.reconstruction.clone(),
             vectors: interrogation.vector_grid(),
             windows_vox: interrogation.windows_vox(),
             passes: measurement.velocimetry.passes,
@@ -58,13 +58,13 @@ impl Plan {
 
     /// Why this forward model, in one sentence.
     fn reason(&self) -> &'static str {
-        match self.footprint {
+        match self.reconstruction.footprint {
             Footprint::Voxel => {
-                "particles may be anywhere between voxel centres, so a voxel is an evenly filled \
-                 cube"
+                "a voxel is an evenly filled cube, because particles may be anywhere in it"
             }
             Footprint::Point => {
-                "the configuration says that particles sit on voxel centres, so a voxel is a point"
+                "a voxel is a point, because the configuration says that particles sit on voxel \
+                 centres"
             }
         }
     }
@@ -77,28 +77,37 @@ fn times(counts: &[usize; 3]) -> String {
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mega = |bytes: usize| bytes as f64 / 1e6;
-        writeln!(
-            f,
-            "volume       {} voxels of {} mm",
-            times(&self.volume.voxels),
-            self.volume.voxel_mm
-        )?;
         let grids: Vec<String> = self.solver_voxels.iter().map(times).collect();
-        writeln!(f, "solver grid  {} (margin included)", grids.join(" -> "))?;
-        writeln!(f, "views        {:?} per camera", self.views)?;
-        writeln!(f, "solver       {:?}", self.solver)?;
-        writeln!(f, "model        separable thin lens: {}", self.reason())?;
+        let views: Vec<String> = self.views.iter().map(usize::to_string).collect();
+        let [first, last] = self.windows_vox;
+        writeln!(f, "{:<14} {}", "solver", self.reconstruction.solver)?;
+        writeln!(f, "{:<14} {} voxels, margins included", "solver grid", grids.join(" -> "))?;
         writeln!(
             f,
-            "memory       {:.0} MB tables, {:.0} MB views",
-            mega(self.table_bytes),
-            mega(self.view_bytes)
+            "{:<14} {} per camera, {} ordered subsets in a pass",
+            "views",
+            views.join(" + "),
+            self.subsets
         )?;
-        let [first, last] = self.windows_vox;
-        writeln!(f, "windows      {first}³ voxels, then {last}³, {} passes", self.passes)?;
-        write!(
+        writeln!(f, "{:<14} separable thin lens; {}", "model", self.reason())?;
+        writeln!(
             f,
-            "vectors      {} every {} mm",
+            "{:<14} {:.0} MB raw images, {:.0} MB views, {:.0} MB tables, and what the lit voxels \
+             need",
+            "memory",
+            mega(self.image_bytes),
+            mega(self.view_bytes),
+            mega(self.table_bytes)
+        )?;
+        writeln!(
+            f,
+            "{:<14} {first}³ voxels in the first of {} passes, then {last}³",
+            "windows", self.passes
+        )?;
+        writeln!(
+            f,
+            "{:<14} {}, one every {} mm",
+            "vectors",
             times(&self.vectors.vectors),
             self.vectors.spacing_mm
         )
