@@ -3,11 +3,15 @@
 pub mod convergence;
 pub mod hull;
 pub mod os_mart;
+mod pr;
 pub mod quality;
+mod sart;
 mod settings;
 pub mod subsets;
 mod volume;
 
 pub use convergence::{ConvergenceLog, PassReport};
+pub use pr::pr_sart;
+pub use sart::{SartOptions, sart};
 pub use settings::{ReconstructionSettings, Solver};
 pub use volume::{DenseVolume, SparseVolume};
