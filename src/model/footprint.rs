@@ -5,7 +5,7 @@
 //! and 4). Over a pixel's pupil interval of width ΔU and a voxel of width h, x is the sum of two
 //! independent uniform variables of widths |a| ΔU and |b| h: a trapezoid. The share that falls on
 //! one microlens is a difference of the trapezoid's cumulative distribution, which is piecewise
-//! quadratic; [`RayMap::spread`] makes it exact. With square microlenses and pixels, a pixel's weight is the product of the two axes'
+//! quadratic; [`RayMap::spread`] makes it exact for a source without depth. With square microlenses and pixels, a pixel's weight is the product of the two axes'
 //! shares and of the share of its pupil cell that the aperture leaves open.
 
 use lfpiv_hw::Optics;

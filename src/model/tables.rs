@@ -70,12 +70,21 @@ pub struct AxisGeometry<'a> {
 }
 
 impl AxisGeometry<'_> {
-    /// The shadow of one pixel's view of a voxel on the microlens plane.
-    fn shadow(&self, map: RayMap) -> Trapezoid {
-        Trapezoid::new(
+    /// The shadow on the microlens plane of a source seen through a pixel's pupil interval, where
+    /// the pupil and the source are `slant_mm` apart along this axis (U − ξ).
+    ///
+    /// The source's depth h moves the shadow by (s_i/s²)(U − ξ) per unit of depth: a third
+    /// uniform variable. The two narrower ones are joined into one of the same variance. Without
+    /// it a voxel in focus would be sharp, and 2.3 % (L1) off where its edges meet microlenses'.
+    fn shadow(&self, map: RayMap, slant_mm: f64) -> Trapezoid {
+        let per_depth = map.position * map.position / self.optics.image_distance_mm();
+        let mut widths = [
             map.pupil.abs() * self.sampling.cell_mm,
             map.position.abs() * self.footprint_mm,
-        )
+            per_depth * slant_mm.abs() * self.footprint_mm,
+        ];
+        widths.sort_unstable_by(f64::total_cmp);
+        Trapezoid::new(widths[2], widths[1].hypot(widths[0]))
     }
 
     /// The largest share of a voxel's light in one view that `taps` microlenses can miss, and the
@@ -90,11 +99,14 @@ impl AxisGeometry<'_> {
     /// side only while that is less than a pitch: larger shares than a few percent are rough.)
     pub fn most_lost(&self, taps: usize) -> (f64, f64) {
         let pitch = self.optics.microlens.pitch_mm;
+        let last = self.positions.at(self.positions.count - 1);
+        let slant_mm = f64::from(self.sampling.reach) * self.sampling.cell_mm
+            + self.positions.first_mm.abs().max(last.abs());
         (0..self.depths.count)
             .map(|depth| {
                 let map = RayMap::at_depth(self.optics, self.depths.at(depth));
                 let phases = map.pupil.abs() * self.sampling.cell_mm;
-                let shadow = self.shadow(map);
+                let shadow = self.shadow(map, slant_mm);
                 let reach = (shadow.width() + phases) / pitch + map.spread() - 1.0;
                 let overlap = (reach - (taps as f64 - 1.0)) / 2.0 * pitch;
                 (shadow.below(overlap - shadow.width() / 2.0) / map.spread(), reach)
@@ -106,10 +118,11 @@ impl AxisGeometry<'_> {
     /// `map`, in view `k`; microlens numbers count from the start of the window.
     fn tap<const W: usize>(&self, map: RayMap, k: i32, position_mm: f64) -> Tap<W> {
         let pitch = self.optics.microlens.pitch_mm;
-        let trapezoid = self.shadow(map);
+        let pupil_mm = f64::from(k) * self.sampling.cell_mm;
+        let trapezoid = self.shadow(map, pupil_mm - position_mm);
         let spread = map.spread();
         let middle = (self.sampling.microlenses as f64 - 1.0) / 2.0;
-        let nominal = map.pupil * f64::from(k) * self.sampling.cell_mm + map.position * position_mm;
+        let nominal = map.pupil * pupil_mm + map.position * position_mm;
         let start = (nominal / pitch + middle - (W as f64 - 1.0) / 2.0).round() as i64;
         // A footprint that leaves the window keeps its true shares on what remains of it.
         let last_first = self.window.end as i64 - W as i64;
