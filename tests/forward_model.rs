@@ -57,14 +57,18 @@ fn places_mm() -> Vec<[f64; 3]> {
     [[0.0; 3], [0.537, -0.313, 0.771]].into_iter().chain((0..8).map(corner)).collect()
 }
 
-/// One camera's views of a single voxel, view after view; counts per unit of intensity.
+/// One camera's views of the grid's first voxel, view after view; counts per unit of intensity.
 fn weights(source: &dyn WeightSource, camera: usize) -> Vec<f64> {
+    weights_of(source, camera, 0)
+}
+
+fn weights_of(source: &dyn WeightSource, camera: usize, voxel: u32) -> Vec<f64> {
     let layout = &source.layouts()[camera];
     let mut all = vec![0.0; layout.views.len() * layout.window.len()];
     let mut entries = Vec::new();
     for (view, values) in all.chunks_exact_mut(layout.window.len()).enumerate() {
         entries.clear();
-        source.weights(ViewId { camera, view }, 0, &mut entries);
+        source.weights(ViewId { camera, view }, voxel, &mut entries);
         for entry in &entries {
             values[entry.pixel as usize] += f64::from(entry.weight);
         }
@@ -137,7 +141,7 @@ fn both_models_match_a_ray_traced_voxel() {
                 100.0 * q.1,
                 100.0 * dropped
             );
-            assert!(t.0 <= 0.04 && t.1.abs() <= 0.02, "tables: {t:?}");
+            assert!(t.0 <= 0.02 && t.1.abs() <= 0.01, "tables: {t:?}");
             assert!(q.0 <= 0.02 && q.1.abs() <= 0.005, "quadrature: {q:?}");
             assert!((0.0..0.15).contains(&dropped), "dropped {dropped}");
         }
@@ -155,7 +159,7 @@ fn tables_match_quadrature() {
             let reference = weights(&quadrature, camera);
             let (l1, _) = l1_and_energy(&weights(&tables, camera), &reference);
             println!("{place:?} of {edge} mm, camera {}: L1 {:.2} %", camera + 1, 100.0 * l1);
-            assert!(l1 <= 0.03, "{l1}");
+            assert!(l1 <= 0.015, "{l1}");
         }
     }
 }
@@ -180,7 +184,7 @@ fn a_voxel_without_size_matches_a_traced_point() {
                 100.0 * l1,
                 100.0 * energy
             );
-            assert!(l1 <= 0.05 && energy.abs() <= 0.02, "L1 {l1}, energy {energy}");
+            assert!(l1 <= 0.03 && energy.abs() <= 0.01, "L1 {l1}, energy {energy}");
         }
     }
 }
@@ -190,21 +194,23 @@ fn a_voxel_without_size_matches_a_traced_point() {
 fn an_oblique_camera_sees_the_voxel_in_its_place() {
     let optics = optics();
     let poses = vec![turned(0.0), turned(60.0)];
-    // Table nodes only matter in a grid: judge the corner voxel of one.
     let grid = VolumeGrid { voxels: [1, 21, 21], voxel_mm: 0.1, centre_mm: [1.0, 1.0, -2.0] };
-    let corner = grid.centre_of([0, 0, 0]);
     let tables = TableWeights::new(&optics, &poses, &grid, 0.1).unwrap();
-    let alone = voxel_at(corner.into(), 0.1);
-    let quadrature = QuadratureWeights::new(&optics, &poses, &alone, 0.1).unwrap();
-    let image = trace_box(&optics, &poses[1], corner.into(), 0.1);
-    let traced = traced_views(&image, &tables.layouts()[1], &optics);
-    let (l1, energy) = l1_and_energy(&weights(&tables, 1), &traced);
-    println!("60 degrees: tables L1 {:.2} %, energy {:+.2} %", 100.0 * l1, 100.0 * energy);
-    assert!(l1 <= 0.15 && energy.abs() <= 0.02, "L1 {l1}, energy {energy}");
-    let traced = traced_views(&image, &quadrature.layouts()[1], &optics);
-    let (l1, energy) = l1_and_energy(&weights(&quadrature, 1), &traced);
-    println!("60 degrees: quadrature L1 {:.2} %, energy {:+.2} %", 100.0 * l1, 100.0 * energy);
-    assert!(l1 <= 0.05 && energy.abs() <= 0.005, "L1 {l1}, energy {energy}");
+    for ijk in [[0, 0, 0], [0, 20, 0], [0, 7, 12]] {
+        let centre = grid.centre_of(ijk);
+        let image = trace_box(&optics, &poses[1], centre.into(), 0.1);
+        let traced = traced_views(&image, &tables.layouts()[1], &optics);
+        let (l1, energy) = l1_and_energy(&weights_of(&tables, 1, grid.linear(ijk) as u32), &traced);
+        println!("60 degrees: tables L1 {:.2} %, energy {:+.2} %", 100.0 * l1, 100.0 * energy);
+        assert!(l1 <= 0.12 && energy.abs() <= 0.02, "L1 {l1}, energy {energy}");
+
+        let alone = voxel_at(centre.into(), 0.1);
+        let quadrature = QuadratureWeights::new(&optics, &poses, &alone, 0.1).unwrap();
+        let traced = traced_views(&image, &quadrature.layouts()[1], &optics);
+        let (l1, energy) = l1_and_energy(&weights(&quadrature, 1), &traced);
+        println!("60 degrees: quadrature L1 {:.2} %, energy {:+.2} %", 100.0 * l1, 100.0 * energy);
+        assert!(l1 <= 0.03 && energy.abs() <= 0.005, "L1 {l1}, energy {energy}");
+    }
 }
 
 /// A row of voxels across the field's edge (|x| = 6.45 mm) and half a millimetre beyond it.

@@ -66,8 +66,8 @@ pub trait Projector: Send + Sync {
     fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 
     /// The brightest pixel that each voxel reaches: `out[j − range.start] = max_i image[i] / c_i`
-    /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view,
-    /// with c_i the open share of the pixel's pupil cell. Infinite, that is no evidence, for a
+    /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view
+    /// (the tables ask for that share along each axis), with c_i the open share of the pixel's pupil cell. Infinite, that is no evidence, for a
     /// voxel with such a pixel less than half open or outside the view.
     fn brightest(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 

@@ -23,17 +23,28 @@ impl<const W: usize> ThinLensProjector<'_, W> {
     }
 }
 
-/// What is left of an image from pixel `at`: taps reach beyond its end where the window is
-/// narrower than they are, with weights of 0.
-#[cold]
-fn tail(image: &[f32], at: usize) -> &[f32] {
-    image.get(at..).unwrap_or_default()
+/// The `W` values from pixel `at`, 0 beyond the image's end: taps of weight 0 reach there where
+/// the window is narrower than they are.
+fn line<const W: usize>(image: &[f32], at: usize) -> [f32; W] {
+    // The known length is what lets the loops over taps unroll.
+    match image.get(at..at + W).and_then(|line| <[f32; W]>::try_from(line).ok()) {
+        Some(line) => line,
+        None => std::array::from_fn(|n| image.get(at + n).copied().unwrap_or(0.0)),
+    }
 }
 
-/// [`tail`] to write to.
-#[cold]
-fn tail_mut(image: &mut [f32], at: usize) -> &mut [f32] {
-    image.get_mut(at..).unwrap_or_default()
+/// Adds to the values from pixel `at`; what lies beyond the image's end is dropped, see [`line`].
+fn add_line<const W: usize>(image: &mut [f32], at: usize, values: [f32; W]) {
+    let add = |pixels: &mut [f32]| {
+        for (pixel, value) in pixels.iter_mut().zip(values) {
+            *pixel += value;
+        }
+    };
+    if let Some(pixels) = image.get_mut(at..at + W) {
+        add(pixels);
+    } else if let Some(pixels) = image.get_mut(at..) {
+        add(pixels);
+    }
 }
 
 impl<const W: usize> Projector for ThinLensProjector<'_, W> {
@@ -46,13 +57,7 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
             let scaled = column.weights.map(|w| w * intensity);
             let mut at = row.first as usize * width + column.first as usize;
             for weight in row.weights {
-                let line = match image.get_mut(at..at + W) {
-                    Some(line) => line,
-                    None => tail_mut(image, at),
-                };
-                for (pixel, scaled) in line.iter_mut().zip(scaled) {
-                    *pixel += weight * scaled;
-                }
+                add_line(image, at, scaled.map(|scaled| weight * scaled));
                 at += width;
             }
         }
@@ -79,7 +84,7 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
             let mut at = row.first as usize * width + column.first as usize;
             let mut sum = 0.0;
             for weight in row.weights {
-                let line = image.get(at..at + W).unwrap_or_else(|| tail(image, at));
+                let line: [f32; W] = line(image, at);
                 let line: f32 = line.iter().zip(column.weights).map(|(&i, w)| i * w).sum();
                 sum += weight * line;
                 at += width;
@@ -106,8 +111,8 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
             let mut most: Option<f32> = None;
             for weight in row.weights {
                 if weight > SUPPORT_SHARE {
-                    let line = image.get(at..at + W).unwrap_or_else(|| tail(image, at));
-                    for (&pixel, share) in line.iter().zip(column.weights) {
+                    let line: [f32; W] = line(image, at);
+                    for (pixel, share) in line.into_iter().zip(column.weights) {
                         if share > SUPPORT_SHARE {
                             most = Some(most.unwrap_or(0.0).max(pixel));
                         }
