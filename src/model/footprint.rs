@@ -5,7 +5,7 @@
 //! and 4). Over a pixel's pupil interval of width ΔU and a voxel of width h, x is the sum of two
 //! independent uniform variables of widths |a| ΔU and |b| h: a trapezoid. The share that falls on
 //! one microlens is a difference of the trapezoid's cumulative distribution, which is piecewise
-//! quadratic. With square microlenses and pixels, a pixel's weight is the product of the two axes'
+//! quadratic; [`RayMap::spread`] makes it exact for a source without depth. With square microlenses and pixels, a pixel's weight is the product of the two axes'
 //! shares and of the share of its pupil cell that the aperture leaves open.
 
 use lfpiv_hw::Optics;
@@ -28,6 +28,19 @@ impl RayMap {
     }
 }
 
+impl RayMap {
+    /// 1 − a: how much wider a microlens is to the rays of a pixel than it stands.
+    ///
+    /// A pixel point at t = (x_s − X_c) s_i/f_m sees U = x − t, not X_c − t, where its ray meets
+    /// the microlens plane off the centre. With x = a U + b ξ,
+    /// x − X_c = (a (X_c − t) + b ξ − X_c)/(1 − a): the offset that the first order gives, over
+    /// 1 − a; and dU = dt/(1 − a). So first-order shadows are exact along one axis when microlenses
+    /// are taken 1 − a as wide and shares divided by it.
+    pub fn spread(&self) -> f64 {
+        1.0 - self.pupil
+    }
+}
+
 /// The sum of two independent uniform variables: a symmetric trapezoid around its centre.
 #[derive(Debug, Clone, Copy)]
 pub struct Trapezoid {
@@ -38,14 +51,18 @@ pub struct Trapezoid {
     wide: f64,
 }
 
+/// Sums narrower than a picometre are widened to it: a point in focus falls on one microlens, and
+/// one on a border is split evenly instead of by the rounding of its place.
+const STEP_WIDTH_MM: f64 = 1e-9;
+
 /// Below this share of the wider one, the narrower width does not change any weight.
 const POINT_WIDTH: f64 = 1e-7;
 
 impl Trapezoid {
-    /// The sum of uniform variables of these full widths.
-    pub fn new(width_a: f64, width_b: f64) -> Self {
-        let (wide, narrow) =
-            if width_a > width_b { (width_a, width_b) } else { (width_b, width_a) };
+    /// The sum of uniform variables of these full widths, in mm; both may be 0.
+    pub fn new(width_a_mm: f64, width_b_mm: f64) -> Self {
+        let wide = width_a_mm.max(width_b_mm).max(STEP_WIDTH_MM);
+        let narrow = width_a_mm.min(width_b_mm);
         let scale = if narrow > POINT_WIDTH * wide { 0.5 / (wide * narrow) } else { 0.0 };
         Self {
             half_sum: (wide + narrow) / 2.0,
@@ -55,7 +72,12 @@ impl Trapezoid {
         }
     }
 
-    /// Probability of a value below `t`.
+    /// Full width: the sum of the two, in mm.
+    pub fn width(&self) -> f64 {
+        2.0 * self.half_sum
+    }
+
+    /// Probability of a value below `t`, in mm.
     pub fn below(&self, t: f64) -> f64 {
         if self.scale == 0.0 {
             return (t / self.wide + 0.5).clamp(0.0, 1.0);
@@ -92,6 +114,16 @@ mod tests {
                 .sum::<f64>();
             let reference = shares / f64::from(n);
             prop_assert!((Trapezoid::new(a, b).below(t) - reference).abs() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn a_point_in_focus_is_a_clean_step() {
+        for width in [0.0, 1e-17, 1e-12] {
+            let step = Trapezoid::new(width, 0.0);
+            assert_eq!((step.below(-1e-6), step.below(1e-6)), (0.0, 1.0));
+            // A border met from both sides with different rounding: nothing lost or doubled.
+            assert!((step.below(1e-17) - step.below(-1e-17)).abs() < 1e-6);
         }
     }
 

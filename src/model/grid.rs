@@ -58,6 +58,14 @@ impl VolumeGrid {
         (k * self.voxels[1] + j) * self.voxels[0] + i
     }
 
+    /// Indices (i, j, k) of the voxel at position `linear` of an array stored z, y, x; inverse of
+    /// [`Self::linear`].
+    pub fn indices(&self, linear: u32) -> [usize; 3] {
+        let [nx, ny, _] = self.voxels;
+        let n = linear as usize;
+        [n % nx, n / nx % ny, n / (nx * ny)]
+    }
+
     /// The same volume with `margin` more voxels on each side.
     pub fn padded(&self, margin: usize) -> Self {
         Self { voxels: self.voxels.map(|n| n + 2 * margin), ..self.clone() }
@@ -88,5 +96,6 @@ mod tests {
         }
         assert!((grid.index_of(0, grid.coordinate_mm(0, 3.0)) - 3.0).abs() < 1e-12);
         assert_eq!(grid.linear([1, 2, 3]), 3 * 80 + 2 * 10 + 1);
+        assert_eq!(grid.indices(3 * 80 + 2 * 10 + 1), [1, 2, 3]);
     }
 }

@@ -6,17 +6,25 @@
 //! no matrix; [`ExplicitModel`] holds sparse matrices, subset by subset as the paper does, and is
 //! the reference that the tables are tested against.
 
+mod camera;
+mod explicit;
+mod explicit_projector;
 pub mod footprint;
 mod grid;
+mod quadrature;
 mod tables;
 mod thin_lens;
+mod weights;
 
 use std::ops::Range;
 
 use thiserror::Error;
 
+pub use explicit::{ExplicitModel, SubsetMatrix};
 pub use grid::VolumeGrid;
+pub use quadrature::QuadratureWeights;
 pub use thin_lens::{ThinLensModel, thin_lens_model};
+pub use weights::{TableWeights, Weight, WeightSource};
 
 use crate::lightfield::ViewLayout;
 
@@ -58,8 +66,8 @@ pub trait Projector: Send + Sync {
     fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 
     /// The brightest pixel that each voxel reaches: `out[j − range.start] = max_i image[i] / c_i`
-    /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view,
-    /// with c_i the open share of the pixel's pupil cell. Infinite, that is no evidence, for a
+    /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view
+    /// (the tables ask for that share along each axis), with c_i the open share of the pixel's pupil cell. Infinite, that is no evidence, for a
     /// voxel with such a pixel less than half open or outside the view.
     fn brightest(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 
@@ -84,8 +92,12 @@ pub enum ModelError {
     TooDeep { camera: usize, depth_mm: f64, limit_mm: f64 },
     /// A voxel's shadow is wider than the tables hold.
     #[error(
-        "camera {camera}: a voxel of {voxel_mm} mm covers {pitches:.1} microlenses at its \
-         deepest, allowed: {most}; use smaller voxels or a shallower volume"
+        "camera {camera}: a voxel's light, {footprint_mm} mm wide, reaches over {pitches:.2} \
+         microlens pitches at its deepest, allowed: {most}; use smaller voxels or a shallower \
+         volume"
     )]
-    FootprintTooWide { camera: usize, voxel_mm: f64, pitches: f64, most: usize },
+    FootprintTooWide { camera: usize, footprint_mm: f64, pitches: f64, most: usize },
+    /// The light source that a voxel stands for has no size.
+    #[error("a voxel's light of edge {footprint_mm} mm, allowed: a finite length of 0 or more")]
+    FootprintOutOfRange { footprint_mm: f64 },
 }

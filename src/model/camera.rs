@@ -1,0 +1,174 @@
+//! How one camera sees the voxel grid: where voxels lie in camera coordinates, and which
+//! microlenses their light can reach.
+
+use std::ops::Range;
+
+use lfpiv_hw::{Optics, Pose};
+use nalgebra::Vector3;
+
+use super::{
+    ModelError, VolumeGrid,
+    footprint::RayMap,
+    tables::{AxisGeometry, Nodes},
+};
+use crate::lightfield::{AxisSampling, MicrolensWindow};
+
+/// A camera that does not look along a grid axis is tabulated on nodes, and each voxel uses the
+/// nearest. Beside the grid its lateral nodes are this many times finer than the voxels: a voxel
+/// is then at most 1/32 of its edge beside its place.
+const OBLIQUE_LATERAL_NODES_PER_VOXEL: f64 = 16.0;
+
+/// Depth nodes per voxel of such a camera. A wrong depth moves the shadow far less than a wrong
+/// position: half a voxel of 0.1 mm by 0.003 mm at the edge of the bench's pupil (da/ds U).
+const OBLIQUE_DEPTH_NODES_PER_VOXEL: f64 = 1.0;
+
+/// How one camera sees the grid.
+#[derive(Debug, Clone)]
+pub struct CameraView {
+    /// The microlenses that light from the grid can reach.
+    pub window: MicrolensWindow,
+    /// Along `right`.
+    pub xi: CameraAxis,
+    /// Along `up`.
+    pub eta: CameraAxis,
+    /// Along `axis`.
+    pub depth: CameraAxis,
+}
+
+/// One camera coordinate of the voxels: `at_origin + Σ per_index[a]·index[a]`, and its table nodes.
+#[derive(Debug, Clone)]
+pub struct CameraAxis {
+    at_origin_mm: f64,
+    per_index_mm: [f64; 3],
+    /// The coordinates that are tabulated.
+    pub nodes: Nodes,
+}
+
+impl CameraAxis {
+    fn new(
+        direction: &Vector3<f64>,
+        pose: &Pose,
+        grid: &VolumeGrid,
+        oblique_nodes_per_voxel: f64,
+    ) -> Self {
+        let first = grid.centre_of([0, 0, 0]).coords - pose.origin_mm;
+        let at_origin_mm = first.dot(direction);
+        let per_index_mm: [f64; 3] = std::array::from_fn(|a| direction[a] * grid.voxel_mm);
+        let along = (0..3).find(|&a| (direction[a].abs() - 1.0).abs() < 1e-9);
+        let nodes = match along {
+            Some(a) => {
+                Nodes { first_mm: at_origin_mm, step_mm: per_index_mm[a], count: grid.voxels[a] }
+            }
+            None => {
+                let reach = |sign: f64| -> f64 {
+                    (0..3)
+                        .map(|a| (sign * per_index_mm[a]).max(0.0) * (grid.voxels[a] - 1) as f64)
+                        .sum()
+                };
+                let step_mm = grid.voxel_mm / oblique_nodes_per_voxel;
+                let count = ((reach(1.0) + reach(-1.0)) / step_mm).ceil() as usize + 1;
+                Nodes { first_mm: at_origin_mm - reach(-1.0), step_mm, count }
+            }
+        };
+        Self { at_origin_mm, per_index_mm, nodes }
+    }
+
+    /// Lowest and highest coordinate of a voxel's centre, in mm.
+    fn range_mm(&self) -> (f64, f64) {
+        let (a, b) = (self.nodes.at(0), self.nodes.at(self.nodes.count - 1));
+        (a.min(b), a.max(b))
+    }
+
+    /// How far a voxel reaches from its centre, in mm.
+    fn half_voxel_mm(&self) -> f64 {
+        self.per_index_mm.iter().map(|step| step.abs()).sum::<f64>() / 2.0
+    }
+
+    /// Coordinate of the centre of voxel (i, j, k), in mm.
+    pub fn coordinate_mm(&self, ijk: [usize; 3]) -> f64 {
+        self.at_origin_mm + (0..3).map(|a| self.per_index_mm[a] * ijk[a] as f64).sum::<f64>()
+    }
+
+    /// The node nearest to voxel (i, j, k).
+    pub fn node_of(&self, ijk: [usize; 3]) -> usize {
+        self.nodes.nearest(self.coordinate_mm(ijk))
+    }
+}
+
+impl CameraView {
+    /// The view of camera `camera` (counted from 0). Errors when it does not see the grid or the
+    /// grid reaches its lens.
+    pub fn new(
+        optics: &Optics,
+        pose: &Pose,
+        grid: &VolumeGrid,
+        camera: usize,
+    ) -> Result<Self, ModelError> {
+        let axis = |direction, nodes| CameraAxis::new(direction, pose, grid, nodes);
+        let xi = axis(&pose.right, OBLIQUE_LATERAL_NODES_PER_VOXEL);
+        let eta = axis(&pose.up, OBLIQUE_LATERAL_NODES_PER_VOXEL);
+        let depth = axis(&pose.axis, OBLIQUE_DEPTH_NODES_PER_VOXEL);
+        let camera = camera + 1;
+        let (_, nearest_mm) = depth.range_mm();
+        let limit_mm = optics.object_distance_mm - optics.focal_length_mm;
+        if nearest_mm >= limit_mm {
+            return Err(ModelError::TooDeep { camera, depth_mm: nearest_mm, limit_mm });
+        }
+        let columns = seen_microlenses(optics, &xi, &depth, optics.microlens.columns);
+        let rows = seen_microlenses(optics, &eta, &depth, optics.microlens.rows);
+        match (columns, rows) {
+            (Some(columns), Some(rows)) => {
+                Ok(Self { window: MicrolensWindow { columns, rows }, xi, eta, depth })
+            }
+            _ => Err(ModelError::VolumeOutOfView { camera }),
+        }
+    }
+
+    /// What the tables along the sensor's columns and rows are made from, for light sources of
+    /// edge `footprint_mm`.
+    pub fn geometries<'a>(
+        &self,
+        optics: &'a Optics,
+        columns: &'a AxisSampling,
+        rows: &'a AxisSampling,
+        footprint_mm: f64,
+    ) -> [AxisGeometry<'a>; 2] {
+        let axis = |sampling, window: &Range<usize>, lateral: &CameraAxis| AxisGeometry {
+            optics,
+            sampling,
+            window: window.clone(),
+            positions: lateral.nodes,
+            depths: self.depth.nodes,
+            footprint_mm,
+        };
+        [axis(columns, &self.window.columns, &self.xi), axis(rows, &self.window.rows, &self.eta)]
+    }
+}
+
+/// The microlenses that light from the grid can reach along one axis.
+fn seen_microlenses(
+    optics: &Optics,
+    lateral: &CameraAxis,
+    depth: &CameraAxis,
+    microlenses: usize,
+) -> Option<Range<usize>> {
+    let (low, high) = lateral.range_mm();
+    let (far, near) = depth.range_mm();
+    let radius = optics.pupil_diameter_mm() / 2.0;
+    let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
+    for d in [far - depth.half_voxel_mm(), near + depth.half_voxel_mm()] {
+        let map = RayMap::at_depth(optics, d);
+        let blur = map.pupil.abs() * radius;
+        for position in [low - lateral.half_voxel_mm(), high + lateral.half_voxel_mm()] {
+            let x = map.position * position;
+            first = first.min(x - blur);
+            last = last.max(x + blur);
+        }
+    }
+    let index = |x: f64| (x / optics.microlens.pitch_mm + (microlenses as f64 - 1.0) / 2.0).round();
+    let (first, last) = (index(first), index(last));
+    if last < 0.0 || first >= microlenses as f64 {
+        return None;
+    }
+    Some(first.max(0.0) as usize..(last as usize + 1).min(microlenses))
+}

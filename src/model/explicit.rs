@@ -1,0 +1,234 @@
+//! The explicit sparse weight matrix, one ordered subset at a time.
+//!
+//! This is the paper's way (Zhu et al. 2023, figure 6): the matrix of one subset of views is
+//! loaded, used and dropped before the next, so that memory holds one subset's entries and not
+//! the whole matrix's. It is the reference for the tables, and bounded by memory where they are
+//! not.
+//!
+//! Rows are pixels (views in the order of the subset, each row-major over its microlens window),
+//! columns are voxels. Storage is CSC: weights are made voxel by voxel, so columns are appended
+//! where CSR would need a second copy to transpose; a voxel's pixels, which back projection,
+//! `brightest` and `retain` ask for, lie side by side; and a subset has far fewer pixels than the
+//! volume voxels, so the partial sums of forward projection are partial images, not volumes.
+//! sprs multiplies sparse matrices by sparse ones only on several threads; products with dense
+//! vectors here run over the rows of the transpose (that is what CSC stores) with rayon. They add
+//! in an order that does not depend on the number of threads.
+
+use rayon::prelude::*;
+use sprs::CsMatI;
+
+use super::{
+    ForwardModel, Projector, ViewId, VolumeGrid, explicit_projector::ExplicitProjector,
+    weights::WeightSource,
+};
+use crate::lightfield::ViewLayout;
+
+/// Entries indexed by 32 bits, columns by the machine's word: 8 bytes per entry.
+pub(super) type Columns<N> = CsMatI<N, u32, usize>;
+
+/// Partial images that forward projection adds up. Fixed, so that rounding is, too.
+const PARTS: usize = 16;
+
+/// Voxels whose columns are made as one task.
+const COLUMNS_PER_TASK: usize = 256;
+
+/// The recipe of the whole weight matrix, from which subsets are loaded.
+///
+/// As a [`ForwardModel`] its projectors hold the entries of all views for their active voxels:
+/// for small volumes only, so that every solver can run on it.
+pub struct ExplicitModel {
+    source: Box<dyn WeightSource>,
+}
+
+impl ExplicitModel {
+    /// A matrix of these weights.
+    pub fn new(source: impl WeightSource + 'static) -> Self {
+        Self { source: Box::new(source) }
+    }
+
+    /// Every view of every camera, camera by camera.
+    pub fn views(&self) -> Vec<ViewId> {
+        let of_camera = |(camera, layout): (usize, &ViewLayout)| {
+            (0..layout.views.len()).map(move |view| ViewId { camera, view }).collect::<Vec<_>>()
+        };
+        self.layouts().iter().enumerate().flat_map(of_camera).collect()
+    }
+
+    /// Builds the matrix of a subset of views, for all voxels of the grid.
+    ///
+    /// Panics when a view does not exist or the subset has 2^32 pixels or more.
+    pub fn load(&self, subset: &[ViewId]) -> SubsetMatrix {
+        let (firsts, rows) = self.first_rows(subset);
+        let matrix = assemble(rows, self.grid().len(), |voxel, indices, data| {
+            let mut weights = Vec::new();
+            for (&view, &first) in subset.iter().zip(&firsts) {
+                weights.clear();
+                self.source.weights(view, voxel as u32, &mut weights);
+                for w in weights.iter().filter(|w| w.weight > 0.0) {
+                    indices.push(first + w.pixel);
+                    data.push(w.weight);
+                }
+            }
+        });
+        SubsetMatrix { matrix }
+    }
+
+    /// Bytes that [`Self::load`] of these views would hold, counted without holding them; of
+    /// [`Self::views`], the bytes of the full matrix.
+    pub fn matrix_bytes(&self, views: &[ViewId]) -> usize {
+        let voxels = self.grid().len();
+        let entries: usize = (0..voxels as u32)
+            .into_par_iter()
+            .map_init(Vec::new, |weights, voxel| {
+                weights.clear();
+                for &view in views {
+                    self.source.weights(view, voxel, weights);
+                }
+                weights.iter().filter(|w| w.weight > 0.0).count()
+            })
+            .sum();
+        bytes::<f32>(entries, voxels)
+    }
+
+    /// The first row of each view of a subset, and the number of rows.
+    fn first_rows(&self, subset: &[ViewId]) -> (Vec<u32>, usize) {
+        let mut rows = 0;
+        let first = |view: &ViewId| {
+            let first = rows;
+            rows += self.layouts()[view.camera].window.len();
+            first as u32
+        };
+        let firsts = subset.iter().map(first).collect();
+        assert!(u32::try_from(rows).is_ok(), "{rows} pixels in one subset of views");
+        (firsts, rows)
+    }
+}
+
+impl ForwardModel for ExplicitModel {
+    fn grid(&self) -> &VolumeGrid {
+        self.source.grid()
+    }
+
+    fn layouts(&self) -> &[ViewLayout] {
+        self.source.layouts()
+    }
+
+    fn projector(&self, voxels: &[u32]) -> Box<dyn Projector + '_> {
+        Box::new(ExplicitProjector::new(self.source.as_ref(), voxels))
+    }
+
+    /// Bytes of the recipe; matrices count for themselves.
+    fn memory_bytes(&self) -> usize {
+        self.source.memory_bytes()
+    }
+}
+
+/// The weight matrix of one subset of views.
+#[derive(Debug)]
+pub struct SubsetMatrix {
+    matrix: Columns<f32>,
+}
+
+impl SubsetMatrix {
+    /// The matrix itself: rows are pixels, columns voxels; CSC.
+    pub fn matrix(&self) -> &CsMatI<f32, u32, usize> {
+        &self.matrix
+    }
+
+    /// Bytes held.
+    pub fn memory_bytes(&self) -> usize {
+        bytes::<f32>(self.matrix.nnz(), self.matrix.cols())
+    }
+
+    /// `images = A volume`. `volume` has one value per voxel of the grid, z, y, x; `images` the
+    /// subset's views one after another. Overwrites `images`.
+    ///
+    /// Panics when a length is wrong.
+    pub fn project(&self, volume: &[f32], images: &mut [f32]) {
+        assert_eq!((images.len(), volume.len()), self.matrix.shape());
+        let per_part = volume.len().div_ceil(PARTS).max(1);
+        let parts: Vec<Vec<f32>> = volume
+            .par_chunks(per_part)
+            .enumerate()
+            .map(|(part, intensities)| {
+                let mut image = vec![0.0; images.len()];
+                for (n, &intensity) in intensities.iter().enumerate() {
+                    add_column(&self.matrix, part * per_part + n, intensity, &mut image);
+                }
+                image
+            })
+            .collect();
+        images.par_iter_mut().enumerate().for_each(|(pixel, sum)| {
+            *sum = parts.iter().map(|part| part[pixel]).sum();
+        });
+    }
+
+    /// `volume = Aᵀ images`. Overwrites `volume`.
+    ///
+    /// Panics when a length is wrong.
+    pub fn back_project(&self, images: &[f32], volume: &mut [f32]) {
+        assert_eq!((images.len(), volume.len()), self.matrix.shape());
+        volume.par_iter_mut().enumerate().for_each(|(voxel, sum)| {
+            *sum = column_sum(&self.matrix, voxel, images);
+        });
+    }
+}
+
+fn bytes<N>(entries: usize, columns: usize) -> usize {
+    entries * (size_of::<u32>() + size_of::<N>()) + (columns + 1) * size_of::<usize>()
+}
+
+/// The row indices and values of a column.
+pub(super) fn column<N>(matrix: &Columns<N>, index: usize) -> (&[u32], &[N]) {
+    let range = matrix.indptr().outer_inds_sz(index);
+    (&matrix.indices()[range.clone()], &matrix.data()[range])
+}
+
+/// `image += intensity · column`.
+pub(super) fn add_column(matrix: &Columns<f32>, index: usize, intensity: f32, image: &mut [f32]) {
+    let (pixels, weights) = column(matrix, index);
+    for (&pixel, weight) in pixels.iter().zip(weights) {
+        image[pixel as usize] += weight * intensity;
+    }
+}
+
+/// The scalar product of a column with an image.
+pub(super) fn column_sum(matrix: &Columns<f32>, index: usize, image: &[f32]) -> f32 {
+    let (pixels, weights) = column(matrix, index);
+    pixels.iter().zip(weights).map(|(&pixel, weight)| weight * image[pixel as usize]).sum()
+}
+
+/// A matrix whose column `n` is what `append(n, indices, data)` adds, in ascending order of rows.
+pub(super) fn assemble<N: Send>(
+    rows: usize,
+    columns: usize,
+    append: impl Fn(usize, &mut Vec<u32>, &mut Vec<N>) + Sync,
+) -> Columns<N> {
+    let tasks: Vec<(Vec<usize>, Vec<u32>, Vec<N>)> = (0..columns.div_ceil(COLUMNS_PER_TASK))
+        .into_par_iter()
+        .map(|task| {
+            let first = task * COLUMNS_PER_TASK;
+            let (mut ends, mut indices, mut data) = (Vec::new(), Vec::new(), Vec::new());
+            for n in first..(first + COLUMNS_PER_TASK).min(columns) {
+                append(n, &mut indices, &mut data);
+                ends.push(indices.len());
+            }
+            (ends, indices, data)
+        })
+        .collect();
+    let entries = tasks.iter().map(|(_, indices, _)| indices.len()).sum();
+    let mut starts = Vec::with_capacity(columns + 1);
+    starts.push(0);
+    let (mut indices, mut data) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
+    // Each task's share is dropped once copied: the peak stays near one copy.
+    for (ends, more_indices, more_data) in tasks {
+        let first = indices.len();
+        starts.extend(ends.iter().map(|end| first + end));
+        indices.extend(more_indices);
+        data.extend(more_data);
+    }
+    CsMatI::new_csc((rows, columns), starts, indices, data)
+}
+
+#[cfg(test)]
+mod tests;
