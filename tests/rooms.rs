@@ -1,4 +1,5 @@
 //! The house rule: a room imports only from floors below it.
+#![allow(clippy::unwrap_used)]
 
 use std::{fs, path::Path};
 

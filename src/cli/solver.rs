@@ -9,8 +9,7 @@ use crate::reconstruction::Solver;
 
 /// A solver's name.
 pub fn solver_name(solver: Solver) -> String {
-    let value = toml::Value::try_from(solver).ok();
-    value.as_ref().and_then(toml::Value::as_str).unwrap_or_default().to_owned()
+    solver.to_string()
 }
 
 /// The solver of this name, or a message that lists all names.

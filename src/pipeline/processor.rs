@@ -163,7 +163,8 @@ impl Processor {
 
         let started = Instant::now();
         let solve = |frame: &Frame| self.reconstructor.reconstruct(&frame.views, &frame.levels);
-        let (volume_a, volume_b) = rayon::join(|| solve(&a), || solve(&b));
+        let (solved_a, solved_b) = rayon::join(|| solve(&a), || solve(&b));
+        let (volume_a, volume_b) = (solved_a.volume, solved_b.volume);
         let reconstruct_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();

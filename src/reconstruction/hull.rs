@@ -21,10 +21,10 @@ const SLAB_VOXELS: usize = 60_000;
 const VIEWS_PER_CLEARANCE: usize = 6;
 
 /// Share of the views that may find a lit voxel dark by noise.
-const NOISE_SHARE: f32 = 0.04;
+const NOISE_SHARE: f32 = 0.03;
 
 /// Dark views that are always forgiven.
-const FORGIVEN: f32 = 2.0;
+const FORGIVEN: f32 = 1.0;
 
 /// The voxels of the model's grid that may hold light, each with the light that its dimmest view
 /// allows, in counts. `dark_below` is, per camera, the count under which a pixel is dark. `order`

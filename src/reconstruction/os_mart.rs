@@ -38,8 +38,19 @@ const SUBSETS_PER_CLEARANCE: usize = 8;
 /// Voxels that one task updates.
 const VOXELS_PER_TASK: usize = 4096;
 
+/// One view, measured against projected.
+struct Compared {
+    /// (I + β)/(p + β) − 1 per pixel.
+    excess: Vec<f32>,
+    /// Σ (I − p)².
+    missed: f64,
+    /// Σ I².
+    seen: f64,
+}
+
 impl OsMart {
-    /// One pass over all views in `order`. The result does not depend on the number of threads.
+    /// One pass over all views in `order`; returns the relative residual ‖I − p‖ / ‖I‖ that the
+    /// pass met, each view's before its own update. Neither depends on the number of threads.
     pub fn pass(
         &self,
         model: &dyn ForwardModel,
@@ -47,36 +58,43 @@ impl OsMart {
         order: &[ViewId],
         volume: &mut SparseVolume,
         projector: &mut dyn Projector,
-    ) {
+    ) -> f64 {
+        let (mut missed, mut seen) = (0.0, 0.0);
         for (n, subset) in order.chunks(self.views_per_subset.max(1)).enumerate() {
-            let excess = self.excess(model, views, subset, volume, projector);
-            self.update(subset, &excess, volume, projector);
+            let compared = self.compare(model, views, subset, volume, projector);
+            missed += compared.iter().map(|view| view.missed).sum::<f64>();
+            seen += compared.iter().map(|view| view.seen).sum::<f64>();
+            self.update(subset, &compared, volume, projector);
             if (n + 1).is_multiple_of(SUBSETS_PER_CLEARANCE) {
                 self.clear_dim_voxels(volume, projector);
             }
         }
         self.clear_dim_voxels(volume, projector);
+        if seen > 0.0 { (missed / seen).sqrt() } else { 0.0 }
     }
 
-    /// (I + β)/(p + β) − 1 in every pixel of every view of the subset.
-    fn excess(
+    /// Measured against projected light in every view of the subset.
+    fn compare(
         &self,
         model: &dyn ForwardModel,
         views: &[ViewStack],
         subset: &[ViewId],
         volume: &SparseVolume,
         projector: &dyn Projector,
-    ) -> Vec<Vec<f32>> {
+    ) -> Vec<Compared> {
         subset
             .par_iter()
             .map(|&id| {
                 let mut image = vec![0.0; model.layouts()[id.camera].window.len()];
                 projector.project(id, &volume.intensity, &mut image);
                 let noise = self.noise_counts[id.camera];
+                let (mut missed, mut seen) = (0.0f64, 0.0f64);
                 for (pixel, &measured) in image.iter_mut().zip(views[id.camera].view(id.view)) {
+                    missed += f64::from(measured - *pixel).powi(2);
+                    seen += f64::from(measured).powi(2);
                     *pixel = (measured.max(0.0) + noise) / (*pixel + noise) - 1.0;
                 }
-                image
+                Compared { excess: image, missed, seen }
             })
             .collect()
     }
@@ -84,7 +102,7 @@ impl OsMart {
     fn update(
         &self,
         subset: &[ViewId],
-        excess: &[Vec<f32>],
+        compared: &[Compared],
         volume: &mut SparseVolume,
         projector: &dyn Projector,
     ) {
@@ -92,8 +110,8 @@ impl OsMart {
         volume.intensity.par_chunks_mut(VOXELS_PER_TASK).enumerate().for_each(|(task, chunk)| {
             let start = task * VOXELS_PER_TASK;
             let mut sum = vec![0.0; chunk.len()];
-            for (&id, excess) in subset.iter().zip(excess) {
-                projector.back_project(id, excess, start..start + chunk.len(), &mut sum);
+            for (&id, view) in subset.iter().zip(compared) {
+                projector.back_project(id, &view.excess, start..start + chunk.len(), &mut sum);
             }
             for (intensity, sum) in chunk.iter_mut().zip(sum) {
                 *intensity *= (1.0 + step * sum).max(0.0);

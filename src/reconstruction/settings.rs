@@ -1,5 +1,7 @@
 //! The `[reconstruction]` table of the configuration.
 
+use std::fmt;
+
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +19,13 @@ pub enum Solver {
     PrSart,
     /// Multiplicative updates over ordered subsets on active voxels, pruned as it goes.
     OsMart,
+}
+
+impl fmt::Display for Solver {
+    /// The solver's name in the configuration.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
 }
 
 /// What a voxel of the model looks like to the cameras.

@@ -5,63 +5,56 @@ use std::time::Instant;
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
-    ReconstructionSettings, Solver, SparseVolume, hull::photo_hull, os_mart::OsMart,
-    settings::Footprint, subsets::alternating_views,
+    PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
+    hull::photo_hull,
+    levels::ViewLevels,
+    os_mart::OsMart,
+    pr_sart, sart,
+    settings::Footprint,
+    subsets::{alternating_views, balanced_subsets},
 };
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     model::{ForwardModel, ModelError, ViewId, VolumeGrid, thin_lens_model},
 };
 
-/// Passes over all views on the coarse grid and on the finest one.
+/// OS-MART's passes over all views on the coarse grid and on the finest one.
 const COARSE_PASSES: usize = 1;
 const FINE_PASSES: usize = 2;
 
-/// Views per subset on the coarse grid, where many updates find the light quickly, and on the
-/// finest one, where their mean settles its place.
+/// OS-MART's views per subset on the coarse grid, where many updates find the light quickly, and
+/// on the finest one, where their mean settles its place.
 const COARSE_SUBSET: usize = 4;
 const FINE_SUBSET: usize = 8;
 
-/// A voxel with less than this share of a particle's light, spread over the voxels of its own
-/// size inside one voxel of the volume, is given up.
+/// SART's passes by default. The paper takes 400 and more; these show the method at a bearable
+/// cost.
+const SART_PASSES: usize = 20;
+
+/// Ordered subsets per camera by default: the paper's memory falls to 1/12.
+const SUBSETS_PER_CAMERA: usize = 12;
+
+/// A voxel with less than this share of a particle's light, divided by the number of the solver's
+/// voxels in one voxel of the volume, is given up.
 const PRUNE_SHARE: f32 = 0.01;
 
-/// A pixel is dark below this many noise widths plus this share of a particle's light.
-const DARK_NOISE_WIDTHS: f64 = 3.0;
-const DARK_PARTICLE_SHARE: f64 = 0.06;
-
-/// The light of one particle and the noise, in one camera's views.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ViewLevels {
-    /// Light of a particle in an open view, in counts.
-    pub particle_counts: f64,
-    /// Standard deviation of a dark pixel, in counts.
-    pub noise_counts: f64,
-}
-
-impl ViewLevels {
-    /// Estimates a particle's light as the views' light-weighted mean, Σ I² / Σ I less what the
-    /// noise adds: for single particles their own light, for overlapping ones a little more.
-    pub fn of(views: &ViewStack, noise_counts: f64) -> Self {
-        let (mut sum, mut squares) = (0.0f64, 0.0f64);
-        for &value in views.values() {
-            sum += f64::from(value);
-            squares += f64::from(value).powi(2);
-        }
-        let noise = views.values().len() as f64 * noise_counts.powi(2);
-        let particle_counts = if sum > 0.0 { ((squares - noise) / sum).max(0.0) } else { 0.0 };
-        Self { particle_counts, noise_counts }
-    }
-
-    fn dark_below(&self) -> f32 {
-        (DARK_NOISE_WIDTHS * self.noise_counts + DARK_PARTICLE_SHARE * self.particle_counts) as f32
-    }
+/// A reconstructed frame and how the solver got there.
+#[derive(Debug, Clone)]
+pub struct Reconstruction {
+    /// The light.
+    pub volume: SparseVolume,
+    /// One report per pass over all views, coarse grids first. The residual of SART and its kin
+    /// is that of the volume after the pass; that of OS-MART is what the pass itself met, each
+    /// view's before its own correction.
+    pub passes: Vec<PassReport>,
 }
 
 /// Models on one or more grids, coarse to fine, and the solver to run on them.
 pub struct Reconstructor {
     settings: ReconstructionSettings,
-    levels: Vec<Box<dyn ForwardModel>>,
+    /// Solver voxels along the edge of a voxel of the volume, per model.
+    refinements: Vec<usize>,
+    models: Vec<Box<dyn ForwardModel>>,
     order: Vec<ViewId>,
 }
 
@@ -73,9 +66,10 @@ impl Reconstructor {
         grid: &VolumeGrid,
         settings: &ReconstructionSettings,
     ) -> Result<Self, ModelError> {
-        let levels = refinements(settings)
-            .into_iter()
-            .map(|refinement| {
+        let refinements = refinements(settings);
+        let models = refinements
+            .iter()
+            .map(|&refinement| {
                 let grid = grid.refined(refinement);
                 let footprint_mm = match settings.footprint {
                     Footprint::Voxel => grid.voxel_mm,
@@ -84,75 +78,134 @@ impl Reconstructor {
                 thin_lens_model(optics, poses, &grid, footprint_mm)
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let order = alternating_views(levels[0].layouts());
-        Ok(Self { settings: settings.clone(), levels, order })
+        let order = alternating_views(models[0].layouts());
+        Ok(Self { settings: settings.clone(), refinements, models, order })
     }
 
     /// How raw images are to be cut into views, per camera.
     pub fn layouts(&self) -> &[ViewLayout] {
-        self.levels[0].layouts()
+        self.models[0].layouts()
     }
 
     /// Grids, coarse to fine.
     pub fn grids(&self) -> impl Iterator<Item = &VolumeGrid> {
-        self.levels.iter().map(|model| model.grid())
+        self.models.iter().map(|model| model.grid())
     }
 
     /// Bytes of all tables.
     pub fn memory_bytes(&self) -> usize {
-        self.levels.iter().map(|model| model.memory_bytes()).sum()
+        self.models.iter().map(|model| model.memory_bytes()).sum()
+    }
+
+    /// Ordered subsets in one pass over all views on the finest grid.
+    pub fn subsets_per_pass(&self) -> usize {
+        match self.settings.solver {
+            Solver::Mlos => 1,
+            Solver::OsMart => {
+                self.order.len().div_ceil(self.settings.views_per_subset.unwrap_or(FINE_SUBSET))
+            }
+            Solver::Sart | Solver::OsSart | Solver::PrSart => self.balanced().len(),
+        }
     }
 
     /// Reconstructs one frame from its views, one stack per camera.
-    pub fn reconstruct(&self, views: &[ViewStack], levels: &[ViewLevels]) -> SparseVolume {
-        let started = Instant::now();
+    pub fn reconstruct(&self, views: &[ViewStack], levels: &[ViewLevels]) -> Reconstruction {
+        let model = self.models[0].as_ref();
+        let all_voxels = || (0..model.grid().len() as u32).collect();
+        let mut passes = Vec::new();
+        let mut note = |report: &PassReport, _: &SparseVolume| passes.push(*report);
         let volume = match self.settings.solver {
             Solver::Mlos => self.hull(views, levels),
-            _ => self.os_mart(views, levels),
+            Solver::OsMart => self.os_mart(views, levels, &mut note),
+            Solver::Sart | Solver::OsSart => {
+                sart(model, views, all_voxels(), &self.sart_options(), &mut note)
+            }
+            Solver::PrSart => {
+                pr_sart(model, views, &dark_below(levels), &self.sart_options(), &mut note)
+            }
         };
-        tracing::debug!(
-            voxels = volume.voxels.len(),
-            seconds = started.elapsed().as_secs_f64(),
-            "reconstructed a frame"
-        );
-        volume
+        for report in &passes {
+            tracing::debug!(
+                pass = report.pass,
+                residual = report.residual,
+                active_voxels = report.active_voxels,
+                seconds = report.seconds,
+                "solver pass"
+            );
+        }
+        Reconstruction { volume, passes }
+    }
+
+    fn sart_options(&self) -> SartOptions {
+        SartOptions {
+            relaxation: self.settings.relaxation.unwrap_or(1.0) as f32,
+            passes: self.settings.passes.unwrap_or(SART_PASSES),
+            subsets: self.balanced(),
+        }
+    }
+
+    /// The paper's subsets; for SART and PR-SART all views of a camera at once.
+    fn balanced(&self) -> Vec<Vec<ViewId>> {
+        let per_camera = match (self.settings.solver, self.settings.views_per_subset) {
+            (Solver::OsSart, None) => SUBSETS_PER_CAMERA,
+            (Solver::OsSart, Some(views)) => self.layouts()[0].views.len().div_ceil(views),
+            _ => 1,
+        };
+        balanced_subsets(self.layouts(), per_camera)
     }
 
     fn hull(&self, views: &[ViewStack], levels: &[ViewLevels]) -> SparseVolume {
-        let dark_below: Vec<f32> = levels.iter().map(ViewLevels::dark_below).collect();
-        photo_hull(self.levels[0].as_ref(), views, &dark_below, &self.order)
+        photo_hull(self.models[0].as_ref(), views, &dark_below(levels), &self.order)
     }
 
     /// Coarse to fine: the hull and a pass on the coarse grid leave the voxels near particles;
     /// only these are split.
-    fn os_mart(&self, views: &[ViewStack], levels: &[ViewLevels]) -> SparseVolume {
+    fn os_mart(
+        &self,
+        views: &[ViewStack],
+        levels: &[ViewLevels],
+        observer: &mut dyn FnMut(&PassReport, &SparseVolume),
+    ) -> SparseVolume {
         let mut volume = self.hull(views, levels);
-        let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
-        for (n, model) in self.levels.iter().enumerate() {
+        scale_to_measured(self.models[0].as_ref(), views, self.order[0], &mut volume);
+        let mut done = 0;
+        for (n, model) in self.models.iter().enumerate() {
             if n > 0 {
-                let factor = model.grid().voxels[0] / volume.grid.voxels[0];
-                volume = volume.refined(factor);
-            } else {
-                scale_to_measured(model.as_ref(), views, self.order[0], &mut volume);
+                volume = volume.refined(self.refinements[n] / self.refinements[n - 1]);
             }
-            let last = n + 1 == self.levels.len();
-            let refinement = self.levels.len().min(2).pow(n as u32 + 1) as f32;
-            let (passes, subset) =
-                if last { (FINE_PASSES, FINE_SUBSET) } else { (COARSE_PASSES, COARSE_SUBSET) };
-            let update = OsMart {
-                relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
-                views_per_subset: self.settings.views_per_subset.unwrap_or(subset),
-                noise_counts: levels.iter().map(|l| l.noise_counts as f32).collect(),
-                prune_below: PRUNE_SHARE * brightest / refinement.powi(3),
-            };
-            let passes = if last { self.settings.passes.unwrap_or(passes) } else { passes };
+            let last = n + 1 == self.models.len();
+            let passes =
+                if last { self.settings.passes.unwrap_or(FINE_PASSES) } else { COARSE_PASSES };
+            let update = self.os_mart_update(levels, self.refinements[n], last);
             let mut projector = model.projector(&volume.voxels);
             for _ in 0..passes {
-                update.pass(model.as_ref(), views, &self.order, &mut volume, projector.as_mut());
+                let started = Instant::now();
+                let (model, projector) = (model.as_ref(), projector.as_mut());
+                let residual = update.pass(model, views, &self.order, &mut volume, projector);
+                done += 1;
+                let active_voxels = volume.voxels.len();
+                let seconds = started.elapsed().as_secs_f64();
+                observer(&PassReport { pass: done, residual, active_voxels, seconds }, &volume);
             }
         }
         volume
     }
+
+    fn os_mart_update(&self, levels: &[ViewLevels], refinement: usize, last: bool) -> OsMart {
+        let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
+        let subset = if last { FINE_SUBSET } else { COARSE_SUBSET };
+        OsMart {
+            // Above 1 the multiplicative update turns intensities negative.
+            relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
+            views_per_subset: self.settings.views_per_subset.unwrap_or(subset),
+            noise_counts: levels.iter().map(|l| l.noise_counts as f32).collect(),
+            prune_below: PRUNE_SHARE * brightest / refinement.pow(3) as f32,
+        }
+    }
+}
+
+fn dark_below(levels: &[ViewLevels]) -> Vec<f32> {
+    levels.iter().map(ViewLevels::dark_below).collect()
 }
 
 /// Refinements of the solver's grids, coarse to fine. The coarsest is half the finest: on a
