@@ -82,14 +82,18 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
             let column = &columns[place.column as usize];
             let row = &rows[place.row as usize];
             let mut at = row.first as usize * width + column.first as usize;
-            let mut sum = 0.0;
+            // Written as loops: iterator sums cost ten times as much in the dev profile.
+            let mut sums = [0.0f32; W];
             for weight in row.weights {
                 let line: [f32; W] = line(image, at);
-                let line: f32 = line.iter().zip(column.weights).map(|(&i, w)| i * w).sum();
-                sum += weight * line;
+                for (sum, value) in sums.iter_mut().zip(line) {
+                    *sum += weight * value;
+                }
                 at += width;
             }
-            *out += sum;
+            for (sum, weight) in sums.into_iter().zip(column.weights) {
+                *out += sum * weight;
+            }
         }
     }
 
