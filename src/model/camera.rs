@@ -22,6 +22,18 @@ const OBLIQUE_LATERAL_NODES_PER_VOXEL: f64 = 16.0;
 /// position: half a voxel of 0.1 mm by 0.003 mm at the edge of the bench's pupil (da/ds U).
 const OBLIQUE_DEPTH_NODES_PER_VOXEL: f64 = 1.0;
 
+/// Voxels of neighbouring depths share a depth node while that moves no shadow by more than this
+/// share of a microlens.
+const DEPTH_NODE_TOLERANCE: f64 = 1.0 / 64.0;
+
+/// The distance of depth nodes that keeps to [`DEPTH_NODE_TOLERANCE`]: a depth off by d moves the
+/// shadow of a ray through the pupil's edge R by d R s_i/s² (da/ds), at most half a step.
+fn depth_node_step_mm(optics: &Optics) -> f64 {
+    let s = optics.object_distance_mm;
+    let per_depth = optics.pupil_diameter_mm() / 2.0 * optics.image_distance_mm() / (s * s);
+    2.0 * DEPTH_NODE_TOLERANCE * optics.microlens.pitch_mm / per_depth * (1.0 + 1e-9)
+}
+
 /// How one camera sees the grid.
 #[derive(Debug, Clone)]
 pub struct CameraView {
@@ -50,15 +62,19 @@ impl CameraAxis {
         pose: &Pose,
         grid: &VolumeGrid,
         oblique_nodes_per_voxel: f64,
+        voxels_per_aligned_node: usize,
     ) -> Self {
         let first = grid.centre_of([0, 0, 0]).coords - pose.origin_mm;
         let at_origin_mm = first.dot(direction);
         let per_index_mm: [f64; 3] = std::array::from_fn(|a| direction[a] * grid.voxel_mm);
         let along = (0..3).find(|&a| (direction[a].abs() - 1.0).abs() < 1e-9);
         let nodes = match along {
-            Some(a) => {
-                Nodes { first_mm: at_origin_mm, step_mm: per_index_mm[a], count: grid.voxels[a] }
-            }
+            Some(a) => Nodes {
+                first_mm: at_origin_mm
+                    + (voxels_per_aligned_node as f64 - 1.0) / 2.0 * per_index_mm[a],
+                step_mm: voxels_per_aligned_node as f64 * per_index_mm[a],
+                count: grid.voxels[a].div_ceil(voxels_per_aligned_node),
+            },
             None => {
                 let reach = |sign: f64| -> f64 {
                     (0..3)
@@ -104,10 +120,12 @@ impl CameraView {
         grid: &VolumeGrid,
         camera: usize,
     ) -> Result<Self, ModelError> {
-        let axis = |direction, nodes| CameraAxis::new(direction, pose, grid, nodes);
-        let xi = axis(&pose.right, OBLIQUE_LATERAL_NODES_PER_VOXEL);
-        let eta = axis(&pose.up, OBLIQUE_LATERAL_NODES_PER_VOXEL);
-        let depth = axis(&pose.axis, OBLIQUE_DEPTH_NODES_PER_VOXEL);
+        let axis =
+            |direction, oblique, aligned| CameraAxis::new(direction, pose, grid, oblique, aligned);
+        let xi = axis(&pose.right, OBLIQUE_LATERAL_NODES_PER_VOXEL, 1);
+        let eta = axis(&pose.up, OBLIQUE_LATERAL_NODES_PER_VOXEL, 1);
+        let shared_depth = (depth_node_step_mm(optics) / grid.voxel_mm).floor().max(1.0) as usize;
+        let depth = axis(&pose.axis, OBLIQUE_DEPTH_NODES_PER_VOXEL, shared_depth);
         let camera = camera + 1;
         let (_, nearest_mm) = depth.range_mm();
         let limit_mm = optics.object_distance_mm - optics.focal_length_mm;

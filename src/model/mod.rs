@@ -67,8 +67,9 @@ pub trait Projector: Send + Sync {
 
     /// The brightest pixel that each voxel reaches: `out[j − range.start] = max_i image[i] / c_i`
     /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view
-    /// (the tables ask for that share along each axis), with c_i the open share of the pixel's pupil cell. Infinite, that is no evidence, for a
-    /// voxel with such a pixel less than half open or outside the view.
+    /// (the tables ask for that share along each axis), with c_i the open share of the pixel's
+    /// pupil cell; at least 0, for noise below the black level is no light. Infinite, that is no
+    /// evidence, for a voxel with such a pixel less than half open or outside the view.
     fn brightest(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 
     /// Keeps only the voxels whose flag is set.

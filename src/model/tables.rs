@@ -4,7 +4,10 @@ use std::ops::Range;
 
 use lfpiv_hw::Optics;
 
-use super::footprint::{RayMap, Trapezoid};
+use super::{
+    SUPPORT_SHARE,
+    footprint::{RayMap, Trapezoid},
+};
 use crate::lightfield::AxisSampling;
 
 /// Evenly spaced coordinates: `first + n·step`.
@@ -35,9 +38,22 @@ impl Nodes {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tap<const W: usize> {
     /// First microlens, counted from the start of the window.
-    pub first: u32,
+    pub first: u16,
+    /// The microlenses of `first..first + W` that receive more than [`SUPPORT_SHARE`]: where
+    /// their run starts, and its length.
+    pub support_start: u8,
+    pub support_len: u8,
     /// Shares on microlenses `first..first + W`.
     pub weights: [f32; W],
+}
+
+impl<const W: usize> Tap<W> {
+    fn new(first: u16, weights: [f32; W]) -> Self {
+        let lit = |weight: &f32| *weight > SUPPORT_SHARE;
+        let start = weights.iter().position(lit).unwrap_or(0);
+        let end = weights.iter().rposition(lit).map_or(0, |last| last + 1);
+        Self { first, support_start: start as u8, support_len: (end - start) as u8, weights }
+    }
 }
 
 /// One axis of one camera: a [`Tap`] for every view index, depth node and position node.
@@ -138,7 +154,7 @@ impl AxisGeometry<'_> {
             let (low, high) = (offset - spread * pitch / 2.0, offset + spread * pitch / 2.0);
             ((trapezoid.below(high) - trapezoid.below(low)) / spread) as f32
         });
-        Tap { first: (first - self.window.start as i64) as u32, weights }
+        Tap::new((first - self.window.start as i64) as u16, weights)
     }
 }
 

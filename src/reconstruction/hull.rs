@@ -14,8 +14,9 @@ use crate::{
     model::{ForwardModel, ViewId},
 };
 
-/// Voxels worked on together: their tables and places stay in the cache.
-const SLAB_VOXELS: usize = 60_000;
+/// Voxels worked on together: enough to pay for what each view prepares, few enough to bound the
+/// memory that all voxels of a grid would need.
+const SLAB_VOXELS: usize = 250_000;
 
 /// Views asked between two clearances.
 const VIEWS_PER_CLEARANCE: usize = 6;

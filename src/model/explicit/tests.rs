@@ -153,7 +153,9 @@ fn projectors_agree_on_the_brightest_pixel_before_and_after_pruning() {
     let mut finite = 0;
     for _ in 0..2 {
         for &view in &explicit.views() {
-            let image = random(tables.layouts()[view.camera].window.len(), &mut rng);
+            let mut image = random(tables.layouts()[view.camera].window.len(), &mut rng);
+            // Most pixels below the black level, as in a sparse scene.
+            image.iter_mut().for_each(|value| *value -= 0.7);
             let (mut a, mut b) = (vec![0.0; voxels.len()], vec![0.0; voxels.len()]);
             p.brightest(view, &image, 0..voxels.len(), &mut a);
             q.brightest(view, &image, 0..voxels.len(), &mut b);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{Place, ThinLensModel};
-use crate::model::{Projector, SUPPORT_SHARE, ViewId, tables::Tap};
+use crate::model::{Projector, ViewId, tables::Tap};
 
 /// A [`ThinLensModel`] restricted to active voxels.
 pub(super) struct ThinLensProjector<'a, const W: usize> {
@@ -45,6 +45,44 @@ fn add_line<const W: usize>(image: &mut [f32], at: usize, values: [f32; W]) {
     } else if let Some(pixels) = image.get_mut(at..) {
         add(pixels);
     }
+}
+
+/// The maximum over every block of up to `W` × `W` pixels that starts at a pixel, for blocks of
+/// `high` rows and `wide` columns at `((high − 1) W + wide − 1) · image.len()`. Blocks end at the
+/// image's edges.
+fn block_maxima<const W: usize>(image: &[f32], width: usize) -> Vec<f32> {
+    let len = image.len();
+    let mut blocks = vec![0.0; W * W * len];
+    let block = |high: usize, wide: usize| ((high - 1) * W + wide - 1) * len;
+    // Noise below the black level is no light.
+    for (to, &from) in blocks[block(1, 1)..][..len].iter_mut().zip(image) {
+        *to = from.max(0.0);
+    }
+    for wide in 2..=W {
+        let (before, after) = blocks.split_at_mut(block(1, wide));
+        let narrower = before[block(1, wide - 1)..][..len].chunks_exact(width);
+        let rows = after[..len].chunks_exact_mut(width).zip(narrower);
+        for ((to, from), image) in rows.zip(image.chunks_exact(width)) {
+            to.copy_from_slice(from);
+            let reach = width.saturating_sub(wide - 1);
+            for (to, &beside) in to[..reach].iter_mut().zip(&image[width - reach..]) {
+                *to = to.max(beside);
+            }
+        }
+    }
+    for high in 2..=W {
+        for wide in 1..=W {
+            let (before, after) = blocks.split_at_mut(block(high, wide));
+            let to = &mut after[..len];
+            to.copy_from_slice(&before[block(high - 1, wide)..][..len]);
+            let shift = (high - 1) * width;
+            let below = before[block(1, wide)..][..len].get(shift..).unwrap_or(&[]);
+            for (to, &below) in to.iter_mut().zip(below) {
+                *to = to.max(below);
+            }
+        }
+    }
+    blocks
 }
 
 impl<const W: usize> Projector for ThinLensProjector<'_, W> {
@@ -108,23 +146,20 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
                 &judged
             }
         };
+        // Every voxel asks for the maximum over a block of at most W x W pixels: made once for all.
+        let blocks = block_maxima::<W>(image, width);
         for (place, out) in self.places[view.camera][range].iter().zip(out) {
             let column = &columns[place.column as usize];
             let row = &rows[place.row as usize];
-            let mut at = row.first as usize * width + column.first as usize;
-            let mut most: Option<f32> = None;
-            for weight in row.weights {
-                if weight > SUPPORT_SHARE {
-                    let line: [f32; W] = line(image, at);
-                    for (pixel, share) in line.into_iter().zip(column.weights) {
-                        if share > SUPPORT_SHARE {
-                            most = Some(most.unwrap_or(0.0).max(pixel));
-                        }
-                    }
-                }
-                at += width;
-            }
-            *out = most.unwrap_or(f32::INFINITY);
+            let (wide, high) = (usize::from(column.support_len), usize::from(row.support_len));
+            let at = usize::from(row.first + u16::from(row.support_start)) * width
+                + usize::from(column.first + u16::from(column.support_start));
+            *out = if wide == 0 || high == 0 {
+                f32::INFINITY
+            } else {
+                let block = (high - 1) * W + wide - 1;
+                blocks.get(block * image.len() + at).copied().unwrap_or(f32::INFINITY)
+            };
         }
     }
 
