@@ -36,7 +36,7 @@ const SUBSETS_PER_CAMERA: usize = 12;
 
 /// A voxel with less than this share of a particle's light, divided by the number of the solver's
 /// voxels in one voxel of the volume, is given up.
-const PRUNE_SHARE: f32 = 0.01;
+const PRUNE_SHARE: f32 = 0.02;
 
 /// A reconstructed frame and how the solver got there.
 #[derive(Debug, Clone)]
