@@ -5,24 +5,14 @@ use std::path::Path;
 use super::{daemon::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
-    config::Config,
-    reconstruction::Footprint,
     server::{ConfigurationSummary, RunInfo},
 };
-
-/// What the model takes a voxel for.
-fn seen(config: &Config) -> &'static str {
-    match config.reconstruction.footprint {
-        Footprint::Voxel => "an evenly filled voxel",
-        Footprint::Point => "a point in the voxel's centre",
-    }
-}
 
 pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
     let config = &plan.file.config;
     RunInfo {
         code_version: env!("CARGO_PKG_VERSION").to_owned(),
-        model: format!("thin-lens footprint of {}, separable, from tables", seen(config)),
+        model: format!("separable thin lens; {}", config.reconstruction.footprint.reason()),
         solver: format!(
             "{}, voxels split by {}",
             solver_name(config.reconstruction.solver),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::Measurement;
 use crate::{
-    reconstruction::{Footprint, ReconstructionSettings, Reconstructor},
+    reconstruction::{ReconstructionSettings, Reconstructor},
     velocimetry::{Interrogation, VectorGrid},
 };
 
@@ -55,19 +55,6 @@ impl Plan {
             passes: measurement.velocimetry.passes,
         }
     }
-
-    /// Why this forward model, in one sentence.
-    fn reason(&self) -> &'static str {
-        match self.reconstruction.footprint {
-            Footprint::Voxel => {
-                "a voxel is an evenly filled cube, because particles may be anywhere in it"
-            }
-            Footprint::Point => {
-                "a voxel is a point, because the configuration says that particles sit on voxel \
-                 centres"
-            }
-        }
-    }
 }
 
 fn times(counts: &[usize; 3]) -> String {
@@ -89,7 +76,12 @@ impl fmt::Display for Plan {
             views.join(" + "),
             self.subsets
         )?;
-        writeln!(f, "{:<14} separable thin lens; {}", "model", self.reason())?;
+        writeln!(
+            f,
+            "{:<14} separable thin lens; {}",
+            "model",
+            self.reconstruction.footprint.reason()
+        )?;
         writeln!(
             f,
             "{:<14} {:.0} MB raw images, {:.0} MB views, {:.0} MB tables, and what the lit voxels \

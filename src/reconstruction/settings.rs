@@ -34,9 +34,29 @@ impl fmt::Display for Solver {
 pub enum Footprint {
     /// A cube that glows evenly: particles may be anywhere in it.
     Voxel,
+    /// A point while that explains the images, a cube otherwise: tried frame by frame.
+    Auto,
     /// A point at the voxel's centre: particles known to sit on voxel centres, as in the paper's
     /// numerical cases.
     Point,
+}
+
+impl Footprint {
+    /// What is modelled, and why, in one sentence.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Voxel => {
+                "a voxel is an evenly filled cube, because particles may be anywhere in it"
+            }
+            Self::Point => {
+                "a voxel is a point, because the configuration says that particles sit on voxel \
+                 centres"
+            }
+            Self::Auto => {
+                "a voxel is a point while that explains the images, an evenly filled cube otherwise"
+            }
+        }
+    }
 }
 
 /// How a volume is reconstructed.

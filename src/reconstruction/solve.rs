@@ -34,6 +34,10 @@ const SART_PASSES: usize = 20;
 /// Ordered subsets per camera by default: the paper's memory falls to 1/12.
 const SUBSETS_PER_CAMERA: usize = 12;
 
+/// Points on voxel centres are taken for the truth when the share of the views' light energy that
+/// they leave unexplained is at most this; particles elsewhere leave nearly all of it.
+const ON_GRID_UNEXPLAINED: f64 = 0.35;
+
 /// A voxel with less than this share of a particle's light, divided by the number of the solver's
 /// voxels in one voxel of the volume, is given up.
 const PRUNE_SHARE: f32 = 0.02;
@@ -52,9 +56,12 @@ pub struct Reconstruction {
 /// Models on one or more grids, coarse to fine, and the solver to run on them.
 pub struct Reconstructor {
     settings: ReconstructionSettings,
-    /// Solver voxels along the edge of a voxel of the volume, per model.
-    refinements: Vec<usize>,
+    /// Voxels of the first model along the edge of a voxel of the volume.
+    coarsest: usize,
+    /// Coarse to fine.
     models: Vec<Box<dyn ForwardModel>>,
+    /// Points on the volume's own grid, where the settings want them tried first.
+    grid_points: Option<Box<dyn ForwardModel>>,
     order: Vec<ViewId>,
 }
 
@@ -72,14 +79,18 @@ impl Reconstructor {
             .map(|&refinement| {
                 let grid = grid.refined(refinement);
                 let footprint_mm = match settings.footprint {
-                    Footprint::Voxel => grid.voxel_mm,
+                    Footprint::Voxel | Footprint::Auto => grid.voxel_mm,
                     Footprint::Point => 0.0,
                 };
                 thin_lens_model(optics, poses, &grid, footprint_mm)
             })
             .collect::<Result<Vec<_>, _>>()?;
+        let grid_points = (settings.footprint == Footprint::Auto)
+            .then(|| thin_lens_model(optics, poses, grid, 0.0))
+            .transpose()?;
         let order = alternating_views(models[0].layouts());
-        Ok(Self { settings: settings.clone(), refinements, models, order })
+        let coarsest = refinements[0];
+        Ok(Self { settings: settings.clone(), coarsest, models, grid_points, order })
     }
 
     /// How raw images are to be cut into views, per camera.
@@ -94,7 +105,7 @@ impl Reconstructor {
 
     /// Bytes of all tables.
     pub fn memory_bytes(&self) -> usize {
-        self.models.iter().map(|model| model.memory_bytes()).sum()
+        self.models.iter().chain(&self.grid_points).map(|model| model.memory_bytes()).sum()
     }
 
     /// Ordered subsets in one pass over all views on the finest grid.
@@ -110,13 +121,22 @@ impl Reconstructor {
 
     /// Reconstructs one frame from its views, one stack per camera.
     pub fn reconstruct(&self, views: &[ViewStack], levels: &[ViewLevels]) -> Reconstruction {
-        let model = self.models[0].as_ref();
+        let on_grid = self.on_grid(views, levels);
+        if let Some(reconstruction) = &on_grid
+            && self.settings.solver == Solver::OsMart
+        {
+            return reconstruction.clone();
+        }
+        let model = match (&on_grid, &self.grid_points) {
+            (Some(_), Some(points)) => points.as_ref(),
+            _ => self.models[0].as_ref(),
+        };
         let all_voxels = || (0..model.grid().len() as u32).collect();
         let mut passes = Vec::new();
         let mut note = |report: &PassReport, _: &SparseVolume| passes.push(*report);
         let volume = match self.settings.solver {
-            Solver::Mlos => self.hull(views, levels),
-            Solver::OsMart => self.os_mart(views, levels, &mut note),
+            Solver::Mlos => self.hull(model, views, levels),
+            Solver::OsMart => self.os_mart(&self.models, views, levels, &mut note),
             Solver::Sart | Solver::OsSart => {
                 sart(model, views, all_voxels(), &self.sart_options(), &mut note)
             }
@@ -154,29 +174,49 @@ impl Reconstructor {
         balanced_subsets(self.layouts(), per_camera)
     }
 
-    fn hull(&self, views: &[ViewStack], levels: &[ViewLevels]) -> SparseVolume {
-        photo_hull(self.models[0].as_ref(), views, &dark_below(levels), &self.order)
+    /// What points on the volume's own grid make of the views, if they explain them.
+    fn on_grid(&self, views: &[ViewStack], levels: &[ViewLevels]) -> Option<Reconstruction> {
+        let points = self.grid_points.as_ref()?;
+        let mut passes = Vec::new();
+        let mut note = |report: &PassReport, _: &SparseVolume| passes.push(*report);
+        let volume = self.os_mart(std::slice::from_ref(points), views, levels, &mut note);
+        let unexplained = unexplained_share(passes.last()?.residual, views, levels);
+        let explained = unexplained <= ON_GRID_UNEXPLAINED;
+        tracing::debug!(unexplained, explained, "points on voxel centres");
+        explained.then_some(Reconstruction { volume, passes })
+    }
+
+    fn hull(
+        &self,
+        model: &dyn ForwardModel,
+        views: &[ViewStack],
+        levels: &[ViewLevels],
+    ) -> SparseVolume {
+        photo_hull(model, views, &dark_below(levels), &self.order)
     }
 
     /// Coarse to fine: the hull and a pass on the coarse grid leave the voxels near particles;
     /// only these are split.
     fn os_mart(
         &self,
+        models: &[Box<dyn ForwardModel>],
         views: &[ViewStack],
         levels: &[ViewLevels],
         observer: &mut dyn FnMut(&PassReport, &SparseVolume),
     ) -> SparseVolume {
-        let mut volume = self.hull(views, levels);
-        scale_to_measured(self.models[0].as_ref(), views, self.order[0], &mut volume);
+        let mut volume = self.hull(models[0].as_ref(), views, levels);
+        scale_to_measured(models[0].as_ref(), views, self.order[0], &mut volume);
         let mut done = 0;
-        for (n, model) in self.models.iter().enumerate() {
-            if n > 0 {
-                volume = volume.refined(self.refinements[n] / self.refinements[n - 1]);
+        for (n, model) in models.iter().enumerate() {
+            let split = model.grid().voxels[0] / volume.grid.voxels[0];
+            if split > 1 {
+                volume = volume.refined(split);
             }
-            let last = n + 1 == self.models.len();
+            let last = n + 1 == models.len();
             let passes =
                 if last { self.settings.passes.unwrap_or(FINE_PASSES) } else { COARSE_PASSES };
-            let update = self.os_mart_update(levels, self.refinements[n], last);
+            let refinement = self.refinement_of(model.as_ref());
+            let update = self.os_mart_update(levels, refinement, last);
             let mut projector = model.projector(&volume.voxels);
             for _ in 0..passes {
                 let started = Instant::now();
@@ -191,6 +231,12 @@ impl Reconstructor {
         volume
     }
 
+    /// Voxels of a model along the edge of a voxel of the volume.
+    fn refinement_of(&self, model: &dyn ForwardModel) -> usize {
+        let per_voxel = |model: &dyn ForwardModel| model.grid().voxels[0];
+        per_voxel(model) * self.coarsest / per_voxel(self.models[0].as_ref())
+    }
+
     fn os_mart_update(&self, levels: &[ViewLevels], refinement: usize, last: bool) -> OsMart {
         let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
         let subset = if last { FINE_SUBSET } else { COARSE_SUBSET };
@@ -202,6 +248,18 @@ impl Reconstructor {
             prune_below: PRUNE_SHARE * brightest / refinement.pow(3) as f32,
         }
     }
+}
+
+/// The share of Σ I² that a residual stands for, less what noise alone would leave.
+fn unexplained_share(residual: f64, views: &[ViewStack], levels: &[ViewLevels]) -> f64 {
+    let square = |value: f32| f64::from(value).powi(2);
+    let seen: f64 = views.iter().flat_map(|v| v.values()).map(|&value| square(value)).sum();
+    let noise: f64 = views
+        .iter()
+        .zip(levels)
+        .map(|(view, level)| view.values().len() as f64 * level.noise_counts.powi(2))
+        .sum();
+    if seen > noise { ((residual.powi(2) * seen - noise) / (seen - noise)).max(0.0) } else { 1.0 }
 }
 
 fn dark_below(levels: &[ViewLevels]) -> Vec<f32> {
