@@ -28,7 +28,8 @@ pub use weights::{TableWeights, Weight, WeightSource};
 
 use crate::lightfield::ViewLayout;
 
-/// A pixel belongs to a voxel's support when it receives more than this share of its light.
+/// A pixel belongs to a voxel's support when it receives more than this share of its light, in a
+/// view that sees most of it.
 pub const SUPPORT_SHARE: f32 = 0.01;
 
 /// One view of one camera.

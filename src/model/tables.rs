@@ -40,7 +40,7 @@ pub struct Tap<const W: usize> {
     /// First microlens, counted from the start of the window.
     pub first: u16,
     /// The microlenses of `first..first + W` that receive more than [`SUPPORT_SHARE`]: where
-    /// their run starts, and its length.
+    /// their run starts, and its length; empty where the view sees too little of the voxel.
     pub support_start: u8,
     pub support_len: u8,
     /// Shares on microlenses `first..first + W`.
@@ -50,11 +50,25 @@ pub struct Tap<const W: usize> {
 impl<const W: usize> Tap<W> {
     fn new(first: u16, weights: [f32; W]) -> Self {
         let lit = |weight: &f32| *weight > SUPPORT_SHARE;
+        let seen: f32 = weights.iter().sum();
         let start = weights.iter().position(lit).unwrap_or(0);
         let end = weights.iter().rposition(lit).map_or(0, |last| last + 1);
-        Self { first, support_start: start as u8, support_len: (end - start) as u8, weights }
+        let len = if seen >= LEAST_SEEN_SHARE { end - start } else { 0 };
+        Self { first, support_start: start as u8, support_len: len as u8, weights }
+    }
+
+    /// Whether microlens `first + n` belongs to the support.
+    pub fn supports(&self, n: usize) -> bool {
+        let start = usize::from(self.support_start);
+        (start..start + usize::from(self.support_len)).contains(&n)
     }
 }
+
+/// A view is evidence about a voxel only if it sees at least this share of its light along each
+/// axis. Neighbouring microlenses see a view through pupil intervals that differ by up to a cell
+/// (see [`AxisSampling`]): a voxel between them can fall into the gap, and is then dark although
+/// it shines.
+const LEAST_SEEN_SHARE: f32 = 0.75;
 
 /// One axis of one camera: a [`Tap`] for every view index, depth node and position node.
 ///

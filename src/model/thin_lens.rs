@@ -5,7 +5,7 @@ mod projector;
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
-    ForwardModel, ModelError, Projector, SUPPORT_SHARE, ViewId, VolumeGrid,
+    ForwardModel, ModelError, Projector, ViewId, VolumeGrid,
     camera::CameraView,
     tables::AxisTable,
     weights::{Weight, WeightSource},
@@ -197,15 +197,17 @@ impl<const W: usize> WeightSource for ThinLensModel<W> {
         let view = &self.layouts[view.camera].views[view.view];
         let column = &camera.columns.of_view(view.k)[place.column as usize];
         let row = &camera.rows.of_view(view.l)[place.row as usize];
-        for (j, row_share) in (row.first as usize..window.rows.len()).zip(row.weights) {
-            for (i, share) in (column.first as usize..window.columns.len()).zip(column.weights) {
+        let lines = (row.first as usize..window.rows.len()).zip(row.weights).enumerate();
+        for (m, (j, row_share)) in lines {
+            let pixels = column.first as usize..window.columns.len();
+            for (n, (i, share)) in pixels.zip(column.weights).enumerate() {
                 if row_share * share > 0.0 {
                     let pixel = j * camera.width + i;
                     let open = view.coverage.as_ref().map_or(1.0, |coverage| coverage[pixel]);
                     out.push(Weight {
                         pixel: pixel as u32,
                         weight: row_share * share * open,
-                        support: row_share > SUPPORT_SHARE && share > SUPPORT_SHARE,
+                        support: row.supports(m) && column.supports(n),
                     });
                 }
             }
