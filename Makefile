@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test packages components readers format lint test-rust test-readers clean
+.PHONY: help demo test bench packages components readers format lint test-rust test-readers clean
 
 # The compiler's linker, and the NetCDF library with what finds it.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
@@ -12,6 +12,7 @@ DEMO_SHOTS := 5
 help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make test    everything that continuous integration checks"
+	@echo "make bench   error beside the floor, Q and seconds of the shipped cases"
 	@echo "make clean   remove build outputs and the Python environment"
 
 demo: packages
@@ -19,6 +20,10 @@ demo: packages
 	target/release/lfpiv run --config $(DEMO_CONFIG) --shots $(DEMO_SHOTS)
 
 test: format lint test-rust test-readers
+
+# The big cases: minutes, not part of the tests.
+bench: packages
+	cargo bench --locked --bench accuracy
 
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)
