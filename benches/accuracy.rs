@@ -9,8 +9,8 @@ use std::path::Path;
 
 use lfpiv::{
     config::{Config, ConfigFile},
-    pipeline::{DenseVolume, ImagePair, Processor},
-    reconstruction::quality::{elongation_mm, quality_factor},
+    pipeline::{ImagePair, Processor},
+    reconstruction::quality::quality_factor,
     velocimetry::{Interrogation, PointCloud, VectorStatus, VelocityField},
 };
 use lfpiv_sim::{
@@ -90,7 +90,7 @@ fn velocity(name: &str, config: &Config) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Q against the particles on their voxels, and a lone particle's elongation.
+/// Q against the particles on their voxels.
 fn quality(name: &str, config: &Config) -> anyhow::Result<()> {
     let processor = Processor::new(config.measurement())?;
     let (bench, mut config) = (config.bench_geometry(), config.clone());
@@ -106,18 +106,12 @@ fn quality(name: &str, config: &Config) -> anyhow::Result<()> {
         let pair = ImagePair { cameras: shot.images };
         let (result, volumes) = processor.process_with_volumes(&pair)?;
         println!(
-            "{name}, seed {seed}: Q {:.4}; FWHM along depth of the brightest particle {}; \
-             reconstruct {:.2} s for two frames",
+            "{name}, seed {seed}: Q {:.4}; reconstruct {:.2} s for two frames",
             quality_factor(&volumes[0].intensity, &truth),
-            depth_fwhm(&volumes[0]),
             result.seconds.reconstruct_s,
         );
     }
     Ok(())
-}
-
-fn depth_fwhm(volume: &DenseVolume) -> String {
-    elongation_mm(volume, 2).map_or("not defined".to_owned(), |mm| format!("{mm:.2} mm"))
 }
 
 fn particles(truth: &Truth, frame: FrameOfPair, windows: &Interrogation) -> PointCloud {
