@@ -19,6 +19,13 @@ const LEAST_CORNERS: u64 = 500;
 /// A level that at least this many pixels share, all at the top of the range, is saturation.
 const LEAST_SATURATED: u64 = 16;
 
+/// No sensor saturates below 8 bits: what piles up there is the black level of a still image.
+const LEAST_SATURATION_COUNTS: usize = 255;
+
+/// A lit pixel holds a particle's light when it is this many noise widths above the pixels that
+/// no particle lights.
+const BRIGHT_NOISE_WIDTHS: f64 = 6.0;
+
 /// Noise of an ideal sensor: rounding to whole counts.
 const ROUNDING_NOISE_COUNTS: f64 = 0.289;
 
@@ -37,6 +44,8 @@ pub struct LightLevels {
     pub saturated_share: f64,
     /// Mean of the lit pixels above black level and background, in counts.
     pub mean_signal_counts: f64,
+    /// Share of the lit pixels that noise cannot have made so bright, 0 to 1: particles.
+    pub bright_share: f64,
 }
 
 /// The parts of a micro-image that are dark, and fully lit, whatever the scene.
@@ -91,6 +100,7 @@ impl PhotometricZones {
         let black = offset_counts + background_counts;
         let saturation_counts = settings.saturation_counts.or_else(|| lit.pile_up());
         let saturated = saturation_counts.map_or(0, |level| lit.at_least(level));
+        let bright = lit.above(bright_level(&lit, noise_counts.max(spread)));
         LightLevels {
             offset_counts,
             background_counts,
@@ -98,6 +108,7 @@ impl PhotometricZones {
             saturation_counts,
             saturated_share: saturated as f64 / lit.total.max(1) as f64,
             mean_signal_counts: (lit.mean() - black).max(0.0),
+            bright_share: bright as f64 / lit.total.max(1) as f64,
         }
     }
 }
@@ -119,6 +130,16 @@ fn pupil_extents(axis: &AxisSampling, pixels: usize) -> Vec<Option<(f64, f64)>> 
 fn background(lit: &Histogram, offset_counts: f64, noise_counts: f64) -> f64 {
     let level = lit.quantile(0.02) + 1.8 * noise_counts - offset_counts;
     if level > 2.5 * noise_counts { level } else { 0.0 }
+}
+
+/// Counts beyond which noise cannot lift a pixel that no particle lights. Uniform light through
+/// the aperture brings shot noise that the dark corners do not have, so the noise is also read from
+/// the lit pixels themselves: their 0.1 % and 2 % quantiles are 3.09 and 2.05 widths below the mean
+/// of plain noise. Particles raise both; their own light lies further up still.
+fn bright_level(lit: &Histogram, noise_counts: f64) -> f64 {
+    let darkest = lit.quantile(0.02);
+    let noise = noise_counts.max((darkest - lit.quantile(0.001)) / 1.04);
+    darkest + (2.05 + BRIGHT_NOISE_WIDTHS) * noise
 }
 
 /// How often each count occurs.
@@ -162,6 +183,10 @@ impl Histogram {
         self.bins.iter().skip(usize::from(level)).sum()
     }
 
+    fn above(&self, level: f64) -> u64 {
+        self.bins.iter().skip(level.max(0.0) as usize + 1).sum()
+    }
+
     /// The highest count, when so many pixels share it that light cannot have put them there: more
     /// than in the hundredth part of the range just below it altogether.
     fn pile_up(&self) -> Option<u16> {
@@ -169,7 +194,8 @@ impl Histogram {
         let below = top.saturating_sub((top / 100).max(8));
         let neighbours: u64 = self.bins[below..top].iter().sum();
         let piled = self.bins[top];
-        (top > 0 && piled >= LEAST_SATURATED && piled > 2 * neighbours).then_some(top as u16)
+        (top >= LEAST_SATURATION_COUNTS && piled >= LEAST_SATURATED && piled > 2 * neighbours)
+            .then_some(top as u16)
     }
 }
 
@@ -232,6 +258,29 @@ mod tests {
     }
 
     #[test]
+    fn noise_alone_has_no_bright_pixels_and_few_particles_have_some() {
+        // Gaussian noise of `width` as the shot noise of uniform light through the aperture.
+        let uniform = |level: f64, width: f64| {
+            move |r: &mut Pcg64Mcg| {
+                level + width * ((0..12).map(|_| r.random::<f64>()).sum::<f64>() - 6.0)
+            }
+        };
+        for offset in [0.0, 64.0] {
+            for (level, width) in [(0.0, 0.0), (3.0, 1.7), (30.0, 5.5), (400.0, 20.0)] {
+                let levels = zones()
+                    .levels(&image(uniform(level, width), offset, 4.0), &ImageSettings::default());
+                assert!(levels.bright_share < 1e-4, "{offset}, {level}: {levels:?}");
+            }
+            let sparse = image(|r| if r.random::<f64>() < 0.99 { 0.0 } else { 60.0 }, offset, 4.0);
+            let levels = zones().levels(&sparse, &ImageSettings::default());
+            assert!((levels.bright_share - 0.01).abs() < 1e-3, "{levels:?}");
+            let dense = image(|r| 100.0 + 900.0 * r.random::<f64>().powi(2), offset, 4.0);
+            let levels = zones().levels(&dense, &ImageSettings::default());
+            assert!(levels.bright_share > 0.5, "{levels:?}");
+        }
+    }
+
+    #[test]
     fn saturation_is_a_pile_up_at_the_top_at_any_depth() {
         let clipped = image(|r| (r.random::<f64>() * 2000.0).min(936.0), 64.0, 0.0);
         let levels = zones().levels(&clipped, &ImageSettings::default());
@@ -245,7 +294,7 @@ mod tests {
         let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);
         let black = RawImage::new(nx, ny, vec![0; nx * ny]).unwrap();
         let levels = zones().levels(&black, &ImageSettings::default());
-        assert_eq!(levels.mean_signal_counts, 0.0);
+        assert_eq!((levels.mean_signal_counts, levels.bright_share), (0.0, 0.0));
         assert_eq!(levels.saturation_counts, None);
         assert!(levels.noise_counts > 0.0 && levels.offset_counts == 0.0);
     }

@@ -67,8 +67,12 @@ pub enum ProcessError {
     },
 }
 
-/// A camera whose lit pixels hold less light than this share of their noise sees nothing.
-const DARK_SIGNAL_SHARE: f64 = 0.02;
+/// A camera sees nothing when no more of its lit pixels than this are brighter than noise: two
+/// particles on 40 x 40 microlenses, or the hot pixels of a bad sensor.
+const DARK_BRIGHT_SHARE: f64 = 5e-4;
+
+/// Without bright pixels, this share of saturated ones tells too much light from none.
+const OVEREXPOSED_SHARE: f64 = 0.5;
 
 /// Saturated pixels beyond this share are worth a warning.
 const SATURATED_SHARE: f64 = 1e-3;
@@ -245,10 +249,18 @@ impl Processor {
 impl Frame {
     /// Notes what the light levels of an image say about its use.
     fn judge(&mut self, name: &str, levels: &LightLevels) {
-        if levels.mean_signal_counts <= DARK_SIGNAL_SHARE * levels.noise_counts {
-            self.lit = false;
+        let dark = levels.bright_share <= DARK_BRIGHT_SHARE;
+        self.lit &= !dark;
+        if dark && levels.saturated_share > OVEREXPOSED_SHARE {
             self.warnings.push(format!(
-                "{name}: no light above the noise; every vector is marked invalid. Check laser, \
+                "{name}: {:.0} % of the lit pixels are saturated at {} counts and no particle \
+                 stands out; every vector is marked invalid. Reduce gain or laser energy",
+                100.0 * levels.saturated_share,
+                levels.saturation_counts.unwrap_or(u16::MAX)
+            ));
+        } else if dark {
+            self.warnings.push(format!(
+                "{name}: no particle above the noise; every vector is marked invalid. Check laser, \
                  seeding and lens cap"
             ));
         } else if levels.saturated_share > SATURATED_SHARE {

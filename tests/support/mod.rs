@@ -6,6 +6,12 @@ use std::{
     process::{Command, Output},
 };
 
+use lfpiv::{
+    config::{Config, ConfigFile},
+    velocimetry::VelocityField,
+};
+use lfpiv_sim::Flow;
+
 /// The configurations in `config/`.
 pub const SHIPPED: [&str; 4] = ["sim", "jet", "bench", "paper"];
 
@@ -46,7 +52,29 @@ pub fn small_configuration() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml")
 }
 
-/// Its text with one piece replaced, as a file in `folder`.
+/// What it says.
+pub fn small_bench() -> Config {
+    ConfigFile::load(&small_configuration()).expect("small.toml").config
+}
+
+/// Difference of every vector from the flow at its place, in voxels along x, y, z.
+pub fn errors_vox(field: &VelocityField, flow: &Flow) -> Vec<[f64; 3]> {
+    let error = |(n, measured): (usize, &[f32; 3])| {
+        let moved_mm = flow.displacement_mm(field.grid.position_mm(n), field.dt_s);
+        std::array::from_fn(|axis| f64::from(measured[axis]) - moved_mm[axis] / field.voxel_mm)
+    };
+    field.displacement_vox.iter().enumerate().map(error).collect()
+}
+
+/// Mean |error| of each component over all vectors, valid or not, in voxels.
+pub fn mean_error_vox(field: &VelocityField, flow: &Flow) -> [f64; 3] {
+    let errors = errors_vox(field, flow);
+    std::array::from_fn(|axis| {
+        errors.iter().map(|error| error[axis].abs()).sum::<f64>() / errors.len() as f64
+    })
+}
+
+/// The text of the small bench's configuration with one piece replaced, as a file in `folder`.
 pub fn changed_configuration(folder: &Path, from: &str, to: &str) -> PathBuf {
     let text = std::fs::read_to_string(small_configuration()).expect("small.toml");
     assert!(text.contains(from), "{from}");
