@@ -67,9 +67,9 @@ pub enum ProcessError {
     },
 }
 
-/// A camera sees nothing when no more of its lit pixels than this are brighter than noise: two
-/// particles on 40 x 40 microlenses, or the hot pixels of a bad sensor.
-const DARK_BRIGHT_SHARE: f64 = 5e-4;
+/// A camera sees nothing when no more of its lit pixels than this are brighter than noise: less
+/// than one particle on the bench's sensor, or the hot pixels of a good one.
+const DARK_BRIGHT_SHARE: f64 = 5e-5;
 
 /// Without bright pixels, this share of saturated ones tells too much light from none.
 const OVEREXPOSED_SHARE: f64 = 0.5;
