@@ -1,7 +1,10 @@
 //! Configuration files: the shipped ones load; a wrong one is refused with file, line, key, value
 //! and what is allowed.
 
-use lfpiv::config::{Config, ConfigFile};
+use lfpiv::{
+    config::{Config, ConfigFile},
+    reconstruction::Footprint,
+};
 
 #[allow(dead_code)]
 mod support;
@@ -73,7 +76,7 @@ fn shipped_configurations_describe_the_documented_benches() {
     assert_eq!(bench.shot.dt_us, 100.0);
     let paper = load("paper");
     assert_eq!((paper.optics.sensor.columns, paper.optics.microlens.rows), (4582, 251));
-    assert_eq!(paper.reconstruction.refinement, 1);
+    assert_eq!(paper.reconstruction.footprint, Footprint::Auto);
     let jet = load("jet");
     assert_eq!(jet.volume.voxels, [130, 100, 120]);
     assert_eq!(jet.camera[1].axis.as_slice(), [1.0, 0.0, 0.0]);
