@@ -189,9 +189,6 @@ impl Processor {
                     .to_owned(),
             );
         }
-        for warning in &warnings {
-            tracing::warn!("{warning}");
-        }
         let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s };
         Ok((PairResult { field, seconds, warnings }, [volume_a, volume_b]))
     }

@@ -122,13 +122,14 @@ impl Reconstructor {
     /// Reconstructs one frame from its views, one stack per camera.
     pub fn reconstruct(&self, views: &[ViewStack], levels: &[ViewLevels]) -> Reconstruction {
         let on_grid = self.on_grid(views, levels);
-        if let Some(reconstruction) = &on_grid
-            && self.settings.solver == Solver::OsMart
+        let explained = on_grid.is_some();
+        if self.settings.solver == Solver::OsMart
+            && let Some(reconstruction) = on_grid
         {
-            return reconstruction.clone();
+            return reconstruction;
         }
-        let model = match (&on_grid, &self.grid_points) {
-            (Some(_), Some(points)) => points.as_ref(),
+        let model = match &self.grid_points {
+            Some(points) if explained => points.as_ref(),
             _ => self.models[0].as_ref(),
         };
         let all_voxels = || (0..model.grid().len() as u32).collect();
