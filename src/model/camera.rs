@@ -52,6 +52,10 @@ pub struct CameraView {
 pub struct CameraAxis {
     at_origin_mm: f64,
     per_index_mm: [f64; 3],
+    /// Lowest and highest coordinate of a voxel's centre, in mm.
+    range_mm: (f64, f64),
+    /// The grid axis that it runs along, forwards or backwards, if there is one.
+    pub along: Option<usize>,
     /// The coordinates that are tabulated.
     pub nodes: Nodes,
 }
@@ -68,6 +72,12 @@ impl CameraAxis {
         let at_origin_mm = first.dot(direction);
         let per_index_mm: [f64; 3] = std::array::from_fn(|a| direction[a] * grid.voxel_mm);
         let along = (0..3).find(|&a| (direction[a].abs() - 1.0).abs() < 1e-9);
+        let reach = |sign: f64| -> f64 {
+            (0..3)
+                .map(|a| (sign * per_index_mm[a]).max(0.0) * (grid.voxels[a] - 1) as f64)
+                .sum()
+        };
+        let range_mm = (at_origin_mm - reach(-1.0), at_origin_mm + reach(1.0));
         let nodes = match along {
             Some(a) => Nodes {
                 first_mm: at_origin_mm
@@ -76,23 +86,12 @@ impl CameraAxis {
                 count: grid.voxels[a].div_ceil(voxels_per_aligned_node),
             },
             None => {
-                let reach = |sign: f64| -> f64 {
-                    (0..3)
-                        .map(|a| (sign * per_index_mm[a]).max(0.0) * (grid.voxels[a] - 1) as f64)
-                        .sum()
-                };
                 let step_mm = grid.voxel_mm / oblique_nodes_per_voxel;
-                let count = ((reach(1.0) + reach(-1.0)) / step_mm).ceil() as usize + 1;
-                Nodes { first_mm: at_origin_mm - reach(-1.0), step_mm, count }
+                let count = ((range_mm.1 - range_mm.0) / step_mm).ceil() as usize + 1;
+                Nodes { first_mm: range_mm.0, step_mm, count }
             }
         };
-        Self { at_origin_mm, per_index_mm, nodes }
-    }
-
-    /// Lowest and highest coordinate of a voxel's centre, in mm.
-    fn range_mm(&self) -> (f64, f64) {
-        let (a, b) = (self.nodes.at(0), self.nodes.at(self.nodes.count - 1));
-        (a.min(b), a.max(b))
+        Self { at_origin_mm, per_index_mm, range_mm, along, nodes }
     }
 
     /// How far a voxel reaches from its centre, in mm.
@@ -103,6 +102,16 @@ impl CameraAxis {
     /// Coordinate of the centre of voxel (i, j, k), in mm.
     pub fn coordinate_mm(&self, ijk: [usize; 3]) -> f64 {
         self.at_origin_mm + (0..3).map(|a| self.per_index_mm[a] * ijk[a] as f64).sum::<f64>()
+    }
+
+    /// One node in the middle of every pair of voxels, for an axis along one of the grid's.
+    pub fn pair_nodes(&self, along: usize, voxels: usize) -> Nodes {
+        let step_mm = self.per_index_mm[along];
+        Nodes {
+            first_mm: self.at_origin_mm + step_mm / 2.0,
+            step_mm: 2.0 * step_mm,
+            count: voxels.div_ceil(2),
+        }
     }
 
     /// The node nearest to voxel (i, j, k).
@@ -127,7 +136,7 @@ impl CameraView {
         let shared_depth = (depth_node_step_mm(optics) / grid.voxel_mm).floor().max(1.0) as usize;
         let depth = axis(&pose.axis, OBLIQUE_DEPTH_NODES_PER_VOXEL, shared_depth);
         let camera = camera + 1;
-        let (_, nearest_mm) = depth.range_mm();
+        let (_, nearest_mm) = depth.range_mm;
         let limit_mm = optics.object_distance_mm - optics.focal_length_mm;
         if nearest_mm >= limit_mm {
             return Err(ModelError::TooDeep { camera, depth_mm: nearest_mm, limit_mm });
@@ -170,8 +179,8 @@ fn seen_microlenses(
     depth: &CameraAxis,
     microlenses: usize,
 ) -> Option<Range<usize>> {
-    let (low, high) = lateral.range_mm();
-    let (far, near) = depth.range_mm();
+    let (low, high) = lateral.range_mm;
+    let (far, near) = depth.range_mm;
     let radius = optics.pupil_diameter_mm() / 2.0;
     let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
     for d in [far - depth.half_voxel_mm(), near + depth.half_voxel_mm()] {

@@ -6,6 +6,7 @@
 //! no matrix; [`ExplicitModel`] holds sparse matrices, subset by subset as the paper does, and is
 //! the reference that the tables are tested against.
 
+mod blocks;
 mod camera;
 mod explicit;
 mod explicit_projector;
@@ -20,6 +21,10 @@ use std::ops::Range;
 
 use thiserror::Error;
 
+pub use blocks::{
+    BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, VoxelwiseBlocks, block_model,
+    blocks_along, child_voxel,
+};
 pub use explicit::{ExplicitModel, SubsetMatrix};
 pub use grid::VolumeGrid;
 pub use quadrature::QuadratureWeights;

@@ -68,7 +68,7 @@ impl<const W: usize> Tap<W> {
 /// axis. Neighbouring microlenses see a view through pupil intervals that differ by up to a cell
 /// (see [`AxisSampling`]): a voxel between them can fall into the gap, and is then dark although
 /// it shines.
-const LEAST_SEEN_SHARE: f32 = 0.75;
+pub const LEAST_SEEN_SHARE: f32 = 0.75;
 
 /// One axis of one camera: a [`Tap`] for every view index, depth node and position node.
 ///
@@ -144,32 +144,94 @@ impl AxisGeometry<'_> {
             .fold((0.0, 0.0), |(lost, reach), (l, r)| (lost.max(l), reach.max(r)))
     }
 
+    /// The most microlenses that a pair of neighbouring voxels reaches in any view.
+    pub fn pair_reach(&self) -> usize {
+        let pitch = self.optics.microlens.pitch_mm;
+        let widest = (0..self.depths.count)
+            .map(|depth| {
+                let map = RayMap::at_depth(self.optics, self.depths.at(depth));
+                let step = (map.position * self.positions.step_mm).abs();
+                (step + self.widest_shadow_mm(map)) / pitch + map.spread() - 1.0
+            })
+            .fold(0.0, f64::max);
+        // An interval of this many pitches meets at most one border more than it is long.
+        widest.ceil() as usize + 1
+    }
+
+    /// The widest shadow at a depth, with the phases of the microlenses' pupil intervals, in mm.
+    fn widest_shadow_mm(&self, map: RayMap) -> f64 {
+        let last = self.positions.at(self.positions.count - 1);
+        let slant_mm = f64::from(self.sampling.reach) * self.sampling.cell_mm
+            + self.positions.first_mm.abs().max(last.abs());
+        self.shadow(map, slant_mm).width() + map.pupil.abs() * self.sampling.cell_mm
+    }
+
     /// The share on each microlens `first..first + W` of a voxel at `position_mm` whose rays obey
     /// `map`, in view `k`; microlens numbers count from the start of the window.
     fn tap<const W: usize>(&self, map: RayMap, k: i32, position_mm: f64) -> Tap<W> {
         let pitch = self.optics.microlens.pitch_mm;
         let pupil_mm = f64::from(k) * self.sampling.cell_mm;
         let trapezoid = self.shadow(map, pupil_mm - position_mm);
-        let spread = map.spread();
         let middle = (self.sampling.microlenses as f64 - 1.0) / 2.0;
         let nominal = map.pupil * pupil_mm + map.position * position_mm;
         let start = (nominal / pitch + middle - (W as f64 - 1.0) / 2.0).round() as i64;
         // A footprint that leaves the window keeps its true shares on what remains of it.
         let last_first = self.window.end as i64 - W as i64;
         let first = start.clamp(self.window.start as i64, last_first.max(self.window.start as i64));
-        let weights = std::array::from_fn(|n| {
-            let i = first as usize + n;
-            if i >= self.window.end {
-                return 0.0;
-            }
-            let Some(sample) = self.sampling.sample(k, i) else { return 0.0 };
-            let centre = map.pupil * sample.pupil_mm + map.position * position_mm;
-            let offset = (i as f64 - middle) * pitch - centre;
-            let (low, high) = (offset - spread * pitch / 2.0, offset + spread * pitch / 2.0);
-            ((trapezoid.below(high) - trapezoid.below(low)) / spread) as f32
-        });
+        let shadow = Shadow { map, trapezoid, k, position_mm };
+        let weights = std::array::from_fn(|n| self.share(&shadow, first as usize + n) as f32);
         Tap::new((first - self.window.start as i64) as u16, weights)
     }
+
+    /// The shadow in view `k` of a source at `position_mm` whose rays obey `map`.
+    pub fn shadow_of(&self, map: RayMap, k: i32, position_mm: f64) -> Shadow {
+        let pupil_mm = f64::from(k) * self.sampling.cell_mm;
+        Shadow { map, trapezoid: self.shadow(map, pupil_mm - position_mm), k, position_mm }
+    }
+
+    /// The first microlens, counted from the start of the array, that a shadow can reach: each
+    /// microlens sees the view through its own pupil interval, up to half a cell off the nominal
+    /// one.
+    pub fn first_reached(&self, shadow: &Shadow) -> i64 {
+        let pupil_mm = f64::from(shadow.k) * self.sampling.cell_mm;
+        let nominal = shadow.map.pupil * pupil_mm + shadow.map.position * shadow.position_mm;
+        let phase = shadow.map.pupil.abs() * self.sampling.cell_mm / 2.0;
+        let half_lens = shadow.map.spread() * self.optics.microlens.pitch_mm / 2.0;
+        let edge = nominal - phase - shadow.trapezoid.width() / 2.0 - half_lens;
+        let middle = (self.sampling.microlenses as f64 - 1.0) / 2.0;
+        (edge / self.optics.microlens.pitch_mm + middle).ceil() as i64
+    }
+
+    /// The share of a source's light that microlens `i`, counted from the start of the array,
+    /// receives in the shadow's view; 0 outside the window and where the microlens has no pixel
+    /// of its own for this view.
+    pub fn share(&self, shadow: &Shadow, i: usize) -> f64 {
+        if !self.window.contains(&i) {
+            return 0.0;
+        }
+        let Some(sample) = self.sampling.sample(shadow.k, i) else { return 0.0 };
+        let pitch = self.optics.microlens.pitch_mm;
+        let middle = (self.sampling.microlenses as f64 - 1.0) / 2.0;
+        let spread = shadow.map.spread();
+        let centre =
+            shadow.map.pupil * sample.pupil_mm + shadow.map.position * shadow.position_mm;
+        let offset = (i as f64 - middle) * pitch - centre;
+        let half_lens = spread * pitch / 2.0;
+        if offset.abs() >= half_lens + shadow.trapezoid.width() / 2.0 {
+            return 0.0;
+        }
+        let (low, high) = (offset - half_lens, offset + half_lens);
+        (shadow.trapezoid.below(high) - shadow.trapezoid.below(low)) / spread
+    }
+}
+
+/// Where the light of a source falls along one axis in one view.
+#[derive(Debug, Clone, Copy)]
+pub struct Shadow {
+    map: RayMap,
+    trapezoid: Trapezoid,
+    k: i32,
+    position_mm: f64,
 }
 
 impl<const W: usize> AxisTable<W> {

@@ -43,7 +43,7 @@ impl Plan {
         let view_values: usize = layouts.iter().map(|l| l.views.len() * l.window.len()).sum();
         let sensor = &measurement.optics.sensor;
         Self {
-            solver_voxels: reconstructor.grids().map(|grid| grid.voxels).collect(),
+            solver_voxels: reconstructor.grids().iter().map(|grid| grid.voxels).collect(),
             views: layouts.iter().map(|layout| layout.views.len()).collect(),
             subsets: reconstructor.subsets_per_pass(),
             image_bytes: 2 * layouts.len() * sensor.columns * sensor.rows * size_of::<u16>(),

@@ -98,7 +98,7 @@ fn lit_voxels(
 }
 
 /// Keeps the entries whose flag is set.
-pub(super) fn retain<T>(values: &mut Vec<T>, keep: &[bool]) {
+pub(crate) fn retain<T>(values: &mut Vec<T>, keep: &[bool]) {
     let mut flags = keep.iter();
     values.retain(|_| flags.next().copied().unwrap_or(false));
 }

@@ -1,5 +1,6 @@
 //! From views to volumes.
 
+mod block_volume;
 pub mod convergence;
 pub mod hull;
 mod levels;
@@ -12,7 +13,9 @@ mod solve;
 pub mod subsets;
 mod volume;
 
+pub use block_volume::BlockVolume;
 pub use convergence::{ConvergenceLog, PassReport};
+use hull::retain;
 pub use levels::ViewLevels;
 pub use pr::pr_sart;
 pub use sart::{SartOptions, sart};

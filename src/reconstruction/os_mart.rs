@@ -13,10 +13,10 @@
 
 use rayon::prelude::*;
 
-use super::{SparseVolume, hull::retain};
+use super::{BlockVolume, retain};
 use crate::{
     lightfield::ViewStack,
-    model::{ForwardModel, Projector, ViewId},
+    model::{BlockLight, BlockModel, BlockProjector, ViewId},
 };
 
 /// One pass's parameters.
@@ -35,8 +35,8 @@ pub struct OsMart {
 /// Subsets between two clearances of dim voxels.
 const SUBSETS_PER_CLEARANCE: usize = 8;
 
-/// Voxels that one task updates.
-const VOXELS_PER_TASK: usize = 4096;
+/// Blocks that one task updates.
+const BLOCKS_PER_TASK: usize = 8192;
 
 /// One view, measured against projected.
 struct Compared {
@@ -49,15 +49,15 @@ struct Compared {
 }
 
 impl OsMart {
-    /// One pass over all views in `order`; returns the relative residual ‖I − p‖ / ‖I‖ that the
+    /// One pass over the views in `order`; returns the relative residual ‖I − p‖ / ‖I‖ that the
     /// pass met, each view's before its own update. Neither depends on the number of threads.
     pub fn pass(
         &self,
-        model: &dyn ForwardModel,
+        model: &dyn BlockModel,
         views: &[ViewStack],
         order: &[ViewId],
-        volume: &mut SparseVolume,
-        projector: &mut dyn Projector,
+        volume: &mut BlockVolume,
+        projector: &mut dyn BlockProjector,
     ) -> f64 {
         let (mut missed, mut seen) = (0.0, 0.0);
         for (n, subset) in order.chunks(self.views_per_subset.max(1)).enumerate() {
@@ -76,17 +76,17 @@ impl OsMart {
     /// Measured against projected light in every view of the subset.
     fn compare(
         &self,
-        model: &dyn ForwardModel,
+        model: &dyn BlockModel,
         views: &[ViewStack],
         subset: &[ViewId],
-        volume: &SparseVolume,
-        projector: &dyn Projector,
+        volume: &BlockVolume,
+        projector: &dyn BlockProjector,
     ) -> Vec<Compared> {
         subset
             .par_iter()
             .map(|&id| {
-                let mut image = vec![0.0; model.layouts()[id.camera].window.len()];
-                projector.project(id, &volume.intensity, &mut image);
+                let mut image = vec![0.0; model.image_len(id.camera)];
+                projector.project(id, &volume.light, &mut image);
                 let noise = self.noise_counts[id.camera];
                 let (mut missed, mut seen) = (0.0f64, 0.0f64);
                 for (pixel, &measured) in image.iter_mut().zip(views[id.camera].view(id.view)) {
@@ -103,28 +103,34 @@ impl OsMart {
         &self,
         subset: &[ViewId],
         compared: &[Compared],
-        volume: &mut SparseVolume,
-        projector: &dyn Projector,
+        volume: &mut BlockVolume,
+        projector: &dyn BlockProjector,
     ) {
         let step = self.relaxation / subset.len() as f32;
-        volume.intensity.par_chunks_mut(VOXELS_PER_TASK).enumerate().for_each(|(task, chunk)| {
-            let start = task * VOXELS_PER_TASK;
-            let mut sum = vec![0.0; chunk.len()];
+        volume.light.par_chunks_mut(BLOCKS_PER_TASK).enumerate().for_each(|(task, chunk)| {
+            let start = task * BLOCKS_PER_TASK;
+            let mut sums: Vec<BlockLight> = vec![[0.0; 8]; chunk.len()];
             for (&id, view) in subset.iter().zip(compared) {
-                projector.back_project(id, &view.excess, start..start + chunk.len(), &mut sum);
+                projector.back_project(id, &view.excess, start..start + chunk.len(), &mut sums);
             }
-            for (intensity, sum) in chunk.iter_mut().zip(sum) {
-                *intensity *= (1.0 + step * sum).max(0.0);
+            let sums = sums.as_flattened();
+            for (light, sum) in chunk.as_flattened_mut().iter_mut().zip(sums) {
+                *light *= (1.0 + step * sum).max(0.0);
             }
         });
     }
 
-    fn clear_dim_voxels(&self, volume: &mut SparseVolume, projector: &mut dyn Projector) {
-        let keep: Vec<bool> = volume.intensity.iter().map(|&e| e > self.prune_below).collect();
+    /// Darkens voxels below the threshold and gives up blocks without light.
+    fn clear_dim_voxels(&self, volume: &mut BlockVolume, projector: &mut dyn BlockProjector) {
+        for light in volume.light.as_flattened_mut() {
+            *light = if *light > self.prune_below { *light } else { 0.0 };
+        }
+        let lit = |light: &BlockLight| light.iter().any(|&light| light > 0.0);
+        let keep: Vec<bool> = volume.light.iter().map(lit).collect();
         if keep.iter().any(|&keep| !keep) {
             projector.retain(&keep);
-            retain(&mut volume.voxels, &keep);
-            retain(&mut volume.intensity, &keep);
+            retain(&mut volume.blocks, &keep);
+            retain(&mut volume.light, &keep);
         }
     }
 }

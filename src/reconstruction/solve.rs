@@ -5,7 +5,7 @@ use std::time::Instant;
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
-    PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
+    BlockVolume, PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
     hull::photo_hull,
     levels::ViewLevels,
     os_mart::OsMart,
@@ -15,17 +15,36 @@ use super::{
 };
 use crate::{
     lightfield::{ViewLayout, ViewStack},
-    model::{ForwardModel, ModelError, ViewId, VolumeGrid, thin_lens_model},
+    model::{
+        BlockModel, Darkness, ForwardModel, ModelError, ViewId, VolumeGrid, block_model,
+        thin_lens_model,
+    },
 };
 
-/// OS-MART's passes over all views on the coarse grid and on the finest one.
-const COARSE_PASSES: usize = 1;
-const FINE_PASSES: usize = 2;
+/// How OS-MART works on one grid.
+#[derive(Debug, Clone, Copy)]
+struct Stage {
+    /// Passes over `share_of_views` of the views.
+    passes: usize,
+    share_of_views: f64,
+    /// Many small subsets find the light quickly, the mean of large ones settles its place.
+    views_per_subset: usize,
+    /// A voxel with less than this share of a particle's light, divided by the number of the
+    /// stage's voxels in one voxel of the volume, is given up.
+    prune_share: f32,
+}
 
-/// OS-MART's views per subset on the coarse grid, where many updates find the light quickly, and
-/// on the finest one, where their mean settles its place.
-const COARSE_SUBSET: usize = 4;
-const FINE_SUBSET: usize = 8;
+/// The coarse grid only has to find where light is, for which half of the views are enough.
+const COARSE_STAGE: Stage =
+    Stage { passes: 1, share_of_views: 0.5, views_per_subset: 4, prune_share: 0.02 };
+const FINE_STAGE: Stage =
+    Stage { passes: 1, share_of_views: 1.0, views_per_subset: 4, prune_share: 0.16 };
+const ONLY_STAGE: Stage =
+    Stage { passes: 2, share_of_views: 1.0, views_per_subset: 8, prune_share: 0.02 };
+
+/// Views of a camera that may find a lit voxel dark: a few always, a share of them by noise.
+const FORGIVEN: f64 = 1.0;
+const NOISE_SHARE: f64 = 0.03;
 
 /// SART's passes by default. The paper takes 400 and more; these show the method at a bearable
 /// cost.
@@ -37,10 +56,6 @@ const SUBSETS_PER_CAMERA: usize = 12;
 /// Points on voxel centres are taken for the truth when the share of the views' light energy that
 /// they leave unexplained is at most this; particles elsewhere leave nearly all of it.
 const ON_GRID_UNEXPLAINED: f64 = 0.35;
-
-/// A voxel with less than this share of a particle's light, divided by the number of the solver's
-/// voxels in one voxel of the volume, is given up.
-const PRUNE_SHARE: f32 = 0.02;
 
 /// A reconstructed frame and how the solver got there.
 #[derive(Debug, Clone)]
@@ -56,13 +71,38 @@ pub struct Reconstruction {
 /// Models on one or more grids, coarse to fine, and the solver to run on them.
 pub struct Reconstructor {
     settings: ReconstructionSettings,
-    /// Voxels of the first model along the edge of a voxel of the volume.
-    coarsest: usize,
-    /// Coarse to fine.
-    models: Vec<Box<dyn ForwardModel>>,
+    /// Edge of the volume's own voxels.
+    voxel_mm: f64,
+    models: Models,
     /// Points on the volume's own grid, where the settings want them tried first.
-    grid_points: Option<Box<dyn ForwardModel>>,
+    grid_points: Option<Box<dyn BlockModel>>,
     order: Vec<ViewId>,
+}
+
+/// What the solver works on.
+enum Models {
+    /// OS-MART: blocks of active voxels, coarse to fine.
+    Blocks(Vec<Box<dyn BlockModel>>),
+    /// The others: single voxels of the volume's own grid, filled or as points.
+    Voxels { filled: Box<dyn ForwardModel>, points: Option<Box<dyn ForwardModel>> },
+}
+
+impl Models {
+    fn layouts(&self) -> &[ViewLayout] {
+        match self {
+            Self::Blocks(models) => models[0].layouts(),
+            Self::Voxels { filled, .. } => filled.layouts(),
+        }
+    }
+
+    fn memory_bytes(&self) -> usize {
+        match self {
+            Self::Blocks(models) => models.iter().map(|model| model.memory_bytes()).sum(),
+            Self::Voxels { filled, points } => {
+                filled.memory_bytes() + points.as_ref().map_or(0, |model| model.memory_bytes())
+            }
+        }
+    }
 }
 
 impl Reconstructor {
@@ -73,39 +113,41 @@ impl Reconstructor {
         grid: &VolumeGrid,
         settings: &ReconstructionSettings,
     ) -> Result<Self, ModelError> {
-        let refinements = refinements(settings);
-        let models = refinements
-            .iter()
-            .map(|&refinement| {
+        let auto = settings.footprint == Footprint::Auto;
+        let points = || thin_lens_model(optics, poses, grid, 0.0);
+        let models = if settings.solver == Solver::OsMart {
+            let model = |refinement| {
                 let grid = grid.refined(refinement);
-                let footprint_mm = match settings.footprint {
-                    Footprint::Voxel | Footprint::Auto => grid.voxel_mm,
-                    Footprint::Point => 0.0,
-                };
-                thin_lens_model(optics, poses, &grid, footprint_mm)
-            })
-            .collect::<Result<Vec<_>, _>>()?;
-        let grid_points = (settings.footprint == Footprint::Auto)
-            .then(|| thin_lens_model(optics, poses, grid, 0.0))
-            .transpose()?;
-        let order = alternating_views(models[0].layouts());
-        let coarsest = refinements[0];
-        Ok(Self { settings: settings.clone(), coarsest, models, grid_points, order })
+                block_model(optics, poses, &grid, footprint_mm(settings, &grid))
+            };
+            Models::Blocks(refinements(settings).into_iter().map(model).collect::<Result<_, _>>()?)
+        } else {
+            Models::Voxels {
+                filled: thin_lens_model(optics, poses, grid, footprint_mm(settings, grid))?,
+                points: auto.then(points).transpose()?,
+            }
+        };
+        let grid_points = auto.then(|| block_model(optics, poses, grid, 0.0)).transpose()?;
+        let order = alternating_views(models.layouts());
+        Ok(Self { settings: settings.clone(), voxel_mm: grid.voxel_mm, models, grid_points, order })
     }
 
     /// How raw images are to be cut into views, per camera.
     pub fn layouts(&self) -> &[ViewLayout] {
-        self.models[0].layouts()
+        self.models.layouts()
     }
 
     /// Grids, coarse to fine.
-    pub fn grids(&self) -> impl Iterator<Item = &VolumeGrid> {
-        self.models.iter().map(|model| model.grid())
+    pub fn grids(&self) -> Vec<&VolumeGrid> {
+        match &self.models {
+            Models::Blocks(models) => models.iter().map(|model| model.grid()).collect(),
+            Models::Voxels { filled, .. } => vec![filled.grid()],
+        }
     }
 
     /// Bytes of all tables.
     pub fn memory_bytes(&self) -> usize {
-        self.models.iter().chain(&self.grid_points).map(|model| model.memory_bytes()).sum()
+        self.models.memory_bytes() + self.grid_points.as_ref().map_or(0, |m| m.memory_bytes())
     }
 
     /// Ordered subsets in one pass over all views on the finest grid.
@@ -113,7 +155,8 @@ impl Reconstructor {
         match self.settings.solver {
             Solver::Mlos => 1,
             Solver::OsMart => {
-                self.order.len().div_ceil(self.settings.views_per_subset.unwrap_or(FINE_SUBSET))
+                let levels = self.grids().len();
+                self.order.len().div_ceil(self.stage(levels - 1, levels).views_per_subset)
             }
             Solver::Sart | Solver::OsSart | Solver::PrSart => self.balanced().len(),
         }
@@ -122,27 +165,19 @@ impl Reconstructor {
     /// Reconstructs one frame from its views, one stack per camera.
     pub fn reconstruct(&self, views: &[ViewStack], levels: &[ViewLevels]) -> Reconstruction {
         let on_grid = self.on_grid(views, levels);
-        let explained = on_grid.is_some();
-        if self.settings.solver == Solver::OsMart
-            && let Some(reconstruction) = on_grid
-        {
-            return reconstruction;
-        }
-        let model = match &self.grid_points {
-            Some(points) if explained => points.as_ref(),
-            _ => self.models[0].as_ref(),
-        };
-        let all_voxels = || (0..model.grid().len() as u32).collect();
         let mut passes = Vec::new();
-        let mut note = |report: &PassReport, _: &SparseVolume| passes.push(*report);
-        let volume = match self.settings.solver {
-            Solver::Mlos => self.hull(model, views, levels),
-            Solver::OsMart => self.os_mart(&self.models, views, levels, &mut note),
-            Solver::Sart | Solver::OsSart => {
-                sart(model, views, all_voxels(), &self.sart_options(), &mut note)
-            }
-            Solver::PrSart => {
-                pr_sart(model, views, &dark_below(levels), &self.sart_options(), &mut note)
+        let mut note = |report: &PassReport| passes.push(*report);
+        let volume = match &self.models {
+            Models::Blocks(models) => match on_grid {
+                Some(reconstruction) => return reconstruction,
+                None => self.os_mart(models, views, levels, &mut note),
+            },
+            Models::Voxels { filled, points } => {
+                let model = match points {
+                    Some(points) if on_grid.is_some() => points,
+                    _ => filled,
+                };
+                self.voxelwise(model.as_ref(), views, levels, &mut note)
             }
         };
         for report in &passes {
@@ -155,6 +190,30 @@ impl Reconstructor {
             );
         }
         Reconstruction { volume, passes }
+    }
+
+    /// The solvers that work on the volume's own voxels.
+    fn voxelwise(
+        &self,
+        model: &dyn ForwardModel,
+        views: &[ViewStack],
+        levels: &[ViewLevels],
+        note: &mut dyn FnMut(&PassReport),
+    ) -> SparseVolume {
+        let mut note = |report: &PassReport, _: &SparseVolume| note(report);
+        match self.settings.solver {
+            Solver::Sart | Solver::OsSart => {
+                let all_voxels = (0..model.grid().len() as u32).collect();
+                sart(model, views, all_voxels, &self.sart_options(), &mut note)
+            }
+            Solver::PrSart => {
+                pr_sart(model, views, &dark_below(levels), &self.sart_options(), &mut note)
+            }
+            // OS-MART has blocks; what is left of it here is its start.
+            Solver::Mlos | Solver::OsMart => {
+                photo_hull(model, views, &dark_below(levels), &self.order)
+            }
+        }
     }
 
     fn sart_options(&self) -> SartOptions {
@@ -175,11 +234,38 @@ impl Reconstructor {
         balanced_subsets(self.layouts(), per_camera)
     }
 
+    /// What to do on grid `level` of `levels`, coarse to fine.
+    fn stage(&self, level: usize, levels: usize) -> Stage {
+        let default = match (level, levels) {
+            (_, 1) => ONLY_STAGE,
+            (0, _) => COARSE_STAGE,
+            _ => FINE_STAGE,
+        };
+        let finest = level + 1 == levels;
+        Stage {
+            passes: self.settings.passes.filter(|_| finest).unwrap_or(default.passes),
+            views_per_subset: self.settings.views_per_subset.unwrap_or(default.views_per_subset),
+            ..default
+        }
+    }
+
+    fn os_mart_update(&self, levels: &[ViewLevels], stage: &Stage, grid: &VolumeGrid) -> OsMart {
+        let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
+        let refinement = (self.voxel_mm / grid.voxel_mm) as f32;
+        OsMart {
+            // Above 1 the multiplicative update turns intensities negative.
+            relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
+            views_per_subset: stage.views_per_subset,
+            noise_counts: levels.iter().map(|l| l.noise_counts as f32).collect(),
+            prune_below: stage.prune_share * brightest / refinement.powi(3),
+        }
+    }
+
     /// What points on the volume's own grid make of the views, if they explain them.
     fn on_grid(&self, views: &[ViewStack], levels: &[ViewLevels]) -> Option<Reconstruction> {
         let points = self.grid_points.as_ref()?;
         let mut passes = Vec::new();
-        let mut note = |report: &PassReport, _: &SparseVolume| passes.push(*report);
+        let mut note = |report: &PassReport| passes.push(*report);
         let volume = self.os_mart(std::slice::from_ref(points), views, levels, &mut note);
         let unexplained = unexplained_share(passes.last()?.residual, views, levels);
         let explained = unexplained <= ON_GRID_UNEXPLAINED;
@@ -187,67 +273,39 @@ impl Reconstructor {
         explained.then_some(Reconstruction { volume, passes })
     }
 
-    fn hull(
-        &self,
-        model: &dyn ForwardModel,
-        views: &[ViewStack],
-        levels: &[ViewLevels],
-    ) -> SparseVolume {
-        photo_hull(model, views, &dark_below(levels), &self.order)
-    }
-
-    /// Coarse to fine: the hull and a pass on the coarse grid leave the voxels near particles;
-    /// only these are split.
+    /// Coarse to fine: the hull and half a pass on the coarse grid leave the voxels near
+    /// particles; only these are split.
     fn os_mart(
         &self,
-        models: &[Box<dyn ForwardModel>],
+        models: &[Box<dyn BlockModel>],
         views: &[ViewStack],
         levels: &[ViewLevels],
-        observer: &mut dyn FnMut(&PassReport, &SparseVolume),
+        note: &mut dyn FnMut(&PassReport),
     ) -> SparseVolume {
-        let mut volume = self.hull(models[0].as_ref(), views, levels);
-        scale_to_measured(models[0].as_ref(), views, self.order[0], &mut volume);
+        let coarsest = models[0].as_ref();
+        let lit = coarsest.lit(views, &darkness(views, levels));
+        let mut volume = BlockVolume::evenly(coarsest.grid(), lit);
+        scale_to_measured(coarsest, views, self.order[0], &mut volume);
         let mut done = 0;
         for (n, model) in models.iter().enumerate() {
-            let split = model.grid().voxels[0] / volume.grid.voxels[0];
-            if split > 1 {
-                volume = volume.refined(split);
+            if n > 0 {
+                volume = volume.split();
             }
-            let last = n + 1 == models.len();
-            let passes =
-                if last { self.settings.passes.unwrap_or(FINE_PASSES) } else { COARSE_PASSES };
-            let refinement = self.refinement_of(model.as_ref());
-            let update = self.os_mart_update(levels, refinement, last);
-            let mut projector = model.projector(&volume.voxels);
-            for _ in 0..passes {
+            let stage = self.stage(n, models.len());
+            let update = self.os_mart_update(levels, &stage, model.grid());
+            let order = &self.order[..(self.order.len() as f64 * stage.share_of_views) as usize];
+            let mut projector = model.projector(&volume.blocks);
+            for _ in 0..stage.passes {
                 let started = Instant::now();
                 let (model, projector) = (model.as_ref(), projector.as_mut());
-                let residual = update.pass(model, views, &self.order, &mut volume, projector);
+                let residual = update.pass(model, views, order, &mut volume, projector);
                 done += 1;
-                let active_voxels = volume.voxels.len();
+                let active_voxels = volume.active_voxels();
                 let seconds = started.elapsed().as_secs_f64();
-                observer(&PassReport { pass: done, residual, active_voxels, seconds }, &volume);
+                note(&PassReport { pass: done, residual, active_voxels, seconds });
             }
         }
-        volume
-    }
-
-    /// Voxels of a model along the edge of a voxel of the volume.
-    fn refinement_of(&self, model: &dyn ForwardModel) -> usize {
-        let per_voxel = |model: &dyn ForwardModel| model.grid().voxels[0];
-        per_voxel(model) * self.coarsest / per_voxel(self.models[0].as_ref())
-    }
-
-    fn os_mart_update(&self, levels: &[ViewLevels], refinement: usize, last: bool) -> OsMart {
-        let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
-        let subset = if last { FINE_SUBSET } else { COARSE_SUBSET };
-        OsMart {
-            // Above 1 the multiplicative update turns intensities negative.
-            relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
-            views_per_subset: self.settings.views_per_subset.unwrap_or(subset),
-            noise_counts: levels.iter().map(|l| l.noise_counts as f32).collect(),
-            prune_below: PRUNE_SHARE * brightest / refinement.pow(3) as f32,
-        }
+        volume.into_voxels()
     }
 }
 
@@ -261,6 +319,12 @@ fn unexplained_share(residual: f64, views: &[ViewStack], levels: &[ViewLevels]) 
         .map(|(view, level)| view.values().len() as f64 * level.noise_counts.powi(2))
         .sum();
     if seen > noise { ((residual.powi(2) * seen - noise) / (seen - noise)).max(0.0) } else { 1.0 }
+}
+
+/// The hull's rule: see [`FORGIVEN`] and [`NOISE_SHARE`].
+fn darkness(views: &[ViewStack], levels: &[ViewLevels]) -> Darkness {
+    let forgiven = |view: &ViewStack| (FORGIVEN + NOISE_SHARE * view.len() as f64) as usize;
+    Darkness { dark_below: dark_below(levels), forgiven: views.iter().map(forgiven).collect() }
 }
 
 fn dark_below(levels: &[ViewLevels]) -> Vec<f32> {
@@ -277,20 +341,28 @@ fn refinements(settings: &ReconstructionSettings) -> Vec<usize> {
     }
 }
 
-/// Scales the volume so that one view's light is right: the hull counts every particle's light
-/// in many voxels.
+/// The edge of the light source that a voxel of `grid` stands for.
+fn footprint_mm(settings: &ReconstructionSettings, grid: &VolumeGrid) -> f64 {
+    match settings.footprint {
+        Footprint::Voxel | Footprint::Auto => grid.voxel_mm,
+        Footprint::Point => 0.0,
+    }
+}
+
+/// Scales the volume so that one view's light is right: the hull says nothing about brightness.
 fn scale_to_measured(
-    model: &dyn ForwardModel,
+    model: &dyn BlockModel,
     views: &[ViewStack],
     view: ViewId,
-    volume: &mut SparseVolume,
+    volume: &mut BlockVolume,
 ) {
-    let mut image = vec![0.0; model.layouts()[view.camera].window.len()];
-    model.projector(&volume.voxels).project(view, &volume.intensity, &mut image);
+    let mut image = vec![0.0; model.image_len(view.camera)];
+    model.projector(&volume.blocks).project(view, &volume.light, &mut image);
+    let measured = views[view.camera].view(view.view);
     let sum = |values: &[f32]| values.iter().map(|&v| f64::from(v)).sum::<f64>();
-    let (projected, measured) = (sum(&image), sum(views[view.camera].view(view.view)));
+    let (projected, measured) = (sum(&image[..measured.len()]), sum(measured));
     if projected > 0.0 && measured > 0.0 {
         let scale = (measured / projected) as f32;
-        volume.intensity.iter_mut().for_each(|e| *e *= scale);
+        volume.light.as_flattened_mut().iter_mut().for_each(|light| *light *= scale);
     }
 }

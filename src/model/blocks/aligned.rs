@@ -1,0 +1,165 @@
+//! Blocks seen by cameras that look along an axis of the grid.
+
+use lfpiv_hw::{Optics, Pose};
+
+use super::{
+    BlockModel, BlockProjector, Darkness, LitBlocks, axis_table::PairTable, block_indices, lit,
+    projector::AlignedProjector,
+};
+use crate::{
+    lightfield::{ViewLayout, ViewStack},
+    model::{
+        ModelError, ViewId, VolumeGrid,
+        camera::CameraView,
+        thin_lens::{camera_views, coverage_bytes},
+    },
+};
+
+/// The separable footprint of every block in every view, from tables of up to `L` microlenses per
+/// pair of voxels and axis.
+#[derive(Debug)]
+pub struct AlignedModel<const L: usize> {
+    pub(super) grid: VolumeGrid,
+    pub(super) layouts: Vec<ViewLayout>,
+    pub(super) cameras: Vec<AlignedCamera<L>>,
+}
+
+/// One camera's tables, and how its axes lie in the grid.
+#[derive(Debug)]
+pub(super) struct AlignedCamera<const L: usize> {
+    pub axes: Axes,
+    pub columns: PairTable<L>,
+    pub rows: PairTable<L>,
+    /// Pixels per row of the window.
+    pub width: usize,
+}
+
+/// The grid axes (0, 1, 2 for x, y, z) along a camera's columns, rows and depth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Axes {
+    pub column: usize,
+    pub row: usize,
+    pub depth: usize,
+}
+
+/// Where in a camera's two tables a block's taps are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub column: u32,
+    pub row: u32,
+}
+
+/// How the cameras see the grid, if all of them look along its axes. Errors as
+/// [`super::block_model`].
+pub(super) fn aligned_views(
+    optics: &Optics,
+    poses: &[Pose],
+    grid: &VolumeGrid,
+    footprint_mm: f64,
+) -> Result<Option<Vec<CameraView>>, ModelError> {
+    let views = camera_views(optics, poses, grid, footprint_mm)?;
+    let aligned = views.iter().all(|view| Axes::of(view).is_some());
+    Ok(aligned.then_some(views))
+}
+
+impl Axes {
+    fn of(view: &CameraView) -> Option<Self> {
+        Some(Self { column: view.xi.along?, row: view.eta.along?, depth: view.depth.along? })
+    }
+
+    /// For row r and column c of a block as the camera sees it, the near and the far child.
+    pub fn children(self) -> [[[usize; 2]; 2]; 2] {
+        let child = |r: usize, c: usize, d: usize| r << self.row | c << self.column | d << self.depth;
+        [0, 1].map(|r| [0, 1].map(|c| [child(r, c, 0), child(r, c, 1)]))
+    }
+}
+
+impl<const L: usize> AlignedModel<L> {
+    /// `None` when pairs of voxels reach more than `L` microlenses, or a camera is not aligned.
+    pub fn new(
+        optics: &Optics,
+        views: &[CameraView],
+        grid: &VolumeGrid,
+        footprint_mm: f64,
+    ) -> Option<Self> {
+        let mut cameras = Vec::with_capacity(views.len());
+        let mut layouts = Vec::with_capacity(views.len());
+        for view in views {
+            let layout = ViewLayout::new(optics, view.window.clone());
+            let axes = Axes::of(view)?;
+            let mut axis_geometries =
+                view.geometries(optics, &layout.columns, &layout.rows, footprint_mm);
+            for geometry in &mut axis_geometries {
+                geometry.depths = view.depth.pair_nodes(axes.depth, grid.voxels[axes.depth]);
+            }
+            let [columns, rows] = axis_geometries;
+            let (columns, rows) =
+                rayon::join(|| PairTable::new(&columns), || PairTable::new(&rows));
+            let width = view.window.columns.len();
+            cameras.push(AlignedCamera { axes, columns: columns?, rows: rows?, width });
+            layouts.push(layout);
+        }
+        Some(Self { grid: grid.clone(), layouts, cameras })
+    }
+
+    /// Half-open view onto one view's tables: columns, rows, coverage.
+    pub(super) fn view(&self, id: ViewId) -> ViewTables<'_, L> {
+        let camera = &self.cameras[id.camera];
+        let view = &self.layouts[id.camera].views[id.view];
+        ViewTables {
+            columns: camera.columns.of_view(view.k),
+            rows: camera.rows.of_view(view.l),
+            width: camera.width,
+            coverage: view.coverage.as_deref(),
+        }
+    }
+}
+
+/// What projects into one view.
+pub(super) struct ViewTables<'a, const L: usize> {
+    pub columns: &'a [super::axis_table::PairTap<L>],
+    pub rows: &'a [super::axis_table::PairTap<L>],
+    pub width: usize,
+    pub coverage: Option<&'a [f32]>,
+}
+
+impl<const L: usize> AlignedCamera<L> {
+    fn place(&self, block: [usize; 3]) -> Place {
+        let Axes { column, row, depth } = self.axes;
+        Place {
+            column: (block[depth] * self.columns.pairs() + block[column]) as u32,
+            row: (block[depth] * self.rows.pairs() + block[row]) as u32,
+        }
+    }
+}
+
+impl<const L: usize> BlockModel for AlignedModel<L> {
+    fn grid(&self) -> &VolumeGrid {
+        &self.grid
+    }
+
+    fn layouts(&self) -> &[ViewLayout] {
+        &self.layouts
+    }
+
+    fn projector(&self, blocks: &[u32]) -> Box<dyn BlockProjector + '_> {
+        let places = |camera: &AlignedCamera<L>| {
+            blocks.iter().map(|&block| camera.place(block_indices(&self.grid, block))).collect()
+        };
+        Box::new(AlignedProjector { model: self, places: self.cameras.iter().map(places).collect() })
+    }
+
+    fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks {
+        lit::lit_blocks(self, views, darkness)
+    }
+
+    fn image_len(&self, camera: usize) -> usize {
+        self.layouts[camera].window.len() + L
+    }
+
+    fn memory_bytes(&self) -> usize {
+        let tables: usize =
+            self.cameras.iter().map(|c| c.columns.memory_bytes() + c.rows.memory_bytes()).sum();
+        tables + self.layouts.iter().map(coverage_bytes).sum::<usize>()
+    }
+}

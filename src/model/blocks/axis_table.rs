@@ -1,0 +1,95 @@
+//! Tables of one-axis footprints for pairs of neighbouring voxels.
+
+use rayon::prelude::*;
+
+use crate::model::{footprint::RayMap, tables::AxisGeometry};
+
+/// The microlenses that a pair of voxels covers along one axis, and the share of each voxel on
+/// each of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairTap<const L: usize> {
+    /// Shares of the lower and the upper voxel on microlenses `first..first + L`; 0 from `len` on.
+    pub shares: [[f32; L]; 2],
+    /// First microlens, counted from the start of the window.
+    pub first: u16,
+    /// Microlenses up to the last one that receives light.
+    pub len: u16,
+}
+
+/// One axis of one camera: a [`PairTap`] for every view index, depth of blocks and pair of voxels
+/// across, in this order.
+///
+/// All voxels of a block take the depth of its centre. Half a voxel of depth moves a shadow by
+/// 1/32 of a voxel at the edge of the bench's pupil.
+#[derive(Debug)]
+pub struct PairTable<const L: usize> {
+    reach: i32,
+    depths: usize,
+    pairs: usize,
+    taps: Vec<PairTap<L>>,
+}
+
+impl<const L: usize> PairTable<L> {
+    /// Computes every tap of `geometry`, whose depths are those of blocks and whose positions
+    /// those of voxels. `None` when a pair reaches more than `L` microlenses.
+    pub fn new(geometry: &AxisGeometry<'_>) -> Option<Self> {
+        let reach = geometry.sampling.reach;
+        let (depths, pairs) = (geometry.depths.count, geometry.positions.count.div_ceil(2));
+        if geometry.pair_reach() > L {
+            return None;
+        }
+        let views = (2 * reach + 1) as usize;
+        let taps = (0..views * depths)
+            .into_par_iter()
+            .flat_map_iter(|n| {
+                let (k, depth) = ((n / depths) as i32 - reach, n % depths);
+                let map = RayMap::at_depth(geometry.optics, geometry.depths.at(depth));
+                (0..pairs).map(move |pair| pair_tap(geometry, map, k, pair))
+            })
+            .collect();
+        Some(Self { reach, depths, pairs, taps })
+    }
+
+    /// The taps of view index `k`, addressed by `depth * pairs + pair`.
+    pub fn of_view(&self, k: i32) -> &[PairTap<L>] {
+        let len = self.depths * self.pairs;
+        let start = (k + self.reach) as usize * len;
+        &self.taps[start..start + len]
+    }
+
+    /// Number of pairs: the stride between depths in [`Self::of_view`].
+    pub fn pairs(&self) -> usize {
+        self.pairs
+    }
+
+    /// Number of block depths.
+    pub fn depths(&self) -> usize {
+        self.depths
+    }
+
+    /// Bytes held.
+    pub fn memory_bytes(&self) -> usize {
+        self.taps.len() * size_of::<PairTap<L>>()
+    }
+}
+
+fn pair_tap<const L: usize>(
+    geometry: &AxisGeometry<'_>,
+    map: RayMap,
+    k: i32,
+    pair: usize,
+) -> PairTap<L> {
+    // Beyond an odd grid's end the upper voxel is never lit; its shares do not matter.
+    let shadows =
+        [0, 1].map(|child| geometry.shadow_of(map, k, geometry.positions.at(2 * pair + child)));
+    let first = shadows.iter().map(|shadow| geometry.first_reached(shadow)).min().unwrap_or(0);
+    let window = &geometry.window;
+    // A footprint that leaves the window keeps its true shares on what remains of it.
+    let last_first = (window.end as i64 - L as i64).max(window.start as i64);
+    let first = first.clamp(window.start as i64, last_first) as usize;
+    let shares: [[f32; L]; 2] = shadows
+        .map(|shadow| std::array::from_fn(|n| geometry.share(&shadow, first + n) as f32));
+    let dark = |n: &usize| shares.iter().all(|shares| shares[*n] == 0.0);
+    let len = L - (0..L).rev().take_while(dark).count();
+    PairTap { shares, first: (first - window.start) as u16, len: len as u16 }
+}

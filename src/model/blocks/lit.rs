@@ -1,0 +1,327 @@
+//! Which voxels may hold light, 64 voxels at a time.
+//!
+//! One camera at a time: for each depth of blocks and each view, the image's lit pixels are carried
+//! onto the voxels. A run of lit microlenses lights a run of voxels, so a row of the image becomes
+//! a line of bits in a few operations; a voxel's line is the union of the rows in its support. The
+//! views that find a voxel dark are counted in bit planes, 64 voxels per operation.
+
+use rayon::prelude::*;
+
+use super::{
+    Darkness, LitBlocks,
+    aligned::{AlignedCamera, AlignedModel, Axes},
+    axis_table::PairTap,
+    blocks_along,
+};
+use crate::{
+    lightfield::{ViewLayout, ViewStack},
+    model::{SUPPORT_SHARE, tables::LEAST_SEEN_SHARE},
+};
+
+/// One bit per voxel along a camera's columns.
+type Line = Vec<u64>;
+
+/// See [`super::BlockModel::lit`].
+pub(super) fn lit_blocks<const L: usize>(
+    model: &AlignedModel<L>,
+    views: &[ViewStack],
+    darkness: &Darkness,
+) -> LitBlocks {
+    let cameras: Vec<CameraBits> = model
+        .cameras
+        .iter()
+        .zip(&model.layouts)
+        .enumerate()
+        .map(|(n, (camera, layout))| {
+            let images = LitImages::new(layout, &views[n], darkness.dark_below[n]);
+            CameraBits::new(camera, layout, &images, model.grid.voxels, darkness.forgiven[n])
+        })
+        .collect();
+    let [nx, ny, nz] = blocks_along(&model.grid);
+    let mut lit = LitBlocks::default();
+    for block in 0..(nx * ny * nz) as u32 {
+        let n = block as usize;
+        let at = [n % nx, n / nx % ny, n / (nx * ny)];
+        let possible = cameras.iter().fold(u8::MAX, |mask, c| mask & c.possible.children(at));
+        let seen = cameras.iter().fold(0, |mask, c| mask | c.seen.children(at));
+        if possible & seen != 0 {
+            lit.blocks.push(block);
+            lit.children.push(possible & seen);
+        }
+    }
+    lit
+}
+
+/// The lit pixels of every view of a camera, a bit each, row by row.
+struct LitImages {
+    rows: usize,
+    words: usize,
+    bits: Vec<u64>,
+}
+
+impl LitImages {
+    fn new(layout: &ViewLayout, views: &ViewStack, dark_below: f32) -> Self {
+        let (width, rows) = (layout.window.columns.len(), layout.window.rows.len());
+        let words = width.div_ceil(64);
+        let mut bits = vec![0u64; views.len() * rows * words];
+        for (n, view) in layout.views.iter().enumerate() {
+            let image = views.view(n);
+            for (row, line) in image.chunks_exact(width).enumerate() {
+                let target = &mut bits[(n * rows + row) * words..][..words];
+                for (i, &value) in line.iter().enumerate() {
+                    let open = view.coverage.as_ref().map_or(1.0, |c| c[row * width + i]);
+                    // A pixel less than half open is no evidence of darkness.
+                    let lit = open <= 0.5 || value >= dark_below * open;
+                    target[i / 64] |= u64::from(lit) << (i % 64);
+                }
+            }
+        }
+        Self { rows, words, bits }
+    }
+
+    fn row(&self, view: usize, row: usize) -> &[u64] {
+        &self.bits[(view * self.rows + row) * self.words..][..self.words]
+    }
+}
+
+/// A camera's verdict on every voxel.
+struct CameraBits {
+    possible: VoxelBits,
+    seen: VoxelBits,
+}
+
+/// One bit per voxel: for each block depth and voxel across the rows a [`Line`].
+struct VoxelBits {
+    axes: Axes,
+    /// Voxels along the depth and across the rows.
+    depths: usize,
+    rows: usize,
+    words: usize,
+    bits: Vec<u64>,
+}
+
+impl VoxelBits {
+    /// The bits of a block's children; 0 beyond the grid's end.
+    fn children(&self, block: [usize; 3]) -> u8 {
+        let (column, row) = (2 * block[self.axes.column], 2 * block[self.axes.row]);
+        let far_inside = 2 * block[self.axes.depth] + 1 < self.depths;
+        let mut mask = 0;
+        for (r, children) in self.axes.children().into_iter().enumerate() {
+            if row + r >= self.rows {
+                break;
+            }
+            let line = (block[self.axes.depth] * self.rows + row + r) * self.words;
+            let pair = self.bits[line + column / 64] >> (column % 64);
+            for (c, [near, far]) in children.into_iter().enumerate() {
+                if pair >> c & 1 == 1 {
+                    mask |= 1 << near | u8::from(far_inside) << far;
+                }
+            }
+        }
+        mask
+    }
+}
+
+impl CameraBits {
+    fn new<const L: usize>(
+        camera: &AlignedCamera<L>,
+        layout: &ViewLayout,
+        images: &LitImages,
+        voxels: [usize; 3],
+        forgiven: usize,
+    ) -> Self {
+        let (columns, rows) = (voxels[camera.axes.column], voxels[camera.axes.row]);
+        let words = columns.div_ceil(64);
+        let slabs: Vec<[Vec<u64>; 2]> = (0..camera.columns.depths())
+            .into_par_iter()
+            .map(|depth| {
+                Slab { camera, layout, images, depth, columns, rows, words }.judge(forgiven)
+            })
+            .collect();
+        let collect = |n: usize| VoxelBits {
+            axes: camera.axes,
+            depths: voxels[camera.axes.depth],
+            rows,
+            words,
+            bits: slabs.iter().flat_map(|slab| slab[n].iter().copied()).collect(),
+        };
+        Self { possible: collect(0), seen: collect(1) }
+    }
+}
+
+/// All voxels at one depth of a camera's blocks.
+struct Slab<'a, const L: usize> {
+    camera: &'a AlignedCamera<L>,
+    layout: &'a ViewLayout,
+    images: &'a LitImages,
+    depth: usize,
+    columns: usize,
+    rows: usize,
+    words: usize,
+}
+
+/// What one view index along the columns does to a line of voxels.
+struct ColumnMap {
+    /// For each microlens the voxels in whose support it lies, as a range.
+    voxels_of: Vec<[usize; 2]>,
+    /// The voxels that the view sees well enough to judge.
+    judged: Line,
+}
+
+/// For each voxel across the rows the microlens rows of its support; `None` where the view sees
+/// too little of it.
+type RowMap = Vec<Option<[usize; 2]>>;
+
+impl<const L: usize> Slab<'_, L> {
+    /// The lines of possible and of seen voxels.
+    fn judge(&self, forgiven: usize) -> [Vec<u64>; 2] {
+        let reach = self.layout.columns.reach;
+        let column_maps: Vec<ColumnMap> = (-reach..=reach).map(|k| self.column_map(k)).collect();
+        let reach = self.layout.rows.reach;
+        let row_maps: Vec<RowMap> = (-reach..=reach).map(|l| self.row_map(l)).collect();
+        let mut dark = DarkCounts::new(self.rows * self.words, forgiven);
+        let mut seen = vec![0u64; self.rows * self.words];
+        let mut lit_rows = vec![0u64; self.images.rows * self.words];
+        for (n, view) in self.layout.views.iter().enumerate() {
+            let columns = &column_maps[(view.k + self.layout.columns.reach) as usize];
+            let rows = &row_maps[(view.l + self.layout.rows.reach) as usize];
+            lit_rows.fill(0);
+            for (row, line) in lit_rows.chunks_exact_mut(self.words).enumerate() {
+                light_voxels(self.images.row(n, row), columns, line);
+            }
+            for (y, support) in rows.iter().enumerate() {
+                let Some([start, end]) = *support else { continue };
+                for word in 0..self.words {
+                    let lit = (start..end).fold(0, |lit, r| lit | lit_rows[r * self.words + word]);
+                    dark.count(y * self.words + word, columns.judged[word] & !lit);
+                    seen[y * self.words + word] |= columns.judged[word];
+                }
+            }
+        }
+        let mut possible = dark.within();
+        for line in possible.chunks_exact_mut(self.words) {
+            for (word, bits) in line.iter_mut().enumerate() {
+                let voxels = self.columns - 64 * word;
+                *bits &= if voxels < 64 { (1 << voxels) - 1 } else { u64::MAX };
+            }
+        }
+        [possible, seen]
+    }
+
+    fn column_map(&self, k: i32) -> ColumnMap {
+        let lenses = self.layout.window.columns.len();
+        let mut map =
+            ColumnMap { voxels_of: vec![[usize::MAX, 0]; lenses], judged: vec![0; self.words] };
+        for (voxel, support) in self.supports(&self.camera.columns, k, self.columns) {
+            map.judged[voxel / 64] |= 1 << (voxel % 64);
+            for [low, high] in &mut map.voxels_of[support[0]..support[1]] {
+                *low = (*low).min(voxel);
+                *high = (*high).max(voxel + 1);
+            }
+        }
+        map
+    }
+
+    fn row_map(&self, l: i32) -> RowMap {
+        let mut map = vec![None; self.rows];
+        for (voxel, support) in self.supports(&self.camera.rows, l, self.rows) {
+            map[voxel] = Some(support);
+        }
+        map
+    }
+
+    /// The microlenses of each voxel's support along one axis, where a view sees enough of it.
+    fn supports<'t>(
+        &self,
+        table: &'t super::axis_table::PairTable<L>,
+        view: i32,
+        voxels: usize,
+    ) -> impl Iterator<Item = (usize, [usize; 2])> + 't {
+        let taps = &table.of_view(view)[self.depth * table.pairs()..][..table.pairs()];
+        let both = taps.iter().enumerate().flat_map(|(pair, tap)| {
+            [0, 1].into_iter().filter_map(move |n| Some((2 * pair + n, support(tap, n)?)))
+        });
+        both.filter(move |&(voxel, _)| voxel < voxels)
+    }
+}
+
+/// The microlenses that receive a notable share of voxel `n` of a pair; `None` where the view sees
+/// too little of it.
+fn support<const L: usize>(tap: &PairTap<L>, n: usize) -> Option<[usize; 2]> {
+    let shares = &tap.shares[n];
+    let lit = |share: &f32| *share > SUPPORT_SHARE;
+    let (start, last) = (shares.iter().position(lit)?, shares.iter().rposition(lit)?);
+    let first = usize::from(tap.first);
+    let seen: f32 = shares.iter().sum();
+    (seen >= LEAST_SEEN_SHARE).then_some([first + start, first + last + 1])
+}
+
+/// Sets the bits of all voxels in whose support one of the lit microlenses of `row` lies.
+fn light_voxels(row: &[u64], columns: &ColumnMap, line: &mut [u64]) {
+    for (word, &bits) in row.iter().enumerate() {
+        let mut left = bits;
+        while left != 0 {
+            let start = left.trailing_zeros();
+            let len = (!(left >> start)).trailing_zeros();
+            let end = start + len;
+            left = if end < 64 { left & (u64::MAX << end) } else { 0 };
+            let lenses = &columns.voxels_of[64 * word + start as usize..64 * word + end as usize];
+            // Voxels run along or against the microlenses: their run is that of the two ends.
+            let (Some([a, b]), Some([c, d])) = (lenses.first(), lenses.last()) else { continue };
+            if lenses.len() <= 2 || a == &usize::MAX || c == &usize::MAX {
+                // At the edge of what is seen, lens by lens.
+                lenses.iter().for_each(|&[low, high]| set_run(line, low, high));
+            } else {
+                set_run(line, *a.min(c), *b.max(d));
+            }
+        }
+    }
+}
+
+/// Sets bits `low..high`; none when the run is empty.
+fn set_run(line: &mut [u64], low: usize, high: usize) {
+    if low >= high {
+        return;
+    }
+    let (first, last) = (low / 64, (high - 1) / 64);
+    let from = u64::MAX << (low % 64);
+    let to = u64::MAX >> (63 - (high - 1) % 64);
+    if first == last {
+        line[first] |= from & to;
+    } else {
+        line[first] |= from;
+        line[first + 1..last].fill(u64::MAX);
+        line[last] |= to;
+    }
+}
+
+/// Counters of dark views for many voxels, as bit planes that start so high that the carry out of
+/// the last plane says "one more than forgiven".
+struct DarkCounts {
+    planes: Vec<Vec<u64>>,
+    exceeded: Vec<u64>,
+}
+
+impl DarkCounts {
+    fn new(words: usize, forgiven: usize) -> Self {
+        let planes = (usize::BITS - forgiven.leading_zeros()) as usize;
+        let start = (1usize << planes) - 1 - forgiven;
+        let plane = |bit: usize| vec![if start >> bit & 1 == 1 { u64::MAX } else { 0 }; words];
+        Self { planes: (0..planes).map(plane).collect(), exceeded: vec![0; words] }
+    }
+
+    fn count(&mut self, word: usize, dark: u64) {
+        let mut carry = dark;
+        for plane in &mut self.planes {
+            let sum = plane[word] ^ carry;
+            carry &= plane[word];
+            plane[word] = sum;
+        }
+        self.exceeded[word] |= carry;
+    }
+
+    /// The voxels with no more dark views than forgiven.
+    fn within(&self) -> Vec<u64> {
+        self.exceeded.iter().map(|exceeded| !exceeded).collect()
+    }
+}

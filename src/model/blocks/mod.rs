@@ -1,0 +1,120 @@
+//! The model in blocks of 2 × 2 × 2 voxels, for solvers that work on active voxels only.
+//!
+//! Neighbouring voxels share most of what a projection costs: where the block's microlenses are,
+//! and the pixels themselves. [`AlignedModel`] uses that where every camera looks along an axis of
+//! the grid; [`VoxelwiseBlocks`] does the same sums voxel by voxel through any [`ForwardModel`]
+//! and is the reference that the fast path is tested against.
+//!
+//! Voxel (i, j, k) is child `(i % 2) + 2 (j % 2) + 4 (k % 2)` of block (i/2, j/2, k/2). Where the
+//! grid has an odd number of voxels, the children beyond its end stay dark.
+
+mod aligned;
+mod axis_table;
+mod lit;
+mod projector;
+#[cfg(test)]
+mod tests;
+mod voxelwise;
+
+use std::ops::Range;
+
+use lfpiv_hw::{Optics, Pose};
+
+use super::{ModelError, ViewId, VolumeGrid, thin_lens_model};
+use crate::lightfield::{ViewLayout, ViewStack};
+use aligned::{AlignedModel, aligned_views};
+pub use voxelwise::VoxelwiseBlocks;
+
+/// Light of a block's eight voxels, in the order of its children.
+pub type BlockLight = [f32; 8];
+
+/// Blocks that may hold light.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LitBlocks {
+    /// Positions in the block grid's z, y, x order, ascending.
+    pub blocks: Vec<u32>,
+    /// For each block a bit per child that may hold light; never 0.
+    pub children: Vec<u8>,
+}
+
+/// What a view must show for a voxel to be possible.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Darkness {
+    /// Per camera, the count under which a pixel is dark.
+    pub dark_below: Vec<f32>,
+    /// Per camera, how many views may find a lit voxel dark.
+    pub forgiven: Vec<usize>,
+}
+
+/// A linear map from voxel intensities to pixels as [`super::ForwardModel`] defines it, block by
+/// block.
+pub trait BlockModel: Send + Sync {
+    /// The voxels.
+    fn grid(&self) -> &VolumeGrid;
+    /// The views of every camera.
+    fn layouts(&self) -> &[ViewLayout];
+    /// A projector for these blocks (positions in the block grid's z, y, x order, ascending).
+    fn projector(&self, blocks: &[u32]) -> Box<dyn BlockProjector + '_>;
+    /// The voxels that no camera finds dark in more views than it forgives, and that some view
+    /// sees. A view finds a voxel dark when every pixel of the voxel's support is dark; views that
+    /// see too little of a voxel, and pixels less than half open, are no evidence (see
+    /// [`super::Projector::brightest`]).
+    fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks;
+    /// Values of a projected image: the pixels of the camera's window, row-major, and a few more
+    /// that mean nothing and let the kernels write past a row's end.
+    fn image_len(&self, camera: usize) -> usize;
+    /// Bytes held for the whole life of the model.
+    fn memory_bytes(&self) -> usize;
+}
+
+/// A [`BlockModel`] restricted to a list of active blocks.
+pub trait BlockProjector: Send + Sync {
+    /// Images the blocks into a view. Overwrites `image`, of [`BlockModel::image_len`] values.
+    fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]);
+
+    /// Spreads a view of [`BlockModel::image_len`] finite values back onto the voxels of the
+    /// blocks in `range`: adds to `out[block − range.start]`.
+    fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [BlockLight]);
+
+    /// Keeps only the blocks whose flag is set.
+    fn retain(&mut self, keep: &[bool]);
+}
+
+/// The fastest block model of a bench: [`AlignedModel`] where the cameras allow it. See
+/// [`thin_lens_model`] for `footprint_mm` and the errors.
+pub fn block_model(
+    optics: &Optics,
+    poses: &[Pose],
+    grid: &VolumeGrid,
+    footprint_mm: f64,
+) -> Result<Box<dyn BlockModel>, ModelError> {
+    if let Some(views) = aligned_views(optics, poses, grid, footprint_mm)? {
+        if let Some(model) = AlignedModel::<4>::new(optics, &views, grid, footprint_mm) {
+            return Ok(Box::new(model));
+        }
+        if let Some(model) = AlignedModel::<8>::new(optics, &views, grid, footprint_mm) {
+            return Ok(Box::new(model));
+        }
+    }
+    let model = thin_lens_model(optics, poses, grid, footprint_mm)?;
+    Ok(Box::new(VoxelwiseBlocks::new(model)))
+}
+
+/// Blocks along each axis of a grid.
+pub fn blocks_along(grid: &VolumeGrid) -> [usize; 3] {
+    grid.voxels.map(|n| n.div_ceil(2))
+}
+
+/// Indices of a block.
+pub fn block_indices(grid: &VolumeGrid, block: u32) -> [usize; 3] {
+    let [nx, ny, _] = blocks_along(grid);
+    let n = block as usize;
+    [n % nx, n / nx % ny, n / (nx * ny)]
+}
+
+/// Position of a block's child in the grid's z, y, x order; `None` beyond the grid's end.
+pub fn child_voxel(grid: &VolumeGrid, block: u32, child: usize) -> Option<u32> {
+    let at = block_indices(grid, block);
+    let ijk: [usize; 3] = std::array::from_fn(|axis| 2 * at[axis] + (child >> axis & 1));
+    (0..3).all(|axis| ijk[axis] < grid.voxels[axis]).then(|| grid.linear(ijk) as u32)
+}

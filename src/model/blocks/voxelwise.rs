@@ -1,0 +1,144 @@
+//! Blocks over any forward model, voxel by voxel.
+
+use std::ops::Range;
+
+use super::{
+    BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, blocks_along, child_voxel,
+};
+use crate::{
+    lightfield::{ViewLayout, ViewStack},
+    model::{ForwardModel, Projector, ViewId, VolumeGrid},
+};
+
+/// A [`ForwardModel`] seen as a [`BlockModel`].
+pub struct VoxelwiseBlocks(Box<dyn ForwardModel>);
+
+impl VoxelwiseBlocks {
+    /// The same map in blocks.
+    pub fn new(model: Box<dyn ForwardModel>) -> Self {
+        Self(model)
+    }
+}
+
+/// Voxels whose views are asked together: bounds the memory of a whole grid.
+const SLAB_VOXELS: usize = 250_000;
+
+impl BlockModel for VoxelwiseBlocks {
+    fn grid(&self) -> &VolumeGrid {
+        self.0.grid()
+    }
+
+    fn layouts(&self) -> &[ViewLayout] {
+        self.0.layouts()
+    }
+
+    fn projector(&self, blocks: &[u32]) -> Box<dyn BlockProjector + '_> {
+        let grid = self.0.grid();
+        // Children beyond the grid's end stand for its first voxel and stay dark.
+        let children = |&block| (0..8).map(move |child| child_voxel(grid, block, child));
+        let inside = blocks.iter().flat_map(children).map(|voxel| voxel.is_some()).collect();
+        let voxels: Vec<u32> =
+            blocks.iter().flat_map(children).map(|voxel| voxel.unwrap_or(0)).collect();
+        Box::new(VoxelwiseProjector { inside, projector: self.0.projector(&voxels) })
+    }
+
+    fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks {
+        let grid = self.0.grid();
+        let block_count: usize = blocks_along(grid).into_iter().product();
+        let mut children = vec![0u8; block_count];
+        for start in (0..grid.len()).step_by(SLAB_VOXELS) {
+            let voxels: Vec<u32> =
+                (start as u32..(start + SLAB_VOXELS).min(grid.len()) as u32).collect();
+            for voxel in self.lit_voxels(&voxels, views, darkness) {
+                let ijk = grid.indices(voxel);
+                let [nx, ny, _] = blocks_along(grid);
+                let block = (ijk[2] / 2 * ny + ijk[1] / 2) * nx + ijk[0] / 2;
+                children[block] |= 1 << ((ijk[0] & 1) | (ijk[1] & 1) << 1 | (ijk[2] & 1) << 2);
+            }
+        }
+        let lit = |&(_, &mask): &(usize, &u8)| mask != 0;
+        children.iter().enumerate().filter(lit).fold(LitBlocks::default(), |mut all, (n, &mask)| {
+            all.blocks.push(n as u32);
+            all.children.push(mask);
+            all
+        })
+    }
+
+    fn image_len(&self, camera: usize) -> usize {
+        self.layouts()[camera].window.len()
+    }
+
+    fn memory_bytes(&self) -> usize {
+        self.0.memory_bytes()
+    }
+}
+
+impl VoxelwiseBlocks {
+    fn lit_voxels(&self, voxels: &[u32], views: &[ViewStack], darkness: &Darkness) -> Vec<u32> {
+        let projector = self.0.projector(voxels);
+        let mut brightest = vec![0.0; voxels.len()];
+        let mut lit = vec![true; voxels.len()];
+        let mut seen = vec![false; voxels.len()];
+        for (camera, stack) in views.iter().enumerate() {
+            let mut dark = vec![0usize; voxels.len()];
+            for view in 0..stack.len() {
+                let id = ViewId { camera, view };
+                projector.brightest(id, stack.view(view), 0..voxels.len(), &mut brightest);
+                for ((dark, seen), &light) in dark.iter_mut().zip(&mut seen).zip(&brightest) {
+                    *dark += usize::from(light < darkness.dark_below[camera]);
+                    *seen |= light.is_finite();
+                }
+            }
+            for (lit, dark) in lit.iter_mut().zip(dark) {
+                *lit &= dark <= darkness.forgiven[camera];
+            }
+        }
+        let possible = |&(n, _): &(usize, &u32)| lit[n] && seen[n];
+        voxels.iter().enumerate().filter(possible).map(|(_, &voxel)| voxel).collect()
+    }
+}
+
+/// Eight voxels for each block.
+struct VoxelwiseProjector<'a> {
+    inside: Vec<bool>,
+    projector: Box<dyn Projector + 'a>,
+}
+
+impl BlockProjector for VoxelwiseProjector<'_> {
+    fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]) {
+        let flat = light.as_flattened();
+        self.projector.project(view, flat, image);
+    }
+
+    fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [BlockLight]) {
+        let voxels = 8 * range.start..8 * range.end;
+        let mut sums = vec![0.0; voxels.len()];
+        self.projector.back_project(view, image, voxels.clone(), &mut sums);
+        let inside = &self.inside[voxels];
+        for ((out, sum), &inside) in out.as_flattened_mut().iter_mut().zip(sums).zip(inside) {
+            *out += if inside { sum } else { 0.0 };
+        }
+    }
+
+    fn retain(&mut self, keep: &[bool]) {
+        let each: Vec<bool> = keep.iter().flat_map(|&keep| [keep; 8]).collect();
+        let mut flags = each.iter();
+        self.inside.retain(|_| flags.next().copied().unwrap_or(false));
+        self.projector.retain(&each);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::block_indices, *};
+
+    #[test]
+    fn children_of_a_block_are_its_eight_voxels() {
+        let grid = VolumeGrid { voxels: [5, 4, 3], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+        assert_eq!(blocks_along(&grid), [3, 2, 2]);
+        let block = 3 + 2; // Block (2, 1, 0): x beyond the end for odd children.
+        assert_eq!(block_indices(&grid, block), [2, 1, 0]);
+        assert_eq!(child_voxel(&grid, block, 0b110), Some(grid.linear([4, 3, 1]) as u32));
+        assert_eq!(child_voxel(&grid, block, 0b001), None);
+    }
+}
