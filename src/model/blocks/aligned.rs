@@ -69,7 +69,8 @@ impl Axes {
 
     /// For row r and column c of a block as the camera sees it, the near and the far child.
     pub fn children(self) -> [[[usize; 2]; 2]; 2] {
-        let child = |r: usize, c: usize, d: usize| r << self.row | c << self.column | d << self.depth;
+        let child =
+            |r: usize, c: usize, d: usize| r << self.row | c << self.column | d << self.depth;
         [0, 1].map(|r| [0, 1].map(|c| [child(r, c, 0), child(r, c, 1)]))
     }
 }
@@ -146,7 +147,10 @@ impl<const L: usize> BlockModel for AlignedModel<L> {
         let places = |camera: &AlignedCamera<L>| {
             blocks.iter().map(|&block| camera.place(block_indices(&self.grid, block))).collect()
         };
-        Box::new(AlignedProjector { model: self, places: self.cameras.iter().map(places).collect() })
+        Box::new(AlignedProjector {
+            model: self,
+            places: self.cameras.iter().map(places).collect(),
+        })
     }
 
     fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks {
