@@ -82,12 +82,15 @@ impl Lattice {
         let mut sum = [0.0; 3];
         for (&k, wz) in taps[2].0.iter().zip(taps[2].1) {
             for (&j, wy) in taps[1].0.iter().zip(taps[1].1) {
-                let row = (k * ny + j) * nx;
+                let row = &self.values[(k * ny + j) * nx..][..nx];
+                let mut along = [0.0; 3];
                 for (&i, wx) in taps[0].0.iter().zip(taps[0].1) {
-                    let w = wz * wy * wx;
-                    for (sum, value) in sum.iter_mut().zip(self.values[row + i]) {
-                        *sum += w * value;
+                    for (sum, value) in along.iter_mut().zip(row[i]) {
+                        *sum += wx * value;
                     }
+                }
+                for (sum, along) in sum.iter_mut().zip(along) {
+                    *sum += wz * wy * along;
                 }
             }
         }
@@ -103,7 +106,8 @@ fn axis_taps(t: f32, count: usize) -> ([usize; 4], [f32; 4]) {
         return ([0; 4], [1.0, 0.0, 0.0, 0.0]);
     }
     let last = count as i64 - 1;
-    let cell = (t.floor() as i64).clamp(0, last - 1);
+    // Truncation is the floor of what is not negative; below, the first cell is meant anyway.
+    let cell = (t as i64).clamp(0, last - 1);
     let u = t - cell as f32;
     let weights = if (0.0..=1.0).contains(&u) {
         [

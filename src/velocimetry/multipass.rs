@@ -12,7 +12,8 @@ use super::{
     derived::curl_and_divergence,
     lags::Lags,
     lattice::Lattice,
-    peak::{Peak, highest_peak},
+    peak::highest_peak,
+    raster::Raster,
     validate::Candidates,
     windows::Windows,
 };
@@ -42,6 +43,12 @@ const WIDE: Lags = Lags { reach: 4 };
 
 /// Lags of the passes between: what they correct is less than a voxel.
 const NARROW: Lags = Lags { reach: 2 };
+
+/// Frames a and b of a pass, moved towards each other.
+struct Rendered {
+    raster: Raster,
+    images: [Vec<f32>; 2],
+}
 
 /// A cloud and how it is moved before it is rendered.
 type Moved<'a> = (&'a PointCloud, Option<&'a Lattice>);
@@ -95,9 +102,9 @@ impl Interrogation {
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
-        let clouds = [a, b];
         let mut field = self.search.at_rest();
-        self.advance(&self.search, self.search_lags, clouds.map(|c| (c, None)), &mut field);
+        let mut frames = self.render(&self.search, self.search_lags, [(a, None), (b, None)]);
+        self.advance(&self.search, self.search_lags, &frames, &mut field);
         field = self.windows.at_rest().sampling(|at| field.at(at));
         let mut measured = Vec::new();
         let last = self.settings.passes.max(2) - 1;
@@ -108,21 +115,35 @@ impl Interrogation {
             let paths = [1.0, -1.0].map(|sign| field.half_paths(sign));
             let moved = [(a, Some(&paths[0])), (b, Some(&paths[1]))];
             let lags = if pass == 1 || pass == last { WIDE } else { NARROW };
-            measured = self.advance(&self.windows, lags, moved, &mut field);
+            frames = self.render(&self.windows, lags, moved);
+            measured = self.advance(&self.windows, lags, &frames, &mut field);
         }
         self.report(&field, &measured, dt_s)
     }
 
-    /// One pass: adds the residual displacement in every window after deformation by `field`,
-    /// tests the sum, and puts interpolated vectors where it fails.
+    /// Both clouds, deformed, on the cells that `windows` need for `lags`.
+    fn render(&self, windows: &Windows, lags: Lags, clouds: [Moved; 2]) -> Rendered {
+        let raster = windows.raster(lags.border());
+        let [(a, a_paths), (b, b_paths)] = clouds;
+        let (a, b) = rayon::join(|| raster.render(a, a_paths), || raster.render(b, b_paths));
+        Rendered { raster, images: [a, b] }
+    }
+
+    /// One pass: adds the residual displacement that deformed frames show in every window, tests the
+    /// sum, and puts interpolated vectors where it fails.
     fn advance(
         &self,
         windows: &Windows,
         lags: Lags,
-        clouds: [Moved; 2],
+        frames: &Rendered,
         field: &mut Lattice,
     ) -> Vec<(VectorStatus, f32)> {
-        let residual = self.residual(windows, lags, clouds);
+        let known = self.cloud_grid().voxels;
+        let lit =
+            std::array::from_fn(|axis| frames.raster.within(axis, -0.5, known[axis] as f32 - 0.5));
+        let images = frames.images.each_ref().map(Vec::as_slice);
+        let residual = Frames::new(windows, lags, &frames.raster, images, lit)
+            .correlate(|correlation| highest_peak(lags, correlation));
         let present: Vec<bool> = residual.iter().map(Option::is_some).collect();
         for (value, residual) in field.values.iter_mut().zip(&residual) {
             if let Some(peak) = residual {
@@ -134,16 +155,6 @@ impl Interrogation {
         let status = self.validate(field, &present);
         let ratio = residual.iter().map(|r| r.map_or(0.0, |peak| peak.ratio));
         status.into_iter().zip(ratio).collect()
-    }
-
-    fn residual(&self, windows: &Windows, lags: Lags, clouds: [Moved; 2]) -> Vec<Option<Peak>> {
-        let raster = windows.raster(lags.border());
-        let [(a, a_paths), (b, b_paths)] = clouds;
-        let (a, b) = rayon::join(|| raster.render(a, a_paths), || raster.render(b, b_paths));
-        let known = self.cloud_grid().voxels;
-        let lit = std::array::from_fn(|axis| raster.within(axis, -0.5, known[axis] as f32 - 0.5));
-        let frames = Frames::new(windows, lags, &raster, [&a, &b], lit);
-        frames.correlate(|correlation| highest_peak(lags, correlation))
     }
 
     /// Tests the field, puts interpolated vectors where it fails, and says which is which.

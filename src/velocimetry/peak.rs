@@ -30,9 +30,12 @@ pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
     }
     let (index, height) = best?;
     let place = lags.components(index);
-    let second = (correlation.iter().enumerate())
-        .filter(|&(other, &value)| value > 0.0 && !within(other, place, PEAK_RADIUS))
-        .fold(0.0f32, |highest, (_, &value)| highest.max(value));
+    let mut second = 0.0f32;
+    for (other, &value) in correlation.iter().enumerate() {
+        if value > second && !within(other, place, PEAK_RADIUS) {
+            second = value;
+        }
+    }
     let shift = std::array::from_fn(|axis| {
         let stride = edge.pow(axis as u32);
         let (below, above) = (correlation[index - stride], correlation[index + stride]);

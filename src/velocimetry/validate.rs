@@ -34,8 +34,10 @@ impl Candidates<'_> {
         };
         let once = test(&all, self.present);
         // Those whose neighbours all passed would be judged as before.
-        let again: Vec<usize> =
-            all.into_iter().filter(|&n| self.around(n).any(|near| !once[near])).collect();
+        let again: Vec<usize> = all
+            .into_iter()
+            .filter(|&n| self.around(n).into_iter().any(|near| !once[near]))
+            .collect();
         let mut pass = once.clone();
         for (&n, verdict) in again.iter().zip(test(&again, &once)) {
             pass[n] = verdict;
@@ -70,6 +72,7 @@ impl Candidates<'_> {
     fn neighbours(&self, index: usize, trusted: &[bool]) -> Vec<Neighbour> {
         let at = self.place(index);
         self.around(index)
+            .into_iter()
             .filter(|&other| trusted[other])
             .map(|other| {
                 let to = self.place(other);
@@ -80,13 +83,18 @@ impl Candidates<'_> {
     }
 
     /// The up to 26 nodes around one.
-    fn around(&self, index: usize) -> impl Iterator<Item = usize> {
+    fn around(&self, index: usize) -> Vec<usize> {
         let [nx, ny, nz] = self.nodes;
         let [i, j, k] = self.place(index);
         let around = |c: usize, n: usize| c.saturating_sub(1)..(c + 2).min(n);
-        let rows = around(k, nz).flat_map(move |z| around(j, ny).map(move |y| (z * ny + y) * nx));
-        rows.flat_map(move |row| around(i, nx).map(move |x| row + x))
-            .filter(move |&other| other != index)
+        let mut near = Vec::with_capacity(27);
+        for z in around(k, nz) {
+            for y in around(j, ny) {
+                near.extend(around(i, nx).map(|x| (z * ny + y) * nx + x));
+            }
+        }
+        near.retain(|&other| other != index);
+        near
     }
 
     fn place(&self, index: usize) -> [usize; 3] {
