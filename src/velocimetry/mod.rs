@@ -1,15 +1,19 @@
 //! From a pair of volumes to a velocity field.
 
 mod cloud;
+mod correlation;
 mod derived;
 mod field;
+mod kernel;
+mod lags;
 mod lattice;
 mod multipass;
 mod peak;
+mod raster;
 mod result;
 mod settings;
-mod spectrum;
 mod validate;
+mod windows;
 
 pub use cloud::PointCloud;
 pub use field::{VectorGrid, VectorStatus, VelocityField};

@@ -1,72 +1,47 @@
 //! The displacement that a correlation volume shows.
 
-use super::spectrum::Correlator;
+use super::lags::Lags;
 
 /// The highest correlation peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
-    /// Its place, in voxels, to sub-voxel accuracy.
-    pub shift_vox: [f32; 3],
+    /// Its place, in cells of the correlated frames, to a fraction of a cell.
+    pub shift: [f32; 3],
     /// Its height over that of the next highest peak.
     pub ratio: f32,
 }
 
-/// Voxels around the highest peak that belong to it.
+/// Cells around the highest peak that belong to it.
 const PEAK_RADIUS: i64 = 2;
 
-/// Finds the highest peak of `correlation` (edge of `correlator`, circular lags) within `reach`
-/// voxels of zero lag along each axis. `weight(s)` multiplies the correlation at lag component
-/// `s`: the overlap correction. `None` when nothing correlates.
-pub fn highest_peak(
-    correlator: &Correlator,
-    correlation: &[f32],
-    reach: usize,
-    weight: &[f32],
-) -> Option<Peak> {
-    let n = correlator.edge() as i64;
-    let reach = reach as i64;
-    let value = |s: [i64; 3]| {
-        let at = |c: i64| c.rem_euclid(n) as usize;
-        let share = |c: i64| weight[c.unsigned_abs() as usize];
-        correlation[(at(s[2]) * n as usize + at(s[1])) * n as usize + at(s[0])]
-            * (share(s[0]) * share(s[1]) * share(s[2]))
+/// Finds the highest peak of a correlation, among the lags that have neighbours on all sides.
+/// `None` when nothing correlates.
+pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
+    let (edge, inner) = (lags.edge(), lags.reach as i64 - 1);
+    let within = |index: usize, place: [i64; 3], radius: i64| {
+        let s = lags.components(index);
+        (0..3).all(|axis| (s[axis] - place[axis]).abs() <= radius)
     };
-    let mut best = (f32::NEG_INFINITY, [0; 3]);
-    for_lags(reach, |s| {
-        let v = value(s);
-        if v > best.0 {
-            best = (v, s);
+    let mut best: Option<(usize, f32)> = None;
+    for (index, &value) in correlation.iter().enumerate() {
+        if value > best.map_or(0.0, |(_, height)| height) && within(index, [0; 3], inner) {
+            best = Some((index, value));
         }
-    });
-    let (height, place) = best;
-    if height.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
-        return None;
     }
+    let (index, height) = best?;
+    let place = lags.components(index);
     let mut second = 0.0f32;
-    for_lags(reach, |s| {
-        if (0..3).any(|a| (s[a] - place[a]).abs() > PEAK_RADIUS) {
-            second = second.max(value(s));
+    for (other, &value) in correlation.iter().enumerate() {
+        if value > second && !within(other, place, PEAK_RADIUS) {
+            second = value;
         }
-    });
-    let shift_vox = std::array::from_fn(|axis| {
-        let mut neighbour = place;
-        neighbour[axis] -= 1;
-        let below = value(neighbour);
-        neighbour[axis] += 2;
-        let above = value(neighbour);
+    }
+    let shift = std::array::from_fn(|axis| {
+        let stride = edge.pow(axis as u32);
+        let (below, above) = (correlation[index - stride], correlation[index + stride]);
         place[axis] as f32 + three_point_gaussian(below, height, above)
     });
-    Some(Peak { shift_vox, ratio: (height / second.max(height * 1e-3)).min(1e3) })
-}
-
-fn for_lags(reach: i64, mut visit: impl FnMut([i64; 3])) {
-    for z in -reach..=reach {
-        for y in -reach..=reach {
-            for x in -reach..=reach {
-                visit([x, y, z]);
-            }
-        }
-    }
+    Some(Peak { shift, ratio: (height / second.max(height * 1e-3)).min(1e3) })
 }
 
 /// Offset of the top of a Gaussian through three equidistant samples, −0.5 to 0.5. A parabola
