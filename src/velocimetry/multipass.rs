@@ -6,16 +6,9 @@
 //! and adds what it finds.
 
 use super::{
-    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
-    cloud::PointCloud,
-    correlation::Frames,
-    derived::curl_and_divergence,
-    lags::Lags,
-    lattice::Lattice,
-    peak::highest_peak,
-    raster::Raster,
-    validate::Candidates,
-    windows::Windows,
+    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField, cloud::PointCloud,
+    correlation::Frames, derived::curl_and_divergence, lags::Lags, lattice::Lattice,
+    peak::highest_peak, raster::Raster, validate::Candidates, windows::Windows,
 };
 use crate::model::VolumeGrid;
 
