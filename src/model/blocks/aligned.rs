@@ -11,6 +11,7 @@ use crate::{
     model::{
         ModelError, ViewId, VolumeGrid,
         camera::CameraView,
+        footprint::RayMap,
         thin_lens::{camera_views, coverage_bytes},
     },
 };
@@ -76,13 +77,17 @@ impl Axes {
 }
 
 impl<const L: usize> AlignedModel<L> {
-    /// `None` when pairs of voxels reach more than `L` microlenses, or a camera is not aligned.
+    /// `None` when pairs of voxels reach more than `L` microlenses, when voxels are too small for
+    /// the hull's bits, or a camera is not aligned.
     pub fn new(
         optics: &Optics,
         views: &[CameraView],
         grid: &VolumeGrid,
         footprint_mm: f64,
     ) -> Option<Self> {
+        if voxels_per_microlens(optics, grid) > lit::MOST_VOXELS_PER_MICROLENS {
+            return None;
+        }
         let mut cameras = Vec::with_capacity(views.len());
         let mut layouts = Vec::with_capacity(views.len());
         for view in views {
@@ -114,6 +119,12 @@ impl<const L: usize> AlignedModel<L> {
             coverage: view.coverage.as_deref(),
         }
     }
+}
+
+/// Voxels under a microlens, in focus.
+fn voxels_per_microlens(optics: &Optics, grid: &VolumeGrid) -> f64 {
+    let magnification = RayMap::at_depth(optics, 0.0).position.abs();
+    optics.microlens.pitch_mm / (magnification * grid.voxel_mm)
 }
 
 /// What projects into one view.
