@@ -1,0 +1,120 @@
+//! `lfpiv bench` on cases of a few thousand voxels: every measurement, every figure, every file.
+//! What the figures say is not asserted, least of all how long things took.
+
+#![allow(clippy::unwrap_used, reason = "clippy takes the helpers of a test for more than tests")]
+#[allow(dead_code)]
+mod support;
+
+use std::{fs, path::Path};
+
+use serde_json::Value;
+
+const SUITE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/smoke.toml");
+
+/// Headings of the page that must be there when every measurement was made.
+const SECTIONS: [&str; 18] = [
+    "reached",
+    "error-seconds",
+    "quality-seconds",
+    "quality-ppm",
+    "quality-iterations",
+    "error-iterations",
+    "projections",
+    "elongation",
+    "vorticity",
+    "slices",
+    "error-ppm",
+    "cumulative",
+    "matrices",
+    "process",
+    "growth",
+    "peers",
+    "methods",
+    "rows",
+];
+
+fn bench(out: &Path, more: &[&str]) -> support::Done {
+    let out = out.display().to_string();
+    let fixed = ["bench", "--suite", SUITE, "--out", &out];
+    support::lfpiv(fixed.iter().chain(more))
+}
+
+/// Every number of a JSON value.
+fn numbers(value: &Value, found: &mut Vec<f64>) {
+    match value {
+        Value::Number(number) => found.push(number.as_f64().unwrap()),
+        Value::Array(values) => values.iter().for_each(|value| numbers(value, found)),
+        Value::Object(map) => map.values().for_each(|value| numbers(value, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn a_report_has_every_section_and_every_number_is_finite() {
+    let folder = tempfile::tempdir().unwrap();
+    let peers = folder.path().join("peers.json");
+    let peer = r#"[{"case": "density", "method": "sart-20", "peer": "astra", "threads": 2,
+        "seconds": 1.0, "seconds_of": "solve", "q": 0.1},
+        {"case": "pair", "method": "extended search", "peer": "openpiv", "seconds": 1.0,
+        "vectors": 10, "mean_abs_error_vox": [0.2, 0.2, 0.2]}]"#;
+    fs::write(&peers, peer).unwrap();
+    let out = folder.path().join("report");
+    let done = bench(&out, &["--peers", &peers.display().to_string()]);
+    assert!(done.success, "{}", done.stderr);
+
+    let json: Value = serde_json::from_slice(&fs::read(out.join("report.json")).unwrap()).unwrap();
+    let rows = json["rows"].as_array().unwrap();
+    let cases: Vec<&str> = json["suite"]["case"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| c["name"].as_str().unwrap())
+        .collect();
+    for case in &cases {
+        assert!(rows.iter().any(|row| row["case"] == *case), "{case} has no row");
+    }
+    for row in rows {
+        for fact in ["machine", "version", "date", "method", "voxels"] {
+            assert!(!row[fact].as_str().unwrap().is_empty(), "{fact} is missing: {row}");
+        }
+        assert!(row["threads"].as_u64().unwrap() > 0 && row["seed"].is_u64());
+    }
+    let mut found = Vec::new();
+    numbers(&json, &mut found);
+    assert!(found.len() > 1000 && found.iter().all(|number| number.is_finite()));
+    let verdicts = json["reached"].as_array().unwrap();
+    assert!(verdicts.iter().filter(|bar| bar["verdict"] != "not-measured").count() >= 13);
+
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    for section in SECTIONS {
+        assert!(page.contains(&format!("<h2 id=\"{section}\">")), "{section} is missing");
+    }
+    assert!(!page.contains("NaN") && !page.contains("http"), "self-contained and finite");
+    assert_eq!(page.matches("<svg").count(), page.matches("</svg>").count());
+
+    let table = fs::read_to_string(out.join("rows.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + rows.len() + 2);
+    let curves = fs::read_to_string(out.join("curves.csv")).unwrap();
+    assert!(curves.lines().count() > 100);
+    // JSON writes what is not finite as null; CSV says it.
+    assert!([table, curves].iter().all(|text| !text.contains("NaN") && !text.contains("inf")));
+    assert!(!out.join("work").exists());
+}
+
+#[test]
+fn one_set_can_be_asked_for_and_an_unknown_one_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = bench(folder.path(), &["--set", "growth"]);
+    assert!(done.success, "{}", done.stderr);
+    let page = fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert!(page.contains("id=\"growth\"") && !page.contains("id=\"elongation\""));
+    let done = bench(folder.path(), &["--set", "groth"]);
+    assert!(!done.success && done.stderr.contains("growth"), "{}", done.stderr);
+}
+
+#[test]
+fn the_shipped_suite_names_methods_that_exist() {
+    let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/report.toml");
+    let suite = lfpiv::benchmark::Suite::load(&suite).unwrap();
+    assert!(suite.cases.len() > 5);
+}
