@@ -151,14 +151,10 @@ pub enum Bar {
     Process03Ppm,
     /// The floor: error of correlating the true particles.
     Floor,
-    /// Reconstruction against ASTRA's SART.
-    AgainstAstra,
     /// OS-SART against SART at Q = 0.75.
     Acceleration,
     /// The fast solver against OS-SART at its final Q.
     AgainstOsSart,
-    /// 3-D correlation against OpenPIV's.
-    AgainstOpenpiv,
     /// Peak memory of the whole process on 100³ voxels.
     Memory,
     /// Growth of time and memory with the volume.

@@ -1,11 +1,11 @@
 //! Charts of curves and dots on linear or logarithmic axes.
 
-use super::svg::{COLOURS, Svg, number};
+use super::svg::{COLOURS, Svg, number, round_number};
 
-const WIDTH: f64 = 760.0;
+const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 380.0;
 const LEFT: f64 = 64.0;
-const RIGHT: f64 = 230.0;
+const RIGHT: f64 = 300.0;
 const TOP: f64 = 14.0;
 const BOTTOM: f64 = 48.0;
 
@@ -132,12 +132,12 @@ impl Chart {
         for tick in x.ticks() {
             let at = x.place(tick);
             svg.line("grid", [at, TOP], [at, HEIGHT - BOTTOM]);
-            svg.text("tick", "middle", [at, HEIGHT - BOTTOM + 16.0], &number(tick));
+            svg.text("tick", "middle", [at, HEIGHT - BOTTOM + 16.0], &round_number(tick));
         }
         for tick in y.ticks() {
             let at = y.place(tick);
             svg.line("grid", [LEFT, at], [WIDTH - RIGHT, at]);
-            svg.text("tick", "end", [LEFT - 6.0, at + 4.0], &number(tick));
+            svg.text("tick", "end", [LEFT - 6.0, at + 4.0], &round_number(tick));
         }
         svg.line("axis", [LEFT, HEIGHT - BOTTOM], [WIDTH - RIGHT, HEIGHT - BOTTOM]);
         svg.line("axis", [LEFT, TOP], [LEFT, HEIGHT - BOTTOM]);

@@ -71,13 +71,12 @@ impl Svg {
     /// The picture as an element of a page; `description` is what a reader who cannot see it gets.
     pub fn finish(self, description: &str) -> String {
         format!(
-            "<svg viewBox=\"0 0 {:.0} {:.0}\" style=\"max-width:{:.0}px\" role=\"img\" \
+            "<svg viewBox=\"0 0 {w:.0} {h:.0}\" width=\"{w:.0}\" role=\"img\" \
              aria-label=\"{}\">\n{}</svg>\n",
-            self.width,
-            self.height,
-            self.width,
             escaped(description),
-            self.body
+            self.body,
+            w = self.width,
+            h = self.height,
         )
     }
 }
@@ -103,6 +102,15 @@ pub fn number(value: f64) -> String {
     }
 }
 
+/// A number without zeros that say nothing: for ticks.
+pub fn round_number(value: f64) -> String {
+    let text = number(value);
+    match text.contains('.') && !text.contains('e') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,6 +125,7 @@ mod tests {
             [0.12345, 0.012345, 1.2e-5, 3e9].map(number),
             ["0.123", "0.0123", "1.2e-5", "3.00e9"]
         );
+        assert_eq!([10.0, 0.5, -2.5, 200.0].map(round_number), ["10", "0.5", "-2.5", "200"]);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::benchmark::{
     },
 };
 
-const WIDTH: f64 = 760.0;
+const WIDTH: f64 = 860.0;
 const ROW: f64 = 44.0;
 const BARS: f64 = 420.0;
 

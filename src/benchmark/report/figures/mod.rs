@@ -29,6 +29,7 @@ pub fn sections(report: &Report) -> Vec<Section> {
         memory::matrices,
         growth::whole_process,
         growth::growth,
+        pareto::beside_peers,
     ]
     .into_iter()
     .filter_map(|figure| figure(report))

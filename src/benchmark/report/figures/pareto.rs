@@ -54,6 +54,31 @@ pub fn quality_seconds(report: &Report) -> Option<Section> {
     })
 }
 
+/// Other programs and this one in the peers' run: Q, or displacement error, against seconds.
+pub fn beside_peers(report: &Report) -> Option<Section> {
+    let mut cases: Vec<&str> = report.peers.iter().map(|row| row.case.as_str()).collect();
+    cases.dedup();
+    let panels: Vec<Panel> = cases
+        .into_iter()
+        .filter_map(|case| {
+            let rows: Vec<&Row> = report.peers.iter().filter(|row| row.case == case).collect();
+            let svg = chart(report, &rows, |row| row.q.map(|q| 1.0 - q), "1 − Q", &[])
+                .or_else(|| chart(report, &rows, mean_error, "mean |error|, voxels", &[]))?;
+            Some(Panel::wide(case, svg))
+        })
+        .collect();
+    (!panels.is_empty()).then(|| Section {
+        id: "beside",
+        title: "Beside other programs",
+        panels,
+        caption: "ASTRA's SART and OpenPIV's 3-D correlation on the same views and the same \
+                  volumes as this program, in a run of their own; where a program ran on several \
+                  numbers of threads, the mean is drawn. Matrix assembly is not in the seconds."
+            .to_owned(),
+        compared: Vec::new(),
+    })
+}
+
 /// One chart per case and density.
 fn panels(
     report: &Report,

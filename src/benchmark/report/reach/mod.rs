@@ -13,6 +13,9 @@ use crate::benchmark::{Bar, Row};
 const FLOOR_1_PPM_VOX: f64 = 0.068;
 const FLOOR_03_PPM_VOX: f64 = 0.095;
 
+/// Most methods named in a bar's row, the nearest to it first.
+const SHOWN: usize = 3;
+
 /// Whether a bar is met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -48,19 +51,16 @@ struct Candidate {
 
 /// Every bar of the report's first table.
 pub fn reached(report: &Report) -> Vec<Reached> {
-    let row = |work, bar, candidates: Vec<Candidate>| {
-        let best = candidates
-            .into_iter()
-            .min_by(|a, b| b.met.cmp(&a.met).then(a.distance.total_cmp(&b.distance)));
-        match best {
-            None => {
-                Reached { work, bar, measured: "–".to_owned(), verdict: Verdict::NotMeasured }
-            }
-            Some(best) => {
-                let verdict = if best.met { Verdict::Met } else { Verdict::Missed };
-                Reached { work, bar, measured: best.measured, verdict }
-            }
-        }
+    let row = |work, bar, mut candidates: Vec<Candidate>| {
+        candidates.sort_by(|a, b| b.met.cmp(&a.met).then(a.distance.total_cmp(&b.distance)));
+        let verdict = match candidates.first() {
+            None => Verdict::NotMeasured,
+            Some(best) if best.met => Verdict::Met,
+            Some(_) => Verdict::Missed,
+        };
+        let shown: Vec<String> =
+            candidates.into_iter().take(SHOWN).map(|candidate| candidate.measured).collect();
+        Reached { work, bar, measured: shown.join("; "), verdict }
     };
     vec![
         row(

@@ -1,10 +1,13 @@
 //! Bars on ratios: against other programs, and against the paper's solvers.
 
 use super::{
-    super::{Report, figures::convergence::accelerations, svg::number},
+    super::{Report, figures::convergence::accelerations, svg::number, tables::mean_error},
     Candidate, at_most,
 };
 use crate::benchmark::{Bar, Row};
+
+/// This program's name in the peers' run, which has rows of its own for comparison.
+const OURS: &str = "lfpiv";
 
 /// The row of the least time.
 fn fastest<'a>(rows: impl Iterator<Item = &'a Row>) -> Option<&'a Row> {
@@ -12,29 +15,31 @@ fn fastest<'a>(rows: impl Iterator<Item = &'a Row>) -> Option<&'a Row> {
     rows.min_by(|a, b| seconds(a).total_cmp(&seconds(b)))
 }
 
-/// Ours against a peer's rows on the same case; the fastest of ours that is at least as good.
+/// Our reconstruction against ASTRA's SART, on the full volume or on active voxels only: in every
+/// case of the peers' run the fastest of ours that is at least as good, on as many threads.
 pub(super) fn against_astra(report: &Report, active: bool, least: f64) -> Vec<Candidate> {
-    let ours = report.held_against(Bar::AgainstAstra);
-    let peers = report.peers.iter().filter(|row| {
-        let astra = row.peer.as_deref().is_some_and(|peer| peer.to_lowercase().contains("astra"));
-        astra && row.method.contains("active") == active
+    let theirs = of(report, "astra").filter(|row| row.method.contains("active") == active);
+    let candidates = theirs.filter_map(|peer| {
+        let (peer_s, peer_q) = (peer.seconds?, peer.q?);
+        let good = ours_beside(report, peer).filter(|row| row.q.is_some_and(|q| q >= peer_q));
+        let Some(own) = fastest(good) else {
+            return Some(missed(format!(
+                "{}: none of ours reaches Q {}",
+                peer.case,
+                number(peer_q)
+            )));
+        };
+        let gain = peer_s / own.seconds?;
+        let measured = format!(
+            "{}: {} × at Q {} against {}",
+            peer.case,
+            number(gain),
+            number(own.q?),
+            number(peer_q)
+        );
+        Some(at_most(measured, &[(least, gain)]))
     });
-    peers
-        .filter_map(|peer| {
-            let (peer_s, peer_q) = (peer.seconds?, peer.q?);
-            let good = |row: &&Row| row.case == peer.case && row.q.is_some_and(|q| q >= peer_q);
-            let fastest = fastest(ours.iter().copied().filter(good))?;
-            let gain = peer_s / fastest.seconds?;
-            let measured = format!(
-                "{} × at Q {} against {} ({})",
-                number(gain),
-                number(fastest.q?),
-                number(peer_q),
-                report.label(fastest)
-            );
-            Some(at_most(measured, &[(least, gain)]))
-        })
-        .collect()
+    all_of(candidates.collect())
 }
 
 /// SART's time over OS-SART's at Q = 0.75; the least over the densities counts.
@@ -55,51 +60,78 @@ pub(super) fn acceleration(report: &Report) -> Vec<Candidate> {
 pub(super) fn against_os_sart(report: &Report) -> Vec<Candidate> {
     let rows = report.held_against(Bar::AgainstOsSart);
     let paper = rows.iter().filter(|row| report.label(row).starts_with("OS-SART"));
-    paper
-        .filter_map(|slow| {
-            let (slow_s, slow_q) = (slow.seconds?, slow.q?);
-            let better = |row: &&Row| {
-                !report.label(row).contains("SART")
-                    && (row.ppm, row.cameras, &row.case) == (slow.ppm, slow.cameras, &slow.case)
-                    && row.q.is_some_and(|q| q >= slow_q)
-            };
-            let Some(fast) = fastest(rows.iter().copied().filter(better)) else {
-                let measured = format!("none reaches its Q {} at {} ppm", number(slow_q), slow.ppm);
-                return Some(Candidate { measured, met: false, distance: f64::MAX });
-            };
-            let gain = slow_s / fast.seconds?;
-            let measured = format!(
-                "{} × at {} ppm, Q {} against {} ({})",
-                number(gain),
-                slow.ppm,
-                number(fast.q?),
-                number(slow_q),
-                report.label(fast)
-            );
-            Some(at_most(measured, &[(100.0, gain)]))
-        })
-        // The hardest density counts.
-        .max_by(|a, b| a.distance.total_cmp(&b.distance))
-        .into_iter()
-        .collect()
+    let candidates = paper.filter_map(|slow| {
+        let (slow_s, slow_q) = (slow.seconds?, slow.q?);
+        let better = |row: &&Row| {
+            !report.label(row).contains("SART")
+                && (row.ppm, row.cameras, &row.case) == (slow.ppm, slow.cameras, &slow.case)
+                && row.q.is_some_and(|q| q >= slow_q)
+        };
+        let Some(fast) = fastest(rows.iter().copied().filter(better)) else {
+            let measured = format!("none reaches its Q {} at {} ppm", number(slow_q), slow.ppm);
+            return Some(missed(measured));
+        };
+        let gain = slow_s / fast.seconds?;
+        let measured = format!(
+            "{} × at {} ppm, Q {} against {} ({})",
+            number(gain),
+            slow.ppm,
+            number(fast.q?),
+            number(slow_q),
+            report.label(fast)
+        );
+        Some(at_most(measured, &[(100.0, gain)]))
+    });
+    all_of(candidates.collect())
 }
 
-/// Our correlation's time per vector and error over OpenPIV's on the same volumes.
+/// Our correlation's time per vector and error over OpenPIV's, in every case of the peers' run; of
+/// ours the one that is nearest to the bar, on as many threads.
 pub(super) fn against_openpiv(report: &Report) -> Vec<Candidate> {
-    let ours = report.held_against(Bar::AgainstOpenpiv);
-    let per_vector = |seconds: f64, row: &Row| Some(seconds / row.vectors? as f64);
-    let error = |row: &Row| row.error_vox().map(|e| e.iter().sum::<f64>() / 3.0);
-    let peers = report
-        .peers
-        .iter()
-        .filter(|row| row.peer.as_deref().is_some_and(|p| p.to_lowercase().contains("openpiv")));
-    peers
-        .filter_map(|peer| {
-            let row = ours.iter().find(|row| row.case == peer.case)?;
-            let gain = per_vector(peer.seconds?, peer)? / per_vector(row.correlate_s?, row)?;
-            let share = error(row)? / error(peer)?;
-            let measured = format!("{} × per vector, {} of the error", number(gain), number(share));
+    let per_vector = |row: &Row| Some(row.seconds? / row.vectors? as f64);
+    let candidates = of(report, "openpiv").filter_map(|peer| {
+        let judged = ours_beside(report, peer).filter_map(|own| {
+            let gain = per_vector(peer)? / per_vector(own)?;
+            let share = mean_error(own)? / mean_error(peer)?;
+            let measured = format!(
+                "{}: {} × per vector, {} of the error ({})",
+                peer.case,
+                number(gain),
+                number(share),
+                own.method
+            );
             Some(at_most(measured, &[(10.0, gain), (share, 0.5)]))
-        })
-        .collect()
+        });
+        judged.min_by(|a, b| a.distance.total_cmp(&b.distance))
+    });
+    all_of(candidates.collect())
+}
+
+/// Rows of a program in the peers' run.
+fn of<'a>(report: &'a Report, program: &str) -> impl Iterator<Item = &'a Row> {
+    report.peers.iter().filter(move |row| {
+        row.peer.as_deref().is_some_and(|peer| peer.eq_ignore_ascii_case(program))
+    })
+}
+
+/// Our own rows in the peers' run that a peer's row can be compared with.
+fn ours_beside<'a>(report: &'a Report, peer: &'a Row) -> impl Iterator<Item = &'a Row> {
+    of(report, OURS).filter(|row| row.case == peer.case && row.threads == peer.threads)
+}
+
+/// What must hold of every case.
+fn all_of(candidates: Vec<Candidate>) -> Vec<Candidate> {
+    if candidates.is_empty() {
+        return candidates;
+    }
+    let each: Vec<&str> = candidates.iter().map(|candidate| candidate.measured.as_str()).collect();
+    vec![Candidate {
+        measured: each.join("; "),
+        met: candidates.iter().all(|candidate| candidate.met),
+        distance: candidates.iter().map(|candidate| candidate.distance).fold(0.0, f64::max),
+    }]
+}
+
+fn missed(measured: String) -> Candidate {
+    Candidate { measured, met: false, distance: f64::INFINITY }
 }
