@@ -9,6 +9,9 @@ const RIGHT: f64 = 300.0;
 const TOP: f64 = 14.0;
 const BOTTOM: f64 = 48.0;
 
+/// Least ratio of the ends of a logarithmic axis.
+const DECADE: f64 = 10.0;
+
 /// Ticks wanted on a linear axis.
 const TICKS: f64 = 6.0;
 
@@ -189,7 +192,9 @@ impl Ruler {
                 (axis.range[0].unwrap_or(low - room), axis.range[1].unwrap_or(high + room))
             }
             Scale::Log => {
-                (axis.range[0].unwrap_or(low / 1.25), axis.range[1].unwrap_or(high * 1.25))
+                // At least a decade, or there would be no ticks to read.
+                let widen = (DECADE * low / high).max(1.0).sqrt().max(1.25);
+                (axis.range[0].unwrap_or(low / widen), axis.range[1].unwrap_or(high * widen))
             }
         };
         let high = if high > low { high } else { low + 1.0 };
