@@ -8,7 +8,7 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use super::BenchmarkError;
-use crate::reconstruction::ReconstructionSettings;
+use crate::reconstruction::{ReconstructionSettings, Solver};
 
 /// The method that is a case's own `[reconstruction]` table, whatever it says.
 pub const AS_CONFIGURED: &str = "configured";
@@ -229,8 +229,17 @@ impl Suite {
 
     /// A method's name in figures.
     pub fn label_of(&self, method: &str) -> String {
-        let declared = self.methods.iter().find(|declared| declared.name == method);
-        declared.map_or_else(|| method.replace(AS_CONFIGURED, "as configured"), |m| m.label.clone())
+        let as_configured = || method.replace(AS_CONFIGURED, "as configured");
+        self.method(method).map_or_else(as_configured, |declared| declared.label.clone())
+    }
+
+    /// The solver of a declared method.
+    pub fn solver_of(&self, method: &str) -> Option<Solver> {
+        Some(self.method(method)?.reconstruction.solver)
+    }
+
+    fn method(&self, name: &str) -> Option<&Method> {
+        self.methods.iter().find(|declared| declared.name == name)
     }
 
     /// The cases that a figure shows.

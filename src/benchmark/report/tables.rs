@@ -11,6 +11,13 @@ pub struct Group<'a> {
     pub points: Vec<[f64; 2]>,
 }
 
+/// What is known of a group at one x.
+struct Sum {
+    x: f64,
+    y: f64,
+    count: usize,
+}
+
 /// Groups rows of equal `key`, method, peer and cameras, in order of appearance, with the mean of
 /// `y` at every `x`. Rows without one of them are left out.
 pub fn grouped<'a>(
@@ -22,7 +29,7 @@ pub fn grouped<'a>(
     let same_group = |a: &Row, b: &Row| {
         key(a) == key(b) && a.method == b.method && a.peer == b.peer && a.cameras == b.cameras
     };
-    let mut groups: Vec<(&Row, Vec<(f64, f64, usize)>)> = Vec::new();
+    let mut groups: Vec<(&Row, Vec<Sum>)> = Vec::new();
     for &row in rows {
         let (Some(x), Some(y)) = (x(row), y(row)) else { continue };
         let at = groups.iter().position(|(first, _)| same_group(first, row)).unwrap_or_else(|| {
@@ -30,17 +37,17 @@ pub fn grouped<'a>(
             groups.len() - 1
         });
         let sums = &mut groups[at].1;
-        match sums.iter_mut().find(|(other, ..)| *other == x) {
-            Some((_, sum, count)) => {
-                *sum += y;
-                *count += 1;
+        match sums.iter_mut().find(|sum| sum.x == x) {
+            Some(sum) => {
+                sum.y += y;
+                sum.count += 1;
             }
-            None => sums.push((x, y, 1)),
+            None => sums.push(Sum { x, y, count: 1 }),
         }
     }
-    let averaged = |(row, mut sums): (&'a Row, Vec<(f64, f64, usize)>)| {
-        sums.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let points = sums.into_iter().map(|(x, sum, count)| [x, sum / count as f64]).collect();
+    let averaged = |(row, mut sums): (&'a Row, Vec<Sum>)| {
+        sums.sort_by(|a, b| a.x.total_cmp(&b.x));
+        let points = sums.into_iter().map(|sum| [sum.x, sum.y / sum.count as f64]).collect();
         Group { row, points }
     };
     groups.into_iter().map(averaged).collect()

@@ -1,14 +1,17 @@
 //! Q and ε against iterations, and what ordered subsets gain (paper, Figs. 4 and 13).
 
-use crate::benchmark::{
-    Curve, Figure, paper,
-    report::{
-        Report,
-        chart::{Axis, Chart, Series, Style},
-        section::{Compared, Panel, Section},
-        svg::number,
-        tables::cameras,
+use crate::{
+    benchmark::{
+        Curve, Figure, paper,
+        report::{
+            Report,
+            chart::{Axis, Chart, Series, Style},
+            section::{Compared, Panel, Section},
+            svg::number,
+            tables::cameras,
+        },
     },
+    reconstruction::Solver,
 };
 
 /// A curve counts as converged from where all of it is this close to its last value.
@@ -27,9 +30,9 @@ pub fn quality_iterations(report: &Report) -> Option<Section> {
         .iter()
         .filter_map(|curve| {
             let (passes, last) = (converged_after(curve)?, curve.points.last()?[1]);
-            let paper = match report.suite.label_of(&curve.method) {
-                label if label.starts_with("OS-SART") => number(paper::PASSES_OS_SART),
-                label if label.starts_with("SART") => number(paper::PASSES_SART),
+            let paper = match report.suite.solver_of(&curve.method) {
+                Some(Solver::OsSart) => number(paper::PASSES_OS_SART),
+                Some(Solver::Sart) => number(paper::PASSES_SART),
                 _ => "–".to_owned(),
             };
             Some(Compared::new(
@@ -72,9 +75,9 @@ pub fn error_iterations(report: &Report) -> Option<Section> {
     let compared = shown
         .iter()
         .filter_map(|curve| {
-            let paper = match report.suite.label_of(&curve.method) {
-                label if label.starts_with("OS-SART") => number(paper::EXAMPLE_PASSES_OS_SART),
-                label if label.starts_with("SART") => number(paper::EXAMPLE_PASSES_SART),
+            let paper = match report.suite.solver_of(&curve.method) {
+                Some(Solver::OsSart) => number(paper::EXAMPLE_PASSES_OS_SART),
+                Some(Solver::Sart) => number(paper::EXAMPLE_PASSES_SART),
                 _ => "–".to_owned(),
             };
             let what =
@@ -105,11 +108,11 @@ pub struct Gain {
 /// The gain at every density that both were watched at.
 pub fn accelerations(report: &Report) -> Vec<Gain> {
     let quality = curves(report, "q(iteration)");
-    let starting = |prefix: &str| -> Vec<&Curve> {
-        let wanted = |curve: &&&Curve| report.suite.label_of(&curve.method).starts_with(prefix);
+    let by = |solver: Solver| -> Vec<&Curve> {
+        let wanted = |curve: &&&Curve| report.suite.solver_of(&curve.method) == Some(solver);
         quality.iter().filter(wanted).copied().collect()
     };
-    let (slow, fast) = (starting("SART"), starting("OS-SART"));
+    let (slow, fast) = (by(Solver::Sart), by(Solver::OsSart));
     let pairs = slow.iter().filter_map(|slow| {
         let same = |fast: &&&Curve| {
             (fast.ppm, fast.cameras, &fast.case) == (slow.ppm, slow.cameras, &slow.case)

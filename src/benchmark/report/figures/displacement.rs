@@ -57,7 +57,8 @@ pub fn error_ppm(report: &Report) -> Option<Section> {
         title: "Displacement error against seeding density (paper, Fig. 17)",
         panels,
         caption: "σ of the paper's Eq. 6 against the analytic flow, all vectors counted, valid or \
-                  not. w is the component along the depth of camera 1."
+                  not. w is the component along the depth of camera 1. Particles sit on voxel \
+                  centres in the middle of the pair, so in neither frame do they stay there."
             .to_owned(),
         compared,
     })
