@@ -124,6 +124,28 @@ fn one_set_can_be_asked_for_and_an_unknown_one_is_refused() {
 }
 
 #[test]
+fn a_case_that_cannot_be_measured_does_not_take_the_others_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let config = support::small_configuration();
+    let case = |name: &str, deep: f64| {
+        format!(
+            "[[case]]\nname = '{name}'\nset = 'a'\nmeasure = 'matrix'\nconfig = '{}'\n\
+             with = {{ volume = {{ voxels = [4, 4, 4], centre_mm = [0.0, 0.0, {deep}] }} }}\n",
+            config.display()
+        )
+    };
+    let suite = folder.path().join("suite.toml");
+    fs::write(&suite, case("outside", 99.9) + &case("inside", 0.0)).unwrap();
+    let out = folder.path().join("report");
+    let arguments = [Path::new("bench"), Path::new("--suite"), &suite, Path::new("--out"), &out];
+    let done = support::lfpiv(arguments);
+    assert!(!done.success && done.stderr.contains("outside"), "{}", done.stderr);
+    let table = fs::read_to_string(out.join("rows.csv")).unwrap();
+    assert!(table.contains("inside") && !table.contains("outside"));
+    assert!(fs::read_to_string(out.join("report.html")).unwrap().contains("Not measured"));
+}
+
+#[test]
 fn the_shipped_suite_names_methods_that_exist() {
     let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/report.toml");
     let suite = lfpiv::benchmark::Suite::load(&suite).unwrap();

@@ -16,6 +16,8 @@ pub struct Record {
     pub rows: Vec<Row>,
     /// Figures along an axis.
     pub curves: Vec<Curve>,
+    /// Cases that could not be measured to their end, and why.
+    pub failures: Vec<String>,
     /// Volumes to look at.
     #[serde(skip)]
     pub projections: Vec<Projection>,

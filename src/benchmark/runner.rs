@@ -3,7 +3,7 @@
 use std::{fs, path::Path};
 
 use super::{
-    BenchmarkError, Record, Row, Stamp, Suite,
+    BenchmarkError, Case, Record, Row, Stamp, Suite,
     kernel::reference_seconds,
     measure::{Findings, Surroundings, measure},
 };
@@ -17,10 +17,11 @@ pub struct RunOptions<'a> {
     pub work: &'a Path,
 }
 
-/// Simulates and measures every case of a suite. `progress` is told about every row as it comes.
+/// Simulates and measures every case of a suite. `progress` is told about every row as it comes. A
+/// case that cannot be measured is among the record's failures, and the others are still measured.
 ///
 /// # Errors
-/// The first thing that cannot be set up, simulated or measured.
+/// The work folder cannot be made.
 pub fn run(
     suite: &Suite,
     options: RunOptions,
@@ -38,15 +39,28 @@ pub fn run(
         .map_err(|reason| BenchmarkError::Unreadable { path: options.work.into(), reason })?;
     let mut surroundings =
         Surroundings { program: options.program, work: options.work, progress: &mut stamped };
+    let mut failures = Vec::new();
     for case in &suite.cases {
-        let methods = suite.methods_of(case)?;
-        for setting in case.settings(&suite.folder)? {
-            measure(&setting, &methods, &mut surroundings, &mut findings)?;
+        if let Err(error) = run_case(suite, case, &mut surroundings, &mut findings) {
+            failures.push(format!("{}: {error}", case.name));
         }
     }
     // A folder left behind costs room alone.
     let _ = fs::remove_dir_all(options.work);
     let Findings { mut rows, curves, projections, fields } = findings;
     rows.iter_mut().for_each(|row| row.stamp(&stamp, kernel.seconds));
-    Ok(Record { stamp, kernel, rows, curves, projections, fields })
+    Ok(Record { stamp, kernel, rows, curves, failures, projections, fields })
+}
+
+fn run_case(
+    suite: &Suite,
+    case: &Case,
+    surroundings: &mut Surroundings,
+    findings: &mut Findings,
+) -> Result<(), BenchmarkError> {
+    let methods = suite.methods_of(case)?;
+    for setting in case.settings(&suite.folder)? {
+        measure(&setting, &methods, surroundings, findings)?;
+    }
+    Ok(())
 }

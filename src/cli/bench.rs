@@ -2,7 +2,7 @@
 
 use std::{fs, path::PathBuf};
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 
 use super::output::{count, print};
 use crate::benchmark::{
@@ -29,7 +29,8 @@ pub struct BenchArgs {
 }
 
 /// Measures every case with every method and writes the report; prints a line per row and the
-/// bars at the end. A missed bar is a result, not an error.
+/// bars at the end. A missed bar is a result, not an error; a case that cannot be measured is one,
+/// after the report of the others is written.
 pub fn bench(args: &BenchArgs) -> anyhow::Result<()> {
     let mut suite = Suite::load(&args.suite)?;
     suite.select(&args.sets)?;
@@ -50,7 +51,12 @@ pub fn bench(args: &BenchArgs) -> anyhow::Result<()> {
         print(&format!("{verdict} {}: {}; {}", reached.work, reached.bar, reached.measured))?;
     }
     let page = args.out.join(REPORT_HTML);
-    print(&format!("{} in {}", count(record.rows.len(), "row"), page.display()))
+    print(&format!("{} in {}", count(record.rows.len(), "row"), page.display()))?;
+    if record.failures.is_empty() {
+        return Ok(());
+    }
+    let failed = count(record.failures.len(), "case");
+    bail!("{failed} could not be measured:\n  {}", record.failures.join("\n  "))
 }
 
 /// A row in a line.

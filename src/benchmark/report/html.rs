@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use super::{
     Report, Verdict,
+    columns::COLUMNS,
     figures::sections,
     section::{Compared, Section},
-    svg::{escaped, number, round_number},
+    svg::{escaped, number},
 };
 use crate::benchmark::Row;
 
@@ -21,6 +22,7 @@ pub fn page(report: &Report) -> String {
     let sections = sections(report);
     let mut page = Page(String::new());
     page.head(report);
+    page.failures(report);
     page.contents(&sections);
     page.reached(report);
     for section in &sections {
@@ -61,6 +63,16 @@ impl Page {
             kernel.multiply_adds as f64 / 1e9,
             kernel.streamed_bytes as f64 / 1e9,
         );
+    }
+
+    fn failures(&mut self, report: &Report) {
+        for failure in &report.record.failures {
+            let _ = writeln!(
+                self.0,
+                "<p class=\"missed\">Not measured to its end: {}</p>",
+                escaped(failure)
+            );
+        }
     }
 
     fn contents(&mut self, sections: &[Section]) {
@@ -177,56 +189,14 @@ impl Page {
 
     fn table(&mut self, report: &Report, rows: &[&Row]) {
         self.add("<div class=\"scroll\"><table>\n<tr>");
-        for heading in [
-            "case",
-            "method",
-            "ppm",
-            "cameras",
-            "voxels",
-            "seed",
-            "seconds",
-            "× kernel",
-            "Q",
-            "error x, y, z / voxel",
-            "floor x, y, z / voxel",
-            "FWHM / mm",
-            "peak / MB",
-            "threads",
-            "machine",
-            "version",
-            "date",
-        ] {
+        for (heading, _) in COLUMNS {
             let _ = write!(self.0, "<th>{}</th>", escaped(heading));
         }
         self.add("</tr>\n");
-        let value = |figure: Option<f64>| figure.map_or_else(String::new, number);
-        // Peers' rows do not say everything.
-        let known = |figure: f64| if figure > 0.0 { round_number(figure) } else { String::new() };
-        let three = |figures: Option<[f64; 3]>| {
-            figures.map_or_else(String::new, |f| f.map(number).join(" "))
-        };
         for row in rows {
             self.add("<tr>");
-            for cell in [
-                row.case.clone(),
-                report.label(row),
-                known(row.ppm),
-                known(row.cameras as f64),
-                row.voxels.clone(),
-                row.seed.to_string(),
-                value(row.seconds),
-                value(row.kernel_ratio),
-                value(row.q),
-                three(row.error_vox()),
-                three(row.floor_vox()),
-                value(row.fwhm_mm),
-                value(row.peak_mb),
-                row.threads.to_string(),
-                row.machine.clone(),
-                row.version.clone(),
-                row.date.clone(),
-            ] {
-                let _ = write!(self.0, "<td>{}</td>", escaped(&cell));
+            for (_, cell) in COLUMNS {
+                let _ = write!(self.0, "<td>{}</td>", escaped(&cell(report, row)));
             }
             self.add("</tr>\n");
         }

@@ -1,6 +1,7 @@
 //! The report: CSV and JSON for programs, one page for people.
 
 mod chart;
+mod columns;
 mod csv;
 mod figures;
 mod heat;

@@ -7,7 +7,7 @@ use crate::benchmark::{
         chart::{Axis, Chart, Series, Style},
         section::{Compared, Panel, Section},
         svg::number,
-        tables::{by_case, cameras, grouped},
+        tables::{Group, by_case, cameras, grouped},
     },
 };
 
@@ -22,29 +22,9 @@ pub fn elongation(report: &Report) -> Option<Section> {
         .iter()
         .map(|group| Series::new(label(report, group.row), Style::Dots, group.points.clone()))
         .collect();
-    let mut compared: Vec<Compared> = groups
-        .iter()
-        .filter(|group| group.points.len() > 1)
-        .map(|group| {
-            let mean = group.points.iter().map(|p| p[1]).sum::<f64>() / group.points.len() as f64;
-            let paper = match group.row.cameras {
-                1 => number(paper::FWHM_ONE_CAMERA_MM),
-                _ => number(paper::FWHM_TWO_CAMERAS_MM),
-            };
-            let what = format!("mean FWHM over depth, mm: {}", label(report, group.row));
-            Compared::new(what, format!("{paper} (OS-SART)"), number(mean))
-        })
-        .collect();
+    let mut compared = means(report, &groups);
     compared.extend(in_focus(report, &rows));
-    for row in rows.iter().filter(|row| row.depth_mm.is_none()) {
-        let positions = row.positions.unwrap_or(0);
-        let name = format!("{} random places, {}", positions, label(report, row));
-        let value = |figure: Option<f64>| figure.map_or_else(|| "–".to_owned(), number);
-        let width = format!("mean FWHM, mm: {name}");
-        compared.push(Compared::new(width, "on-grid only", value(row.fwhm_mm)));
-        let error = format!("mean depth centroid error, mm: {name}");
-        compared.push(Compared::new(error, "not stated", value(row.centroid_error_mm)));
-    }
+    compared.extend(anywhere(report, &rows));
     let random = report.record.curves.iter().filter(|curve| curve.name == "fwhm_mm(depth_mm)");
     series.extend(random.filter(|curve| rows.iter().any(|row| row.case == curve.case)).map(|c| {
         let label = format!("anywhere, {}", report.suite.label_of(&c.method));
@@ -67,6 +47,40 @@ pub fn elongation(report: &Report) -> Option<Section> {
             .to_owned(),
         compared,
     })
+}
+
+/// Mean widths over the depths.
+fn means(report: &Report, groups: &[Group]) -> Vec<Compared> {
+    let several = groups.iter().filter(|group| group.points.len() > 1);
+    several
+        .map(|group| {
+            let mean = group.points.iter().map(|p| p[1]).sum::<f64>() / group.points.len() as f64;
+            let paper = match group.row.cameras {
+                1 => number(paper::FWHM_ONE_CAMERA_MM),
+                _ => number(paper::FWHM_TWO_CAMERAS_MM),
+            };
+            let what = format!("mean FWHM over depth, mm: {}", label(report, group.row));
+            Compared::new(what, format!("{paper} (OS-SART)"), number(mean))
+        })
+        .collect()
+}
+
+/// Particles at random places.
+fn anywhere(report: &Report, rows: &[&Row]) -> Vec<Compared> {
+    let value = |figure: Option<f64>| figure.map_or_else(|| "–".to_owned(), number);
+    rows.iter()
+        .filter(|row| row.depth_mm.is_none())
+        .flat_map(|row| {
+            let places = row.positions.unwrap_or(0);
+            let name = format!("{places} random places, {}", label(report, row));
+            let width = format!("mean FWHM, mm: {name}");
+            let error = format!("mean depth centroid error, mm: {name}");
+            [
+                Compared::new(width, "on-grid only", value(row.fwhm_mm)),
+                Compared::new(error, "not stated", value(row.centroid_error_mm)),
+            ]
+        })
+        .collect()
 }
 
 /// Particles in focus, on the centre of a microlens and wherever else the cases put them.
