@@ -43,6 +43,8 @@ pub struct Row {
     pub seconds: Option<f64>,
     /// What the seconds are of.
     pub seconds_of: String,
+    /// Processor time of all threads, in s.
+    pub cpu_s: Option<f64>,
     /// Seconds over those of the reference kernel.
     pub kernel_ratio: Option<f64>,
     /// Time to assemble a matrix, in s, not part of `seconds`.

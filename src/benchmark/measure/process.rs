@@ -30,6 +30,7 @@ pub(super) fn measure(
                 "lfpiv process on one pair from start to end, median of {}",
                 setting.case.repeats
             );
+            measured.row.cpu_s = taken.cpu_seconds;
             measured.row.peak_mb = taken.peak_bytes.map(|bytes| bytes as f64 / 1e6);
             velocity::add(measured, surroundings, findings);
         }
@@ -39,7 +40,7 @@ pub(super) fn measure(
     Ok(())
 }
 
-/// The median time and the largest peak of the repeats.
+/// The median times and the largest peak of the repeats.
 fn repeated(
     setting: &Setting,
     method: Option<&Method>,
@@ -55,10 +56,13 @@ fn repeated(
     let runs = (0..setting.case.repeats.max(1))
         .map(|_| child::process(surroundings.program, &config, &results, pair))
         .collect::<Result<Vec<_>, _>>()?;
-    let mut seconds: Vec<f64> = runs.iter().map(|run| run.seconds).collect();
-    seconds.sort_by(f64::total_cmp);
+    let median = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied()
+    };
     Ok(child::Taken {
-        seconds: seconds[seconds.len() / 2],
+        seconds: median(runs.iter().map(|run| run.seconds).collect()).unwrap_or_default(),
+        cpu_seconds: median(runs.iter().filter_map(|run| run.cpu_seconds).collect()),
         peak_bytes: runs.iter().filter_map(|run| run.peak_bytes).max(),
     })
 }

@@ -10,7 +10,7 @@ use crate::benchmark::Row;
 pub type Column = (&'static str, fn(&Report, &Row) -> String);
 
 /// The columns of the page; the CSV file has all there are.
-pub const COLUMNS: [Column; 17] = [
+pub const COLUMNS: [Column; 18] = [
     ("case", |_, row| row.case.clone()),
     ("method", |report, row| report.label(row)),
     ("ppm", |_, row| known(row.ppm)),
@@ -18,6 +18,7 @@ pub const COLUMNS: [Column; 17] = [
     ("voxels", |_, row| row.voxels.clone()),
     ("seed", |_, row| row.seed.to_string()),
     ("seconds", |_, row| value(row.seconds)),
+    ("CPU / s", |_, row| value(row.cpu_s)),
     ("× kernel", |_, row| value(row.kernel_ratio)),
     ("Q", |_, row| value(row.q)),
     ("error x, y, z / voxel", |_, row| three(row.error_vox())),

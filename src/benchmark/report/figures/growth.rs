@@ -26,8 +26,9 @@ pub fn whole_process(report: &Report) -> Option<Section> {
                 report.label(row)
             );
             let ours = format!(
-                "{} s, {} × the reference kernel, {} MB",
+                "{} s ({} s of processor time), {} × the reference kernel, {} MB",
                 number(row.seconds?),
+                row.cpu_s.map_or_else(|| "–".to_owned(), number),
                 number(row.kernel_ratio.unwrap_or(f64::NAN)),
                 row.peak_mb.map_or_else(|| "–".to_owned(), number)
             );
@@ -40,7 +41,7 @@ pub fn whole_process(report: &Report) -> Option<Section> {
         panels: Vec::new(),
         caption: "lfpiv process on one pair as a process of its own: configuration, tables, TIFF, \
                   two reconstructions, correlation, NetCDF and ParaView files. Seconds from start \
-                  to end, median of the repeats; peak resident memory of that process. The \
+                  to end, median of the repeats, and processor time of all threads; peak resident memory of that process. The \
                   reference kernel is a fixed amount of multiply-adds in cache and in memory, \
                   timed in the same run: the ratio is what can be compared between machines."
             .to_owned(),
