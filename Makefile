@@ -9,10 +9,15 @@ BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
 
+BENCH_OUT := results/bench
+# Sets of benches/report.toml; all when empty. PEERS is a JSON file with rows of other programs.
+SETS :=
+PEERS :=
+
 help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make test    everything that continuous integration checks"
-	@echo "make bench   error beside the floor, Q and seconds of the shipped cases"
+	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
 	@echo "make clean   remove build outputs and the Python environment"
 
 demo: packages
@@ -21,9 +26,11 @@ demo: packages
 
 test: format lint test-rust test-readers
 
-# The big cases: minutes, not part of the tests.
+# The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages
-	cargo bench --locked --bench accuracy
+	cargo build --release --locked
+	target/release/lfpiv bench --suite benches/report.toml --out $(BENCH_OUT) \
+		$(addprefix --set ,$(SETS)) $(addprefix --peers ,$(PEERS))
 
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)

@@ -1,8 +1,9 @@
-//! The command line: `lfpiv check | simulate | process | run`.
+//! The command line: `lfpiv check | simulate | process | run | bench`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
 
+mod bench;
 mod check;
 pub mod daemon;
 mod demo_table;
@@ -21,6 +22,7 @@ use clap::{Parser, Subcommand};
 use tracing::level_filters::LevelFilter;
 use tracing_subscriber::{filter::Targets, prelude::*};
 
+pub use bench::BenchArgs;
 pub use check::CheckArgs;
 pub use process::ProcessArgs;
 pub use run::RunArgs;
@@ -44,6 +46,8 @@ enum Command {
     Process(ProcessArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
+    /// Measure speed against error of declared cases and methods, and write a report.
+    Bench(BenchArgs),
 }
 
 /// Parses the command line, does what it says and reports errors.
@@ -55,6 +59,7 @@ pub fn main() -> ExitCode {
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
+        Command::Bench(args) => bench::bench(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -16,6 +16,7 @@ mod validate;
 mod windows;
 
 pub use cloud::PointCloud;
+pub use derived::curl_and_divergence;
 pub use field::{VectorGrid, VectorStatus, VelocityField};
 pub use multipass::Interrogation;
 pub use result::{PairResult, StageSeconds};
