@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench packages components readers format lint test-rust test-readers clean
+.PHONY: help demo test bench bench-peers packages components readers format lint test-rust test-readers clean
 
 # The compiler's linker, and the NetCDF library with what finds it.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
@@ -13,7 +13,8 @@ help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make test    everything that continuous integration checks"
 	@echo "make bench   error beside the floor, Q and seconds of the shipped cases"
-	@echo "make clean   remove build outputs and the Python environment"
+	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
+	@echo "make clean   remove build outputs and the Python environments"
 
 demo: packages
 	cargo build --release --locked
@@ -25,6 +26,15 @@ test: format lint test-rust test-readers
 bench: packages
 	cargo bench --locked --bench accuracy
 
+# Needs 13 GB of memory and 7 GB of disk for the largest explicit matrix. One case, one turn:
+# make bench-peers PEER_CASES=paper-50 PEER_TURNS=1
+PEER_CASES :=
+PEER_TURNS := 3
+bench-peers: packages
+	cargo build --release --locked
+	@scripts/install-python.sh .venv-peers benches/peers/requirements.txt
+	.venv-peers/bin/python benches/peers/compare.py --turns $(PEER_TURNS) $(PEER_CASES)
+
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)
 
@@ -34,7 +44,7 @@ components:
 	@cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
 
 readers: packages
-	@scripts/install-readers.sh
+	@scripts/install-python.sh .venv tests/readers/requirements.txt
 
 format: components
 	cargo fmt --all --check
@@ -52,4 +62,4 @@ test-readers: packages readers
 
 clean:
 	cargo clean
-	rm -rf .venv
+	rm -rf .venv .venv-peers

@@ -4,7 +4,7 @@
 use std::{fs, path::Path};
 
 /// The rooms, lowest floor first, as ARCHITECTURE.md lists them.
-const FLOORS: [&str; 10] = [
+const FLOORS: [&str; 11] = [
     "lightfield",
     "model",
     "reconstruction",
@@ -12,6 +12,7 @@ const FLOORS: [&str; 10] = [
     "archive",
     "acquisition",
     "pipeline",
+    "benchmark",
     "server",
     "config",
     "cli",

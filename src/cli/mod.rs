@@ -1,4 +1,4 @@
-//! The command line: `lfpiv check | simulate | process | run`.
+//! The command line: `lfpiv check | simulate | process | run | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
@@ -8,6 +8,7 @@ pub mod daemon;
 mod demo_table;
 mod ledger_file;
 mod output;
+mod peers;
 mod process;
 mod run;
 mod run_folder;
@@ -22,6 +23,7 @@ use tracing::level_filters::LevelFilter;
 use tracing_subscriber::{filter::Targets, prelude::*};
 
 pub use check::CheckArgs;
+pub use peers::PeersCommand;
 pub use process::ProcessArgs;
 pub use run::RunArgs;
 pub use simulate::SimulateArgs;
@@ -44,6 +46,9 @@ enum Command {
     Process(ProcessArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
+    /// Make cases that other programs can be timed on, and time this one (see benches/peers).
+    #[command(subcommand)]
+    Peers(PeersCommand),
 }
 
 /// Parses the command line, does what it says and reports errors.
@@ -55,6 +60,7 @@ pub fn main() -> ExitCode {
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
+        Command::Peers(command) => peers::peers(&command),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
