@@ -29,11 +29,11 @@ bench: packages
 # Needs 13 GB of memory and 7 GB of disk for the largest explicit matrix. One case, one turn:
 # make bench-peers PEER_CASES=paper-50 PEER_TURNS=1
 PEER_CASES :=
-PEER_TURNS := 3
+PEER_TURNS :=
 bench-peers: packages
 	cargo build --release --locked
 	@scripts/install-python.sh .venv-peers benches/peers/requirements.txt
-	.venv-peers/bin/python benches/peers/compare.py --turns $(PEER_TURNS) $(PEER_CASES)
+	.venv-peers/bin/python benches/peers/compare.py $(PEER_TURNS:%=--turns %) $(PEER_CASES)
 
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)

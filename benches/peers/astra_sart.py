@@ -79,6 +79,7 @@ def main() -> None:
         version=astra.__version__,
         threads=work.threads,
         seconds=work.seconds,
+        cpu_seconds=work.cpu_seconds,
         seconds_of="sweeps only",
         assembly_seconds=size["assembly_seconds"] + preparation.seconds,
         q=quality_factor(volume, truth),

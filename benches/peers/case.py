@@ -16,8 +16,8 @@ class Case:
         self.description = json.loads((folder / "case.json").read_text())
 
     def array(self, name: str) -> np.ndarray:
-        """The array in `name.npy`."""
-        return np.load(self.folder / f"{name}.npy")
+        """The array in `name.npy`, read as it is used: a matrix need not be in memory twice."""
+        return np.load(self.folder / f"{name}.npy", mmap_mode="c")
 
     def matrix(self) -> scipy.sparse.csr_matrix:
         """The weights: one row per pixel, view after view, and one column per voxel."""

@@ -28,24 +28,25 @@ class Case:
     export: list[str]
     own: list[list[str]]
     peers: list[list[str]]
+    turns: int
 
 
-def reconstruction(name: str) -> Case:
+def reconstruction(name: str, turns: int = 3) -> Case:
     sart = ["astra_sart.py"]
-    return Case(name, ["export-views"], [["reconstruct"]], [sart, [*sart, "--active"]])
+    return Case(name, ["export-views"], [["reconstruct"]], [sart, [*sart, "--active"]], turns)
 
 
 def correlation(name: str, *options: str) -> Case:
     own = [["correlate", "--passes", passes] for passes in ("1", "3")]
-    return Case(name, ["export-volumes", *options], own, [["openpiv_correlation.py"]])
+    return Case(name, ["export-volumes", *options], own, [["openpiv_correlation.py"]], turns=3)
 
 
 CASES = [
-    reconstruction("paper-100"),
-    reconstruction("paper-50"),
-    reconstruction("few-views"),
     correlation("ring"),
     correlation("abc", "--reconstructed"),
+    reconstruction("paper-50"),
+    reconstruction("few-views"),
+    reconstruction("paper-100", turns=1),  # minutes a turn
 ]
 
 
@@ -85,7 +86,7 @@ def main() -> None:
     parser.add_argument("cases", nargs="*", help="names of cases; all when absent")
     parser.add_argument("--lfpiv", type=Path, default=Path("target/release/lfpiv"))
     parser.add_argument("--folder", type=Path, default=Path("target/peers"))
-    parser.add_argument("--turns", type=int, default=3, help="runs of which medians are taken")
+    parser.add_argument("--turns", type=int, help="runs of which medians are taken")
     arguments = parser.parse_args()
     unknown = set(arguments.cases) - {case.name for case in CASES}
     if unknown:
@@ -96,9 +97,9 @@ def main() -> None:
     for case in CASES:
         if not arguments.cases or case.name in arguments.cases:
             bench.export(case)
-            turns = [bench.rows(case) for _ in range(arguments.turns)]
-            rows += median_rows(turns)
-            print(f"{case.name}: {arguments.turns} turns", file=sys.stderr)
+            turns = arguments.turns or case.turns
+            print(f"{case.name}: {turns} turn(s)", file=sys.stderr)
+            rows += median_rows([bench.rows(case) for _ in range(turns)])
     path = arguments.folder / "peers.json"
     path.write_text(json.dumps(rows, indent=1) + "\n")
     print(rows_table(rows), ratios_table(rows), f"Rows in {path}", sep="\n\n")

@@ -64,6 +64,7 @@ def main() -> None:
         version=version("openpiv"),
         threads=work.threads,
         seconds=work.seconds,
+        cpu_seconds=work.cpu_seconds,
         seconds_of="volumes to vectors",
         assembly_seconds=0.0,
         iterations=1,

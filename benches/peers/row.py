@@ -8,19 +8,23 @@ from dataclasses import dataclass
 
 
 @dataclass
-class Stopwatch:
-    """Wall-clock seconds of some work, and the threads that worked at a time."""
+class Cost:
+    """Wall-clock and processor seconds of some work."""
 
     seconds: float
-    threads: int
+    cpu_seconds: float
+
+    @property
+    def threads(self) -> int:
+        """Threads that worked at a time, as seen from outside."""
+        return max(1, round(self.cpu_seconds / self.seconds))
 
 
-def timed(work: Callable[[], object]) -> tuple[object, Stopwatch]:
-    """The result of `work` and what it took."""
+def timed(work: Callable[[], object]) -> tuple[object, Cost]:
+    """The result of `work` and what it cost."""
     wall, cpu = time.perf_counter(), time.process_time()
     result = work()
-    wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
-    return result, Stopwatch(wall, max(1, round(cpu / wall)))
+    return result, Cost(time.perf_counter() - wall, time.process_time() - cpu)
 
 
 def peak_mb() -> float:

@@ -29,7 +29,7 @@ def error_text(row: dict) -> str:
 
 def ratios_table(rows: list[dict]) -> str:
     """How often faster this program is than each peer; the bar is for equal threads."""
-    head = ["case", "peer", "lfpiv", "threads", "times faster", "needed", "Q or error", "bar"]
+    head = ["case", "peer", "lfpiv", "threads", "times faster", "by CPU", "needed", "Q or error", "bar"]
     return aligned(head, [ratio_cells(ratio) for ratio in ratios(rows)])
 
 
@@ -46,6 +46,7 @@ def ratio_cells(ratio: Ratio) -> list[str]:
         own["method"],
         f"{own['threads']}, peer {peer['threads']}",
         f"{ratio.faster:.1f}",
+        "" if ratio.faster_cpu is None else f"{ratio.faster_cpu:.1f}",
         f"{ratio.needed:.0f}",
         reached,
         ratio.verdict,

@@ -6,6 +6,8 @@ from statistics import median
 
 OWN = "lfpiv"
 
+SECONDS = ("seconds", "cpu_seconds", "assembly_seconds")
+
 # Of a peer's method, how often faster this program has to be.
 FASTER = {
     ("ASTRA", "SART, full volume"): 15.0,
@@ -22,8 +24,7 @@ def median_rows(turns: list[list[dict]]) -> list[dict]:
     return [
         {
             **rows[0],
-            "seconds": median(row["seconds"] for row in rows),
-            "assembly_seconds": median(row["assembly_seconds"] for row in rows),
+            **{kind: median(row[kind] for row in rows) for kind in SECONDS if kind in rows[0]},
             "runs": len(rows),
         }
         for rows in zip(*turns, strict=True)
@@ -45,6 +46,13 @@ class Ratio:
     @property
     def faster(self) -> float:
         return self.peer["seconds"] / self.own["seconds"]
+
+    @property
+    def faster_cpu(self) -> float | None:
+        """The same in processor seconds, which a busy machine does not change."""
+        if "cpu_seconds" in self.own:
+            return self.peer["cpu_seconds"] / self.own["cpu_seconds"]
+        return None
 
     @property
     def needed(self) -> float:

@@ -9,7 +9,7 @@ use super::{
     PeersError, Row,
     description::{case_name, read_description, write_description},
     npy::{read_array, write_array},
-    row::{Timed, repeated, timed},
+    row::{repeated, timed},
 };
 use crate::{
     lightfield::ImagePair,
@@ -158,14 +158,14 @@ pub fn time_correlation(
     let case = CorrelationCase::read(folder, grid)?;
     let settings = with_passes(velocimetry, passes);
     let (interrogation, assembly_seconds) = timed(|| interrogation(grid, &settings));
-    let (field, median_seconds) = repeated(repeats, || {
+    let (field, cost) = repeated(repeats, || {
         let [a, b] = case.volumes.each_ref().map(|volume| cloud(volume, grid));
         interrogation.measure(&a, &b, dt_s)
     });
     let row = Row::own(
         case_name(folder),
         if passes == 1 { "single pass".to_owned() } else { format!("{passes} passes") },
-        Timed { assembly_seconds, median_seconds },
+        (assembly_seconds, cost),
         "volumes to vectors",
     );
     Ok(Row {

@@ -9,7 +9,7 @@ use super::{
     MatrixSize, PeersError, Row,
     description::{case_name, read_description, write_description},
     npy::{read_array, write_array},
-    row::{Timed, repeated, timed},
+    row::{repeated, timed},
     write_matrix,
 };
 use crate::{
@@ -176,13 +176,12 @@ pub fn time_reconstruction(
         timed(|| Reconstructor::new(&bench.optics, &bench.poses, grid, settings));
     let reconstructor = reconstructor?;
     let case = ReconstructionCase::read(folder, grid, reconstructor.layouts())?;
-    let (solved, median_seconds) =
-        repeated(repeats, || reconstructor.reconstruct(&case.views, &case.levels));
+    let (solved, cost) = repeated(repeats, || reconstructor.reconstruct(&case.views, &case.levels));
     let volume = solved.volume.on_grid(grid);
     let row = Row::own(
         case_name(folder),
         settings.solver.to_string(),
-        Timed { assembly_seconds, median_seconds },
+        (assembly_seconds, cost),
         "views to volume, start included",
     );
     Ok(Row {

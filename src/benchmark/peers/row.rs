@@ -19,6 +19,10 @@ pub struct Row {
     pub threads: usize,
     /// Median wall-clock seconds of what `seconds_of` says.
     pub seconds: f64,
+    /// Mean processor seconds of the same, over all threads, where the system tells: what stays
+    /// comparable on a busy machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cpu_seconds: Option<f64>,
     /// What the seconds are those of.
     pub seconds_of: &'static str,
     /// Seconds for what is made once for a bench: tables, plans, a matrix.
@@ -45,7 +49,7 @@ impl Row {
     pub(super) fn own(
         case: String,
         method: String,
-        timed: Timed,
+        (assembly_seconds, cost): (f64, Cost),
         seconds_of: &'static str,
     ) -> Self {
         Self {
@@ -54,9 +58,10 @@ impl Row {
             peer: "lfpiv",
             version: env!("CARGO_PKG_VERSION"),
             threads: rayon::current_num_threads(),
-            seconds: timed.median_seconds,
+            seconds: cost.median_seconds,
+            cpu_seconds: cost.cpu_seconds,
             seconds_of,
-            assembly_seconds: timed.assembly_seconds,
+            assembly_seconds,
             q: None,
             iterations: None,
             vectors: None,
@@ -66,11 +71,13 @@ impl Row {
     }
 }
 
-/// Seconds of a set-up and of the work that it is for.
+/// What a work that was repeated costs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Timed {
-    pub assembly_seconds: f64,
+pub(super) struct Cost {
+    /// Median wall-clock seconds.
     pub median_seconds: f64,
+    /// Mean processor seconds over all threads, where the system tells.
+    pub cpu_seconds: Option<f64>,
 }
 
 /// The result of `work`, and the seconds it took.
@@ -80,8 +87,9 @@ pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     (result, started.elapsed().as_secs_f64())
 }
 
-/// The result of `work`, and the median of the seconds that it took `repeats` times (at least 1).
-pub(super) fn repeated<T>(repeats: usize, work: impl Fn() -> T) -> (T, f64) {
+/// The result of `work`, and what it cost when it was done `repeats` times (at least once).
+pub(super) fn repeated<T>(repeats: usize, work: impl Fn() -> T) -> (T, Cost) {
+    let cpu_before = cpu_seconds();
     let (mut result, first) = timed(&work);
     let mut seconds = vec![first];
     for _ in 1..repeats {
@@ -89,8 +97,20 @@ pub(super) fn repeated<T>(repeats: usize, work: impl Fn() -> T) -> (T, f64) {
         result = again.0;
         seconds.push(again.1);
     }
+    let cpu_seconds = cpu_seconds().zip(cpu_before).map(|(now, before)| now - before);
+    let cpu_seconds = cpu_seconds.map(|all| all / seconds.len() as f64);
     seconds.sort_by(f64::total_cmp);
-    (result, seconds[seconds.len() / 2])
+    (result, Cost { median_seconds: seconds[seconds.len() / 2], cpu_seconds })
+}
+
+/// Processor seconds of all threads of this process that still run.
+fn cpu_seconds() -> Option<f64> {
+    let of_thread = |thread: fs::DirEntry| -> Option<f64> {
+        let text = fs::read_to_string(thread.path().join("schedstat")).ok()?;
+        let on_processor_ns: f64 = text.split_whitespace().next()?.parse().ok()?;
+        Some(on_processor_ns * 1e-9)
+    };
+    fs::read_dir("/proc/self/task").ok()?.map(|thread| of_thread(thread.ok()?)).sum()
 }
 
 /// Largest resident memory of this process so far, in MB of 10⁶ bytes.
