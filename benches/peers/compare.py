@@ -69,7 +69,8 @@ class Bench:
         for work in case.own:
             for threads in sorted({1, os.cpu_count() or 1}):
                 environment = os.environ | {"RAYON_NUM_THREADS": str(threads)}
-                rows.append(row_of([self.lfpiv, "peers", work[0], folder, *work[1:]], environment))
+                command = [self.lfpiv, "peers", work[0], folder, "--repeats", "1", *work[1:]]
+                rows.append(row_of(command, environment))
         for script, *options in case.peers:
             rows.append(row_of([sys.executable, HERE / script, folder, *options], os.environ))
         return rows

@@ -44,7 +44,7 @@ def check_windows(case: Case) -> None:
     shape = tuple(reversed(case.description["voxels"]))
     centres = get_coordinates(shape, (edge,) * 3, (edge,) * 3, (edge - step,) * 3)
     if any(axis.min() != (edge - 1) / 2 for axis in centres):
-        raise SystemExit(f"OpenPIV puts its windows elsewhere: take a volume of whole {step} voxels")
+        raise SystemExit(f"OpenPIV shifts its windows: take a volume of whole {step} voxels")
 
 
 def main() -> None:

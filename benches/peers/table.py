@@ -29,7 +29,7 @@ def error_text(row: dict) -> str:
 
 def ratios_table(rows: list[dict]) -> str:
     """How often faster this program is than each peer; the bar is for equal threads."""
-    head = ["case", "peer", "lfpiv", "threads", "times faster", "by CPU", "needed", "Q or error", "bar"]
+    head = ["case", "peer", "lfpiv", "threads", "faster", "by CPU", "needed", "Q or error", "bar"]
     return aligned(head, [ratio_cells(ratio) for ratio in ratios(rows)])
 
 
