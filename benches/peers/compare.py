@@ -94,6 +94,7 @@ def main() -> None:
         parser.error(f"no case {', '.join(sorted(unknown))}")
 
     bench = Bench(arguments.lfpiv.absolute(), arguments.folder)
+    path = arguments.folder / "peers.json"
     rows = []
     for case in CASES:
         if not arguments.cases or case.name in arguments.cases:
@@ -101,8 +102,7 @@ def main() -> None:
             turns = arguments.turns or case.turns
             print(f"{case.name}: {turns} turn(s)", file=sys.stderr)
             rows += median_rows([bench.rows(case) for _ in range(turns)])
-    path = arguments.folder / "peers.json"
-    path.write_text(json.dumps(rows, indent=1) + "\n")
+            path.write_text(json.dumps(rows, indent=1) + "\n")
     print(rows_table(rows), ratios_table(rows), f"Rows in {path}", sep="\n\n")
 
 
