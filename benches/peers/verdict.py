@@ -49,7 +49,7 @@ class Ratio:
 
     @property
     def faster_cpu(self) -> float | None:
-        """The same in processor seconds, which a busy machine does not change."""
+        """The same in processor seconds, which a busy machine hardly changes."""
         if "cpu_seconds" in self.own:
             return self.peer["cpu_seconds"] / self.own["cpu_seconds"]
         return None
@@ -67,10 +67,10 @@ class Ratio:
 
     @property
     def verdict(self) -> str:
-        """What the bar says; it holds for equal threads."""
-        if self.own["threads"] != self.peer["threads"]:
+        """What the bar says; it holds for one thread each, where processor seconds are fair."""
+        if self.own["threads"] != 1 or self.peer["threads"] != 1:
             return ""
-        short = [] if self.faster >= self.needed else ["speed"]
+        short = [] if (self.faster_cpu or self.faster) >= self.needed else ["speed"]
         short += [] if self.good_enough else ["Q" if "q" in self.peer else "error"]
         return f"short of {' and '.join(short)}" if short else "reached"
 
