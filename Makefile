@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench packages components readers format lint test-rust test-readers clean
+.PHONY: help demo test bench bench-peers packages components readers format lint test-rust test-readers clean
 
 # The compiler's linker, and the NetCDF library with what finds it.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
@@ -18,7 +18,8 @@ help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make test    everything that continuous integration checks"
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
-	@echo "make clean   remove build outputs and the Python environment"
+	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
+	@echo "make clean   remove build outputs and the Python environments"
 
 demo: packages
 	cargo build --release --locked
@@ -32,6 +33,15 @@ bench: packages
 	target/release/lfpiv bench --suite benches/report.toml --out $(BENCH_OUT) \
 		$(addprefix --set ,$(SETS)) $(addprefix --peers ,$(PEERS))
 
+# Needs 13 GB of memory and 7 GB of disk for the largest explicit matrix. One case, one turn:
+# make bench-peers PEER_CASES=paper-50 PEER_TURNS=1
+PEER_CASES :=
+PEER_TURNS :=
+bench-peers: packages
+	cargo build --release --locked
+	@scripts/install-python.sh .venv-peers benches/peers/requirements.txt
+	.venv-peers/bin/python benches/peers/compare.py $(PEER_TURNS:%=--turns %) $(PEER_CASES)
+
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)
 
@@ -41,7 +51,7 @@ components:
 	@cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
 
 readers: packages
-	@scripts/install-readers.sh
+	@scripts/install-python.sh .venv tests/readers/requirements.txt
 
 format: components
 	cargo fmt --all --check
@@ -59,4 +69,4 @@ test-readers: packages readers
 
 clean:
 	cargo clean
-	rm -rf .venv
+	rm -rf .venv .venv-peers

@@ -14,7 +14,7 @@ mod kernel;
 mod machine;
 mod measure;
 mod paper;
-mod peers;
+pub mod peers;
 mod record;
 pub mod report;
 mod row;

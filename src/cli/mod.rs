@@ -1,4 +1,4 @@
-//! The command line: `lfpiv check | simulate | process | run | bench`.
+//! The command line: `lfpiv check | simulate | process | run | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
@@ -9,6 +9,7 @@ pub mod daemon;
 mod demo_table;
 mod ledger_file;
 mod output;
+mod peers;
 mod process;
 mod run;
 mod run_folder;
@@ -24,6 +25,7 @@ use tracing_subscriber::{filter::Targets, prelude::*};
 
 pub use bench::BenchArgs;
 pub use check::CheckArgs;
+pub use peers::PeersCommand;
 pub use process::ProcessArgs;
 pub use run::RunArgs;
 pub use simulate::SimulateArgs;
@@ -48,6 +50,9 @@ enum Command {
     Run(RunArgs),
     /// Measure speed against error of declared cases and methods, and write a report.
     Bench(BenchArgs),
+    /// Make cases that other programs can be timed on, and time this one (see benches/peers).
+    #[command(subcommand)]
+    Peers(PeersCommand),
 }
 
 /// Parses the command line, does what it says and reports errors.
@@ -60,6 +65,7 @@ pub fn main() -> ExitCode {
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
         Command::Bench(args) => bench::bench(&args),
+        Command::Peers(command) => peers::peers(&command),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -4,7 +4,7 @@ use std::{fs, path::Path};
 
 use serde::Deserialize;
 
-use super::{BenchmarkError, Row};
+use crate::benchmark::{BenchmarkError, Row};
 
 /// A row as the peers' script writes it; keys may be absent.
 #[derive(Debug, Default, Deserialize)]
