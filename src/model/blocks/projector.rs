@@ -7,6 +7,8 @@
 
 use std::{borrow::Cow, ops::Range};
 
+use multiversion::multiversion;
+
 use super::{
     BlockLight, BlockProjector,
     aligned::{AlignedModel, Place, ViewTables},
@@ -62,6 +64,7 @@ impl<const L: usize> BlockProjector for AlignedProjector<'_, L> {
 /// A share along the columns times one along the rows, in the units of the tables.
 const UNITS: f32 = SHARE_UNIT * SHARE_UNIT;
 
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn project_blocks<const L: usize>(
     tables: &ViewTables<'_, L>,
     children: &Children,
@@ -94,6 +97,7 @@ fn project_blocks<const L: usize>(
     }
 }
 
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn gather_blocks<const L: usize>(
     tables: &ViewTables<'_, L>,
     children: &Children,
