@@ -102,13 +102,15 @@ impl CameraAxis {
         self.at_origin_mm + (0..3).map(|a| self.per_index_mm[a] * ijk[a] as f64).sum::<f64>()
     }
 
-    /// One node in the middle of every pair of voxels, for an axis along one of the grid's.
-    pub fn pair_nodes(&self, along: usize, voxels: usize) -> Nodes {
+    /// For every pair of voxels `layers` nodes, for an axis along one of the grid's: one in the
+    /// pair's middle, or two at its voxels.
+    pub fn layer_nodes(&self, along: usize, voxels: usize, layers: usize) -> Nodes {
         let step_mm = self.per_index_mm[along];
+        let per_node = 2.0 / layers as f64;
         Nodes {
-            first_mm: self.at_origin_mm + step_mm / 2.0,
-            step_mm: 2.0 * step_mm,
-            count: voxels.div_ceil(2),
+            first_mm: self.at_origin_mm + (per_node - 1.0) / 2.0 * step_mm,
+            step_mm: per_node * step_mm,
+            count: layers * voxels.div_ceil(2),
         }
     }
 

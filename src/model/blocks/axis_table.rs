@@ -10,7 +10,7 @@ use crate::model::{footprint::RayMap, tables::AxisGeometry};
 pub struct PairTap<const L: usize> {
     /// Shares of the lower and the upper voxel on microlenses `first..first + L`, in units of
     /// [`SHARE_UNIT`]; 0 from `len` on. Half the size of floats keeps a view's tables in a core's
-    /// second-level cache, and 1/65535 of a voxel's light is far below any noise.
+    /// second-level cache, and 1/32768 of a voxel's light is far below any noise.
     pub shares: [[u16; L]; 2],
     /// First microlens, counted from the start of the window.
     pub first: u16,
@@ -19,13 +19,11 @@ pub struct PairTap<const L: usize> {
 }
 
 /// One unit of a share in a [`PairTap`].
-pub const SHARE_UNIT: f32 = 1.0 / 65535.0;
+/// Shares may exceed 1: microlenses see a view through intervals that overlap.
+pub const SHARE_UNIT: f32 = 1.0 / 32768.0;
 
-/// One axis of one camera: a [`PairTap`] for every view index, depth of blocks and pair of voxels
+/// One axis of one camera: a [`PairTap`] for every view index, depth and pair of voxels
 /// across, in this order.
-///
-/// All voxels of a block take the depth of its centre. Half a voxel of depth moves a shadow by
-/// 1/32 of a voxel at the edge of the bench's pupil.
 #[derive(Debug)]
 pub struct PairTable<const L: usize> {
     reach: i32,
@@ -35,8 +33,7 @@ pub struct PairTable<const L: usize> {
 }
 
 impl<const L: usize> PairTable<L> {
-    /// Computes every tap of `geometry`, whose depths are those of blocks and whose positions
-    /// those of voxels. `None` when a pair reaches more than `L` microlenses.
+    /// Computes every tap of `geometry`, whose positions are those of voxels. `None` when a pair reaches more than `L` microlenses.
     pub fn new(geometry: &AxisGeometry<'_>) -> Option<Self> {
         let reach = geometry.sampling.reach;
         let (depths, pairs) = (geometry.depths.count, geometry.positions.count.div_ceil(2));
@@ -67,7 +64,7 @@ impl<const L: usize> PairTable<L> {
         self.pairs
     }
 
-    /// Number of block depths.
+    /// Number of depths.
     pub fn depths(&self) -> usize {
         self.depths
     }

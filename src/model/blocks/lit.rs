@@ -22,8 +22,8 @@ use crate::{
 type Line = Vec<u64>;
 
 /// See [`super::BlockModel::lit`].
-pub(super) fn lit_blocks<const L: usize>(
-    model: &AlignedModel<L>,
+pub(super) fn lit_blocks<const L: usize, const D: usize>(
+    model: &AlignedModel<L, D>,
     views: &[ViewStack],
     darkness: &Darkness,
 ) -> LitBlocks {
@@ -34,7 +34,7 @@ pub(super) fn lit_blocks<const L: usize>(
         .enumerate()
         .map(|(n, (camera, layout))| {
             let images = LitImages::new(layout, &views[n], darkness.dark_below[n]);
-            CameraBits::new(camera, layout, &images, model.grid.voxels, darkness.forgiven[n])
+            CameraBits::new(camera, layout, &images, (model.grid.voxels, D), darkness.forgiven[n])
         })
         .collect();
     let [nx, ny, nz] = blocks_along(&model.grid);
@@ -96,9 +96,11 @@ struct CameraBits {
     seen: VoxelBits,
 }
 
-/// One bit per voxel: for each block depth and voxel across the rows a [`Line`].
+/// One bit per voxel: for each tabulated depth and voxel across the rows a [`Line`].
 struct VoxelBits {
     axes: Axes,
+    /// Depths per block that have lines of their own.
+    layers: usize,
     /// Voxels along the depth and across the rows.
     depths: usize,
     rows: usize,
@@ -116,12 +118,14 @@ impl VoxelBits {
             if row + r >= self.rows {
                 break;
             }
-            let line = (block[self.axes.depth] * self.rows + row + r) * self.words;
-            let pair = self.bits[line + column / 64] >> (column % 64);
+            let pairs = [0, self.layers - 1].map(|layer| {
+                let depth = self.layers * block[self.axes.depth] + layer;
+                let line = (depth * self.rows + row + r) * self.words;
+                self.bits[line + column / 64] >> (column % 64)
+            });
             for (c, [near, far]) in children.into_iter().enumerate() {
-                if pair >> c & 1 == 1 {
-                    mask |= 1 << near | u8::from(far_inside) << far;
-                }
+                let [near_lit, far_lit] = pairs.map(|pair| pair >> c & 1 == 1);
+                mask |= u8::from(near_lit) << near | u8::from(far_lit && far_inside) << far;
             }
         }
         mask
@@ -133,7 +137,7 @@ impl CameraBits {
         camera: &AlignedCamera<L>,
         layout: &ViewLayout,
         images: &LitImages,
-        voxels: [usize; 3],
+        (voxels, layers): ([usize; 3], usize),
         forgiven: usize,
     ) -> Self {
         let (columns, rows) = (voxels[camera.axes.column], voxels[camera.axes.row]);
@@ -146,6 +150,7 @@ impl CameraBits {
             .collect();
         let collect = |n: usize| VoxelBits {
             axes: camera.axes,
+            layers,
             depths: voxels[camera.axes.depth],
             rows,
             words,
@@ -155,7 +160,7 @@ impl CameraBits {
     }
 }
 
-/// All voxels at one depth of a camera's blocks.
+/// All voxels at one tabulated depth of a camera.
 struct Slab<'a, const L: usize> {
     camera: &'a AlignedCamera<L>,
     layout: &'a ViewLayout,

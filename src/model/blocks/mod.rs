@@ -20,9 +20,9 @@ use std::ops::Range;
 
 use lfpiv_hw::{Optics, Pose};
 
-use super::{ModelError, ViewId, VolumeGrid, thin_lens_model};
+use super::{ModelError, ViewId, VolumeGrid, camera::CameraView, thin_lens_model};
 use crate::lightfield::{ViewLayout, ViewStack};
-use aligned::{AlignedModel, aligned_views};
+use aligned::{AlignedModel, DepthsPerBlock, aligned_views};
 pub use voxelwise::VoxelwiseBlocks;
 
 /// Light of a block's eight voxels, in the order of its children.
@@ -95,15 +95,30 @@ pub fn block_model(
     footprint_mm: f64,
 ) -> Result<Box<dyn BlockModel>, ModelError> {
     if let Some(views) = aligned_views(optics, poses, grid, footprint_mm)? {
-        if let Some(model) = AlignedModel::<4>::new(optics, &views, grid, footprint_mm) {
-            return Ok(Box::new(model));
-        }
-        if let Some(model) = AlignedModel::<8>::new(optics, &views, grid, footprint_mm) {
-            return Ok(Box::new(model));
+        let model = match DepthsPerBlock::needed(optics, grid, footprint_mm) {
+            DepthsPerBlock::One => aligned::<1>(optics, &views, grid, footprint_mm),
+            DepthsPerBlock::Two => aligned::<2>(optics, &views, grid, footprint_mm),
+        };
+        if let Some(model) = model {
+            return Ok(model);
         }
     }
     let model = thin_lens_model(optics, poses, grid, footprint_mm)?;
     Ok(Box::new(VoxelwiseBlocks::new(model)))
+}
+
+/// The model with the narrowest tables that hold the footprints, if any do.
+fn aligned<const D: usize>(
+    optics: &Optics,
+    views: &[CameraView],
+    grid: &VolumeGrid,
+    footprint_mm: f64,
+) -> Option<Box<dyn BlockModel>> {
+    if let Some(model) = AlignedModel::<4, D>::new(optics, views, grid, footprint_mm) {
+        return Some(Box::new(model));
+    }
+    let model = AlignedModel::<8, D>::new(optics, views, grid, footprint_mm)?;
+    Some(Box::new(model))
 }
 
 /// Blocks along each axis of a grid.

@@ -27,10 +27,25 @@ fn grid() -> VolumeGrid {
 }
 
 fn both(poses: &[Pose]) -> (Box<dyn BlockModel>, VoxelwiseBlocks) {
-    let (optics, grid) = (test_bench::optics(), grid());
-    let fast = block_model(&optics, poses, &grid, grid.voxel_mm).unwrap();
-    let slow = thin_lens_model(&optics, poses, &grid, grid.voxel_mm).unwrap();
+    both_on(&grid(), poses, 1.0)
+}
+
+/// Sources of `footprint` voxels.
+fn both_on(
+    grid: &VolumeGrid,
+    poses: &[Pose],
+    footprint: f64,
+) -> (Box<dyn BlockModel>, VoxelwiseBlocks) {
+    let optics = test_bench::optics();
+    let footprint_mm = footprint * grid.voxel_mm;
+    let fast = block_model(&optics, poses, grid, footprint_mm).unwrap();
+    let slow = thin_lens_model(&optics, poses, grid, footprint_mm).unwrap();
     (fast, VoxelwiseBlocks::new(slow))
+}
+
+/// Points on voxels of 0.1 mm: every voxel needs its own depth.
+fn points_grid() -> VolumeGrid {
+    VolumeGrid { voxels: [7, 8, 9], voxel_mm: 0.1, centre_mm: [3.1, -2.0, 2.6] }
 }
 
 fn all_blocks(grid: &VolumeGrid) -> Vec<u32> {
@@ -51,8 +66,10 @@ fn random_light(random: &mut Pcg64Mcg, grid: &VolumeGrid, blocks: &[u32]) -> Vec
 #[test]
 fn projects_as_the_voxelwise_model() {
     let mut random = Pcg64Mcg::seed_from_u64(5);
-    for poses in pairs_of_poses() {
-        let (fast, slow) = both(&poses);
+    let models = pairs_of_poses()
+        .into_iter()
+        .flat_map(|poses| [both(&poses), both_on(&points_grid(), &poses, 0.0)]);
+    for (fast, slow) in models {
         let blocks = all_blocks(fast.grid());
         let light = random_light(&mut random, fast.grid(), &blocks);
         let (p, q) = (fast.projector(&blocks), slow.projector(&blocks));
@@ -77,8 +94,10 @@ fn projects_as_the_voxelwise_model() {
 #[test]
 fn back_projection_is_the_adjoint_of_projection() {
     let mut random = Pcg64Mcg::seed_from_u64(6);
-    for poses in pairs_of_poses() {
-        let (model, _) = both(&poses);
+    let models = pairs_of_poses()
+        .into_iter()
+        .flat_map(|poses| [both(&poses), both_on(&points_grid(), &poses, 0.0)]);
+    for (model, _) in models {
         let blocks: Vec<u32> = all_blocks(model.grid()).into_iter().step_by(3).collect();
         let mut projector = model.projector(&blocks);
         let keep: Vec<bool> = (0..blocks.len()).map(|n| n % 4 != 1).collect();
