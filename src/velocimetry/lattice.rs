@@ -1,5 +1,7 @@
 //! A vector field on the nodes of a regular lattice, and its value anywhere.
 
+use super::peak::Peak;
+
 /// Vectors on a regular lattice in voxel coordinates, stored z, y, x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lattice {
@@ -32,6 +34,15 @@ impl Lattice {
             }
         }
         Self { values, ..*self }
+    }
+
+    /// Adds the shift of each node's peak, where there is one.
+    pub fn add(&mut self, peaks: &[Option<Peak>]) {
+        for (value, peak) in self.values.iter_mut().zip(peaks) {
+            for (value, shift) in value.iter_mut().zip(peak.map_or([0.0; 3], |p| p.shift_vox)) {
+                *value += shift;
+            }
+        }
     }
 
     /// The field at a position: cubic convolution (Keys 1981) between the nodes, linear outside.

@@ -3,13 +3,16 @@
 mod cloud;
 mod derived;
 mod field;
+mod judge;
 mod lattice;
 mod multipass;
 mod peak;
 mod result;
 mod settings;
 mod spectrum;
+mod uncertainty;
 mod validate;
+mod window;
 
 pub use cloud::PointCloud;
 pub use field::{VectorGrid, VectorStatus, VelocityField};

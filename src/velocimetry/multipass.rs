@@ -8,13 +8,15 @@
 use rayon::prelude::*;
 
 use super::{
-    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
+    VectorGrid, VelocimetrySettings, VelocityField,
     cloud::PointCloud,
     derived::curl_and_divergence,
+    judge::{Judge, ROOM, Vector},
     lattice::Lattice,
     peak::{Peak, highest_peak},
-    spectrum::{Correlator, Workspace},
-    validate::Candidates,
+    spectrum::Correlator,
+    uncertainty::PeakStatistics,
+    window::{Rendered, fast_edge},
 };
 use crate::model::VolumeGrid;
 
@@ -51,7 +53,7 @@ impl Interrogation {
         let first_window = wanted.next_multiple_of(2).max(window);
         let nodes = grid.voxels.map(|n| n.saturating_sub(window) / step + 1);
         let reach = |window: usize, passes: f64| (window as f64 * passes).ceil() as usize;
-        let first_reach = (settings.max_displacement_vox * 1.25).ceil() as usize + 1;
+        let first_reach = (settings.max_displacement_vox * ROOM).ceil() as usize + 1;
         let correlators = [
             Correlator::new(fast_edge(first_window + first_reach.min(first_window / 2) + 1)),
             Correlator::new(fast_edge(window + reach(window, LATER_REACH) + 1)),
@@ -83,27 +85,22 @@ impl Interrogation {
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
         let mut field = self.at_rest();
-        let mut status = Vec::new();
-        let mut ratio = Vec::new();
-        for pass in 0..self.settings.passes {
+        let last = self.settings.passes.saturating_sub(1);
+        for pass in 0..last {
+            let images = self.deformed(a, b, &field, pass);
+            let peaks = self.correlate(&images, pass);
+            field.add(&peaks);
+            field = self.judge(&field, &peaks).predictor();
             // A window as long as the shortest wave on the lattice cannot see that wave: what noise
             // puts there would never be corrected, so it is taken out of the predictor.
-            if pass > 0 {
-                field = field.smoothed();
-            }
-            let residual = self.correlate(a, b, &field, pass);
-            let present: Vec<bool> = residual.iter().map(Option::is_some).collect();
-            for (value, residual) in field.values.iter_mut().zip(&residual) {
-                if let Some(peak) = residual {
-                    for (v, r) in value.iter_mut().zip(peak.shift_vox) {
-                        *v += r;
-                    }
-                }
-            }
-            ratio = residual.iter().map(|r| r.map_or(0.0, |peak| peak.ratio)).collect();
-            status = self.validate(&mut field, &present);
+            field = field.smoothed();
         }
-        self.report(&field, &status, &ratio, dt_s)
+        let images = self.deformed(a, b, &field, last);
+        let peaks = self.correlate(&images, last);
+        let uncertainty_vox = self.uncertainties(&images, &peaks, last);
+        field.add(&peaks);
+        let vectors = self.judge(&field, &peaks).vectors(&uncertainty_vox);
+        self.report(&vectors, &peaks, dt_s)
     }
 
     fn at_rest(&self) -> Lattice {
@@ -117,25 +114,30 @@ impl Interrogation {
         }
     }
 
-    /// Residual displacement in every window after deformation by `field`.
-    fn correlate(
+    /// Both frames rendered after each is moved half way towards the other along `field`.
+    fn deformed(
         &self,
         a: &PointCloud,
         b: &PointCloud,
         field: &Lattice,
         pass: usize,
-    ) -> Vec<Option<Peak>> {
-        let first = pass == 0;
+    ) -> [Vec<f32>; 2] {
+        let voxels = self.cloud_grid().voxels;
         let render = |cloud: &PointCloud, sign: f32| {
             let shift = |at| half_shift(field, at, sign);
-            let voxels = self.cloud_grid().voxels;
-            if first { cloud.render(voxels) } else { cloud.moved(shift).render(voxels) }
+            if pass == 0 { cloud.render(voxels) } else { cloud.moved(shift).render(voxels) }
         };
         let (a, b) = rayon::join(|| render(a, 1.0), || render(b, -1.0));
+        [a, b]
+    }
+
+    /// Residual displacement in every window of two rendered frames.
+    fn correlate(&self, images: &[Vec<f32>; 2], pass: usize) -> Vec<Option<Peak>> {
+        let first = pass == 0;
         let correlator = &self.correlators[usize::from(!first)];
-        let window = if first { self.first_window } else { self.window };
+        let window = self.window_of(pass);
         let reach = if first {
-            ((self.settings.max_displacement_vox * 1.25).ceil() as usize + 1).min(window / 2)
+            ((self.settings.max_displacement_vox * ROOM).ceil() as usize + 1).min(window / 2)
         } else {
             (window as f64 * LATER_REACH).ceil() as usize
         };
@@ -143,18 +145,16 @@ impl Interrogation {
         // removes the bias towards zero of a finite window.
         let weight: Vec<f32> =
             (0..=reach + 1).map(|s| window as f32 / (window as f32 - s as f32).max(1.0)).collect();
-        let [nx, ny, _] = field.nodes;
-        (0..field.values.len())
+        let [a, b] = self.rendered(images);
+        self.nodes_with_guard()
             .into_par_iter()
             .map_init(
                 || correlator.workspace(),
-                |workspace, index| {
-                    let node = [index % nx, index / nx % ny, index / (nx * ny)];
-                    let corner = node.map(|n| {
-                        let centred = (self.window as i64 - window as i64) / 2;
-                        (self.margin + n * self.step) as i64 - (GUARD * self.step) as i64 + centred
-                    });
-                    self.fill(correlator, workspace, &a, &b, corner, window).then(|| {
+                |workspace, node| {
+                    let (corner, edge) = (self.corner(node, window), correlator.edge());
+                    let lit = a.copy_window(corner, window, &mut workspace.a, edge)
+                        && b.copy_window(corner, window, &mut workspace.b, edge);
+                    lit.then(|| {
                         correlator.correlate(workspace);
                         highest_peak(correlator, &workspace.a, reach, &weight)
                     })?
@@ -163,61 +163,71 @@ impl Interrogation {
             .collect()
     }
 
-    /// Copies a window of both frames into the workspace, without its mean, padded with zeros.
-    /// False when either holds no light.
-    fn fill(
+    /// Standard uncertainty of every vector along x, y, z, in voxels, where it is known.
+    fn uncertainties(
         &self,
-        correlator: &Correlator,
-        workspace: &mut Workspace,
-        a: &[f32],
-        b: &[f32],
-        corner: [i64; 3],
-        window: usize,
-    ) -> bool {
-        let voxels = self.grid.voxels.map(|n| n + 2 * self.margin);
-        let lit_a = copy_window(a, voxels, corner, window, &mut workspace.a, correlator.edge());
-        let lit_b = copy_window(b, voxels, corner, window, &mut workspace.b, correlator.edge());
-        lit_a && lit_b
-    }
-
-    /// Tests the field, puts interpolated vectors where it fails, and says which is which.
-    fn validate(&self, field: &mut Lattice, present: &[bool]) -> Vec<VectorStatus> {
-        let candidates = Candidates { nodes: field.nodes, values: &field.values, present };
-        let pass =
-            candidates.passing(self.settings.median_threshold, self.settings.median_epsilon_vox);
-        let (values, status) = (0..pass.len())
-            .map(|index| match (pass[index], candidates.interpolated(index, &pass)) {
-                (true, _) => (field.values[index], VectorStatus::Valid),
-                (false, Some(value)) => (value, VectorStatus::Replaced),
-                (false, None) => ([0.0; 3], VectorStatus::Invalid),
+        images: &[Vec<f32>; 2],
+        peaks: &[Option<Peak>],
+        pass: usize,
+    ) -> Vec<Option<[f32; 3]>> {
+        let window = self.window_of(pass);
+        let [a, b] = self.rendered(images);
+        self.nodes_with_guard()
+            .into_par_iter()
+            .zip(peaks)
+            .map(|(node, peak)| {
+                let peak = peak.as_ref()?;
+                PeakStatistics::of(a, b, self.corner(node, window), window, peak.lag)?
+                    .uncertainty_vox(peak.shift_vox)
             })
-            .unzip();
-        field.values = values;
-        status
+            .collect()
     }
 
-    fn report(
-        &self,
-        field: &Lattice,
-        status: &[VectorStatus],
-        ratio: &[f32],
-        dt_s: f64,
-    ) -> VelocityField {
+    fn judge<'a>(&'a self, field: &'a Lattice, peaks: &'a [Option<Peak>]) -> Judge<'a> {
+        Judge { settings: &self.settings, field, peaks }
+    }
+
+    /// Edge of the windows of a pass, in voxels.
+    fn window_of(&self, pass: usize) -> usize {
+        if pass == 0 { self.first_window } else { self.window }
+    }
+
+    fn rendered<'a>(&self, images: &'a [Vec<f32>; 2]) -> [Rendered<'a>; 2] {
+        let voxels = self.grid.voxels.map(|n| n + 2 * self.margin);
+        images.each_ref().map(|light| Rendered { light, voxels })
+    }
+
+    /// Lattice indices of all windows, those in the guard layers among them, in storage order.
+    fn nodes_with_guard(&self) -> Vec<[usize; 3]> {
+        let [nx, ny, nz] = self.nodes.map(|n| n + 2 * GUARD);
+        (0..nx * ny * nz).map(|n| [n % nx, n / nx % ny, n / (nx * ny)]).collect()
+    }
+
+    /// First voxel of the window of edge `window` about a node of the lattice.
+    fn corner(&self, node: [usize; 3], window: usize) -> [i64; 3] {
+        let centred = (self.window as i64 - window as i64) / 2;
+        node.map(|n| (self.margin + n * self.step) as i64 - (GUARD * self.step) as i64 + centred)
+    }
+
+    fn report(&self, vectors: &[Vector], peaks: &[Option<Peak>], dt_s: f64) -> VelocityField {
         let [nx, ny, nz] = self.nodes;
+        let all = self.nodes.map(|n| n + 2 * GUARD);
         let mut kept = Vec::with_capacity(nx * ny * nz);
         for k in GUARD..nz + GUARD {
             for j in GUARD..ny + GUARD {
-                let row = (k * field.nodes[1] + j) * field.nodes[0];
+                let row = (k * all[1] + j) * all[0];
                 kept.extend(row + GUARD..row + GUARD + nx);
             }
         }
-        let displacement_vox: Vec<[f32; 3]> = kept.iter().map(|&n| field.values[n]).collect();
+        let displacement_vox: Vec<[f32; 3]> =
+            kept.iter().map(|&n| vectors[n].displacement_vox).collect();
         let (vorticity, divergence) =
             curl_and_divergence(self.nodes, &displacement_vox, self.step as f64);
         VelocityField {
             grid: self.vector_grid(),
-            status: kept.iter().map(|&n| status[n]).collect(),
-            peak_ratio: kept.iter().map(|&n| ratio[n]).collect(),
+            uncertainty_vox: kept.iter().map(|&n| vectors[n].uncertainty_vox).collect(),
+            status: kept.iter().map(|&n| vectors[n].status).collect(),
+            peak_ratio: kept.iter().map(|&n| peaks[n].map_or(0.0, |peak| peak.ratio)).collect(),
             displacement_vox,
             vorticity,
             divergence,
@@ -237,60 +247,4 @@ fn half_shift(field: &Lattice, at: [f32; 3], sign: f32) -> [f32; 3] {
     let start = field.at(at);
     let halfway = std::array::from_fn(|c| at[c] + sign * start[c] / 4.0);
     field.at(halfway).map(|d| sign * d / 2.0)
-}
-
-/// Copies a cubic window of an image (`voxels` along x, y, z) into a zeroed cube of edge `edge`,
-/// less the window's mean; what lies outside the image counts as dark. False when all is dark.
-fn copy_window(
-    image: &[f32],
-    voxels: [usize; 3],
-    corner: [i64; 3],
-    window: usize,
-    cube: &mut [f32],
-    edge: usize,
-) -> bool {
-    cube.fill(0.0);
-    let inside = |axis: usize| {
-        let low = corner[axis].clamp(0, voxels[axis] as i64);
-        let high = (corner[axis] + window as i64).clamp(low, voxels[axis] as i64);
-        low as usize..high as usize
-    };
-    let (xs, ys, zs) = (inside(0), inside(1), inside(2));
-    let to = |axis: usize, place: usize| (place as i64 - corner[axis]) as usize;
-    let mut sum = 0.0f64;
-    for z in zs.clone() {
-        for y in ys.clone() {
-            let from = (z * voxels[1] + y) * voxels[0];
-            let row = &image[from + xs.start..from + xs.end];
-            let start = (to(2, z) * edge + to(1, y)) * edge + to(0, xs.start);
-            cube[start..start + row.len()].copy_from_slice(row);
-            sum += row.iter().map(|&v| f64::from(v)).sum::<f64>();
-        }
-    }
-    let count = xs.len() * ys.len() * zs.len();
-    if sum <= 0.0 || count == 0 {
-        return false;
-    }
-    let mean = (sum / count as f64) as f32;
-    for z in zs {
-        for y in ys.clone() {
-            let start = (to(2, z) * edge + to(1, y)) * edge + to(0, xs.start);
-            cube[start..start + xs.len()].iter_mut().for_each(|v| *v -= mean);
-        }
-    }
-    true
-}
-
-/// The next edge at least `n` with factors 2 and 3 only: fast for the transform.
-fn fast_edge(n: usize) -> usize {
-    let smooth = |mut m: usize| {
-        while m.is_multiple_of(2) {
-            m /= 2;
-        }
-        while m.is_multiple_of(3) {
-            m /= 3;
-        }
-        m == 1
-    };
-    (n..).find(|&m| smooth(m)).unwrap_or(n)
 }

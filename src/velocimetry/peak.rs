@@ -7,6 +7,8 @@ use super::spectrum::Correlator;
 pub struct Peak {
     /// Its place, in voxels, to sub-voxel accuracy.
     pub shift_vox: [f32; 3],
+    /// The whole lag nearest to it, in voxels.
+    pub lag: [i64; 3],
     /// Its height over that of the next highest peak.
     pub ratio: f32,
 }
@@ -15,8 +17,9 @@ pub struct Peak {
 const PEAK_RADIUS: i64 = 2;
 
 /// Finds the highest peak of `correlation` (edge of `correlator`, circular lags) within `reach`
-/// voxels of zero lag along each axis. `weight(s)` multiplies the correlation at lag component
-/// `s`: the overlap correction. `None` when nothing correlates.
+/// voxels of zero lag along each axis. `weight[|s|]`, of length `reach` + 2, multiplies the correlation at
+/// lag component `s`: the overlap correction. `None` when nothing correlates, or more beyond the
+/// reach than inside.
 pub fn highest_peak(
     correlator: &Correlator,
     correlation: &[f32],
@@ -42,6 +45,15 @@ pub fn highest_peak(
     if height.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
         return None;
     }
+    let neighbour = |axis: usize, step: i64| {
+        let mut at = place;
+        at[axis] += step;
+        value(at)
+    };
+    // At the border of the reach something higher may lie beyond it.
+    if (0..3).any(|axis| neighbour(axis, -1) > height || neighbour(axis, 1) > height) {
+        return None;
+    }
     let mut second = 0.0f32;
     for_lags(reach, |s| {
         if (0..3).any(|a| (s[a] - place[a]).abs() > PEAK_RADIUS) {
@@ -49,14 +61,10 @@ pub fn highest_peak(
         }
     });
     let shift_vox = std::array::from_fn(|axis| {
-        let mut neighbour = place;
-        neighbour[axis] -= 1;
-        let below = value(neighbour);
-        neighbour[axis] += 2;
-        let above = value(neighbour);
+        let (below, above) = (neighbour(axis, -1), neighbour(axis, 1));
         place[axis] as f32 + three_point_gaussian(below, height, above)
     });
-    Some(Peak { shift_vox, ratio: (height / second.max(height * 1e-3)).min(1e3) })
+    Some(Peak { shift_vox, lag: place, ratio: (height / second.max(height * 1e-3)).min(1e3) })
 }
 
 fn for_lags(reach: i64, mut visit: impl FnMut([i64; 3])) {

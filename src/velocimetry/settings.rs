@@ -29,6 +29,12 @@ pub struct VelocimetrySettings {
     /// Fluctuation level ε of the normalised median test, in voxels.
     #[garde(range(min = 0.0, max = 10.0))]
     pub median_epsilon_vox: f64,
+    /// Least height of a correlation peak over the next highest one of a vector that is trusted.
+    #[garde(range(min = 1.0, max = 100.0))]
+    pub least_peak_ratio: f64,
+    /// Largest standard uncertainty of a component of a vector that is trusted, in voxels.
+    #[garde(range(min = 0.001, max = 100.0))]
+    pub largest_uncertainty_vox: f64,
 }
 
 impl Default for VelocimetrySettings {
@@ -41,6 +47,8 @@ impl Default for VelocimetrySettings {
             first_window_mm: None,
             median_threshold: 2.0,
             median_epsilon_vox: 0.1,
+            least_peak_ratio: 1.2,
+            largest_uncertainty_vox: 0.5,
         }
     }
 }
