@@ -163,7 +163,8 @@ impl Interrogation {
             .collect()
     }
 
-    /// Standard uncertainty of every vector along x, y, z, in voxels, where it is known.
+    /// Standard uncertainty of every vector along x, y, z, in voxels, where the frames agree well
+    /// enough to tell.
     fn uncertainties(
         &self,
         images: &[Vec<f32>; 2],
@@ -177,8 +178,10 @@ impl Interrogation {
             .zip(peaks)
             .map(|(node, peak)| {
                 let peak = peak.as_ref()?;
-                PeakStatistics::of(a, b, self.corner(node, window), window, peak.lag)?
-                    .uncertainty_vox(peak.shift_vox)
+                let corner = self.corner(node, window);
+                let statistics = PeakStatistics::of(a, b, corner, window, peak.lag)?;
+                let agree = f64::from(statistics.coefficient) >= self.settings.least_correlation;
+                agree.then(|| statistics.uncertainty_vox(peak.shift_vox))?
             })
             .collect()
     }

@@ -32,6 +32,10 @@ pub struct VelocimetrySettings {
     /// Least height of a correlation peak over the next highest one of a vector that is trusted.
     #[garde(range(min = 1.0, max = 100.0))]
     pub least_peak_ratio: f64,
+    /// Least correlation coefficient of the two frames at the peak of a vector that is trusted: how
+    /// much of their light agrees once it is moved.
+    #[garde(range(min = 0.0, max = 1.0))]
+    pub least_correlation: f64,
     /// Largest standard uncertainty of a component of a vector that is trusted, in voxels.
     #[garde(range(min = 0.001, max = 100.0))]
     pub largest_uncertainty_vox: f64,
@@ -48,6 +52,7 @@ impl Default for VelocimetrySettings {
             median_threshold: 2.0,
             median_epsilon_vox: 0.1,
             least_peak_ratio: 1.2,
+            least_correlation: 0.4,
             largest_uncertainty_vox: 0.5,
         }
     }

@@ -15,12 +15,15 @@ use super::window::Rendered;
 
 /// Share of the last pass's residual displacement that is taken for unanswered. A window of length
 /// L answers a wave of length 4 L along one axis to sin(π/4)/(π/4) = 0.90, along two to 0.81.
-const UNANSWERED: f32 = 0.12;
+const UNANSWERED: f32 = 0.19;
 
 /// Below this many particles their spread says little, and a displacement counts as known to a
 /// voxel at best: variance 1/12 (GUM 4.3.7).
 const FEW_PARTICLES: f32 = 4.0;
 const VOXEL_VARIANCE: f32 = 1.0 / 12.0;
+
+/// What single precision and the three-point fit resolve, in voxels.
+const RESOLUTION_VOX: f32 = 1e-3;
 
 /// One particle cannot confirm itself: with fewer than two nothing is known.
 const LEAST_PARTICLES: f32 = 2.0;
@@ -70,7 +73,7 @@ impl PeakStatistics {
         Some(std::array::from_fn(|axis| {
             let random = self.variance_vox2[axis] * n / (n - 3.0);
             let random = if few { random.max(VOXEL_VARIANCE) } else { random };
-            (random + (UNANSWERED * residual_vox[axis]).powi(2)).sqrt()
+            (random + (UNANSWERED * residual_vox[axis]).powi(2)).sqrt().max(RESOLUTION_VOX)
         }))
     }
 
