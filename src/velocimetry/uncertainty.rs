@@ -189,28 +189,35 @@ impl Cells {
         let start = (z * self.counts[1] + y) * self.counts[0];
         let cells = &mut self.sums[start..start + self.counts[0]];
         let [a, b] = &rows[0];
-        for ((cell, a), b) in
-            cells.iter_mut().zip(a.chunks(CELL as usize)).zip(b.chunks(CELL as usize))
-        {
+        self.pairs[0] += a.len() as f64;
+        for (cell, [a, b]) in cells.iter_mut().zip(parts(a, b)) {
             for (a, b) in a.iter().zip(b) {
                 cell[COMMON] += a * b;
-                self.energy[0] += f64::from(a * a);
-                self.energy[1] += f64::from(b * b);
             }
         }
-        self.pairs[0] += a.len() as f64;
+        for (energy, row) in self.energy.iter_mut().zip([a, b]) {
+            *energy += f64::from(row.iter().map(|value| value * value).sum::<f32>());
+        }
         for axis in (0..3).filter(|&axis| further[axis]) {
             let (next, skip) = if axis == 0 { (&rows[0], 1) } else { (&rows[axis], 0) };
             let [next_a, next_b] = next.each_ref().map(|row| row.get(skip..).unwrap_or(&[]));
             self.pairs[1 + axis] += next_a.len() as f64;
-            for (n, (a1, b1)) in next_a.iter().zip(next_b).enumerate() {
-                let (forward, backward) = (a[n] * b1, a1 * b[n]);
-                let cell = &mut cells[n / CELL as usize];
-                cell[axis] += forward - backward;
-                cell[3 + axis] += forward + backward;
+            let here_and_next = parts(a, b).zip(parts(next_a, next_b));
+            for (cell, ([a, b], [next_a, next_b])) in cells.iter_mut().zip(here_and_next) {
+                for ((a, b), (next_a, next_b)) in a.iter().zip(b).zip(next_a.iter().zip(next_b)) {
+                    let (forward, backward) = (a * next_b, next_a * b);
+                    cell[axis] += forward - backward;
+                    cell[3 + axis] += forward + backward;
+                }
             }
         }
     }
+}
+
+/// The parts of a row of both frames that fall into its cells.
+fn parts<'a>(a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = [&'a [f32]; 2]> {
+    let cell = CELL as usize;
+    a.chunks(cell).zip(b.chunks(cell)).map(|(a, b)| [a, b])
 }
 
 fn mean_of(image: Rendered, [xs, ys, zs]: [[i64; 2]; 3]) -> f32 {
