@@ -53,7 +53,7 @@ impl Default for VelocimetrySettings {
             median_epsilon_vox: 0.1,
             least_peak_ratio: 1.2,
             least_correlation: 0.4,
-            largest_uncertainty_vox: 0.5,
+            largest_uncertainty_vox: 1.0,
         }
     }
 }
