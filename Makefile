@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench packages components readers format lint test-rust test-readers clean
+.PHONY: help demo test bench bench-peers packages components readers format lint test-rust test-readers clean
 
 # The compiler's linker, and the NetCDF library with what finds it.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
@@ -9,11 +9,17 @@ BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
 
+BENCH_OUT := results/bench
+# Sets of benches/report.toml; all when empty. PEERS is a JSON file with rows of other programs.
+SETS :=
+PEERS :=
+
 help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make test    everything that continuous integration checks"
-	@echo "make bench   error beside the floor, Q and seconds of the shipped cases"
-	@echo "make clean   remove build outputs and the Python environment"
+	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
+	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
+	@echo "make clean   remove build outputs and the Python environments"
 
 demo: packages
 	cargo build --release --locked
@@ -21,9 +27,20 @@ demo: packages
 
 test: format lint test-rust test-readers
 
-# The big cases: minutes, not part of the tests.
+# The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages
-	cargo bench --locked --bench accuracy
+	cargo build --release --locked
+	target/release/lfpiv bench --suite benches/report.toml --out $(BENCH_OUT) \
+		$(addprefix --set ,$(SETS)) $(addprefix --peers ,$(PEERS))
+
+# Needs 13 GB of memory and 7 GB of disk for the largest explicit matrix. One case, one turn:
+# make bench-peers PEER_CASES=paper-50 PEER_TURNS=1
+PEER_CASES :=
+PEER_TURNS :=
+bench-peers: packages
+	cargo build --release --locked
+	@scripts/install-python.sh .venv-peers benches/peers/requirements.txt
+	.venv-peers/bin/python benches/peers/compare.py $(PEER_TURNS:%=--turns %) $(PEER_CASES)
 
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)
@@ -34,7 +51,7 @@ components:
 	@cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
 
 readers: packages
-	@scripts/install-readers.sh
+	@scripts/install-python.sh .venv tests/readers/requirements.txt
 
 format: components
 	cargo fmt --all --check
@@ -52,4 +69,4 @@ test-readers: packages readers
 
 clean:
 	cargo clean
-	rm -rf .venv
+	rm -rf .venv .venv-peers

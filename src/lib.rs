@@ -2,6 +2,7 @@
 
 pub mod acquisition;
 pub mod archive;
+pub mod benchmark;
 pub mod cli;
 pub mod config;
 pub mod lightfield;

@@ -4,7 +4,7 @@
 use std::{fs, path::Path};
 
 /// The rooms, lowest floor first, as ARCHITECTURE.md lists them.
-const FLOORS: [&str; 10] = [
+const FLOORS: [&str; 11] = [
     "lightfield",
     "model",
     "reconstruction",
@@ -12,8 +12,9 @@ const FLOORS: [&str; 10] = [
     "archive",
     "acquisition",
     "pipeline",
-    "server",
     "config",
+    "benchmark",
+    "server",
     "cli",
 ];
 

@@ -1,13 +1,15 @@
-//! The command line: `lfpiv check | simulate | process | run`.
+//! The command line: `lfpiv check | simulate | process | run | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
 
+mod bench;
 mod check;
 pub mod daemon;
 mod demo_table;
 mod ledger_file;
 mod output;
+mod peers;
 mod process;
 mod run;
 mod run_folder;
@@ -21,7 +23,9 @@ use clap::{Parser, Subcommand};
 use tracing::level_filters::LevelFilter;
 use tracing_subscriber::{filter::Targets, prelude::*};
 
+pub use bench::BenchArgs;
 pub use check::CheckArgs;
+pub use peers::PeersCommand;
 pub use process::ProcessArgs;
 pub use run::RunArgs;
 pub use simulate::SimulateArgs;
@@ -44,6 +48,11 @@ enum Command {
     Process(ProcessArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
+    /// Measure speed against error of declared cases and methods, and write a report.
+    Bench(BenchArgs),
+    /// Make cases that other programs can be timed on, and time this one (see benches/peers).
+    #[command(subcommand)]
+    Peers(PeersCommand),
 }
 
 /// Parses the command line, does what it says and reports errors.
@@ -55,6 +64,8 @@ pub fn main() -> ExitCode {
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
+        Command::Bench(args) => bench::bench(&args),
+        Command::Peers(command) => peers::peers(&command),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use lfpiv_hw::{Optics, RawImage};
+use rayon::prelude::*;
 
 use super::sampling::AxisSampling;
 
@@ -109,18 +110,22 @@ impl ViewLayout {
         let columns = AxisSampling::columns(optics);
         let rows = AxisSampling::rows(optics);
         let aperture = Aperture { radius_mm: optics.pupil_diameter_mm() / 2.0 };
-        let mut views = Vec::new();
-        for l in -rows.reach..=rows.reach {
-            for k in -columns.reach..=columns.reach {
+        let cells: Vec<(i32, i32)> = (-rows.reach..=rows.reach)
+            .flat_map(|l| (-columns.reach..=columns.reach).map(move |k| (k, l)))
+            .collect();
+        let views = cells
+            .into_par_iter()
+            .filter_map(|(k, l)| {
                 let coverage = aperture.coverage(&columns, &rows, &window, k, l);
-                let mean =
-                    coverage.iter().map(|&c| f64::from(c)).sum::<f64>() / coverage.len() as f64;
-                if mean >= LEAST_MEAN_COVERAGE {
-                    let open = coverage.iter().all(|&c| c == 1.0);
-                    views.push(View { k, l, coverage: (!open).then_some(coverage) });
-                }
-            }
-        }
+                let sum: f64 = coverage.iter().map(|&c| f64::from(c)).sum();
+                let open = coverage.iter().all(|&c| c == 1.0);
+                (sum >= LEAST_MEAN_COVERAGE * coverage.len() as f64).then(|| View {
+                    k,
+                    l,
+                    coverage: (!open).then_some(coverage),
+                })
+            })
+            .collect();
         Self { columns, rows, window, views }
     }
 
@@ -169,39 +174,64 @@ impl Aperture {
         k: i32,
         l: i32,
     ) -> Vec<f32> {
-        let chords: Vec<Option<[f64; CHORDS]>> = window
+        let along_columns: Vec<Option<Strip>> = window
             .columns
             .clone()
-            .map(|i| columns.sample(k, i).map(|s| self.chords(s.pupil_mm, columns.cell_mm)))
+            .map(|i| columns.sample(k, i).map(|s| self.strip(s.pupil_mm, columns.cell_mm)))
             .collect();
         let mut coverage = Vec::with_capacity(window.len());
         for j in window.rows.clone() {
             let row = rows.sample(l, j);
-            coverage.extend(chords.iter().map(|column| match (column, row) {
-                (Some(chords), Some(row)) => covered(chords, row.pupil_mm, rows.cell_mm) as f32,
+            coverage.extend(along_columns.iter().map(|strip| match (strip, row) {
+                (Some(strip), Some(row)) => strip.covered(row.pupil_mm, rows.cell_mm) as f32,
                 _ => 0.0,
             }));
         }
         coverage
     }
 
-    /// Half-lengths of the chords at evenly spaced U inside a cell; negative outside the aperture.
-    fn chords(&self, centre_mm: f64, cell_mm: f64) -> [f64; CHORDS] {
-        std::array::from_fn(|n| {
-            let u = centre_mm + ((n as f64 + 0.5) / CHORDS as f64 - 0.5) * cell_mm;
-            let square = self.radius_mm * self.radius_mm - u * u;
-            if square > 0.0 { square.sqrt() } else { -1.0 }
-        })
+    /// The aperture between both edges of a column of pupil cells.
+    fn strip(&self, centre_mm: f64, cell_mm: f64) -> Strip {
+        let (near, far) = (centre_mm.abs() - cell_mm / 2.0, centre_mm.abs() + cell_mm / 2.0);
+        Strip {
+            shortest: self.half_chord(far),
+            longest: self.half_chord(near.max(0.0)),
+            chords: std::array::from_fn(|n| {
+                self.half_chord(centre_mm + ((n as f64 + 0.5) / CHORDS as f64 - 0.5) * cell_mm)
+            }),
+        }
+    }
+
+    /// Half the length of the aperture's chord at U; negative outside the aperture.
+    fn half_chord(&self, u: f64) -> f64 {
+        let square = self.radius_mm * self.radius_mm - u * u;
+        if square > 0.0 { square.sqrt() } else { -1.0 }
     }
 }
 
-/// Share of the cell around `centre_mm` that lies within the chords.
-fn covered(chords: &[f64; CHORDS], centre_mm: f64, cell_mm: f64) -> f64 {
-    let (low, high) = (centre_mm - cell_mm / 2.0, centre_mm + cell_mm / 2.0);
-    let length: f64 = chords.iter().map(|&half| (high.min(half) - low.max(-half)).max(0.0)).sum();
-    let share = length / (cell_mm * CHORDS as f64);
-    // Rounding must not turn an open cell into a nearly open one.
-    if share > 1.0 - 1e-9 { 1.0 } else { share }
+/// Half-lengths of the aperture's chords across a column of pupil cells; negative outside it.
+struct Strip {
+    /// At evenly spaced U inside the column, and the extremes over all of it.
+    chords: [f64; CHORDS],
+    shortest: f64,
+    longest: f64,
+}
+
+impl Strip {
+    /// Share of the cell around `centre_mm` that lies within the aperture.
+    fn covered(&self, centre_mm: f64, cell_mm: f64) -> f64 {
+        let (low, high) = (centre_mm - cell_mm / 2.0, centre_mm + cell_mm / 2.0);
+        // Nearly all cells lie wholly inside or outside.
+        if high <= self.shortest && -low <= self.shortest {
+            return 1.0;
+        }
+        if low >= self.longest || -high >= self.longest {
+            return 0.0;
+        }
+        let length: f64 =
+            self.chords.iter().map(|&half| (high.min(half) - low.max(-half)).max(0.0)).sum();
+        length / (cell_mm * CHORDS as f64)
+    }
 }
 
 #[cfg(test)]
@@ -230,7 +260,7 @@ mod tests {
     fn coverage_of_one_cell_matches_fine_sampling() {
         let aperture = Aperture { radius_mm: 12.5 };
         for (u, v) in [(8.0, 8.2), (11.9, 1.0), (0.3, 12.2), (9.0, 9.0), (3.0, 3.0)] {
-            let share = covered(&aperture.chords(u, 1.375), v, 1.375);
+            let share = aperture.strip(u, 1.375).covered(v, 1.375);
             let n = 400;
             let inside = (0..n * n)
                 .filter(|m| {

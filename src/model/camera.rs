@@ -73,9 +73,7 @@ impl CameraAxis {
         let per_index_mm: [f64; 3] = std::array::from_fn(|a| direction[a] * grid.voxel_mm);
         let along = (0..3).find(|&a| (direction[a].abs() - 1.0).abs() < 1e-9);
         let reach = |sign: f64| -> f64 {
-            (0..3)
-                .map(|a| (sign * per_index_mm[a]).max(0.0) * (grid.voxels[a] - 1) as f64)
-                .sum()
+            (0..3).map(|a| (sign * per_index_mm[a]).max(0.0) * (grid.voxels[a] - 1) as f64).sum()
         };
         let range_mm = (at_origin_mm - reach(-1.0), at_origin_mm + reach(1.0));
         let nodes = match along {

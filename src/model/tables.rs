@@ -213,8 +213,7 @@ impl AxisGeometry<'_> {
         let pitch = self.optics.microlens.pitch_mm;
         let middle = (self.sampling.microlenses as f64 - 1.0) / 2.0;
         let spread = shadow.map.spread();
-        let centre =
-            shadow.map.pupil * sample.pupil_mm + shadow.map.position * shadow.position_mm;
+        let centre = shadow.map.pupil * sample.pupil_mm + shadow.map.position * shadow.position_mm;
         let offset = (i as f64 - middle) * pitch - centre;
         let half_lens = spread * pitch / 2.0;
         if offset.abs() >= half_lens + shadow.trapezoid.width() / 2.0 {

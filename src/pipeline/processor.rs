@@ -115,6 +115,11 @@ impl Processor {
         &self.measurement
     }
 
+    /// The windows that volumes are correlated with.
+    pub fn interrogation(&self) -> &Interrogation {
+        &self.interrogation
+    }
+
     /// What will be done with each pair.
     pub fn plan(&self) -> Plan {
         Plan::new(&self.measurement, &self.reconstructor, &self.interrogation)

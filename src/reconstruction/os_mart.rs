@@ -32,6 +32,16 @@ pub struct OsMart {
     pub prune_below: f32,
 }
 
+/// Whether the light has found its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Settled {
+    /// It is spread over more voxels than hold any: true ones are still dim, so the threshold
+    /// below which voxels are given up rises from 0 during the pass.
+    No,
+    /// A pass was made on this grid.
+    Yes,
+}
+
 /// Subsets between two clearances of dim voxels.
 const SUBSETS_PER_CLEARANCE: usize = 8;
 
@@ -58,6 +68,7 @@ impl OsMart {
         order: &[ViewId],
         volume: &mut BlockVolume,
         projector: &mut dyn BlockProjector,
+        settled: Settled,
     ) -> f64 {
         let (mut missed, mut seen) = (0.0, 0.0);
         for (n, subset) in order.chunks(self.views_per_subset.max(1)).enumerate() {
@@ -66,10 +77,12 @@ impl OsMart {
             seen += compared.iter().map(|view| view.seen).sum::<f64>();
             self.update(subset, &compared, volume, projector);
             if (n + 1).is_multiple_of(SUBSETS_PER_CLEARANCE) {
-                self.clear_dim_voxels(volume, projector);
+                let done = ((n + 1) * subset.len()) as f32 / order.len() as f32;
+                let share = if settled == Settled::Yes { 1.0 } else { done.min(1.0) };
+                clear_dim_voxels(self.prune_below * share, volume, projector);
             }
         }
-        self.clear_dim_voxels(volume, projector);
+        clear_dim_voxels(self.prune_below, volume, projector);
         if seen > 0.0 { (missed / seen).sqrt() } else { 0.0 }
     }
 
@@ -119,18 +132,18 @@ impl OsMart {
             }
         });
     }
+}
 
-    /// Darkens voxels below the threshold and gives up blocks without light.
-    fn clear_dim_voxels(&self, volume: &mut BlockVolume, projector: &mut dyn BlockProjector) {
-        for light in volume.light.as_flattened_mut() {
-            *light = if *light > self.prune_below { *light } else { 0.0 };
-        }
-        let lit = |light: &BlockLight| light.iter().any(|&light| light > 0.0);
-        let keep: Vec<bool> = volume.light.iter().map(lit).collect();
-        if keep.iter().any(|&keep| !keep) {
-            projector.retain(&keep);
-            retain(&mut volume.blocks, &keep);
-            retain(&mut volume.light, &keep);
-        }
+/// Darkens voxels of no more light than `threshold` and gives up blocks without light.
+fn clear_dim_voxels(threshold: f32, volume: &mut BlockVolume, projector: &mut dyn BlockProjector) {
+    for light in volume.light.as_flattened_mut() {
+        *light = if *light > threshold { *light } else { 0.0 };
+    }
+    let lit = |light: &BlockLight| light.iter().any(|&light| light > 0.0);
+    let keep: Vec<bool> = volume.light.iter().map(lit).collect();
+    if keep.iter().any(|&keep| !keep) {
+        projector.retain(&keep);
+        retain(&mut volume.blocks, &keep);
+        retain(&mut volume.light, &keep);
     }
 }

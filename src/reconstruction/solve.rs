@@ -8,7 +8,7 @@ use super::{
     BlockVolume, PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
     hull::photo_hull,
     levels::ViewLevels,
-    os_mart::OsMart,
+    os_mart::{OsMart, Settled},
     pr_sart, sart,
     settings::Footprint,
     subsets::{alternating_views, balanced_subsets},
@@ -34,11 +34,11 @@ struct Stage {
     prune_share: f32,
 }
 
-/// The coarse grid only has to find where light is, for which half of the views are enough.
+/// The coarse grid only has to find where light is, for which a part of the views is enough.
 const COARSE_STAGE: Stage =
-    Stage { passes: 1, share_of_views: 0.5, views_per_subset: 4, prune_share: 0.02 };
+    Stage { passes: 1, share_of_views: 0.3, views_per_subset: 2, prune_share: 0.1 };
 const FINE_STAGE: Stage =
-    Stage { passes: 1, share_of_views: 1.0, views_per_subset: 4, prune_share: 0.16 };
+    Stage { passes: 1, share_of_views: 1.0, views_per_subset: 4, prune_share: 0.4 };
 const ONLY_STAGE: Stage =
     Stage { passes: 2, share_of_views: 1.0, views_per_subset: 8, prune_share: 0.02 };
 
@@ -295,10 +295,11 @@ impl Reconstructor {
             let update = self.os_mart_update(levels, &stage, model.grid());
             let order = &self.order[..(self.order.len() as f64 * stage.share_of_views) as usize];
             let mut projector = model.projector(&volume.blocks);
-            for _ in 0..stage.passes {
+            for pass in 0..stage.passes {
+                let settled = if pass == 0 { Settled::No } else { Settled::Yes };
                 let started = Instant::now();
                 let (model, projector) = (model.as_ref(), projector.as_mut());
-                let residual = update.pass(model, views, order, &mut volume, projector);
+                let residual = update.pass(model, views, order, &mut volume, projector, settled);
                 done += 1;
                 let active_voxels = volume.active_voxels();
                 let seconds = started.elapsed().as_secs_f64();

@@ -1,12 +1,11 @@
-//! Light as a cloud of weighted points, and its rendering onto a grid.
+//! Light as a cloud of weighted points.
 //!
 //! A reconstructed volume is nearly empty, so it is deformed by moving its lit voxels and
-//! rendering them again, not by interpolating a dense array: the deformation is exact and costs
+//! rendering them again (`raster`), not by interpolating a dense array: the deformation is exact and costs
 //! nothing where there is no light. True particles take the same path, which is what makes them
 //! the floor that a reconstruction is measured against.
 
-use rayon::prelude::*;
-
+use super::raster::Raster;
 use crate::{model::VolumeGrid, reconstruction::SparseVolume};
 
 /// Points of light in units of a grid's voxels: voxel (i, j, k) has its centre at (i, j, k).
@@ -47,58 +46,10 @@ impl PointCloud {
         }
     }
 
-    /// The cloud with every point moved by `shift_vox(position)`.
-    pub fn moved(&self, shift_vox: impl Fn([f32; 3]) -> [f32; 3] + Sync) -> Self {
-        let position_vox = self
-            .position_vox
-            .par_iter()
-            .map(|&at| {
-                let shift = shift_vox(at);
-                std::array::from_fn(|axis| at[axis] + shift[axis])
-            })
-            .collect();
-        Self { position_vox, light: self.light.clone() }
+    /// The cloud on the voxels of `grid` (z, y, x), whose voxels its positions count: see
+    /// [`Raster::render`].
+    pub fn render(&self, grid: &VolumeGrid) -> Vec<f32> {
+        let raster = Raster { cells: grid.voxels, first_vox: [0.0; 3], cell_vox: 1.0 };
+        raster.render(self, None)
     }
-
-    /// Renders the cloud onto a grid of `voxels` (x, y, z), stored z, y, x, each point as a cubic
-    /// B-spline: close to a Gaussian of 0.58 voxels standard deviation, summing to the point's
-    /// light wherever it lies, so that correlation peaks suit the three-point Gaussian fit.
-    pub fn render(&self, voxels: [usize; 3]) -> Vec<f32> {
-        let [nx, ny, nz] = voxels;
-        let mut image = vec![0.0f32; nx * ny * nz];
-        for (at, &light) in self.position_vox.iter().zip(&self.light) {
-            let inside = (0..3).all(|a| at[a] >= 1.0 && at[a] < voxels[a] as f32 - 2.0);
-            if !inside {
-                continue;
-            }
-            let ([i, wx], [j, wy], [k, wz]) =
-                (spline_taps(at[0]), spline_taps(at[1]), spline_taps(at[2]));
-            let _ = (&i, &j, &k, nz);
-            let first = [i[0] as usize, j[0] as usize, k[0] as usize];
-            for (c, wz) in wz.iter().enumerate() {
-                for (b, wy) in wy.iter().enumerate() {
-                    let start = ((first[2] + c) * ny + first[1] + b) * nx + first[0];
-                    let scaled = light * wz * wy;
-                    for (pixel, wx) in image[start..start + 4].iter_mut().zip(wx) {
-                        *pixel += scaled * wx;
-                    }
-                }
-            }
-        }
-        image
-    }
-}
-
-/// First of the four voxels under a cubic B-spline at `at`, and its weights on them.
-fn spline_taps(at: f32) -> [[f32; 4]; 2] {
-    let floor = at.floor();
-    let t = at - floor;
-    let s = 1.0 - t;
-    let weights = [
-        s * s * s / 6.0,
-        2.0 / 3.0 - t * t * (2.0 - t) / 2.0,
-        2.0 / 3.0 - s * s * (2.0 - s) / 2.0,
-        t * t * t / 6.0,
-    ];
-    [[floor - 1.0; 4], weights]
 }

@@ -8,7 +8,7 @@ pub struct Lattice {
     /// Nodes along x, y, z.
     pub nodes: [usize; 3],
     /// Position of node (0, 0, 0), in voxels.
-    pub first_vox: f32,
+    pub first_vox: [f32; 3],
     /// Distance between nodes, in voxels.
     pub step_vox: f32,
     /// The vectors.
@@ -36,31 +36,72 @@ impl Lattice {
         Self { values, ..*self }
     }
 
-    /// Adds the shift of each node's peak, where there is one.
-    pub fn add(&mut self, peaks: &[Option<Peak>]) {
+    /// Adds the shift of each node's peak, where there is one, found on cells of `cell_vox` voxels.
+    pub fn add(&mut self, peaks: &[Option<Peak>], cell_vox: f32) {
         for (value, peak) in self.values.iter_mut().zip(peaks) {
-            for (value, shift) in value.iter_mut().zip(peak.map_or([0.0; 3], |p| p.shift_vox)) {
-                *value += shift;
+            for (value, shift) in value.iter_mut().zip(peak.map_or([0.0; 3], |p| p.shift)) {
+                *value += shift * cell_vox;
             }
         }
     }
 
+    /// The nodes of this lattice with the values of `field` at their positions.
+    pub fn sampling(mut self, field: impl Fn([f32; 3]) -> [f32; 3]) -> Self {
+        let [nx, ny, _] = self.nodes;
+        for (index, value) in self.values.iter_mut().enumerate() {
+            let node = [index % nx, index / nx % ny, index / (nx * ny)];
+            let place = |axis: usize| self.first_vox[axis] + self.step_vox * node[axis] as f32;
+            *value = field(std::array::from_fn(place));
+        }
+        self
+    }
+
+    /// A lattice of half the step on the same place, at rest.
+    pub fn finer(&self) -> Self {
+        let nodes = self.nodes.map(|n| 2 * n - 1);
+        Self {
+            nodes,
+            first_vox: self.first_vox,
+            step_vox: self.step_vox / 2.0,
+            values: vec![[0.0; 3]; nodes.iter().product()],
+        }
+    }
+
+    /// The way from where the light is in its own frame to where it is in the middle of the pair,
+    /// if this field is the displacement: half of it, forwards for frame a (`sign` 1) and backwards
+    /// for frame b (−1).
+    ///
+    /// The path is curved: it is followed through the field by the midpoint rule, so that the
+    /// field stands for the velocity in the middle of the pair at that very place. Half the chord
+    /// would miss it by (d·∇)d/8.
+    pub fn half_paths(&self, sign: f32) -> Self {
+        self.finer().sampling(|at| {
+            let start = self.at(at);
+            let halfway = std::array::from_fn(|c| at[c] + sign * start[c] / 4.0);
+            self.at(halfway).map(|d| sign * d / 2.0)
+        })
+    }
+
     /// The field at a position: cubic convolution (Keys 1981) between the nodes, linear outside.
+    #[inline(always)]
     pub fn at(&self, position_vox: [f32; 3]) -> [f32; 3] {
         let taps: [([usize; 4], [f32; 4]); 3] = std::array::from_fn(|axis| {
-            let t = (position_vox[axis] - self.first_vox) / self.step_vox;
+            let t = (position_vox[axis] - self.first_vox[axis]) / self.step_vox;
             axis_taps(t, self.nodes[axis])
         });
         let [nx, ny, _] = self.nodes;
         let mut sum = [0.0; 3];
         for (&k, wz) in taps[2].0.iter().zip(taps[2].1) {
             for (&j, wy) in taps[1].0.iter().zip(taps[1].1) {
-                let row = (k * ny + j) * nx;
+                let row = &self.values[(k * ny + j) * nx..][..nx];
+                let mut along = [0.0; 3];
                 for (&i, wx) in taps[0].0.iter().zip(taps[0].1) {
-                    let w = wz * wy * wx;
-                    for (sum, value) in sum.iter_mut().zip(self.values[row + i]) {
-                        *sum += w * value;
+                    for (sum, value) in along.iter_mut().zip(row[i]) {
+                        *sum += wx * value;
                     }
+                }
+                for (sum, along) in sum.iter_mut().zip(along) {
+                    *sum += wz * wy * along;
                 }
             }
         }
@@ -70,12 +111,14 @@ impl Lattice {
 
 /// Four nodes and their weights at node coordinate `t`. A node beyond an end is replaced by the
 /// linear extrapolation of the two nodes at that end.
+#[inline(always)]
 fn axis_taps(t: f32, count: usize) -> ([usize; 4], [f32; 4]) {
     if count == 1 {
         return ([0; 4], [1.0, 0.0, 0.0, 0.0]);
     }
     let last = count as i64 - 1;
-    let cell = (t.floor() as i64).clamp(0, last - 1);
+    // Truncation is the floor of what is not negative; below, the first cell is meant anyway.
+    let cell = (t as i64).clamp(0, last - 1);
     let u = t - cell as f32;
     let weights = if (0.0..=1.0).contains(&u) {
         [
@@ -120,7 +163,7 @@ mod tests {
                 }
             }
         }
-        Lattice { nodes, first_vox: 7.5, step_vox: 8.0, values }
+        Lattice { nodes, first_vox: [7.5; 3], step_vox: 8.0, values }
     }
 
     #[test]

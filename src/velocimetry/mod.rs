@@ -1,20 +1,24 @@
 //! From a pair of volumes to a velocity field.
 
 mod cloud;
+mod correlation;
 mod derived;
 mod field;
 mod judge;
+mod kernel;
+mod lags;
 mod lattice;
 mod multipass;
 mod peak;
+mod raster;
 mod result;
 mod settings;
-mod spectrum;
 mod uncertainty;
 mod validate;
-mod window;
+mod windows;
 
 pub use cloud::PointCloud;
+pub use derived::curl_and_divergence;
 pub use field::{VectorGrid, VectorStatus, VelocityField};
 pub use multipass::Interrogation;
 pub use result::{PairResult, StageSeconds};

@@ -13,7 +13,8 @@ pub struct VelocimetrySettings {
     /// Overlap of neighbouring windows, as a share of their edge.
     #[garde(range(min = 0.0, max = 0.9))]
     pub overlap: f64,
-    /// Correlation passes; each one after the first deforms the volumes by the last result.
+    /// Correlation passes: a search on coarse cells, then passes that each deform the volumes by the
+    /// last result, at least one.
     #[garde(range(min = 1, max = 20))]
     pub passes: usize,
     /// Largest displacement component to expect, in voxels. The first pass uses windows of at
@@ -46,7 +47,7 @@ impl Default for VelocimetrySettings {
         Self {
             window_mm: 1.6,
             overlap: 0.5,
-            passes: 3,
+            passes: 5,
             max_displacement_vox: 6.0,
             first_window_mm: None,
             median_threshold: 2.0,

@@ -11,7 +11,7 @@
 //! residual displacement that varies inside it only in part. [`UNANSWERED`] of the residual is
 //! added for it.
 
-use super::window::Rendered;
+use super::raster::Image;
 
 /// Share of the last pass's residual displacement that is taken for unanswered. A window of length
 /// L answers a wave of length 4 L along one axis to sin(π/4)/(π/4) = 0.90, along two to 0.81.
@@ -79,13 +79,7 @@ impl PeakStatistics {
 
     /// Statistics of a window of edge `window` at `corner`, whose correlation a(x) b(x + s) peaks
     /// near `lag`. `None` where the light has no peak there.
-    pub fn of(
-        a: Rendered,
-        b: Rendered,
-        corner: [i64; 3],
-        window: usize,
-        lag: [i64; 3],
-    ) -> Option<Self> {
+    pub fn of(a: Image, b: Image, corner: [i64; 3], window: usize, lag: [i64; 3]) -> Option<Self> {
         let cells = Cells::of(a, b, corner, window, lag);
         let total = |n: usize| cells.sums.iter().map(|cell| f64::from(cell[n])).sum::<f64>();
         let common = total(COMMON);
@@ -134,7 +128,7 @@ const MOST_PARTICLES: f32 = 1000.0;
 const LEAST_CURVATURE: f64 = 1e-3;
 
 impl Cells {
-    fn of(a: Rendered, b: Rendered, corner: [i64; 3], window: usize, lag: [i64; 3]) -> Self {
+    fn of(a: Image, b: Image, corner: [i64; 3], window: usize, lag: [i64; 3]) -> Self {
         let in_a = a.inside(corner, window);
         let in_b = b.inside(std::array::from_fn(|c| corner[c] + lag[c]), window);
         // Voxels of frame a whose partners in frame b are inside, too.
@@ -220,7 +214,7 @@ fn parts<'a>(a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = [&'a [f32]; 2]>
     a.chunks(cell).zip(b.chunks(cell)).map(|(a, b)| [a, b])
 }
 
-fn mean_of(image: Rendered, [xs, ys, zs]: [[i64; 2]; 3]) -> f32 {
+fn mean_of(image: Image, [xs, ys, zs]: [[i64; 2]; 3]) -> f32 {
     let (mut sum, mut count) = (0.0f64, 0);
     for z in zs[0]..zs[1] {
         for y in ys[0]..ys[1] {

@@ -1,5 +1,7 @@
 //! Which vectors disagree with their neighbours, and what to put in their place.
 
+use rayon::prelude::*;
+
 /// Fewer neighbours than this say nothing about a vector.
 const LEAST_NEIGHBOURS: usize = 4;
 
@@ -25,26 +27,36 @@ impl Candidates<'_> {
     /// second time without the neighbours that failed, so that one outlier does not condemn those
     /// around it.
     pub fn passing(&self, threshold: f64, epsilon_vox: f64) -> Vec<bool> {
-        let once = self.tested(self.present, threshold, epsilon_vox);
-        self.tested(&once, threshold, epsilon_vox)
+        let all: Vec<usize> = (0..self.values.len()).collect();
+        let test = |nodes: &[usize], trusted: &[bool]| -> Vec<bool> {
+            let passes = |&n: &usize| self.passes(n, trusted, threshold, epsilon_vox);
+            nodes.par_iter().map(passes).collect()
+        };
+        let once = test(&all, self.present);
+        // Those whose neighbours all passed would be judged as before.
+        let again: Vec<usize> = all
+            .into_iter()
+            .filter(|&n| self.around(n).into_iter().any(|near| !once[near]))
+            .collect();
+        let mut pass = once.clone();
+        for (&n, verdict) in again.iter().zip(test(&again, &once)) {
+            pass[n] = verdict;
+        }
+        pass
     }
 
-    fn tested(&self, trusted: &[bool], threshold: f64, epsilon_vox: f64) -> Vec<bool> {
-        (0..self.values.len())
-            .map(|index| {
-                self.present[index] && {
-                    let near = self.neighbours(index, trusted);
-                    let level = carried_to_centre(&near);
-                    near.len() < LEAST_NEIGHBOURS
-                        || (0..3).all(|c| {
-                            let spread = median_residual(near.iter().map(|n| n.value[c]));
-                            let mut around: Vec<f32> = level.iter().map(|v| v[c]).collect();
-                            let residual = (self.values[index][c] - median(&mut around)).abs();
-                            f64::from(residual) <= threshold * (f64::from(spread) + epsilon_vox)
-                        })
-                }
-            })
-            .collect()
+    fn passes(&self, index: usize, trusted: &[bool], threshold: f64, epsilon_vox: f64) -> bool {
+        self.present[index] && {
+            let near = self.neighbours(index, trusted);
+            let level = carried_to_centre(&near);
+            near.len() < LEAST_NEIGHBOURS
+                || (0..3).all(|c| {
+                    let spread = median_residual(near.iter().map(|n| n.value[c]));
+                    let mut around: Vec<f32> = level.iter().map(|v| v[c]).collect();
+                    let residual = (self.values[index][c] - median(&mut around)).abs();
+                    f64::from(residual) <= threshold * (f64::from(spread) + epsilon_vox)
+                })
+        }
     }
 
     /// What the trusted neighbours of a vector say it should be: the mean of their values, each
@@ -66,27 +78,38 @@ impl Candidates<'_> {
         index: usize,
         trusted: &'a [bool],
     ) -> impl Iterator<Item = usize> + use<'a> {
-        let [nx, ny, nz] = self.nodes;
-        let (i, j, k) = (index % nx, index / nx % ny, index / (nx * ny));
-        let around = |c: usize, n: usize| c.saturating_sub(1)..(c + 2).min(n);
-        let (xs, ys) = (around(i, nx), around(j, ny));
-        around(k, nz)
-            .flat_map(move |z| ys.clone().map(move |y| (y, z)))
-            .flat_map(move |(y, z)| xs.clone().map(move |x| (z * ny + y) * nx + x))
-            .filter(move |&other| other != index && trusted[other])
+        self.around(index).into_iter().filter(move |&other| trusted[other])
     }
 
     fn neighbours(&self, index: usize, trusted: &[bool]) -> Vec<Neighbour> {
-        let [nx, ny, _] = self.nodes;
-        let place = |n: usize| [n % nx, n / nx % ny, n / (nx * ny)].map(|c| c as i32);
-        let from = place(index);
+        let at = self.place(index);
         self.near(index, trusted)
             .map(|other| {
-                let to = place(other);
-                let offset = std::array::from_fn(|axis| to[axis] - from[axis]);
+                let to = self.place(other);
+                let offset = std::array::from_fn(|axis| to[axis] as i32 - at[axis] as i32);
                 Neighbour { offset, value: self.values[other] }
             })
             .collect()
+    }
+
+    /// The up to 26 nodes around one.
+    fn around(&self, index: usize) -> Vec<usize> {
+        let [nx, ny, nz] = self.nodes;
+        let [i, j, k] = self.place(index);
+        let around = |c: usize, n: usize| c.saturating_sub(1)..(c + 2).min(n);
+        let mut near = Vec::with_capacity(27);
+        for z in around(k, nz) {
+            for y in around(j, ny) {
+                near.extend(around(i, nx).map(|x| (z * ny + y) * nx + x));
+            }
+        }
+        near.retain(|&other| other != index);
+        near
+    }
+
+    fn place(&self, index: usize) -> [usize; 3] {
+        let [nx, ny, _] = self.nodes;
+        [index % nx, index / nx % ny, index / (nx * ny)]
     }
 }
 
@@ -109,16 +132,22 @@ struct Neighbour {
     value: [f32; 3],
 }
 
+/// Number of an offset of −1 to 1 along each axis, x fastest.
+fn cube_index(offset: [i32; 3]) -> usize {
+    offset.iter().rev().fold(0, |index, c| index * 3 + (c + 1) as usize)
+}
+
 /// The values of neighbours, each carried to the centre along their median gradient.
 fn carried_to_centre(near: &[Neighbour]) -> Vec<[f32; 3]> {
     let gradient: [[f32; 3]; 3] = std::array::from_fn(|axis| {
-        let one_step = |(low, high): &(&Neighbour, &Neighbour)| {
-            (0..3).all(|a| high.offset[a] - low.offset[a] == i32::from(a == axis))
-        };
-        let pairs: Vec<_> = near
-            .iter()
-            .flat_map(|low| near.iter().map(move |high| (low, high)))
-            .filter(one_step)
+        let mut by_place: [Option<&Neighbour>; 27] = [None; 27];
+        for neighbour in near {
+            by_place[cube_index(neighbour.offset)] = Some(neighbour);
+        }
+        let stride = 3usize.pow(axis as u32);
+        let pairs: Vec<_> = (0..27)
+            .filter(|n| n / stride % 3 < 2)
+            .filter_map(|n| by_place[n].zip(by_place[n + stride]))
             .collect();
         std::array::from_fn(|c| {
             let mut slopes: Vec<f32> = pairs.iter().map(|(l, h)| h.value[c] - l.value[c]).collect();

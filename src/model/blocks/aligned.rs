@@ -11,6 +11,7 @@ use crate::{
     model::{
         ModelError, ViewId, VolumeGrid,
         camera::CameraView,
+        footprint::RayMap,
         thin_lens::{camera_views, coverage_bytes},
     },
 };
@@ -69,19 +70,24 @@ impl Axes {
 
     /// For row r and column c of a block as the camera sees it, the near and the far child.
     pub fn children(self) -> [[[usize; 2]; 2]; 2] {
-        let child = |r: usize, c: usize, d: usize| r << self.row | c << self.column | d << self.depth;
+        let child =
+            |r: usize, c: usize, d: usize| r << self.row | c << self.column | d << self.depth;
         [0, 1].map(|r| [0, 1].map(|c| [child(r, c, 0), child(r, c, 1)]))
     }
 }
 
 impl<const L: usize> AlignedModel<L> {
-    /// `None` when pairs of voxels reach more than `L` microlenses, or a camera is not aligned.
+    /// `None` when pairs of voxels reach more than `L` microlenses, when voxels are too small for
+    /// the hull's bits, or a camera is not aligned.
     pub fn new(
         optics: &Optics,
         views: &[CameraView],
         grid: &VolumeGrid,
         footprint_mm: f64,
     ) -> Option<Self> {
+        if voxels_per_microlens(optics, grid) > lit::MOST_VOXELS_PER_MICROLENS {
+            return None;
+        }
         let mut cameras = Vec::with_capacity(views.len());
         let mut layouts = Vec::with_capacity(views.len());
         for view in views {
@@ -115,6 +121,12 @@ impl<const L: usize> AlignedModel<L> {
     }
 }
 
+/// Voxels under a microlens, in focus.
+fn voxels_per_microlens(optics: &Optics, grid: &VolumeGrid) -> f64 {
+    let magnification = RayMap::at_depth(optics, 0.0).position.abs();
+    optics.microlens.pitch_mm / (magnification * grid.voxel_mm)
+}
+
 /// What projects into one view.
 pub(super) struct ViewTables<'a, const L: usize> {
     pub columns: &'a [super::axis_table::PairTap<L>],
@@ -146,7 +158,10 @@ impl<const L: usize> BlockModel for AlignedModel<L> {
         let places = |camera: &AlignedCamera<L>| {
             blocks.iter().map(|&block| camera.place(block_indices(&self.grid, block))).collect()
         };
-        Box::new(AlignedProjector { model: self, places: self.cameras.iter().map(places).collect() })
+        Box::new(AlignedProjector {
+            model: self,
+            places: self.cameras.iter().map(places).collect(),
+        })
     }
 
     fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks {

@@ -87,8 +87,8 @@ fn pair_tap<const L: usize>(
     // A footprint that leaves the window keeps its true shares on what remains of it.
     let last_first = (window.end as i64 - L as i64).max(window.start as i64);
     let first = first.clamp(window.start as i64, last_first) as usize;
-    let shares: [[f32; L]; 2] = shadows
-        .map(|shadow| std::array::from_fn(|n| geometry.share(&shadow, first + n) as f32));
+    let shares: [[f32; L]; 2] =
+        shadows.map(|shadow| std::array::from_fn(|n| geometry.share(&shadow, first + n) as f32));
     let dark = |n: &usize| shares.iter().all(|shares| shares[*n] == 0.0);
     let len = L - (0..L).rev().take_while(dark).count();
     PairTap { shares, first: (first - window.start) as u16, len: len as u16 }

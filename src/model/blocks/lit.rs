@@ -1,9 +1,9 @@
 //! Which voxels may hold light, 64 voxels at a time.
 //!
 //! One camera at a time: for each depth of blocks and each view, the image's lit pixels are carried
-//! onto the voxels. A run of lit microlenses lights a run of voxels, so a row of the image becomes
-//! a line of bits in a few operations; a voxel's line is the union of the rows in its support. The
-//! views that find a voxel dark are counted in bit planes, 64 voxels per operation.
+//! onto the voxels. A few neighbouring microlenses are looked up together, so a row of the image
+//! becomes a line of bits in some twenty operations; a voxel's line is the union of the rows in its
+//! support. The views that find a voxel dark are counted in bit planes, 64 voxels per operation.
 
 use rayon::prelude::*;
 
@@ -162,10 +162,23 @@ struct Slab<'a, const L: usize> {
 
 /// What one view index along the columns does to a line of voxels.
 struct ColumnMap {
-    /// For each microlens the voxels in whose support it lies, as a range.
-    voxels_of: Vec<[usize; 2]>,
+    /// For every group of [`GROUP`] microlenses the voxels that each set of lit ones lights.
+    lit_by: Vec<[Run; 1 << GROUP]>,
     /// The voxels that the view sees well enough to judge.
     judged: Line,
+}
+
+/// Microlenses that are looked up together.
+const GROUP: usize = 6;
+
+/// With more, the voxels of a group would not fit into two words: (6 + 2) · 8 = 64.
+pub(super) const MOST_VOXELS_PER_MICROLENS: f64 = 8.0;
+
+/// Bits of two neighbouring words of a line, from `word` on.
+#[derive(Debug, Clone, Copy, Default)]
+struct Run {
+    word: u32,
+    bits: [u64; 2],
 }
 
 /// For each voxel across the rows the microlens rows of its support; `None` where the view sees
@@ -210,16 +223,16 @@ impl<const L: usize> Slab<'_, L> {
 
     fn column_map(&self, k: i32) -> ColumnMap {
         let lenses = self.layout.window.columns.len();
-        let mut map =
-            ColumnMap { voxels_of: vec![[usize::MAX, 0]; lenses], judged: vec![0; self.words] };
+        let mut voxels_of = vec![[usize::MAX, 0]; lenses];
+        let mut judged = vec![0; self.words];
         for (voxel, support) in self.supports(&self.camera.columns, k, self.columns) {
-            map.judged[voxel / 64] |= 1 << (voxel % 64);
-            for [low, high] in &mut map.voxels_of[support[0]..support[1]] {
+            judged[voxel / 64] |= 1 << (voxel % 64);
+            for [low, high] in &mut voxels_of[support[0]..support[1]] {
                 *low = (*low).min(voxel);
                 *high = (*high).max(voxel + 1);
             }
         }
-        map
+        ColumnMap { lit_by: voxels_of.chunks(GROUP).map(lit_by_group).collect(), judged }
     }
 
     fn row_map(&self, l: i32) -> RowMap {
@@ -256,42 +269,42 @@ fn support<const L: usize>(tap: &PairTap<L>, n: usize) -> Option<[usize; 2]> {
     (seen >= LEAST_SEEN_SHARE).then_some([first + start, first + last + 1])
 }
 
-/// Sets the bits of all voxels in whose support one of the lit microlenses of `row` lies.
-fn light_voxels(row: &[u64], columns: &ColumnMap, line: &mut [u64]) {
-    for (word, &bits) in row.iter().enumerate() {
-        let mut left = bits;
-        while left != 0 {
-            let start = left.trailing_zeros();
-            let len = (!(left >> start)).trailing_zeros();
-            let end = start + len;
-            left = if end < 64 { left & (u64::MAX << end) } else { 0 };
-            let lenses = &columns.voxels_of[64 * word + start as usize..64 * word + end as usize];
-            // Voxels run along or against the microlenses: their run is that of the two ends.
-            let (Some([a, b]), Some([c, d])) = (lenses.first(), lenses.last()) else { continue };
-            if lenses.len() <= 2 || a == &usize::MAX || c == &usize::MAX {
-                // At the edge of what is seen, lens by lens.
-                lenses.iter().for_each(|&[low, high]| set_run(line, low, high));
-            } else {
-                set_run(line, *a.min(c), *b.max(d));
+/// The voxels that each set of lit microlenses of a group lights, from each one's own range of
+/// voxels. Microlenses without voxels light none.
+fn lit_by_group(voxels_of: &[[usize; 2]]) -> [Run; 1 << GROUP] {
+    let word = voxels_of.iter().map(|[low, _]| low / 64).min().unwrap_or(0);
+    let mut each = [[0u64; 2]; GROUP];
+    for (bits, &[low, high]) in each.iter_mut().zip(voxels_of) {
+        for voxel in low..high {
+            // A group reaches over a few voxels more than its microlenses: two words hold them.
+            if let Some(bits) = bits.get_mut(voxel / 64 - word) {
+                *bits |= 1 << (voxel % 64);
             }
         }
     }
+    let mut runs = [Run { word: word as u32, bits: [0; 2] }; 1 << GROUP];
+    for set in 1..runs.len() {
+        let first = set.trailing_zeros() as usize;
+        let rest = runs[set & (set - 1)].bits;
+        runs[set].bits = [rest[0] | each[first][0], rest[1] | each[first][1]];
+    }
+    runs
 }
 
-/// Sets bits `low..high`; none when the run is empty.
-fn set_run(line: &mut [u64], low: usize, high: usize) {
-    if low >= high {
-        return;
-    }
-    let (first, last) = (low / 64, (high - 1) / 64);
-    let from = u64::MAX << (low % 64);
-    let to = u64::MAX >> (63 - (high - 1) % 64);
-    if first == last {
-        line[first] |= from & to;
-    } else {
-        line[first] |= from;
-        line[first + 1..last].fill(u64::MAX);
-        line[last] |= to;
+/// Sets the bits of all voxels in whose support one of the lit microlenses of `row` lies.
+fn light_voxels(row: &[u64], columns: &ColumnMap, line: &mut [u64]) {
+    for (group, runs) in columns.lit_by.iter().enumerate() {
+        let (word, bit) = (group * GROUP / 64, group * GROUP % 64);
+        let mut set = row[word] >> bit;
+        if bit + GROUP > 64
+            && let Some(next) = row.get(word + 1)
+        {
+            set |= next << (64 - bit);
+        }
+        let run = &runs[set as usize % (1 << GROUP)];
+        for (word, bits) in line.iter_mut().skip(run.word as usize).zip(run.bits) {
+            *word |= bits;
+        }
     }
 }
 

@@ -74,7 +74,13 @@ pub trait BlockProjector: Send + Sync {
 
     /// Spreads a view of [`BlockModel::image_len`] finite values back onto the voxels of the
     /// blocks in `range`: adds to `out[block − range.start]`.
-    fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [BlockLight]);
+    fn back_project(
+        &self,
+        view: ViewId,
+        image: &[f32],
+        range: Range<usize>,
+        out: &mut [BlockLight],
+    );
 
     /// Keeps only the blocks whose flag is set.
     fn retain(&mut self, keep: &[bool]);

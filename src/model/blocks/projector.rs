@@ -46,7 +46,13 @@ impl<const L: usize> BlockProjector for AlignedProjector<'_, L> {
         }
     }
 
-    fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [BlockLight]) {
+    fn back_project(
+        &self,
+        view: ViewId,
+        image: &[f32],
+        range: Range<usize>,
+        out: &mut [BlockLight],
+    ) {
         let tables = self.model.view(view);
         let children = self.model.cameras[view.camera].axes.children();
         let mut open = Cow::Borrowed(image);

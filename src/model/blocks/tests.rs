@@ -125,7 +125,8 @@ fn finds_the_same_voxels_lit_as_the_voxelwise_model() {
         for forgiven in [0, 3, 20] {
             let darkness = Darkness { dark_below: vec![5.0; 2], forgiven: vec![forgiven; 2] };
             let (a, b) = (fast.lit(&views, &darkness), slow.lit(&views, &darkness));
-            let count = |lit: &LitBlocks| -> u32 { lit.children.iter().map(|m| m.count_ones()).sum() };
+            let count =
+                |lit: &LitBlocks| -> u32 { lit.children.iter().map(|m| m.count_ones()).sum() };
             let (n, m) = (count(&a), count(&b));
             // Shares at the very edge of the support may differ between the tables.
             assert!(n.abs_diff(m) <= 1 + m / 20, "{forgiven}: {n} {m}");

@@ -110,7 +110,13 @@ impl BlockProjector for VoxelwiseProjector<'_> {
         self.projector.project(view, flat, image);
     }
 
-    fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [BlockLight]) {
+    fn back_project(
+        &self,
+        view: ViewId,
+        image: &[f32],
+        range: Range<usize>,
+        out: &mut [BlockLight],
+    ) {
         let voxels = 8 * range.start..8 * range.end;
         let mut sums = vec![0.0; voxels.len()];
         self.projector.back_project(view, image, voxels.clone(), &mut sums);

@@ -2,7 +2,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::velocimetry::PointCloud;
+use crate::velocimetry::{PointCloud, raster::Raster};
 
 const EDGE: usize = 16;
 const VOXELS: [usize; 3] = [EDGE + 8; 3];
@@ -17,13 +17,19 @@ fn frames(count: usize, shift_vox: f32, error_vox: f32, seed: u64) -> [Vec<f32>;
     // A rectangular distribution of half-width √3 σ.
     let b =
         a.iter().map(|at| at.map(|c| c + shift_vox + uniform(3f32.sqrt() * error_vox))).collect();
+    let raster = Raster { cells: VOXELS, first_vox: [0.0; 3], cell_vox: 1.0 };
     [a, b].map(|position_vox| {
-        PointCloud { light: vec![1.0; position_vox.len()], position_vox }.render(VOXELS)
+        let cloud = PointCloud { light: vec![1.0; position_vox.len()], position_vox };
+        raster.render(&cloud, None)
     })
 }
 
 fn statistics(frames: &[Vec<f32>; 2]) -> Option<PeakStatistics> {
-    let [a, b] = frames.each_ref().map(|light| Rendered { light, voxels: VOXELS });
+    let [a, b] = frames.each_ref().map(|light| Image {
+        light,
+        cells: VOXELS,
+        lit: VOXELS.map(|n| [0, n as i64]),
+    });
     PeakStatistics::of(a, b, [4; 3], EDGE, [0; 3])
 }
 

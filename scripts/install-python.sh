@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Makes the Python environment .venv in which the tests read results with the users' own tools.
+# Makes a Python environment from a list of requirements: install-python.sh FOLDER REQUIREMENTS.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-requirements=tests/readers/requirements.txt
-stamp=.venv/installed-requirements.txt
+environment=$1
+requirements=$2
+stamp=$environment/installed-requirements.txt
 if cmp --silent "$requirements" "$stamp"; then
     exit 0
 fi
@@ -23,7 +24,8 @@ if ! can_make_environments "$python"; then
     exit 1
 fi
 
-rm -rf .venv
-"$python" -m venv .venv
-.venv/bin/python -m pip install --quiet --disable-pip-version-check --requirement "$requirements"
+rm -rf "$environment"
+"$python" -m venv "$environment"
+"$environment/bin/python" -m pip install --quiet --disable-pip-version-check \
+    --requirement "$requirements"
 cp "$requirements" "$stamp"

@@ -1,0 +1,37 @@
+//! The figures of the report, one file each. A figure without data is not shown.
+
+pub mod convergence;
+mod displacement;
+mod elongation;
+pub mod growth;
+mod memory;
+mod pareto;
+mod projection;
+mod quality;
+mod vortex;
+
+use super::{Report, section::Section};
+
+/// All figures that the record has data for, in the order of the page.
+pub fn sections(report: &Report) -> Vec<Section> {
+    [
+        pareto::error_seconds,
+        pareto::quality_seconds,
+        quality::quality_ppm,
+        convergence::quality_iterations,
+        convergence::error_iterations,
+        projection::projections,
+        elongation::elongation,
+        vortex::iso_surface,
+        vortex::slices,
+        displacement::error_ppm,
+        displacement::cumulative,
+        memory::matrices,
+        growth::whole_process,
+        growth::growth,
+        pareto::beside_peers,
+    ]
+    .into_iter()
+    .filter_map(|figure| figure(report))
+    .collect()
+}

@@ -1,0 +1,143 @@
+//! A row of the report: one method on one case with one seed.
+
+use serde::{Deserialize, Serialize};
+
+use super::Stamp;
+
+/// What was measured, what came out, and where. Absent figures were not part of the measurement.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Set of the case.
+    pub set: String,
+    /// Case.
+    pub case: String,
+    /// What was measured.
+    pub measure: String,
+    /// Method by name; `configured` for the configuration's own settings.
+    pub method: String,
+    /// Other program that made the row; ours when absent.
+    pub peer: Option<String>,
+    /// Flow.
+    pub flow: String,
+    /// Particles per microlens.
+    pub ppm: f64,
+    /// `on-grid` or `off-grid`.
+    pub placement: String,
+    /// Noise of the images.
+    pub noise: String,
+    /// Number of cameras.
+    pub cameras: usize,
+    /// Voxel counts of the volume.
+    pub voxels: String,
+    /// Edge of a voxel, in mm.
+    pub voxel_mm: f64,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Where a single particle is, as a depth from camera 1's focal plane in mm.
+    pub depth_mm: Option<f64>,
+    /// Single particles that the figures are means over.
+    pub positions: Option<usize>,
+    /// Passes over all views.
+    pub iterations: Option<usize>,
+    /// Wall-clock time, in s.
+    pub seconds: Option<f64>,
+    /// What the seconds are of.
+    pub seconds_of: String,
+    /// Processor time of all threads, in s.
+    pub cpu_s: Option<f64>,
+    /// Seconds over those of the reference kernel.
+    pub kernel_ratio: Option<f64>,
+    /// Time to assemble a matrix, in s, not part of `seconds`.
+    pub assembly_s: Option<f64>,
+    /// Images to views, in s.
+    pub decode_s: Option<f64>,
+    /// Views to volumes, in s.
+    pub reconstruct_s: Option<f64>,
+    /// Volumes to vectors, in s.
+    pub correlate_s: Option<f64>,
+    /// Peak resident memory, in MB (10⁶ bytes).
+    pub peak_mb: Option<f64>,
+    /// Quality factor (paper, Eq. 5).
+    pub q: Option<f64>,
+    /// Reconstruction error (paper, Eq. 3) over that of a dark volume.
+    pub relative_error: Option<f64>,
+    /// Vectors of the field.
+    pub vectors: Option<usize>,
+    /// Share of the vectors that are valid.
+    pub valid_share: Option<f64>,
+    /// Mean |error| of the displacement along x, in voxels (paper, Eq. 6).
+    pub error_x_vox: Option<f64>,
+    /// Along y.
+    pub error_y_vox: Option<f64>,
+    /// Along z.
+    pub error_z_vox: Option<f64>,
+    /// The floor: mean |error| of the true particles through the same correlation, along x.
+    pub floor_x_vox: Option<f64>,
+    /// Along y.
+    pub floor_y_vox: Option<f64>,
+    /// Along z.
+    pub floor_z_vox: Option<f64>,
+    /// Share of the x components within 0.3 voxels; those of invalid vectors count as misses.
+    pub within_x: Option<f64>,
+    /// Of the y components.
+    pub within_y: Option<f64>,
+    /// Of the z components.
+    pub within_z: Option<f64>,
+    /// Full width at half maximum along z, in mm.
+    pub fwhm_mm: Option<f64>,
+    /// Mean |error| of the intensity-weighted centroid along z, in mm.
+    pub centroid_error_mm: Option<f64>,
+    /// Explicit weight matrix of all views, in MB.
+    pub matrix_mb: Option<f64>,
+    /// Largest matrix of an ordered subset, in MB.
+    pub subset_matrix_mb: Option<f64>,
+    /// Threads.
+    pub threads: usize,
+    /// Processor model.
+    pub machine: String,
+    /// Logical processors.
+    pub cores: usize,
+    /// Code version: ours, or the peer's.
+    pub version: String,
+    /// Day and time of the run's start.
+    pub date: String,
+}
+
+impl Row {
+    /// Notes where the row was made, and relates its seconds to the reference kernel's.
+    pub fn stamp(&mut self, stamp: &Stamp, kernel_seconds: f64) {
+        self.threads = stamp.threads;
+        self.machine = stamp.machine.clone();
+        self.cores = stamp.cores;
+        self.version = stamp.version.clone();
+        self.date = stamp.date.clone();
+        self.kernel_ratio = self.seconds.map(|seconds| seconds / kernel_seconds);
+    }
+
+    /// Mean |error| along x, y, z, in voxels.
+    pub fn error_vox(&self) -> Option<[f64; 3]> {
+        Some([self.error_x_vox?, self.error_y_vox?, self.error_z_vox?])
+    }
+
+    /// The floor along x, y, z, in voxels.
+    pub fn floor_vox(&self) -> Option<[f64; 3]> {
+        Some([self.floor_x_vox?, self.floor_y_vox?, self.floor_z_vox?])
+    }
+
+    /// Shares within 0.3 voxels along x, y, z.
+    pub fn within(&self) -> Option<[f64; 3]> {
+        Some([self.within_x?, self.within_y?, self.within_z?])
+    }
+
+    pub(super) fn set_error(&mut self, [x, y, z]: [f64; 3]) {
+        (self.error_x_vox, self.error_y_vox, self.error_z_vox) = (Some(x), Some(y), Some(z));
+    }
+
+    pub(super) fn set_floor(&mut self, [x, y, z]: [f64; 3]) {
+        (self.floor_x_vox, self.floor_y_vox, self.floor_z_vox) = (Some(x), Some(y), Some(z));
+    }
+
+    pub(super) fn set_within(&mut self, [x, y, z]: [f64; 3]) {
+        (self.within_x, self.within_y, self.within_z) = (Some(x), Some(y), Some(z));
+    }
+}

@@ -1,0 +1,81 @@
+//! How far a displacement field is from the known flow.
+
+use lfpiv_sim::Flow;
+
+use crate::velocimetry::{VectorStatus, VelocityField, curl_and_divergence};
+
+/// Errors up to this count as measured (paper, Fig. 18), in voxels.
+const WITHIN_VOX: f64 = 0.3;
+
+/// Points of a cumulative distribution.
+const CDF_POINTS: usize = 100;
+
+/// The error of a field.
+#[derive(Debug, Clone)]
+pub struct Score {
+    /// Mean |error| along x, y, z over all vectors, valid or not, in voxels (paper, Eq. 6).
+    pub mean_vox: [f64; 3],
+    /// Share of the components within 0.3 voxels; those of invalid vectors count as misses.
+    pub within: [f64; 3],
+    /// |error| along x, y, z, ascending, in voxels.
+    sorted_vox: [Vec<f64>; 3],
+}
+
+impl Score {
+    /// Compares a field with the analytic solution.
+    pub fn of(field: &VelocityField, flow: &Flow) -> Self {
+        let truth = true_field(field, flow);
+        let count = field.grid.len().max(1) as f64;
+        let mut score =
+            Self { mean_vox: [0.0; 3], within: [0.0; 3], sorted_vox: Default::default() };
+        for axis in 0..3 {
+            let error = |n: usize| {
+                let (got, wanted) =
+                    (field.displacement_vox[n][axis], truth.displacement_vox[n][axis]);
+                f64::from(got - wanted).abs()
+            };
+            let mut errors: Vec<f64> = (0..field.grid.len()).map(error).collect();
+            let hit =
+                |n: &usize| errors[*n] <= WITHIN_VOX && field.status[*n] == VectorStatus::Valid;
+            score.within[axis] = (0..errors.len()).filter(hit).count() as f64 / count;
+            score.mean_vox[axis] = errors.iter().sum::<f64>() / count;
+            errors.sort_by(f64::total_cmp);
+            score.sorted_vox[axis] = errors;
+        }
+        score
+    }
+
+    /// Points (|error| in voxels, share of the vectors with at most that) of one component.
+    pub fn distribution(&self, axis: usize) -> Vec<[f64; 2]> {
+        let errors = &self.sorted_vox[axis];
+        let last = errors.len().saturating_sub(1);
+        (0..=CDF_POINTS)
+            .filter_map(|n| {
+                let at = (n * last) as f64 / CDF_POINTS as f64;
+                let index = at.round() as usize;
+                let error = errors.get(index)?;
+                Some([*error, (index + 1) as f64 / errors.len() as f64])
+            })
+            .collect()
+    }
+}
+
+/// The analytic solution at a field's places.
+pub fn true_field(field: &VelocityField, flow: &Flow) -> VelocityField {
+    let displacement_vox: Vec<[f32; 3]> = (0..field.grid.len())
+        .map(|n| {
+            let moved_mm = flow.displacement_mm(field.grid.position_mm(n), field.dt_s);
+            moved_mm.map(|mm| (mm / field.voxel_mm) as f32)
+        })
+        .collect();
+    let step_vox = field.grid.spacing_mm / field.voxel_mm;
+    let (vorticity, divergence) =
+        curl_and_divergence(field.grid.vectors, &displacement_vox, step_vox);
+    VelocityField {
+        displacement_vox,
+        vorticity,
+        divergence,
+        status: vec![VectorStatus::Valid; field.grid.len()],
+        ..field.clone()
+    }
+}
