@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::{
     Darkness, LitBlocks,
     aligned::{AlignedCamera, AlignedModel, Axes},
-    axis_table::PairTap,
+    axis_table::{PairTap, SHARE_UNIT},
     blocks_along,
 };
 use crate::{
@@ -52,35 +52,41 @@ pub(super) fn lit_blocks<const L: usize>(
     lit
 }
 
-/// The lit pixels of every view of a camera, a bit each, row by row.
+/// Microlenses that are looked up together.
+const GROUP: usize = 6;
+
+/// With more, a group's voxels would not fit into two words: (6 + 2) · 8 = 64.
+pub(super) const MOST_VOXELS_PER_MICROLENS: f64 = 8.0;
+
+/// The lit pixels of every view of a camera: for each row and each [`GROUP`] of microlenses the
+/// set of those that are lit, a bit each.
 struct LitImages {
     rows: usize,
-    words: usize,
-    bits: Vec<u64>,
+    groups: usize,
+    sets: Vec<u8>,
 }
 
 impl LitImages {
     fn new(layout: &ViewLayout, views: &ViewStack, dark_below: f32) -> Self {
         let (width, rows) = (layout.window.columns.len(), layout.window.rows.len());
-        let words = width.div_ceil(64);
-        let mut bits = vec![0u64; views.len() * rows * words];
+        let groups = width.div_ceil(GROUP);
+        let mut sets = vec![0u8; views.len() * rows * groups];
         for (n, view) in layout.views.iter().enumerate() {
-            let image = views.view(n);
-            for (row, line) in image.chunks_exact(width).enumerate() {
-                let target = &mut bits[(n * rows + row) * words..][..words];
+            for (row, line) in views.view(n).chunks_exact(width).enumerate() {
+                let target = &mut sets[(n * rows + row) * groups..][..groups];
                 for (i, &value) in line.iter().enumerate() {
                     let open = view.coverage.as_ref().map_or(1.0, |c| c[row * width + i]);
                     // A pixel less than half open is no evidence of darkness.
                     let lit = open <= 0.5 || value >= dark_below * open;
-                    target[i / 64] |= u64::from(lit) << (i % 64);
+                    target[i / GROUP] |= u8::from(lit) << (i % GROUP);
                 }
             }
         }
-        Self { rows, words, bits }
+        Self { rows, groups, sets }
     }
 
-    fn row(&self, view: usize, row: usize) -> &[u64] {
-        &self.bits[(view * self.rows + row) * self.words..][..self.words]
+    fn row(&self, view: usize, row: usize) -> &[u8] {
+        &self.sets[(view * self.rows + row) * self.groups..][..self.groups]
     }
 }
 
@@ -162,23 +168,16 @@ struct Slab<'a, const L: usize> {
 
 /// What one view index along the columns does to a line of voxels.
 struct ColumnMap {
-    /// For every group of [`GROUP`] microlenses the voxels that each set of lit ones lights.
-    lit_by: Vec<[Run; 1 << GROUP]>,
+    /// For every word of the line the groups of microlenses that can light its voxels.
+    lit_by: Vec<Vec<LitByGroup>>,
     /// The voxels that the view sees well enough to judge.
     judged: Line,
 }
 
-/// Microlenses that are looked up together.
-const GROUP: usize = 6;
-
-/// With more, the voxels of a group would not fit into two words: (6 + 2) · 8 = 64.
-pub(super) const MOST_VOXELS_PER_MICROLENS: f64 = 8.0;
-
-/// Bits of two neighbouring words of a line, from `word` on.
-#[derive(Debug, Clone, Copy, Default)]
-struct Run {
-    word: u32,
-    bits: [u64; 2],
+/// The bits of a word that each set of lit microlenses of a group sets.
+struct LitByGroup {
+    group: usize,
+    bits: [u64; 1 << GROUP],
 }
 
 /// For each voxel across the rows the microlens rows of its support; `None` where the view sees
@@ -192,23 +191,29 @@ impl<const L: usize> Slab<'_, L> {
         let column_maps: Vec<ColumnMap> = (-reach..=reach).map(|k| self.column_map(k)).collect();
         let reach = self.layout.rows.reach;
         let row_maps: Vec<RowMap> = (-reach..=reach).map(|l| self.row_map(l)).collect();
-        let mut dark = DarkCounts::new(self.rows * self.words, forgiven);
+        let mut dark = DarkCounts::new(self.rows, self.words, forgiven);
+        let mut line = vec![0u64; self.words];
         let mut seen = vec![0u64; self.rows * self.words];
         let mut lit_rows = vec![0u64; self.images.rows * self.words];
         for (n, view) in self.layout.views.iter().enumerate() {
             let columns = &column_maps[(view.k + self.layout.columns.reach) as usize];
             let rows = &row_maps[(view.l + self.layout.rows.reach) as usize];
-            lit_rows.fill(0);
             for (row, line) in lit_rows.chunks_exact_mut(self.words).enumerate() {
                 light_voxels(self.images.row(n, row), columns, line);
             }
             for (y, support) in rows.iter().enumerate() {
                 let Some([start, end]) = *support else { continue };
-                for word in 0..self.words {
-                    let lit = (start..end).fold(0, |lit, r| lit | lit_rows[r * self.words + word]);
-                    dark.count(y * self.words + word, columns.judged[word] & !lit);
-                    seen[y * self.words + word] |= columns.judged[word];
+                let seen = &mut seen[y * self.words..][..self.words];
+                line.copy_from_slice(&columns.judged);
+                for (seen, judged) in seen.iter_mut().zip(&columns.judged) {
+                    *seen |= judged;
                 }
+                for lit in lit_rows[start * self.words..end * self.words].chunks_exact(self.words) {
+                    for (dark, lit) in line.iter_mut().zip(lit) {
+                        *dark &= !lit;
+                    }
+                }
+                dark.count(y, &mut line);
             }
         }
         let mut possible = dark.within();
@@ -232,7 +237,11 @@ impl<const L: usize> Slab<'_, L> {
                 *high = (*high).max(voxel + 1);
             }
         }
-        ColumnMap { lit_by: voxels_of.chunks(GROUP).map(lit_by_group).collect(), judged }
+        let word = |word| {
+            let groups = voxels_of.chunks(GROUP).enumerate();
+            groups.filter_map(|(n, voxels_of)| LitByGroup::new(n, voxels_of, word)).collect()
+        };
+        ColumnMap { lit_by: (0..self.words).map(word).collect(), judged }
     }
 
     fn row_map(&self, l: i32) -> RowMap {
@@ -261,7 +270,7 @@ impl<const L: usize> Slab<'_, L> {
 /// The microlenses that receive a notable share of voxel `n` of a pair; `None` where the view sees
 /// too little of it.
 fn support<const L: usize>(tap: &PairTap<L>, n: usize) -> Option<[usize; 2]> {
-    let shares = &tap.shares[n];
+    let shares = tap.shares[n].map(|share| f32::from(share) * SHARE_UNIT);
     let lit = |share: &f32| *share > SUPPORT_SHARE;
     let (start, last) = (shares.iter().position(lit)?, shares.iter().rposition(lit)?);
     let first = usize::from(tap.first);
@@ -269,68 +278,70 @@ fn support<const L: usize>(tap: &PairTap<L>, n: usize) -> Option<[usize; 2]> {
     (seen >= LEAST_SEEN_SHARE).then_some([first + start, first + last + 1])
 }
 
-/// The voxels that each set of lit microlenses of a group lights, from each one's own range of
-/// voxels. Microlenses without voxels light none.
-fn lit_by_group(voxels_of: &[[usize; 2]]) -> [Run; 1 << GROUP] {
-    let word = voxels_of.iter().map(|[low, _]| low / 64).min().unwrap_or(0);
-    let mut each = [[0u64; 2]; GROUP];
-    for (bits, &[low, high]) in each.iter_mut().zip(voxels_of) {
-        for voxel in low..high {
-            // A group reaches over a few voxels more than its microlenses: two words hold them.
-            if let Some(bits) = bits.get_mut(voxel / 64 - word) {
+impl LitByGroup {
+    /// From the range of voxels that each microlens of a group lights; microlenses without voxels
+    /// light none. `None` where no voxel of the word is lit by the group.
+    fn new(group: usize, voxels_of: &[[usize; 2]], word: usize) -> Option<Self> {
+        let mut each = [0u64; GROUP];
+        for (bits, &[low, high]) in each.iter_mut().zip(voxels_of) {
+            for voxel in low.max(64 * word)..high.min(64 * (word + 1)) {
                 *bits |= 1 << (voxel % 64);
             }
         }
+        let mut bits = [0; 1 << GROUP];
+        for set in 1..bits.len() {
+            bits[set] = bits[set & (set - 1)] | each[set.trailing_zeros() as usize];
+        }
+        each.iter().any(|&bits| bits != 0).then_some(Self { group, bits })
     }
-    let mut runs = [Run { word: word as u32, bits: [0; 2] }; 1 << GROUP];
-    for set in 1..runs.len() {
-        let first = set.trailing_zeros() as usize;
-        let rest = runs[set & (set - 1)].bits;
-        runs[set].bits = [rest[0] | each[first][0], rest[1] | each[first][1]];
-    }
-    runs
 }
 
-/// Sets the bits of all voxels in whose support one of the lit microlenses of `row` lies.
-fn light_voxels(row: &[u64], columns: &ColumnMap, line: &mut [u64]) {
-    for (group, runs) in columns.lit_by.iter().enumerate() {
-        let (word, bit) = (group * GROUP / 64, group * GROUP % 64);
-        let mut set = row[word] >> bit;
-        if bit + GROUP > 64
-            && let Some(next) = row.get(word + 1)
-        {
-            set |= next << (64 - bit);
-        }
-        let run = &runs[set as usize % (1 << GROUP)];
-        for (word, bits) in line.iter_mut().skip(run.word as usize).zip(run.bits) {
-            *word |= bits;
-        }
+/// The voxels in whose support one of the lit microlenses of an image row lies.
+fn light_voxels(row: &[u8], columns: &ColumnMap, line: &mut [u64]) {
+    for (word, groups) in line.iter_mut().zip(&columns.lit_by) {
+        *word = groups
+            .iter()
+            .fold(0, |lit, group| lit | group.bits[usize::from(row[group.group]) % (1 << GROUP)]);
     }
 }
 
 /// Counters of dark views for many voxels, as bit planes that start so high that the carry out of
 /// the last plane says "one more than forgiven".
 struct DarkCounts {
-    planes: Vec<Vec<u64>>,
+    words: usize,
+    planes: usize,
+    /// For each line its planes, one after the other.
+    bits: Vec<u64>,
     exceeded: Vec<u64>,
 }
 
 impl DarkCounts {
-    fn new(words: usize, forgiven: usize) -> Self {
+    fn new(lines: usize, words: usize, forgiven: usize) -> Self {
         let planes = (usize::BITS - forgiven.leading_zeros()) as usize;
         let start = (1usize << planes) - 1 - forgiven;
-        let plane = |bit: usize| vec![if start >> bit & 1 == 1 { u64::MAX } else { 0 }; words];
-        Self { planes: (0..planes).map(plane).collect(), exceeded: vec![0; words] }
+        let bits = (0..lines * planes)
+            .flat_map(|n| {
+                let set = start >> (n % planes) & 1 == 1;
+                std::iter::repeat_n(if set { u64::MAX } else { 0 }, words)
+            })
+            .collect();
+        Self { words, planes, bits, exceeded: vec![0; lines * words] }
     }
 
-    fn count(&mut self, word: usize, dark: u64) {
-        let mut carry = dark;
-        for plane in &mut self.planes {
-            let sum = plane[word] ^ carry;
-            carry &= plane[word];
-            plane[word] = sum;
+    /// Counts the voxels of a line whose bit is set in `dark`, which is used up.
+    fn count(&mut self, line: usize, dark: &mut [u64]) {
+        let size = self.planes * self.words;
+        for plane in self.bits[line * size..][..size].chunks_exact_mut(self.words) {
+            for (plane, carry) in plane.iter_mut().zip(dark.iter_mut()) {
+                let sum = *plane ^ *carry;
+                *carry &= *plane;
+                *plane = sum;
+            }
         }
-        self.exceeded[word] |= carry;
+        let exceeded = &mut self.exceeded[line * self.words..][..self.words];
+        for (exceeded, carry) in exceeded.iter_mut().zip(dark) {
+            *exceeded |= *carry;
+        }
     }
 
     /// The voxels with no more dark views than forgiven.
