@@ -94,8 +94,8 @@ pub fn measured(config: &Config, images: Vec<[RawImage; 2]>, flow: &Flow) -> Mea
 }
 
 impl Measured {
-    /// Checks what holds for every result: nothing is NaN, every uncertainty is positive, and a
-    /// vector is zero if and only if it is invalid.
+    /// Checks what holds for every result: nothing is NaN, every uncertainty is positive, an invalid
+    /// vector is zero, and another is zero only where nothing moves: equal frames give rest exactly.
     pub fn of(result: PairResult, flow: &Flow) -> Self {
         let field = &result.field;
         for vectors in [&field.displacement_vox, &field.uncertainty_vox, &field.vorticity] {
@@ -106,14 +106,14 @@ impl Measured {
             assert!(scalars.iter().all(|value| value.is_finite()));
         }
         assert!(field.uncertainty_vox.iter().flatten().all(|&u| u > 0.0));
-        for (value, status) in field.displacement_vox.iter().zip(&field.status) {
-            assert_eq!(
-                *value == [0.0; 3],
-                *status == VectorStatus::Invalid,
-                "{value:?} {status:?}"
-            );
-        }
         let errors_vox = errors_vox(field, flow);
+        for (n, value) in field.displacement_vox.iter().enumerate() {
+            let (zero, at_rest) = (*value == [0.0; 3], errors_vox[n] == [0.0; 3]);
+            match field.status[n] {
+                VectorStatus::Invalid => assert!(zero, "{value:?}"),
+                status => assert!(!zero || at_rest, "{status:?}"),
+            }
+        }
         Self { result, errors_vox }
     }
 

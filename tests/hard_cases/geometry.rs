@@ -3,7 +3,7 @@
 use lfpiv_hw::Pose;
 use nalgebra::Vector3;
 
-use crate::bench::{FOCUS_BEHIND_MM, SEED, measured, shot, simulated, usual, usual_rms};
+use crate::bench::{FOCUS_BEHIND_MM, Measured, SEED, measured, shot, simulated, usual, usual_rms};
 
 /// Half-angle at which a point sees the pupil: 12.5 mm at 200 mm.
 const PUPIL_HALF_DEG: f64 = 3.58;
@@ -20,6 +20,15 @@ fn turned(angle_deg: f64) -> Pose {
     }
 }
 
+/// Pairs that are measured at every angle: in one alone an error along one direction, from some 15
+/// independent windows, is known to a fifth.
+const PAIRS: u64 = 3;
+
+/// Root mean square error of several measurements.
+fn pooled(found: &[Measured], rms: impl Fn(&Measured) -> f64) -> f64 {
+    (found.iter().map(|m| rms(m).powi(2)).sum::<f64>() / found.len() as f64).sqrt()
+}
+
 /// Rays of both cameras fill a fan of half-angle φ = θ/2 + 3.6° about the bisector of their axes.
 /// Across it a particle is placed as well as ever. Along it its place is uncertain by 1/tan φ times
 /// as much, three times that where overlapping particles cannot be told apart. An image of a particle
@@ -27,23 +36,28 @@ fn turned(angle_deg: f64) -> Pose {
 /// more than the square of their ratio.
 #[test]
 fn depth_blurs_as_the_cameras_close_up_and_nothing_else_does() {
-    let base = usual_rms();
+    let mut usual_error = None;
     let mut before: Option<(f64, f64)> = None;
     for angle_deg in [90.0, 60.0, 45.0, 30.0, 20.0, 10.0, 5.0f64] {
         let mut config = usual();
         config.camera[1] = turned(angle_deg);
-        let found = simulated(&config, SEED);
+        let found: Vec<Measured> =
+            (SEED..SEED + PAIRS).map(|seed| simulated(&config, seed)).collect();
         let half = (angle_deg / 2.0).to_radians();
         let fan = half + PUPIL_HALF_DEG.to_radians();
-        let across = found.rms_along([1.0, 0.0, 0.0]);
-        let depth = found.rms_along([0.0, half.sin(), half.cos()]);
-        found.print(&format!("cameras at {angle_deg} deg: x {across:.3}, depth {depth:.3}"));
+        let across = pooled(&found, |m| m.rms_along([1.0, 0.0, 0.0]));
+        let depth = pooled(&found, |m| m.rms_along([0.0, half.sin(), half.cos()]));
+        println!("cameras at {angle_deg} deg: x {across:.4}, depth {depth:.4}");
+        // The usual case is that of 90 degrees.
+        let base = *usual_error.get_or_insert_with(|| pooled(&found, Measured::rms));
         assert!(across <= 2.0 * base, "{angle_deg} deg: {across} across, usual {base}");
         let most = 3.0 * base / fan.tan().min(1.0);
         assert!(depth <= most, "{angle_deg} deg: {depth} in depth, allowed {most}");
-        assert!(found.false_share() <= 0.05, "{angle_deg} deg: {}", found.false_share());
-        if angle_deg >= 30.0 {
-            assert!(found.valid_share() >= 0.9, "{angle_deg} deg: {}", found.valid_share());
+        for found in &found {
+            assert!(found.false_share() <= 0.05, "{angle_deg} deg: {}", found.false_share());
+            if angle_deg >= 30.0 {
+                assert!(found.valid_share() >= 0.9, "{angle_deg} deg: {}", found.valid_share());
+            }
         }
         if let Some((wider_deg, error)) = before {
             let most = error * (wider_deg / angle_deg).powi(2);
