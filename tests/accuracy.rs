@@ -94,16 +94,18 @@ impl Deviation {
     }
 }
 
-/// What must hold of the ABC flow in the bench's whole volume.
+/// What must hold of the ABC flow in the bench's whole volume. Images and true particles have a bound
+/// each on the mean error of a component. Their ratio is no guard: a better correlator raises it, for
+/// all that it gains shows in the floor and only part in the images, whose particles are placed less
+/// well.
 struct Demand {
     ppm: f64,
+    /// Of the images.
     most_vox: f64,
+    /// Of the true particles.
+    most_floor_vox: f64,
     least_within: f64,
 }
-
-/// No component may be this many times the floor. The aim is 1.6 at 1 ppm and 1.25 at 0.3 ppm; over
-/// a floor of 0.02 voxels the images reach 2.0 and 1.6, and may not get worse.
-const MOST_TIMES_FLOOR: f64 = 2.2;
 
 fn check_abc(demand: &Demand) {
     let flow = Flow::Abc(Abc { wavelength_mm: 10.0, amplitude_m_s: 2.0, coefficients: [1.0; 3] });
@@ -119,19 +121,19 @@ fn check_abc(demand: &Demand) {
     most.print(&format!("{} ppm, images", demand.ppm));
     for (error, floor) in most.mean_vox.into_iter().zip(least.mean_vox) {
         assert!(error <= demand.most_vox, "{error}");
-        assert!(error <= MOST_TIMES_FLOOR * floor, "{error}, floor {floor}");
+        assert!(floor <= demand.most_floor_vox, "{floor}");
     }
     assert!(most.within >= demand.least_within, "{}", most.within);
 }
 
 #[test]
 fn an_abc_flow_at_1_ppm_is_measured_to_a_fraction_of_a_voxel() {
-    check_abc(&Demand { ppm: 1.0, most_vox: 0.109, least_within: 0.96 });
+    check_abc(&Demand { ppm: 1.0, most_vox: 0.035, most_floor_vox: 0.02, least_within: 0.96 });
 }
 
 #[test]
 fn an_abc_flow_at_0_3_ppm_is_measured_to_a_fraction_of_a_voxel() {
-    check_abc(&Demand { ppm: 0.3, most_vox: 0.12, least_within: 0.95 });
+    check_abc(&Demand { ppm: 0.3, most_vox: 0.045, most_floor_vox: 0.025, least_within: 0.95 });
 }
 
 #[test]

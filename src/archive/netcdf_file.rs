@@ -101,6 +101,16 @@ impl NetCdfFile {
         })
     }
 
+    /// Adds a text attribute to a variable.
+    pub fn put_text(
+        &mut self,
+        name: &str,
+        attribute: &str,
+        text: &str,
+    ) -> Result<(), ArchiveError> {
+        self.with(|file| required(file, name)?.put_attribute(attribute, text).map(|_| ()))
+    }
+
     /// Compresses a variable losslessly; must come before its values.
     pub fn compress(&mut self, name: &str) -> Result<(), ArchiveError> {
         self.with(|file| required(file, name)?.set_compression(1, true))

@@ -37,8 +37,8 @@ impl Array {
 
 /// Writes one velocity field for ParaView: vectors at the points of an ImageData, lengths in mm.
 ///
-/// Point arrays: `velocity` (m/s), `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`,
-/// `replaced`.
+/// Point arrays: `velocity` and its standard uncertainty `velocity_uncertainty` (m/s),
+/// `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`, `replaced`.
 pub fn write_vti(path: &Path, field: &VelocityField) -> Result<(), ArchiveError> {
     let arrays = arrays_of(field);
     replace(path, |writer| {
@@ -51,7 +51,7 @@ pub fn write_vti(path: &Path, field: &VelocityField) -> Result<(), ArchiveError>
     })
 }
 
-fn arrays_of(field: &VelocityField) -> [Array; 6] {
+fn arrays_of(field: &VelocityField) -> [Array; 7] {
     let to_velocity = field.metres_per_second_per_voxel() as f32;
     let to_rate = (1.0 / field.dt_s) as f32;
     let scaled = |values: &[[f32; 3]], factor: f32| -> Vec<[f32; 3]> {
@@ -60,6 +60,10 @@ fn arrays_of(field: &VelocityField) -> [Array; 6] {
     let is = |wanted: VectorStatus| field.status.iter().map(move |status| *status == wanted);
     [
         Array::vectors("velocity", scaled(&field.displacement_vox, to_velocity).into_iter()),
+        Array::vectors(
+            "velocity_uncertainty",
+            scaled(&field.uncertainty_vox, to_velocity).into_iter(),
+        ),
         Array::vectors("displacement_vox", field.displacement_vox.iter().copied()),
         Array::vectors("vorticity_per_s", scaled(&field.vorticity, to_rate).into_iter()),
         Array::scalars("peak_ratio", &field.peak_ratio),

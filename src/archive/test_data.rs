@@ -15,6 +15,7 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
     PairResult {
         field: VelocityField {
             displacement_vox: triples(0.01),
+            uncertainty_vox: triples(0.0003).into_iter().map(|t| t.map(f32::abs)).collect(),
             status: (0..grid.len()).map(|index| cycle[index % 3]).collect(),
             peak_ratio: numbers(0.5),
             vorticity: triples(0.001),

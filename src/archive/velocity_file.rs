@@ -1,7 +1,8 @@
 //! Velocity fields as NetCDF-4/CF, one record per shot.
 //!
 //! Dimensions `shot, z, y, x`. Nothing is NaN: an invalid vector is zero with `valid` = 0, a
-//! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1.
+//! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1. Each velocity
+//! component names its standard uncertainty, which every vector has, as an ancillary variable.
 
 use std::path::{Path, PathBuf};
 
@@ -28,10 +29,13 @@ const REPLACED: Described = Described {
     long_name: "measurement was rejected, value is interpolated from valid neighbours",
 };
 
-const FIELDS: [(Described, PerVector); 8] = [
+const FIELDS: [(Described, PerVector); 11] = [
     (velocity("u", "velocity along x"), |f, i| velocity_of(f, i, 0)),
     (velocity("v", "velocity along y"), |f, i| velocity_of(f, i, 1)),
     (velocity("w", "velocity along z"), |f, i| velocity_of(f, i, 2)),
+    (velocity("u_uncertainty", "standard uncertainty of u"), |f, i| uncertainty_of(f, i, 0)),
+    (velocity("v_uncertainty", "standard uncertainty of v"), |f, i| uncertainty_of(f, i, 1)),
+    (velocity("w_uncertainty", "standard uncertainty of w"), |f, i| uncertainty_of(f, i, 2)),
     (
         Described {
             name: "peak_ratio",
@@ -67,6 +71,11 @@ const fn seconds(name: &'static str, long_name: &'static str) -> Described {
 fn velocity_of(field: &VelocityField, index: usize, component: usize) -> f32 {
     let displacement_vox = f64::from(field.displacement_vox[index][component]);
     (displacement_vox * field.metres_per_second_per_voxel()) as f32
+}
+
+fn uncertainty_of(field: &VelocityField, index: usize, component: usize) -> f32 {
+    let uncertainty_vox = f64::from(field.uncertainty_vox[index][component]);
+    (uncertainty_vox * field.metres_per_second_per_voxel()) as f32
 }
 
 /// Voxel per voxel and pair to s⁻¹.
@@ -113,6 +122,10 @@ impl VelocityFile {
         }
         file.add_flag(&VALID, &VECTORS, "not_measured measured")?;
         file.add_flag(&REPLACED, &VECTORS, "as_measured interpolated")?;
+        for component in ["u", "v", "w"] {
+            let beside = format!("{component}_uncertainty valid replaced peak_ratio");
+            file.put_text(component, "ancillary_variables", &beside)?;
+        }
         for (described, _) in &SECONDS {
             file.add::<f64>(described, &["shot"])?;
         }
@@ -175,6 +188,11 @@ mod tests {
         for (found, expected) in floats("v").iter().zip(expected) {
             assert!((found - expected).abs() < 1e-6, "{found} {expected}");
         }
+        let uncertainty = f64::from(result.field.uncertainty_vox[5][1]);
+        assert!((floats("v_uncertainty")[5] - uncertainty).abs() < 1e-6);
+        let beside = file.variable("v").unwrap().attribute_value("ancillary_variables");
+        let beside = String::try_from(beside.unwrap().unwrap()).unwrap();
+        assert_eq!(beside, "v_uncertainty valid replaced peak_ratio");
         let spin = f64::from(result.field.vorticity[5][2]) / 1e-4;
         assert!((floats("vorticity_z")[5] - spin).abs() < 1e-3 * spin.abs());
         assert_eq!(floats("valid")[..3], [1.0, 0.0, 0.0]);

@@ -96,11 +96,11 @@ mod tests {
     fn a_process_uses_memory_and_time() {
         let own = std::process::id();
         assert!(high_water_bytes(own).unwrap() > 1 << 20);
-        let mut sum = 0.0f64;
-        while processor_seconds(own).unwrap() < 0.02 {
-            sum += std::hint::black_box(1.0f64).sqrt();
+        // Other tests of this process count as well: it may have used any time before.
+        let before = processor_seconds(own).unwrap();
+        while processor_seconds(own).unwrap() < before + 0.02 {
+            std::hint::black_box(before.sqrt());
         }
-        assert!(sum > 0.0);
         assert_eq!(high_water_bytes(u32::MAX), None);
     }
 }

@@ -108,6 +108,7 @@ mod tests {
             field: VelocityField {
                 grid: VectorGrid { vectors: [2, 1, 1], first_mm: [0.0; 3], spacing_mm: 0.8 },
                 displacement_vox: vec![[1.5, 0.0, -0.25], [99.0; 3]],
+                uncertainty_vox: vec![[0.1; 3]; 2],
                 status: vec![VectorStatus::Valid, VectorStatus::Invalid],
                 peak_ratio: vec![2.0; 2],
                 vorticity: vec![[0.0; 3]; 2],

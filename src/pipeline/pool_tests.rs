@@ -48,6 +48,7 @@ fn result() -> PairResult {
         field: VelocityField {
             grid: VectorGrid { vectors: [1, 1, 1], first_mm: [0.0; 3], spacing_mm: 0.8 },
             displacement_vox: vec![[1.0, 2.0, 3.0]],
+            uncertainty_vox: vec![[0.1; 3]],
             status: vec![VectorStatus::Valid],
             peak_ratio: vec![2.0],
             vorticity: vec![[0.0; 3]],

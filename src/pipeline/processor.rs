@@ -186,7 +186,7 @@ impl Processor {
         let lit = a.lit && b.lit;
         let mut warnings: Vec<String> = a.warnings.into_iter().chain(b.warnings).collect();
         if !lit {
-            field.invalidate();
+            field.invalidate(self.measurement.velocimetry.max_displacement_vox);
         } else if volume_a.voxels.is_empty() || volume_b.voxels.is_empty() {
             warnings.push(
                 "no voxel is lit in all views: check the camera poses and that both cameras see \

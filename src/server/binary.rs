@@ -13,6 +13,7 @@
 //! | 80 | 3n × f32 | displacement x, y, z per vector, in voxels |
 //! | 80 + 12n | n × f32 | peak ratio |
 //! | 80 + 16n | n × u8 | 0 valid, 1 replaced, 2 invalid |
+//! | 80 + 17n, rounded up to a multiple of 4 | 3n × f32 | standard uncertainty x, y, z, in voxels |
 //!
 //! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Velocity in m/s is displacement times
 //! voxel edge / 1000 / time between the frames.
@@ -27,7 +28,7 @@ pub const MAGIC: &[u8; 8] = b"LFPIVVF1";
 pub const HEADER_BYTES: u32 = 80;
 
 /// Bytes per vector in the arrays.
-const VECTOR_BYTES: usize = 17;
+const VECTOR_BYTES: usize = 29;
 
 /// The bytes of a field; see the module.
 pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
@@ -50,5 +51,9 @@ pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
         VectorStatus::Replaced => 1,
         VectorStatus::Invalid => 2,
     }));
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    for number in field.uncertainty_vox.iter().flatten() {
+        bytes.extend_from_slice(&number.to_le_bytes());
+    }
     bytes
 }

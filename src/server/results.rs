@@ -51,7 +51,9 @@ struct ResultView<'a> {
     warnings: &'a [String],
     seconds: StageSeconds,
     velocity_m_s: Vec<[f32; 3]>,
+    velocity_uncertainty_m_s: Vec<[f32; 3]>,
     displacement_vox: &'a [[f32; 3]],
+    uncertainty_vox: &'a [[f32; 3]],
     status: &'a [VectorStatus],
     peak_ratio: &'a [f32],
     vorticity_per_s: Vec<[f32; 3]>,
@@ -76,14 +78,20 @@ impl<'a> ResultView<'a> {
             valid_share: field.valid_share(),
             warnings: &result.warnings,
             seconds: result.seconds,
-            velocity_m_s: field.displacement_vox.iter().map(|d| d.map(|c| c * speed)).collect(),
+            velocity_m_s: scaled(&field.displacement_vox, speed),
+            velocity_uncertainty_m_s: scaled(&field.uncertainty_vox, speed),
             displacement_vox: &field.displacement_vox,
+            uncertainty_vox: &field.uncertainty_vox,
             status: &field.status,
             peak_ratio: &field.peak_ratio,
-            vorticity_per_s: field.vorticity.iter().map(|v| v.map(|c| c * rate)).collect(),
+            vorticity_per_s: scaled(&field.vorticity, rate),
             divergence_per_s: field.divergence.iter().map(|d| d * rate).collect(),
         }
     }
+}
+
+fn scaled(vectors: &[[f32; 3]], factor: f32) -> Vec<[f32; 3]> {
+    vectors.iter().map(|vector| vector.map(|component| component * factor)).collect()
 }
 
 pub(super) async fn latest(

@@ -45,7 +45,8 @@ pub enum VectorStatus {
     Valid,
     /// Measured value discarded; the stored one is interpolated from valid neighbours.
     Replaced,
-    /// No value: the window holds no particles, or nothing valid is near. Stored as zero.
+    /// No value: the window holds no light, or nothing in it can be trusted and too little valid
+    /// is near. Stored as zero.
     Invalid,
 }
 
@@ -57,6 +58,9 @@ pub struct VelocityField {
     pub grid: VectorGrid,
     /// Displacement from frame a to frame b along x, y, z, in voxels.
     pub displacement_vox: Vec<[f32; 3]>,
+    /// Standard uncertainty of the displacement along x, y, z, in voxels; greater than zero. For
+    /// an invalid vector that of anything within the largest displacement expected.
+    pub uncertainty_vox: Vec<[f32; 3]>,
     /// What each vector is worth.
     pub status: Vec<VectorStatus>,
     /// Highest over second highest correlation peak; 0 where there is no peak.
@@ -77,9 +81,11 @@ impl VelocityField {
         self.voxel_mm * 1e-3 / self.dt_s
     }
 
-    /// Marks every vector invalid and sets it to zero.
-    pub fn invalidate(&mut self) {
+    /// Marks every vector invalid and sets it to zero, with the uncertainty of anything within
+    /// `max_displacement_vox`.
+    pub fn invalidate(&mut self, max_displacement_vox: f64) {
         self.displacement_vox.fill([0.0; 3]);
+        self.uncertainty_vox.fill([unknown_vox(max_displacement_vox); 3]);
         self.status.fill(VectorStatus::Invalid);
         self.peak_ratio.fill(0.0);
         self.vorticity.fill([0.0; 3]);
@@ -91,4 +97,10 @@ impl VelocityField {
         let valid = self.status.iter().filter(|s| **s == VectorStatus::Valid).count();
         valid as f64 / self.status.len().max(1) as f64
     }
+}
+
+/// Standard uncertainty of a component of which only its bounds are known: a rectangular
+/// distribution of this half-width (GUM 4.3.7).
+pub(super) fn unknown_vox(max_displacement_vox: f64) -> f32 {
+    (max_displacement_vox / 3f64.sqrt()) as f32
 }

@@ -1,5 +1,7 @@
 //! A vector field on the nodes of a regular lattice, and its value anywhere.
 
+use super::peak::Peak;
+
 /// Vectors on a regular lattice in voxel coordinates, stored z, y, x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lattice {
@@ -32,6 +34,15 @@ impl Lattice {
             }
         }
         Self { values, ..*self }
+    }
+
+    /// Adds the shift of each node's peak, where there is one, found on cells of `cell_vox` voxels.
+    pub fn add(&mut self, peaks: &[Option<Peak>], cell_vox: f32) {
+        for (value, peak) in self.values.iter_mut().zip(peaks) {
+            for (value, shift) in value.iter_mut().zip(peak.map_or([0.0; 3], |p| p.shift)) {
+                *value += shift * cell_vox;
+            }
+        }
     }
 
     /// The nodes of this lattice with the values of `field` at their positions.

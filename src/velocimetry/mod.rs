@@ -4,6 +4,7 @@ mod cloud;
 mod correlation;
 mod derived;
 mod field;
+mod judge;
 mod kernel;
 mod lags;
 mod lattice;
@@ -12,6 +13,7 @@ mod peak;
 mod raster;
 mod result;
 mod settings;
+mod uncertainty;
 mod validate;
 mod windows;
 

@@ -5,10 +5,20 @@
 //! the result belongs to the middle of the pair), renders them, correlates interrogation windows,
 //! and adds what it finds.
 
+use rayon::prelude::*;
+
 use super::{
-    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField, cloud::PointCloud,
-    correlation::Frames, derived::curl_and_divergence, lags::Lags, lattice::Lattice,
-    peak::highest_peak, raster::Raster, validate::Candidates, windows::Windows,
+    VectorGrid, VelocimetrySettings, VelocityField,
+    cloud::PointCloud,
+    correlation::Frames,
+    derived::curl_and_divergence,
+    judge::{Judge, ROOM, Vector},
+    lags::Lags,
+    lattice::Lattice,
+    peak::{Peak, highest_peak},
+    raster::{Image, Raster},
+    uncertainty::PeakStatistics,
+    windows::Windows,
 };
 use crate::model::VolumeGrid;
 
@@ -39,7 +49,10 @@ const NARROW: Lags = Lags { reach: 2 };
 
 /// Frames a and b of a pass, moved towards each other.
 struct Rendered {
+    lags: Lags,
     raster: Raster,
+    /// First cell with known light along each axis, and the one after the last.
+    lit: [[i64; 2]; 3],
     images: [Vec<f32>; 2],
 }
 
@@ -67,7 +80,7 @@ impl Interrogation {
             .first_window_mm
             .map_or_else(|| (4.0 * settings.max_displacement_vox).ceil() as usize, voxels)
             .max(window);
-        let reach = (settings.max_displacement_vox * 1.25).min(wanted as f64 / 2.0);
+        let reach = (settings.max_displacement_vox * ROOM).min(wanted as f64 / 2.0);
         let (search, search_lags) = search_windows(&windows, wanted, reach);
         let (grid, settings) = (grid.clone(), settings.clone());
         Self { grid, margin, settings, nodes, search, search_lags, windows }
@@ -95,23 +108,39 @@ impl Interrogation {
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
-        let mut field = self.search.at_rest();
-        let mut frames = self.render(&self.search, self.search_lags, [(a, None), (b, None)]);
-        self.advance(&self.search, self.search_lags, &frames, &mut field);
-        field = self.windows.at_rest().sampling(|at| field.at(at));
-        let mut measured = Vec::new();
+        let mut field = self.searched(a, b).smoothed();
         let last = self.settings.passes.max(2) - 1;
-        for pass in 1..=last {
+        for pass in 1..last {
+            let lags = if pass == 1 { WIDE } else { NARROW };
+            let peaks = self.correlate(&self.windows, &self.deformed(a, b, &field, lags));
+            field.add(&peaks, self.windows.cell_vox);
             // A window as long as the shortest wave on the lattice cannot see that wave: what noise
             // puts there would never be corrected, so it is taken out of the predictor.
-            field = field.smoothed();
-            let paths = [1.0, -1.0].map(|sign| field.half_paths(sign));
-            let moved = [(a, Some(&paths[0])), (b, Some(&paths[1]))];
-            let lags = if pass == 1 || pass == last { WIDE } else { NARROW };
-            frames = self.render(&self.windows, lags, moved);
-            measured = self.advance(&self.windows, lags, &frames, &mut field);
+            field = self.judge(&field, &peaks).predictor().smoothed();
         }
-        self.report(&field, &measured, dt_s)
+        let frames = self.deformed(a, b, &field, WIDE);
+        let peaks = self.correlate(&self.windows, &frames);
+        let uncertainty_vox = self.uncertainties(&frames, &peaks);
+        field.add(&peaks, self.windows.cell_vox);
+        let vectors = self.judge(&field, &peaks).vectors(&uncertainty_vox);
+        self.report(&vectors, &peaks, dt_s)
+    }
+
+    /// What the search on coarse cells finds, on the nodes of the windows.
+    fn searched(&self, a: &PointCloud, b: &PointCloud) -> Lattice {
+        let frames = self.render(&self.search, self.search_lags, [(a, None), (b, None)]);
+        let peaks = self.correlate(&self.search, &frames);
+        let mut coarse = self.search.at_rest();
+        coarse.add(&peaks, self.search.cell_vox);
+        coarse = self.judge(&coarse, &peaks).predictor();
+        self.windows.at_rest().sampling(|at| coarse.at(at))
+    }
+
+    /// Both frames rendered for the windows after each is moved half way towards the other along
+    /// `field`.
+    fn deformed(&self, a: &PointCloud, b: &PointCloud, field: &Lattice, lags: Lags) -> Rendered {
+        let paths = [1.0, -1.0].map(|sign| field.half_paths(sign));
+        self.render(&self.windows, lags, [(a, Some(&paths[0])), (b, Some(&paths[1]))])
     }
 
     /// Both clouds, deformed, on the cells that `windows` need for `lags`.
@@ -119,78 +148,68 @@ impl Interrogation {
         let raster = windows.raster(lags.border());
         let [(a, a_paths), (b, b_paths)] = clouds;
         let (a, b) = rayon::join(|| raster.render(a, a_paths), || raster.render(b, b_paths));
-        Rendered { raster, images: [a, b] }
-    }
-
-    /// One pass: adds the residual displacement that deformed frames show in every window, tests the
-    /// sum, and puts interpolated vectors where it fails.
-    fn advance(
-        &self,
-        windows: &Windows,
-        lags: Lags,
-        frames: &Rendered,
-        field: &mut Lattice,
-    ) -> Vec<(VectorStatus, f32)> {
         let known = self.cloud_grid().voxels;
-        let lit =
-            std::array::from_fn(|axis| frames.raster.within(axis, -0.5, known[axis] as f32 - 0.5));
+        let lit = std::array::from_fn(|axis| raster.within(axis, -0.5, known[axis] as f32 - 0.5));
+        Rendered { lags, raster, lit, images: [a, b] }
+    }
+
+    /// Residual displacement in every window of two rendered frames.
+    fn correlate(&self, windows: &Windows, frames: &Rendered) -> Vec<Option<Peak>> {
         let images = frames.images.each_ref().map(Vec::as_slice);
-        let residual = Frames::new(windows, lags, &frames.raster, images, lit)
-            .correlate(|correlation| highest_peak(lags, correlation));
-        let present: Vec<bool> = residual.iter().map(Option::is_some).collect();
-        for (value, residual) in field.values.iter_mut().zip(&residual) {
-            if let Some(peak) = residual {
-                for (v, r) in value.iter_mut().zip(peak.shift) {
-                    *v += r * windows.cell_vox;
-                }
-            }
-        }
-        let status = self.validate(field, &present);
-        let ratio = residual.iter().map(|r| r.map_or(0.0, |peak| peak.ratio));
-        status.into_iter().zip(ratio).collect()
+        Frames::new(windows, frames.lags, &frames.raster, images, frames.lit)
+            .correlate(|correlation| highest_peak(frames.lags, correlation))
     }
 
-    /// Tests the field, puts interpolated vectors where it fails, and says which is which.
-    fn validate(&self, field: &mut Lattice, present: &[bool]) -> Vec<VectorStatus> {
-        let candidates = Candidates { nodes: field.nodes, values: &field.values, present };
-        let pass =
-            candidates.passing(self.settings.median_threshold, self.settings.median_epsilon_vox);
-        let (values, status) = (0..pass.len())
-            .map(|index| {
-                if pass[index] {
-                    return (field.values[index], VectorStatus::Valid);
-                }
-                match candidates.interpolated(index, &pass) {
-                    Some(value) => (value, VectorStatus::Replaced),
-                    None => ([0.0; 3], VectorStatus::Invalid),
-                }
+    /// Standard uncertainty of every vector along x, y, z, in voxels, where the frames agree well
+    /// enough to tell.
+    fn uncertainties(&self, frames: &Rendered, peaks: &[Option<Peak>]) -> Vec<Option<[f32; 3]>> {
+        let [nx, ny, _] = self.windows.nodes;
+        let [a, b] = frames.images.each_ref().map(|light| Image {
+            light,
+            cells: frames.raster.cells,
+            lit: frames.lit,
+        });
+        let border = frames.lags.border();
+        peaks
+            .par_iter()
+            .enumerate()
+            .map(|(n, peak)| {
+                let Peak { shift, lag, .. } = peak.as_ref()?;
+                let node = [n % nx, n / nx % ny, n / (nx * ny)];
+                // Windows stand at the middle of the cells they compare.
+                let corner = std::array::from_fn(|axis| {
+                    (node[axis] * self.windows.step + border) as i64 - lag[axis].div_euclid(2)
+                });
+                let statistics = PeakStatistics::of(a, b, corner, self.windows.edge, *lag)?;
+                let agree = f64::from(statistics.coefficient) >= self.settings.least_correlation;
+                agree.then(|| statistics.uncertainty_vox(*shift))?
             })
-            .unzip();
-        field.values = values;
-        status
+            .collect()
     }
 
-    fn report(
-        &self,
-        field: &Lattice,
-        measured: &[(VectorStatus, f32)],
-        dt_s: f64,
-    ) -> VelocityField {
+    fn judge<'a>(&'a self, field: &'a Lattice, peaks: &'a [Option<Peak>]) -> Judge<'a> {
+        Judge { settings: &self.settings, field, peaks }
+    }
+
+    fn report(&self, vectors: &[Vector], peaks: &[Option<Peak>], dt_s: f64) -> VelocityField {
         let [nx, ny, nz] = self.nodes;
+        let all = self.windows.nodes;
         let mut kept = Vec::with_capacity(nx * ny * nz);
         for k in GUARD..nz + GUARD {
             for j in GUARD..ny + GUARD {
-                let row = (k * field.nodes[1] + j) * field.nodes[0];
+                let row = (k * all[1] + j) * all[0];
                 kept.extend(row + GUARD..row + GUARD + nx);
             }
         }
-        let displacement_vox: Vec<[f32; 3]> = kept.iter().map(|&n| field.values[n]).collect();
+        let displacement_vox: Vec<[f32; 3]> =
+            kept.iter().map(|&n| vectors[n].displacement_vox).collect();
         let (vorticity, divergence) =
             curl_and_divergence(self.nodes, &displacement_vox, self.windows.step as f64);
         VelocityField {
             grid: self.vector_grid(),
-            status: kept.iter().map(|&n| measured[n].0).collect(),
-            peak_ratio: kept.iter().map(|&n| measured[n].1).collect(),
+            uncertainty_vox: kept.iter().map(|&n| vectors[n].uncertainty_vox).collect(),
+            status: kept.iter().map(|&n| vectors[n].status).collect(),
+            peak_ratio: kept.iter().map(|&n| peaks[n].map_or(0.0, |peak| peak.ratio)).collect(),
             displacement_vox,
             vorticity,
             divergence,

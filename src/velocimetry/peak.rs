@@ -7,6 +7,8 @@ use super::lags::Lags;
 pub struct Peak {
     /// Its place, in cells of the correlated frames, to a fraction of a cell.
     pub shift: [f32; 3],
+    /// The whole lag nearest to it, in cells.
+    pub lag: [i64; 3],
     /// Its height over that of the next highest peak.
     pub ratio: f32,
 }
@@ -15,7 +17,8 @@ pub struct Peak {
 const PEAK_RADIUS: i64 = 2;
 
 /// Finds the highest peak of a correlation, among the lags that have neighbours on all sides.
-/// `None` when nothing correlates.
+/// `None` when nothing correlates, or more at the border of the lags than inside: something higher
+/// may lie beyond it.
 pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
     let (edge, inner) = (lags.edge(), lags.reach as i64 - 1);
     let within = |index: usize, place: [i64; 3], radius: i64| {
@@ -29,19 +32,25 @@ pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
         }
     }
     let (index, height) = best?;
-    let place = lags.components(index);
+    let lag = lags.components(index);
+    let sides: [[f32; 2]; 3] = std::array::from_fn(|axis| {
+        let stride = edge.pow(axis as u32);
+        [correlation[index - stride], correlation[index + stride]]
+    });
+    if sides.as_flattened().iter().any(|&side| side > height) {
+        return None;
+    }
     let mut second = 0.0f32;
     for (other, &value) in correlation.iter().enumerate() {
-        if value > second && !within(other, place, PEAK_RADIUS) {
+        if value > second && !within(other, lag, PEAK_RADIUS) {
             second = value;
         }
     }
     let shift = std::array::from_fn(|axis| {
-        let stride = edge.pow(axis as u32);
-        let (below, above) = (correlation[index - stride], correlation[index + stride]);
-        place[axis] as f32 + three_point_gaussian(below, height, above)
+        let [below, above] = sides[axis];
+        lag[axis] as f32 + three_point_gaussian(below, height, above)
     });
-    Some(Peak { shift, ratio: (height / second.max(height * 1e-3)).min(1e3) })
+    Some(Peak { shift, lag, ratio: (height / second.max(height * 1e-3)).min(1e3) })
 }
 
 /// Offset of the top of a Gaussian through three equidistant samples, −0.5 to 0.5. A parabola
@@ -66,6 +75,26 @@ mod tests {
         for centre in [-0.45f32, -0.2, 0.0, 0.3, 0.5] {
             let g = |x: f32| (-(x - centre).powi(2) / 1.3).exp();
             assert!((three_point_gaussian(g(-1.0), g(0.0), g(1.0)) - centre).abs() < 1e-5);
+        }
+    }
+
+    /// A peak at `centre` along x, sampled at all lags.
+    fn peak_at(lags: Lags, centre: f32) -> Option<Peak> {
+        let at = |index| {
+            let [x, y, z] = lags.components(index).map(|c| c as f32);
+            (-((x - centre).powi(2) + y * y + z * z) / 2.0).exp()
+        };
+        highest_peak(lags, &(0..lags.count()).map(at).collect::<Vec<f32>>())
+    }
+
+    #[test]
+    fn what_rises_beyond_the_lags_is_no_peak() {
+        let lags = Lags { reach: 3 };
+        let inside = peak_at(lags, 1.8).unwrap();
+        assert_eq!(inside.lag, [2, 0, 0]);
+        assert!((inside.shift[0] - 1.8).abs() < 1e-4);
+        for beyond in [2.6, 3.0, 4.5] {
+            assert_eq!(peak_at(lags, beyond), None, "{beyond}");
         }
     }
 

@@ -37,6 +37,36 @@ impl Raster {
     }
 }
 
+/// A cloud as rendered on a raster.
+#[derive(Debug, Clone, Copy)]
+pub struct Image<'a> {
+    /// The light of every cell.
+    pub light: &'a [f32],
+    /// Cells along x, y, z.
+    pub cells: [usize; 3],
+    /// First cell with known light along each axis, and the one after the last.
+    pub lit: [[i64; 2]; 3],
+}
+
+impl Image<'_> {
+    /// The part of a cube of edge `edge` at `corner` whose light is known, as first cell and end
+    /// along each axis.
+    pub fn inside(&self, corner: [i64; 3], edge: usize) -> [[i64; 2]; 3] {
+        std::array::from_fn(|axis| {
+            let first = self.lit[axis][0].max(0);
+            let end = self.lit[axis][1].min(self.cells[axis] as i64).max(first);
+            let low = corner[axis].clamp(first, end);
+            [low, (corner[axis] + edge as i64).clamp(low, end)]
+        })
+    }
+
+    /// The cells `[from, to)` of the row along x at `y`, `z`, all of them inside.
+    pub fn row(&self, [from, to]: [i64; 2], y: i64, z: i64) -> &[f32] {
+        let start = (z as usize * self.cells[1] + y as usize) * self.cells[0];
+        &self.light[start + from as usize..start + to as usize]
+    }
+}
+
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn splat(raster: &Raster, cloud: &PointCloud, shift_vox: Option<&Lattice>, image: &mut [f32]) {
     let [nx, ny, _] = raster.cells;

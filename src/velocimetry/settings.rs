@@ -30,6 +30,16 @@ pub struct VelocimetrySettings {
     /// Fluctuation level ε of the normalised median test, in voxels.
     #[garde(range(min = 0.0, max = 10.0))]
     pub median_epsilon_vox: f64,
+    /// Least height of a correlation peak over the next highest one of a vector that is trusted.
+    #[garde(range(min = 1.0, max = 100.0))]
+    pub least_peak_ratio: f64,
+    /// Least correlation coefficient of the two frames at the peak of a vector that is trusted: how
+    /// much of their light agrees once it is moved.
+    #[garde(range(min = 0.0, max = 1.0))]
+    pub least_correlation: f64,
+    /// Largest standard uncertainty of a component of a vector that is trusted, in voxels.
+    #[garde(range(min = 0.001, max = 100.0))]
+    pub largest_uncertainty_vox: f64,
 }
 
 impl Default for VelocimetrySettings {
@@ -42,6 +52,9 @@ impl Default for VelocimetrySettings {
             first_window_mm: None,
             median_threshold: 2.0,
             median_epsilon_vox: 0.1,
+            least_peak_ratio: 1.2,
+            least_correlation: 0.4,
+            largest_uncertainty_vox: 1.0,
         }
     }
 }

@@ -61,19 +61,29 @@ impl Candidates<'_> {
 
     /// What the trusted neighbours of a vector say it should be: the mean of their values, each
     /// carried to its place; `None` when there are none.
-    pub fn interpolated(&self, index: usize, trusted: &[bool]) -> Option<[f32; 3]> {
+    pub fn interpolated(&self, index: usize, trusted: &[bool]) -> Option<Interpolated> {
         let near = carried_to_centre(&self.neighbours(index, trusted));
+        let count = near.len() as f32;
         (!near.is_empty()).then(|| {
-            std::array::from_fn(|c| near.iter().map(|v| v[c]).sum::<f32>() / near.len() as f32)
+            let mean = |of: &dyn Fn(&[f32; 3]) -> f32| near.iter().map(of).sum::<f32>() / count;
+            let value: [f32; 3] = std::array::from_fn(|c| mean(&|v| v[c]));
+            let spread_vox = std::array::from_fn(|c| mean(&|v| (v[c] - value[c]).powi(2)).sqrt());
+            Interpolated { value, spread_vox, supported: near.len() >= LEAST_NEIGHBOURS }
         })
     }
 
-    /// The up to 26 trusted vectors around one.
+    /// Indices of the up to 26 trusted vectors around one.
+    pub fn near<'a>(
+        &self,
+        index: usize,
+        trusted: &'a [bool],
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        self.around(index).into_iter().filter(move |&other| trusted[other])
+    }
+
     fn neighbours(&self, index: usize, trusted: &[bool]) -> Vec<Neighbour> {
         let at = self.place(index);
-        self.around(index)
-            .into_iter()
-            .filter(|&other| trusted[other])
+        self.near(index, trusted)
             .map(|other| {
                 let to = self.place(other);
                 let offset = std::array::from_fn(|axis| to[axis] as i32 - at[axis] as i32);
@@ -101,6 +111,17 @@ impl Candidates<'_> {
         let [nx, ny, _] = self.nodes;
         [index % nx, index / nx % ny, index / (nx * ny)]
     }
+}
+
+/// A vector made from its neighbours.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interpolated {
+    /// The vector.
+    pub value: [f32; 3],
+    /// Standard deviation of the neighbours from it, each carried to its place.
+    pub spread_vox: [f32; 3],
+    /// Whether there are enough neighbours to say anything.
+    pub supported: bool,
 }
 
 /// A vector near another one.
@@ -189,7 +210,7 @@ mod tests {
         let pass = field.passing(2.0, 0.1);
         let failed: Vec<usize> = (0..125).filter(|&n| !pass[n]).collect();
         assert_eq!(failed, [62]);
-        let replaced = field.interpolated(62, &pass).unwrap();
+        let replaced = field.interpolated(62, &pass).unwrap().value;
         assert!((replaced[0] - 1.0).abs() < 1e-5 && (replaced[1] - 1.0).abs() < 1e-5);
     }
 }

@@ -173,6 +173,7 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
         field: VelocityField {
             grid: VectorGrid { vectors: [2, 1, 1], first_mm: [0.1, 0.2, 0.3], spacing_mm: 0.8 },
             displacement_vox: vec![[1.0, -2.0, 0.5], [0.0; 3]],
+            uncertainty_vox: vec![[0.25, 0.5, 0.125], [1.0; 3]],
             status: vec![VectorStatus::Valid, VectorStatus::Invalid],
             peak_ratio: vec![2.5, 0.0],
             vorticity: vec![[0.01, 0.0, -0.01], [0.0; 3]],

@@ -169,6 +169,7 @@ async fn a_result_is_json_or_bytes() {
     assert_eq!(latest["grid"]["vectors_xyz"], serde_json::json!([2, 1, 1]));
     // One voxel of 0.1 mm in 100 us is 1 m/s.
     assert_eq!(latest["velocity_m_s"][0], serde_json::json!([1.0, -2.0, 0.5]));
+    assert_eq!(latest["uncertainty_vox"][0], serde_json::json!([0.25, 0.5, 0.125]));
     assert_eq!(latest["status"], serde_json::json!(["valid", "invalid"]));
     assert_eq!(latest["divergence_per_s"][0], 200.0);
 
@@ -192,7 +193,9 @@ fn check_layout(bytes: &[u8], shot: u64) {
     assert_eq!([32, 40, 48, 56, 64, 72].map(f64_at), [0.1, 0.2, 0.3, 0.8, 0.1, 1e-4]);
     assert_eq!([80, 84, 88, 92].map(f32_at), [1.0, -2.0, 0.5, 0.0]);
     assert_eq!([104, 108].map(f32_at), [2.5, 0.0]);
-    assert_eq!(bytes[112..], [0, 2]);
+    assert_eq!(bytes[112..116], [0, 2, 0, 0]);
+    assert_eq!([116, 120, 124, 128].map(f32_at), [0.25, 0.5, 0.125, 1.0]);
+    assert_eq!(bytes.len(), 116 + 6 * 4);
 }
 
 #[tokio::test]

@@ -33,6 +33,10 @@ def test_vectors_and_flags_are_those_of_the_netcdf_file(both):
     for column, name in enumerate("uvw"):
         speeds = flat(dataset[name])
         np.testing.assert_allclose(image["velocity"][:, column], speeds, rtol=1e-5, atol=1e-7)
+        doubt = flat(dataset[f"{name}_uncertainty"])
+        assert (doubt > 0).all()
+        found = image["velocity_uncertainty"][:, column]
+        np.testing.assert_allclose(found, doubt, rtol=1e-5)
         # Voxels of 0.1 mm, 100 us: 1 m/s is one voxel.
         displacement = image["displacement_vox"][:, column]
         np.testing.assert_allclose(displacement, speeds, rtol=1e-5, atol=1e-7)

@@ -1,0 +1,121 @@
+//! Which measured vectors are trusted, and what stands in for the others.
+
+use super::{
+    VectorStatus, VelocimetrySettings, field::unknown_vox, lattice::Lattice, peak::Peak,
+    validate::Candidates,
+};
+
+/// Displacements are looked for, and believed, up to this many times the largest expected.
+pub const ROOM: f64 = 1.25;
+
+/// A vector as it is reported.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vector {
+    /// Displacement along x, y, z, in voxels.
+    pub displacement_vox: [f32; 3],
+    /// Its standard uncertainty, in voxels.
+    pub uncertainty_vox: [f32; 3],
+    /// What it is worth.
+    pub status: VectorStatus,
+}
+
+/// Judges the vectors of one pass.
+#[derive(Debug)]
+pub struct Judge<'a> {
+    /// Thresholds.
+    pub settings: &'a VelocimetrySettings,
+    /// The vectors after the pass.
+    pub field: &'a Lattice,
+    /// The correlation peak of every window, where there is one.
+    pub peaks: &'a [Option<Peak>],
+}
+
+impl Judge<'_> {
+    /// The field for the next pass: neighbours stand in for vectors that disagree with them.
+    pub fn predictor(&self) -> Lattice {
+        let found: Vec<bool> = self.peaks.iter().map(Option::is_some).collect();
+        let candidates = self.candidates(&found);
+        let pass = self.passing(&candidates);
+        let values = (0..pass.len())
+            .map(|n| {
+                if pass[n] {
+                    self.field.values[n]
+                } else {
+                    candidates.interpolated(n, &pass).map_or([0.0; 3], |stand_in| stand_in.value)
+                }
+            })
+            .collect();
+        Lattice { values, ..*self.field }
+    }
+
+    /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is
+    /// known.
+    pub fn vectors(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Vec<Vector> {
+        let trusted: Vec<bool> =
+            (0..self.peaks.len()).map(|n| self.trusts(n, uncertainty_vox[n])).collect();
+        let candidates = self.candidates(&trusted);
+        let pass = self.passing(&candidates);
+        (0..pass.len())
+            .map(|n| match uncertainty_vox[n] {
+                Some(uncertainty_vox) if pass[n] => Vector {
+                    displacement_vox: self.field.values[n],
+                    uncertainty_vox,
+                    status: VectorStatus::Valid,
+                },
+                _ => self.stand_in(n, &candidates, &pass, uncertainty_vox),
+            })
+            .collect()
+    }
+
+    /// Whether a vector deserves to be compared with its neighbours.
+    fn trusts(&self, n: usize, uncertainty_vox: Option<[f32; 3]>) -> bool {
+        let (Some(peak), Some(uncertainty_vox)) = (self.peaks[n], uncertainty_vox) else {
+            return false;
+        };
+        let limit_vox = ROOM * self.settings.max_displacement_vox;
+        let all = |values: [f32; 3], most: f64| values.iter().all(|v| f64::from(v.abs()) <= most);
+        f64::from(peak.ratio) >= self.settings.least_peak_ratio
+            && all(self.field.values[n], limit_vox)
+            && all(uncertainty_vox, self.settings.largest_uncertainty_vox)
+    }
+
+    /// A vector interpolated from those that passed, as uncertain as they are and as far as they
+    /// are apart; invalid where they are too few.
+    fn stand_in(
+        &self,
+        n: usize,
+        candidates: &Candidates,
+        pass: &[bool],
+        uncertainty_vox: &[Option<[f32; 3]>],
+    ) -> Vector {
+        match candidates.interpolated(n, pass) {
+            Some(stand_in) if stand_in.supported => {
+                let near: Vec<[f32; 3]> =
+                    candidates.near(n, pass).filter_map(|other| uncertainty_vox[other]).collect();
+                let own = |c: usize| {
+                    near.iter().map(|u| u[c].powi(2)).sum::<f32>() / near.len().max(1) as f32
+                };
+                Vector {
+                    displacement_vox: stand_in.value,
+                    uncertainty_vox: std::array::from_fn(|c| {
+                        (own(c) + stand_in.spread_vox[c].powi(2)).sqrt()
+                    }),
+                    status: VectorStatus::Replaced,
+                }
+            }
+            _ => Vector {
+                displacement_vox: [0.0; 3],
+                uncertainty_vox: [unknown_vox(self.settings.max_displacement_vox); 3],
+                status: VectorStatus::Invalid,
+            },
+        }
+    }
+
+    fn candidates<'a>(&'a self, present: &'a [bool]) -> Candidates<'a> {
+        Candidates { nodes: self.field.nodes, values: &self.field.values, present }
+    }
+
+    fn passing(&self, candidates: &Candidates) -> Vec<bool> {
+        candidates.passing(self.settings.median_threshold, self.settings.median_epsilon_vox)
+    }
+}
