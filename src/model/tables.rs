@@ -114,7 +114,9 @@ impl AxisGeometry<'_> {
             per_depth * slant_mm.abs() * self.footprint_mm,
         ];
         widths.sort_unstable_by(f64::total_cmp);
-        Trapezoid::new(widths[2], widths[1].hypot(widths[0]))
+        // Not hypot: its care for overflow costs a tenth of the tables' time.
+        let narrow = (widths[1] * widths[1] + widths[0] * widths[0]).sqrt();
+        Trapezoid::new(widths[2], narrow)
     }
 
     /// The largest share of a voxel's light in one view that `taps` microlenses can miss, and the

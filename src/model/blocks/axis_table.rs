@@ -93,7 +93,7 @@ fn pair_tap<const L: usize>(
     for (shares, shadow) in shares.iter_mut().zip(&shadows) {
         for (n, share) in shares.iter_mut().enumerate() {
             let units = geometry.share(shadow, first + n) / f64::from(SHARE_UNIT);
-            *share = units.round().clamp(0.0, f64::from(u16::MAX)) as u16;
+            *share = (units + 0.5) as u16;
         }
     }
     let dark = |n: &usize| shares.iter().all(|shares| shares[*n] == 0);
