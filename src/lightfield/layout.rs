@@ -55,6 +55,32 @@ pub struct View {
     pub coverage: Option<Vec<f32>>,
 }
 
+impl View {
+    /// Whether the aperture's edge cuts a pixel's pupil cell anywhere in the window. A microlens
+    /// without a pixel for this view does not make it cut.
+    pub fn is_cut(&self) -> bool {
+        let cut = |&open: &f32| open > 0.0 && open < 1.0;
+        self.coverage.as_ref().is_some_and(|coverage| coverage.iter().any(cut))
+    }
+}
+
+/// How views at the aperture's edge are treated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ApertureEdge {
+    /// Whether views that see the edge are kept, with the share of each pixel that is open.
+    pub partly_open_views: bool,
+    /// Width of the pupil interval that lights a pixel, in mm: a pupil cell, or more where
+    /// diffraction widens it.
+    pub interval_mm: f64,
+}
+
+impl ApertureEdge {
+    /// All views, each pixel lit through its own pupil cell.
+    pub fn sharp(optics: &Optics) -> Self {
+        Self { partly_open_views: true, interval_mm: optics.pupil_cell_mm() }
+    }
+}
+
 /// How one camera's raw image is cut into views.
 #[derive(Debug, Clone)]
 pub struct ViewLayout {
@@ -107,13 +133,20 @@ impl ViewStack {
 impl ViewLayout {
     /// The layout of a camera with these optics, restricted to `window`.
     pub fn new(optics: &Optics, window: MicrolensWindow) -> Self {
+        Self::with_edge(optics, window, ApertureEdge::sharp(optics))
+    }
+
+    /// [`Self::new`] with another treatment of the aperture's edge. Where no view is fully open,
+    /// the partly open ones are kept whatever `edge` says.
+    pub fn with_edge(optics: &Optics, window: MicrolensWindow, edge: ApertureEdge) -> Self {
         let columns = AxisSampling::columns(optics);
         let rows = AxisSampling::rows(optics);
-        let aperture = Aperture { radius_mm: optics.pupil_diameter_mm() / 2.0 };
+        let radius_mm = optics.pupil_diameter_mm() / 2.0;
+        let aperture = Aperture { radius_mm, interval_mm: edge.interval_mm };
         let cells: Vec<(i32, i32)> = (-rows.reach..=rows.reach)
             .flat_map(|l| (-columns.reach..=columns.reach).map(move |k| (k, l)))
             .collect();
-        let views = cells
+        let mut views: Vec<View> = cells
             .into_par_iter()
             .filter_map(|(k, l)| {
                 let coverage = aperture.coverage(&columns, &rows, &window, k, l);
@@ -126,6 +159,9 @@ impl ViewLayout {
                 })
             })
             .collect();
+        if !edge.partly_open_views && views.iter().any(|view| !view.is_cut()) {
+            views.retain(|view| !view.is_cut());
+        }
         Self { columns, rows, window, views }
     }
 
@@ -162,6 +198,8 @@ impl ViewLayout {
 /// The round aperture of the main lens.
 struct Aperture {
     radius_mm: f64,
+    /// Width of the pupil interval that lights a pixel, in mm.
+    interval_mm: f64,
 }
 
 impl Aperture {
@@ -177,21 +215,22 @@ impl Aperture {
         let along_columns: Vec<Option<Strip>> = window
             .columns
             .clone()
-            .map(|i| columns.sample(k, i).map(|s| self.strip(s.pupil_mm, columns.cell_mm)))
+            .map(|i| columns.sample(k, i).map(|s| self.strip(s.pupil_mm)))
             .collect();
         let mut coverage = Vec::with_capacity(window.len());
         for j in window.rows.clone() {
             let row = rows.sample(l, j);
             coverage.extend(along_columns.iter().map(|strip| match (strip, row) {
-                (Some(strip), Some(row)) => strip.covered(row.pupil_mm, rows.cell_mm) as f32,
+                (Some(strip), Some(row)) => strip.covered(row.pupil_mm, self.interval_mm) as f32,
                 _ => 0.0,
             }));
         }
         coverage
     }
 
-    /// The aperture between both edges of a column of pupil cells.
-    fn strip(&self, centre_mm: f64, cell_mm: f64) -> Strip {
+    /// The aperture between both edges of a column of pupil intervals.
+    fn strip(&self, centre_mm: f64) -> Strip {
+        let cell_mm = self.interval_mm;
         let (near, far) = (centre_mm.abs() - cell_mm / 2.0, centre_mm.abs() + cell_mm / 2.0);
         Strip {
             shortest: self.half_chord(far),
@@ -258,9 +297,9 @@ mod tests {
 
     #[test]
     fn coverage_of_one_cell_matches_fine_sampling() {
-        let aperture = Aperture { radius_mm: 12.5 };
+        let aperture = Aperture { radius_mm: 12.5, interval_mm: 1.375 };
         for (u, v) in [(8.0, 8.2), (11.9, 1.0), (0.3, 12.2), (9.0, 9.0), (3.0, 3.0)] {
-            let share = aperture.strip(u, 1.375).covered(v, 1.375);
+            let share = aperture.strip(u).covered(v, 1.375);
             let n = 400;
             let inside = (0..n * n)
                 .filter(|m| {
@@ -271,6 +310,22 @@ mod tests {
             // A chord that ends inside the cell is right to half a chord spacing.
             assert!((share - inside as f64 / (n * n) as f64).abs() < 0.5 / CHORDS as f64);
         }
+    }
+
+    #[test]
+    fn views_at_the_edge_are_left_out_or_softened() {
+        let optics = test_bench::optics();
+        let window = || MicrolensWindow { columns: 40..90, rows: 30..60 };
+        let layout = |edge| ViewLayout::with_edge(&optics, window(), edge);
+        let sharp = ApertureEdge::sharp(&optics);
+        let all = ViewLayout::new(&optics, window());
+        let open = layout(ApertureEdge { partly_open_views: false, ..sharp });
+        let uncut = |layout: &ViewLayout| layout.views.iter().filter(|v| !v.is_cut()).count();
+        let expected = uncut(&all);
+        assert!(open.views.len() == expected && expected < all.views.len());
+        // A wider interval leaves fewer cells fully open.
+        let soft = layout(ApertureEdge { interval_mm: 2.0, ..sharp });
+        assert!(uncut(&soft) < expected);
     }
 
     #[test]

@@ -57,6 +57,7 @@ fn result() -> PairResult {
         },
         seconds: StageSeconds::default(),
         warnings: Vec::new(),
+        model: Default::default(),
     }
 }
 

@@ -20,7 +20,7 @@ use std::ops::Range;
 
 use lfpiv_hw::{Optics, Pose};
 
-use super::{ModelError, ViewId, VolumeGrid, thin_lens_model};
+use super::{ModelError, ModelParts, ViewId, VolumeGrid, thin_lens_model_of};
 use crate::lightfield::{ViewLayout, ViewStack};
 use aligned::{AlignedModel, aligned_views};
 pub use voxelwise::VoxelwiseBlocks;
@@ -93,16 +93,17 @@ pub fn block_model(
     poses: &[Pose],
     grid: &VolumeGrid,
     footprint_mm: f64,
+    parts: &ModelParts,
 ) -> Result<Box<dyn BlockModel>, ModelError> {
     if let Some(views) = aligned_views(optics, poses, grid, footprint_mm)? {
-        if let Some(model) = AlignedModel::<4>::new(optics, &views, grid, footprint_mm) {
+        if let Some(model) = AlignedModel::<4>::new(optics, &views, grid, footprint_mm, parts) {
             return Ok(Box::new(model));
         }
-        if let Some(model) = AlignedModel::<8>::new(optics, &views, grid, footprint_mm) {
+        if let Some(model) = AlignedModel::<8>::new(optics, &views, grid, footprint_mm, parts) {
             return Ok(Box::new(model));
         }
     }
-    let model = thin_lens_model(optics, poses, grid, footprint_mm)?;
+    let model = thin_lens_model_of(optics, poses, grid, footprint_mm, parts)?;
     Ok(Box::new(VoxelwiseBlocks::new(model)))
 }
 

@@ -28,7 +28,7 @@ fn grid() -> VolumeGrid {
 
 fn both(poses: &[Pose]) -> (Box<dyn BlockModel>, VoxelwiseBlocks) {
     let (optics, grid) = (test_bench::optics(), grid());
-    let fast = block_model(&optics, poses, &grid, grid.voxel_mm).unwrap();
+    let fast = block_model(&optics, poses, &grid, grid.voxel_mm, &ModelParts::default()).unwrap();
     let slow = thin_lens_model(&optics, poses, &grid, grid.voxel_mm).unwrap();
     (fast, VoxelwiseBlocks::new(slow))
 }
