@@ -242,7 +242,9 @@ impl Judge<'_> {
                 return "left out: reconstruction.refinement or the solver allows none".to_owned();
             }
             _ if on && cost <= 1.0 + EQUALLY_CHEAP => "taken: it costs next to nothing".to_owned(),
-            _ if on => format!("taken: without it the model would be off by more than {budget:.4} voxel"),
+            _ if on => {
+                format!("taken: without it the model would be off by more than {budget:.4} voxel")
+            }
             _ => format!("left out: all that is left out adds less than {budget:.4} voxel"),
         };
         let fine = match part {
