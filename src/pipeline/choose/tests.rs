@@ -14,7 +14,7 @@ fn easy() -> SceneMeasure {
         noise_per_particle: 1e-4,
         saturated_share: 0.0,
         depth_mm: [-4.0, 4.0],
-        pitch_vox: 0.5,
+        pitch_vox: 0.25,
         parallax_vox: 3.0,
         pupil_blur_vox: 1e-4,
         diffraction_vox: Some(1e-4),
