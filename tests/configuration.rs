@@ -3,6 +3,7 @@
 
 use lfpiv::{
     config::{Config, ConfigFile},
+    model::ModelMode,
     reconstruction::Footprint,
 };
 
@@ -152,6 +153,25 @@ fn a_value_of_the_wrong_type_is_shown_with_what_is_allowed() {
         let message = refusal(from, to);
         assert!(message.contains(expected), "{message}");
     }
+}
+
+#[test]
+fn the_model_is_a_table_or_a_word() {
+    let mode = |text: String| Config::parse("run.toml", &text).map(|config| config.model.mode);
+    assert_eq!(mode(shipped("bench")).unwrap(), ModelMode::Explicit);
+    assert_eq!(mode(shipped("jet")).unwrap(), ModelMode::Explicit);
+    let short = format!("model = \"auto\"\n{}", shipped("jet"));
+    assert_eq!(mode(short).unwrap(), ModelMode::Auto);
+    let wrong = format!("model = \"best\"\n{}", shipped("jet"));
+    let message = mode(wrong).unwrap_err().to_string();
+    assert_eq!(message, "run.toml:1:9: model = \"best\": allowed: explicit or auto");
+    let message = refusal("diffraction = \"auto\"", "diffraction = \"on\"");
+    assert!(
+        message.contains("model.diffraction") && message.contains("wavelength_nm"),
+        "{message}"
+    );
+    let message = refusal("pupil_blur = \"auto\"", "pupil_blurr = \"auto\"");
+    assert!(message.contains("model.pupil_blurr: unknown key"), "{message}");
 }
 
 #[test]

@@ -7,7 +7,7 @@
 use lfpiv::{
     lightfield::ViewLayout,
     model::{
-        ModelError, QuadratureWeights, TableWeights, ViewId, VolumeGrid, WeightSource,
+        ModelError, ModelParts, QuadratureWeights, TableWeights, ViewId, VolumeGrid, WeightSource,
         thin_lens_model,
     },
 };
@@ -186,6 +186,32 @@ fn a_voxel_without_size_matches_a_traced_point() {
             );
             assert!(l1 <= 0.03 && energy.abs() <= 0.01, "L1 {l1}, energy {energy}");
         }
+    }
+}
+
+/// The simulator scatters every ray twice; the tables widen shadows and pupil intervals.
+#[test]
+fn diffraction_matches_rays_that_are_scattered() {
+    let (optics, poses) = (optics(), poses());
+    let settings = RaySettings { rays_per_particle: 1 << 20, diffraction_nm: Some(532.0) };
+    for place in [[0.537, -0.313, 0.771], [1.97, -1.98, 2.0], [3.97, -3.98, 4.0]] {
+        let source = PointSource { id: 0, position_mm: place, electrons: ELECTRONS };
+        let image = RayTracer::new(&optics, &poses[0], &settings).trace(&[source], &[1]);
+        let [without, with] = [None, Some(532.0)].map(|diffraction_nm| {
+            let parts = ModelParts { diffraction_nm, ..ModelParts::default() };
+            let grid = voxel_at(place, 0.1);
+            let tables = TableWeights::with_parts(&optics, &poses, &grid, 0.0, &parts).unwrap();
+            let traced = traced_views(&image, &tables.layouts()[0], &optics);
+            l1_and_energy(&weights(&tables, 0), &traced)
+        });
+        println!(
+            "diffraction at {place:?}: L1 {:.2} % -> {:.2} %, energy {:+.2} % -> {:+.2} %",
+            100.0 * without.0,
+            100.0 * with.0,
+            100.0 * without.1,
+            100.0 * with.1
+        );
+        assert!(with.0 < 0.6 * without.0, "{without:?} {with:?}");
     }
 }
 

@@ -9,7 +9,8 @@ use std::{
 };
 
 use image::{DynamicImage, ImageFormat};
-use support::{lfpiv, process, simulate, small_configuration};
+use serde_json::Value;
+use support::{changed_configuration, lfpiv, process, simulate, small_configuration};
 
 /// A simulated pair copied to `root/name` and then damaged.
 fn damaged(root: &Path, name: &str, damage: impl FnOnce(&Path)) -> PathBuf {
@@ -120,6 +121,36 @@ fn a_folder_of_pairs_is_processed_pair_by_pair() {
         entry.as_ref().unwrap().path().extension().is_some_and(|extension| extension == "part")
     });
     assert_eq!(leftovers.count(), 0);
+}
+
+#[test]
+fn the_model_that_the_scene_chose_is_said_and_stored() {
+    let root = tempfile::tempdir().unwrap();
+    assert!(simulate(&small_configuration(), &root.path().join("pairs"), 1, 5).success);
+    let table = "[model]\nmode = \"auto\"\naperture_coverage = \"on\"\n[volume]";
+    let config = changed_configuration(root.path(), "[volume]", table);
+    let out = root.path().join("out");
+    let paths = [config, out.clone(), root.path().join("pairs")];
+    let [config, to, pairs] = paths.each_ref().map(|path| path.as_os_str());
+    let done =
+        lfpiv(["process".as_ref(), "--config".as_ref(), config, "--out".as_ref(), to, pairs]);
+    assert!(done.success, "{}", done.stderr);
+    assert!(done.stderr.contains("model chosen: with"), "{}", done.stderr);
+    assert!(done.stderr.contains("aperture coverage: forced by the configuration"));
+    let file = netcdf::open(out.join("shot_0000/velocity.nc")).unwrap();
+    let text = |name: &str| match file.attribute(name).unwrap().value().unwrap() {
+        netcdf::AttributeValue::Str(text) => text,
+        other => panic!("{other:?}"),
+    };
+    assert!(text("model").contains("voxels split by"), "{}", text("model"));
+    let choice: Value = serde_json::from_str(&text("model_choice")).unwrap();
+    assert_eq!(choice["mode"], "auto");
+    // The small bench has 0.5 particles per microlens.
+    let ppm = choice["scene"]["seeding_ppm"].as_f64().unwrap();
+    assert!((0.35..0.65).contains(&ppm), "{choice}");
+    let parts = choice["parts"].as_array().unwrap();
+    assert_eq!(parts.len(), 5);
+    assert!(parts.iter().any(|part| part["part"] == "aperture_coverage" && part["forced"] == true));
 }
 
 #[test]

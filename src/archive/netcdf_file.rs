@@ -66,6 +66,11 @@ impl NetCdfFile {
         Ok(())
     }
 
+    /// Adds a global attribute.
+    pub fn add_attribute(&mut self, name: &str, text: &str) -> Result<(), ArchiveError> {
+        self.with(|file| file.add_attribute(name, text).map(|_| ()))
+    }
+
     /// Adds the dimension along which records are appended.
     pub fn add_record_dimension(&mut self, name: &str) -> Result<(), ArchiveError> {
         self.with(|file| file.add_unlimited_dimension(name).map(|_| ()))

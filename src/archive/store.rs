@@ -75,11 +75,15 @@ impl ResultStore {
         &self.folder
     }
 
-    /// Stores the result of one shot. Seals the open segment when its time has come.
+    /// Stores the result of one shot. Seals the open segment when its time has come, or when the
+    /// forward model is another: its attributes tell of one.
     ///
     /// Shots may come in any order, each once. The `.vti` can be read on return; the NetCDF
     /// record once its segment is sealed.
     pub fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+        if self.segment.as_ref().is_some_and(|segment| !segment.file.has_model_of(result)) {
+            self.seal()?;
+        }
         let mut segment = match self.segment.take() {
             Some(segment) => segment,
             None => self.open_segment(shot, result)?,
@@ -117,7 +121,7 @@ impl ResultStore {
 
     fn open_segment(&self, shot: u64, result: &PairResult) -> Result<Segment, ArchiveError> {
         let path = self.folder.join(format!("velocity_{shot:06}.nc"));
-        let file = VelocityFile::create(&path, &self.configuration, &result.field)?;
+        let file = VelocityFile::create(&path, &self.configuration, result)?;
         Ok(Segment { file, opened: Instant::now() })
     }
 }
@@ -135,7 +139,7 @@ mod tests {
     use std::fs;
 
     use super::*;
-    use crate::archive::test_data::result;
+    use crate::{archive::test_data::result, model::ModelChoice};
 
     fn names(folder: &Path) -> Vec<String> {
         let mut names: Vec<_> = fs::read_dir(folder)
@@ -184,6 +188,26 @@ mod tests {
                 shots_in(&root.path().join(format!("velocity_{shot:06}.nc"))),
                 [shot as i64]
             );
+        }
+    }
+
+    #[test]
+    fn another_model_starts_another_segment() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::create(root.path(), "").unwrap();
+        store.append(0, &result([4, 3, 2])).unwrap();
+        let mut other = result([4, 3, 2]);
+        other.model = ModelChoice { refinement: 2, ..ModelChoice::default() }.into();
+        store.append(1, &other).unwrap();
+        store.close().unwrap();
+        for (shot, refinement) in [(0, 0), (1, 2)] {
+            let path = root.path().join(format!("velocity_{shot:06}.nc"));
+            assert_eq!(shots_in(&path), [shot]);
+            let file = netcdf::open(&path).unwrap();
+            let json = file.attribute("model_choice").unwrap().value().unwrap();
+            let netcdf::AttributeValue::Str(json) = json else { panic!("{json:?}") };
+            let choice: ModelChoice = serde_json::from_str(&json).unwrap();
+            assert_eq!(choice.refinement, refinement);
         }
     }
 

@@ -4,12 +4,16 @@
 //! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1. Each velocity
 //! component names its standard uncertainty, which every vector has, as an ancillary variable.
 
-use std::path::{Path, PathBuf};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 use super::{
     ArchiveError,
     netcdf_file::{Described, NetCdfFile},
 };
+use crate::model::ModelChoice;
 use crate::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 
 /// A quantity that each vector has.
@@ -90,7 +94,7 @@ pub fn write_velocity(
     shot: u64,
     result: &PairResult,
 ) -> Result<(), ArchiveError> {
-    let mut file = VelocityFile::create(path, configuration, &result.field)?;
+    let mut file = VelocityFile::create(path, configuration, result)?;
     file.append(shot, result)?;
     file.seal().map(|_| ())
 }
@@ -100,18 +104,22 @@ pub(super) struct VelocityFile {
     file: NetCdfFile,
     grid: VectorGrid,
     dt_s: f64,
+    model: Arc<ModelChoice>,
     shots: usize,
 }
 
 impl VelocityFile {
-    /// Creates the file for fields on the grid and with the dt of `like`.
+    /// Creates the file for results on the grid, with the dt and by the model of `like`.
     pub fn create(
         path: &Path,
         configuration: &str,
-        like: &VelocityField,
+        like: &PairResult,
     ) -> Result<Self, ArchiveError> {
         const VECTORS: [&str; 4] = ["shot", "z", "y", "x"];
         let mut file = NetCdfFile::create(path, "Velocity fields", configuration)?;
+        file.add_attribute("model", &like.model.to_string())?;
+        file.add_attribute("model_choice", &like.model.to_json())?;
+        let (model, like) = (like.model.clone(), &like.field);
         file.add_record_dimension("shot")?;
         file.add_axes([0, 1, 2].map(|axis| like.grid.axis_mm(axis)))?;
         file.add::<i64>(&SHOT, &["shot"])?;
@@ -129,7 +137,12 @@ impl VelocityFile {
         for (described, _) in &SECONDS {
             file.add::<f64>(described, &["shot"])?;
         }
-        Ok(Self { file, grid: like.grid.clone(), dt_s: like.dt_s, shots: 0 })
+        Ok(Self { file, grid: like.grid.clone(), dt_s: like.dt_s, model, shots: 0 })
+    }
+
+    /// Whether a result may be added: all in a file have the same model.
+    pub fn has_model_of(&self, result: &PairResult) -> bool {
+        self.model == result.model
     }
 
     /// Adds one shot.
@@ -205,7 +218,7 @@ mod tests {
     fn a_shot_on_another_grid_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("velocity.nc");
-        let mut file = VelocityFile::create(&path, "", &result([4, 3, 2]).field).unwrap();
+        let mut file = VelocityFile::create(&path, "", &result([4, 3, 2])).unwrap();
         file.append(0, &result([4, 3, 2])).unwrap();
         let message = file.append(1, &result([4, 4, 2])).unwrap_err().to_string();
         assert!(message.contains("shot 1"), "{message}");

@@ -5,19 +5,21 @@ use std::path::Path;
 use super::{daemon::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
+    model::ModelMode,
     server::{ConfigurationSummary, RunInfo},
 };
 
 pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
     let config = &plan.file.config;
+    let solver = solver_name(config.reconstruction.solver);
+    let refinement = config.reconstruction.refinement;
     RunInfo {
         code_version: env!("CARGO_PKG_VERSION").to_owned(),
         model: format!("separable thin lens; {}", config.reconstruction.footprint.reason()),
-        solver: format!(
-            "{}, voxels split by {}",
-            solver_name(config.reconstruction.solver),
-            config.reconstruction.refinement
-        ),
+        solver: match config.model.mode {
+            ModelMode::Explicit => format!("{solver}, voxels split by {refinement}"),
+            ModelMode::Auto => format!("{solver}, voxels split by up to {refinement}"),
+        },
         configuration: ConfigurationSummary {
             file: plan.file.path.clone(),
             simulated: config.simulation.is_some(),

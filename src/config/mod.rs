@@ -18,8 +18,11 @@ use lfpiv_sim::{BenchGeometry, Scene, Volume};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    lightfield::ImageSettings, model::VolumeGrid, pipeline::Measurement,
-    reconstruction::ReconstructionSettings, velocimetry::VelocimetrySettings,
+    lightfield::ImageSettings,
+    model::{ModelSettings, VolumeGrid, mode_or_table},
+    pipeline::Measurement,
+    reconstruction::ReconstructionSettings,
+    velocimetry::VelocimetrySettings,
 };
 
 pub use problem::{ConfigError, Problem};
@@ -68,6 +71,10 @@ pub struct Config {
     #[serde(default)]
     #[garde(dive)]
     pub image: ImageSettings,
+    /// Which parts the forward model has; `model = "auto"` is short for a table with that mode.
+    #[serde(default, deserialize_with = "mode_or_table")]
+    #[garde(dive)]
+    pub model: ModelSettings,
     /// How volumes are reconstructed.
     #[serde(default)]
     #[garde(dive)]
@@ -196,6 +203,7 @@ impl Config {
             cameras: self.camera.clone(),
             volume: self.volume.clone(),
             image: self.image.clone(),
+            model: self.model.clone(),
             reconstruction: self.reconstruction.clone(),
             velocimetry: self.velocimetry.clone(),
             dt_s: self.shot.dt_us / 1e6,

@@ -55,6 +55,32 @@ pub struct View {
     pub coverage: Option<Vec<f32>>,
 }
 
+impl View {
+    /// Whether the aperture's edge cuts a pixel's pupil cell anywhere in the window. A microlens
+    /// without a pixel for this view does not make it cut.
+    pub fn is_cut(&self) -> bool {
+        let cut = |&open: &f32| open > 0.0 && open < 1.0;
+        self.coverage.as_ref().is_some_and(|coverage| coverage.iter().any(cut))
+    }
+}
+
+/// How views at the aperture's edge are treated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ApertureEdge {
+    /// Whether views that see the edge are kept, with the share of each pixel that is open.
+    pub partly_open_views: bool,
+    /// Width of the pupil interval that lights a pixel, in mm: a pupil cell, or more where
+    /// diffraction widens it.
+    pub interval_mm: f64,
+}
+
+impl ApertureEdge {
+    /// All views, each pixel lit through its own pupil cell.
+    pub fn sharp(optics: &Optics) -> Self {
+        Self { partly_open_views: true, interval_mm: optics.pupil_cell_mm() }
+    }
+}
+
 /// How one camera's raw image is cut into views.
 #[derive(Debug, Clone)]
 pub struct ViewLayout {
@@ -107,13 +133,20 @@ impl ViewStack {
 impl ViewLayout {
     /// The layout of a camera with these optics, restricted to `window`.
     pub fn new(optics: &Optics, window: MicrolensWindow) -> Self {
+        Self::with_edge(optics, window, ApertureEdge::sharp(optics))
+    }
+
+    /// [`Self::new`] with another treatment of the aperture's edge. Where no view is fully open,
+    /// the partly open ones are kept whatever `edge` says.
+    pub fn with_edge(optics: &Optics, window: MicrolensWindow, edge: ApertureEdge) -> Self {
         let columns = AxisSampling::columns(optics);
         let rows = AxisSampling::rows(optics);
-        let aperture = Aperture { radius_mm: optics.pupil_diameter_mm() / 2.0 };
+        let radius_mm = optics.pupil_diameter_mm() / 2.0;
+        let aperture = Aperture { radius_mm, interval_mm: edge.interval_mm };
         let cells: Vec<(i32, i32)> = (-rows.reach..=rows.reach)
             .flat_map(|l| (-columns.reach..=columns.reach).map(move |k| (k, l)))
             .collect();
-        let views = cells
+        let mut views: Vec<View> = cells
             .into_par_iter()
             .filter_map(|(k, l)| {
                 let coverage = aperture.coverage(&columns, &rows, &window, k, l);
@@ -126,6 +159,9 @@ impl ViewLayout {
                 })
             })
             .collect();
+        if !edge.partly_open_views && views.iter().any(|view| !view.is_cut()) {
+            views.retain(|view| !view.is_cut());
+        }
         Self { columns, rows, window, views }
     }
 
@@ -162,6 +198,8 @@ impl ViewLayout {
 /// The round aperture of the main lens.
 struct Aperture {
     radius_mm: f64,
+    /// Width of the pupil interval that lights a pixel, in mm.
+    interval_mm: f64,
 }
 
 impl Aperture {
@@ -177,21 +215,22 @@ impl Aperture {
         let along_columns: Vec<Option<Strip>> = window
             .columns
             .clone()
-            .map(|i| columns.sample(k, i).map(|s| self.strip(s.pupil_mm, columns.cell_mm)))
+            .map(|i| columns.sample(k, i).map(|s| self.strip(s.pupil_mm)))
             .collect();
         let mut coverage = Vec::with_capacity(window.len());
         for j in window.rows.clone() {
             let row = rows.sample(l, j);
             coverage.extend(along_columns.iter().map(|strip| match (strip, row) {
-                (Some(strip), Some(row)) => strip.covered(row.pupil_mm, rows.cell_mm) as f32,
+                (Some(strip), Some(row)) => strip.covered(row.pupil_mm, self.interval_mm) as f32,
                 _ => 0.0,
             }));
         }
         coverage
     }
 
-    /// The aperture between both edges of a column of pupil cells.
-    fn strip(&self, centre_mm: f64, cell_mm: f64) -> Strip {
+    /// The aperture between both edges of a column of pupil intervals.
+    fn strip(&self, centre_mm: f64) -> Strip {
+        let cell_mm = self.interval_mm;
         let (near, far) = (centre_mm.abs() - cell_mm / 2.0, centre_mm.abs() + cell_mm / 2.0);
         Strip {
             shortest: self.half_chord(far),
@@ -235,59 +274,4 @@ impl Strip {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::test_bench;
-
-    #[test]
-    fn about_250_views_carry_the_light_of_the_aperture() {
-        let optics = test_bench::optics();
-        let layout = ViewLayout::new(&optics, MicrolensWindow::whole(&optics));
-        assert!((230..=290).contains(&layout.views.len()), "{}", layout.views.len());
-        let light: f64 = layout
-            .views
-            .iter()
-            .map(|v| match &v.coverage {
-                None => 1.0,
-                Some(c) => c.iter().map(|&c| f64::from(c)).sum::<f64>() / c.len() as f64,
-            })
-            .sum();
-        // The aperture holds pi/4 (25/1.375)^2 = 259.6 cells; border columns and dim views are lost.
-        assert!((235.0..259.6).contains(&light), "{light}");
-    }
-
-    #[test]
-    fn coverage_of_one_cell_matches_fine_sampling() {
-        let aperture = Aperture { radius_mm: 12.5 };
-        for (u, v) in [(8.0, 8.2), (11.9, 1.0), (0.3, 12.2), (9.0, 9.0), (3.0, 3.0)] {
-            let share = aperture.strip(u, 1.375).covered(v, 1.375);
-            let n = 400;
-            let inside = (0..n * n)
-                .filter(|m| {
-                    let cell = |m: usize| ((m as f64 + 0.5) / f64::from(n as u32) - 0.5) * 1.375;
-                    (u + cell(m % n)).hypot(v + cell(m / n)) < 12.5
-                })
-                .count();
-            // A chord that ends inside the cell is right to half a chord spacing.
-            assert!((share - inside as f64 / (n * n) as f64).abs() < 0.5 / CHORDS as f64);
-        }
-    }
-
-    #[test]
-    fn decoding_picks_the_pixels_that_the_sampling_names() {
-        let optics = test_bench::optics();
-        let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);
-        let counts = (0..nx * ny).map(|n| ((n * 7919) % 4096) as u16).collect();
-        let image = RawImage::new(nx, ny, counts).unwrap();
-        let window = MicrolensWindow { columns: 20..60, rows: 10..50 };
-        let layout = ViewLayout::new(&optics, window);
-        let stack = layout.decode(&image, |_, _, count| f32::from(count) - 10.0);
-        assert_eq!(stack.len(), layout.views.len());
-        let index = layout.views.iter().position(|v| (v.k, v.l) == (3, -5)).unwrap();
-        let (i, j) = (33, 21);
-        let column = layout.columns.sample(3, i).unwrap().pixel as usize;
-        let row = layout.rows.sample(-5, j).unwrap().pixel as usize;
-        let expected = f32::from(image.row(row)[column]) - 10.0;
-        assert_eq!(stack.view(index)[(j - 10) * 40 + (i - 20)], expected);
-    }
-}
+mod tests;

@@ -5,11 +5,13 @@ mod layout;
 mod pair;
 mod photometry;
 mod sampling;
+mod seeding;
 mod settings;
 
 pub use background::{Condensation, StationaryLight};
-pub use layout::{MicrolensWindow, View, ViewLayout, ViewStack};
+pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
 pub use pair::ImagePair;
 pub use photometry::{LightLevels, PhotometricZones};
 pub use sampling::{AxisSampling, Sample};
+pub use seeding::Seeding;
 pub use settings::{Background, ImageSettings};

@@ -7,7 +7,7 @@ use lfpiv_hw::{Optics, Pose};
 use nalgebra::Vector3;
 
 use super::{
-    ModelError, VolumeGrid,
+    ModelError, ModelParts, VolumeGrid,
     footprint::RayMap,
     tables::{AxisGeometry, Nodes},
 };
@@ -152,13 +152,14 @@ impl CameraView {
     }
 
     /// What the tables along the sensor's columns and rows are made from, for light sources of
-    /// edge `footprint_mm`.
+    /// edge `footprint_mm`, with these parts of the model.
     pub fn geometries<'a>(
         &self,
         optics: &'a Optics,
         columns: &'a AxisSampling,
         rows: &'a AxisSampling,
         footprint_mm: f64,
+        parts: &ModelParts,
     ) -> [AxisGeometry<'a>; 2] {
         let axis = |sampling, window: &Range<usize>, lateral: &CameraAxis| AxisGeometry {
             optics,
@@ -167,6 +168,7 @@ impl CameraView {
             positions: lateral.nodes,
             depths: self.depth.nodes,
             footprint_mm,
+            blur: parts.blur(optics),
         };
         [axis(columns, &self.window.columns, &self.xi), axis(rows, &self.window.rows, &self.eta)]
     }

@@ -8,11 +8,14 @@
 
 mod blocks;
 mod camera;
+mod choice;
 mod explicit;
 mod explicit_projector;
 pub mod footprint;
 mod grid;
+mod parts;
 mod quadrature;
+mod settings;
 mod tables;
 mod thin_lens;
 mod weights;
@@ -25,10 +28,13 @@ pub use blocks::{
     BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, VoxelwiseBlocks, block_model,
     blocks_along, child_voxel,
 };
+pub use choice::{ModelChoice, Part, PartChoice, SceneMeasure};
 pub use explicit::{ExplicitModel, SubsetMatrix};
 pub use grid::VolumeGrid;
+pub use parts::{Blur, ModelParts};
 pub use quadrature::QuadratureWeights;
-pub use thin_lens::{ThinLensModel, thin_lens_model};
+pub use settings::{ModelMode, ModelSettings, Switch, mode_or_table};
+pub use thin_lens::{ThinLensModel, thin_lens_model, thin_lens_model_of};
 pub use weights::{TableWeights, Weight, WeightSource};
 
 use crate::lightfield::ViewLayout;

@@ -5,7 +5,7 @@ use std::ops::Range;
 use lfpiv_hw::Optics;
 
 use super::{
-    SUPPORT_SHARE,
+    Blur, SUPPORT_SHARE,
     footprint::{RayMap, Trapezoid},
 };
 use crate::lightfield::AxisSampling;
@@ -97,6 +97,8 @@ pub struct AxisGeometry<'a> {
     pub depths: Nodes,
     /// Edge of the light source that a voxel stands for, in mm; 0 is a point.
     pub footprint_mm: f64,
+    /// What smears the source's shadow beside its own size.
+    pub blur: Blur,
 }
 
 impl AxisGeometry<'_> {
@@ -104,19 +106,20 @@ impl AxisGeometry<'_> {
     /// the pupil and the source are `slant_mm` apart along this axis (U − ξ).
     ///
     /// The source's depth h moves the shadow by (s_i/s²)(U − ξ) per unit of depth: a third
-    /// uniform variable. The two narrower ones are joined into one of the same variance. Without
-    /// it a voxel in focus would be sharp, and 2.3 % (L1) off where its edges meet microlenses'.
+    /// uniform variable, and diffraction at the main lens a fourth ([`Blur`]). The widest stays as
+    /// it is, the others are joined into one of the same variance. Without the third a voxel in focus would be sharp, and 2.3 % (L1) off where its edges meet microlenses'.
     fn shadow(&self, map: RayMap, slant_mm: f64) -> Trapezoid {
         let per_depth = map.position * map.position / self.optics.image_distance_mm();
         let mut widths = [
-            map.pupil.abs() * self.sampling.cell_mm,
+            map.pupil.abs() * self.blur.pupil_mm,
             map.position.abs() * self.footprint_mm,
             per_depth * slant_mm.abs() * self.footprint_mm,
+            self.blur.plane_mm,
         ];
         widths.sort_unstable_by(f64::total_cmp);
         // Not hypot: its care for overflow costs a tenth of the tables' time.
-        let narrow = (widths[1] * widths[1] + widths[0] * widths[0]).sqrt();
-        Trapezoid::new(widths[2], narrow)
+        let narrow = widths[..3].iter().map(|width| width * width).sum::<f64>().sqrt();
+        Trapezoid::new(widths[3], narrow)
     }
 
     /// The largest share of a voxel's light in one view that `taps` microlenses can miss, and the
@@ -271,7 +274,7 @@ impl<const W: usize> AxisTable<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_bench;
+    use crate::{model::ModelParts, test_bench};
 
     /// The largest share that `W` taps miss of what nine hold, over all views, depths and
     /// positions. Nine taps and the voxels lie well inside the window.
@@ -305,6 +308,7 @@ mod tests {
                     positions: Nodes { first_mm: -1.9, step_mm: 0.0137, count: 280 },
                     depths: Nodes { first_mm: -deepest_mm, step_mm: 2.0 * deepest_mm, count: 2 },
                     footprint_mm,
+                    blur: ModelParts::default().blur(&optics),
                 };
                 let of_taps = [
                     (2, lost::<2>(&geometry)),

@@ -5,7 +5,7 @@ mod projector;
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
-    ForwardModel, ModelError, Projector, ViewId, VolumeGrid,
+    ForwardModel, ModelError, ModelParts, Projector, ViewId, VolumeGrid,
     camera::CameraView,
     tables::AxisTable,
     weights::{Weight, WeightSource},
@@ -32,7 +32,18 @@ pub fn thin_lens_model(
     grid: &VolumeGrid,
     footprint_mm: f64,
 ) -> Result<Box<dyn ForwardModel>, ModelError> {
-    Ok(tabulated(optics, poses, grid, footprint_mm)?)
+    thin_lens_model_of(optics, poses, grid, footprint_mm, &ModelParts::default())
+}
+
+/// [`thin_lens_model`] with these parts instead of the default ones.
+pub fn thin_lens_model_of(
+    optics: &Optics,
+    poses: &[Pose],
+    grid: &VolumeGrid,
+    footprint_mm: f64,
+    parts: &ModelParts,
+) -> Result<Box<dyn ForwardModel>, ModelError> {
+    Ok(tabulated(optics, poses, grid, footprint_mm, parts)?)
 }
 
 /// Both faces of the tables: the projector that reads them, and their weights one by one.
@@ -40,18 +51,19 @@ pub(super) trait Tabulated: ForwardModel + WeightSource {}
 
 impl<const W: usize> Tabulated for ThinLensModel<W> {}
 
-/// [`thin_lens_model`] before its type is narrowed.
+/// [`thin_lens_model_of`] before its type is narrowed.
 pub(super) fn tabulated(
     optics: &Optics,
     poses: &[Pose],
     grid: &VolumeGrid,
     footprint_mm: f64,
+    parts: &ModelParts,
 ) -> Result<Box<dyn Tabulated>, ModelError> {
     let views = camera_views(optics, poses, grid, footprint_mm)?;
-    Ok(match taps_needed(optics, &views, footprint_mm)? {
-        ..=2 => Box::new(ThinLensModel::<2>::new(optics, views, grid, footprint_mm)),
-        3 => Box::new(ThinLensModel::<3>::new(optics, views, grid, footprint_mm)),
-        _ => Box::new(ThinLensModel::<MOST_TAPS>::new(optics, views, grid, footprint_mm)),
+    Ok(match taps_needed(optics, &views, footprint_mm, parts)? {
+        ..=2 => Box::new(ThinLensModel::<2>::new(optics, views, grid, footprint_mm, parts)),
+        3 => Box::new(ThinLensModel::<3>::new(optics, views, grid, footprint_mm, parts)),
+        _ => Box::new(ThinLensModel::<MOST_TAPS>::new(optics, views, grid, footprint_mm, parts)),
     })
 }
 
@@ -74,12 +86,13 @@ fn taps_needed(
     optics: &Optics,
     views: &[CameraView],
     footprint_mm: f64,
+    parts: &ModelParts,
 ) -> Result<usize, ModelError> {
     let columns = AxisSampling::columns(optics);
     let rows = AxisSampling::rows(optics);
     let mut needed = 2;
     for (camera, view) in views.iter().enumerate() {
-        for axis in view.geometries(optics, &columns, &rows, footprint_mm) {
+        for axis in view.geometries(optics, &columns, &rows, footprint_mm, parts) {
             let fits = |&taps: &usize| axis.most_lost(taps).0 <= MOST_LOST_SHARE;
             let taps =
                 (needed..=MOST_TAPS).find(fits).ok_or_else(|| ModelError::FootprintTooWide {
@@ -112,15 +125,20 @@ struct CameraTables<const W: usize> {
 }
 
 impl<const W: usize> ThinLensModel<W> {
-    fn new(optics: &Optics, views: Vec<CameraView>, grid: &VolumeGrid, footprint_mm: f64) -> Self {
-        let layouts: Vec<_> =
-            views.iter().map(|view| ViewLayout::new(optics, view.window.clone())).collect();
+    fn new(
+        optics: &Optics,
+        views: Vec<CameraView>,
+        grid: &VolumeGrid,
+        footprint_mm: f64,
+        parts: &ModelParts,
+    ) -> Self {
+        let layouts: Vec<_> = views.iter().map(|view| parts.layout(optics, view)).collect();
         let cameras = views
             .into_iter()
             .zip(&layouts)
             .map(|(view, layout)| {
                 let [columns, rows] =
-                    view.geometries(optics, &layout.columns, &layout.rows, footprint_mm);
+                    view.geometries(optics, &layout.columns, &layout.rows, footprint_mm, parts);
                 let (columns, rows) =
                     rayon::join(|| AxisTable::new(&columns), || AxisTable::new(&rows));
                 let width = view.window.columns.len();

@@ -3,7 +3,7 @@
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
-    ModelError, ViewId, VolumeGrid,
+    ModelError, ModelParts, ViewId, VolumeGrid,
     thin_lens::{Tabulated, tabulated},
 };
 use crate::lightfield::ViewLayout;
@@ -45,7 +45,18 @@ impl TableWeights {
         grid: &VolumeGrid,
         footprint_mm: f64,
     ) -> Result<Self, ModelError> {
-        tabulated(optics, poses, grid, footprint_mm).map(Self)
+        Self::with_parts(optics, poses, grid, footprint_mm, &ModelParts::default())
+    }
+
+    /// [`Self::new`] with these parts of the model.
+    pub fn with_parts(
+        optics: &Optics,
+        poses: &[Pose],
+        grid: &VolumeGrid,
+        footprint_mm: f64,
+        parts: &ModelParts,
+    ) -> Result<Self, ModelError> {
+        tabulated(optics, poses, grid, footprint_mm, parts).map(Self)
     }
 }
 

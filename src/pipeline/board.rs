@@ -10,6 +10,7 @@ use parking_lot::Mutex;
 use serde::Serialize;
 
 use super::{PairResult, StageSeconds};
+use crate::model::ModelChoice;
 
 /// Results kept in memory; older ones are on disk only.
 pub const RESULTS_IN_MEMORY: usize = 32;
@@ -104,6 +105,8 @@ struct State {
     results: BTreeMap<u64, Arc<PairResult>>,
     processing: BTreeSet<u64>,
     counts: PoolCounts,
+    /// Behind the result that came last.
+    model: Option<Arc<ModelChoice>>,
     /// Highest number of a record that was forgotten.
     forgotten: Option<u64>,
 }
@@ -175,6 +178,11 @@ impl Board {
         state.results.last_key_value().map(|(shot, result)| (*shot, result.clone()))
     }
 
+    /// The forward model behind the last result; `None` before the first.
+    pub fn model(&self) -> Option<Arc<ModelChoice>> {
+        self.state.lock().model.clone()
+    }
+
     /// What is known of a shot's result.
     pub fn result(&self, shot: u64) -> Lookup {
         let state = self.state.lock();
@@ -190,6 +198,7 @@ impl Board {
 
 impl State {
     fn keep(&mut self, shot: u64, result: Arc<PairResult>) {
+        self.model = Some(result.model.clone());
         self.results.insert(shot, result);
         while self.results.len() > RESULTS_IN_MEMORY {
             self.results.pop_first();

@@ -1,9 +1,14 @@
 //! From image pairs to results.
 
 mod board;
+mod choose;
+mod fitted;
+mod frame;
+mod part_errors;
 mod plan;
 mod pool;
 mod processor;
+mod scene;
 mod writer;
 
 pub use crate::{

@@ -1,10 +1,11 @@
 //! What a configuration will make the program do, in words and numbers.
 
-use std::fmt;
+use std::{fmt, sync::Arc};
 
-use super::Measurement;
+use super::{Measurement, fitted::Fitted};
 use crate::{
-    reconstruction::{ReconstructionSettings, Reconstructor},
+    model::{ModelChoice, ModelMode},
+    reconstruction::ReconstructionSettings,
     velocimetry::{Interrogation, VectorGrid},
 };
 
@@ -25,6 +26,8 @@ pub struct Plan {
     pub view_bytes: usize,
     /// Solver and its parameters.
     pub reconstruction: ReconstructionSettings,
+    /// The forward model; with `mode = "auto"` the one that holds until particles are seen.
+    pub model: Arc<ModelChoice>,
     /// Where the vectors will be.
     pub vectors: VectorGrid,
     /// Edges of the first and the final windows, in voxels.
@@ -36,9 +39,10 @@ pub struct Plan {
 impl Plan {
     pub(super) fn new(
         measurement: &Measurement,
-        reconstructor: &Reconstructor,
+        fitted: &Fitted,
         interrogation: &Interrogation,
     ) -> Self {
+        let reconstructor = &fitted.reconstructor;
         let layouts = reconstructor.layouts();
         let view_values: usize = layouts.iter().map(|l| l.views.len() * l.window.len()).sum();
         let sensor = &measurement.optics.sensor;
@@ -50,9 +54,28 @@ impl Plan {
             table_bytes: reconstructor.memory_bytes(),
             view_bytes: 2 * view_values * size_of::<f32>(),
             reconstruction: measurement.reconstruction.clone(),
+            model: fitted.choice.clone(),
             vectors: interrogation.vector_grid(),
             windows_vox: interrogation.windows_vox(),
             passes: measurement.velocimetry.passes,
+        }
+    }
+}
+
+/// The parts of the model, or that they are still to be chosen.
+fn parts_line(model: &ModelChoice) -> String {
+    match model.mode {
+        ModelMode::Explicit => model.to_string(),
+        ModelMode::Auto => {
+            let forced = |part: &&crate::model::PartChoice| part.forced;
+            let forced: Vec<String> = model
+                .parts
+                .iter()
+                .filter(forced)
+                .map(|part| format!("{} {}", part.part, if part.on { "on" } else { "off" }))
+                .collect();
+            let forced = if forced.is_empty() { "nothing".to_owned() } else { forced.join(", ") };
+            format!("auto: parts are chosen on the first pair with particles; forced: {forced}")
         }
     }
 }
@@ -82,6 +105,7 @@ impl fmt::Display for Plan {
             "model",
             self.reconstruction.footprint.reason()
         )?;
+        writeln!(f, "{:<14} {}", "", parts_line(&self.model))?;
         writeln!(
             f,
             "{:<14} {:.0} MB raw images, {:.0} MB views, {:.0} MB tables, and what the lit voxels \

@@ -58,6 +58,7 @@ fn result() -> PairResult {
         },
         seconds: StageSeconds::default(),
         warnings: Vec::new(),
+        model: Default::default(),
     }
 }
 

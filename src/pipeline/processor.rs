@@ -6,15 +6,15 @@ use lfpiv_hw::{Optics, Pose, RawImage};
 use thiserror::Error;
 
 use crate::{
-    lightfield::{
-        Background, Condensation, ImageSettings, LightLevels, PhotometricZones, StationaryLight,
-        ViewStack,
+    lightfield::{Background, Condensation, ImageSettings, PhotometricZones, StationaryLight},
+    model::{ModelError, ModelSettings, VolumeGrid},
+    pipeline::{
+        ImagePair, PairResult, StageSeconds,
+        fitted::Models,
+        frame::{Correction, Frame},
+        plan::Plan,
     },
-    model::{ModelError, VolumeGrid},
-    pipeline::{ImagePair, PairResult, StageSeconds, plan::Plan},
-    reconstruction::{
-        DenseVolume, ReconstructionSettings, Reconstructor, SparseVolume, ViewLevels,
-    },
+    reconstruction::{DenseVolume, ReconstructionSettings, SparseVolume},
     velocimetry::{Interrogation, PointCloud, VelocimetrySettings},
 };
 
@@ -29,6 +29,8 @@ pub struct Measurement {
     pub volume: VolumeGrid,
     /// What is known about the images.
     pub image: ImageSettings,
+    /// Which parts the forward model has, or who decides.
+    pub model: ModelSettings,
     /// How volumes are reconstructed.
     pub reconstruction: ReconstructionSettings,
     /// How volumes are correlated.
@@ -67,47 +69,27 @@ pub enum ProcessError {
     },
 }
 
-/// A camera sees nothing when no more of its lit pixels than this are brighter than noise: less
-/// than one particle on the bench's sensor, or the hot pixels of a good one.
-const DARK_BRIGHT_SHARE: f64 = 5e-5;
-
-/// Without bright pixels, this share of saturated ones tells too much light from none.
-const OVEREXPOSED_SHARE: f64 = 0.5;
-
-/// Saturated pixels beyond this share are worth a warning.
-const SATURATED_SHARE: f64 = 1e-3;
-
 /// Tables and plans that are made once and used for every pair. Shared between workers.
 pub struct Processor {
     measurement: Measurement,
-    reconstructor: Reconstructor,
+    models: Models,
     zones: PhotometricZones,
     interrogation: Interrogation,
     /// Per camera and frame, where stationary light has been learned.
     stationary: Vec<[StationaryLight; 2]>,
 }
 
-/// One frame of all cameras, cut into views.
-struct Frame {
-    views: Vec<ViewStack>,
-    levels: Vec<ViewLevels>,
-    warnings: Vec<String>,
-    /// Whether every camera sees light.
-    lit: bool,
-}
-
 impl Processor {
     /// Builds the tables. Errors when a camera does not see the volume.
     pub fn new(measurement: Measurement) -> Result<Self, SetupError> {
-        let Measurement { optics, cameras, volume, reconstruction, velocimetry, .. } = &measurement;
+        let Measurement { optics, volume, velocimetry, .. } = &measurement;
         // Light that crosses a face between the frames must have voxels on both sides of it.
         let margin = (velocimetry.max_displacement_vox / 2.0).ceil() as usize + 1;
-        let reconstructor =
-            Reconstructor::new(optics, cameras, &volume.padded(margin), reconstruction)?;
-        let layout = &reconstructor.layouts()[0];
+        let models = Models::new(&measurement, margin)?;
+        let layout = &models.configured().reconstructor.layouts()[0];
         let zones = PhotometricZones::new(optics, &layout.columns, &layout.rows);
         let interrogation = Interrogation::new(volume, margin, velocimetry);
-        Ok(Self { measurement, reconstructor, zones, interrogation, stationary: Vec::new() })
+        Ok(Self { measurement, models, zones, interrogation, stationary: Vec::new() })
     }
 
     /// What is measured and how.
@@ -122,7 +104,7 @@ impl Processor {
 
     /// What will be done with each pair.
     pub fn plan(&self) -> Plan {
-        Plan::new(&self.measurement, &self.reconstructor, &self.interrogation)
+        Plan::new(&self.measurement, self.models.configured(), &self.interrogation)
     }
 
     /// Takes a pair into account for the removal of stationary light, where the configuration
@@ -166,12 +148,20 @@ impl Processor {
 
     fn measure(&self, pair: &ImagePair) -> Result<(PairResult, [SparseVolume; 2]), ProcessError> {
         self.check(pair)?;
+        let correction = Correction {
+            image: &self.measurement.image,
+            zones: &self.zones,
+            stationary: &self.stationary,
+        };
+        let fitted = self.models.fitted(&self.measurement, pair, &correction);
         let started = Instant::now();
-        let (a, b) = rayon::join(|| self.decode(pair, 0), || self.decode(pair, 1));
+        let layouts = fitted.reconstructor.layouts();
+        let decode = |frame| Frame::decode(pair, frame, layouts, &correction);
+        let (a, b) = rayon::join(|| decode(0), || decode(1));
         let decode_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
-        let solve = |frame: &Frame| self.reconstructor.reconstruct(&frame.views, &frame.levels);
+        let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
         let (solved_a, solved_b) = rayon::join(|| solve(&a), || solve(&b));
         let (volume_a, volume_b) = (solved_a.volume, solved_b.volume);
         let reconstruct_s = started.elapsed().as_secs_f64();
@@ -195,7 +185,10 @@ impl Processor {
             );
         }
         let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s };
-        Ok((PairResult { field, seconds, warnings }, [volume_a, volume_b]))
+        Ok((
+            PairResult { field, seconds, warnings, model: fitted.choice.clone() },
+            [volume_a, volume_b],
+        ))
     }
 
     fn check(&self, pair: &ImagePair) -> Result<(), ProcessError> {
@@ -219,59 +212,5 @@ impl Processor {
             }
         }
         Ok(())
-    }
-
-    fn decode(&self, pair: &ImagePair, frame: usize) -> Frame {
-        let mut decoded =
-            Frame { views: Vec::new(), levels: Vec::new(), warnings: Vec::new(), lit: true };
-        for (camera, layout) in self.reconstructor.layouts().iter().enumerate() {
-            let raw = &pair.cameras[camera][frame];
-            let corrected;
-            let mut settings = self.measurement.image.clone();
-            let image = match self.stationary.get(camera) {
-                None => raw,
-                Some(lights) => {
-                    settings.offset_counts = None;
-                    corrected = lights[frame].remove_from(raw);
-                    &corrected
-                }
-            };
-            let levels = self.zones.levels(image, &settings);
-            let black = (levels.offset_counts + levels.background_counts) as f32;
-            let views = layout.decode(image, |_, _, count| f32::from(count) - black);
-            let name = format!("camera {}, frame {}", camera + 1, ['a', 'b'][frame]);
-            decoded.judge(&name, &levels);
-            decoded.levels.push(ViewLevels::of(&views, levels.noise_counts));
-            decoded.views.push(views);
-        }
-        decoded
-    }
-}
-
-impl Frame {
-    /// Notes what the light levels of an image say about its use.
-    fn judge(&mut self, name: &str, levels: &LightLevels) {
-        let dark = levels.bright_share <= DARK_BRIGHT_SHARE;
-        self.lit &= !dark;
-        if dark && levels.saturated_share > OVEREXPOSED_SHARE {
-            self.warnings.push(format!(
-                "{name}: {:.0} % of the lit pixels are saturated at {} counts and no particle \
-                 stands out; every vector is marked invalid. Reduce gain or laser energy",
-                100.0 * levels.saturated_share,
-                levels.saturation_counts.unwrap_or(u16::MAX)
-            ));
-        } else if dark {
-            self.warnings.push(format!(
-                "{name}: no particle above the noise; every vector is marked invalid. Check laser, \
-                 seeding and lens cap"
-            ));
-        } else if levels.saturated_share > SATURATED_SHARE {
-            self.warnings.push(format!(
-                "{name}: {:.1} % of the lit pixels are saturated at {} counts; reduce gain or \
-                 laser energy",
-                100.0 * levels.saturated_share,
-                levels.saturation_counts.unwrap_or(u16::MAX)
-            ));
-        }
     }
 }

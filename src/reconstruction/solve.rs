@@ -16,8 +16,8 @@ use super::{
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     model::{
-        BlockModel, Darkness, ForwardModel, ModelError, ViewId, VolumeGrid, block_model,
-        thin_lens_model,
+        BlockModel, Darkness, ForwardModel, ModelError, ModelParts, ViewId, VolumeGrid,
+        block_model, thin_lens_model_of,
     },
 };
 
@@ -57,6 +57,9 @@ const SUBSETS_PER_CAMERA: usize = 12;
 /// they leave unexplained is at most this; particles elsewhere leave nearly all of it.
 const ON_GRID_UNEXPLAINED: f64 = 0.35;
 
+/// β without noise weighting, in counts: far below any light, and no division by zero.
+const UNWEIGHTED_COUNTS: f32 = 1e-3;
+
 /// A reconstructed frame and how the solver got there.
 #[derive(Debug, Clone)]
 pub struct Reconstruction {
@@ -71,6 +74,7 @@ pub struct Reconstruction {
 /// Models on one or more grids, coarse to fine, and the solver to run on them.
 pub struct Reconstructor {
     settings: ReconstructionSettings,
+    parts: ModelParts,
     /// Edge of the volume's own voxels.
     voxel_mm: f64,
     models: Models,
@@ -113,23 +117,48 @@ impl Reconstructor {
         grid: &VolumeGrid,
         settings: &ReconstructionSettings,
     ) -> Result<Self, ModelError> {
+        Self::with_parts(optics, poses, grid, settings, ModelParts::default())
+    }
+
+    /// [`Self::new`] with these parts of the forward model.
+    pub fn with_parts(
+        optics: &Optics,
+        poses: &[Pose],
+        grid: &VolumeGrid,
+        settings: &ReconstructionSettings,
+        parts: ModelParts,
+    ) -> Result<Self, ModelError> {
         let auto = settings.footprint == Footprint::Auto;
-        let points = || thin_lens_model(optics, poses, grid, 0.0);
+        let points = || thin_lens_model_of(optics, poses, grid, 0.0, &parts);
         let models = if settings.solver == Solver::OsMart {
             let model = |refinement| {
                 let grid = grid.refined(refinement);
-                block_model(optics, poses, &grid, footprint_mm(settings, &grid))
+                block_model(optics, poses, &grid, footprint_mm(settings, &grid), &parts)
             };
             Models::Blocks(refinements(settings).into_iter().map(model).collect::<Result<_, _>>()?)
         } else {
             Models::Voxels {
-                filled: thin_lens_model(optics, poses, grid, footprint_mm(settings, grid))?,
+                filled: thin_lens_model_of(
+                    optics,
+                    poses,
+                    grid,
+                    footprint_mm(settings, grid),
+                    &parts,
+                )?,
                 points: auto.then(points).transpose()?,
             }
         };
-        let grid_points = auto.then(|| block_model(optics, poses, grid, 0.0)).transpose()?;
+        let grid_points =
+            auto.then(|| block_model(optics, poses, grid, 0.0, &parts)).transpose()?;
         let order = alternating_views(models.layouts());
-        Ok(Self { settings: settings.clone(), voxel_mm: grid.voxel_mm, models, grid_points, order })
+        Ok(Self {
+            settings: settings.clone(),
+            parts,
+            voxel_mm: grid.voxel_mm,
+            models,
+            grid_points,
+            order,
+        })
     }
 
     /// How raw images are to be cut into views, per camera.
@@ -256,7 +285,11 @@ impl Reconstructor {
             // Above 1 the multiplicative update turns intensities negative.
             relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
             views_per_subset: stage.views_per_subset,
-            noise_counts: levels.iter().map(|l| l.noise_counts as f32).collect(),
+            noise_counts: if self.parts.noise_weighting {
+                levels.iter().map(|l| l.noise_counts as f32).collect()
+            } else {
+                vec![UNWEIGHTED_COUNTS; levels.len()]
+            },
             prune_below: stage.prune_share * brightest / refinement.powi(3),
         }
     }

@@ -4,7 +4,10 @@ use axum::{Json, extract::State, http::StatusCode};
 use serde::Serialize;
 
 use super::{ApiState, ConfigurationSummary, Phase};
-use crate::acquisition::{Account, Outcome};
+use crate::{
+    acquisition::{Account, Outcome},
+    model::ModelChoice,
+};
 
 /// The run at a glance.
 #[derive(Debug, Serialize)]
@@ -19,6 +22,8 @@ pub(super) struct Status {
     shots: ShotCounts,
     ledger: LedgerView,
     model: String,
+    /// The parts of the model and why; absent before the first result.
+    model_choice: Option<ModelChoice>,
     solver: String,
     configuration: ConfigurationSummary,
     results_dir: String,
@@ -93,6 +98,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
         shots,
         ledger: ledger(&state),
         model: info.model.clone(),
+        model_choice: state.board.model().map(|model| (*model).clone()),
         solver: info.solver.clone(),
         configuration: info.configuration.clone(),
         results_dir: info.results_dir.display().to_string(),

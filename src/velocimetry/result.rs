@@ -1,8 +1,11 @@
 //! A measurement: the vectors and what it took to make them.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::VelocityField;
+use crate::model::ModelChoice;
 
 /// Wall-clock seconds spent in each stage of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -24,4 +27,6 @@ pub struct PairResult {
     pub seconds: StageSeconds,
     /// What the reader should know: saturation, a dark camera, an empty volume.
     pub warnings: Vec<String>,
+    /// The forward model behind it, and why it is this one.
+    pub model: Arc<ModelChoice>,
 }

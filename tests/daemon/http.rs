@@ -135,6 +135,8 @@ async fn status_counts_every_shot_once() {
     for state in ["failed", "shed", "lost", "processing", "queued", "awaiting_frames"] {
         assert_eq!(shots[state], 1, "{state}: {shots}");
     }
+    assert_eq!(status["model_choice"]["mode"], "explicit");
+    assert_eq!(status["model_choice"]["scene"], Value::Null);
     assert_eq!(status["ledger"]["balanced"], true);
     let second = &status["ledger"]["cameras"][1];
     assert_eq!((&second["camera"], &second["open"]), (&"cam2".into(), &3.into()));

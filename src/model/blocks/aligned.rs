@@ -11,7 +11,7 @@ use super::{
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     model::{
-        ModelError, ViewId, VolumeGrid,
+        ModelError, ModelParts, ViewId, VolumeGrid,
         camera::CameraView,
         footprint::RayMap,
         thin_lens::{camera_views, coverage_bytes},
@@ -112,6 +112,7 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
         views: &[CameraView],
         grid: &VolumeGrid,
         footprint_mm: f64,
+        parts: &ModelParts,
     ) -> Option<Self> {
         if voxels_per_microlens(optics, grid) > lit::MOST_VOXELS_PER_MICROLENS {
             return None;
@@ -119,10 +120,10 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
         let mut cameras = Vec::with_capacity(views.len());
         let mut layouts = Vec::with_capacity(views.len());
         for view in views {
-            let layout = ViewLayout::new(optics, view.window.clone());
+            let layout = parts.layout(optics, view);
             let axes = Axes::of(view)?;
             let mut axis_geometries =
-                view.geometries(optics, &layout.columns, &layout.rows, footprint_mm);
+                view.geometries(optics, &layout.columns, &layout.rows, footprint_mm, parts);
             for geometry in &mut axis_geometries {
                 geometry.depths = view.depth.layer_nodes(axes.depth, grid.voxels[axes.depth], D);
             }

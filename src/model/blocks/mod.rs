@@ -20,7 +20,7 @@ use std::ops::Range;
 
 use lfpiv_hw::{Optics, Pose};
 
-use super::{ModelError, ViewId, VolumeGrid, camera::CameraView, thin_lens_model};
+use super::{ModelError, ModelParts, ViewId, VolumeGrid, camera::CameraView, thin_lens_model_of};
 use crate::lightfield::{ViewLayout, ViewStack};
 use aligned::{AlignedModel, DepthsPerBlock, aligned_views};
 pub use voxelwise::VoxelwiseBlocks;
@@ -93,17 +93,18 @@ pub fn block_model(
     poses: &[Pose],
     grid: &VolumeGrid,
     footprint_mm: f64,
+    parts: &ModelParts,
 ) -> Result<Box<dyn BlockModel>, ModelError> {
     if let Some(views) = aligned_views(optics, poses, grid, footprint_mm)? {
         let model = match DepthsPerBlock::needed(optics, grid, footprint_mm) {
-            DepthsPerBlock::One => aligned::<1>(optics, &views, grid, footprint_mm),
-            DepthsPerBlock::Two => aligned::<2>(optics, &views, grid, footprint_mm),
+            DepthsPerBlock::One => aligned::<1>(optics, &views, grid, footprint_mm, parts),
+            DepthsPerBlock::Two => aligned::<2>(optics, &views, grid, footprint_mm, parts),
         };
         if let Some(model) = model {
             return Ok(model);
         }
     }
-    let model = thin_lens_model(optics, poses, grid, footprint_mm)?;
+    let model = thin_lens_model_of(optics, poses, grid, footprint_mm, parts)?;
     Ok(Box::new(VoxelwiseBlocks::new(model)))
 }
 
@@ -113,11 +114,12 @@ fn aligned<const D: usize>(
     views: &[CameraView],
     grid: &VolumeGrid,
     footprint_mm: f64,
+    parts: &ModelParts,
 ) -> Option<Box<dyn BlockModel>> {
-    if let Some(model) = AlignedModel::<4, D>::new(optics, views, grid, footprint_mm) {
+    if let Some(model) = AlignedModel::<4, D>::new(optics, views, grid, footprint_mm, parts) {
         return Some(Box::new(model));
     }
-    let model = AlignedModel::<8, D>::new(optics, views, grid, footprint_mm)?;
+    let model = AlignedModel::<8, D>::new(optics, views, grid, footprint_mm, parts)?;
     Some(Box::new(model))
 }
 

@@ -38,7 +38,7 @@ fn both_on(
 ) -> (Box<dyn BlockModel>, VoxelwiseBlocks) {
     let optics = test_bench::optics();
     let footprint_mm = footprint * grid.voxel_mm;
-    let fast = block_model(&optics, poses, grid, footprint_mm).unwrap();
+    let fast = block_model(&optics, poses, grid, footprint_mm, &ModelParts::default()).unwrap();
     let slow = thin_lens_model(&optics, poses, grid, footprint_mm).unwrap();
     (fast, VoxelwiseBlocks::new(slow))
 }

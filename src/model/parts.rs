@@ -1,0 +1,134 @@
+//! The parts of the forward model that a scene may not need, and what they do to the light.
+
+use lfpiv_hw::Optics;
+use serde::{Deserialize, Serialize};
+
+use super::{camera::CameraView, footprint::RayMap};
+use crate::lightfield::{ApertureEdge, ViewLayout};
+
+/// Which parts a forward model has. The default is what every scene can be measured with.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ModelParts {
+    /// A pixel sees the pupil through an interval, so that a point out of focus casts a shadow of
+    /// finite width; without it every pixel looks through a point of the pupil.
+    pub pupil_blur: bool,
+    /// Views that the aperture's edge cuts, with the open share of each pixel; without it they are
+    /// left out, with their light.
+    pub aperture_coverage: bool,
+    /// Diffraction at the main lens and at the microlenses, for light of this wavelength in nm.
+    pub diffraction_nm: Option<f64>,
+    /// Ratios of lights within the noise count for nothing (β of OS-MART).
+    pub noise_weighting: bool,
+}
+
+impl Default for ModelParts {
+    fn default() -> Self {
+        Self {
+            pupil_blur: true,
+            aperture_coverage: true,
+            diffraction_nm: None,
+            noise_weighting: true,
+        }
+    }
+}
+
+/// What smears the shadow of a point on the microlens plane, as full widths of uniform
+/// distributions.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Blur {
+    /// Width of the pupil interval that lights a pixel, in mm: |a| times this on the plane.
+    pub pupil_mm: f64,
+    /// Width on the microlens plane itself, in mm, the same at every depth.
+    pub plane_mm: f64,
+}
+
+/// Depths over which widths are averaged.
+const DEPTHS: usize = 32;
+
+/// A uniform distribution of this full width has a variance of 1.
+const WIDTH_OF_UNIT_VARIANCE: f64 = 3.464_101_615_137_754_6;
+
+/// Standard deviation of the Gaussian with the core of an Airy pattern, over wavelength times
+/// f-number (Zhang, Zerubia and Olivo-Marin, Applied Optics 46, 2007).
+const AIRY_SIGMA: f64 = 0.42;
+
+impl Blur {
+    /// What diffraction adds: the main lens's Airy pattern on the microlens plane at its working
+    /// f-number s_i/D, and a microlens's on the sensor at f_m/p_m. A spot of width w on the sensor
+    /// lets a pixel see w s_i/f_m more of the pupil.
+    pub fn of_diffraction(optics: &Optics, wavelength_nm: f64) -> Self {
+        let width_mm =
+            |f_number: f64| WIDTH_OF_UNIT_VARIANCE * AIRY_SIGMA * wavelength_nm * 1e-6 * f_number;
+        let lens = &optics.microlens;
+        let pupil_per_sensor = optics.image_distance_mm() / lens.focal_length_mm;
+        Self {
+            pupil_mm: width_mm(lens.focal_length_mm / lens.pitch_mm) * pupil_per_sensor,
+            plane_mm: width_mm(optics.image_distance_mm() / optics.pupil_diameter_mm()),
+        }
+    }
+}
+
+impl Blur {
+    /// Width of a point's shadow seen in the volume, in mm: root mean square over depths that are
+    /// evenly spread between two coordinates along a camera's axis.
+    pub fn rms_width_mm(&self, optics: &Optics, depth_mm: [f64; 2]) -> f64 {
+        let [low, high] = depth_mm;
+        let square = |n: usize| {
+            let share = (n as f64 + 0.5) / DEPTHS as f64;
+            let map = RayMap::at_depth(optics, low + share * (high - low));
+            let on_plane = (map.pupil * self.pupil_mm).hypot(self.plane_mm);
+            (on_plane / map.position).powi(2)
+        };
+        ((0..DEPTHS).map(square).sum::<f64>() / DEPTHS as f64).sqrt()
+    }
+}
+
+impl ModelParts {
+    /// What smears a shadow in this model.
+    pub fn blur(&self, optics: &Optics) -> Blur {
+        let cell_mm = if self.pupil_blur { optics.pupil_cell_mm() } else { 0.0 };
+        let diffraction = self.diffraction(optics);
+        Blur { pupil_mm: cell_mm.hypot(diffraction.pupil_mm), ..diffraction }
+    }
+
+    fn diffraction(&self, optics: &Optics) -> Blur {
+        self.diffraction_nm.map_or_else(Blur::default, |nm| Blur::of_diffraction(optics, nm))
+    }
+
+    /// How this model cuts a camera's raw image into views.
+    pub(super) fn layout(&self, optics: &Optics, view: &CameraView) -> ViewLayout {
+        let edge = ApertureEdge {
+            partly_open_views: self.aperture_coverage,
+            interval_mm: optics.pupil_cell_mm().hypot(self.diffraction(optics).pupil_mm),
+        };
+        ViewLayout::with_edge(optics, view.window.clone(), edge)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_bench;
+
+    #[test]
+    fn diffraction_is_a_few_micrometres_and_a_pupil_cell() {
+        let blur = Blur::of_diffraction(&test_bench::optics(), 532.0);
+        // f/8 twice: sigma 0.42 * 0.532 um * 8 = 1.79 um, on the pupil 250 times that.
+        assert!((blur.plane_mm - 3.4641 * 1.788e-3).abs() < 1e-5, "{blur:?}");
+        assert!((blur.pupil_mm - 250.0 * blur.plane_mm).abs() < 1e-9);
+    }
+
+    #[test]
+    fn parts_widen_the_shadow_independently() {
+        let optics = test_bench::optics();
+        let blur = |pupil_blur, diffraction_nm| {
+            ModelParts { pupil_blur, diffraction_nm, ..ModelParts::default() }.blur(&optics)
+        };
+        assert_eq!(blur(false, None), Blur::default());
+        assert_eq!(blur(true, None), Blur { pupil_mm: optics.pupil_cell_mm(), plane_mm: 0.0 });
+        let airy = blur(false, Some(532.0));
+        let both = blur(true, Some(532.0));
+        assert!((both.pupil_mm - airy.pupil_mm.hypot(1.375)).abs() < 1e-12);
+        assert_eq!(both.plane_mm, airy.plane_mm);
+    }
+}

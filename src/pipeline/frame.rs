@@ -1,0 +1,101 @@
+//! One frame of all cameras, cut into views.
+
+use lfpiv_hw::RawImage;
+
+use crate::{
+    lightfield::{
+        ImagePair, ImageSettings, LightLevels, PhotometricZones, StationaryLight, ViewLayout,
+        ViewStack,
+    },
+    reconstruction::ViewLevels,
+};
+
+/// A camera sees nothing when no more of its lit pixels than this are brighter than noise: less
+/// than one particle on the bench's sensor, or the hot pixels of a good one.
+const DARK_BRIGHT_SHARE: f64 = 5e-5;
+
+/// Without bright pixels, this share of saturated ones tells too much light from none.
+const OVEREXPOSED_SHARE: f64 = 0.5;
+
+/// Saturated pixels beyond this share are worth a warning.
+const SATURATED_SHARE: f64 = 1e-3;
+
+/// What raw images are corrected by.
+pub(super) struct Correction<'a> {
+    pub image: &'a ImageSettings,
+    pub zones: &'a PhotometricZones,
+    /// Per camera and frame, where stationary light has been learned.
+    pub stationary: &'a [[StationaryLight; 2]],
+}
+
+/// One frame of all cameras, cut into views.
+pub(super) struct Frame {
+    pub views: Vec<ViewStack>,
+    pub levels: Vec<ViewLevels>,
+    pub warnings: Vec<String>,
+    /// Whether every camera sees light.
+    pub lit: bool,
+    /// The largest share of saturated pixels of any camera.
+    pub saturated_share: f64,
+}
+
+impl Frame {
+    /// Cuts frame 0 (a) or 1 (b) of a pair into the views of `layouts`.
+    pub fn decode(
+        pair: &ImagePair,
+        frame: usize,
+        layouts: &[ViewLayout],
+        correction: &Correction<'_>,
+    ) -> Self {
+        let (views, levels, warnings) = (Vec::new(), Vec::new(), Vec::new());
+        let mut decoded = Self { views, levels, warnings, lit: true, saturated_share: 0.0 };
+        for (camera, layout) in layouts.iter().enumerate() {
+            let raw: &RawImage = &pair.cameras[camera][frame];
+            let corrected;
+            let mut settings = correction.image.clone();
+            let image = match correction.stationary.get(camera) {
+                None => raw,
+                Some(lights) => {
+                    settings.offset_counts = None;
+                    corrected = lights[frame].remove_from(raw);
+                    &corrected
+                }
+            };
+            let levels = correction.zones.levels(image, &settings);
+            let black = (levels.offset_counts + levels.background_counts) as f32;
+            let views = layout.decode(image, |_, _, count| f32::from(count) - black);
+            let name = format!("camera {}, frame {}", camera + 1, ['a', 'b'][frame]);
+            decoded.judge(&name, &levels);
+            decoded.levels.push(ViewLevels::of(&views, levels.noise_counts));
+            decoded.views.push(views);
+        }
+        decoded
+    }
+
+    /// Notes what the light levels of an image say about its use.
+    fn judge(&mut self, name: &str, levels: &LightLevels) {
+        self.saturated_share = self.saturated_share.max(levels.saturated_share);
+        let dark = levels.bright_share <= DARK_BRIGHT_SHARE;
+        self.lit &= !dark;
+        if dark && levels.saturated_share > OVEREXPOSED_SHARE {
+            self.warnings.push(format!(
+                "{name}: {:.0} % of the lit pixels are saturated at {} counts and no particle \
+                 stands out; every vector is marked invalid. Reduce gain or laser energy",
+                100.0 * levels.saturated_share,
+                levels.saturation_counts.unwrap_or(u16::MAX)
+            ));
+        } else if dark {
+            self.warnings.push(format!(
+                "{name}: no particle above the noise; every vector is marked invalid. Check laser, \
+                 seeding and lens cap"
+            ));
+        } else if levels.saturated_share > SATURATED_SHARE {
+            self.warnings.push(format!(
+                "{name}: {:.1} % of the lit pixels are saturated at {} counts; reduce gain or \
+                 laser energy",
+                100.0 * levels.saturated_share,
+                levels.saturation_counts.unwrap_or(u16::MAX)
+            ));
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! What leaving out a part of the forward model costs in accuracy, and what having it costs in
+//! time.
+//!
+//! The figures are fitted to what `tests/model_parts.rs` prints: the bench's flow in 4 x 4 x 4 mm,
+//! in focus and beside it, 0.16 and 0.54 particles per microlens, with and without noise and
+//! diffraction; the error of a part is √(e² − e₀²), from the mean |error| without and with it. A
+//! figure of a few thousandths of a voxel is known to about its half.
+
+use super::choose::Combination;
+use crate::model::{Part, SceneMeasure};
+
+/// Displacement of one particle by a blur of the pupil that is not modelled, over the standard
+/// deviation of that blur. A window of N particles averages it in both frames: √(2/N).
+const OF_PUPIL_BLUR: f64 = 1.0;
+
+/// The same for diffraction. Rays scattered by 1.8 µm on microlenses and sensor changed no error by
+/// more than this.
+const OF_DIFFRACTION: f64 = 0.25;
+
+/// Displacement of one particle that the complete model leaves, in voxels, times the parallax
+/// across the aperture in voxels, over the root of the seeding in particles per microlens:
+/// particles in each other's line of sight are told apart by parallax.
+const OF_OVERLAP: f64 = 0.37;
+
+/// Error by the views that the aperture cuts, in voxels over noise per particle: in noise their
+/// light is missed. It is zero within what can be told where noise is low.
+const OF_NOISE_WITHOUT_EDGE: f64 = 0.25;
+
+/// Error without noise weighting, in voxels, over the root of noise per particle. It is the same
+/// in all windows and does not average.
+const OF_NOISE: f64 = 0.036;
+
+/// Error by voxels as large as the volume's own, in voxels, and the power of the edge that it falls
+/// with. Both frames are rounded to the same grid: it does not average either.
+const OF_VOXELS: f64 = 0.09;
+const OF_VOXELS_POWER: f64 = 1.8;
+
+/// Time of a reconstruction by refinement, over one on the volume's own voxels. By two is no
+/// faster than by four, which starts from voxels twice as large and a single pass.
+const TIME_OF_REFINEMENT: [(usize, f64); 3] = [(1, 1.0), (2, 2.0), (4, 2.0)];
+
+/// The errors that single parts add when they are left out, in voxels of displacement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Errors([f64; 5]);
+
+impl Errors {
+    /// The error of one part.
+    pub fn of(&self, part: Part) -> f64 {
+        self.0[part as usize]
+    }
+}
+
+/// The errors without each part, on grids of `refinement` where `finest` could be had.
+pub(super) fn errors_without(scene: &SceneMeasure, refinement: usize, finest: usize) -> Errors {
+    let averaged = |one_vox: f64| (2.0 / scene.particles_per_window.max(1.0)).sqrt() * one_vox;
+    // A uniform distribution's standard deviation is its width over √12.
+    let blur = |width_vox: f64| averaged(width_vox / 12f64.sqrt());
+    // With a share f of the light gone, the rest tells less by 1 − f: the square of the complete
+    // model's error grows by f/(1 − f) of itself.
+    let gone = scene.partly_open_light;
+    let overlap_vox = OF_OVERLAP * scene.seeding_ppm.sqrt() / scene.parallax_vox.max(1e-3);
+    let rounding = |n: usize| (OF_VOXELS * (n as f64).powf(-OF_VOXELS_POWER)).powi(2);
+    let mut errors = [0.0; 5];
+    errors[Part::PupilBlur as usize] = OF_PUPIL_BLUR * blur(scene.pupil_blur_vox);
+    errors[Part::ApertureCoverage as usize] =
+        averaged(overlap_vox * (gone / (1.0 - gone).max(1e-6)).sqrt())
+            .hypot(OF_NOISE_WITHOUT_EDGE * scene.noise_per_particle);
+    errors[Part::Diffraction as usize] =
+        OF_DIFFRACTION * blur(scene.diffraction_vox.unwrap_or(0.0));
+    errors[Part::NoiseWeighting as usize] = OF_NOISE * scene.noise_per_particle.sqrt();
+    errors[Part::FineVoxels as usize] = (rounding(refinement) - rounding(finest)).max(0.0).sqrt();
+    Errors(errors)
+}
+
+/// Time of a reconstruction, in units of one on the volume's own voxels with all views and without
+/// blur.
+///
+/// Work is done for each voxel, view and microlens that the voxel's shadow meets: 1 + w/p of them
+/// along an axis for a width w and the pitch p. What the voxel's own width costs is in
+/// [`TIME_OF_REFINEMENT`].
+pub(super) fn cost(scene: &SceneMeasure, combination: &Combination) -> f64 {
+    let of = |on: bool, width: f64| if on { width } else { 0.0 };
+    let blur = of(combination.pupil_blur, scene.pupil_blur_vox)
+        .hypot(of(combination.diffraction, scene.diffraction_vox.unwrap_or(0.0)));
+    let voxel = 1.0 / combination.refinement as f64;
+    let microlenses = |width: f64| 1.0 + width / scene.pitch_vox;
+    let left_out = if combination.aperture_coverage { 0.0 } else { scene.partly_open_views };
+    time_of(combination.refinement) * (1.0 - left_out) * microlenses(blur.hypot(voxel))
+        / microlenses(voxel)
+}
+
+/// [`TIME_OF_REFINEMENT`], interpolated between its entries.
+fn time_of(refinement: usize) -> f64 {
+    let [low, middle, high] = TIME_OF_REFINEMENT;
+    let (a, b) = if refinement <= middle.0 { (low, middle) } else { (middle, high) };
+    a.1 + (b.1 - a.1) * (refinement as f64 - a.0 as f64) / (b.0 - a.0) as f64
+}
