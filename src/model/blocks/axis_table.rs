@@ -41,14 +41,15 @@ impl<const L: usize> PairTable<L> {
             return None;
         }
         let views = (2 * reach + 1) as usize;
-        let taps = (0..views * depths)
-            .into_par_iter()
-            .flat_map_iter(|n| {
-                let (k, depth) = ((n / depths) as i32 - reach, n % depths);
-                let map = RayMap::at_depth(geometry.optics, geometry.depths.at(depth));
-                (0..pairs).map(move |pair| pair_tap(geometry, map, k, pair))
-            })
-            .collect();
+        let mut taps =
+            vec![PairTap { shares: [[0; L]; 2], first: 0, len: 0 }; views * depths * pairs];
+        taps.par_chunks_mut(pairs).enumerate().for_each(|(n, row)| {
+            let (k, depth) = ((n / depths) as i32 - reach, n % depths);
+            let map = RayMap::at_depth(geometry.optics, geometry.depths.at(depth));
+            for (pair, tap) in row.iter_mut().enumerate() {
+                *tap = pair_tap(geometry, map, k, pair);
+            }
+        });
         Some(Self { reach, depths, pairs, taps })
     }
 
@@ -82,21 +83,23 @@ fn pair_tap<const L: usize>(
     pair: usize,
 ) -> PairTap<L> {
     // Beyond an odd grid's end the upper voxel is never lit; its shares do not matter.
-    let shadows =
-        [0, 1].map(|child| geometry.shadow_of(map, k, geometry.positions.at(2 * pair + child)));
-    let first = shadows.iter().map(|shadow| geometry.first_reached(shadow)).min().unwrap_or(0);
+    let shadow = |child| geometry.shadow_of(map, k, geometry.positions.at(2 * pair + child));
+    let shadows = [shadow(0), shadow(1)];
+    let first = geometry.first_reached(&shadows[0]).min(geometry.first_reached(&shadows[1]));
     let window = &geometry.window;
     // A footprint that leaves the window keeps its true shares on what remains of it.
     let last_first = (window.end as i64 - L as i64).max(window.start as i64);
     let first = first.clamp(window.start as i64, last_first) as usize;
     let mut shares = [[0; L]; 2];
+    let mut len = 0;
     for (shares, shadow) in shares.iter_mut().zip(&shadows) {
         for (n, share) in shares.iter_mut().enumerate() {
             let units = geometry.share(shadow, first + n) / f64::from(SHARE_UNIT);
             *share = (units + 0.5) as u16;
+            if *share > 0 {
+                len = len.max(n + 1);
+            }
         }
     }
-    let dark = |n: &usize| shares.iter().all(|shares| shares[*n] == 0);
-    let len = L - (0..L).rev().take_while(dark).count();
     PairTap { shares, first: (first - window.start) as u16, len: len as u16 }
 }
