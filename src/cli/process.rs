@@ -143,10 +143,10 @@ impl Run {
     fn measure(&self, job: &Job) -> anyhow::Result<PairResult> {
         let pair = self.read(&job.pair)?;
         let (result, volumes) = if self.save_volumes {
-            let (result, volumes) = self.processor.process_with_volumes(&pair)?;
+            let (result, volumes) = self.processor.process_with_volumes(pair)?;
             (result, Some(volumes))
         } else {
-            (self.processor.process(&pair)?, None)
+            (self.processor.process(pair)?, None)
         };
         self.store(&job.results, &result)?;
         if let Some(volumes) = volumes {

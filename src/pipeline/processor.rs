@@ -1,6 +1,6 @@
 //! One image pair to one velocity field.
 
-use std::time::Instant;
+use std::{borrow::Borrow, time::Instant};
 
 use lfpiv_hw::{Optics, Pose, RawImage};
 use thiserror::Error;
@@ -131,22 +131,27 @@ impl Processor {
         Ok(())
     }
 
-    /// Measures one pair.
-    pub fn process(&self, pair: &ImagePair) -> Result<PairResult, ProcessError> {
+    /// Measures one pair. A pair that is handed over is dropped as soon as it is decoded: on large
+    /// sensors the images are the largest part of the memory.
+    pub fn process(&self, pair: impl Borrow<ImagePair>) -> Result<PairResult, ProcessError> {
         self.measure(pair).map(|(result, _)| result)
     }
 
     /// Measures one pair and hands out the volumes of frames a and b, on the configured grid.
     pub fn process_with_volumes(
         &self,
-        pair: &ImagePair,
+        pair: impl Borrow<ImagePair>,
     ) -> Result<(PairResult, [DenseVolume; 2]), ProcessError> {
         let (result, volumes) = self.measure(pair)?;
         let volumes = volumes.map(|volume| volume.on_grid(&self.measurement.volume));
         Ok((result, volumes))
     }
 
-    fn measure(&self, pair: &ImagePair) -> Result<(PairResult, [SparseVolume; 2]), ProcessError> {
+    fn measure(
+        &self,
+        handed: impl Borrow<ImagePair>,
+    ) -> Result<(PairResult, [SparseVolume; 2]), ProcessError> {
+        let pair = handed.borrow();
         self.check(pair)?;
         let correction = Correction {
             image: &self.measurement.image,
@@ -159,6 +164,7 @@ impl Processor {
         let decode = |frame| Frame::decode(pair, frame, layouts, &correction);
         let (a, b) = rayon::join(|| decode(0), || decode(1));
         let decode_s = started.elapsed().as_secs_f64();
+        drop(handed);
 
         let started = Instant::now();
         let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
