@@ -14,13 +14,13 @@ use lfpiv::{
     config::Config,
     pipeline::{ImagePair, Processor},
     reconstruction::quality::{elongation_mm, quality_factor},
-    velocimetry::{Interrogation, PointCloud, VectorStatus, VelocityField},
+    velocimetry::{VectorStatus, VelocityField},
 };
 use lfpiv_sim::{
-    Flow, FrameOfPair, Truth,
+    Flow, Truth,
     flow::{Abc, Uniform},
 };
-use support::{errors_vox, mean_error_vox, shipped};
+use support::{errors_vox, mean_error_vox, shipped, true_particles_field};
 
 /// Particles per mm³ at 1 ppm: the bench's volume is 8 mm deep, the paper's 10 mm, and a microlens
 /// covers 0.1 x 0.1 mm of either.
@@ -54,19 +54,6 @@ fn simulated(config: &Config, seed: u64) -> (ImagePair, Truth) {
     let scene = config.simulation.as_ref().unwrap();
     let shot = scene.shot(&config.bench_geometry(), seed, 0);
     (ImagePair { cameras: shot.images }, shot.truth)
-}
-
-/// The field that the true particles give.
-fn floor(config: &Config, truth: &Truth) -> VelocityField {
-    let settings = &config.velocimetry;
-    let margin = (settings.max_displacement_vox / 2.0).ceil() as usize + 1;
-    let interrogation = Interrogation::new(&config.volume, margin, settings);
-    let grid = interrogation.cloud_grid();
-    let cloud = |frame| {
-        let lit = truth.particles.iter().filter_map(|p| Some((p.lit_mm(frame)?, p.intensity)));
-        PointCloud::from_particles(&lit.collect::<Vec<_>>(), &grid)
-    };
-    interrogation.measure(&cloud(FrameOfPair::A), &cloud(FrameOfPair::B), truth.dt_s)
 }
 
 /// How far a field is from the truth.
@@ -115,7 +102,7 @@ fn check_abc(demand: &Demand) {
     let (pair, truth) = simulated(&config, 3);
     let result = Processor::new(config.measurement()).unwrap().process(&pair).unwrap();
     assert!(result.warnings.is_empty(), "{:?}", result.warnings);
-    let least = Deviation::of(&floor(&config, &truth), &flow);
+    let least = Deviation::of(&true_particles_field(&config, &truth), &flow);
     let most = Deviation::of(&result.field, &flow);
     least.print(&format!("{} ppm, true particles", demand.ppm));
     most.print(&format!("{} ppm, images", demand.ppm));

@@ -10,10 +10,9 @@ use lfpiv::{
     config::Config,
     model::{ModelMode, ModelSettings, Switch},
     pipeline::{ImagePair, PairResult, Processor},
-    velocimetry::{Interrogation, PointCloud},
 };
-use lfpiv_sim::{Flow, FrameOfPair, Truth, flow::Abc};
-use support::{mean_error_vox, shipped};
+use lfpiv_sim::{Flow, Truth, flow::Abc};
+use support::{mean_error_vox, shipped, true_particles_field};
 
 fn flow() -> Flow {
     Flow::Abc(Abc { wavelength_mm: 10.0, amplitude_m_s: 2.0, coefficients: [1.0; 3] })
@@ -53,15 +52,7 @@ fn error_vox(result: &PairResult) -> f64 {
 
 /// The same for the true particles.
 fn floor_vox(config: &Config, truth: &Truth) -> f64 {
-    let settings = &config.velocimetry;
-    let margin = (settings.max_displacement_vox / 2.0).ceil() as usize + 1;
-    let interrogation = Interrogation::new(&config.volume, margin, settings);
-    let grid = interrogation.cloud_grid();
-    let cloud = |frame| {
-        let lit = truth.particles.iter().filter_map(|p| Some((p.lit_mm(frame)?, p.intensity)));
-        PointCloud::from_particles(&lit.collect::<Vec<_>>(), &grid)
-    };
-    let field = interrogation.measure(&cloud(FrameOfPair::A), &cloud(FrameOfPair::B), truth.dt_s);
+    let field = true_particles_field(config, truth);
     mean_error_vox(&field, &flow()).iter().sum::<f64>() / 3.0
 }
 

@@ -8,9 +8,9 @@ use std::{
 
 use lfpiv::{
     config::{Config, ConfigFile},
-    velocimetry::VelocityField,
+    velocimetry::{Interrogation, PointCloud, VelocityField},
 };
-use lfpiv_sim::Flow;
+use lfpiv_sim::{Flow, FrameOfPair, Truth};
 
 /// The configurations in `config/`.
 pub const SHIPPED: [&str; 4] = ["sim", "jet", "bench", "paper"];
@@ -72,6 +72,20 @@ pub fn mean_error_vox(field: &VelocityField, flow: &Flow) -> [f64; 3] {
     std::array::from_fn(|axis| {
         errors.iter().map(|error| error[axis].abs()).sum::<f64>() / errors.len() as f64
     })
+}
+
+/// The field that the true particles give through the configured windows: the floor that a
+/// reconstruction is measured against.
+pub fn true_particles_field(config: &Config, truth: &Truth) -> VelocityField {
+    let settings = &config.velocimetry;
+    let margin = (settings.max_displacement_vox / 2.0).ceil() as usize + 1;
+    let interrogation = Interrogation::new(&config.volume, margin, settings);
+    let grid = interrogation.cloud_grid();
+    let cloud = |frame| {
+        let lit = truth.particles.iter().filter_map(|p| Some((p.lit_mm(frame)?, p.intensity)));
+        PointCloud::from_particles(&lit.collect::<Vec<_>>(), &grid)
+    };
+    interrogation.measure(&cloud(FrameOfPair::A), &cloud(FrameOfPair::B), truth.dt_s)
 }
 
 /// The text of the small bench's configuration with one piece replaced, as a file in `folder`.
