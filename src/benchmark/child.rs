@@ -67,8 +67,8 @@ pub fn process(
     Err(BenchmarkError::Child { command: format!("{command:?}"), message })
 }
 
-/// `VmHWM` of a process: the most memory it has had resident so far.
-fn high_water_bytes(process: u32) -> Option<u64> {
+/// `VmHWM` of a process: the most memory it has had resident so far, in bytes.
+pub(super) fn high_water_bytes(process: u32) -> Option<u64> {
     let status = fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
     let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;

@@ -4,6 +4,8 @@ use std::{fs, time::Instant};
 
 use serde::Serialize;
 
+use crate::benchmark::child::high_water_bytes;
+
 /// What one method took and reached on one case. Absent values do not apply.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
@@ -115,8 +117,5 @@ fn cpu_seconds() -> Option<f64> {
 
 /// Largest resident memory of this process so far, in MB of 10⁶ bytes.
 fn peak_mb() -> Option<f64> {
-    let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(kibibytes * 1024.0 / 1e6)
+    Some(high_water_bytes(std::process::id())? as f64 / 1e6)
 }
