@@ -30,8 +30,7 @@ impl Frame {
             let image = setting.scene.sensor.expose(&light, &key);
             let zones = PhotometricZones::new(&setting.bench.optics, &layout.columns, &layout.rows);
             let levels = zones.levels(&image, &setting.config.image);
-            let black = (levels.offset_counts + levels.background_counts) as f32;
-            let views = layout.decode(&image, |_, _, count| f32::from(count) - black);
+            let views = layout.decode_above_black(&image, &levels);
             frame.levels.push(ViewLevels::of(&views, levels.noise_counts));
             frame.views.push(views);
         }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use lfpiv_hw::{Optics, RawImage};
 use rayon::prelude::*;
 
-use super::sampling::AxisSampling;
+use super::{photometry::LightLevels, sampling::AxisSampling};
 
 /// Views with a smaller mean coverage carry too little light to be worth their time.
 const LEAST_MEAN_COVERAGE: f64 = 0.3;
@@ -163,6 +163,12 @@ impl ViewLayout {
             views.retain(|view| !view.is_cut());
         }
         Self { columns, rows, window, views }
+    }
+
+    /// Cuts a raw image into views, in counts above its own black level and uniform background.
+    pub fn decode_above_black(&self, image: &RawImage, levels: &LightLevels) -> ViewStack {
+        let black = (levels.offset_counts + levels.background_counts) as f32;
+        self.decode(image, |_, _, count| f32::from(count) - black)
     }
 
     /// Cuts a raw image into views. Each count becomes `map(column, row, count)`, in counts above

@@ -62,8 +62,7 @@ impl Frame {
                 }
             };
             let levels = correction.zones.levels(image, &settings);
-            let black = (levels.offset_counts + levels.background_counts) as f32;
-            let views = layout.decode(image, |_, _, count| f32::from(count) - black);
+            let views = layout.decode_above_black(image, &levels);
             let name = format!("camera {}, frame {}", camera + 1, ['a', 'b'][frame]);
             decoded.judge(&name, &levels);
             decoded.levels.push(ViewLevels::of(&views, levels.noise_counts));
