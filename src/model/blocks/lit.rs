@@ -11,7 +11,8 @@ use super::{
     Darkness, LitBlocks,
     aligned::{AlignedCamera, AlignedModel, Axes},
     axis_table::{PairTap, SHARE_UNIT},
-    blocks_along,
+    block_indices, blocks_along,
+    dark_counts::DarkCounts,
 };
 use crate::{
     lightfield::{ViewLayout, ViewStack},
@@ -40,8 +41,7 @@ pub(super) fn lit_blocks<const L: usize, const D: usize>(
     let [nx, ny, nz] = blocks_along(&model.grid);
     let mut lit = LitBlocks::default();
     for block in 0..(nx * ny * nz) as u32 {
-        let n = block as usize;
-        let at = [n % nx, n / nx % ny, n / (nx * ny)];
+        let at = block_indices(&model.grid, block);
         let possible = cameras.iter().fold(u8::MAX, |mask, c| mask & c.possible.children(at));
         let seen = cameras.iter().fold(0, |mask, c| mask | c.seen.children(at));
         if possible & seen != 0 {
@@ -307,50 +307,5 @@ fn light_voxels(row: &[u8], columns: &ColumnMap, line: &mut [u64]) {
         *word = groups
             .iter()
             .fold(0, |lit, group| lit | group.bits[usize::from(row[group.group]) % (1 << GROUP)]);
-    }
-}
-
-/// Counters of dark views for many voxels, as bit planes that start so high that the carry out of
-/// the last plane says "one more than forgiven".
-struct DarkCounts {
-    words: usize,
-    planes: usize,
-    /// For each line its planes, one after the other.
-    bits: Vec<u64>,
-    exceeded: Vec<u64>,
-}
-
-impl DarkCounts {
-    fn new(lines: usize, words: usize, forgiven: usize) -> Self {
-        let planes = (usize::BITS - forgiven.leading_zeros()) as usize;
-        let start = (1usize << planes) - 1 - forgiven;
-        let bits = (0..lines * planes)
-            .flat_map(|n| {
-                let set = start >> (n % planes) & 1 == 1;
-                std::iter::repeat_n(if set { u64::MAX } else { 0 }, words)
-            })
-            .collect();
-        Self { words, planes, bits, exceeded: vec![0; lines * words] }
-    }
-
-    /// Counts the voxels of a line whose bit is set in `dark`, which is used up.
-    fn count(&mut self, line: usize, dark: &mut [u64]) {
-        let size = self.planes * self.words;
-        for plane in self.bits[line * size..][..size].chunks_exact_mut(self.words) {
-            for (plane, carry) in plane.iter_mut().zip(dark.iter_mut()) {
-                let sum = *plane ^ *carry;
-                *carry &= *plane;
-                *plane = sum;
-            }
-        }
-        let exceeded = &mut self.exceeded[line * self.words..][..self.words];
-        for (exceeded, carry) in exceeded.iter_mut().zip(dark) {
-            *exceeded |= *carry;
-        }
-    }
-
-    /// The voxels with no more dark views than forgiven.
-    fn within(&self) -> Vec<u64> {
-        self.exceeded.iter().map(|exceeded| !exceeded).collect()
     }
 }

@@ -10,6 +10,7 @@
 
 mod aligned;
 mod axis_table;
+mod dark_counts;
 mod lit;
 mod projector;
 #[cfg(test)]
