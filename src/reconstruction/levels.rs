@@ -42,6 +42,11 @@ impl ViewLevels {
     }
 }
 
+/// Per camera, the count below which a pixel holds no particle.
+pub(super) fn dark_below(levels: &[ViewLevels]) -> Vec<f32> {
+    levels.iter().map(ViewLevels::dark_below).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

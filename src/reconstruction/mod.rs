@@ -1,6 +1,7 @@
 //! From views to volumes.
 
 mod block_volume;
+mod coarse_to_fine;
 pub mod convergence;
 pub mod hull;
 mod levels;

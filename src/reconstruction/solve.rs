@@ -1,14 +1,12 @@
 //! The reconstructor: views in, volume out, by the configured solver.
 
-use std::time::Instant;
-
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
-    BlockVolume, PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
+    PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
+    coarse_to_fine::CoarseToFine,
     hull::photo_hull,
-    levels::ViewLevels,
-    os_mart::{OsMart, Settled},
+    levels::{ViewLevels, dark_below},
     pr_sart, sart,
     settings::Footprint,
     subsets::{alternating_views, balanced_subsets},
@@ -16,35 +14,10 @@ use super::{
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     model::{
-        BlockModel, Darkness, ForwardModel, ModelError, ModelParts, ViewId, VolumeGrid,
-        block_model, thin_lens_model_of,
+        BlockModel, ForwardModel, ModelError, ModelParts, ViewId, VolumeGrid, block_model,
+        thin_lens_model_of,
     },
 };
-
-/// How OS-MART works on one grid.
-#[derive(Debug, Clone, Copy)]
-struct Stage {
-    /// Passes over `share_of_views` of the views.
-    passes: usize,
-    share_of_views: f64,
-    /// Many small subsets find the light quickly, the mean of large ones settles its place.
-    views_per_subset: usize,
-    /// A voxel with less than this share of a particle's light, divided by the number of the
-    /// stage's voxels in one voxel of the volume, is given up.
-    prune_share: f32,
-}
-
-/// The coarse grid only has to find where light is, for which a part of the views is enough.
-const COARSE_STAGE: Stage =
-    Stage { passes: 1, share_of_views: 0.3, views_per_subset: 2, prune_share: 0.1 };
-const FINE_STAGE: Stage =
-    Stage { passes: 1, share_of_views: 1.0, views_per_subset: 4, prune_share: 0.4 };
-const ONLY_STAGE: Stage =
-    Stage { passes: 2, share_of_views: 1.0, views_per_subset: 8, prune_share: 0.02 };
-
-/// Views of a camera that may find a lit voxel dark: a few always, a share of them by noise.
-const FORGIVEN: f64 = 1.0;
-const NOISE_SHARE: f64 = 0.03;
 
 /// SART's passes by default. The paper takes 400 and more; these show the method at a bearable
 /// cost.
@@ -56,9 +29,6 @@ const SUBSETS_PER_CAMERA: usize = 12;
 /// Points on voxel centres are taken for the truth when the share of the views' light energy that
 /// they leave unexplained is at most this; particles elsewhere leave nearly all of it.
 const ON_GRID_UNEXPLAINED: f64 = 0.35;
-
-/// β without noise weighting, in counts: far below any light, and no division by zero.
-const UNWEIGHTED_COUNTS: f32 = 1e-3;
 
 /// A reconstructed frame and how the solver got there.
 #[derive(Debug, Clone)]
@@ -185,7 +155,7 @@ impl Reconstructor {
             Solver::Mlos => 1,
             Solver::OsMart => {
                 let levels = self.grids().len();
-                self.order.len().div_ceil(self.stage(levels - 1, levels).views_per_subset)
+                self.order.len().div_ceil(self.coarse_to_fine().views_per_subset(levels))
             }
             Solver::Sart | Solver::OsSart | Solver::PrSart => self.balanced().len(),
         }
@@ -199,7 +169,7 @@ impl Reconstructor {
         let volume = match &self.models {
             Models::Blocks(models) => match on_grid {
                 Some(reconstruction) => return reconstruction,
-                None => self.os_mart(models, views, levels, &mut note),
+                None => self.coarse_to_fine().reconstruct(models, views, levels, &mut note),
             },
             Models::Voxels { filled, points } => {
                 let model = match points {
@@ -263,34 +233,12 @@ impl Reconstructor {
         balanced_subsets(self.layouts(), per_camera)
     }
 
-    /// What to do on grid `level` of `levels`, coarse to fine.
-    fn stage(&self, level: usize, levels: usize) -> Stage {
-        let default = match (level, levels) {
-            (_, 1) => ONLY_STAGE,
-            (0, _) => COARSE_STAGE,
-            _ => FINE_STAGE,
-        };
-        let finest = level + 1 == levels;
-        Stage {
-            passes: self.settings.passes.filter(|_| finest).unwrap_or(default.passes),
-            views_per_subset: self.settings.views_per_subset.unwrap_or(default.views_per_subset),
-            ..default
-        }
-    }
-
-    fn os_mart_update(&self, levels: &[ViewLevels], stage: &Stage, grid: &VolumeGrid) -> OsMart {
-        let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
-        let refinement = (self.voxel_mm / grid.voxel_mm) as f32;
-        OsMart {
-            // Above 1 the multiplicative update turns intensities negative.
-            relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
-            views_per_subset: stage.views_per_subset,
-            noise_counts: if self.parts.noise_weighting {
-                levels.iter().map(|l| l.noise_counts as f32).collect()
-            } else {
-                vec![UNWEIGHTED_COUNTS; levels.len()]
-            },
-            prune_below: stage.prune_share * brightest / refinement.powi(3),
+    fn coarse_to_fine(&self) -> CoarseToFine<'_> {
+        CoarseToFine {
+            settings: &self.settings,
+            parts: &self.parts,
+            voxel_mm: self.voxel_mm,
+            order: &self.order,
         }
     }
 
@@ -299,47 +247,12 @@ impl Reconstructor {
         let points = self.grid_points.as_ref()?;
         let mut passes = Vec::new();
         let mut note = |report: &PassReport| passes.push(*report);
-        let volume = self.os_mart(std::slice::from_ref(points), views, levels, &mut note);
+        let models = std::slice::from_ref(points);
+        let volume = self.coarse_to_fine().reconstruct(models, views, levels, &mut note);
         let unexplained = unexplained_share(passes.last()?.residual, views, levels);
         let explained = unexplained <= ON_GRID_UNEXPLAINED;
         tracing::debug!(unexplained, explained, "points on voxel centres");
         explained.then_some(Reconstruction { volume, passes })
-    }
-
-    /// Coarse to fine: the hull and half a pass on the coarse grid leave the voxels near
-    /// particles; only these are split.
-    fn os_mart(
-        &self,
-        models: &[Box<dyn BlockModel>],
-        views: &[ViewStack],
-        levels: &[ViewLevels],
-        note: &mut dyn FnMut(&PassReport),
-    ) -> SparseVolume {
-        let coarsest = models[0].as_ref();
-        let lit = coarsest.lit(views, &darkness(views, levels));
-        let mut volume = BlockVolume::evenly(coarsest.grid(), lit);
-        scale_to_measured(coarsest, views, self.order[0], &mut volume);
-        let mut done = 0;
-        for (n, model) in models.iter().enumerate() {
-            if n > 0 {
-                volume = volume.split();
-            }
-            let stage = self.stage(n, models.len());
-            let update = self.os_mart_update(levels, &stage, model.grid());
-            let order = &self.order[..(self.order.len() as f64 * stage.share_of_views) as usize];
-            let mut projector = model.projector(&volume.blocks);
-            for pass in 0..stage.passes {
-                let settled = if pass == 0 { Settled::No } else { Settled::Yes };
-                let started = Instant::now();
-                let (model, projector) = (model.as_ref(), projector.as_mut());
-                let residual = update.pass(model, views, order, &mut volume, projector, settled);
-                done += 1;
-                let active_voxels = volume.active_voxels();
-                let seconds = started.elapsed().as_secs_f64();
-                note(&PassReport { pass: done, residual, active_voxels, seconds });
-            }
-        }
-        volume.into_voxels()
     }
 }
 
@@ -353,16 +266,6 @@ fn unexplained_share(residual: f64, views: &[ViewStack], levels: &[ViewLevels]) 
         .map(|(view, level)| view.values().len() as f64 * level.noise_counts.powi(2))
         .sum();
     if seen > noise { ((residual.powi(2) * seen - noise) / (seen - noise)).max(0.0) } else { 1.0 }
-}
-
-/// The hull's rule: see [`FORGIVEN`] and [`NOISE_SHARE`].
-fn darkness(views: &[ViewStack], levels: &[ViewLevels]) -> Darkness {
-    let forgiven = |view: &ViewStack| (FORGIVEN + NOISE_SHARE * view.len() as f64) as usize;
-    Darkness { dark_below: dark_below(levels), forgiven: views.iter().map(forgiven).collect() }
-}
-
-fn dark_below(levels: &[ViewLevels]) -> Vec<f32> {
-    levels.iter().map(ViewLevels::dark_below).collect()
 }
 
 /// Refinements of the solver's grids, coarse to fine. The coarsest is half the finest: on a
@@ -380,23 +283,5 @@ fn footprint_mm(settings: &ReconstructionSettings, grid: &VolumeGrid) -> f64 {
     match settings.footprint {
         Footprint::Voxel | Footprint::Auto => grid.voxel_mm,
         Footprint::Point => 0.0,
-    }
-}
-
-/// Scales the volume so that one view's light is right: the hull says nothing about brightness.
-fn scale_to_measured(
-    model: &dyn BlockModel,
-    views: &[ViewStack],
-    view: ViewId,
-    volume: &mut BlockVolume,
-) {
-    let mut image = vec![0.0; model.image_len(view.camera)];
-    model.projector(&volume.blocks).project(view, &volume.light, &mut image);
-    let measured = views[view.camera].view(view.view);
-    let sum = |values: &[f32]| values.iter().map(|&v| f64::from(v)).sum::<f64>();
-    let (projected, measured) = (sum(&image[..measured.len()]), sum(measured));
-    if projected > 0.0 && measured > 0.0 {
-        let scale = (measured / projected) as f32;
-        volume.light.as_flattened_mut().iter_mut().for_each(|light| *light *= scale);
     }
 }
