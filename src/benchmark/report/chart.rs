@@ -61,8 +61,10 @@ pub enum Style {
     Dots,
     /// Dots alone.
     Scatter,
-    /// A dashed grey line: a bar, a reference, a front.
+    /// A dashed grey line: a bar, a reference.
     Reference,
+    /// A full grey line: what no other point beats.
+    Front,
 }
 
 /// Points that belong together.
@@ -90,7 +92,7 @@ pub struct Chart {
     pub x: Axis,
     /// Along the left.
     pub y: Axis,
-    /// What is shown; references take no colour.
+    /// What is shown; references and fronts take no colour.
     pub series: Vec<Series>,
 }
 
@@ -114,9 +116,12 @@ impl Chart {
         for series in &self.series {
             let class = match series.style {
                 Style::Reference => "reference".to_owned(),
+                Style::Front => "front".to_owned(),
                 _ => {
                     colour += 1;
-                    format!("c{}", (colour - 1) % COLOURS)
+                    // When the colours are used up they come again, paler.
+                    let again = if colour > COLOURS { " again" } else { "" };
+                    format!("c{}{again}", (colour - 1) % COLOURS)
                 }
             };
             draw(&mut svg, series, &class, &x, &y);

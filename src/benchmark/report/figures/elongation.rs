@@ -20,7 +20,10 @@ pub fn elongation(report: &Report) -> Option<Section> {
     let groups = grouped(&rows, by_case, |row| row.depth_mm, |row| row.fwhm_mm);
     let mut series: Vec<Series> = groups
         .iter()
-        .map(|group| Series::new(label(report, group.row), Style::Dots, group.points.clone()))
+        .map(|group| {
+            let label = format!("{}, {}", group.row.case, label(report, group.row));
+            Series::new(label, Style::Dots, group.points.clone())
+        })
         .collect();
     let mut compared = means(report, &groups);
     compared.extend(in_focus(report, &rows));

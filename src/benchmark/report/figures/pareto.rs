@@ -24,7 +24,7 @@ pub fn error_seconds(report: &Report) -> Option<Section> {
         id: "error-seconds",
         title: "Error against seconds",
         panels,
-        caption: "Every method on the same images; mean over the seeds. A method on the dashed \
+        caption: "Every method on the same images; mean over the seeds. A method on the grey \
                   front is beaten by no other in both time and error. The floor is the error of \
                   correlating the true particles through the same windows: no reconstruction can \
                   be expected below it. Seconds are those of one pair in a running program: \
@@ -131,7 +131,7 @@ fn chart(
     let ends = points
         .iter()
         .fold([f64::MAX, f64::MIN], |[low, high], point| [low.min(point[0]), high.max(point[0])]);
-    let mut series = vec![Series::new("Pareto front", Style::Reference, pareto_front(&points))];
+    let mut series = vec![Series::new("Pareto front", Style::Front, pareto_front(&points))];
     series.extend(lines.iter().map(|(name, value)| {
         Series::new(name.clone(), Style::Reference, vec![[ends[0], *value], [ends[1], *value]])
     }));
