@@ -8,6 +8,10 @@ use super::{
 /// Displacements are looked for, and believed, up to this many times the largest expected.
 pub const ROOM: f64 = 1.25;
 
+/// Uncertainty of what stands in for a vector on the way, in voxels: next to any vector that was
+/// measured, little.
+const STAND_IN_VOX: f32 = 1.0;
+
 /// A vector as it is reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vector {
@@ -31,8 +35,25 @@ pub struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// The field for the next pass: neighbours stand in for vectors that disagree with them.
-    pub fn predictor(&self) -> Lattice {
+    /// The field with neighbours standing in for vectors that disagree with them.
+    pub fn in_line(&self) -> Lattice {
+        self.stood_in().0
+    }
+
+    /// The field for the next pass: the likeliest one behind vectors whose standard uncertainty is
+    /// `uncertainty_vox` where that is known, and [`STAND_IN_VOX`] where it is not.
+    pub fn predictor(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Lattice {
+        let (field, pass) = self.stood_in();
+        let uncertainty_vox: Vec<[f32; 3]> = uncertainty_vox
+            .iter()
+            .zip(pass)
+            .map(|(known, pass)| known.filter(|_| pass).unwrap_or([STAND_IN_VOX; 3]))
+            .collect();
+        field.likeliest(&uncertainty_vox)
+    }
+
+    /// The field as [`Self::in_line`] gives it, and whether each vector is its own.
+    fn stood_in(&self) -> (Lattice, Vec<bool>) {
         let found: Vec<bool> = self.peaks.iter().map(Option::is_some).collect();
         let candidates = self.candidates(&found);
         let pass = self.passing(&candidates);
@@ -45,17 +66,17 @@ impl Judge<'_> {
                 }
             })
             .collect();
-        Lattice { values, ..*self.field }
+        (Lattice { values, ..*self.field }, pass)
     }
 
     /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is
-    /// known.
+    /// known: each as it was measured or stood in for, moved to the likeliest field.
     pub fn vectors(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Vec<Vector> {
         let trusted: Vec<bool> =
             (0..self.peaks.len()).map(|n| self.trusts(n, uncertainty_vox[n])).collect();
         let candidates = self.candidates(&trusted);
         let pass = self.passing(&candidates);
-        (0..pass.len())
+        let vectors: Vec<Vector> = (0..pass.len())
             .map(|n| match uncertainty_vox[n] {
                 Some(uncertainty_vox) if pass[n] => Vector {
                     displacement_vox: self.field.values[n],
@@ -64,7 +85,21 @@ impl Judge<'_> {
                 },
                 _ => self.stand_in(n, &candidates, &pass, uncertainty_vox),
             })
-            .collect()
+            .collect();
+        self.likeliest(vectors)
+    }
+
+    /// The vectors moved to the likeliest field behind them; what is invalid stays so.
+    fn likeliest(&self, mut vectors: Vec<Vector>) -> Vec<Vector> {
+        let values = vectors.iter().map(|v| v.displacement_vox).collect();
+        let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
+        let likeliest = Lattice { values, ..*self.field }.likeliest(&uncertainty_vox);
+        for (vector, value) in vectors.iter_mut().zip(likeliest.values) {
+            if vector.status != VectorStatus::Invalid {
+                vector.displacement_vox = value;
+            }
+        }
+        vectors
     }
 
     /// Whether a vector deserves to be compared with its neighbours.

@@ -16,26 +16,6 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The field with its shortest waves taken out: (1 2 1)/4 along each axis inside, the face
-    /// nodes as they are along their own axis.
-    pub fn smoothed(&self) -> Self {
-        let mut values = self.values.clone();
-        for (axis, stride) in
-            [1, self.nodes[0], self.nodes[0] * self.nodes[1]].into_iter().enumerate()
-        {
-            let from = values.clone();
-            for (index, value) in values.iter_mut().enumerate() {
-                let place = index / stride % self.nodes[axis];
-                if place > 0 && place + 1 < self.nodes[axis] {
-                    let (low, high) = (from[index - stride], from[index + stride]);
-                    *value =
-                        std::array::from_fn(|c| (low[c] + 2.0 * from[index][c] + high[c]) / 4.0);
-                }
-            }
-        }
-        Self { values, ..*self }
-    }
-
     /// Adds the shift of each node's peak, where there is one, found on cells of `cell_vox` voxels.
     pub fn add(&mut self, peaks: &[Option<Peak>], cell_vox: f32) {
         for (value, peak) in self.values.iter_mut().zip(peaks) {

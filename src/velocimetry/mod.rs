@@ -14,6 +14,7 @@ mod peak;
 mod raster;
 mod result;
 mod settings;
+mod smoothing;
 mod uncertainty;
 mod validate;
 mod windows;

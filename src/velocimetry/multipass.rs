@@ -17,7 +17,7 @@ use super::{
     lattice::Lattice,
     peak::{Peak, highest_peak},
     raster::{Image, Raster},
-    uncertainty::PeakStatistics,
+    uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
 };
 use crate::model::VolumeGrid;
@@ -54,6 +54,13 @@ struct Rendered {
     /// First cell with known light along each axis, and the one after the last.
     lit: [[i64; 2]; 3],
     images: [Vec<f32>; 2],
+}
+
+/// What a pass finds in every window.
+struct Found {
+    peaks: Vec<Option<Peak>>,
+    /// See [`Interrogation::uncertainties`].
+    uncertainty_vox: Vec<Option<[f32; 3]>>,
 }
 
 /// A cloud and how it is moved before it is rendered.
@@ -108,22 +115,26 @@ impl Interrogation {
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
-        let mut field = self.searched(a, b).smoothed();
+        let mut field = self.searched(a, b);
         let last = self.settings.passes.max(2) - 1;
         for pass in 1..last {
             let lags = if pass == 1 { WIDE } else { NARROW };
-            let peaks = self.correlate(&self.windows, &self.deformed(a, b, &field, lags));
-            field.add(&peaks, self.windows.cell_vox);
+            let found = self.pass(a, b, &mut field, lags);
             // A window as long as the shortest wave on the lattice cannot see that wave: what noise
-            // puts there would never be corrected, so it is taken out of the predictor.
-            field = self.judge(&field, &peaks).predictor().smoothed();
+            // puts there would never be corrected, so it must not stay in the predictor.
+            field = self.judge(&field, &found.peaks).predictor(&found.uncertainty_vox);
         }
-        let frames = self.deformed(a, b, &field, WIDE);
+        let found = self.pass(a, b, &mut field, WIDE);
+        let vectors = self.judge(&field, &found.peaks).vectors(&found.uncertainty_vox);
+        self.report(&vectors, &found.peaks, dt_s)
+    }
+
+    /// Deforms by `field` and adds to it what is left.
+    fn pass(&self, a: &PointCloud, b: &PointCloud, field: &mut Lattice, lags: Lags) -> Found {
+        let frames = self.deformed(a, b, field, lags);
         let peaks = self.correlate(&self.windows, &frames);
-        let uncertainty_vox = self.uncertainties(&frames, &peaks);
         field.add(&peaks, self.windows.cell_vox);
-        let vectors = self.judge(&field, &peaks).vectors(&uncertainty_vox);
-        self.report(&vectors, &peaks, dt_s)
+        Found { uncertainty_vox: self.uncertainties(&frames, &peaks), peaks }
     }
 
     /// What the search on coarse cells finds, on the nodes of the windows.
@@ -132,7 +143,7 @@ impl Interrogation {
         let peaks = self.correlate(&self.search, &frames);
         let mut coarse = self.search.at_rest();
         coarse.add(&peaks, self.search.cell_vox);
-        coarse = self.judge(&coarse, &peaks).predictor();
+        coarse = self.judge(&coarse, &peaks).in_line();
         self.windows.at_rest().sampling(|at| coarse.at(at))
     }
 
@@ -164,7 +175,7 @@ impl Interrogation {
     /// enough to tell.
     fn uncertainties(&self, frames: &Rendered, peaks: &[Option<Peak>]) -> Vec<Option<[f32; 3]>> {
         let [nx, ny, _] = self.windows.nodes;
-        let [a, b] = frames.images.each_ref().map(|light| Image {
+        let images = frames.images.each_ref().map(|light| Image {
             light,
             cells: frames.raster.cells,
             lit: frames.lit,
@@ -173,14 +184,15 @@ impl Interrogation {
         peaks
             .par_iter()
             .enumerate()
-            .map(|(n, peak)| {
+            .map_init(Cutouts::default, |cutouts, (n, peak)| {
                 let Peak { shift, lag, .. } = peak.as_ref()?;
                 let node = [n % nx, n / nx % ny, n / (nx * ny)];
                 // Windows stand at the middle of the cells they compare.
                 let corner = std::array::from_fn(|axis| {
                     (node[axis] * self.windows.step + border) as i64 - lag[axis].div_euclid(2)
                 });
-                let statistics = PeakStatistics::of(a, b, corner, self.windows.edge, *lag)?;
+                let statistics =
+                    PeakStatistics::of(images, corner, self.windows.edge, *lag, cutouts)?;
                 let agree = f64::from(statistics.coefficient) >= self.settings.least_correlation;
                 agree.then(|| statistics.uncertainty_vox(*shift))?
             })

@@ -30,7 +30,7 @@ fn statistics(frames: &[Vec<f32>; 2]) -> Option<PeakStatistics> {
         cells: VOXELS,
         lit: VOXELS.map(|n| [0, n as i64]),
     });
-    PeakStatistics::of(a, b, [4; 3], EDGE, [0; 3])
+    PeakStatistics::of([a, b], [4; 3], EDGE, [0; 3], &mut Cutouts::default())
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn few_particles_know_no_more_than_the_voxel() {
     let few = PeakStatistics { variance_vox2: [0.0; 3], particles: 3.0, coefficient: 1.0 };
     assert!((few.uncertainty_vox([0.0; 3]).unwrap()[0] - 0.2887).abs() < 1e-4);
     let many = PeakStatistics { variance_vox2: [0.01; 3], particles: 1000.0, coefficient: 1.0 };
-    assert!((many.uncertainty_vox([0.0; 3]).unwrap()[0] - 0.1).abs() < 1e-3);
+    assert!((many.uncertainty_vox([0.0; 3]).unwrap()[0] - 0.1 * SHARED).abs() < 1e-3);
     let moving = many.uncertainty_vox([2.0; 3]).unwrap()[0];
-    assert!((moving - 0.38f32.hypot(0.1)).abs() < 1e-3);
+    assert!((moving - 0.38f32.hypot(0.1 * SHARED)).abs() < 1e-3);
 }
