@@ -21,6 +21,13 @@ use super::lattice::Lattice;
 /// 1 + 9 + 9 + 1, less 2 · (3 + 9 + 3) times their correlation of 1/2.
 const NOISE_GAIN: f64 = 5.0;
 
+/// Standard deviation that is added to every vector, as a share of the flow's third differences: a
+/// window as long as the shortest wave on the lattice does not see that wave, so the spread of its
+/// particles knows nothing of it. Error of the true particles in windows of 24 voxels on a wave of
+/// 100: 0.08 voxel without, 0.03 with 0.1 or 0.17, 0.06 with 0.3; the bench and the ring vortex are
+/// best between 0.05 and 0.15.
+const UNSEEN: f64 = 0.1;
+
 /// A third difference of a regular flow that is not told from zero, in voxels.
 const RESOLUTION_VOX: f64 = 1e-3;
 
@@ -37,7 +44,7 @@ struct Layout {
 /// One component's equations (S + Σ Δᵀ P Δ) d = S y.
 struct Equations {
     layout: Layout,
-    /// 1/σ² of each node.
+    /// 1/σ² of each node, with what windows cannot see.
     certainty: Vec<f64>,
     /// Per axis: 1/τ² of the third difference that starts at each node; 0 where none does.
     stiffness: [Vec<f64>; 3],
@@ -109,11 +116,14 @@ impl Layout {
 
 impl Equations {
     fn new(layout: Layout, value: &[f64], variance: &[f64]) -> Self {
-        let stiffness = std::array::from_fn(|axis| {
-            let roughness = roughness(layout, axis, value, variance);
-            roughness.iter().map(|&t| if t > 0.0 { 1.0 / t } else { 0.0 }).collect()
-        });
-        let certainty = variance.iter().map(|v| 1.0 / v).collect();
+        let roughness: [Vec<f64>; 3] =
+            std::array::from_fn(|axis| roughness(layout, axis, value, variance));
+        let all = roughness.iter().flatten().filter(|&&t| t > 0.0);
+        let (sum, count) = all.fold((0.0, 0usize), |(sum, count), t| (sum + t, count + 1));
+        let unseen = UNSEEN * UNSEEN * sum / count.max(1) as f64;
+        let stiffness = roughness
+            .map(|of_axis| of_axis.iter().map(|&t| if t > 0.0 { 1.0 / t } else { 0.0 }).collect());
+        let certainty = variance.iter().map(|v| 1.0 / (v + unseen)).collect();
         Self { layout, certainty, stiffness }
     }
 
