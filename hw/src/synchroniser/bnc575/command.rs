@@ -192,10 +192,16 @@ impl Parameter {
     }
 }
 
+/// Keywords that units answer, in their short form; the long form begins with it.
+const KEYWORDS: [&str; 16] = [
+    "NORM", "SING", "BURS", "DCYC", "DIS", "TRIG", "RIS", "FALL", "T0", "CH", "TTL", "ADJ", "INV",
+    "COMP", "EXT", "GATE",
+];
+
 fn is_keyword(reply: &str) -> bool {
-    reply.starts_with(|c: char| c.is_ascii_alphabetic())
+    let reply = reply.to_ascii_uppercase();
+    KEYWORDS.iter().any(|keyword| reply.starts_with(keyword))
         && reply.chars().all(|c| c.is_ascii_alphanumeric())
-        && !reply.eq_ignore_ascii_case("ok")
 }
 
 impl fmt::Display for Parameter {

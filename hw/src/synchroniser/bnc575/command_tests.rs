@@ -81,6 +81,7 @@ fn read_back_is_compared_as_numbers() {
 fn stray_lines_are_told_from_answers() {
     assert!(Parameter::Running.can_be("1") && !Parameter::Running.can_be("2"));
     assert!(!Parameter::Running.can_be("ok") && !Parameter::SystemMode.can_be("ok"));
+    assert!(!Parameter::SystemMode.can_be("noise") && Parameter::SystemMode.can_be("SINGLE"));
     assert!(Parameter::SystemMode.can_be("NORM") && !Parameter::SystemMode.can_be("0.1"));
     assert!(Parameter::Period.can_be("0.100000000") && !Parameter::Period.can_be("NORM"));
     assert!(!Parameter::TriggerCount.can_be("-1"));
