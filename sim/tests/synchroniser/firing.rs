@@ -125,6 +125,23 @@ fn q_switches_wait_for_warm_lamps() {
 }
 
 #[test]
+fn a_long_warm_up_passes_unwatched() {
+    let bench = Bench::usual();
+    let warm_up = TimingSettings { lamp_warm_up_s: 3.6, ..timing() };
+    let mut unit = bench.connect_with(&warm_up);
+    unit.program(&schedule()).unwrap();
+    arm_and_fire(unit.as_mut(), 2);
+    // After its burst this unit drops to OFF; a pause of less than 3 s keeps the lamps warm.
+    wait_for_state(unit.as_mut(), SynchroniserState::Armed);
+    assert_eq!(unit.arm().unwrap(), Duration::ZERO);
+    unit.fire(2).unwrap();
+    wait_for_state(unit.as_mut(), SynchroniserState::Armed);
+    thread::sleep(Duration::from_millis(3300));
+    assert!(unit.arm().unwrap() > Duration::from_secs(3));
+    assert_eq!(bench.q_switch_pulses(), [4; 2]);
+}
+
+#[test]
 fn outputs_that_a_reset_enables_give_no_pulse() {
     let options = PulseGeneratorOptions { reset_enables_channels: true, ..Default::default() };
     let bench = Bench::start(options);

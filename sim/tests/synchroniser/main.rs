@@ -1,5 +1,8 @@
 //! The synchroniser drivers against simulated units on real pseudo-terminals.
 
+// All of this crate is test; clippy's exception covers only the functions marked as such.
+#![allow(clippy::unwrap_used)]
+
 mod bench;
 mod command_table;
 mod faults;

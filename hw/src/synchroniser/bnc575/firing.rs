@@ -42,8 +42,9 @@ impl Bnc575 {
                 self.link.ensure(of(lamp, ChannelParameter::State), Value::Switch(true))?;
             }
             self.link.set(Parameter::Running, Value::Switch(true))?;
+            self.lamps_started();
         }
-        self.note_lamps(Instant::now());
+        self.lamps_seen();
         if let (Some(source), None) = (&schedule.external_trigger, &self.source) {
             let count = self.link.query_count(Parameter::TriggerCount)?;
             self.source = Some(SourceRate::new(source.max_rate_hz, count));
@@ -51,8 +52,9 @@ impl Bnc575 {
         Ok(())
     }
 
-    /// Lamps fire now. After too long a pause their warm-up begins again.
-    fn note_lamps(&mut self, now: Instant) {
+    /// Lamps are started. After too long a pause their warm-up begins again.
+    fn lamps_started(&mut self) {
+        let now = Instant::now();
         let since = match self.lamps {
             Some(run) if now.saturating_duration_since(run.last_seen) <= LAMPS_STAY_WARM => {
                 run.since
@@ -60,6 +62,13 @@ impl Bnc575 {
             _ => now,
         };
         self.lamps = Some(LampRun { since, last_seen: now });
+    }
+
+    /// T0 is read as running. Nobody but this driver starts it, so it has been all along.
+    fn lamps_seen(&mut self) {
+        if let Some(run) = &mut self.lamps {
+            run.last_seen = Instant::now();
+        }
     }
 
     fn warm_up_left(&self) -> Duration {
@@ -108,7 +117,7 @@ impl Bnc575 {
         // Known before it is started: if the reply is lost, the burst may be running.
         self.burst = Some(Burst { shots, count_before, started: Instant::now() });
         self.link.command(Command::Set(Parameter::Running, Value::Switch(true)))?;
-        self.note_lamps(Instant::now());
+        self.lamps_started();
         if schedule.external_trigger.is_some()
             && let Some(source) = &mut self.source
         {
@@ -143,21 +152,14 @@ impl Bnc575 {
 
     fn read_running_state(&mut self) -> Result<SynchroniserState, LinkError> {
         let given = self.shots_of_burst()?;
-        let burst = self.burst;
-        match burst {
-            Some(burst) if given < burst.shots => {
-                self.note_lamps(Instant::now());
-                Ok(SynchroniserState::Firing)
-            }
+        self.lamps_seen();
+        match self.burst {
+            Some(burst) if given < burst.shots => Ok(SynchroniserState::Firing),
             Some(_) => {
-                self.note_lamps(Instant::now());
                 self.end_burst(given);
                 Ok(SynchroniserState::Armed)
             }
-            None if self.lamps.is_some() => {
-                self.note_lamps(Instant::now());
-                Ok(SynchroniserState::Armed)
-            }
+            None if self.lamps.is_some() => Ok(SynchroniserState::Armed),
             // A burst that somebody else started, an earlier run perhaps.
             None => Ok(match self.any_q_switch_enabled()? {
                 true => SynchroniserState::Firing,
