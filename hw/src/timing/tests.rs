@@ -1,5 +1,5 @@
 use garde::Validate;
-use proptest::prelude::*;
+use proptest::{prelude::*, strategy::ValueTree};
 
 use super::*;
 
@@ -190,4 +190,13 @@ proptest! {
         let planned = PulseSchedule::plan(&case.settings(), us(case.dt), 1e6 / us(case.period));
         prop_assert_eq!(planned.is_ok(), case.allowed(), "{:?}", planned);
     }
+}
+
+#[test]
+fn random_cases_break_the_rules_and_keep_them() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let strategy = cases();
+    let allowed =
+        (0..4096).filter(|_| strategy.new_tree(&mut runner).unwrap().current().allowed()).count();
+    assert!((100..4000).contains(&allowed), "{allowed} of 4096");
 }

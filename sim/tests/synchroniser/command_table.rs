@@ -5,10 +5,11 @@ use std::time::Duration;
 use lfpiv_hw::synchroniser::{
     bnc575::{command::Command, reply::Reply},
     line::{Dialogue, Direction, SerialLine, Transcript},
+    open,
 };
 
 use crate::bench::{
-    Bench, arm_and_fire, external_schedule, external_timing, schedule, wait_for_state,
+    Bench, arm_and_fire, external_schedule, external_timing, schedule, timing, wait_for_state,
 };
 use lfpiv_hw::device::SynchroniserState;
 
@@ -126,4 +127,20 @@ fn rows_that_no_run_needs() {
     send(":PULSE2:WCO 100");
     let unit = bench.served.unit();
     assert_eq!((unit.periods(), unit.pulses(2)), (1, 0));
+}
+
+#[test]
+fn the_transcript_file_holds_both_directions() {
+    let bench = Bench::usual();
+    let folder = std::env::temp_dir().join(format!("lfpiv-transcript-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("serial.txt");
+    let mut settings = bench.settings();
+    settings.transcript = Some(path.clone());
+    open(&settings, &timing()).unwrap().program(&schedule()).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(text.lines().next().unwrap().ends_with(r" > :PULSE0:STATE OFF\r\n"), "{text}");
+    assert!(text.contains(r" > :PULSE2:DEL 0.00028000000\r\n"));
+    assert!(text.contains(r" < BNC,575-8,31707,2.4.2-2.0.11\r\n"));
 }
