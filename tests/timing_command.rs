@@ -1,5 +1,8 @@
 //! `lfpiv timing` through the real binary.
 
+// All of this crate is test; clippy's exception covers only the functions marked as such.
+#![allow(clippy::unwrap_used)]
+
 use std::{
     fs,
     process::{Command, Output},
