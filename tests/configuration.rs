@@ -6,6 +6,7 @@ use lfpiv::{
     model::ModelMode,
     reconstruction::Footprint,
 };
+use lfpiv_hw::TimingSettings;
 
 #[allow(dead_code)]
 mod support;
@@ -106,6 +107,7 @@ fn a_value_out_of_range_is_shown_with_the_range() {
             "0.0",
             "simulation.flow.wavelength_mm = 0.0: allowed 0.01 to 10000",
         ),
+        ("# gap_us = 2.0", "gap_us = -2.0", "-2.0", "timing.gap_us = -2.0: allowed 0 to 10000"),
         (
             "object_distance_mm = 200.0",
             "object_distance_mm = 50.0",
@@ -153,6 +155,26 @@ fn a_value_of_the_wrong_type_is_shown_with_what_is_allowed() {
         let message = refusal(from, to);
         assert!(message.contains(expected), "{message}");
     }
+}
+
+#[test]
+fn timing_may_be_left_out_and_declares_an_external_trigger() {
+    let timing = |from: &str, to: &str| {
+        let text = Changed::new(from, to).text;
+        Config::parse("run.toml", &text).map(|config| config.timing)
+    };
+    let usual = timing("# external_trigger =", "# external_trigger =").unwrap();
+    assert_eq!(usual, TimingSettings::default());
+    let declared = timing("# external_trigger =", "external_trigger =").unwrap();
+    assert_eq!(declared.external_trigger.unwrap().max_rate_hz, 10.0);
+    let message = refusal(
+        "# external_trigger = { max_rate_hz = 10.0",
+        "external_trigger = { max_rate_hz = 0.0",
+    );
+    let expected = "timing.external_trigger.max_rate_hz = 0.0: allowed 0.001 to 1000";
+    assert!(message.contains(expected), "{message}");
+    let message = refusal("# gap_us = 2.0", "gap = 2.0");
+    assert!(message.contains("timing.gap: unknown key"), "{message}");
 }
 
 #[test]

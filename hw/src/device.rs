@@ -27,19 +27,43 @@ pub trait Camera: Send {
 }
 
 /// The unit that times laser and cameras.
+///
+/// ```text
+/// make_safe -> program -> arm, wait -> fire, fire, ... -> disarm
+/// ```
+///
+/// Every burst is bounded, so that a host that dies or a line that is cut ends Q-switching by
+/// itself; `fire` renews it.
 pub trait Synchroniser: Send {
     /// The unit's identity string.
     fn identify(&mut self) -> Result<String, DeviceError>;
     /// Writes a validated schedule and compares its read-back; outputs stay off.
     fn program(&mut self, schedule: &PulseSchedule) -> Result<(), DeviceError>;
-    /// Fires one bounded burst of `shots` periods. Returns once the unit has accepted it.
+    /// Lets the lamps fire alone and returns how long it takes until `fire` is allowed: the rest
+    /// of the lamps' warm-up, and with an external trigger the time in which its rate is counted.
+    /// Does not wait. Call it before every burst: the lamps may have gone cold. Units without
+    /// lamps to warm have nothing to do.
+    fn arm(&mut self) -> Result<Duration, DeviceError> {
+        Ok(Duration::ZERO)
+    }
+    /// Fires one bounded burst of `shots` periods. Returns once the unit has accepted it; refused
+    /// while a burst is running.
     fn fire(&mut self, shots: u64) -> Result<(), DeviceError>;
-    /// Triggers given since `program`, read from the unit.
-    fn trigger_count(&mut self) -> Result<u64, DeviceError>;
+    /// Shots given since `program`, counted by the unit; `None` from a unit that does not count.
+    fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError>;
     /// The unit's state, read from the unit and never remembered.
     fn state(&mut self) -> Result<SynchroniserState, DeviceError>;
-    /// Q-switches off, then lamps off, verified by read-back. Idempotent.
+    /// Q-switches off, then lamps off, then cameras off, verified by read-back. Idempotent.
     fn make_safe(&mut self) -> Result<(), DeviceError>;
+    /// Ends firing and lets the lamps go cold; `program` comes before the next `arm`.
+    fn disarm(&mut self) -> Result<(), DeviceError> {
+        self.make_safe()
+    }
+    /// Whether timing and state are read from the unit. Where not, they rest on its
+    /// acknowledgements, and whoever reports them has to say so.
+    fn reads_back(&self) -> bool {
+        true
+    }
 }
 
 /// What the synchroniser is doing.

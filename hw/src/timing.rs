@@ -11,11 +11,16 @@
 //! Q1 must fall into exposure 1 and Q2 into exposure 2. The gap between them stands in the middle
 //! of the two pulses while they are close; for slow flows it stays half an exposure behind Q1.
 
+pub mod diagram;
 mod error;
+mod limits;
 mod settings;
+mod trigger;
 
 pub use error::{Signal, TimingError, Violation};
+pub use limits::{Rounding, UnitLimits, UnitSchedule};
 pub use settings::TimingSettings;
+pub use trigger::{ExternalTrigger, TriggerEdge, TriggerSource};
 
 /// Differences below this are rounding, in µs: a picosecond, finer than any synchroniser sets.
 const ROUNDING_US: f64 = 1e-6;
@@ -23,7 +28,7 @@ const ROUNDING_US: f64 = 1e-6;
 /// A validated schedule of one period. All times are in µs after T0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PulseSchedule {
-    /// Time between T0 pulses, in µs.
+    /// Time between T0 pulses, in µs. With an external trigger, what is expected of the source.
     pub period_us: f64,
     /// Time between the two laser pulses, in µs.
     pub dt_us: f64,
@@ -41,6 +46,10 @@ pub struct PulseSchedule {
     pub camera_ready_us: f64,
     /// Width of every trigger pulse, in µs.
     pub pulse_width_us: f64,
+    /// Time kept between a light pulse and the edges of its exposure, in µs.
+    pub margin_us: f64,
+    /// The source of triggers; `None` for the synchroniser's own clock.
+    pub external_trigger: Option<ExternalTrigger>,
 }
 
 impl PulseSchedule {
@@ -51,22 +60,36 @@ impl PulseSchedule {
         positive("dt_us", dt_us)?;
         positive("rate_hz", rate_hz)?;
         let schedule = Self::place(settings, dt_us, rate_hz);
-        let violations: Vec<Violation> = [
-            schedule.laser_rate(settings, rate_hz),
-            schedule.pulse_in_exposure(1, settings.margin_us),
-            schedule.pulse_in_exposure(2, settings.margin_us),
-            schedule.camera_ready(),
-        ]
-        .into_iter()
-        .flatten()
-        .chain(schedule.signals_outside_period())
-        .collect();
+        let violations: Vec<Violation> = laser_rate(settings, rate_hz)
+            .into_iter()
+            .chain(external_rate(settings, rate_hz))
+            .chain(schedule.broken_rules())
+            .collect();
         if violations.is_empty() { Ok(schedule) } else { Err(TimingError { violations }) }
     }
 
     /// Laser rate in Hz.
     pub fn rate_hz(&self) -> f64 {
         1e6 / self.period_us
+    }
+
+    /// Shortest time between two T0 pulses, in µs: an external source may be as fast as declared.
+    pub fn shortest_period_us(&self) -> f64 {
+        match &self.external_trigger {
+            Some(source) => 1e6 / source.max_rate_hz,
+            None => self.period_us,
+        }
+    }
+
+    /// Outputs of the synchroniser and when their pulses begin, in µs.
+    pub fn signals(&self) -> [(Signal, f64); 5] {
+        [
+            (Signal::Lamp1, self.lamp_us[0]),
+            (Signal::Lamp2, self.lamp_us[1]),
+            (Signal::QSwitch1, self.q_switch_us[0]),
+            (Signal::QSwitch2, self.q_switch_us[1]),
+            (Signal::CameraTrigger, self.camera_trigger_us),
+        ]
     }
 
     fn place(settings: &TimingSettings, dt_us: f64, rate_hz: f64) -> Self {
@@ -89,21 +112,30 @@ impl PulseSchedule {
             exposure_2_us: [gap_end_us, exposure_2_end_us],
             camera_ready_us: exposure_2_end_us + settings.readout_us,
             pulse_width_us: settings.pulse_width_us,
+            margin_us: settings.margin_us,
+            external_trigger: match settings.trigger {
+                TriggerSource::Internal => None,
+                TriggerSource::External => settings.external_trigger.clone(),
+            },
         }
     }
 
-    fn laser_rate(&self, settings: &TimingSettings, rate_hz: f64) -> Option<Violation> {
-        let limit_hz = settings.laser_rate_limit_hz;
-        (rate_hz > limit_hz).then_some(Violation::LaserRate { rate_hz, limit_hz })
+    /// What is wrong with the pulses of one period among themselves.
+    fn broken_rules(&self) -> Vec<Violation> {
+        [self.pulse_in_exposure(1), self.pulse_in_exposure(2), self.camera_ready()]
+            .into_iter()
+            .flatten()
+            .chain(self.signals_outside_period())
+            .collect()
     }
 
     /// Light pulse `number` (1 or 2) against the exposure of the same number.
-    fn pulse_in_exposure(&self, number: u8, margin_us: f64) -> Option<Violation> {
+    fn pulse_in_exposure(&self, number: u8) -> Option<Violation> {
         let (pulse_us, [start_us, end_us]) = match number {
             1 => (self.q_switch_us[0], self.exposure_1_us),
             _ => (self.q_switch_us[1], self.exposure_2_us),
         };
-        let (earliest_us, latest_us) = (start_us + margin_us, end_us - margin_us);
+        let (earliest_us, latest_us) = (start_us + self.margin_us, end_us - self.margin_us);
         let inside = earliest_us - ROUNDING_US <= pulse_us && pulse_us <= latest_us + ROUNDING_US;
         (!inside).then_some(Violation::PulseOutsideExposure {
             number,
@@ -114,25 +146,45 @@ impl PulseSchedule {
     }
 
     fn camera_ready(&self) -> Option<Violation> {
-        let (ready_us, period_us) = (self.camera_ready_us, self.period_us);
+        let (ready_us, period_us) = (self.camera_ready_us, self.shortest_period_us());
         (ready_us >= period_us - ROUNDING_US)
             .then_some(Violation::CameraBusy { ready_us, period_us })
     }
 
     fn signals_outside_period(&self) -> impl Iterator<Item = Violation> {
-        let signals = [
-            (Signal::Lamp1, self.lamp_us[0]),
-            (Signal::Lamp2, self.lamp_us[1]),
-            (Signal::QSwitch1, self.q_switch_us[0]),
-            (Signal::QSwitch2, self.q_switch_us[1]),
-            (Signal::CameraTrigger, self.camera_trigger_us),
-        ];
-        let (width_us, period_us) = (self.pulse_width_us, self.period_us);
-        signals.into_iter().filter_map(move |(signal, start_us)| {
+        let (width_us, period_us) = (self.pulse_width_us, self.shortest_period_us());
+        self.signals().into_iter().filter_map(move |(signal, start_us)| {
             let end_us = start_us + width_us;
             let inside = start_us >= -ROUNDING_US && end_us <= period_us + ROUNDING_US;
             (!inside).then_some(Violation::OutsidePeriod { signal, start_us, end_us, period_us })
         })
+    }
+}
+
+/// Lamps are never driven above the laser's rate.
+fn laser_rate(settings: &TimingSettings, rate_hz: f64) -> Option<Violation> {
+    let limit_hz = settings.laser_rate_limit_hz;
+    (rate_hz > limit_hz).then_some(Violation::LaserRate { rate_hz, limit_hz })
+}
+
+/// In external-trigger mode the period setting limits nothing: the source must be known to be
+/// slow enough.
+fn external_rate(settings: &TimingSettings, rate_hz: f64) -> Option<Violation> {
+    let limit_hz = settings.laser_rate_limit_hz;
+    match (settings.trigger, &settings.external_trigger) {
+        (TriggerSource::Internal, _) => None,
+        (TriggerSource::External, None) => Some(Violation::ExternalTriggerUndeclared { limit_hz }),
+        (TriggerSource::External, Some(source)) => {
+            let max_rate_hz = source.max_rate_hz;
+            // Written so that a rate that is no number is refused, too.
+            if !(max_rate_hz > 0.0 && max_rate_hz <= limit_hz) {
+                Some(Violation::ExternalTriggerRate { max_rate_hz, limit_hz })
+            } else if rate_hz > max_rate_hz {
+                Some(Violation::RateAboveSource { rate_hz, max_rate_hz })
+            } else {
+                None
+            }
+        }
     }
 }
 
@@ -146,3 +198,5 @@ fn positive(quantity: &'static str, value: f64) -> Result<(), TimingError> {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod unit_tests;

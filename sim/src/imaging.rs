@@ -78,6 +78,13 @@ impl ElectronImage {
         &self.electrons
     }
 
+    /// Adds the light of another exposure of the same sensor.
+    pub fn add(&mut self, other: &Self) {
+        for (mine, others) in self.electrons.iter_mut().zip(&other.electrons) {
+            *mine += others;
+        }
+    }
+
     /// Sum over all pixels.
     pub fn total(&self) -> f64 {
         self.electrons.iter().map(|&electrons| f64::from(electrons)).sum()

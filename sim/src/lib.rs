@@ -17,11 +17,12 @@ mod synchroniser;
 #[cfg(test)]
 mod test_bench;
 mod triggers;
+pub mod wire;
 
 pub use bench::{SimulatedBench, connect};
 pub use flow::Flow;
 pub use geometry::{BenchGeometry, Volume};
 pub use particles::{FrameOfPair, Particle, Placement};
-pub use scene::{Scene, SceneError, SimulatedShot, Truth};
+pub use scene::{LightPulse, Scene, SceneError, SimulatedShot, Truth};
 pub use sensor::SensorSettings;
 pub use triggers::{LEAD, Pacing};

@@ -136,6 +136,20 @@ impl Seeding {
         dt_s: f64,
         (seed, shot): (u64, u64),
     ) -> Vec<Particle> {
+        let mut particles = self.all_particles(volume, object_pitch_mm, flow, dt_s, (seed, shot));
+        particles.retain(|particle| particle.visible_a || particle.visible_b);
+        particles
+    }
+
+    /// As [`Seeding::particles`], with those that are lit in neither frame.
+    pub(crate) fn all_particles(
+        &self,
+        volume: &Volume,
+        object_pitch_mm: f64,
+        flow: &Flow,
+        dt_s: f64,
+        (seed, shot): (u64, u64),
+    ) -> Vec<Particle> {
         let sheet = self.sheet(volume);
         let region = self.region(volume, flow, dt_s);
         let density_per_mm3 = self.density_per_mm3(volume, object_pitch_mm);
@@ -151,8 +165,20 @@ impl Seeding {
                 let intensity = 1.0 + spread * rng.random_range(-1.0..=1.0);
                 particle(mid_mm, intensity, &sheet, flow, dt_s)
             })
-            .filter(|particle| particle.visible_a || particle.visible_b)
             .collect()
+    }
+
+    /// Where a particle is `at_s` after the middle of the pair, in mm; `None` where the light
+    /// sheet misses it then.
+    pub(crate) fn lit_mm(
+        &self,
+        particle: &Particle,
+        volume: &Volume,
+        flow: &Flow,
+        at_s: f64,
+    ) -> Option<[f64; 3]> {
+        let position_mm = flow.advect_mm(particle.mid_mm, at_s);
+        self.sheet(volume).contains(position_mm).then_some(position_mm)
     }
 
     fn sheet(&self, volume: &Volume) -> AlignedBox {

@@ -1,5 +1,7 @@
 //! What is in front of the simulated cameras: the `[simulation]` table of the configuration.
 
+mod pulses;
+
 use garde::Validate;
 use lfpiv_hw::{RawImage, check::finite};
 use serde::{Deserialize, Serialize};
@@ -12,6 +14,8 @@ use crate::{
     particles::{FrameOfPair, Particle, Placement, Seeding},
     sensor::SensorSettings,
 };
+
+pub use pulses::LightPulse;
 
 /// Most particles of a shot: ten million take minutes and about a gigabyte.
 pub const PARTICLE_LIMIT: f64 = 1e7;
@@ -163,13 +167,16 @@ impl Scene {
         let Some(pose) = bench.poses.get(camera) else {
             return ElectronImage::dark(&bench.optics);
         };
-        let settings = RaySettings {
+        let sources = self.sources(&truth.particles, frame);
+        RayTracer::new(&bench.optics, pose, &self.rays())
+            .trace(&sources, &stream_key(truth, camera, frame))
+    }
+
+    fn rays(&self) -> RaySettings {
+        RaySettings {
             rays_per_particle: self.rays_per_particle,
             diffraction_nm: self.diffraction.then_some(self.wavelength_nm),
-        };
-        let sources = self.sources(&truth.particles, frame);
-        RayTracer::new(&bench.optics, pose, &settings)
-            .trace(&sources, &stream_key(truth, camera, frame))
+        }
     }
 
     fn seeding(&self) -> Seeding {

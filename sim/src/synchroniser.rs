@@ -62,10 +62,10 @@ impl Synchroniser for SimulatedSynchroniser {
         Ok(())
     }
 
-    fn trigger_count(&mut self) -> Result<u64, DeviceError> {
+    fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError> {
         let mut state = self.bench.lock();
         state.advance(self.bench.now_ns());
-        Ok(state.triggers.given_since_programmed())
+        Ok(Some(state.triggers.given_since_programmed()))
     }
 
     fn state(&mut self) -> Result<SynchroniserState, DeviceError> {

@@ -50,6 +50,9 @@ impl Run {
     /// Fires one burst and waits until each of its triggers is ruled on, or, once the run is
     /// being stopped, for as long as [`STOP_GRACE`].
     pub(super) async fn run_burst(&mut self, shots: u64) -> Result<(), AcquisitionError> {
+        if !self.wait_until_armed().await? {
+            return Ok(());
+        }
         let fired_before = self.fired;
         self.fire(shots).await?;
         let planned_end = Instant::now() + self.planned_duration(shots);
@@ -91,6 +94,20 @@ impl Run {
         self.check_silence()
     }
 
+    /// Lets the lamps warm up, if they need to; false when the run is stopped meanwhile.
+    async fn wait_until_armed(&mut self) -> Result<bool, AcquisitionError> {
+        let wait = self.synchroniser.call(|unit| unit.arm()).await?;
+        let armed = tokio::time::sleep(wait);
+        tokio::pin!(armed);
+        loop {
+            tokio::select! {
+                () = self.stop.cancelled() => return Ok(false),
+                event = self.events.recv() => self.handle(event)?,
+                () = &mut armed => return Ok(true),
+            }
+        }
+    }
+
     async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
         let first = self.pairing.fired(shots, self.began.elapsed());
         for trigger in first..first + shots {
@@ -112,7 +129,12 @@ impl Run {
             return Ok(false);
         }
         let counted = self.synchroniser.call(|unit| unit.trigger_count()).await?;
-        let rulings = self.pairing.burst_ended(counted.saturating_sub(self.first_count))?;
+        let given = match (counted, self.first_count) {
+            (Some(counted), Some(first)) => counted.saturating_sub(first),
+            // A unit that does not count is taken at its word; frames say the rest.
+            _ => self.fired,
+        };
+        let rulings = self.pairing.burst_ended(given)?;
         self.apply(rulings)?;
         Ok(true)
     }

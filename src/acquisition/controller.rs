@@ -121,8 +121,8 @@ pub(super) struct Run {
     pub(super) began: Instant,
     pub(super) last_frame: Instant,
     pub(super) fired: u64,
-    /// The unit's count when it was programmed.
-    pub(super) first_count: u64,
+    /// The unit's count when it was programmed; `None` from a unit that does not count.
+    pub(super) first_count: Option<u64>,
     /// Triggers given since each camera's last frame.
     pub(super) silent: Vec<u64>,
 }
@@ -165,7 +165,7 @@ impl Run {
             began: Instant::now(),
             last_frame: Instant::now(),
             fired: 0,
-            first_count: 0,
+            first_count: None,
             silent: vec![0; count],
         })
     }

@@ -22,7 +22,7 @@ use std::{
 };
 
 use anyhow::{Context, anyhow};
-use lfpiv_hw::{PulseSchedule, TimingSettings};
+use lfpiv_hw::PulseSchedule;
 use parking_lot::Mutex;
 use tokio::{net::TcpListener, sync::mpsc, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
@@ -59,8 +59,8 @@ pub struct DaemonPlan {
 
 impl DaemonPlan {
     fn acquisition(&self) -> anyhow::Result<AcquisitionSettings> {
-        let shot = &self.file.config.shot;
-        let schedule = PulseSchedule::plan(&TimingSettings::default(), shot.dt_us, shot.rate_hz)
+        let (shot, timing) = (&self.file.config.shot, &self.file.config.timing);
+        let schedule = PulseSchedule::plan(timing, shot.dt_us, shot.rate_hz)
             .with_context(|| format!("{}: [shot] cannot be timed", self.file.path.display()))?;
         let simulated = self.file.config.simulation.is_some();
         Ok(AcquisitionSettings {

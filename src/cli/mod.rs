@@ -1,4 +1,4 @@
-//! The command line: `lfpiv check | simulate | process | run | bench | peers`.
+//! The command line: `lfpiv check | timing | simulate | process | run | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
@@ -16,6 +16,7 @@ mod run_folder;
 mod run_info;
 mod simulate;
 mod solver;
+mod timing;
 
 use std::{io::IsTerminal, process::ExitCode};
 
@@ -29,6 +30,7 @@ pub use peers::PeersCommand;
 pub use process::ProcessArgs;
 pub use run::RunArgs;
 pub use simulate::SimulateArgs;
+pub use timing::TimingArgs;
 
 /// Dual-camera light-field particle image velocimetry.
 #[derive(Debug, Parser)]
@@ -42,6 +44,8 @@ struct Cli {
 enum Command {
     /// Check a configuration and print what will be done with it.
     Check(CheckArgs),
+    /// Draw the timing diagram of a configuration, as text and as SVG.
+    Timing(TimingArgs),
     /// Make image pairs of a known flow by ray tracing.
     Simulate(SimulateArgs),
     /// Measure recorded image pairs.
@@ -61,6 +65,7 @@ pub fn main() -> ExitCode {
     start_logging();
     let done = match cli.command {
         Command::Check(args) => check::check(&args),
+        Command::Timing(args) => timing::timing(&args),
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),

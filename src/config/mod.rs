@@ -13,7 +13,7 @@ use std::{
 };
 
 use garde::Validate;
-use lfpiv_hw::{Optics, Pose};
+use lfpiv_hw::{Optics, Pose, TimingSettings};
 use lfpiv_sim::{BenchGeometry, Scene, Volume};
 use serde::{Deserialize, Serialize};
 
@@ -67,6 +67,10 @@ pub struct Config {
     /// Laser and shot timing.
     #[garde(dive)]
     pub shot: ShotSettings,
+    /// What laser and cameras need in time.
+    #[serde(default)]
+    #[garde(dive)]
+    pub timing: TimingSettings,
     /// What is known about the images.
     #[serde(default)]
     #[garde(dive)]

@@ -146,7 +146,7 @@ impl Synchroniser for LoggedUnit {
         self.inner.fire(shots)
     }
 
-    fn trigger_count(&mut self) -> Result<u64, DeviceError> {
+    fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError> {
         self.line()?;
         self.inner.trigger_count()
     }

@@ -31,6 +31,32 @@ pub enum Violation {
     /// Lamps would be driven above the laser's rate.
     #[error("laser rate = {rate_hz} Hz: allowed: at most {limit_hz} Hz")]
     LaserRate { rate_hz: f64, limit_hz: f64 },
+    /// The source of external triggers may be faster than anybody has said.
+    #[error(
+        "trigger = external: no external_trigger is declared, allowed: one with max_rate_hz of at \
+         most {limit_hz} Hz, because the period setting limits nothing then"
+    )]
+    ExternalTriggerUndeclared { limit_hz: f64 },
+    /// The declared source may be faster than the laser.
+    #[error("external_trigger.max_rate_hz = {max_rate_hz} Hz: allowed: at most {limit_hz} Hz")]
+    ExternalTriggerRate { max_rate_hz: f64, limit_hz: f64 },
+    /// Shots are expected faster than the source gives triggers.
+    #[error(
+        "shot rate = {rate_hz} Hz: allowed: at most external_trigger.max_rate_hz = {max_rate_hz} Hz"
+    )]
+    RateAboveSource { rate_hz: f64, max_rate_hz: f64 },
+    /// The pulse separation is no multiple of the unit's step.
+    #[error("dt = {dt_us} us: allowed: a multiple of {step_us} us, the step of a {unit}")]
+    NotAStep { unit: &'static str, dt_us: f64, step_us: f64 },
+    /// Beyond what the unit sets.
+    #[error("{quantity} = {value_us} us: allowed: {lowest_us} to {highest_us} us with a {unit}")]
+    OutsideUnit {
+        unit: &'static str,
+        quantity: String,
+        value_us: f64,
+        lowest_us: f64,
+        highest_us: f64,
+    },
     /// A light pulse misses its exposure or comes too near to its edges.
     #[error(
         "Q{number} = {pulse_us:.3} us: must fall into exposure {number}, allowed: \

@@ -1,8 +1,9 @@
-//! What laser and cameras need in time.
+//! What laser and cameras need in time: the `[timing]` table.
 
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
+use super::trigger::{ExternalTrigger, TriggerSource};
 use crate::check::finite;
 
 /// Properties of laser and cameras that fix the pulse schedule. Defaults are DESIGN section 5's.
@@ -37,6 +38,15 @@ pub struct TimingSettings {
     /// Width of every trigger pulse, in µs.
     #[garde(custom(finite), range(min = 0.01, max = 10_000.0))]
     pub pulse_width_us: f64,
+    /// How long lamps fire before a Q-switch is enabled, in s. Counted by the host.
+    #[garde(custom(finite), range(min = 0.0, max = 3600.0))]
+    pub lamp_warm_up_s: f64,
+    /// What starts a period.
+    #[garde(skip)]
+    pub trigger: TriggerSource,
+    /// The external source; needed where `trigger` is `external`.
+    #[garde(dive)]
+    pub external_trigger: Option<ExternalTrigger>,
 }
 
 impl Default for TimingSettings {
@@ -51,6 +61,9 @@ impl Default for TimingSettings {
             readout_us: 40_000.0,
             margin_us: 1.0,
             pulse_width_us: 50.0,
+            lamp_warm_up_s: 10.0,
+            trigger: TriggerSource::Internal,
+            external_trigger: None,
         }
     }
 }

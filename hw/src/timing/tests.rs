@@ -1,5 +1,5 @@
 use garde::Validate;
-use proptest::prelude::*;
+use proptest::{prelude::*, strategy::ValueTree};
 
 use super::*;
 
@@ -81,6 +81,10 @@ struct WholeNumbers {
     width: i64,
     dt: i64,
     period: i64,
+    /// Shortest period that the laser stands.
+    laser_period: i64,
+    /// `None` for the unit's own clock, else the declared source's shortest period, if any.
+    external: Option<Option<i64>>,
 }
 
 impl WholeNumbers {
@@ -97,16 +101,23 @@ impl WholeNumbers {
         let closes = opens + self.exposure_1;
         let opens_again = closes + self.gap;
         let closes_again = opens_again + self.readout;
+        let (rate_allowed, shortest) = match self.external {
+            None => (true, self.period),
+            Some(None) => (false, self.period),
+            Some(Some(source)) => (source >= self.laser_period && source <= self.period, source),
+        };
         let signals = [self.lamp_1, q2 - self.lamp_to_q[1], q1, q2, trigger];
         (opens + self.margin..=closes - self.margin).contains(&q1)
             && (opens_again + self.margin..=closes_again - self.margin).contains(&q2)
-            && closes_again + self.readout < self.period
-            && signals.iter().all(|&start| start >= 0 && start + self.width <= self.period)
+            && closes_again + self.readout < shortest
+            && signals.iter().all(|&start| start >= 0 && start + self.width <= shortest)
+            && self.period >= self.laser_period
+            && rate_allowed
     }
 
     fn settings(&self) -> TimingSettings {
         TimingSettings {
-            laser_rate_limit_hz: 1e6,
+            laser_rate_limit_hz: 1e6 / us(self.laser_period),
             lamp_1_us: us(self.lamp_1),
             lamp_to_q_switch_us: self.lamp_to_q.map(us),
             camera_latency_us: us(self.latency),
@@ -115,6 +126,16 @@ impl WholeNumbers {
             readout_us: us(self.readout),
             margin_us: us(self.margin),
             pulse_width_us: us(self.width),
+            trigger: match self.external {
+                None => TriggerSource::Internal,
+                Some(_) => TriggerSource::External,
+            },
+            external_trigger: self.external.flatten().map(|source| ExternalTrigger {
+                max_rate_hz: 1e6 / us(source),
+                edge: TriggerEdge::Rising,
+                level_v: 2.5,
+            }),
+            ..TimingSettings::default()
         }
     }
 }
@@ -141,10 +162,17 @@ prop_compose! {
         dt in ns(1..12_000),
         longer_dt in prop_oneof![Just(0), ns(0..3_000_000)],
         period in ns(100_000..4_000_000),
+        laser_period in prop_oneof![Just(2_000), ns(100_000..4_000_000)],
+        external in prop_oneof![
+            3 => Just(None),
+            1 => Just(Some(None)),
+            3 => ns(100_000..4_000_000).prop_map(|source| Some(Some(source))),
+        ],
     ) -> WholeNumbers {
         let dt = dt + longer_dt;
         WholeNumbers {
             lamp_1, lamp_to_q, latency, exposure_1, gap, readout, margin, width, dt, period,
+            laser_period, external,
         }
     }
 }
@@ -162,4 +190,13 @@ proptest! {
         let planned = PulseSchedule::plan(&case.settings(), us(case.dt), 1e6 / us(case.period));
         prop_assert_eq!(planned.is_ok(), case.allowed(), "{:?}", planned);
     }
+}
+
+#[test]
+fn random_cases_break_the_rules_and_keep_them() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let strategy = cases();
+    let allowed =
+        (0..4096).filter(|_| strategy.new_tree(&mut runner).unwrap().current().allowed()).count();
+    assert!((100..4000).contains(&allowed), "{allowed} of 4096");
 }

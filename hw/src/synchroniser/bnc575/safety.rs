@@ -1,0 +1,78 @@
+//! The safe state: ordered most dangerous first, verified by read-back.
+
+use super::{
+    Bnc575,
+    command::{Channel, ChannelParameter, Command, Parameter, Value},
+    link::LinkError,
+};
+use crate::{
+    device::DeviceError,
+    synchroniser::{USE_INTERLOCK, line::LineError},
+};
+
+/// How often the whole order is given before the unit counts as out of control.
+const ROUNDS: usize = 2;
+
+impl Bnc575 {
+    /// Q-switches off, lamps off, cameras off, all other channels off, T0 off; then every one of
+    /// them is read back. Works in the middle of anything: late replies are passed over.
+    pub(super) fn reach_safe_state(&mut self) -> Result<(), DeviceError> {
+        self.forget();
+        let outputs = self.most_dangerous_first();
+        let mut trouble = String::new();
+        for _ in 0..ROUNDS {
+            let reached = self.switch_off(&outputs).and_then(|()| self.confirm_off(&outputs));
+            match reached {
+                Ok(()) => return Ok(()),
+                Err(error @ LinkError::Line(LineError::Lost { .. })) => {
+                    return Err(self.failed(error));
+                }
+                Err(error) => {
+                    tracing::warn!(unit = self.name, %error, "the safe state is not confirmed");
+                    trouble = error.to_string();
+                }
+            }
+        }
+        let detail = format!("the safe state is not confirmed: {trouble}; {USE_INTERLOCK}");
+        Err(DeviceError::Lost { device: self.name.clone(), detail })
+    }
+
+    fn most_dangerous_first(&self) -> Vec<Parameter> {
+        let in_use: Vec<u8> = self.channels.all().into_iter().map(|name| name.number()).collect();
+        let others = (1..=self.unit.channels).filter(|number| !in_use.contains(number));
+        let channels = in_use.iter().copied().chain(others);
+        let states = channels.map(|n| Parameter::Of(Channel(n), ChannelParameter::State));
+        states.chain([Parameter::Running]).collect()
+    }
+
+    /// Gives all orders, whatever becomes of each. Once the unit is silent they are given without
+    /// waiting for replies: it may hear without being heard, and time counts.
+    fn switch_off(&mut self, outputs: &[Parameter]) -> Result<(), LinkError> {
+        let mut silent = false;
+        for output in outputs {
+            let order = Command::Set(*output, Value::Switch(false));
+            if silent {
+                self.link.dialogue().send(&order.to_string())?;
+                continue;
+            }
+            match self.link.command_in_any_step(order) {
+                Ok(()) => {}
+                Err(error @ LinkError::Line(LineError::Lost { .. })) => return Err(error),
+                Err(error) => {
+                    silent = matches!(error, LinkError::Line(_));
+                    tracing::warn!(unit = self.name, %error, "on the way to the safe state");
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn confirm_off(&mut self, outputs: &[Parameter]) -> Result<(), LinkError> {
+        // A late "0" must not pass for an answer.
+        self.link.identify()?;
+        for output in outputs {
+            self.link.verify(*output, Value::Switch(false))?;
+        }
+        Ok(())
+    }
+}

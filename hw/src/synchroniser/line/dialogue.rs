@@ -1,0 +1,201 @@
+//! One command, one reply, on a line that may echo, stutter or fall silent.
+
+use std::{
+    io,
+    time::{Duration, Instant},
+};
+
+use thiserror::Error;
+
+use super::Line;
+
+/// Why there is no reply.
+#[derive(Debug, Error)]
+pub enum LineError {
+    /// The port is gone.
+    #[error("the serial line {port} is gone: {source}")]
+    Lost { port: String, source: io::Error },
+    /// No reply, or none that the command can have.
+    #[error("no reply to {command:?} within {waited_ms} ms on {port}{}", heard_instead(heard))]
+    Silent { port: String, command: String, waited_ms: u128, heard: String },
+}
+
+fn heard_instead(heard: &str) -> String {
+    if heard.is_empty() { String::new() } else { format!(", but {heard:?}") }
+}
+
+/// Sends commands in lines and finds their replies.
+///
+/// A line that repeats the command is its echo; empty lines and lines that cannot be a reply are
+/// stray: they are logged and passed over. After a command without reply the dialogue is *out of
+/// step*: what comes next may be the late reply, and the driver must get in step with a command
+/// whose reply cannot be mistaken before it trusts any other.
+pub struct Dialogue {
+    line: Box<dyn Line>,
+    pacing: Duration,
+    reply_timeout: Duration,
+    /// When the next command may be sent.
+    free_from: Instant,
+    /// Bytes that are no whole line yet.
+    partial: Vec<u8>,
+    /// Whether the unit repeats commands; unknown before the first reply.
+    echo: Option<bool>,
+    out_of_step: bool,
+}
+
+impl Dialogue {
+    /// Leaves `pacing` between a reply and the next command, and waits `reply_timeout` for replies.
+    pub fn new(line: Box<dyn Line>, pacing: Duration, reply_timeout: Duration) -> Self {
+        Self {
+            line,
+            pacing,
+            reply_timeout,
+            free_from: Instant::now(),
+            partial: Vec::new(),
+            echo: None,
+            out_of_step: false,
+        }
+    }
+
+    /// The port, for messages.
+    pub fn port(&self) -> &str {
+        self.line.name()
+    }
+
+    /// Whether the unit repeats commands; `None` before the first reply.
+    pub fn echo(&self) -> Option<bool> {
+        self.echo
+    }
+
+    /// Whether a late reply may still come.
+    pub fn is_out_of_step(&self) -> bool {
+        self.out_of_step
+    }
+
+    /// Changes the speed of the port, in baud.
+    pub fn set_baud_rate(&mut self, baud_rate: u32) -> Result<(), LineError> {
+        self.partial.clear();
+        self.line.set_baud_rate(baud_rate).map_err(|source| self.lost(source))
+    }
+
+    /// Sends a command without waiting for its reply, which leaves the dialogue out of step.
+    pub fn send(&mut self, command: &str) -> Result<(), LineError> {
+        std::thread::sleep(self.free_from.saturating_duration_since(Instant::now()));
+        self.discard_stale()?;
+        let sent = self.line.send(format!("{command}\r\n").as_bytes());
+        self.free_from = Instant::now() + self.pacing;
+        self.out_of_step = true;
+        sent.map_err(|source| self.lost(source))
+    }
+
+    /// Sends a command and returns the first line that `accept` takes for its reply.
+    ///
+    /// # Errors
+    ///
+    /// The port is gone, or nothing that could be the reply came in time.
+    pub fn ask(
+        &mut self,
+        command: &str,
+        accept: impl Fn(&str) -> bool,
+    ) -> Result<String, LineError> {
+        let was_out_of_step = self.out_of_step;
+        self.send(command)?;
+        let deadline = Instant::now() + self.reply_timeout;
+        let mut echoed = false;
+        let mut heard = Vec::new();
+        while let Some(text) = self.next_line(deadline)? {
+            if text.eq_ignore_ascii_case(command) {
+                echoed = true;
+            } else if accept(&text) {
+                self.note_echo(echoed);
+                self.out_of_step = was_out_of_step;
+                self.free_from = Instant::now() + self.pacing;
+                return Ok(text);
+            } else {
+                tracing::warn!(port = self.port(), command, stray = text, "stray line");
+                heard.push(text);
+            }
+        }
+        if !self.partial.is_empty() {
+            heard.push(self.partial.escape_ascii().to_string());
+        }
+        self.partial.clear();
+        Err(LineError::Silent {
+            port: self.port().to_owned(),
+            command: command.to_owned(),
+            waited_ms: self.reply_timeout.as_millis(),
+            heard: heard.join(" | "),
+        })
+    }
+
+    /// Gets in step again by a command whose reply cannot be mistaken for any other: whatever
+    /// came before it is passed over.
+    pub fn get_in_step(
+        &mut self,
+        command: &str,
+        accept: impl Fn(&str) -> bool,
+    ) -> Result<String, LineError> {
+        let reply = self.ask(command, accept)?;
+        self.out_of_step = false;
+        Ok(reply)
+    }
+
+    fn note_echo(&mut self, echoed: bool) {
+        if self.echo != Some(echoed) {
+            tracing::debug!(port = self.port(), echo = echoed, "echo");
+            self.echo = Some(echoed);
+        }
+    }
+
+    /// What came before a command does not answer it.
+    fn discard_stale(&mut self) -> Result<(), LineError> {
+        let mut stale = std::mem::take(&mut self.partial);
+        loop {
+            let bytes = self.line.receive(Duration::ZERO).map_err(|source| self.lost(source))?;
+            if bytes.is_empty() {
+                break;
+            }
+            stale.extend(bytes);
+        }
+        if !stale.is_empty() {
+            let bytes = stale.escape_ascii().to_string();
+            tracing::warn!(port = self.port(), bytes, "stray bytes between commands");
+        }
+        Ok(())
+    }
+
+    /// The next line that is not empty; `None` when the deadline comes first.
+    fn next_line(&mut self, deadline: Instant) -> Result<Option<String>, LineError> {
+        loop {
+            if let Some(end) = self.partial.iter().position(|byte| matches!(byte, b'\r' | b'\n')) {
+                let line: Vec<u8> = self.partial.drain(..=end).collect();
+                let text = printable(&line);
+                if !text.is_empty() {
+                    return Ok(Some(text));
+                }
+                continue;
+            }
+            let left = deadline.saturating_duration_since(Instant::now());
+            let bytes = self.line.receive(left).map_err(|source| self.lost(source))?;
+            if bytes.is_empty() && left.is_zero() {
+                return Ok(None);
+            }
+            self.partial.extend(bytes);
+        }
+    }
+
+    fn lost(&self, source: io::Error) -> LineError {
+        LineError::Lost { port: self.port().to_owned(), source }
+    }
+}
+
+/// The line without bytes that no reply contains.
+fn printable(line: &[u8]) -> String {
+    let kept = line.iter().filter(|byte| matches!(byte, b' '..=b'~'));
+    let text: String = kept.map(|byte| char::from(*byte)).collect();
+    text.trim().to_owned()
+}
+
+#[cfg(test)]
+#[path = "dialogue_tests.rs"]
+mod tests;

@@ -1,0 +1,142 @@
+//! What went over a line, byte for byte and with the host's time.
+
+use std::{
+    fmt,
+    io::{self, Write},
+    sync::{Arc, Mutex, PoisonError},
+    time::{Duration, SystemTime, UNIX_EPOCH},
+};
+
+use super::Line;
+
+/// Which way bytes went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From the host to the unit.
+    ToUnit,
+    /// From the unit to the host.
+    ToHost,
+}
+
+/// Bytes that were sent, or came, in one piece.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// Host clock, in ns since the Unix epoch.
+    pub host_time_ns: u64,
+    /// Which way they went.
+    pub direction: Direction,
+    /// The bytes.
+    pub bytes: Vec<u8>,
+}
+
+/// One line of a transcript file: seconds since the Unix epoch, `>` to the unit or `<` to the
+/// host, and the bytes with everything but printable ASCII escaped.
+impl fmt::Display for Entry {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (seconds, ns) = (self.host_time_ns / 1_000_000_000, self.host_time_ns % 1_000_000_000);
+        let arrow = match self.direction {
+            Direction::ToUnit => '>',
+            Direction::ToHost => '<',
+        };
+        write!(formatter, "{seconds}.{ns:09} {arrow} {}", self.bytes.escape_ascii())
+    }
+}
+
+/// Where entries are kept or written. Clones share it.
+#[derive(Clone)]
+pub struct Transcript {
+    sink: Arc<Mutex<Sink>>,
+}
+
+enum Sink {
+    Kept(Vec<Entry>),
+    Written(Box<dyn Write + Send>),
+}
+
+impl Transcript {
+    /// Keeps every entry in memory.
+    pub fn kept() -> Self {
+        Self { sink: Arc::new(Mutex::new(Sink::Kept(Vec::new()))) }
+    }
+
+    /// Writes every entry as a line, flushed at once: it is there to be read after a crash.
+    pub fn written(writer: impl Write + Send + 'static) -> Self {
+        Self { sink: Arc::new(Mutex::new(Sink::Written(Box::new(writer)))) }
+    }
+
+    /// The entries so far; none from a transcript that is written.
+    pub fn entries(&self) -> Vec<Entry> {
+        match &*self.sink.lock().unwrap_or_else(PoisonError::into_inner) {
+            Sink::Kept(entries) => entries.clone(),
+            Sink::Written(_) => Vec::new(),
+        }
+    }
+
+    /// The lines that were sent to the unit, without their ends.
+    pub fn sent_lines(&self) -> Vec<String> {
+        let entries = self.entries();
+        let sent = entries.iter().filter(|entry| entry.direction == Direction::ToUnit);
+        let bytes: Vec<u8> = sent.flat_map(|entry| entry.bytes.clone()).collect();
+        String::from_utf8_lossy(&bytes).lines().map(str::to_owned).collect()
+    }
+
+    fn note(&self, direction: Direction, bytes: &[u8]) -> io::Result<()> {
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        let host_time_ns = u64::try_from(now.as_nanos()).unwrap_or(u64::MAX);
+        let entry = Entry { host_time_ns, direction, bytes: bytes.to_vec() };
+        match &mut *self.sink.lock().unwrap_or_else(PoisonError::into_inner) {
+            Sink::Kept(entries) => entries.push(entry),
+            Sink::Written(writer) => {
+                writeln!(writer, "{entry}")?;
+                writer.flush()?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A line whose bytes are written down. A transcript that cannot be written is no reason to lose
+/// the line to the laser: it is given up, with a warning.
+pub struct Recorded<L> {
+    line: L,
+    transcript: Option<Transcript>,
+}
+
+impl<L: Line> Recorded<L> {
+    /// Records what goes over `line`.
+    pub fn new(line: L, transcript: Transcript) -> Self {
+        Self { line, transcript: Some(transcript) }
+    }
+
+    fn note(&mut self, direction: Direction, bytes: &[u8]) {
+        let Some(transcript) = &self.transcript else { return };
+        if let Err(error) = transcript.note(direction, bytes) {
+            tracing::warn!(port = self.line.name(), %error, "the serial transcript ends here");
+            self.transcript = None;
+        }
+    }
+}
+
+impl<L: Line> Line for Recorded<L> {
+    fn name(&self) -> &str {
+        self.line.name()
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        // Before it is sent: a reply must not be written down above its command.
+        self.note(Direction::ToUnit, bytes);
+        self.line.send(bytes)
+    }
+
+    fn receive(&mut self, at_most: Duration) -> io::Result<Vec<u8>> {
+        let bytes = self.line.receive(at_most)?;
+        if !bytes.is_empty() {
+            self.note(Direction::ToHost, &bytes);
+        }
+        Ok(bytes)
+    }
+
+    fn set_baud_rate(&mut self, baud_rate: u32) -> io::Result<()> {
+        self.line.set_baud_rate(baud_rate)
+    }
+}

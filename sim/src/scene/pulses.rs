@@ -1,0 +1,167 @@
+//! Exposures lit by whatever light pulses fell into them.
+
+use super::{FrameOfPair, Scene, SimulatedShot, Truth, stream_key};
+use crate::{
+    geometry::BenchGeometry,
+    imaging::{ElectronImage, PointSource, RayTracer},
+    particles::Particle,
+};
+
+/// A flash of the laser.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LightPulse {
+    /// Time after the middle of the pulse pair, in s.
+    pub at_s: f64,
+    /// Energy relative to that of a pulse as planned.
+    pub energy: f64,
+}
+
+impl Scene {
+    /// One shot as all cameras record it when these pulses fall into exposures 1 and 2 of each
+    /// camera. Particles are where the flow has carried them by the time of a pulse; pulses in
+    /// one exposure add up; an exposure without pulses shows background and noise.
+    ///
+    /// With one pulse of energy 1 half a pulse separation before the middle in exposure 1 and one
+    /// as much after it in exposure 2 this is [`Scene::shot`], bit for bit. Particles are seeded
+    /// for the separation of `bench`; a pulse further from the middle finds fewer at the edges of
+    /// the light sheet where the flow enters it.
+    pub fn exposures(
+        &self,
+        bench: &BenchGeometry,
+        seed: u64,
+        shot: u64,
+        light: &[[Vec<LightPulse>; 2]],
+    ) -> SimulatedShot {
+        let particles = self.numbered_particles(bench, seed, shot);
+        let truth = self.truth(bench, seed, shot);
+        let images = (0..bench.poses.len())
+            .map(|camera| {
+                [FrameOfPair::A, FrameOfPair::B].map(|frame| {
+                    let pulses = light.get(camera).map_or(&[][..], |l| &l[frame as usize]);
+                    let key = stream_key(&truth, camera, frame);
+                    let light = self.light_of_pulses(bench, &particles, camera, pulses, &key);
+                    self.sensor.expose(&light, &key)
+                })
+            })
+            .collect();
+        SimulatedShot { images, truth: Truth { dt_s: bench.dt_s, ..truth } }
+    }
+
+    /// All particles; those that are lit in a pair as planned come first, with the numbers that
+    /// [`Scene::shot`] gives them.
+    fn numbered_particles(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Vec<Particle> {
+        let (volume, pitch_mm) = (&bench.volume, bench.object_pitch_mm());
+        let all =
+            self.seeding().all_particles(volume, pitch_mm, &self.flow, bench.dt_s, (seed, shot));
+        let (mut lit, dark): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|particle| particle.visible_a || particle.visible_b);
+        lit.extend(dark);
+        lit
+    }
+
+    fn light_of_pulses(
+        &self,
+        bench: &BenchGeometry,
+        particles: &[Particle],
+        camera: usize,
+        pulses: &[LightPulse],
+        key: &[u64],
+    ) -> ElectronImage {
+        let tracer = RayTracer::new(&bench.optics, &bench.poses[camera], &self.rays());
+        let mut images = pulses
+            .iter()
+            .filter(|pulse| pulse.energy > 0.0)
+            .map(|pulse| tracer.trace(&self.lit_by(bench, particles, pulse), key));
+        let mut sum = images.next().unwrap_or_else(|| ElectronImage::dark(&bench.optics));
+        images.for_each(|image| sum.add(&image));
+        sum
+    }
+
+    fn lit_by(
+        &self,
+        bench: &BenchGeometry,
+        particles: &[Particle],
+        pulse: &LightPulse,
+    ) -> Vec<PointSource> {
+        let seeding = self.seeding();
+        let lit = particles.iter().enumerate().filter_map(|(id, particle)| {
+            let position_mm = seeding.lit_mm(particle, &bench.volume, &self.flow, pulse.at_s)?;
+            let electrons = particle.intensity * self.particle_photoelectrons * pulse.energy;
+            Some(PointSource { id: id as u64, position_mm, electrons })
+        });
+        lit.collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Flow, SensorSettings, flow::Abc, test_bench};
+
+    fn scene() -> Scene {
+        let flow =
+            Flow::Abc(Abc { wavelength_mm: 10.0, amplitude_m_s: 1.0, coefficients: [1.0; 3] });
+        Scene { rays_per_particle: 400, flow, ..Scene::default() }
+    }
+
+    fn pulse(at_s: f64, energy: f64) -> Vec<LightPulse> {
+        vec![LightPulse { at_s, energy }]
+    }
+
+    fn lit(light: [Vec<LightPulse>; 2]) -> Vec<[Vec<LightPulse>; 2]> {
+        vec![light.clone(), light]
+    }
+
+    fn light_counts(image: &lfpiv_hw::RawImage) -> f64 {
+        image.counts().iter().map(|&count| f64::from(count) - 64.0).sum()
+    }
+
+    #[test]
+    fn the_planned_pulses_give_the_planned_shot_bit_for_bit() {
+        let bench = test_bench::small();
+        let half_s = bench.dt_s / 2.0;
+        for (seed, shot) in [(1, 0), (7, 3)] {
+            let light = lit([pulse(-half_s, 1.0), pulse(half_s, 1.0)]);
+            let rendered = scene().exposures(&bench, seed, shot, &light);
+            assert_eq!(rendered, scene().shot(&bench, seed, shot));
+        }
+    }
+
+    #[test]
+    fn without_light_there_is_background_and_noise() {
+        let bench = test_bench::small();
+        let sensor = SensorSettings { background_electrons: 50.0, ..SensorSettings::default() };
+        let scene = Scene { sensor, ..scene() };
+        let dark = scene.exposures(&bench, 1, 0, &lit([Vec::new(), pulse(0.0, 0.0)]));
+        for image in dark.images.iter().flatten() {
+            let mean = light_counts(image) / image.counts().len() as f64;
+            assert!((mean - 50.0).abs() < 0.5, "{mean}");
+            assert!(image.counts().iter().any(|count| *count != image.counts()[0]));
+        }
+    }
+
+    #[test]
+    fn energies_scale_and_pulses_in_one_exposure_add_up() {
+        let bench = test_bench::small();
+        let scene = Scene { sensor: SensorSettings::default().noise_free(), ..scene() };
+        let half_s = bench.dt_s / 2.0;
+        let both = [pulse(-half_s, 1.0), pulse(half_s, 1.0)].concat();
+        let shot = scene.exposures(&bench, 1, 0, &lit([both, pulse(half_s, 0.5)]));
+        let usual = scene.shot(&bench, 1, 0);
+        let [sum, half] = &shot.images[0];
+        let [a, b] = &usual.images[0];
+        assert!((light_counts(sum) / (light_counts(a) + light_counts(b)) - 1.0).abs() < 0.01);
+        assert!((light_counts(half) / light_counts(b) - 0.5).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_pulse_at_another_time_shows_particles_elsewhere() {
+        let bench = test_bench::small();
+        let half_s = bench.dt_s / 2.0;
+        let late =
+            scene().exposures(&bench, 1, 0, &lit([pulse(-half_s, 1.0), pulse(2.0 * half_s, 1.0)]));
+        let usual = scene().shot(&bench, 1, 0);
+        assert_eq!(late.images[0][0], usual.images[0][0]);
+        assert_ne!(late.images[0][1], usual.images[0][1]);
+    }
+}

@@ -1,0 +1,30 @@
+//! Simulated instruments over real wires, driven by the same drivers as hardware.
+//!
+//! [`pulse_generator`] and [`olt_sync`] are synchronisers on a pseudo-terminal ([`pty`]). What is
+//! programmed in them decides, period by period, which pulses come out ([`PeriodOutputs`]), and
+//! [`exposure`] says what laser and cameras make of those.
+
+pub mod exposure;
+pub mod olt_sync;
+pub mod pty;
+pub mod pulse_generator;
+
+/// The pulses that a synchroniser gives in one period.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PeriodOutputs {
+    /// T0 on the unit's clock, in ns.
+    pub t0_ns: u64,
+    /// In the order of their channels.
+    pub pulses: Vec<OutputPulse>,
+}
+
+/// A pulse at one output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutputPulse {
+    /// 1 for A.
+    pub channel: u8,
+    /// Rising edge after T0, in µs.
+    pub start_us: f64,
+    /// In µs.
+    pub width_us: f64,
+}

@@ -1,0 +1,196 @@
+//! A simulated unit at a pseudo-terminal, on a thread of its own.
+
+use std::{
+    io::{self, Error, ErrorKind},
+    os::fd::OwnedFd,
+    sync::{
+        Arc, Mutex, MutexGuard, PoisonError,
+        atomic::{AtomicBool, Ordering},
+    },
+    thread::{self, JoinHandle},
+    time::{Duration, Instant},
+};
+
+use rustix::{
+    event::{PollFd, PollFlags, Timespec, poll},
+    fs::{Mode, OFlags},
+    pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt},
+    termios::{OptionalActions, ioctl_tiocnxcl, tcgetattr, tcsetattr},
+};
+
+use super::PeriodOutputs;
+
+/// Longest sleep of the unit's thread: how late it notices that it should end.
+const TICK: Duration = Duration::from_millis(5);
+
+/// A unit behind a serial line. Time is passed in, in ns since it was switched on.
+pub trait SerialUnit: Send + 'static {
+    /// Speed of its line, in baud.
+    fn baud_rate(&self) -> u32;
+    /// Bytes have come.
+    fn receive(&mut self, bytes: &[u8], now_ns: u64);
+    /// Time has passed.
+    fn advance(&mut self, now_ns: u64) -> Step;
+}
+
+/// What a unit does up to a moment.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Step {
+    /// Bytes to the host.
+    pub bytes: Vec<u8>,
+    /// Periods that have begun.
+    pub periods: Vec<PeriodOutputs>,
+    /// When there is something to do next.
+    pub wake_ns: Option<u64>,
+}
+
+/// Takes every period as it begins.
+pub type PeriodObserver = Box<dyn FnMut(PeriodOutputs) + Send>;
+
+/// A unit that is switched on. Dropping it cuts the line.
+pub struct Served<U> {
+    unit: Arc<Mutex<U>>,
+    path: String,
+    off: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl<U: SerialUnit> Served<U> {
+    /// Switches the unit on at a new pseudo-terminal.
+    ///
+    /// # Errors
+    ///
+    /// The system has no pseudo-terminal or no thread left.
+    pub fn start(unit: U, observer: PeriodObserver) -> io::Result<Self> {
+        let terminal = Terminal::open()?;
+        let path = terminal.path.clone();
+        let unit = Arc::new(Mutex::new(unit));
+        let off = Arc::new(AtomicBool::new(false));
+        let (shared, told) = (Arc::clone(&unit), Arc::clone(&off));
+        let run = move || {
+            if let Err(error) = serve(&terminal, &shared, observer, &told) {
+                tracing::error!(port = terminal.path, %error, "the simulated unit has died");
+            }
+        };
+        let thread = thread::Builder::new().name("simulated unit".into()).spawn(run)?;
+        Ok(Self { unit, path, off, thread: Some(thread) })
+    }
+
+    /// The port to open, as `/dev/pts/3`.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The unit, to look at or to disturb.
+    pub fn unit(&self) -> MutexGuard<'_, U> {
+        self.unit.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Pulls the plug: the host's end of the line is hung up.
+    pub fn cut(&mut self) {
+        self.off.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take()
+            && thread.join().is_err()
+        {
+            tracing::error!(port = self.path, "the simulated unit panicked");
+        }
+    }
+}
+
+impl<U> Drop for Served<U> {
+    fn drop(&mut self) {
+        self.off.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            // A panic of the unit has been printed by its thread.
+            let _ = thread.join();
+        }
+    }
+}
+
+fn serve<U: SerialUnit>(
+    terminal: &Terminal,
+    unit: &Mutex<U>,
+    mut observer: PeriodObserver,
+    off: &AtomicBool,
+) -> io::Result<()> {
+    let on = Instant::now();
+    let now_ns = || on.elapsed().as_nanos() as u64;
+    let mut wait = TICK;
+    while !off.load(Ordering::Relaxed) {
+        let bytes = terminal.read(wait)?;
+        let step = {
+            let mut unit = unit.lock().unwrap_or_else(PoisonError::into_inner);
+            if !bytes.is_empty() {
+                let heard = terminal.as_heard(bytes, unit.baud_rate())?;
+                unit.receive(&heard, now_ns());
+            }
+            unit.advance(now_ns())
+        };
+        terminal.write(&step.bytes)?;
+        step.periods.into_iter().for_each(&mut observer);
+        let until_wake = step
+            .wake_ns
+            .map_or(TICK, |wake_ns| Duration::from_nanos(wake_ns.saturating_sub(now_ns())));
+        wait = until_wake.min(TICK);
+    }
+    Ok(())
+}
+
+/// Both ends of a pseudo-terminal. The host's end is kept open here, too: without it the line
+/// would be hung up whenever the host closes it.
+struct Terminal {
+    unit_end: OwnedFd,
+    host_end: OwnedFd,
+    path: String,
+}
+
+impl Terminal {
+    fn open() -> io::Result<Self> {
+        let unit_end = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC)?;
+        grantpt(&unit_end)?;
+        unlockpt(&unit_end)?;
+        let path = ptsname(&unit_end, Vec::new())?;
+        let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC;
+        let host_end = rustix::fs::open(&path, flags, Mode::empty())?;
+        let mut settings = tcgetattr(&host_end)?;
+        settings.make_raw();
+        tcsetattr(&host_end, OptionalActions::Now, &settings)?;
+        let path = path.into_string().map_err(|error| Error::new(ErrorKind::InvalidData, error))?;
+        Ok(Self { unit_end, host_end, path })
+    }
+
+    /// What has come from the host; empty when nothing comes within `at_most`.
+    fn read(&self, at_most: Duration) -> io::Result<Vec<u8>> {
+        let timeout = Timespec {
+            tv_sec: at_most.as_secs() as i64,
+            tv_nsec: i64::from(at_most.subsec_nanos()),
+        };
+        let mut ends = [PollFd::new(&self.unit_end, PollFlags::IN)];
+        match poll(&mut ends, Some(&timeout)) {
+            Ok(0) | Err(rustix::io::Errno::INTR) => return Ok(Vec::new()),
+            ready => ready?,
+        };
+        let mut buffer = [0_u8; 512];
+        let count = rustix::io::read(&self.unit_end, &mut buffer)?;
+        // A pseudo-terminal stays reserved for one user after that user was killed, because its
+        // other end lives on; a serial port does not.
+        ioctl_tiocnxcl(&self.host_end)?;
+        Ok(buffer[..count].to_vec())
+    }
+
+    fn write(&self, mut bytes: &[u8]) -> io::Result<()> {
+        while !bytes.is_empty() {
+            let written = rustix::io::write(&self.unit_end, bytes)?;
+            bytes = &bytes[written..];
+        }
+        Ok(())
+    }
+
+    /// At another speed a unit hears something else.
+    fn as_heard(&self, bytes: Vec<u8>, baud_rate: u32) -> io::Result<Vec<u8>> {
+        match tcgetattr(&self.host_end)?.output_speed() == baud_rate {
+            true => Ok(bytes),
+            false => Ok(bytes.into_iter().map(|byte| byte.rotate_left(3) | 0x80).collect()),
+        }
+    }
+}

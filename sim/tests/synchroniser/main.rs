@@ -1,0 +1,13 @@
+//! The synchroniser drivers against simulated units on real pseudo-terminals.
+
+// All of this crate is test; clippy's exception covers only the functions marked as such.
+#![allow(clippy::unwrap_used)]
+
+mod bench;
+mod command_table;
+mod faults;
+mod firing;
+mod killed;
+mod olt_sync;
+mod safe_state;
+mod trigger_source;
