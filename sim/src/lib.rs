@@ -17,6 +17,7 @@ mod synchroniser;
 #[cfg(test)]
 mod test_bench;
 mod triggers;
+pub mod wire;
 
 pub use bench::{SimulatedBench, connect};
 pub use flow::Flow;
