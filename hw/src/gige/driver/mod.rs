@@ -10,6 +10,7 @@
 mod apply;
 mod connection;
 mod features;
+mod receive_buffer;
 mod stream;
 
 use std::{

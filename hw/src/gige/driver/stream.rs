@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use aravis::{Buffer, BufferStatus, GvStream, Stream, glib::prelude::*, prelude::*};
 
-use super::{connection::Connection, features::Features};
+use super::{connection::Connection, features::Features, receive_buffer};
 use crate::{
     device::{DeviceError, FrameStatus, StreamStatistics},
     frame::{ImagePool, RawImage},
@@ -52,8 +52,7 @@ impl FrameStream {
         let stream = stream
             .downcast::<GvStream>()
             .map_err(|_| features.refusal("its stream is not GigE Vision's".to_owned()))?;
-        stream.set_socket_buffer(aravis::GvStreamSocketBuffer::Auto);
-        stream.set_socket_buffer_size(settings.socket_buffer_bytes as i32);
+        enlarge_receive_buffer(name, &stream, settings);
         stream.set_packet_resend(aravis::GvStreamPacketResend::Always);
         stream.set_packet_timeout(settings.packet_timeout_us);
         stream.set_frame_retention(settings.frame_retention_us);
@@ -121,6 +120,28 @@ impl FrameStream {
             resent,
             missing,
             reconnects: 0,
+        }
+    }
+}
+
+/// Too small a buffer loses packets without a word: it is said here, with what to do.
+fn enlarge_receive_buffer(name: &str, stream: &GvStream, settings: &CameraSettings) {
+    let wanted = settings.socket_buffer_bytes as usize;
+    match receive_buffer::enlarge(stream.port(), wanted) {
+        Ok(granted) if granted >= wanted => {}
+        Ok(granted) => tracing::warn!(
+            camera = name,
+            "receive buffer of {granted} bytes instead of {wanted}: packets may get lost. Allow \
+             more: sysctl -w net.core.rmem_max={wanted}"
+        ),
+        Err(error) => {
+            tracing::warn!(
+                camera = name,
+                %error,
+                "receive buffer left to Aravis, which enlarges it in the course of the first frame"
+            );
+            stream.set_socket_buffer(aravis::GvStreamSocketBuffer::Fixed);
+            stream.set_socket_buffer_size(settings.socket_buffer_bytes as i32);
         }
     }
 }

@@ -121,6 +121,14 @@ impl Feed {
         true
     }
 
+    /// Nobody sends any more: what is held is lost, and whoever waits is told.
+    pub(super) fn switch_off(&self) {
+        let mut state = self.lock();
+        state.camera.write_register(register::ACQUISITION, 0);
+        state.abandon_waiting();
+        self.changed.notify_all();
+    }
+
     pub(super) fn counts(&self) -> FrameCounts {
         self.lock().counts
     }

@@ -44,6 +44,7 @@ mod register {
     pub(super) const HEIGHT: u32 = 0x104;
     pub(super) const SENSOR_HEIGHT: u32 = 0x118;
     pub(super) const SENSOR_WIDTH: u32 = 0x11c;
+    pub(super) const ACQUISITION: u32 = 0x124;
     pub(super) const TRIGGER_MODE: u32 = 0x300;
     /// The fake's own trigger source, which is not the one that a controller sees.
     pub(super) const RELEASE_SOURCE: u32 = 0x304;
@@ -218,10 +219,10 @@ impl FakeGigeCamera {
     pub fn unplug(&self) {
         let mut state = self.lock();
         if let Some(camera) = state.power.take() {
-            let mut counts = camera.feed().counts();
+            let feed = Arc::clone(camera.feed());
             drop(camera);
-            counts.abandoned = counts.exposures - counts.sent - counts.ignored;
-            state.counts = sum(state.counts, counts);
+            feed.switch_off();
+            state.counts = sum(state.counts, feed.counts());
         }
     }
 
