@@ -1,8 +1,9 @@
 //! Cameras, pictures and drivers that the tests share.
 
 use std::{
+    io::{self, Write},
     net::Ipv4Addr,
-    sync::Arc,
+    sync::{Arc, Mutex},
     time::{Duration, Instant},
 };
 
@@ -75,5 +76,33 @@ pub fn wait_for<T>(mut ask: impl FnMut() -> Option<T>) -> T {
             return answer;
         }
         assert!(asked.elapsed() < LONG, "waited {LONG:?} in vain");
+    }
+}
+
+/// Everything that is logged in this process from now on.
+#[derive(Clone, Default)]
+pub struct Log(Arc<Mutex<Vec<u8>>>);
+
+impl Log {
+    pub fn begin() -> Self {
+        let log = Self::default();
+        let writer = log.clone();
+        tracing_subscriber::fmt().with_ansi(false).with_writer(move || writer.clone()).init();
+        log
+    }
+
+    pub fn says(&self, words: &str) -> bool {
+        String::from_utf8_lossy(&self.0.lock().unwrap()).contains(words)
+    }
+}
+
+impl Write for Log {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        io::stderr().write_all(bytes)?;
+        self.0.lock().unwrap().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }

@@ -20,6 +20,7 @@ pub fn in_private_network(test: &str, body: impl FnOnce()) {
     }
     let mut inside = private(&format!("{SET_UP} 2>&1"));
     inside.arg(env::current_exe().unwrap()).args([test, "--exact", "--nocapture"]);
+    inside.arg("--include-ignored");
     inside.env(INSIDE, "1");
     let output = inside.output().expect("`unshare` (package util-linux) is needed");
     let words = String::from_utf8_lossy(&output.stdout);

@@ -16,7 +16,9 @@ pub(super) fn apply(
     size: ImageSize,
 ) -> Answer<()> {
     let features = Features { device, camera };
+    // What is read back comes from the camera; what it does not support is not written.
     camera.set_register_cache_policy(aravis::RegisterCachePolicy::Disable);
+    camera.set_range_check_policy(aravis::RangeCheckPolicy::Enable);
     // A program that died may have left it streaming: nothing can be set then.
     features.stop()?;
     set_own_features(&features, settings)?;
