@@ -35,7 +35,7 @@ pub struct CameraSettings {
     #[garde(inner(custom(finite), range(min = -20.0, max = 60.0)))]
     pub gain_db: Option<f64>,
     /// Largest packet, IP header included, in bytes: at most the network's MTU.
-    #[garde(range(min = 576, max = 16_260))]
+    #[garde(range(min = 576, max = 65_535))]
     pub packet_size_bytes: u32,
     /// Pause between packets, in ns, so that two cameras share a line.
     #[garde(range(max = 10_000_000))]

@@ -32,6 +32,8 @@ pub fn settings(ip: Ipv4Addr, pixel_format: PixelFormat) -> CameraSettings {
         ip: Some(ip),
         pixel_format,
         packet_size_bytes: 16_000,
+        // The loopback delivers a frame at once, where a line takes its time.
+        socket_buffer_bytes: 32 << 20,
         frames_per_trigger: 1,
         // A thread may be kept off the processor for long while others build and test.
         packet_timeout_us: 200_000,

@@ -9,8 +9,11 @@ use std::{
 /// Set in the process that runs inside.
 const INSIDE: &str = "LFPIV_PRIVATE_NETWORK";
 
-/// Makes a loopback interface with two addresses, then becomes the command that follows.
-const SET_UP: &str = "ip link set lo up && ip addr add 127.0.0.2/8 dev lo && exec \"$@\"";
+/// Makes a loopback interface with two addresses, then becomes the command that follows. Where the
+/// kernel can do it, the interface has a line's rate: without that, a frame larger than the receive
+/// buffer arrives faster than anybody can take it.
+const SET_UP: &str = "ip link set lo up && ip addr add 127.0.0.2/8 dev lo && \
+    { tc qdisc add dev lo root tbf rate 2500mbit burst 256kb limit 64mb 2>/dev/null; exec \"$@\"; }";
 
 /// Runs `body` in a private network, in a process of its own: this test binary once more, told to
 /// run the one test of that name.

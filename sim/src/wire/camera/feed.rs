@@ -7,7 +7,8 @@
 use std::{
     collections::VecDeque,
     sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError},
-    time::Duration,
+    thread::sleep,
+    time::{Duration, Instant},
 };
 
 use aravis::FakeCamera;
@@ -37,6 +38,7 @@ const ACQUISITION_LOOK: Duration = Duration::from_millis(20);
 /// A camera's exposures on their way out.
 pub(super) struct Feed {
     count_bits: u32,
+    line_bytes_per_s: f64,
     state: Mutex<FeedState>,
     changed: Condvar,
 }
@@ -46,6 +48,8 @@ struct FeedState {
     waiting: VecDeque<Exposure>,
     last_frame_id: u16,
     counts: FrameCounts,
+    /// When a line of the given rate has carried all frames so far.
+    line_free: Instant,
 }
 
 struct Exposure {
@@ -64,12 +68,18 @@ impl Feed {
     pub(super) fn new(
         camera: FakeCamera,
         count_bits: u32,
+        line_bytes_per_s: f64,
         last_frame_id: u16,
-        counts: FrameCounts,
     ) -> Self {
         camera.set_trigger_frequency(IDLE_LOOKS_HZ);
-        let state = FeedState { camera, waiting: VecDeque::new(), last_frame_id, counts };
-        Self { count_bits, state: Mutex::new(state), changed: Condvar::new() }
+        let state = FeedState {
+            camera,
+            waiting: VecDeque::new(),
+            last_frame_id,
+            counts: FrameCounts::default(),
+            line_free: Instant::now(),
+        };
+        Self { count_bits, line_bytes_per_s, state: Mutex::new(state), changed: Condvar::new() }
     }
 
     /// Every change is whole before the lock is released: a poisoned one can be used.
@@ -140,6 +150,7 @@ impl Feed {
     /// The oldest exposure into a frame's bytes. On Aravis' thread, for every frame it sends. A
     /// frame that no exposure caused (free run, say) is dark.
     pub(super) fn fill(&self, format: u32, region: Region, bytes: &mut [u8]) -> FrameLabel {
+        self.wait_for_the_line(bytes.len());
         let (exposure, frame_id) = {
             let mut state = self.lock();
             let exposure = state.waiting.pop_front();
@@ -167,6 +178,21 @@ impl Feed {
         }
         let device_timestamp_ns = exposure.map(|exposure| exposure.device_timestamp_ns);
         FrameLabel { frame_id, device_timestamp_ns }
+    }
+}
+
+impl Feed {
+    /// A line takes its time over a frame. Without this the loopback, which drops what the receiver
+    /// has no room for, would be filled at the speed of memory.
+    fn wait_for_the_line(&self, bytes: usize) {
+        let wait = {
+            let mut state = self.lock();
+            let now = Instant::now();
+            let begin = state.line_free.max(now);
+            state.line_free = begin + Duration::from_secs_f64(bytes as f64 / self.line_bytes_per_s);
+            begin - now
+        };
+        sleep(wait);
     }
 }
 

@@ -8,7 +8,7 @@
 //!
 //! Where it differs from hardware: lost packets cannot be asked for again (the fake knows no
 //! resend), and a trigger that comes before the frames of the last one have left waits for them,
-//! where a camera would miss it.
+//! where a camera would miss it. A frame leaves at once rather than spread over its time on the line.
 
 mod callback;
 mod feed;
@@ -34,6 +34,9 @@ const GVCP_PORT: u16 = 3956;
 
 /// The synchroniser's cable ends in Line1: its value in the GenICam description.
 const WIRED_LINE: u32 = 1;
+
+/// What a line carries by default, in bytes/s: 2.5GBASE-T.
+const LINE_BYTES_PER_S: f64 = 312.5e6;
 
 /// The frame counter of a camera that was just switched on: soon before its wrap, as in Aravis.
 const FIRST_FRAME_ID: u16 = 65_400;
@@ -126,6 +129,7 @@ pub struct FakeGigeCamera {
 struct State {
     power: Option<PoweredCamera>,
     lost_packet_ratio: f64,
+    line_bytes_per_s: f64,
     /// Counts of the times it was plugged in before.
     counts: FrameCounts,
 }
@@ -141,8 +145,12 @@ impl FakeGigeCamera {
         sensor: ImageSize,
         count_bits: u32,
     ) -> Result<Self, FakeCameraError> {
-        let state = State { power: None, lost_packet_ratio: 0.0, counts: FrameCounts::default() };
-        let state = Mutex::new(state);
+        let state = Mutex::new(State {
+            power: None,
+            lost_packet_ratio: 0.0,
+            line_bytes_per_s: LINE_BYTES_PER_S,
+            counts: FrameCounts::default(),
+        });
         let camera = Self { address, serial: serial.to_owned(), sensor, count_bits, state };
         camera.plug_in()?;
         Ok(camera)
@@ -214,6 +222,13 @@ impl FakeGigeCamera {
         }
     }
 
+    /// The rate of the line to the camera, in bytes/s, from the next time it is plugged in. Frames
+    /// that come faster wait. 312.5e6 (2.5GBASE-T) at first; `f64::INFINITY` for as fast as the
+    /// loopback takes packets, which is faster than a driver takes them off it.
+    pub fn set_line_rate(&self, bytes_per_s: f64) {
+        self.lock().line_bytes_per_s = bytes_per_s.max(1e3);
+    }
+
     /// Pulls the cable, which also powers it: the camera vanishes from the network and forgets its
     /// settings and its counter. Exposures that are held are lost.
     pub fn unplug(&self) {
@@ -235,13 +250,13 @@ impl FakeGigeCamera {
         if state.power.is_some() {
             return Ok(());
         }
-        let camera = self.switch_on()?;
+        let camera = self.switch_on(state.line_bytes_per_s)?;
         camera.set_lost_packet_ratio(state.lost_packet_ratio);
         state.power = Some(camera);
         Ok(())
     }
 
-    fn switch_on(&self) -> Result<PoweredCamera, FakeCameraError> {
+    fn switch_on(&self, line_bytes_per_s: f64) -> Result<PoweredCamera, FakeCameraError> {
         let (serial, address) = (self.serial.clone(), self.address);
         // Aravis only warns when it cannot listen.
         if let Err(source) = UdpSocket::bind((address, GVCP_PORT)) {
@@ -263,7 +278,7 @@ impl FakeGigeCamera {
         for (register, value) in self.power_on_values() {
             registers.write_register(register, value);
         }
-        let feed = Feed::new(registers, self.count_bits, FIRST_FRAME_ID, FrameCounts::default());
+        let feed = Feed::new(registers, self.count_bits, line_bytes_per_s, FIRST_FRAME_ID);
         PoweredCamera::new(device, feed).ok_or(FakeCameraError::NotStarted { serial, address })
     }
 

@@ -24,18 +24,14 @@ pub(super) fn pack(
     bytes: &mut [u8],
 ) {
     let shift = count_bits.saturating_sub(format.significant_bits());
-    let rows = region.y..(region.y + region.rows).min(image.rows());
-    let columns = region.x..(region.x + region.columns).min(image.columns());
-    let counts = rows
-        .flat_map(|row| image.row(row).get(columns.clone()).unwrap_or_default())
-        .map(|count| count >> shift);
+    let counts = cut_out(image, region, shift);
     match format {
         PixelFormat::Mono8 => {
             for (byte, count) in bytes.iter_mut().zip(counts) {
                 *byte = count as u8;
             }
         }
-        PixelFormat::Mono12Packed => pack_12(counts, bytes),
+        PixelFormat::Mono12Packed => pack_12(&counts, bytes),
         PixelFormat::Mono10 | PixelFormat::Mono12 | PixelFormat::Mono16 => {
             for (word, count) in bytes.chunks_exact_mut(2).zip(counts) {
                 word.copy_from_slice(&count.to_le_bytes());
@@ -44,13 +40,33 @@ pub(super) fn pack(
     }
 }
 
-fn pack_12(mut counts: impl Iterator<Item = u16>, bytes: &mut [u8]) {
-    for triple in bytes.chunks_mut(3) {
-        let (first, second) = (counts.next().unwrap_or(0), counts.next().unwrap_or(0));
-        let packed =
-            [(first >> 4) as u8, (first & 0xf | (second & 0xf) << 4) as u8, (second >> 4) as u8];
-        let length = triple.len();
-        triple.copy_from_slice(&packed[..length]);
+/// The region's counts; dark where it reaches beyond the image.
+fn cut_out(image: &RawImage, region: Region, shift: u32) -> Vec<u16> {
+    let mut counts = vec![0; region.columns * region.rows];
+    let rows = (region.y..image.rows()).zip(counts.chunks_exact_mut(region.columns.max(1)));
+    for (row, cut) in rows {
+        let seen = image.row(row).get(region.x..).unwrap_or_default();
+        for (count, seen) in cut.iter_mut().zip(seen) {
+            *count = seen >> shift;
+        }
+    }
+    counts
+}
+
+fn pack_12(counts: &[u16], bytes: &mut [u8]) {
+    let packed = |first: u16, second: u16| {
+        [(first >> 4) as u8, (first & 0xf | (second & 0xf) << 4) as u8, (second >> 4) as u8]
+    };
+    let mut triples = bytes.chunks_exact_mut(3);
+    let mut pairs = counts.chunks_exact(2);
+    for (triple, pair) in (&mut triples).zip(&mut pairs) {
+        triple.copy_from_slice(&packed(pair[0], pair[1]));
+    }
+    // Half a pair, of which the fake sends one byte and a driver may expect two.
+    if let [last] = pairs.remainder() {
+        let rest = triples.into_remainder();
+        let length = rest.len();
+        rest.copy_from_slice(&packed(*last, 0)[..length]);
     }
 }
 
