@@ -2,7 +2,6 @@
 
 use std::{
     env,
-    os::unix::process::CommandExt,
     process::{Command, Stdio},
 };
 
@@ -66,7 +65,5 @@ fn private(script: &str) -> Command {
     };
     let mut command = Command::new("unshare");
     command.args(options).args(["sh", "-c", script, "sh"]);
-    // A test that is killed takes its processes along.
-    command.process_group(0);
     command
 }

@@ -6,6 +6,9 @@
 //! [`DeviceError::Lost`]. When it returns, Aravis' objects are made anew and every setting is
 //! applied and read back again. Frame numbers then go on with the first frame of a new trigger:
 //! how many triggers the camera missed only its clock can tell, and only if it kept running.
+//!
+//! Frames are numbered from the first of which any packet arrives. A first frame that is lost
+//! whole shifts the numbers by one, which its timestamps show to whoever pairs frames.
 
 mod apply;
 mod connection;

@@ -224,9 +224,9 @@ impl FakeGigeCamera {
 
     /// The rate of the line to the camera, in bytes/s, from the next time it is plugged in. Frames
     /// that come faster wait. 312.5e6 (2.5GBASE-T) at first; `f64::INFINITY` for as fast as the
-    /// loopback takes packets, which is faster than a driver takes them off it.
+    /// loopback takes packets, which is faster than a driver takes them off it. No less than 1e6.
     pub fn set_line_rate(&self, bytes_per_s: f64) {
-        self.lock().line_bytes_per_s = bytes_per_s.max(1e3);
+        self.lock().line_bytes_per_s = bytes_per_s.max(1e6);
     }
 
     /// Pulls the cable, which also powers it: the camera vanishes from the network and forgets its
