@@ -43,6 +43,9 @@ const FIRST_FRAME_ID: u16 = 65_400;
 
 /// Registers of the fake that are written or read here; see `genicam.xml`.
 mod register {
+    /// Texts of 32 bytes that discovery answers with.
+    pub(super) const VENDOR: u32 = 0x48;
+    pub(super) const MODEL: u32 = 0x68;
     pub(super) const WIDTH: u32 = 0x100;
     pub(super) const HEIGHT: u32 = 0x104;
     pub(super) const SENSOR_HEIGHT: u32 = 0x118;
@@ -278,6 +281,8 @@ impl FakeGigeCamera {
         for (register, value) in self.power_on_values() {
             registers.write_register(register, value);
         }
+        write_text(&registers, register::VENDOR, b"lfpiv");
+        write_text(&registers, register::MODEL, b"simulated light field");
         let feed = Feed::new(registers, self.count_bits, line_bytes_per_s, FIRST_FRAME_ID);
         PoweredCamera::new(device, feed).ok_or(FakeCameraError::NotStarted { serial, address })
     }
@@ -292,6 +297,15 @@ impl FakeGigeCamera {
             (register::RELEASE_SOURCE, 1),
             (register::BURST_FRAME_COUNT, 1),
         ]
+    }
+}
+
+/// A text into 32 bytes of registers, padded with zeros.
+fn write_text(registers: &aravis::FakeCamera, register: u32, text: &[u8]) {
+    let mut bytes = [0; 32];
+    bytes.iter_mut().zip(text).for_each(|(byte, letter)| *byte = *letter);
+    for (address, word) in (register..).step_by(4).zip(bytes.chunks_exact(4)) {
+        registers.write_register(address, u32::from_be_bytes([word[0], word[1], word[2], word[3]]));
     }
 }
 
