@@ -7,7 +7,8 @@
 //! applied and read back again. Frame numbers then go on with the first frame of a new trigger:
 //! how many triggers the camera missed only its clock can tell, and only if it kept running.
 //!
-//! Frames are numbered from the first of which any packet arrives. A first frame that is lost
+//! A damaged frame whose leader packet was lost has no id, and is counted as failed but not
+//! delivered. Frames are numbered from the first of which any packet arrives. A first frame that is lost
 //! whole shifts the numbers by one, which its timestamps show to whoever pairs frames.
 
 mod apply;
@@ -86,7 +87,8 @@ impl GigeCamera {
             tracing::warn!(
                 camera = self.name,
                 counter = received.counter,
-                "frame dropped: its id is 0 or lies before the first frame"
+                "damaged frame dropped: the packet with its id was lost, or it is older than the \
+                 stream"
             );
             return None;
         };

@@ -11,6 +11,9 @@ use crate::{
     gige::{CameraSettings, ImageSize, PixelFormat},
 };
 
+/// No camera gives a frame this id.
+const NO_FRAME_ID: u64 = 0;
+
 /// A running stream. Aravis fills its buffers on a thread of its own; every buffer that is taken
 /// goes back.
 pub(super) struct FrameStream {
@@ -25,7 +28,8 @@ pub(super) struct FrameStream {
 pub(super) struct Received {
     pub(super) image: RawImage,
     pub(super) status: FrameStatus,
-    /// The camera's own frame counter, 16 bits of it unless it has extended ids.
+    /// The camera's own frame counter, 16 bits of it unless it has extended ids; 0 when the packet
+    /// that carries it was lost.
     pub(super) counter: u64,
     pub(super) device_timestamp_ns: u64,
     pub(super) host_timestamp_ns: u64,
@@ -58,7 +62,7 @@ impl FrameStream {
         stream.set_frame_retention(settings.frame_retention_us);
         let payload = settings.pixel_format.payload_bytes(size.pixels());
         for _ in 0..settings.buffers {
-            stream.push_buffer(Buffer::new_allocate(payload));
+            give(&stream, Buffer::new_allocate(payload));
         }
         features.check("start", camera.start_acquisition())?;
         Ok(Self { stream, format: settings.pixel_format, size, incomplete: 0 })
@@ -69,7 +73,7 @@ impl FrameStream {
         let timeout_us = u64::try_from(timeout.as_micros()).unwrap_or(u64::MAX);
         let buffer = self.stream.timeout_pop_buffer(timeout_us)?;
         let received = self.read(&buffer, images);
-        self.stream.push_buffer(buffer);
+        give(&self.stream, buffer);
         received
     }
 
@@ -122,6 +126,13 @@ impl FrameStream {
             reconnects: 0,
         }
     }
+}
+
+/// Hands Aravis a buffer to fill. A frame's id comes with its first packet, the leader: when that
+/// is lost, the buffer would show the id of the frame it held before.
+fn give(stream: &GvStream, buffer: Buffer) {
+    buffer.set_frame_id(NO_FRAME_ID);
+    stream.push_buffer(buffer);
 }
 
 /// Too small a buffer loses packets without a word: it is said here, with what to do.
