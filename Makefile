@@ -3,8 +3,11 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo test bench bench-peers packages components readers format lint test-rust test-readers clean
 
-# The compiler's linker, and the NetCDF library with what finds it.
-BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev
+# The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
+# the USB library that its package forgets to name.
+BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev libaravis-dev libusb-1.0-0-dev
+# Tests with two cameras run in a network of their own: unshare and ip.
+TEST_PACKAGES := util-linux iproute2
 
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
@@ -60,6 +63,7 @@ lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
 test-rust: packages
+	@scripts/install-packages.sh $(TEST_PACKAGES)
 	cargo test --workspace --locked
 
 # Reads what the binary of the Rust tests writes.

@@ -18,12 +18,17 @@ pub trait Camera: Send {
     fn name(&self) -> &str;
     /// Allocates buffers and begins to wait for triggers.
     fn start(&mut self) -> Result<(), DeviceError>;
-    /// The next frame, or `None` when none came within `timeout`.
+    /// The next frame, or `None` when none came within `timeout`. A driver that is looking for a
+    /// camera that has vanished answers `None` and may take some seconds over it.
     fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError>;
     /// Stops waiting for triggers. Idempotent.
     fn stop(&mut self) -> Result<(), DeviceError>;
     /// What the stream counted since `start`.
     fn statistics(&self) -> StreamStatistics;
+    /// Whether the camera answers. While it does not, nothing should be fired.
+    fn is_connected(&self) -> bool {
+        true
+    }
 }
 
 /// The unit that times laser and cameras.
@@ -99,7 +104,8 @@ pub struct Frame {
 pub enum FrameStatus {
     /// Every byte arrived.
     Complete,
-    /// Packets are missing; the missing pixels are zero.
+    /// Packets are missing; the missing pixels are zero. Where it is not known which are missing,
+    /// all of them are.
     MissingPackets,
 }
 
@@ -112,6 +118,12 @@ pub struct StreamStatistics {
     pub failed: u64,
     /// Frames lost because no buffer was free.
     pub underruns: u64,
+    /// Packets that were asked for again and came.
+    pub resent: u64,
+    /// Packets that never came.
+    pub missing: u64,
+    /// Times the camera vanished and came back.
+    pub reconnects: u64,
 }
 
 /// Why a device could not do what it was asked.
@@ -123,4 +135,10 @@ pub enum DeviceError {
     /// The device answered, but refused.
     #[error("{device}: refused: {detail}")]
     Refused { device: String, detail: String },
+    /// No such device answers.
+    #[error("{device}: not found: {detail}")]
+    NotFound { device: String, detail: String },
+    /// This build has no driver for it.
+    #[error("{device}: not in this build: {detail}")]
+    NotBuilt { device: String, detail: String },
 }

@@ -1,16 +1,23 @@
 //! Images as a camera delivers them.
 
+mod pool;
+
 use thiserror::Error;
+
+use pool::Counts;
+pub use pool::ImagePool;
 
 /// A raw grey image, row-major, row 0 at the top (DESIGN section 2: row `r` lies at
 /// `((Ny−1)/2 − r)·p` along the camera's `up`).
 ///
 /// Eight-bit images are widened to `u16` unscaled: the values are the counts in the file.
+///
+/// An image that comes from an [`ImagePool`] gives its memory back when it is dropped.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RawImage {
     columns: usize,
     rows: usize,
-    counts: Vec<u16>,
+    counts: Counts,
 }
 
 /// A buffer whose length is not columns × rows.
@@ -26,7 +33,7 @@ impl RawImage {
     /// Wraps `counts` (length `columns * rows`, row-major).
     pub fn new(columns: usize, rows: usize, counts: Vec<u16>) -> Result<Self, ImageSizeError> {
         if counts.len() == columns * rows {
-            Ok(Self { columns, rows, counts })
+            Ok(Self { columns, rows, counts: Counts::from(counts) })
         } else {
             Err(ImageSizeError { columns, rows, counts: counts.len() })
         }
@@ -44,11 +51,11 @@ impl RawImage {
 
     /// All counts, row-major.
     pub fn counts(&self) -> &[u16] {
-        &self.counts
+        self.counts.values()
     }
 
     /// One pixel row.
     pub fn row(&self, row: usize) -> &[u16] {
-        &self.counts[row * self.columns..(row + 1) * self.columns]
+        &self.counts()[row * self.columns..(row + 1) * self.columns]
     }
 }

@@ -1,4 +1,4 @@
-//! The command line: `lfpiv check | timing | simulate | process | run | bench | peers`.
+//! The command line: `lfpiv check | timing | simulate | process | run | devices | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
@@ -7,6 +7,7 @@ mod bench;
 mod check;
 pub mod daemon;
 mod demo_table;
+mod devices;
 mod ledger_file;
 mod output;
 mod peers;
@@ -52,6 +53,8 @@ enum Command {
     Process(ProcessArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
+    /// List the cameras on the network.
+    Devices,
     /// Measure speed against error of declared cases and methods, and write a report.
     Bench(BenchArgs),
     /// Make cases that other programs can be timed on, and time this one (see benches/peers).
@@ -69,6 +72,7 @@ pub fn main() -> ExitCode {
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
+        Command::Devices => devices::devices(),
         Command::Bench(args) => bench::bench(&args),
         Command::Peers(command) => peers::peers(&command),
     };

@@ -1,9 +1,13 @@
-//! Simulated instruments over real wires, driven by the same drivers as hardware.
+//! Simulated instruments behind the wires that real ones have: the daemon's own drivers reach
+//! them, and nothing in the daemon knows the difference.
 //!
-//! [`pulse_generator`] and [`olt_sync`] are synchronisers on a pseudo-terminal ([`pty`]). What is
-//! programmed in them decides, period by period, which pulses come out ([`PeriodOutputs`]), and
-//! [`exposure`] says what laser and cameras make of those.
+//! [`camera`] is a GigE Vision camera on the network. [`pulse_generator`] and [`olt_sync`] are
+//! synchronisers on a pseudo-terminal ([`pty`]). What is programmed in them decides, period by
+//! period, which pulses come out ([`PeriodOutputs`]), and [`exposure`] says what laser and cameras
+//! make of those.
 
+#[cfg(feature = "aravis")]
+pub mod camera;
 pub mod exposure;
 pub mod olt_sync;
 pub mod pty;

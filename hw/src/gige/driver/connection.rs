@@ -1,0 +1,165 @@
+//! Finding a camera and taking control of it.
+
+use std::{
+    net::Ipv4Addr,
+    sync::{
+        Arc, Mutex, MutexGuard, PoisonError,
+        atomic::{AtomicBool, Ordering},
+    },
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+use aravis::{glib::prelude::*, prelude::*};
+
+use super::apply::apply;
+use crate::{
+    device::DeviceError,
+    gige::{Access, CameraSettings, FoundCamera, ImageSize},
+};
+
+/// Time between attempts to take control.
+const CONTROL_RETRY: Duration = Duration::from_millis(500);
+
+/// Aravis keeps one list of devices for the whole process, which discovery rewrites.
+static DISCOVERY: Mutex<()> = Mutex::new(());
+
+fn discovery() -> MutexGuard<'static, ()> {
+    DISCOVERY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A camera under our control, with its settings applied. It does not survive a loss of control:
+/// Aravis' objects never recover, new ones must be made.
+pub(super) struct Connection {
+    pub(super) camera: aravis::Camera,
+    lost: Arc<AtomicBool>,
+}
+
+impl Connection {
+    /// Opens the camera and waits while another program controls it, up to the settings' patience.
+    pub(super) fn open(
+        name: &str,
+        settings: &CameraSettings,
+        size: ImageSize,
+    ) -> Result<Self, DeviceError> {
+        let asked = Instant::now();
+        let patience = Duration::from_secs_f64(settings.control_patience_s);
+        let mut waiting = false;
+        loop {
+            let address = address(name, settings)?;
+            let Some((camera, lost)) = take_control(name, &address)? else {
+                if asked.elapsed() >= patience {
+                    return Err(in_use(name, &address, patience));
+                }
+                if !waiting {
+                    tracing::warn!(
+                        camera = name,
+                        %address,
+                        "another program controls it, or one that died did: waiting up to {} s for \
+                         its heartbeat to time out",
+                        patience.as_secs_f64()
+                    );
+                    waiting = true;
+                }
+                sleep(CONTROL_RETRY);
+                continue;
+            };
+            apply(name, &camera, settings, size)?;
+            tracing::info!(camera = name, %address, "opened, settings applied and read back");
+            return Ok(Self { camera, lost });
+        }
+    }
+
+    /// Whether the camera has stopped answering; for good, as far as this object is concerned.
+    pub(super) fn is_lost(&self) -> bool {
+        self.lost.load(Ordering::Acquire)
+    }
+}
+
+fn in_use(name: &str, address: &Ipv4Addr, patience: Duration) -> DeviceError {
+    DeviceError::Refused {
+        device: name.to_owned(),
+        detail: format!(
+            "another program controls the camera at {address} and did not let go within {} s: end \
+             it (a second lfpiv, a vendor's viewer) and start again",
+            patience.as_secs_f64()
+        ),
+    }
+}
+
+/// Opens the camera; `None` when another program controls it. `Camera::new` alone succeeds then,
+/// with every write ignored or refused.
+fn take_control(
+    name: &str,
+    address: &Ipv4Addr,
+) -> Result<Option<(aravis::Camera, Arc<AtomicBool>)>, DeviceError> {
+    let _one_at_a_time = discovery();
+    let camera = aravis::Camera::new(Some(&address.to_string())).map_err(|error| {
+        let detail = format!("nothing answers at {address}: {}", error.message());
+        DeviceError::NotFound { device: name.to_owned(), detail }
+    })?;
+    let Some(device) = camera.device().and_then(|device| device.downcast().ok()) else {
+        let detail = format!("what answers at {address} is no GigE Vision camera");
+        return Err(DeviceError::Refused { device: name.to_owned(), detail });
+    };
+    let device: aravis::GvDevice = device;
+    if !device.is_controller() {
+        return Ok(None);
+    }
+    let lost = Arc::new(AtomicBool::new(false));
+    let told = Arc::clone(&lost);
+    device.connect_control_lost(move |_| told.store(true, Ordering::Release));
+    Ok(Some((camera, lost)))
+}
+
+/// Where the camera is: as configured, or as discovery says for its serial number.
+fn address(name: &str, settings: &CameraSettings) -> Result<Ipv4Addr, DeviceError> {
+    let not_found = |detail| DeviceError::NotFound { device: name.to_owned(), detail };
+    let serial = match (settings.ip, &settings.serial) {
+        (Some(ip), _) => return Ok(ip),
+        (None, Some(serial)) => serial,
+        (None, None) => return Err(not_found("neither ip nor serial is configured".to_owned())),
+    };
+    let cameras = discover();
+    let found = cameras.iter().find(|camera| camera.serial == *serial);
+    found.and_then(|camera| camera.address.parse().ok()).ok_or_else(|| {
+        let others: Vec<&str> = cameras.iter().map(|camera| camera.serial.as_str()).collect();
+        not_found(format!(
+            "no camera with serial {serial} answers discovery; found: [{}]. Cameras on another \
+             subnet are reached by ip only",
+            others.join(", ")
+        ))
+    })
+}
+
+/// The cameras that answer discovery, not yet tried.
+fn discover() -> Vec<FoundCamera> {
+    let _one_at_a_time = discovery();
+    let Some(network) = aravis::GvInterface::instance() else { return Vec::new() };
+    network.update_device_list();
+    let text = |value: Option<aravis::glib::GString>| value.map_or(String::new(), String::from);
+    (0..network.n_devices())
+        .map(|index| FoundCamera {
+            vendor: text(network.device_vendor(index)),
+            model: text(network.device_model(index)),
+            serial: text(network.device_serial_nbr(index)),
+            address: text(network.device_address(index)),
+            access: Access::Free,
+        })
+        .collect()
+}
+
+/// Every camera on the network, with whether it can be used.
+pub(in crate::gige) fn list_devices() -> Result<Vec<FoundCamera>, DeviceError> {
+    let mut cameras = discover();
+    for camera in &mut cameras {
+        let tried = camera.address.parse().map(|address| take_control(&camera.serial, &address));
+        camera.access = match tried {
+            Ok(Ok(Some(_))) => Access::Free,
+            Ok(Ok(None)) => Access::InUse,
+            Ok(Err(error)) => Access::Unreachable(error.to_string()),
+            Err(_) => Access::Unreachable(format!("{:?} is no address", camera.address)),
+        };
+    }
+    Ok(cameras)
+}

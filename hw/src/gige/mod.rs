@@ -1,0 +1,130 @@
+//! GigE Vision cameras: settings, pixel formats, frame numbers, and the driver on top of Aravis.
+//!
+//! ```no_run
+//! use std::time::Duration;
+//! use lfpiv_hw::gige::{CameraSettings, ImageSize, open};
+//!
+//! let settings = CameraSettings { ip: "192.168.10.11".parse().ok(), ..CameraSettings::default() };
+//! let mut camera = open("cam1", &settings, ImageSize { columns: 2352, rows: 1768 })?;
+//! camera.start()?;
+//! while let Some(frame) = camera.next_frame(Duration::from_secs(1))? {
+//!     println!("frame {}: {:?}", frame.frame_id, frame.status);
+//! }
+//! # Ok::<(), lfpiv_hw::device::DeviceError>(())
+//! ```
+//!
+//! The driver needs the cargo feature `aravis` and the system library of that name; without them
+//! everything here still compiles, and opening a camera says what is missing.
+
+#[cfg(feature = "aravis")]
+mod driver;
+mod frame_ids;
+mod pixel;
+mod settings;
+
+use crate::device::{Camera, DeviceError};
+
+pub use frame_ids::FrameIds;
+pub use pixel::PixelFormat;
+pub use settings::{CameraSettings, ImageSize, TriggerActivation};
+
+/// A camera on the network.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FoundCamera {
+    /// Who made it.
+    pub vendor: String,
+    /// Its model.
+    pub model: String,
+    /// Its serial number.
+    pub serial: String,
+    /// Its IP address.
+    pub address: String,
+    /// Whether it could be used now.
+    pub access: Access,
+}
+
+/// Whether a camera that answered discovery can be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Access {
+    /// It can be controlled.
+    Free,
+    /// Another program controls it.
+    InUse,
+    /// It answers discovery, but not its address: it is on another subnet, say.
+    Unreachable(String),
+}
+
+/// Finds a camera, takes control of it and applies its settings; every one is read back.
+///
+/// The image has `size`. `name` stands in messages.
+///
+/// # Errors
+/// The camera is not found, is controlled by another program for longer than the settings'
+/// patience, or does not take a setting; or this build has no driver.
+#[cfg(feature = "aravis")]
+pub fn open(
+    name: &str,
+    settings: &CameraSettings,
+    size: ImageSize,
+) -> Result<Box<dyn Camera>, DeviceError> {
+    Ok(Box::new(driver::GigeCamera::open(name, settings, size)?))
+}
+
+/// Finds a camera. This build has no driver: always an error.
+///
+/// # Errors
+/// Says what is missing.
+#[cfg(not(feature = "aravis"))]
+pub fn open(
+    name: &str,
+    _settings: &CameraSettings,
+    _size: ImageSize,
+) -> Result<Box<dyn Camera>, DeviceError> {
+    Err(not_built(name))
+}
+
+/// The cameras that answer discovery on all network interfaces. Takes about a second, and holds
+/// control of each free camera for a moment to see that it answers.
+///
+/// # Errors
+/// This build has no driver.
+#[cfg(feature = "aravis")]
+pub fn list_devices() -> Result<Vec<FoundCamera>, DeviceError> {
+    driver::list_devices()
+}
+
+/// The cameras on the network. This build has no driver: always an error.
+///
+/// # Errors
+/// Says what is missing.
+#[cfg(not(feature = "aravis"))]
+pub fn list_devices() -> Result<Vec<FoundCamera>, DeviceError> {
+    Err(not_built("cameras"))
+}
+
+#[cfg(not(feature = "aravis"))]
+fn not_built(device: &str) -> DeviceError {
+    DeviceError::NotBuilt {
+        device: device.to_owned(),
+        detail: "built without Aravis: install libaravis-dev and libusb-1.0-0-dev, and build with \
+                 default features"
+            .to_owned(),
+    }
+}
+
+#[cfg(all(test, not(feature = "aravis")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_missing_is_said() {
+        let size = ImageSize { columns: 8, rows: 8 };
+        let Err(error) = open("cam1", &CameraSettings::default(), size) else {
+            panic!("a camera without a driver");
+        };
+        for words in ["cam1", "without Aravis", "libaravis-dev", "default features"] {
+            assert!(error.to_string().contains(words), "{error}");
+        }
+        assert!(list_devices().is_err());
+    }
+}

@@ -1,0 +1,223 @@
+//! What waits to be sent, shared between those who expose and Aravis' thread, which sends.
+//!
+//! The fake sends a frame when its software-trigger register is 1. That register is set only while
+//! an exposure waits, by whoever adds the first one and then by the sending thread itself, so that
+//! every frame carries the exposure that caused it.
+
+use std::{
+    collections::VecDeque,
+    sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError},
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+use aravis::FakeCamera;
+use lfpiv_hw::{RawImage, gige::PixelFormat};
+
+use super::{
+    FrameCounts, Ignored, WIRED_LINE,
+    pixels::{Region, pack},
+    register,
+};
+
+/// Exposures that the camera holds before it makes the next trigger wait: those of one double
+/// exposure.
+const HELD_EXPOSURES: usize = 2;
+
+/// How often the fake looks for a trigger, in Hz, while none is waiting. It sleeps in whole
+/// milliseconds and spends the rest of each period in a busy loop: a higher rate costs processor
+/// time.
+const IDLE_LOOKS_HZ: f64 = 100.0;
+
+/// The same while an exposure waits: at once.
+const BUSY_LOOKS_HZ: f64 = 100_000.0;
+
+/// Time between looks at whether the acquisition has ended under a waiting exposure.
+const ACQUISITION_LOOK: Duration = Duration::from_millis(20);
+
+/// A camera's exposures on their way out.
+pub(super) struct Feed {
+    count_bits: u32,
+    line_bytes_per_s: f64,
+    state: Mutex<FeedState>,
+    changed: Condvar,
+}
+
+struct FeedState {
+    camera: FakeCamera,
+    waiting: VecDeque<Exposure>,
+    last_frame_id: u16,
+    counts: FrameCounts,
+    /// When a line of the given rate has carried all frames so far.
+    line_free: Instant,
+}
+
+struct Exposure {
+    image: Arc<RawImage>,
+    device_timestamp_ns: u64,
+}
+
+/// What a frame is labelled with.
+pub(super) struct FrameLabel {
+    pub(super) frame_id: u16,
+    /// `None`: as Aravis set it.
+    pub(super) device_timestamp_ns: Option<u64>,
+}
+
+impl Feed {
+    pub(super) fn new(
+        camera: FakeCamera,
+        count_bits: u32,
+        line_bytes_per_s: f64,
+        last_frame_id: u16,
+    ) -> Self {
+        camera.set_trigger_frequency(IDLE_LOOKS_HZ);
+        let state = FeedState {
+            camera,
+            waiting: VecDeque::new(),
+            last_frame_id,
+            counts: FrameCounts::default(),
+            line_free: Instant::now(),
+        };
+        Self { count_bits, line_bytes_per_s, state: Mutex::new(state), changed: Condvar::new() }
+    }
+
+    /// Every change is whole before the lock is released: a poisoned one can be used.
+    fn lock(&self) -> MutexGuard<'_, FeedState> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn wait<'a>(&self, state: MutexGuard<'a, FeedState>) -> MutexGuard<'a, FeedState> {
+        let woken = self.changed.wait_timeout(state, ACQUISITION_LOOK);
+        woken.unwrap_or_else(PoisonError::into_inner).0
+    }
+
+    /// A pulse on the trigger line. Waits while the exposures of an earlier one are still held.
+    pub(super) fn expose(
+        &self,
+        image: Arc<RawImage>,
+        device_timestamp_ns: u64,
+    ) -> Result<(), Ignored> {
+        let mut state = self.lock();
+        state.counts.exposures += 1;
+        loop {
+            if let Some(reason) = state.deafness() {
+                state.abandon_waiting();
+                state.counts.ignored += 1;
+                return Err(reason);
+            }
+            if state.waiting.len() < HELD_EXPOSURES {
+                break;
+            }
+            state = self.wait(state);
+        }
+        state.waiting.push_back(Exposure { image, device_timestamp_ns });
+        if state.waiting.len() == 1 {
+            state.camera.write_register(register::RELEASE_FRAME, 1);
+        }
+        Ok(())
+    }
+
+    /// Waits until no exposure is held; `false` when the acquisition ended before that.
+    pub(super) fn drain(&self) -> bool {
+        let mut state = self.lock();
+        while !state.waiting.is_empty() {
+            if state.deafness().is_some() {
+                state.abandon_waiting();
+                return false;
+            }
+            state = self.wait(state);
+        }
+        true
+    }
+
+    /// Nobody sends any more: what is held is lost, and whoever waits is told.
+    pub(super) fn switch_off(&self) {
+        let mut state = self.lock();
+        state.camera.write_register(register::ACQUISITION, 0);
+        state.abandon_waiting();
+        self.changed.notify_all();
+    }
+
+    pub(super) fn counts(&self) -> FrameCounts {
+        self.lock().counts
+    }
+
+    pub(super) fn last_frame_id(&self) -> u16 {
+        self.lock().last_frame_id
+    }
+
+    /// The oldest exposure into a frame's bytes. On Aravis' thread, for every frame it sends. A
+    /// frame that no exposure caused (free run, say) is dark.
+    pub(super) fn fill(&self, format: u32, region: Region, bytes: &mut [u8]) -> FrameLabel {
+        self.wait_for_the_line(bytes.len());
+        let (exposure, frame_id) = {
+            let mut state = self.lock();
+            let exposure = state.waiting.pop_front();
+            // The fake's thread, the only one that reads the rate, is the one we are on.
+            if state.waiting.is_empty() {
+                state.camera.set_trigger_frequency(IDLE_LOOKS_HZ);
+            } else {
+                state.camera.set_trigger_frequency(BUSY_LOOKS_HZ);
+                state.camera.write_register(register::RELEASE_FRAME, 1);
+            }
+            // 0 is no frame's id.
+            state.last_frame_id = state.last_frame_id.checked_add(1).unwrap_or(1);
+            match exposure {
+                Some(_) => state.counts.sent += 1,
+                None => state.counts.dark += 1,
+            }
+            self.changed.notify_all();
+            (exposure, state.last_frame_id)
+        };
+        match (&exposure, PixelFormat::from_code(format)) {
+            (Some(exposure), Some(format)) => {
+                pack(format, &exposure.image, region, self.count_bits, bytes);
+            }
+            _ => bytes.fill(0),
+        }
+        let device_timestamp_ns = exposure.map(|exposure| exposure.device_timestamp_ns);
+        FrameLabel { frame_id, device_timestamp_ns }
+    }
+}
+
+impl Feed {
+    /// A line takes its time over a frame. Without this the loopback, which drops what the receiver
+    /// has no room for, would be filled at the speed of memory.
+    fn wait_for_the_line(&self, bytes: usize) {
+        let wait = {
+            let mut state = self.lock();
+            let now = Instant::now();
+            let begin = state.line_free.max(now);
+            state.line_free = begin + Duration::from_secs_f64(bytes as f64 / self.line_bytes_per_s);
+            begin - now
+        };
+        sleep(wait);
+    }
+}
+
+impl FeedState {
+    /// Why a pulse on the trigger line would do nothing.
+    fn deafness(&self) -> Option<Ignored> {
+        let read = |address| self.camera.read_register(address).unwrap_or(0);
+        let controlled = self.camera.control_channel_privilege() != 0;
+        if !controlled || self.camera.acquisition_status() == 0 {
+            Some(Ignored::NotAcquiring)
+        } else if read(register::TRIGGER_MODE) == 0 {
+            Some(Ignored::FreeRunning)
+        } else if read(register::TRIGGER_SOURCE) != WIRED_LINE {
+            Some(Ignored::OtherSource)
+        } else {
+            None
+        }
+    }
+
+    /// A camera that stops forgets what it has not sent.
+    fn abandon_waiting(&mut self) {
+        if !self.waiting.is_empty() {
+            self.camera.write_register(register::RELEASE_FRAME, 0);
+            self.counts.abandoned += self.waiting.len() as u64;
+            self.waiting.clear();
+        }
+    }
+}

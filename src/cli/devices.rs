@@ -1,0 +1,67 @@
+//! `lfpiv devices`: which instruments are there?
+
+use lfpiv_hw::gige::{Access, FoundCamera, list_devices};
+
+use super::output::{count, print};
+
+/// Lists the cameras that answer on the network.
+pub fn devices() -> anyhow::Result<()> {
+    let cameras = list_devices()?;
+    if cameras.is_empty() {
+        return print(
+            "No GigE Vision camera answers. Check power and cable, that the camera and this \
+             machine are on one subnet, and that no firewall drops UDP port 3956.",
+        );
+    }
+    print(&format!("{} found.\n\n{}", count(cameras.len(), "camera"), table(&cameras)))
+}
+
+fn table(cameras: &[FoundCamera]) -> String {
+    let head = ["vendor", "model", "serial", "address", "state"].map(str::to_owned);
+    let rows: Vec<[String; 5]> = [head].into_iter().chain(cameras.iter().map(row)).collect();
+    let widths: [usize; 5] = std::array::from_fn(|column| {
+        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)
+    });
+    let line = |row: &[String; 5]| {
+        let cells: Vec<String> =
+            row.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        cells.join("  ").trim_end().to_owned()
+    };
+    rows.iter().map(line).collect::<Vec<String>>().join("\n")
+}
+
+fn row(camera: &FoundCamera) -> [String; 5] {
+    let state = match &camera.access {
+        Access::Free => "free".to_owned(),
+        Access::InUse => "in use by another program".to_owned(),
+        Access::Unreachable(reason) => format!("unreachable: {reason}"),
+    };
+    let FoundCamera { vendor, model, serial, address, .. } = camera.clone();
+    [vendor, model, serial, address, state]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_as_wide_as_their_widest_cell() {
+        let camera = |serial: &str, access| FoundCamera {
+            vendor: "Maker".into(),
+            model: "LF-4M".into(),
+            serial: serial.into(),
+            address: "192.168.10.11".into(),
+            access,
+        };
+        let cameras = [
+            camera("1", Access::Free),
+            camera("20517", Access::Unreachable("nothing answers".into())),
+        ];
+        assert_eq!(
+            table(&cameras),
+            "vendor  model  serial  address        state\n\
+             Maker   LF-4M  1       192.168.10.11  free\n\
+             Maker   LF-4M  20517   192.168.10.11  unreachable: nothing answers"
+        );
+    }
+}
