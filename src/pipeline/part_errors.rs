@@ -11,11 +11,11 @@ use crate::model::{Part, SceneMeasure};
 
 /// Displacement of one particle by a blur of the pupil that is not modelled, over the standard
 /// deviation of that blur. A window of N particles averages it in both frames: √(2/N).
-const OF_PUPIL_BLUR: f64 = 1.0;
+const OF_PUPIL_BLUR: f64 = 0.5;
 
 /// The same for diffraction. Rays scattered by 1.8 µm on microlenses and sensor changed no error by
 /// more than this.
-const OF_DIFFRACTION: f64 = 0.25;
+const OF_DIFFRACTION: f64 = 0.15;
 
 /// Displacement of one particle that the complete model leaves, in voxels, times the parallax
 /// across the aperture in voxels, over the root of the seeding in particles per microlens:
@@ -24,7 +24,7 @@ const OF_OVERLAP: f64 = 0.37;
 
 /// Error by the views that the aperture cuts, in voxels over noise per particle: in noise their
 /// light is missed. It is zero within what can be told where noise is low.
-const OF_NOISE_WITHOUT_EDGE: f64 = 0.25;
+const OF_NOISE_WITHOUT_EDGE: f64 = 0.07;
 
 /// Error without noise weighting, in voxels, over the root of noise per particle. It is the same
 /// in all windows and does not average.
