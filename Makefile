@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench bench-peers packages components readers format lint test-rust test-readers clean
+.PHONY: help demo loopback test bench bench-peers packages components readers format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
@@ -11,6 +11,7 @@ TEST_PACKAGES := util-linux iproute2
 
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
+LOOPBACK_SHOTS := 10
 
 BENCH_OUT := results/bench
 # Sets of benches/report.toml; all when empty. PEERS is a JSON file with rows of other programs.
@@ -19,6 +20,8 @@ PEERS :=
 
 help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
+	@echo "make loopback  the same over real wires: GigE Vision and serial drivers against simulated"
+	@echo "               instruments, for $(LOOPBACK_SHOTS) shots; what crossed the wires is kept"
 	@echo "make test    everything that continuous integration checks"
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
 	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
@@ -27,6 +30,10 @@ help:
 demo: packages
 	cargo build --release --locked
 	target/release/lfpiv run --config $(DEMO_CONFIG) --shots $(DEMO_SHOTS)
+
+loopback: packages test-packages
+	cargo build --release --locked
+	scripts/loopback.sh target/release/lfpiv $(LOOPBACK_SHOTS)
 
 test: format lint test-rust test-readers
 

@@ -6,6 +6,7 @@
 
 use std::time::Duration;
 
+use serde::Serialize;
 use thiserror::Error;
 
 use crate::{RawImage, timing::PulseSchedule};
@@ -28,6 +29,10 @@ pub trait Camera: Send {
     /// Whether the camera answers. While it does not, nothing should be fired.
     fn is_connected(&self) -> bool {
         true
+    }
+    /// How long it may take until [`Self::is_connected`] tells of a camera that has vanished.
+    fn notices_absence_within(&self) -> Duration {
+        Duration::ZERO
     }
 }
 
@@ -110,7 +115,7 @@ pub enum FrameStatus {
 }
 
 /// Counters of one camera's stream since its start.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct StreamStatistics {
     /// Frames delivered whole.
     pub completed: u64,

@@ -1,11 +1,13 @@
 //! Images as a camera delivers them.
 
 mod pool;
+mod record;
 
 use thiserror::Error;
 
 use pool::Counts;
 pub use pool::ImagePool;
+pub use record::RecordedCamera;
 
 /// A raw grey image, row-major, row 0 at the top (DESIGN section 2: row `r` lies at
 /// `((Ny−1)/2 − r)·p` along the camera's `up`).
@@ -57,5 +59,18 @@ impl RawImage {
     /// One pixel row.
     pub fn row(&self, row: usize) -> &[u16] {
         &self.counts()[row * self.columns..(row + 1) * self.columns]
+    }
+
+    /// CRC-32 (ISO-HDLC) of the counts, low byte first: whether two images are the same one.
+    pub fn crc32(&self) -> u32 {
+        let mut hasher = crc32fast::Hasher::new();
+        let mut bytes = [0; 4096];
+        for counts in self.counts().chunks(bytes.len() / 2) {
+            for (pair, count) in bytes.chunks_exact_mut(2).zip(counts) {
+                pair.copy_from_slice(&count.to_le_bytes());
+            }
+            hasher.update(&bytes[..2 * counts.len()]);
+        }
+        hasher.finalize()
     }
 }

@@ -14,7 +14,7 @@ pub mod pose;
 pub mod synchroniser;
 pub mod timing;
 
-pub use frame::{ImagePool, RawImage};
+pub use frame::{ImagePool, RawImage, RecordedCamera};
 pub use optics::{MicrolensArray, Optics, Sensor};
 pub use pose::{CameraPoint, Pose};
 pub use timing::{PulseSchedule, TimingError, TimingSettings};

@@ -4,12 +4,14 @@ use std::time::{Duration, Instant};
 
 use lfpiv_hw::device::SynchroniserState;
 
-use super::{AcquisitionError, OverloadPolicy, controller::Run, rulings::note};
+use super::{AcquisitionError, OverloadPolicy, absence::Presence, controller::Run, rulings::note};
 
 /// How often the run loop looks at the time.
 const TICK: Duration = Duration::from_millis(20);
 /// Triggers without a frame after which a camera counts as silent and firing ends.
 const SILENT_TRIGGERS: u64 = 5;
+/// How often the rate of an external trigger is looked at.
+const EXTERNAL_TRIGGER_LOOK: Duration = Duration::from_secs(1);
 /// How much longer than planned a burst may take.
 const BURST_GRACE: Duration = Duration::from_secs(2);
 /// How long frames on their way are waited for once the run is being stopped.
@@ -18,6 +20,9 @@ const STOP_GRACE: Duration = Duration::from_secs(5);
 impl Run {
     /// Shots of the next burst; `None` when the run is over.
     pub(super) async fn next_burst(&mut self) -> Result<Option<u64>, AcquisitionError> {
+        if !self.await_cameras().await? {
+            return Ok(None);
+        }
         let left = self.settings.shots.map_or(u64::MAX, |shots| shots.get() - self.fired);
         let longest = if self.pairing.has_reference() { self.settings.max_burst() } else { 1 };
         let shots = match self.settings.overload {
@@ -56,7 +61,8 @@ impl Run {
         let fired_before = self.fired;
         self.fire(shots).await?;
         let planned_end = Instant::now() + self.planned_duration(shots);
-        let (mut ended, mut stop_by) = (false, None);
+        let (mut ended, mut stop_by, mut broken_off) = (false, None, false);
+        let mut looked = Instant::now();
         let mut tick = tokio::time::interval(TICK);
         while !ended || self.pairing.open_triggers() > 0 {
             tokio::select! {
@@ -70,9 +76,15 @@ impl Run {
                     stop_by = Some(Instant::now() + STOP_GRACE);
                 }
             }
+            if !broken_off && !self.all_connected() {
+                self.make_safe().await?;
+                broken_off = true;
+            }
+            self.watch_external_trigger(&mut looked).await?;
             let now = Instant::now();
             let all_ruled = self.pairing.open_triggers() == 0;
-            if !ended && (now >= planned_end || all_ruled || stop_by.is_some()) {
+            let over = now >= planned_end || all_ruled || broken_off || stop_by.is_some();
+            if !ended && over {
                 ended = self.try_end_burst().await?;
             }
             // Frames may set the pace of a simulated bench: a burst ends late while they come.
@@ -85,13 +97,27 @@ impl Run {
             }
         }
         self.places.clear();
-        if self.stop.is_cancelled() {
+        if self.stop.is_cancelled() || broken_off {
             return Ok(());
         }
         if self.fired == fired_before {
             return Err(AcquisitionError::NoTriggers { shots });
         }
-        self.check_silence()
+        self.check_silence().await
+    }
+
+    /// A source of triggers that is too fast is seen by looking only; the driver ends firing then.
+    async fn watch_external_trigger(
+        &mut self,
+        looked: &mut Instant,
+    ) -> Result<(), AcquisitionError> {
+        if self.settings.schedule.external_trigger.is_some()
+            && looked.elapsed() >= EXTERNAL_TRIGGER_LOOK
+        {
+            self.synchroniser.call(|unit| unit.state()).await?;
+            *looked = Instant::now();
+        }
+        Ok(())
     }
 
     /// Lets the lamps warm up, if they need to; false when the run is stopped meanwhile.
@@ -114,7 +140,7 @@ impl Run {
             note(self.ledger.lock().enter(trigger));
         }
         self.fired += shots;
-        self.silent.iter_mut().for_each(|silent| *silent += shots);
+        self.presence.iter_mut().for_each(|camera| camera.silent += shots);
         self.synchroniser.call(move |unit| unit.fire(shots)).await
     }
 
@@ -130,7 +156,7 @@ impl Run {
         }
         let counted = self.synchroniser.call(|unit| unit.trigger_count()).await?;
         let given = match (counted, self.first_count) {
-            (Some(counted), Some(first)) => counted.saturating_sub(first),
+            (Some(counted), Some(first)) => self.given_before + counted.saturating_sub(first),
             // A unit that does not count is taken at its word; frames say the rest.
             _ => self.fired,
         };
@@ -139,12 +165,14 @@ impl Run {
         Ok(true)
     }
 
-    /// Firing goes on only while every camera delivers.
-    fn check_silence(&self) -> Result<(), AcquisitionError> {
-        let silent = self.silent.iter().position(|triggers| *triggers >= SILENT_TRIGGERS);
-        match silent {
-            Some(camera) => Err(AcquisitionError::Silent { camera, triggers: self.silent[camera] }),
-            None => Ok(()),
+    /// Firing goes on only while every camera delivers. One that has vanished is waited for by
+    /// [`Run::await_cameras`]; one that is there and says nothing ends the run.
+    async fn check_silence(&mut self) -> Result<(), AcquisitionError> {
+        let silent = |camera: &Presence| camera.silent >= SILENT_TRIGGERS;
+        let Some(camera) = self.presence.iter().position(silent) else { return Ok(()) };
+        if self.has_vanished(camera).await? {
+            return Ok(());
         }
+        Err(AcquisitionError::Silent { camera, triggers: self.presence[camera].silent })
     }
 }

@@ -9,6 +9,7 @@ use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::{
     AcquisitionError, AcquisitionSettings, Ledger, Shot,
+    absence::Presence,
     devices::{CameraEvent, SynchroniserThread, join, spawn_camera},
     pairing::{FrameCounters, Pairing, PairingSettings},
 };
@@ -123,8 +124,10 @@ pub(super) struct Run {
     pub(super) fired: u64,
     /// The unit's count when it was programmed; `None` from a unit that does not count.
     pub(super) first_count: Option<u64>,
-    /// Triggers given since each camera's last frame.
-    pub(super) silent: Vec<u64>,
+    /// Triggers given before that.
+    pub(super) given_before: u64,
+    /// Whether each camera is there.
+    pub(super) presence: Vec<Presence>,
 }
 
 impl Run {
@@ -166,7 +169,8 @@ impl Run {
             last_frame: Instant::now(),
             fired: 0,
             first_count: None,
-            silent: vec![0; count],
+            given_before: 0,
+            presence: vec![Presence::default(); count],
         })
     }
 
@@ -174,13 +178,20 @@ impl Run {
     async fn take_shots(&mut self) -> Result<(), AcquisitionError> {
         self.make_safe().await?;
         self.identity = self.synchroniser.call(|unit| unit.identify()).await?;
-        let schedule = self.settings.schedule.clone();
-        self.synchroniser.call(move |unit| unit.program(&schedule)).await?;
-        self.first_count = self.synchroniser.call(|unit| unit.trigger_count()).await?;
+        self.program().await?;
         self.start_cameras().await?;
         while let Some(shots) = self.next_burst().await? {
             self.run_burst(shots).await?;
         }
+        Ok(())
+    }
+
+    /// Writes the schedule; from here on the unit's count starts anew.
+    pub(super) async fn program(&mut self) -> Result<(), AcquisitionError> {
+        let schedule = self.settings.schedule.clone();
+        self.synchroniser.call(move |unit| unit.program(&schedule)).await?;
+        self.first_count = self.synchroniser.call(|unit| unit.trigger_count()).await?;
+        self.given_before = self.fired;
         Ok(())
     }
 

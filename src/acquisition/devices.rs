@@ -8,7 +8,7 @@ use std::{
     time::Duration,
 };
 
-use lfpiv_hw::device::{Camera, DeviceError, Frame, Synchroniser};
+use lfpiv_hw::device::{Camera, DeviceError, Frame, StreamStatistics, Synchroniser};
 use tokio::sync::{mpsc, oneshot};
 use tokio_util::sync::CancellationToken;
 
@@ -20,10 +20,12 @@ const FRAME_WAIT: Duration = Duration::from_millis(50);
 /// What a camera thread reports.
 #[derive(Debug)]
 pub(super) enum CameraEvent {
-    /// The camera waits for triggers.
-    Started { camera: usize },
-    /// A frame came; `underruns` counts frames lost for want of a buffer since the start.
-    Frame { camera: usize, frame: Frame, underruns: u64 },
+    /// The camera waits for triggers; it may be away for so long before that is noticed.
+    Started { camera: usize, notices_absence_within: Duration },
+    /// A frame came, and what the stream has counted since the start.
+    Frame { camera: usize, frame: Frame, statistics: StreamStatistics },
+    /// The camera has vanished or is back, or it has stopped: what its stream has counted.
+    Stream { camera: usize, connected: bool, statistics: StreamStatistics },
     /// The camera is of no more use; its thread has ended.
     Failed { error: DeviceError },
 }
@@ -58,15 +60,29 @@ fn stream(
     stop: &CancellationToken,
 ) -> Result<(), DeviceError> {
     camera.start()?;
-    let mut listening = events.blocking_send(CameraEvent::Started { camera: index }).is_ok();
+    let notices_absence_within = camera.notices_absence_within();
+    let started = CameraEvent::Started { camera: index, notices_absence_within };
+    let mut listening = events.blocking_send(started).is_ok();
+    let mut connected = true;
     while listening && !stop.is_cancelled() {
-        if let Some(frame) = camera.next_frame(FRAME_WAIT)? {
-            let underruns = camera.statistics().underruns;
-            let event = CameraEvent::Frame { camera: index, frame, underruns };
+        let frame = camera.next_frame(FRAME_WAIT)?;
+        if camera.is_connected() != connected {
+            connected = !connected;
+            listening = events.blocking_send(stream_event(index, camera, connected)).is_ok();
+        }
+        if let Some(frame) = frame {
+            let statistics = camera.statistics();
+            let event = CameraEvent::Frame { camera: index, frame, statistics };
             listening = events.blocking_send(event).is_ok();
         }
     }
+    // Frames that were lost last have no frame behind them to tell.
+    let _ = events.blocking_send(stream_event(index, camera, connected));
     Ok(())
+}
+
+fn stream_event(index: usize, camera: &dyn Camera, connected: bool) -> CameraEvent {
+    CameraEvent::Stream { camera: index, connected, statistics: camera.statistics() }
 }
 
 /// A driver's panic must not leave the laser on or a thread silently dead.

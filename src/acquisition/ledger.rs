@@ -12,6 +12,7 @@
 
 use std::collections::BTreeMap;
 
+use lfpiv_hw::device::StreamStatistics;
 use serde::Serialize;
 use thiserror::Error;
 
@@ -63,13 +64,18 @@ const HISTORY: usize = 10_000;
 #[derive(Debug, Clone)]
 pub struct Ledger {
     accounts: Vec<Account>,
+    streams: Vec<StreamStatistics>,
     entries: BTreeMap<u64, TriggerEntry>,
 }
 
 impl Ledger {
     /// An empty ledger for `cameras` cameras.
     pub fn new(cameras: usize) -> Self {
-        Self { accounts: vec![Account::default(); cameras], entries: BTreeMap::new() }
+        Self {
+            accounts: vec![Account::default(); cameras],
+            streams: vec![StreamStatistics::default(); cameras],
+            entries: BTreeMap::new(),
+        }
     }
 
     /// Enters a trigger: from now on it is open for every camera.
@@ -131,6 +137,16 @@ impl Ledger {
     /// Settles a trigger for all cameras.
     pub fn settle_all(&mut self, trigger: u64, outcome: Outcome) -> Result<(), LedgerError> {
         (0..self.accounts.len()).try_for_each(|camera| self.settle(trigger, camera, outcome))
+    }
+
+    /// Notes what a camera's driver has counted since the start of its stream.
+    pub fn streamed(&mut self, camera: usize, statistics: StreamStatistics) {
+        self.streams[camera] = statistics;
+    }
+
+    /// What each camera's driver has counted; evidence beside the accounts, not part of the law.
+    pub fn streams(&self) -> &[StreamStatistics] {
+        &self.streams
     }
 
     /// One account per camera.

@@ -7,6 +7,7 @@
 //!
 //! On every way out, errors and panics included, the synchroniser is made safe first.
 
+mod absence;
 mod burst;
 mod controller;
 mod devices;

@@ -12,14 +12,21 @@ use super::{
 impl Run {
     pub(super) fn handle(&mut self, event: Option<CameraEvent>) -> Result<(), AcquisitionError> {
         match event {
-            Some(CameraEvent::Frame { camera, frame, underruns }) => {
-                self.silent[camera] = 0;
+            Some(CameraEvent::Frame { camera, frame, statistics }) => {
+                self.presence[camera].silent = 0;
                 self.last_frame = Instant::now();
-                self.pairing.underruns(camera, underruns);
+                self.ledger.lock().streamed(camera, statistics);
+                self.pairing.underruns(camera, statistics.underruns);
                 let rulings = self.pairing.frame(camera, frame, self.began.elapsed());
                 self.apply(rulings)
             }
-            Some(CameraEvent::Started { camera }) => {
+            Some(CameraEvent::Stream { camera, connected, statistics }) => {
+                self.ledger.lock().streamed(camera, statistics);
+                self.presence[camera].tell(connected);
+                Ok(())
+            }
+            Some(CameraEvent::Started { camera, notices_absence_within }) => {
+                self.presence[camera].notices_absence_within = notices_absence_within;
                 tracing::debug!(camera, "waits for triggers");
                 Ok(())
             }

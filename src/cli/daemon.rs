@@ -39,8 +39,6 @@ use crate::{
     server::{ApiState, Phase, serve},
 };
 
-/// How long a frame that is due is waited for on a real bench: a few periods and readouts.
-const PATIENCE: Duration = Duration::from_secs(1);
 /// Rendering sets the pace of a simulated bench, and may take a minute for a large volume.
 const SIMULATED_PATIENCE: Duration = Duration::from_secs(120);
 /// How long open HTTP connections may delay the end.
@@ -62,12 +60,14 @@ impl DaemonPlan {
         let (shot, timing) = (&self.file.config.shot, &self.file.config.timing);
         let schedule = PulseSchedule::plan(timing, shot.dt_us, shot.rate_hz)
             .with_context(|| format!("{}: [shot] cannot be timed", self.file.path.display()))?;
-        let simulated = self.file.config.simulation.is_some();
+        let instruments = self.file.config.instruments.as_ref();
         Ok(AcquisitionSettings {
             schedule,
             shots: self.shots,
             overload: self.overload,
-            patience: if simulated { SIMULATED_PATIENCE } else { PATIENCE },
+            patience: instruments.map_or(SIMULATED_PATIENCE, |instruments| {
+                Duration::from_secs_f64(instruments.frame_patience_s)
+            }),
         })
     }
 }

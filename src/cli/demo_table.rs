@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use lfpiv_hw::device::StreamStatistics;
 use lfpiv_sim::Flow;
 
 use crate::{
@@ -24,21 +25,23 @@ pub struct Row {
 }
 
 impl Row {
-    /// A row for a shot, measured against the flow that was simulated.
-    pub fn new(record: &ShotRecord, result: Option<&PairResult>, flow: &Flow) -> Self {
+    /// A row for a shot, measured against the flow that is there, if that is known.
+    pub fn new(record: &ShotRecord, result: Option<&PairResult>, truth: Option<&Flow>) -> Self {
         Self {
             stage: record.stage,
             shot: record.shot,
             message: record.message.clone(),
             vectors: record.vectors.unwrap_or(0),
             valid_share: record.valid_share.unwrap_or(0.0),
-            error_vox: result.and_then(|result| mean_error_vox(&result.field, flow)),
+            error_vox: result
+                .zip(truth)
+                .and_then(|(result, flow)| mean_error_vox(&result.field, flow)),
             seconds: record.seconds.unwrap_or_default(),
         }
     }
 
     fn line(&self) -> String {
-        if let (None, Some(message)) = (self.error_vox, &self.message) {
+        if let (Stage::Failed, Some(message)) = (self.stage, &self.message) {
             return format!("{:>4}  no result: {message}", self.shot);
         }
         let [x, y, z] = self.error_vox.map_or(["-"; 3].map(String::from), |error| {
@@ -95,6 +98,26 @@ pub fn table(rows: &[Row]) -> String {
     text
 }
 
+/// What the cameras' drivers counted, one line per camera.
+pub fn stream_table(streams: &[StreamStatistics]) -> String {
+    let mut text = format!(
+        "{:<7}  {:>9} {:>7} {:>9}  {:>8} {:>8}  {:>10}",
+        "stream", "completed", "failed", "underruns", "resent", "missing", "reconnects"
+    );
+    for (index, counted) in streams.iter().enumerate() {
+        let StreamStatistics { completed, failed, underruns, resent, missing, reconnects } =
+            counted;
+        // Writing to a String does not fail.
+        let _ = write!(
+            text,
+            "\ncam{:<4}  {completed:>9} {failed:>7} {underruns:>9}  {resent:>8} {missing:>8}  \
+             {reconnects:>10}",
+            index + 1
+        );
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use lfpiv_sim::flow::Uniform;
@@ -136,9 +159,9 @@ mod tests {
     fn the_table_lists_results_and_failures_in_order() {
         let board = Board::new();
         let flow = Flow::default();
-        let failed = Row::new(&board.failed(1, "camera 2 is dark".to_owned()), None, &flow);
+        let failed = Row::new(&board.failed(1, "camera 2 is dark".to_owned()), None, Some(&flow));
         let good = result();
-        let done = Row::new(&board.done(0, result().into()), Some(&good), &flow);
+        let done = Row::new(&board.done(0, result().into()), Some(&good), Some(&flow));
         let text = table(&[failed, done]);
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 6);

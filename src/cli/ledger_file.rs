@@ -3,6 +3,7 @@
 use std::{io::Write, path::Path};
 
 use anyhow::Context;
+use lfpiv_hw::device::StreamStatistics;
 use serde::Serialize;
 
 use crate::{
@@ -21,6 +22,8 @@ struct LedgerFile<'a> {
     balanced: bool,
     /// One account per camera, in the order of the configuration.
     cameras: &'a [Account],
+    /// What each camera's driver counted.
+    streams: &'a [StreamStatistics],
     frames: Option<crate::acquisition::pairing::FrameCounters>,
     /// The triggers that are not complete or suspect, as far as they are remembered.
     exceptions: Vec<&'a TriggerEntry>,
@@ -48,6 +51,7 @@ pub(super) fn write_ledger(
         error: ended.as_ref().err().map(|error| format!("{error:#}")),
         balanced: ledger.is_balanced(),
         cameras: ledger.accounts(),
+        streams: ledger.streams(),
         frames: report.map(|report| report.frames),
         exceptions: ledger.entries().filter(odd).collect(),
         without_result,

@@ -1,4 +1,5 @@
-//! The command line: `lfpiv check | timing | simulate | process | run | devices | bench | peers`.
+//! The command line: `lfpiv check | timing | simulate | process | run | sim-bench | devices |
+//! bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
@@ -8,6 +9,7 @@ mod check;
 pub mod daemon;
 mod demo_table;
 mod devices;
+mod instruments;
 mod ledger_file;
 mod output;
 mod peers;
@@ -15,8 +17,10 @@ mod process;
 mod run;
 mod run_folder;
 mod run_info;
+mod sim_bench;
 mod simulate;
 mod solver;
+mod stop;
 mod timing;
 
 use std::{io::IsTerminal, process::ExitCode};
@@ -30,6 +34,7 @@ pub use check::CheckArgs;
 pub use peers::PeersCommand;
 pub use process::ProcessArgs;
 pub use run::RunArgs;
+pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
 pub use timing::TimingArgs;
 
@@ -53,6 +58,8 @@ enum Command {
     Process(ProcessArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
+    /// Put simulated instruments at the ends of real wires, for a daemon to run.
+    SimBench(SimBenchArgs),
     /// List the cameras on the network.
     Devices,
     /// Measure speed against error of declared cases and methods, and write a report.
@@ -72,6 +79,7 @@ pub fn main() -> ExitCode {
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
+        Command::SimBench(args) => sim_bench::sim_bench(&args),
         Command::Devices => devices::devices(),
         Command::Bench(args) => bench::bench(&args),
         Command::Peers(command) => peers::peers(&command),

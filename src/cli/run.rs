@@ -4,19 +4,19 @@ use std::{num::NonZeroU64, path::PathBuf, sync::Arc};
 
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
-use lfpiv_sim::{Pacing, Scene, connect};
+use lfpiv_sim::{Flow, Pacing, connect};
 use parking_lot::Mutex;
-use tokio::signal::unix::{SignalKind, signal};
-use tokio_util::sync::CancellationToken;
 
 use super::{
     daemon::{Daemon, DaemonPlan, DaemonReport},
-    demo_table::{Row, table},
+    demo_table::{Row, stream_table, table},
+    instruments,
     output::{print, progress_bar},
+    stop::stop_on_signals,
 };
 use crate::{
     acquisition::{Bench, OverloadPolicy},
-    config::ConfigFile,
+    config::{Config, ConfigFile},
     pipeline::{Observer, Processor, Stage},
 };
 
@@ -29,47 +29,70 @@ pub struct RunArgs {
     /// Stop after this many shots; without it, run until told to stop.
     #[arg(long, value_name = "N")]
     pub shots: Option<NonZeroU64>,
+    /// Configuration file whose [simulation] table has the flow that the table at the end of a
+    /// bounded run compares vectors with; the run's own when absent.
+    #[arg(long, value_name = "FILE")]
+    pub truth: Option<PathBuf>,
 }
 
 /// Runs the bench until its shots are done or it is told to stop by Ctrl-C or SIGTERM.
 pub fn run(args: RunArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load(&args.config)?;
-    let Some(scene) = file.config.simulation.clone() else {
-        bail!(
-            "{} has no [simulation] table, and this build has no drivers for cameras and \
-             synchroniser: add the table, or start from config/sim.toml",
-            args.config.display()
-        );
+    let truth = match &args.truth {
+        Some(path) => ConfigFile::load(path)?.config.simulation,
+        None => file.config.simulation.clone(),
     };
+    let bench = open_bench(&file.config, args.shots)
+        .with_context(|| format!("{} cannot be run", args.config.display()))?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
         .context("the runtime does not start")?;
-    runtime.block_on(run_simulated(file, scene, args.shots))
+    runtime.block_on(run_bench(file, bench, args.shots, truth.map(|scene| scene.flow)))
 }
 
-async fn run_simulated(
+/// The instruments that the configuration names, or the simulated bench.
+fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Bench> {
+    if let Some(instruments) = &config.instruments {
+        return instruments::open(config, instruments);
+    }
+    let Some(scene) = config.simulation.clone() else {
+        bail!(
+            "no [instruments] and no [simulation] table: add one, or start from config/sim.toml \
+             or config/loopback.toml"
+        );
+    };
+    // An unbounded simulated run behaves as a real bench does.
+    let pacing = match shots {
+        Some(_) => Pacing::AsFramesAreTaken,
+        None => Pacing::RealTime,
+    };
+    let seed = scene.seed;
+    let bench = connect(scene, config.bench_geometry(), seed, pacing);
+    Ok(Bench { cameras: bench.cameras, synchroniser: bench.synchroniser })
+}
+
+async fn run_bench(
     file: ConfigFile,
-    scene: Scene,
+    bench: Bench,
     shots: Option<NonZeroU64>,
+    truth: Option<Flow>,
 ) -> anyhow::Result<()> {
-    // A bounded run is there for its results: the simulated bench waits for them. An unbounded
-    // one behaves as a real bench does.
-    let (overload, pacing) = match shots {
-        Some(_) => (OverloadPolicy::Wait, Pacing::AsFramesAreTaken),
-        None => (OverloadPolicy::Shed, Pacing::RealTime),
+    // A bounded run is there for its results: triggers wait for them.
+    let overload = match shots {
+        Some(_) => OverloadPolicy::Wait,
+        None => OverloadPolicy::Shed,
     };
     let measurement = file.config.measurement();
-    let bench = connect(scene.clone(), file.config.bench_geometry(), scene.seed, pacing);
-    let bench = Bench { cameras: bench.cameras, synchroniser: bench.synchroniser };
-    let stop = stop_on_signals()?;
+    let has_instruments = file.config.instruments.is_some();
+    let stop = stop_on_signals("the last results may be left as .part files")?;
     let daemon = Daemon::prepare(DaemonPlan { file, shots, overload }).await?;
     print(&format!("status:  http://{}/api/v1/status", daemon.address()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
 
     let rows = Arc::new(Mutex::new(Vec::new()));
     let bar = shots.map(|shots| progress_bar(shots.get() as usize, "shots"));
-    let observer = observer(scene, shots.is_some().then(|| rows.clone()), bar.clone());
+    let observer = observer(truth, shots.is_some().then(|| rows.clone()), bar.clone());
     let processor = move || {
         let processor = Processor::new(measurement).context("this cannot be measured")?;
         Ok(move |pair: &_| processor.process(pair))
@@ -83,6 +106,9 @@ async fn run_simulated(
         print(&table(&rows))?;
     }
     let report = ended?;
+    if has_instruments && shots.is_some() {
+        print(&stream_table(report.ledger.streams()))?;
+    }
     print(&format!("results are in {}", report.folder.display()))?;
     complain(&report, &rows, stop.is_cancelled())
 }
@@ -90,7 +116,7 @@ async fn run_simulated(
 /// Collects a table row and moves the bar for every shot that leaves the pool. Only a bounded
 /// run keeps rows.
 fn observer(
-    scene: Scene,
+    truth: Option<Flow>,
     rows: Option<Arc<Mutex<Vec<Row>>>>,
     bar: Option<ProgressBar>,
 ) -> Observer {
@@ -102,34 +128,10 @@ fn observer(
             }
         });
         if let Some(rows) = &rows {
-            rows.lock().push(Row::new(record, result, &scene.flow));
+            rows.lock().push(Row::new(record, result, truth.as_ref()));
         }
         bar.inc(1);
     })
-}
-
-/// A token that is cancelled by the first Ctrl-C or SIGTERM. The second one ends the process
-/// where it stands; by then the synchroniser has been made safe.
-fn stop_on_signals() -> anyhow::Result<CancellationToken> {
-    let mut interrupt = signal(SignalKind::interrupt()).context("cannot listen for Ctrl-C")?;
-    let mut terminate = signal(SignalKind::terminate()).context("cannot listen for SIGTERM")?;
-    let stop = CancellationToken::new();
-    let told = stop.clone();
-    tokio::spawn(async move {
-        loop {
-            tokio::select! {
-                _ = interrupt.recv() => {}
-                _ = terminate.recv() => {}
-            }
-            if told.is_cancelled() {
-                eprintln!("stopped at once; the last results may be left as .part files");
-                std::process::exit(130);
-            }
-            tracing::info!("stopping: the shot in hand is finished first");
-            told.cancel();
-        }
-    });
-    Ok(stop)
 }
 
 /// A run that was asked for shots and did not measure all of them has not done what it should.

@@ -2,6 +2,7 @@
 //! the scene. Each room owns the settings of its own table; this room puts them together and says
 //! where a file is wrong.
 
+mod instruments;
 mod location;
 mod problem;
 mod range;
@@ -14,7 +15,7 @@ use std::{
 
 use garde::Validate;
 use lfpiv_hw::{Optics, Pose, TimingSettings};
-use lfpiv_sim::{BenchGeometry, Scene, Volume};
+use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -25,6 +26,7 @@ use crate::{
     velocimetry::VelocimetrySettings,
 };
 
+pub use instruments::InstrumentSettings;
 pub use problem::{ConfigError, Problem};
 
 /// A configuration and the text it was read from, which is stored with the results.
@@ -99,10 +101,18 @@ pub struct Config {
     #[serde(default)]
     #[garde(skip)]
     pub output: OutputSettings,
-    /// The simulated bench; without it a run needs hardware.
+    /// The bench's instruments.
+    #[serde(default)]
+    #[garde(custom(one_per_camera(&self.camera)), dive)]
+    pub instruments: Option<InstrumentSettings>,
+    /// The simulated bench; without it a run needs instruments.
+    #[serde(default)]
+    #[garde(custom(simulation_or_instruments(&self.instruments)), dive)]
+    pub simulation: Option<Scene>,
+    /// The wires at whose ends `lfpiv sim-bench` puts simulated instruments.
     #[serde(default)]
     #[garde(dive)]
-    pub simulation: Option<Scene>,
+    pub wire: Option<WireSettings>,
 }
 
 /// Timing of a shot.
@@ -166,6 +176,30 @@ fn one_or_two(cameras: &[Pose], _: &()) -> garde::Result {
         other => {
             Err(garde::Error::new(format!("{other} cameras; allowed: 1 or 2 [[camera]] tables")))
         }
+    }
+}
+
+fn one_per_camera(
+    cameras: &[Pose],
+) -> impl FnOnce(&Option<InstrumentSettings>, &()) -> garde::Result + '_ {
+    move |instruments, _| match instruments.as_ref().map(|i| i.camera.len()) {
+        Some(count) if count != cameras.len() => Err(garde::Error::new(format!(
+            "{count} [[instruments.camera]] tables for {} [[camera]] tables; allowed: one for each",
+            cameras.len()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn simulation_or_instruments(
+    instruments: &Option<InstrumentSettings>,
+) -> impl FnOnce(&Option<Scene>, &()) -> garde::Result + '_ {
+    move |simulation, _| match (simulation, instruments) {
+        (Some(_), Some(_)) => Err(garde::Error::new(
+            "allowed: [simulation] or [instruments], not both: a run would not know which bench to \
+             use",
+        )),
+        _ => Ok(()),
     }
 }
 

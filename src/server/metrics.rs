@@ -8,6 +8,7 @@ use axum::{
     http::header,
     response::{IntoResponse, Response},
 };
+use lfpiv_hw::device::StreamStatistics;
 use prometheus_client::{
     collector::Collector,
     encoding::{DescriptorEncoder, EncodeMetric, text::encode},
@@ -92,6 +93,7 @@ impl Reader {
                 ConstCounter::new(account.outcomes.of(outcome)).encode(metric)?;
             }
         }
+        self.encode_streams(encoder)?;
         let help = "Triggers not settled yet";
         let mut family =
             encoder.encode_descriptor("triggers_open", help, None, MetricType::Gauge)?;
@@ -99,6 +101,30 @@ impl Reader {
             let labels = [("camera", name.as_str())];
             let metric = family.encode_family(&labels)?;
             ConstGauge::new(account.open as i64).encode(metric)?;
+        }
+        Ok(())
+    }
+
+    /// What the cameras' drivers count.
+    fn encode_streams(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
+        type Counter = (&'static str, &'static str, fn(&StreamStatistics) -> u64);
+        const COUNTERS: [Counter; 6] = [
+            ("stream_frames_completed", "Frames that arrived whole", |s| s.completed),
+            ("stream_frames_failed", "Frames that arrived damaged", |s| s.failed),
+            ("stream_frames_underrun", "Frames lost for want of a buffer", |s| s.underruns),
+            ("stream_packets_resent", "Packets asked for again that came", |s| s.resent),
+            ("stream_packets_missing", "Packets that never came", |s| s.missing),
+            ("stream_reconnects", "Times the camera vanished and came back", |s| s.reconnects),
+        ];
+        let names = &self.0.info.configuration.cameras;
+        let streams = self.0.ledger.lock().streams().to_vec();
+        for (counter, help, count) in COUNTERS {
+            let mut family = encoder.encode_descriptor(counter, help, None, MetricType::Counter)?;
+            for (name, statistics) in names.iter().zip(&streams) {
+                let labels = [("camera", name.as_str())];
+                let metric = family.encode_family(&labels)?;
+                ConstCounter::new(count(statistics)).encode(metric)?;
+            }
         }
         Ok(())
     }

@@ -4,14 +4,21 @@
 //! [`camera`] is a GigE Vision camera on the network. [`pulse_generator`] and [`olt_sync`] are
 //! synchronisers on a pseudo-terminal ([`pty`]). What is programmed in them decides, period by
 //! period, which pulses come out ([`PeriodOutputs`]), and [`exposure`] says what laser and cameras
-//! make of those.
+//! make of those. [`bench`] is all of it, wired together.
 
+#[cfg(feature = "aravis")]
+pub mod bench;
 #[cfg(feature = "aravis")]
 pub mod camera;
 pub mod exposure;
 pub mod olt_sync;
+mod pictures;
 pub mod pty;
 pub mod pulse_generator;
+mod settings;
+
+pub use pictures::{Pictures, ScenePictures};
+pub use settings::WireSettings;
 
 /// The pulses that a synchroniser gives in one period.
 #[derive(Debug, Clone, PartialEq)]

@@ -175,6 +175,13 @@ impl Pairing {
         self.tracks[camera].report_underruns(total);
     }
 
+    /// `camera` is back after an absence. The difference between the cameras' clocks has to be
+    /// learnt anew: [`Self::has_reference`].
+    pub fn camera_returned(&mut self, camera: usize) {
+        self.tracks[camera].restart();
+        self.clock_offsets_ns = (self.settings.cameras == 1).then(|| vec![0]);
+    }
+
     /// Time has passed. A trigger is given up for silence only once it is known to have been
     /// given: from [`Self::burst_ended`] or because a camera saw it.
     pub fn tick(&mut self, now: Duration) -> Vec<Ruling> {

@@ -50,9 +50,19 @@ pub(super) struct Track {
     /// Frames the stream reports as lost for want of a buffer, not yet charged to a trigger.
     pub underruns: u64,
     reported_underruns: u64,
+    /// The camera was away, and how many triggers it has missed is not known.
+    restarted: bool,
 }
 
 impl Track {
+    /// The camera was away and perhaps without power: its clock and the number of triggers it has
+    /// missed are unknown. Its next frame is taken for one of the first trigger of the burst that
+    /// runs then.
+    pub fn restart(&mut self) {
+        self.clock = None;
+        self.restarted = true;
+    }
+
     /// Takes in the stream's running count of underruns.
     pub fn report_underruns(&mut self, total: u64) {
         self.underruns += total.saturating_sub(self.reported_underruns);
@@ -70,6 +80,9 @@ impl Track {
     pub fn locate(&mut self, frame: &Frame, burst: Burst, grid: TimeGrid) -> Location {
         let half = i128::from(frame.frame_id % 2);
         let timestamp = i128::from(frame.device_timestamp_ns) - half * grid.interval_ns;
+        if std::mem::take(&mut self.restarted) {
+            self.missed = burst.first.saturating_sub(frame.frame_id / 2);
+        }
         let counted = frame.frame_id / 2 + self.missed;
         let location = match self.clock {
             Some(clock) if clock.0 >= burst.first => {

@@ -32,6 +32,8 @@ use connection::Connection;
 pub(super) use connection::list_devices;
 use stream::{FrameStream, Received};
 
+/// Control counts as lost once several heartbeats have not been answered: 11 s were seen.
+const NOTICES_ABSENCE_WITHIN: Duration = Duration::from_secs(20);
 /// Pause after a failed attempt to find a vanished camera.
 const RECONNECT_RETRY: Duration = Duration::from_millis(500);
 
@@ -246,6 +248,10 @@ impl Camera for GigeCamera {
 
     fn is_connected(&self) -> bool {
         matches!(&self.link, Link::Up { connection, .. } if !connection.is_lost())
+    }
+
+    fn notices_absence_within(&self) -> Duration {
+        NOTICES_ABSENCE_WITHIN
     }
 }
 

@@ -157,7 +157,8 @@ impl Dialogue {
             }
             stale.extend(bytes);
         }
-        if !stale.is_empty() {
+        // The end of a line that was taken for whole at its first byte is nothing to tell of.
+        if stale.iter().any(|byte| !matches!(byte, b'\r' | b'\n')) {
             let bytes = stale.escape_ascii().to_string();
             tracing::warn!(port = self.port(), bytes, "stray bytes between commands");
         }

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# The whole bench on one machine: simulated instruments at the ends of real wires, and the daemon
+# that drives them. Two cameras need two addresses, so all of it runs in a network of its own.
+# Usage: scripts/loopback.sh LFPIV SHOTS
+set -euo pipefail
+
+lfpiv=$1
+shots=$2
+out=results/loopback
+
+if [ "${LFPIV_PRIVATE_NETWORK:-}" != 1 ]; then
+    export LFPIV_PRIVATE_NETWORK=1
+    for options in -rn -n; do
+        if unshare $options true 2>/dev/null; then
+            exec unshare $options "$0" "$@"
+        fi
+    done
+    echo "A private network cannot be made: allow user namespaces" >&2
+    echo "(sysctl kernel.unprivileged_userns_clone=1) or run as root." >&2
+    exit 1
+fi
+
+ip link set lo up
+ip addr add 127.0.0.2/8 dev lo
+# A line's rate: without it a frame larger than the receive buffer arrives faster than anybody can
+# take it. Not every kernel has it.
+tc qdisc add dev lo root tbf rate 2500mbit burst 256kb limit 64mb 2>/dev/null || true
+
+rm -rf "$out"
+mkdir -p "$out"
+"$lfpiv" sim-bench --config config/loopback-bench.toml --record "$out/sent.csv" \
+    >"$out/sim-bench.txt" 2>&1 &
+bench=$!
+trap 'kill $bench 2>/dev/null || true' EXIT
+for _ in $(seq 100); do
+    [ -e "$out/synchroniser" ] && break
+    kill -0 $bench 2>/dev/null || { cat "$out/sim-bench.txt" >&2; exit 1; }
+    sleep 0.1
+done
+
+"$lfpiv" run --config config/loopback.toml --shots "$shots" --truth config/loopback-bench.toml
+kill -TERM $bench
+wait $bench
+trap - EXIT
+cat "$out/sim-bench.txt"
+
+# Every frame that was sent has arrived, pixel for pixel: camera, time of exposure and checksum.
+for camera in cam1 cam2; do
+    cut -d, -f1,4,5 "$out/sent.csv" | grep "^$camera," | sort >"$out/$camera.sent"
+    cut -d, -f1,3,6 "$out/received/$camera.csv" | grep "^$camera," | sort >"$out/$camera.received"
+    if ! cmp -s "$out/$camera.sent" "$out/$camera.received"; then
+        echo "$camera: frames sent and received differ; see $out/$camera.sent and .received" >&2
+        exit 1
+    fi
+    echo "$camera: $(wc -l <"$out/$camera.sent") frames sent and received, pixel for pixel"
+    rm "$out/$camera.sent" "$out/$camera.received"
+done
+echo "serial transcript: $out/serial.txt, $(wc -l <"$out/serial.txt") lines"

@@ -1,0 +1,289 @@
+//! A whole bench at the ends of real wires: a synchroniser on a pseudo-terminal that triggers GigE
+//! Vision cameras on the network.
+//!
+//! ```text
+//! serial commands -> pulse generator -> pulses -> optics -> pictures -> cameras -> GVSP
+//! ```
+//!
+//! The driver at the other end sees what a real bench would show it: whatever is programmed decides
+//! when cameras are triggered and at what time of the flow each exposure is lit.
+
+use std::{
+    fs, io,
+    net::Ipv4Addr,
+    os::unix::fs::symlink,
+    path::PathBuf,
+    sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc},
+    thread::{self, JoinHandle},
+};
+
+use lfpiv_hw::{RawImage, gige::ImageSize, synchroniser::ChannelMap};
+use thiserror::Error;
+
+use super::{
+    PeriodOutputs, Pictures, WireSettings,
+    camera::{Exposed, FakeCameraError, FakeGigeCamera, FrameCounts},
+    exposure::{CameraExposures, OpticalBench, Wiring},
+    pty::Served,
+    pulse_generator::PulseGenerator,
+};
+
+/// Cameras are switched on one after the other: their clocks agree in rate, not in origin.
+const CLOCK_OFFSET_NS: u64 = 1_234_567_891;
+
+/// Why there is no bench.
+#[derive(Debug, Error)]
+pub enum WireError {
+    /// A camera cannot be had.
+    #[error(transparent)]
+    Camera(#[from] FakeCameraError),
+    /// The system refuses a pseudo-terminal, a thread or the link.
+    #[error("simulated bench: {what}")]
+    System { what: String, source: io::Error },
+}
+
+/// One frame that was handed to the network.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SentFrame {
+    /// From 0.
+    pub camera: usize,
+    /// Number of the shot, from 0.
+    pub shot: u64,
+    /// 1 or 2.
+    pub exposure: u8,
+    /// Start of the exposure on the camera's clock.
+    pub device_timestamp_ns: u64,
+    /// See [`RawImage::crc32`].
+    pub crc32: u32,
+}
+
+/// What has come out of a bench so far.
+#[derive(Debug, Clone, Default)]
+pub struct WireReport {
+    /// T0 pulses.
+    pub periods: u64,
+    /// Pulses at the outputs of Q-switches 1 and 2.
+    pub q_switches: [u64; 2],
+    /// Per camera.
+    pub frames: Vec<FrameCounts>,
+}
+
+/// Instruments that are switched on; dropping them cuts every wire.
+pub struct WireBench {
+    cameras: Vec<Arc<FakeGigeCamera>>,
+    unit: Served<PulseGenerator>,
+    sent: Arc<Mutex<Vec<SentFrame>>>,
+    link: PathBuf,
+    threads: Vec<JoinHandle<()>>,
+}
+
+/// One trigger's frames for one camera.
+struct Triggered {
+    shot: u64,
+    exposures: CameraExposures,
+    images: [RawImage; 2],
+}
+
+impl WireBench {
+    /// Switches everything on. Pictures have the size `sensor` and `count_bits` significant bits.
+    ///
+    /// # Errors
+    /// An address that is not this machine's or is in use; no pseudo-terminal, thread or link.
+    pub fn start(
+        settings: &WireSettings,
+        sensor: ImageSize,
+        count_bits: u32,
+        pictures: Arc<dyn Pictures>,
+    ) -> Result<Self, WireError> {
+        let started = settings.camera_ips.iter().enumerate().map(|(index, &ip)| {
+            switched_on(settings, ip, &format!("SIM{}", index + 1), sensor, count_bits)
+        });
+        let cameras = started.collect::<Result<Vec<_>, _>>()?;
+        let sent = Arc::new(Mutex::new(Vec::new()));
+        let (periods, arriving) = mpsc::channel();
+        let mut threads = Vec::new();
+        let mut triggers = Vec::new();
+        for (index, camera) in cameras.iter().enumerate() {
+            let (trigger, triggered) = mpsc::channel();
+            triggers.push(trigger);
+            let (camera, sent) = (Arc::clone(camera), Arc::clone(&sent));
+            let run = move || expose_all(index, &camera, &triggered, &sent);
+            threads.push(spawn(format!("fake camera {}", index + 1), run)?);
+        }
+        let optics = OpticalBench::new(wiring(cameras.len()), settings.laser(), settings.camera());
+        let run = move || take_pictures(optics, pictures.as_ref(), &arriving, &triggers);
+        threads.push(spawn("optics".into(), run)?);
+        let observer = Box::new(move |period| {
+            // The optics live as long as this sender.
+            let _ = periods.send(period);
+        });
+        let unit = Served::start(PulseGenerator::new(settings.unit()), observer)
+            .map_err(|source| system("no pseudo-terminal for the synchroniser", source))?;
+        let link = settings.port.clone();
+        make_link(unit.path(), &link)?;
+        Ok(Self { cameras, unit, sent, link, threads })
+    }
+
+    /// A camera, to be disturbed.
+    pub fn camera(&self, index: usize) -> &FakeGigeCamera {
+        &self.cameras[index]
+    }
+
+    /// The synchroniser, to be disturbed. Not twice in one statement: it is a lock.
+    pub fn unit(&self) -> MutexGuard<'_, PulseGenerator> {
+        self.unit.unit()
+    }
+
+    /// Cuts the serial line; the unit dies with it.
+    pub fn cut_line(&mut self) {
+        self.unit.cut();
+    }
+
+    /// The frames that were handed to the network since the last call.
+    pub fn take_sent(&self) -> Vec<SentFrame> {
+        std::mem::take(&mut *self.sent.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// What has come out so far.
+    pub fn report(&self) -> WireReport {
+        let unit = self.unit.unit();
+        let heads = ChannelMap::default().q_switches();
+        WireReport {
+            periods: unit.periods(),
+            q_switches: heads.map(|channel| unit.pulses(channel.number())),
+            frames: self.cameras.iter().map(|camera| camera.counts()).collect(),
+        }
+    }
+}
+
+impl Drop for WireBench {
+    fn drop(&mut self) {
+        // Unplugged cameras hold nobody; with the unit's observer go the optics, then the cameras'
+        // threads.
+        self.unit.cut();
+        for camera in &self.cameras {
+            camera.unplug();
+        }
+        for thread in self.threads.drain(..) {
+            // A panic has been printed by its thread.
+            let _ = thread.join();
+        }
+        // Gone already if somebody tidied up.
+        let _ = fs::remove_file(&self.link);
+    }
+}
+
+fn switched_on(
+    settings: &WireSettings,
+    ip: Ipv4Addr,
+    serial: &str,
+    sensor: ImageSize,
+    count_bits: u32,
+) -> Result<Arc<FakeGigeCamera>, FakeCameraError> {
+    let camera = FakeGigeCamera::start(ip, serial, sensor, count_bits)?;
+    camera.unplug();
+    camera.set_line_rate(settings.line_mbit_s * 1e6 / 8.0);
+    camera.set_lost_packet_ratio(settings.lost_packets);
+    camera.plug_in()?;
+    Ok(Arc::new(camera))
+}
+
+/// Every output as the drivers have it by default; one trigger output for all cameras.
+fn wiring(cameras: usize) -> Wiring {
+    let channels = ChannelMap::default();
+    let trigger = channels.cameras.first().map_or(0, |channel| channel.number());
+    Wiring {
+        lamps: channels.lamps().map(|channel| channel.number()),
+        q_switches: channels.q_switches().map(|channel| channel.number()),
+        cameras: vec![trigger; cameras],
+    }
+}
+
+/// Pulses to pictures, one period after the other.
+fn take_pictures(
+    mut optics: OpticalBench,
+    pictures: &dyn Pictures,
+    periods: &mpsc::Receiver<PeriodOutputs>,
+    cameras: &[mpsc::Sender<Triggered>],
+) {
+    let mut shot = 0;
+    for period in periods {
+        let triggered = optics.period(&period);
+        if triggered.is_empty() {
+            continue;
+        }
+        let mut light = vec![[Vec::new(), Vec::new()]; cameras.len()];
+        for exposures in &triggered {
+            light[exposures.camera] = exposures.light.clone();
+        }
+        let separation_s = triggered.iter().find_map(|exposures| exposures.separation_s);
+        let mut images: Vec<_> =
+            pictures.of(shot, &light, separation_s).into_iter().map(Some).collect();
+        for exposures in triggered {
+            let camera = exposures.camera;
+            if let Some(images) = images.get_mut(camera).and_then(Option::take) {
+                // A camera's thread ends after this one.
+                let _ = cameras[camera].send(Triggered { shot, exposures, images });
+            }
+        }
+        shot += 1;
+    }
+}
+
+/// Hands a camera's pictures to the network.
+fn expose_all(
+    index: usize,
+    camera: &FakeGigeCamera,
+    triggered: &mpsc::Receiver<Triggered>,
+    sent: &Mutex<Vec<SentFrame>>,
+) {
+    for Triggered { shot, exposures, images } in triggered {
+        for (number, image) in images.into_iter().enumerate() {
+            let start_ns = (exposures.exposures_us[number][0] * 1000.0).round() as u64;
+            let frame = SentFrame {
+                camera: index,
+                shot,
+                exposure: number as u8 + 1,
+                device_timestamp_ns: exposures.t0_ns
+                    + start_ns
+                    + CLOCK_OFFSET_NS * (index as u64 + 1),
+                crc32: image.crc32(),
+            };
+            match camera.expose(Arc::new(image), frame.device_timestamp_ns) {
+                Ok(Exposed::Yes) => {
+                    sent.lock().unwrap_or_else(PoisonError::into_inner).push(frame);
+                }
+                Ok(Exposed::No(reason)) => {
+                    tracing::debug!(
+                        camera = index + 1,
+                        shot,
+                        ?reason,
+                        "the camera ignored a trigger"
+                    );
+                }
+                Err(error) => tracing::error!(camera = index + 1, shot, %error, "no picture"),
+            }
+        }
+    }
+}
+
+fn spawn(name: String, run: impl FnOnce() + Send + 'static) -> Result<JoinHandle<()>, WireError> {
+    let spawned = thread::Builder::new().name(name).spawn(run);
+    spawned.map_err(|source| system("no thread", source))
+}
+
+fn make_link(path: &str, link: &PathBuf) -> Result<(), WireError> {
+    let failed = |source| system(&format!("cannot link {} to {path}", link.display()), source);
+    if let Some(folder) = link.parent() {
+        fs::create_dir_all(folder).map_err(failed)?;
+    }
+    // A link that a killed bench left behind; anything else stays.
+    if fs::symlink_metadata(link).is_ok_and(|data| data.file_type().is_symlink()) {
+        fs::remove_file(link).map_err(failed)?;
+    }
+    symlink(path, link).map_err(failed)
+}
+
+fn system(what: &str, source: io::Error) -> WireError {
+    WireError::System { what: what.to_owned(), source }
+}

@@ -1,0 +1,80 @@
+//! Cameras that vanish: nothing is fired without them, and they are waited for.
+
+use std::time::{Duration, Instant};
+
+use super::{AcquisitionError, controller::Run};
+
+/// Whether a camera is there, as far as is known.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Presence {
+    /// Triggers given since its last frame.
+    pub silent: u64,
+    /// How long it may be away before its driver notices.
+    pub notices_absence_within: Duration,
+    away: bool,
+    /// It was away and pairing does not know yet.
+    returned: bool,
+}
+
+impl Presence {
+    /// What its driver says.
+    pub fn tell(&mut self, connected: bool) {
+        self.returned |= self.away && connected;
+        self.away = !connected;
+    }
+}
+
+impl Run {
+    /// Whether every camera answers.
+    pub(super) fn all_connected(&self) -> bool {
+        self.presence.iter().all(|camera| !camera.away)
+    }
+
+    /// Waits until every camera answers, laser safe; false when the run is stopped meanwhile. How
+    /// long, the drivers decide: a camera that is given up ends the run.
+    pub(super) async fn await_cameras(&mut self) -> Result<bool, AcquisitionError> {
+        if !self.all_connected() {
+            self.make_safe().await?;
+            tracing::warn!("nothing is fired until every camera answers again");
+            while !self.all_connected() {
+                tokio::select! {
+                    () = self.stop.cancelled() => return Ok(false),
+                    event = self.events.recv() => self.handle(event)?,
+                }
+            }
+        }
+        if self.presence.iter().any(|camera| camera.returned) {
+            self.take_up_again().await?;
+        }
+        Ok(true)
+    }
+
+    /// The unit is programmed anew, and pairing learns the clock of each camera that was away.
+    async fn take_up_again(&mut self) -> Result<(), AcquisitionError> {
+        self.make_safe().await?;
+        self.program().await?;
+        for (index, camera) in self.presence.iter_mut().enumerate() {
+            if std::mem::take(&mut camera.returned) {
+                camera.silent = 0;
+                self.pairing.camera_returned(index);
+                tracing::info!(camera = index, "is back; firing goes on");
+            }
+        }
+        Ok(())
+    }
+
+    /// A camera is silent: whether its driver finds, in the time it needs, that it has vanished.
+    pub(super) async fn has_vanished(&mut self, camera: usize) -> Result<bool, AcquisitionError> {
+        self.make_safe().await?;
+        let noticed_by = Instant::now() + self.presence[camera].notices_absence_within;
+        while !self.presence[camera].away && !self.presence[camera].returned {
+            let left = noticed_by.saturating_duration_since(Instant::now());
+            tokio::select! {
+                () = self.stop.cancelled() => return Ok(true),
+                event = self.events.recv() => self.handle(event)?,
+                () = tokio::time::sleep(left) => return Ok(false),
+            }
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,48 @@
+//! Opens the instruments that a configuration names.
+
+use std::{fs, path::Path};
+
+use anyhow::Context;
+use lfpiv_hw::{
+    RecordedCamera,
+    device::Camera,
+    gige::{self, CameraSettings, ImageSize},
+    synchroniser,
+};
+
+use crate::{
+    acquisition::Bench,
+    config::{Config, InstrumentSettings},
+};
+
+/// Opens synchroniser and cameras, in this order: opening the synchroniser disables its outputs,
+/// and what an earlier run left behind must not fire while cameras are looked for.
+///
+/// # Errors
+/// The first instrument that cannot be had.
+pub(super) fn open(config: &Config, instruments: &InstrumentSettings) -> anyhow::Result<Bench> {
+    let synchroniser = synchroniser::open(&instruments.synchroniser, &config.timing)
+        .context("the synchroniser cannot be used")?;
+    let size = ImageSize::from(&config.optics.sensor);
+    let cameras = instruments.camera.iter().enumerate().map(|(index, settings)| {
+        open_camera(index, settings, size, instruments.frame_record.as_deref())
+    });
+    Ok(Bench { cameras: cameras.collect::<anyhow::Result<_>>()?, synchroniser })
+}
+
+fn open_camera(
+    index: usize,
+    settings: &CameraSettings,
+    size: ImageSize,
+    record: Option<&Path>,
+) -> anyhow::Result<Box<dyn Camera>> {
+    let name = format!("cam{}", index + 1);
+    let camera = gige::open(&name, settings, size)
+        .with_context(|| format!("camera {} cannot be used", index + 1))?;
+    let Some(folder) = record else { return Ok(camera) };
+    let path = folder.join(format!("{name}.csv"));
+    let recorded = fs::create_dir_all(folder).and_then(|()| RecordedCamera::new(camera, &path));
+    let recorded = recorded
+        .with_context(|| format!("instruments.frame_record: cannot write {}", path.display()))?;
+    Ok(Box::new(recorded))
+}
