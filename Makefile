@@ -1,13 +1,13 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo loopback test bench bench-peers packages components readers format lint test-rust test-readers clean
+.PHONY: help demo loopback test bench bench-peers packages network-tools components readers format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev libaravis-dev libusb-1.0-0-dev
-# Tests with two cameras run in a network of their own: unshare and ip.
-TEST_PACKAGES := util-linux iproute2
+# Two simulated cameras run in a network of their own: unshare and ip.
+NETWORK_PACKAGES := util-linux iproute2
 
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
@@ -31,7 +31,7 @@ demo: packages
 	cargo build --release --locked
 	target/release/lfpiv run --config $(DEMO_CONFIG) --shots $(DEMO_SHOTS)
 
-loopback: packages test-packages
+loopback: packages network-tools
 	cargo build --release --locked
 	scripts/loopback.sh target/release/lfpiv $(LOOPBACK_SHOTS)
 
@@ -55,6 +55,9 @@ bench-peers: packages
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)
 
+network-tools:
+	@scripts/install-packages.sh $(NETWORK_PACKAGES)
+
 # A minimal toolchain lacks these two.
 components:
 	@cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
@@ -69,8 +72,7 @@ format: components
 lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
-test-rust: packages
-	@scripts/install-packages.sh $(TEST_PACKAGES)
+test-rust: packages network-tools
 	cargo test --workspace --locked
 
 # Reads what the binary of the Rust tests writes.
