@@ -1,0 +1,199 @@
+//! A bench at the ends of wires, the drivers on this side, and runs of the acquisition on it.
+
+use std::{
+    net::Ipv4Addr,
+    num::NonZeroU64,
+    path::Path,
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use lfpiv::{
+    acquisition::{
+        AcquisitionError, AcquisitionReport, AcquisitionSettings, Bench, Ledger, Outcome,
+        OverloadPolicy, Shot, acquire,
+    },
+    config::{Config, ConfigFile},
+};
+use lfpiv_hw::{
+    PulseSchedule, RawImage, TimingSettings,
+    gige::{self, CameraSettings, ImageSize, PixelFormat},
+    synchroniser::{self, SynchroniserDriver, SynchroniserSettings},
+};
+use lfpiv_sim::{
+    LightPulse,
+    wire::{Pictures, WireSettings, bench::WireBench},
+};
+use parking_lot::Mutex;
+use tokio::sync::mpsc;
+use tokio_util::sync::CancellationToken;
+
+/// Longer than anything takes that is going to happen, on a busy machine too.
+pub const LONG: Duration = Duration::from_secs(60);
+
+/// A quarter of the bench's sensor along each edge.
+pub const SIZE: ImageSize = ImageSize { columns: 588, rows: 442 };
+
+/// The bench of `tests/data/small.toml`.
+pub fn small() -> Config {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
+    ConfigFile::load(&path).expect("small.toml").config
+}
+
+/// A quick laser and quick cameras, warm at once.
+pub fn timing() -> TimingSettings {
+    TimingSettings {
+        laser_rate_limit_hz: 40.0,
+        readout_us: 5000.0,
+        lamp_warm_up_s: 0.0,
+        ..TimingSettings::default()
+    }
+}
+
+/// Simulated instruments that suit [`timing`], with their port in `folder`.
+pub fn wire(folder: &Path) -> WireSettings {
+    WireSettings {
+        port: folder.join("synchroniser"),
+        readout_us: 5000.0,
+        ..WireSettings::default()
+    }
+}
+
+/// Settings of camera `index` for the loopback.
+pub fn camera(index: usize) -> CameraSettings {
+    CameraSettings {
+        ip: Some(Ipv4Addr::new(127, 0, 0, index as u8 + 1)),
+        pixel_format: PixelFormat::Mono12Packed,
+        packet_size_bytes: 16_000,
+        socket_buffer_bytes: 4 << 20,
+        // A thread may be kept off the processor for long while others build and test.
+        packet_timeout_us: 200_000,
+        frame_retention_us: 2_000_000,
+        ..CameraSettings::default()
+    }
+}
+
+/// The drivers, connected to what [`wire`] describes.
+pub fn connect(wire: &WireSettings, size: ImageSize) -> Bench {
+    let port = wire.port.to_str().expect("a path in UTF-8");
+    let settings = SynchroniserSettings {
+        pacing_ms: 0,
+        reply_timeout_ms: 1000,
+        ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
+    };
+    let synchroniser = synchroniser::open(&settings, &timing()).expect("a synchroniser");
+    let open = |index: usize| {
+        let name = format!("cam{}", index + 1);
+        gige::open(&name, &camera(index), size).expect("a camera")
+    };
+    Bench { cameras: (0..2).map(open).collect(), synchroniser }
+}
+
+/// Pictures of 12-bit counts that tell shot, camera and exposure in every row, where exactly one
+/// pulse of full energy lit the exposure; black where not.
+pub struct Patterns(pub ImageSize);
+
+impl Patterns {
+    pub fn picture(&self, shot: u64, camera: usize, exposure: usize) -> RawImage {
+        let number = 4 * shot + 2 * camera as u64 + exposure as u64;
+        let key = 0x9e37_79b9_7f4a_7c15 ^ (number << 17 | number);
+        let counts = (0..self.0.pixels() as u64)
+            .map(|pixel| ((pixel + 1).wrapping_mul(key) >> 40 & 0xfff) as u16);
+        RawImage::new(self.0.columns, self.0.rows, counts.collect()).expect("its own size")
+    }
+}
+
+impl Pictures for Patterns {
+    fn of(&self, shot: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<[RawImage; 2]> {
+        let as_planned = |pulses: &[LightPulse]| matches!(pulses, [p] if p.energy > 0.99);
+        let exposed = |camera: usize, exposure: usize| {
+            if as_planned(&light[camera][exposure]) {
+                return self.picture(shot, camera, exposure);
+            }
+            let black = vec![0; self.0.pixels()];
+            RawImage::new(self.0.columns, self.0.rows, black).expect("its own size")
+        };
+        (0..light.len()).map(|camera| [exposed(camera, 0), exposed(camera, 1)]).collect()
+    }
+}
+
+/// Instruments that show [`Patterns`].
+pub fn patterns(wire: &WireSettings) -> WireBench {
+    WireBench::start(wire, SIZE, 12, Arc::new(Patterns(SIZE))).expect("a bench")
+}
+
+/// What came of a run.
+pub struct Taken {
+    pub ended: Result<AcquisitionReport, AcquisitionError>,
+    pub shots: Vec<Shot>,
+    pub ledger: Ledger,
+    pub seconds: f64,
+}
+
+impl Taken {
+    pub fn complete(&self, camera: usize) -> u64 {
+        self.ledger.accounts()[camera].outcomes.of(Outcome::Complete)
+    }
+
+    /// Every frame of every shot is the picture of that shot, byte for byte.
+    pub fn assert_pictures(&self, patterns: &Patterns) {
+        for shot in &self.shots {
+            for (camera, frames) in shot.cameras.iter().enumerate() {
+                for (exposure, frame) in frames.iter().enumerate() {
+                    let sent = patterns.picture(shot.trigger, camera, exposure);
+                    let (trigger, id) = (shot.trigger, frame.frame_id);
+                    assert!(
+                        frame.image == sent,
+                        "shot {trigger}, camera {camera}, exposure {exposure}, frame {id}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Takes `shots` shots, `rate_hz` a second, and settles every one that arrives as complete; `seen`
+/// is told of each.
+pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot)) -> Taken {
+    let settings = AcquisitionSettings {
+        schedule: PulseSchedule::plan(&timing(), 100.0, rate_hz).expect("a schedule"),
+        shots: NonZeroU64::new(shots),
+        overload: OverloadPolicy::Wait,
+        patience: Duration::from_secs(10),
+    };
+    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().expect("tokio");
+    let ledger = Arc::new(Mutex::new(Ledger::new(2)));
+    let began = Instant::now();
+    let (ended, shots) = runtime.block_on(async {
+        let (sender, mut receiver) = mpsc::channel(shots as usize);
+        let stop = CancellationToken::new();
+        let acquiring = tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop));
+        let mut shots = Vec::new();
+        while let Some(shot) = receiver.recv().await {
+            ledger.lock().settle_all(shot.trigger, Outcome::Complete).expect("an open trigger");
+            seen(&shot);
+            shots.push(shot);
+        }
+        (acquiring.await.expect("no panic"), shots)
+    });
+    let seconds = began.elapsed().as_secs_f64();
+    let ledger = ledger.lock().clone();
+    assert!(ledger.is_balanced(), "{ledger:?}");
+    assert!(ledger.accounts().iter().all(|account| account.open == 0), "{ledger:?}");
+    Taken { ended, shots, ledger, seconds }
+}
+
+/// The same picture for every exposure, so that making it costs nothing.
+pub struct Repeated(RawImage);
+
+impl Repeated {
+    pub fn new(size: ImageSize) -> Self {
+        Self(Patterns(size).picture(0, 0, 0))
+    }
+}
+
+impl Pictures for Repeated {
+    fn of(&self, _: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<[RawImage; 2]> {
+        light.iter().map(|_| [self.0.clone(), self.0.clone()]).collect()
+    }
+}

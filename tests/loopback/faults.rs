@@ -1,0 +1,124 @@
+//! Wires that lose packets, a camera that vanishes, a synchroniser that falls silent.
+
+use std::{thread, time::Duration};
+
+use lfpiv::acquisition::{AcquisitionError, Outcome};
+use lfpiv_sim::wire::WireSettings;
+
+use crate::{
+    bench::{LONG, Patterns, SIZE, connect, patterns, take, wire},
+    network::in_private_network,
+};
+
+#[test]
+fn lost_packets_cost_shots_and_never_pixels() {
+    const SHOTS: u64 = 40;
+    in_private_network("faults::lost_packets_cost_shots_and_never_pixels", || {
+        let folder = tempfile::tempdir().unwrap();
+        let wire = WireSettings { lost_packets: 0.002, ..wire(folder.path()) };
+        let _instruments = patterns(&wire);
+        let taken = take(connect(&wire, SIZE), SHOTS, 10.0, |_| {});
+        taken.ended.as_ref().unwrap();
+        taken.assert_pictures(&Patterns(SIZE));
+        for (account, stream) in taken.ledger.accounts().iter().zip(taken.ledger.streams()) {
+            let damaged = account.outcomes.of(Outcome::MissingPackets);
+            println!("{account:?} {stream:?}");
+            assert_eq!(account.triggers, SHOTS);
+            assert!(stream.failed > 0 && damaged > 0, "{account:?} {stream:?}");
+        }
+        assert!(taken.complete(0) > 0);
+    });
+}
+
+/// The cable of camera 2 is pulled in the middle of a burst and put back.
+#[test]
+fn a_camera_that_vanishes_and_returns_is_waited_for() {
+    const SHOTS: u64 = 60;
+    in_private_network("faults::a_camera_that_vanishes_and_returns_is_waited_for", || {
+        let folder = tempfile::tempdir().unwrap();
+        let wire = wire(folder.path());
+        let instruments = patterns(&wire);
+        let bench = connect(&wire, SIZE);
+        let taken = thread::scope(|scope| {
+            let (told, tell) = std::sync::mpsc::channel();
+            let instruments = &instruments;
+            let fault = move || {
+                tell.recv_timeout(LONG).expect("ten shots");
+                instruments.camera(1).unplug();
+                thread::sleep(Duration::from_secs(3));
+                instruments.camera(1).plug_in().unwrap();
+            };
+            scope.spawn(fault);
+            take(bench, SHOTS, 10.0, |shot| {
+                if shot.trigger == 10 {
+                    told.send(()).unwrap();
+                }
+            })
+        });
+        let report = taken.ended.as_ref().unwrap();
+        assert_eq!(report.triggers, SHOTS);
+        taken.assert_pictures(&Patterns(SIZE));
+        let stream = taken.ledger.streams()[1];
+        assert_eq!(stream.reconnects, 1, "{stream:?}");
+        let [first, second] = [taken.complete(0), taken.complete(1)];
+        assert_eq!(first, second);
+        let last = taken.shots.last().unwrap();
+        println!("{first} of {SHOTS} shots whole, {stream:?}");
+        assert_eq!(last.trigger, SHOTS - 1);
+        // A burst at most is lost, and shots on both sides of the gap are whole.
+        assert!((11..SHOTS).contains(&first), "{first}");
+        assert_eq!(instruments.report().q_switches, [SHOTS; 2]);
+    });
+}
+
+#[test]
+fn a_synchroniser_that_falls_silent_ends_the_run_and_its_burst_ends_itself() {
+    in_private_network(
+        "faults::a_synchroniser_that_falls_silent_ends_the_run_and_its_burst_ends_itself",
+        || {
+            let folder = tempfile::tempdir().unwrap();
+            let wire = wire(folder.path());
+            let instruments = patterns(&wire);
+            let taken = take(connect(&wire, SIZE), 400, 20.0, |shot| {
+                if shot.trigger == 5 {
+                    instruments.unit().fall_silent_after(0);
+                }
+            });
+            assert_ends_by_itself(&taken.ended, &instruments);
+            taken.assert_pictures(&Patterns(SIZE));
+        },
+    );
+}
+
+#[test]
+fn a_serial_line_that_is_cut_ends_the_run() {
+    in_private_network("faults::a_serial_line_that_is_cut_ends_the_run", || {
+        let folder = tempfile::tempdir().unwrap();
+        let wire = wire(folder.path());
+        let mut instruments = patterns(&wire);
+        let bench = connect(&wire, SIZE);
+        let taken = take(bench, 400, 20.0, |shot| {
+            if shot.trigger == 5 {
+                instruments.cut_line();
+            }
+        });
+        let error = taken.ended.as_ref().unwrap_err();
+        assert!(error.to_string().contains("interlock"), "{error}");
+        taken.assert_pictures(&Patterns(SIZE));
+    });
+}
+
+/// Says that the state is unknown; and no more than one burst of Q-switch pulses comes.
+fn assert_ends_by_itself<T: std::fmt::Debug>(
+    ended: &Result<T, AcquisitionError>,
+    instruments: &lfpiv_sim::wire::bench::WireBench,
+) {
+    let error = ended.as_ref().unwrap_err().to_string();
+    assert!(error.contains("interlock"), "{error}");
+    // Five seconds of shots are the longest burst.
+    thread::sleep(Duration::from_secs(6));
+    let after_burst = instruments.report().q_switches;
+    assert!(after_burst[0] <= 1 + 5 * 20, "{after_burst:?}");
+    thread::sleep(Duration::from_secs(1));
+    assert_eq!(instruments.report().q_switches, after_burst);
+}

@@ -1,0 +1,94 @@
+//! A daemon that is killed: the burst in hand is the last one.
+
+use std::{
+    fs,
+    path::Path,
+    process::{Child, Command, Stdio},
+    thread,
+    time::{Duration, Instant},
+};
+
+use lfpiv_hw::gige::ImageSize;
+use lfpiv_sim::wire::bench::WireBench;
+
+use crate::{
+    bench::{LONG, Repeated, small, wire},
+    network::in_private_network,
+};
+
+/// Shots per second of the daemon below.
+const RATE_HZ: f64 = 20.0;
+
+/// The small bench behind wires, for the binary.
+fn configuration(folder: &Path, port: &Path) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
+    let text = fs::read_to_string(path).unwrap();
+    let text = &text[..text.find("[simulation]").unwrap()];
+    let results = format!("dir = \"{}\"", folder.join("results").display());
+    let text = text.replacen("dir = \"results\"", &results, 1);
+    let rate = text.lines().find(|line| line.starts_with("rate_hz")).unwrap();
+    let text = text.replacen(rate, &format!("rate_hz = {RATE_HZ:.1}"), 1);
+    let camera = |ip: &str| {
+        format!(
+            "[[instruments.camera]]\nip = \"{ip}\"\npacket_size_bytes = 16000\n\
+             frame_retention_us = 2000000\n"
+        )
+    };
+    format!(
+        "{text}\n[timing]\nlaser_rate_limit_hz = 40.0\nreadout_us = 5000.0\nlamp_warm_up_s = 0.0\n\
+         [instruments]\nframe_patience_s = 10.0\n{}{}[instruments.synchroniser]\n\
+         driver = \"bnc-575\"\nport = \"{}\"\npacing_ms = 0\n",
+        camera("127.0.0.1"),
+        camera("127.0.0.2"),
+        port.display()
+    )
+}
+
+fn daemon(config: &Path, shots: Option<u64>) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
+    command.args(["run", "--config"]).arg(config).stdout(Stdio::null()).stderr(Stdio::null());
+    if let Some(shots) = shots {
+        command.args(["--shots", &shots.to_string()]);
+    }
+    command.spawn().expect("the binary starts")
+}
+
+fn q_switch_pulses(instruments: &WireBench) -> u64 {
+    instruments.report().q_switches[0]
+}
+
+/// A SIGKILLed daemon leaves at most one burst of Q-switch pulses behind; the next one makes
+/// contact with unit and cameras, which believe in their old controller, and measures.
+#[test]
+fn a_killed_daemon_leaves_no_more_than_one_burst() {
+    in_private_network("killed::a_killed_daemon_leaves_no_more_than_one_burst", || {
+        let folder = tempfile::tempdir().unwrap();
+        let wire = wire(folder.path());
+        let size = ImageSize::from(&small().optics.sensor);
+        let pictures = std::sync::Arc::new(Repeated::new(size));
+        let instruments = WireBench::start(&wire, size, 12, pictures).unwrap();
+        let config = folder.path().join("loopback.toml");
+        fs::write(&config, configuration(folder.path(), &wire.port)).unwrap();
+
+        let mut first = daemon(&config, None);
+        let began = Instant::now();
+        while q_switch_pulses(&instruments) < 30 {
+            assert!(began.elapsed() < LONG, "no shots: {:?}", first.try_wait());
+            thread::sleep(Duration::from_millis(20));
+        }
+        first.kill().unwrap();
+        let at_kill = q_switch_pulses(&instruments);
+        first.wait().unwrap();
+        // Five seconds are the longest burst.
+        thread::sleep(Duration::from_secs(7));
+        let after = q_switch_pulses(&instruments);
+        println!("{at_kill} pulses when killed, {after} in the end");
+        assert!(after - at_kill <= (5.0 * RATE_HZ) as u64, "{at_kill} {after}");
+        thread::sleep(Duration::from_secs(2));
+        assert_eq!(q_switch_pulses(&instruments), after);
+
+        let status = daemon(&config, Some(2)).wait().unwrap();
+        assert!(status.success(), "{status}");
+        assert_eq!(q_switch_pulses(&instruments), after + 2);
+    });
+}

@@ -1,0 +1,12 @@
+//! The daemon's acquisition through the drivers of a real bench: GigE Vision and serial, against
+//! simulated instruments at the other ends of the wires.
+//!
+//! Every test has a network of its own, with two loopback addresses for two cameras.
+#![cfg(feature = "aravis")]
+
+mod bench;
+mod faults;
+mod killed;
+#[path = "../../sim/tests/gige/network.rs"]
+mod network;
+mod shots;

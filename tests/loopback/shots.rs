@@ -1,0 +1,135 @@
+//! What crosses the wires arrives as it was, and means what it meant.
+
+use std::{fs, sync::Arc};
+
+use lfpiv::pipeline::{ImagePair, Processor};
+use lfpiv_hw::gige::ImageSize;
+use lfpiv_sim::wire::{ScenePictures, WireSettings, bench::WireBench};
+
+use crate::{
+    bench::{Patterns, SIZE, Taken, connect, patterns, small, take, wire},
+    network::in_private_network,
+};
+
+#[test]
+fn two_hundred_shots_arrive_byte_for_byte() {
+    const SHOTS: u64 = 200;
+    in_private_network("shots::two_hundred_shots_arrive_byte_for_byte", || {
+        let folder = tempfile::tempdir().unwrap();
+        let wire = wire(folder.path());
+        let instruments = patterns(&wire);
+        let taken = take(connect(&wire, SIZE), SHOTS, 40.0, |_| {});
+        let report = taken.ended.as_ref().unwrap();
+        assert_eq!(report.triggers, SHOTS);
+        assert_eq!((taken.complete(0), taken.complete(1)), (SHOTS, SHOTS));
+        assert!(taken.shots.iter().all(|shot| shot.suspect.is_empty()));
+        taken.assert_pictures(&Patterns(SIZE));
+        let sent = instruments.report();
+        assert_eq!(sent.q_switches, [SHOTS; 2]);
+        assert!(sent.frames.iter().all(|frames| frames.sent == 2 * SHOTS && frames.ignored == 0));
+        let streams = taken.ledger.streams();
+        assert!(streams.iter().all(|stream| stream.completed == 2 * SHOTS), "{streams:?}");
+        println!("{SHOTS} shots in {:.1} s", taken.seconds);
+    });
+}
+
+/// How fast the loopback is: `cargo test --release --test loopback sustained -- --ignored
+/// --nocapture`. Frames of the real sensor, two per camera and shot; pictures are made beforehand.
+#[test]
+#[ignore = "a table for people: a minute"]
+fn sustained_rate() {
+    in_private_network("shots::sustained_rate", || {
+        let size = ImageSize { columns: 2352, rows: 1768 };
+        for rate_hz in [2.0, 4.0, 6.0, 8.0, 10.0] {
+            sustained(size, rate_hz);
+        }
+    });
+}
+
+fn sustained(size: ImageSize, rate_hz: f64) {
+    const SHOTS: u64 = 40;
+    let folder = tempfile::tempdir().unwrap();
+    let wire = WireSettings { readout_us: 40_000.0, ..wire(folder.path()) };
+    let pictures = Arc::new(crate::bench::Repeated::new(size));
+    let instruments = WireBench::start(&wire, size, 12, pictures).unwrap();
+    let busy_s = processor_seconds();
+    let taken = take(connect(&wire, size), SHOTS, rate_hz, |_| {});
+    let busy_s = processor_seconds() - busy_s;
+    drop(instruments);
+    let whole: u64 = taken.ledger.streams().iter().map(|stream| stream.completed).sum();
+    let frames_per_s = whole as f64 / 2.0 / taken.seconds;
+    let megabytes = size.pixels() as f64 * 1.5 / 1e6;
+    println!(
+        "{rate_hz} Hz: {}/{SHOTS} shots, {frames_per_s:.1} frames/s and {:.0} MB/s per camera, \
+         {:.2} processors with the simulated instruments",
+        taken.complete(0),
+        frames_per_s * megabytes,
+        busy_s / taken.seconds
+    );
+}
+
+/// Processor time of this process, in s.
+fn processor_seconds() -> f64 {
+    let stat = fs::read_to_string("/proc/self/stat").unwrap();
+    let after_name = stat.rsplit(')').next().unwrap();
+    let fields: Vec<&str> = after_name.split_whitespace().collect();
+    let ticks: f64 = fields[11].parse::<f64>().unwrap() + fields[12].parse::<f64>().unwrap();
+    // USER_HZ is 100 on every Linux that matters here.
+    ticks / 100.0
+}
+
+#[test]
+fn velocity_over_the_wires_is_velocity_in_process_bit_for_bit() {
+    const SHOTS: u64 = 3;
+    in_private_network("shots::velocity_over_the_wires_is_velocity_in_process_bit_for_bit", || {
+        let config = small();
+        let (scene, geometry) = (config.simulation.clone().unwrap(), config.bench_geometry());
+        let taken = scene_taken(ScenePictures {
+            scene: scene.clone(),
+            geometry: geometry.clone(),
+            seed: scene.seed,
+        });
+        assert_eq!(taken.complete(0), SHOTS);
+        let processor = Processor::new(config.measurement()).unwrap();
+        for shot in taken.shots {
+            let sent = scene.shot(&geometry, scene.seed, shot.trigger);
+            let cameras = shot.cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
+            let received = ImagePair { cameras: cameras.collect() };
+            let over_wires = processor.process(&received).unwrap().field;
+            let in_process = processor.process(&ImagePair { cameras: sent.images }).unwrap();
+            assert!(over_wires.valid_share() > 0.9, "{}", over_wires.valid_share());
+            assert_eq!(over_wires, in_process.field);
+        }
+    });
+
+    fn scene_taken(pictures: ScenePictures) -> Taken {
+        let folder = tempfile::tempdir().unwrap();
+        let wire = wire(folder.path());
+        let size = ImageSize::from(&pictures.geometry.optics.sensor);
+        let bits = pictures.scene.sensor.bits.into();
+        let _instruments = WireBench::start(&wire, size, bits, Arc::new(pictures)).unwrap();
+        take(connect(&wire, size), SHOTS, 5.0, |_| {})
+    }
+}
+
+/// The bench's cameras are slower than the configuration says: both light pulses fall into exposure
+/// 1 and none into exposure 2. The daemon's schedule was right by its own lights.
+#[test]
+fn a_wrong_delay_gives_a_wrong_and_a_dark_image() {
+    in_private_network("shots::a_wrong_delay_gives_a_wrong_and_a_dark_image", || {
+        let folder = tempfile::tempdir().unwrap();
+        let right = wire(folder.path());
+        let slow = WireSettings { camera_latency_us: 150.0, ..right };
+        let _instruments = patterns(&slow);
+        let taken = take(connect(&slow, SIZE), 2, 10.0, |_| {});
+        assert_eq!(taken.complete(0), 2);
+        for shot in &taken.shots {
+            for [a, b] in &shot.cameras {
+                let [twice_lit, dark] = [a, b].map(|frame| &frame.image);
+                // `Patterns` shows an exposure with two pulses black, too; a scene would show both.
+                assert!(twice_lit.counts().iter().all(|count| *count == 0));
+                assert!(dark.counts().iter().all(|count| *count == 0));
+            }
+        }
+    });
+}
