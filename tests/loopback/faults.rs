@@ -113,7 +113,7 @@ fn assert_ends_by_itself<T: std::fmt::Debug>(
     ended: &Result<T, AcquisitionError>,
     instruments: &lfpiv_sim::wire::bench::WireBench,
 ) {
-    let error = ended.as_ref().unwrap_err().to_string();
+    let error = ended.as_ref().expect_err("an error").to_string();
     assert!(error.contains("interlock"), "{error}");
     // Five seconds of shots are the longest burst.
     thread::sleep(Duration::from_secs(6));

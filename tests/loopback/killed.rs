@@ -22,11 +22,11 @@ const RATE_HZ: f64 = 20.0;
 /// The small bench behind wires, for the binary.
 fn configuration(folder: &Path, port: &Path) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
-    let text = fs::read_to_string(path).unwrap();
-    let text = &text[..text.find("[simulation]").unwrap()];
+    let text = fs::read_to_string(path).expect("small.toml");
+    let text = &text[..text.find("[simulation]").expect("a scene")];
     let results = format!("dir = \"{}\"", folder.join("results").display());
     let text = text.replacen("dir = \"results\"", &results, 1);
-    let rate = text.lines().find(|line| line.starts_with("rate_hz")).unwrap();
+    let rate = text.lines().find(|line| line.starts_with("rate_hz")).expect("a rate");
     let text = text.replacen(rate, &format!("rate_hz = {RATE_HZ:.1}"), 1);
     let camera = |ip: &str| {
         format!(

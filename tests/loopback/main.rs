@@ -7,6 +7,8 @@
 mod bench;
 mod faults;
 mod killed;
+// The driver's own tests use more of it.
+#[allow(dead_code)]
 #[path = "../../sim/tests/gige/network.rs"]
 mod network;
 mod shots;

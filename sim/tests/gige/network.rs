@@ -21,7 +21,7 @@ pub fn in_private_network(test: &str, body: impl FnOnce()) {
         return body();
     }
     let mut inside = private(&format!("{SET_UP} 2>&1"));
-    inside.arg(env::current_exe().unwrap()).args([test, "--exact", "--nocapture"]);
+    inside.arg(env::current_exe().expect("this binary")).args([test, "--exact", "--nocapture"]);
     inside.arg("--include-ignored");
     inside.env(INSIDE, "1");
     let output = inside.output().expect("`unshare` (package util-linux) is needed");
@@ -35,7 +35,7 @@ pub fn in_private_network(test: &str, body: impl FnOnce()) {
 /// that can be killed.
 pub fn program(test: &str) -> Command {
     assert!(env::var_os(INSIDE).is_some(), "only inside a private network");
-    let mut program = Command::new(env::current_exe().unwrap());
+    let mut program = Command::new(env::current_exe().expect("this binary"));
     program.args([test, "--exact", "--ignored", "--nocapture"]).stdout(Stdio::piped());
     program
 }
