@@ -10,21 +10,8 @@ out=results/loopback
 
 if [ "${LFPIV_PRIVATE_NETWORK:-}" != 1 ]; then
     export LFPIV_PRIVATE_NETWORK=1
-    for options in -rn -n; do
-        if unshare $options true 2>/dev/null; then
-            exec unshare $options "$0" "$@"
-        fi
-    done
-    echo "A private network cannot be made: allow user namespaces" >&2
-    echo "(sysctl kernel.unprivileged_userns_clone=1) or run as root." >&2
-    exit 1
+    exec "$(dirname "$0")/private-network.sh" "$0" "$@"
 fi
-
-ip link set lo up
-ip addr add 127.0.0.2/8 dev lo
-# A line's rate: without it a frame larger than the receive buffer arrives faster than anybody can
-# take it. Not every kernel has it.
-tc qdisc add dev lo root tbf rate 2500mbit burst 256kb limit 64mb 2>/dev/null || true
 
 rm -rf "$out"
 mkdir -p "$out"

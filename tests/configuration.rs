@@ -64,8 +64,36 @@ fn shipped_configurations_load() {
     for name in SHIPPED {
         let config = Config::parse(name, &shipped(name)).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(config.camera.len(), 2, "{name}");
-        assert!(config.simulation.is_some(), "{name}");
+        assert_eq!(config.simulation.is_some(), name != "loopback", "{name}");
+        assert_eq!(config.instruments.is_some(), name == "loopback", "{name}");
     }
+}
+
+/// The daemon and the simulated bench at the other ends of its wires see the same.
+#[test]
+fn both_ends_of_the_loopback_are_one_bench() {
+    let load = |name: &str| Config::parse(name, &shipped(name)).unwrap();
+    let (daemon, bench) = (load("loopback"), load("loopback-bench"));
+    assert_eq!(daemon.bench_geometry(), bench.bench_geometry());
+    assert_eq!((&daemon.shot, &daemon.timing), (&bench.shot, &bench.timing));
+    let (instruments, wire) = (daemon.instruments.unwrap(), bench.wire.unwrap());
+    let ips: Vec<_> = instruments.camera.iter().filter_map(|camera| camera.ip).collect();
+    assert_eq!(ips, wire.camera_ips);
+    assert_eq!(instruments.synchroniser.port, wire.port.to_str().unwrap());
+}
+
+#[test]
+fn instruments_are_one_camera_for_each_and_no_simulation_beside_them() {
+    let text = shipped("loopback");
+    let (before, rest) = text.split_once("[[instruments.camera]]").unwrap();
+    let (first, rest) = rest.split_once("[[instruments.camera]]").unwrap();
+    let after = &rest[rest.find("[instruments.synchroniser]").unwrap()..];
+    let lone = format!("{before}[[instruments.camera]]{first}{after}");
+    let said = Config::parse("lone", &lone).unwrap_err().to_string();
+    assert!(said.contains("1 [[instruments.camera]] tables for 2 [[camera]] tables"), "{said}");
+    let both = format!("{text}\n[simulation]\nppm = 1.0\n");
+    let said = Config::parse("both", &both).unwrap_err().to_string();
+    assert!(said.contains("[simulation] or [instruments], not both"), "{said}");
 }
 
 #[test]

@@ -20,6 +20,7 @@ pub mod report;
 mod row;
 mod runner;
 mod score;
+mod stream;
 mod suite;
 mod truth;
 
@@ -30,4 +31,7 @@ pub use peers::read_peers;
 pub use record::{Curve, MeasuredField, Projection, Record};
 pub use row::Row;
 pub use runner::{RunOptions, run};
+pub use stream::Streamed;
+#[cfg(feature = "aravis")]
+pub use stream::drive;
 pub use suite::{Bar, Case, Figure, Measure, Method, Suite};

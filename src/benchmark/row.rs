@@ -91,6 +91,16 @@ pub struct Row {
     pub matrix_mb: Option<f64>,
     /// Largest matrix of an ordered subset, in MB.
     pub subset_matrix_mb: Option<f64>,
+    /// Shots per second that were asked for of a bench at the ends of wires.
+    pub rate_hz: Option<f64>,
+    /// Share of its shots whose frames all arrived whole.
+    pub whole_share: Option<f64>,
+    /// Frames per second and camera.
+    pub frames_per_s: Option<f64>,
+    /// Pixel data per second and camera, in MB.
+    pub mb_per_s: Option<f64>,
+    /// Copies of a frame's pixels after the network's own.
+    pub copies_per_frame: Option<usize>,
     /// Threads.
     pub threads: usize,
     /// Processor model.

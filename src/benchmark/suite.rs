@@ -77,6 +77,9 @@ pub struct Case {
     /// Times that the whole process is run ([`Measure::Process`]); the median is reported.
     #[serde(default = "one")]
     pub repeats: usize,
+    /// Shots per second that are tried ([`Measure::Loopback`]); the configuration's when empty.
+    #[serde(default)]
+    pub rates_hz: Vec<f64>,
     /// Figures that show this case.
     #[serde(default)]
     pub figures: Vec<Figure>,
@@ -111,6 +114,8 @@ pub enum Measure {
     Process,
     /// Bytes of the explicit weight matrix, whole and by ordered subsets.
     Matrix,
+    /// Frames of both cameras over GigE Vision to this program's drivers, triggered over serial.
+    Loopback,
 }
 
 /// A figure of the report.
@@ -137,6 +142,8 @@ pub enum Figure {
     Cumulative,
     /// Time and memory against the number of voxels.
     Growth,
+    /// What each part of the forward model costs and buys: the first such case has all of them.
+    ModelParts,
 }
 
 /// A demand on the program, each with its row in the report's first table.

@@ -1,7 +1,7 @@
 //! `lfpiv sim-bench`: simulated instruments at the ends of real wires, for a daemon that knows
 //! nothing of it.
 
-use std::path::PathBuf;
+use std::{num::NonZeroU64, path::PathBuf};
 
 /// Arguments of `lfpiv sim-bench`.
 #[derive(Debug, clap::Args)]
@@ -12,6 +12,10 @@ pub struct SimBenchArgs {
     /// List every frame that is sent in this file, with a checksum of its pixels.
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
+    /// Do not wait for a daemon: take so many shots with this program's own drivers, and print how
+    /// fast they came, as JSON.
+    #[arg(long, value_name = "SHOTS", conflicts_with = "record")]
+    pub drive: Option<NonZeroU64>,
 }
 
 #[cfg(not(feature = "aravis"))]
@@ -43,7 +47,7 @@ mod with_aravis {
     };
 
     use super::{super::stop::stop_on_signals, SimBenchArgs};
-    use crate::{cli::output::print, config::ConfigFile};
+    use crate::{benchmark::drive, cli::output::print, config::ConfigFile};
 
     /// How often frames that were sent are listed.
     const LISTING: Duration = Duration::from_millis(100);
@@ -52,6 +56,10 @@ mod with_aravis {
     pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
         let config = ConfigFile::load(&args.config)?.config;
         let path = args.config.display();
+        if let Some(shots) = args.drive {
+            let streamed = drive(&config, shots).with_context(|| path.to_string())?;
+            return print(&serde_json::to_string(&streamed)?);
+        }
         let (Some(scene), Some(wire)) = (config.simulation.clone(), config.wire.clone()) else {
             bail!(
                 "{path} has no [simulation] and [wire] tables: take config/loopback-bench.toml as \

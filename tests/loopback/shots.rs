@@ -1,8 +1,11 @@
 //! What crosses the wires arrives as it was, and means what it meant.
 
-use std::{fs, sync::Arc};
+use std::{fs, process::Command, sync::Arc};
 
-use lfpiv::pipeline::{ImagePair, Processor};
+use lfpiv::{
+    benchmark::Streamed,
+    pipeline::{ImagePair, Processor},
+};
 use lfpiv_hw::gige::ImageSize;
 use lfpiv_sim::wire::{ScenePictures, WireSettings, bench::WireBench};
 
@@ -33,49 +36,28 @@ fn two_hundred_shots_arrive_byte_for_byte() {
     });
 }
 
-/// How fast the loopback is: `cargo test --release --test loopback sustained -- --ignored
-/// --nocapture`. Frames of the real sensor, two per camera and shot; pictures are made beforehand.
+/// `lfpiv bench --set loopback` measures this way.
 #[test]
-#[ignore = "a table for people: a minute"]
-fn sustained_rate() {
-    in_private_network("shots::sustained_rate", || {
-        let size = ImageSize { columns: 2352, rows: 1768 };
-        for rate_hz in [2.0, 4.0, 6.0, 8.0, 10.0] {
-            sustained(size, rate_hz);
-        }
+fn the_binary_drives_its_own_bench_and_says_how_fast() {
+    in_private_network("shots::the_binary_drives_its_own_bench_and_says_how_fast", || {
+        let folder = tempfile::tempdir().unwrap();
+        let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/config/loopback-bench.toml");
+        let port = format!("port = \"{}\"", folder.path().join("port").display());
+        let text = fs::read_to_string(shipped).unwrap();
+        let text = text.replacen("port = \"results/loopback/synchroniser\"", &port, 1);
+        assert!(text.contains(&port));
+        let config = folder.path().join("bench.toml");
+        fs::write(&config, text).unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+            .args(["sim-bench", "--drive", "4", "--config"])
+            .arg(&config)
+            .output()
+            .unwrap();
+        let told: Streamed = serde_json::from_slice(&output.stdout)
+            .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)));
+        assert_eq!(told.whole_shots, 4);
+        assert!(told.frames_per_s > 0.0 && told.mb_per_s > told.frames_per_s, "{told:?}");
     });
-}
-
-fn sustained(size: ImageSize, rate_hz: f64) {
-    const SHOTS: u64 = 40;
-    let folder = tempfile::tempdir().expect("a folder");
-    let wire = WireSettings { readout_us: 40_000.0, ..wire(folder.path()) };
-    let pictures = Arc::new(crate::bench::Repeated::new(size));
-    let instruments = WireBench::start(&wire, size, 12, pictures).expect("a bench");
-    let busy_s = processor_seconds();
-    let taken = take(connect(&wire, size), SHOTS, rate_hz, |_| {});
-    let busy_s = processor_seconds() - busy_s;
-    drop(instruments);
-    let whole: u64 = taken.ledger.streams().iter().map(|stream| stream.completed).sum();
-    let frames_per_s = whole as f64 / 2.0 / taken.seconds;
-    let megabytes = size.pixels() as f64 * 1.5 / 1e6;
-    println!(
-        "{rate_hz} Hz: {}/{SHOTS} shots, {frames_per_s:.1} frames/s and {:.0} MB/s per camera, \
-         {:.2} processors with the simulated instruments",
-        taken.complete(0),
-        frames_per_s * megabytes,
-        busy_s / taken.seconds
-    );
-}
-
-/// Processor time of this process, in s.
-fn processor_seconds() -> f64 {
-    let stat = fs::read_to_string("/proc/self/stat").expect("Linux");
-    let after_name = stat.rsplit(')').next().unwrap_or_default();
-    let fields: Vec<&str> = after_name.split_whitespace().collect();
-    let ticks: f64 = [fields[11], fields[12]].iter().map(|f| f.parse::<f64>().unwrap_or(0.0)).sum();
-    // USER_HZ is 100 on every Linux that matters here.
-    ticks / 100.0
 }
 
 #[test]

@@ -13,7 +13,7 @@ use lfpiv::{
 use lfpiv_sim::{Flow, FrameOfPair, Truth};
 
 /// The configurations in `config/`.
-pub const SHIPPED: [&str; 4] = ["sim", "jet", "bench", "paper"];
+pub const SHIPPED: [&str; 6] = ["sim", "jet", "bench", "paper", "loopback", "loopback-bench"];
 
 /// The text of a configuration in `config/`.
 pub fn shipped(name: &str) -> String {

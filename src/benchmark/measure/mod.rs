@@ -3,6 +3,7 @@
 
 mod convergence;
 mod elongation;
+mod loopback;
 mod matrix;
 mod process;
 mod velocity;
@@ -58,6 +59,7 @@ pub fn measure(
         Measure::Convergence => convergence::measure(setting, methods, surroundings, findings),
         Measure::Elongation => elongation::measure(setting, methods, surroundings, findings),
         Measure::Process => process::measure(setting, methods, surroundings, findings),
+        Measure::Loopback => loopback::measure(setting, surroundings, findings),
         Measure::Matrix => matrix::measure(setting, methods, surroundings, findings),
     }
 }

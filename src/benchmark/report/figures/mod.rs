@@ -4,7 +4,9 @@ pub mod convergence;
 mod displacement;
 mod elongation;
 pub mod growth;
+mod loopback;
 mod memory;
+mod model_parts;
 mod pareto;
 mod projection;
 mod quality;
@@ -30,6 +32,8 @@ pub fn sections(report: &Report) -> Vec<Section> {
         growth::whole_process,
         growth::growth,
         pareto::beside_peers,
+        model_parts::model_parts,
+        loopback::streams,
     ]
     .into_iter()
     .filter_map(|figure| figure(report))
