@@ -2,6 +2,7 @@
 
 use std::{
     fs,
+    io::{BufRead, BufReader},
     path::Path,
     process::{Child, Command, Stdio},
     thread,
@@ -46,7 +47,7 @@ fn configuration(folder: &Path, port: &Path) -> String {
 
 fn daemon(config: &Path, shots: Option<u64>) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
-    command.args(["run", "--config"]).arg(config).stdout(Stdio::null()).stderr(Stdio::null());
+    command.args(["run", "--config"]).arg(config).stdout(Stdio::piped()).stderr(Stdio::null());
     if let Some(shots) = shots {
         command.args(["--shots", &shots.to_string()]);
     }
@@ -55,6 +56,52 @@ fn daemon(config: &Path, shots: Option<u64>) -> Child {
 
 fn q_switch_pulses(instruments: &WireBench) -> u64 {
     instruments.report().q_switches[0]
+}
+
+/// Waits until so many Q-switch pulses have come.
+fn wait_for_pulses(instruments: &WireBench, count: u64, daemon: &mut Child) {
+    let began = Instant::now();
+    while q_switch_pulses(instruments) < count {
+        assert!(began.elapsed() < LONG, "no shots: {:?}", daemon.try_wait());
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
+/// SIGTERM: the laser is off at once, not at the end of the burst, and reads back so; until then
+/// `/metrics` tells what the cameras' streams count.
+#[test]
+fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
+    in_private_network("killed::a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once", || {
+        let folder = tempfile::tempdir().unwrap();
+        let wire = wire(folder.path());
+        let size = ImageSize::from(&small().optics.sensor);
+        let pictures = std::sync::Arc::new(Repeated::new(size));
+        let instruments = WireBench::start(&wire, size, 12, pictures).unwrap();
+        let config = folder.path().join("loopback.toml");
+        fs::write(&config, configuration(folder.path(), &wire.port)).unwrap();
+        let mut daemon = daemon(&config, None);
+        let mut lines = BufReader::new(daemon.stdout.take().unwrap()).lines();
+        let status = lines.next().unwrap().unwrap();
+        wait_for_pulses(&instruments, 30, &mut daemon);
+
+        let metrics = status.replace("status:", "").replace("/api/v1/status", "/metrics");
+        let mut answer = ureq::get(metrics.trim()).call().unwrap();
+        let told = answer.body_mut().read_to_string().unwrap();
+        let counted = told.lines().filter(|line| {
+            line.starts_with("lfpiv_stream_frames_completed_total{")
+                && line.rsplit(' ').next().is_some_and(|n| n.parse::<u64>().unwrap() > 0)
+        });
+        assert_eq!(counted.count(), 2, "{told}");
+
+        let at_end = q_switch_pulses(&instruments);
+        Command::new("kill").arg(daemon.id().to_string()).status().unwrap();
+        assert!(daemon.wait().unwrap().success());
+        let after = q_switch_pulses(&instruments);
+        // Signal, command and read-back take a few periods on a busy machine, a burst 100.
+        assert!(after - at_end <= 30, "{at_end} {after}");
+        let unit = instruments.unit();
+        assert!(!unit.is_running() && (1..=8).all(|channel| !unit.is_enabled(channel)));
+    });
 }
 
 /// A SIGKILLed daemon leaves at most one burst of Q-switch pulses behind; the next one makes
@@ -71,11 +118,7 @@ fn a_killed_daemon_leaves_no_more_than_one_burst() {
         fs::write(&config, configuration(folder.path(), &wire.port)).unwrap();
 
         let mut first = daemon(&config, None);
-        let began = Instant::now();
-        while q_switch_pulses(&instruments) < 30 {
-            assert!(began.elapsed() < LONG, "no shots: {:?}", first.try_wait());
-            thread::sleep(Duration::from_millis(20));
-        }
+        wait_for_pulses(&instruments, 30, &mut first);
         first.kill().unwrap();
         let at_kill = q_switch_pulses(&instruments);
         first.wait().unwrap();

@@ -134,9 +134,9 @@ impl WireBench {
         self.unit.unit()
     }
 
-    /// Cuts the serial line; the unit dies with it.
-    pub fn cut_line(&mut self) {
-        self.unit.cut();
+    /// Cuts the serial line; the unit goes on with what it does.
+    pub fn cut_line(&self) {
+        self.unit.cut_line();
     }
 
     /// The frames that were handed to the network since the last call.

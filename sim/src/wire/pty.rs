@@ -52,6 +52,7 @@ pub struct Served<U> {
     unit: Arc<Mutex<U>>,
     path: String,
     off: Arc<AtomicBool>,
+    line_cut: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -66,14 +67,16 @@ impl<U: SerialUnit> Served<U> {
         let path = terminal.path.clone();
         let unit = Arc::new(Mutex::new(unit));
         let off = Arc::new(AtomicBool::new(false));
-        let (shared, told) = (Arc::clone(&unit), Arc::clone(&off));
+        let line_cut = Arc::new(AtomicBool::new(false));
+        let (shared, told, cut) = (Arc::clone(&unit), Arc::clone(&off), Arc::clone(&line_cut));
         let run = move || {
-            if let Err(error) = serve(&terminal, &shared, observer, &told) {
-                tracing::error!(port = terminal.path, %error, "the simulated unit has died");
+            let port = terminal.path.clone();
+            if let Err(error) = serve(terminal, &shared, observer, &told, &cut) {
+                tracing::error!(port, %error, "the simulated unit has died");
             }
         };
         let thread = thread::Builder::new().name("simulated unit".into()).spawn(run)?;
-        Ok(Self { unit, path, off, thread: Some(thread) })
+        Ok(Self { unit, path, off, line_cut, thread: Some(thread) })
     }
 
     /// The port to open, as `/dev/pts/3`.
@@ -84,6 +87,11 @@ impl<U: SerialUnit> Served<U> {
     /// The unit, to look at or to disturb.
     pub fn unit(&self) -> MutexGuard<'_, U> {
         self.unit.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Cuts the serial line: the host's end is hung up, the unit goes on with what it does.
+    pub fn cut_line(&self) {
+        self.line_cut.store(true, Ordering::Relaxed);
     }
 
     /// Pulls the plug: the host's end of the line is hung up.
@@ -108,25 +116,38 @@ impl<U> Drop for Served<U> {
 }
 
 fn serve<U: SerialUnit>(
-    terminal: &Terminal,
+    terminal: Terminal,
     unit: &Mutex<U>,
     mut observer: PeriodObserver,
     off: &AtomicBool,
+    line_cut: &AtomicBool,
 ) -> io::Result<()> {
+    let mut line = Some(terminal);
     let on = Instant::now();
     let now_ns = || on.elapsed().as_nanos() as u64;
     let mut wait = TICK;
     while !off.load(Ordering::Relaxed) {
-        let bytes = terminal.read(wait)?;
+        if line_cut.load(Ordering::Relaxed) {
+            line = None;
+        }
+        let bytes = match &line {
+            Some(terminal) => terminal.read(wait)?,
+            None => {
+                thread::sleep(wait);
+                Vec::new()
+            }
+        };
         let step = {
             let mut unit = unit.lock().unwrap_or_else(PoisonError::into_inner);
-            if !bytes.is_empty() {
+            if let (Some(terminal), false) = (&line, bytes.is_empty()) {
                 let heard = terminal.as_heard(bytes, unit.baud_rate())?;
                 unit.receive(&heard, now_ns());
             }
             unit.advance(now_ns())
         };
-        terminal.write(&step.bytes)?;
+        if let Some(terminal) = &line {
+            terminal.write(&step.bytes)?;
+        }
         step.periods.into_iter().for_each(&mut observer);
         let until_wake = step
             .wake_ns
