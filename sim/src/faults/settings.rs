@@ -1,4 +1,22 @@
 //! Which faults, how often: a table of its own, or a file of that form.
+//!
+//! ```toml
+//! seed = 1
+//!
+//! [camera]
+//! late_ms = 250
+//! clock_drift_ppm = 100.0
+//! clock_jumps = [{ frame = 140, jump_ns = 31_000_000 }]
+//! only = [1]                  # camera 0 is left alone
+//!
+//! [camera.shares]             # of all frames
+//! dropped = 0.02
+//! late = 0.01
+//!
+//! [line.shares]               # of all commands
+//! silent = 0.01
+//! unavailable = 0.002         # ?8 at the wrong time
+//! ```
 
 use garde::Validate;
 use lfpiv_hw::check::finite;
