@@ -36,6 +36,32 @@ pub trait Camera: Send {
     }
 }
 
+impl<C: Camera + ?Sized> Camera for Box<C> {
+    fn name(&self) -> &str {
+        (**self).name()
+    }
+
+    fn start(&mut self) -> Result<(), DeviceError> {
+        (**self).start()
+    }
+
+    fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError> {
+        (**self).next_frame(timeout)
+    }
+
+    fn stop(&mut self) -> Result<(), DeviceError> {
+        (**self).stop()
+    }
+
+    fn statistics(&self) -> StreamStatistics {
+        (**self).statistics()
+    }
+
+    fn is_connected(&self) -> bool {
+        (**self).is_connected()
+    }
+}
+
 /// The unit that times laser and cameras.
 ///
 /// ```text

@@ -6,6 +6,7 @@
 
 pub mod bench;
 mod camera;
+pub mod faults;
 pub mod flow;
 pub mod geometry;
 pub mod imaging;

@@ -11,6 +11,8 @@ pub(crate) enum Purpose {
     Sensor = 3,
     Box = 4,
     Diffraction = 5,
+    CameraFaults = 6,
+    LineFaults = 7,
 }
 
 /// A generator of its own for every (purpose, key).

@@ -5,7 +5,8 @@ use tokio::signal::unix::{SignalKind, signal};
 use tokio_util::sync::CancellationToken;
 
 /// A token that is cancelled by the first Ctrl-C or SIGTERM. The second one ends the process
-/// where it stands, with the words `at_once`; by then the synchroniser has been made safe.
+/// where it stands, with the words `at_once`, even before the synchroniser has been made safe; what
+/// it fires then is the rest of one burst.
 pub(super) fn stop_on_signals(at_once: &'static str) -> anyhow::Result<CancellationToken> {
     let mut interrupt = signal(SignalKind::interrupt()).context("cannot listen for Ctrl-C")?;
     let mut terminate = signal(SignalKind::terminate()).context("cannot listen for SIGTERM")?;

@@ -39,7 +39,7 @@ impl Taken {
     }
 }
 
-fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
+pub fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
     AcquisitionSettings {
         schedule: PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap(),
         shots: NonZeroU64::new(shots),

@@ -6,5 +6,6 @@
 
 mod acquisition;
 mod bench;
+mod faults;
 mod http;
 mod run;

@@ -44,7 +44,7 @@ pub fn open(
     let baud_rate = settings.baud_rates()[0];
     let line = SerialLine::open(&settings.port, baud_rate).map_err(|error| {
         lost(format!(
-            "cannot open the serial port: {error}; check synchroniser.port, that the user may use \
+            "cannot open the serial port: {error}; check instruments.synchroniser.port, that the user may use \
              it (group dialout) and that no other program does"
         ))
     })?;
@@ -52,7 +52,7 @@ pub fn open(
         return open_on(Box::new(line), settings, timing);
     };
     let file = OpenOptions::new().create(true).append(true).open(path).map_err(|error| {
-        lost(format!("cannot write synchroniser.transcript {}: {error}", path.display()))
+        lost(format!("cannot write instruments.synchroniser.transcript {}: {error}", path.display()))
     })?;
     open_on(Box::new(Recorded::new(line, Transcript::written(file))), settings, timing)
 }

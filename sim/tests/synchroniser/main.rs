@@ -6,6 +6,7 @@
 mod bench;
 mod command_table;
 mod faults;
+mod faulty_line;
 mod firing;
 mod killed;
 mod olt_sync;

@@ -10,7 +10,9 @@
 //! behind. Within a burst its timestamps show this; for the first trigger of a burst the other
 //! camera does, given the difference of their clocks. That difference is learnt from bursts of a
 //! single shot, in which nothing can be exchanged: fire such bursts until
-//! [`Pairing::has_reference`].
+//! [`Pairing::has_reference`]. When a clock jumps, it is forgotten and learnt anew; until then
+//! shots are suspect. A jump by a whole number of periods looks like missed triggers: nothing
+//! tells them apart.
 //!
 //! Each trigger entered with [`Pairing::fired`] leads, for each camera, to exactly one ruling.
 //! Time is passed in, as a duration since any fixed moment.

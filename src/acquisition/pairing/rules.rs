@@ -131,25 +131,32 @@ impl Pairing {
         }
         let mut suspect: Vec<String> =
             open.slots.iter_mut().flat_map(|slot| slot.disagreement.drain(..)).collect();
-        suspect.extend(self.check_offsets(&open));
+        suspect.extend(self.check_offsets(&open, suspect.is_empty()));
         let cameras: Vec<[Frame; 2]> =
             open.slots.into_iter().filter_map(|slot| both(slot.frames)).collect();
         suspect.extend(self.check_intervals(&cameras));
         rulings.push(Ruling::Paired(Shot { trigger, cameras, suspect }));
     }
 
-    /// Compares the cameras' clocks with each other and follows their drift.
-    fn check_offsets(&mut self, open: &OpenTrigger) -> Option<String> {
+    /// Compares the cameras' clocks with each other and follows their drift. After a jump their
+    /// difference is learnt anew, as in the beginning: from a single shot that is in order.
+    fn check_offsets(&mut self, open: &OpenTrigger, in_order: bool) -> Option<String> {
         let first = open.slots[0].timestamp_ns()?;
         let offsets: Vec<i128> =
             open.slots.iter().map(|slot| slot.timestamp_ns().map_or(0, |t| t - first)).collect();
-        let jump_ns = self
-            .clock_offsets_ns
-            .iter()
-            .flat_map(|known| known.iter().zip(&offsets).map(|(old, new)| (new - old).abs()))
-            .max()
-            .unwrap_or(0);
+        let Some(known) = &self.clock_offsets_ns else {
+            if self.burst.end - self.burst.first > 1 {
+                return Some("the cameras' clocks are not compared since they moved apart".into());
+            }
+            if in_order {
+                self.clock_offsets_ns = Some(offsets);
+            }
+            return None;
+        };
+        let jumps = known.iter().zip(&offsets).map(|(old, new)| (new - old).abs());
+        let jump_ns = jumps.max().unwrap_or(0);
         if jump_ns > self.grid.tolerance_ns() {
+            self.clock_offsets_ns = None;
             return Some(format!("the cameras' clocks moved apart by {} us", jump_ns / 1000));
         }
         self.clock_offsets_ns = Some(offsets);

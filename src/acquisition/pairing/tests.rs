@@ -13,6 +13,8 @@ use crate::acquisition::Ledger;
 
 const PERIOD_NS: u64 = 100_000_000;
 const INTERVAL_NS: u64 = 202_000;
+/// What camera 0's clock shows at the start.
+const CLOCK_NS: u64 = 7_000_000_000_000;
 const PATIENCE: Duration = Duration::from_millis(400);
 
 /// What one camera does with one trigger.
@@ -57,6 +59,8 @@ struct Rig {
     now: Duration,
     next_id: Vec<u64>,
     given: u64,
+    /// By how much each camera's clock has jumped, in ns.
+    jumped_ns: Vec<i64>,
 }
 
 impl Rig {
@@ -68,6 +72,7 @@ impl Rig {
             now: Duration::ZERO,
             next_id: vec![0; cameras],
             given: 0,
+            jumped_ns: vec![0; cameras],
         }
     }
 
@@ -144,7 +149,8 @@ impl Rig {
         self.next_id[camera] += 2;
         // The cameras' clocks started at different times and run 50 ppm apart.
         let at_ns = at.as_nanos() as u64;
-        let clock_ns = 7_000_000_000 * (camera as u64 + 1) + at_ns + at_ns / 20_000 * camera as u64;
+        let clock_ns = CLOCK_NS * (camera as u64 + 1) + at_ns + at_ns / 20_000 * camera as u64;
+        let clock_ns = clock_ns.checked_add_signed(self.jumped_ns[camera]).unwrap();
         let mut a = frame(id, clock_ns, trigger);
         let b = frame(id + 1, clock_ns + INTERVAL_NS, trigger);
         if fate == Fate::Damaged {
@@ -182,11 +188,22 @@ fn fate() -> impl Strategy<Value = Fate> {
     ]
 }
 
+/// Fates and jitter of each shot, and triggers that are not given.
 type BurstPlan = (Vec<(Vec<Fate>, Vec<u64>)>, usize);
+
+/// One jump of a camera's clock: before which burst, of which camera, by how much. A jump by a
+/// whole number of periods, or two that make one, look like missed triggers: nothing tells them
+/// apart.
+fn jump() -> impl Strategy<Value = (usize, usize, i64)> {
+    let periods = (-30_i64..30, 20_i64..80)
+        .prop_map(|(whole, parts)| (100 * whole + parts) * PERIOD_NS as i64 / 100);
+    (0_usize..12, 0_usize..2, periods)
+}
 
 fn burst_plan() -> impl Strategy<Value = BurstPlan> {
     let shot = (prop::collection::vec(fate(), 2), prop::collection::vec(0_u64..150, 2));
-    (prop::collection::vec(shot, 1..7), prop_oneof![4 => Just(0_usize), 1 => 1_usize..3])
+    let cut = prop_oneof![4 => Just(0_usize), 1 => 1_usize..3];
+    (prop::collection::vec(shot, 1..7), cut)
 }
 
 proptest! {
@@ -195,11 +212,15 @@ proptest! {
     /// Whatever the cameras do: the sums match, and a shot that mixes two triggers is marked.
     #[test]
     fn every_trigger_ends_once_and_no_shot_mixes_triggers_unmarked(
-        plans in prop::collection::vec(burst_plan(), 1..8)
+        plans in prop::collection::vec(burst_plan(), 1..8),
+        (jump_at, camera, jump_ns) in jump(),
     ) {
         let mut rig = Rig::new(2);
         let mut none_missed = true;
-        for (shots, cut) in plans {
+        for (burst, (shots, cut)) in plans.into_iter().enumerate() {
+            if burst == jump_at {
+                rig.jumped_ns[camera] = jump_ns;
+            }
             // As the daemon does: single shots until the clocks are known.
             let (length, cut) = if rig.pairing.has_reference() { (shots.len(), cut) } else { (1, 0) };
             let (fates, jitter): (Vec<_>, Vec<_>) = shots.into_iter().take(length).unzip();
@@ -334,4 +355,66 @@ fn more_triggers_than_asked_for_is_an_alarm() {
     let mut rig = Rig::new(1);
     rig.fire(2);
     assert_eq!(rig.pairing.burst_ended(3).unwrap_err(), ExtraTriggers { counted: 3, asked: 2 });
+}
+
+/// Good shots in bursts of the length that the daemon would fire.
+fn good_bursts(rig: &mut Rig, lengths: &[usize]) {
+    for length in lengths {
+        let length = if rig.pairing.has_reference() { *length } else { 1 };
+        rig.burst(&vec![vec![Fate::Delivered; 2]; length], &vec![vec![1, 2]; length], 0);
+    }
+}
+
+fn suspects(rig: &Rig) -> Vec<u64> {
+    let suspect = rig.shots.iter().filter(|shot| !shot.suspect.is_empty());
+    suspect.map(|shot| shot.trigger).collect()
+}
+
+fn assert_all_right(rig: &Rig) {
+    for shot in &rig.shots {
+        assert_eq!(Rig::true_triggers(shot), [shot.trigger; 4]);
+    }
+}
+
+#[test]
+fn a_camera_that_missed_the_very_first_triggers_is_paired_all_the_same() {
+    let mut rig = Rig::new(2);
+    for _ in 0..2 {
+        rig.burst(&[vec![Fate::Missed, Fate::Delivered]], &[vec![1, 2]], 0);
+    }
+    good_bursts(&mut rig, &[1, 1, 5]);
+    assert_all_right(&rig);
+    assert_eq!(rig.shots.len(), 7);
+    assert_eq!(suspects(&rig), [2], "the number alone is no proof");
+}
+
+#[test]
+fn after_a_jump_the_clocks_are_compared_anew() {
+    for jump_ns in [40_000_000, -40_000_000, -5_000_040_000_000] {
+        let mut rig = Rig::new(2);
+        good_bursts(&mut rig, &[1, 4]);
+        rig.jumped_ns[1] = jump_ns;
+        good_bursts(&mut rig, &[3, 1, 1, 4]);
+        assert_all_right(&rig);
+        assert!(rig.pairing.has_reference());
+        let suspects = suspects(&rig);
+        assert!(suspects.starts_with(&[5, 6, 7]), "{jump_ns}: {suspects:?}");
+        assert_eq!(rig.shots.iter().filter(|shot| shot.trigger > 9).count(), 4);
+        assert!(suspects.iter().all(|trigger| *trigger <= 9), "{jump_ns}: {suspects:?}");
+    }
+}
+
+#[test]
+fn a_camera_that_restarts_and_has_missed_triggers_meanwhile_is_paired_again() {
+    let mut rig = Rig::new(2);
+    good_bursts(&mut rig, &[1, 4]);
+    let away = vec![vec![Fate::Delivered, Fate::Missed]; 3];
+    rig.burst(&away, &vec![vec![1, 2]; 3], 0);
+    // Its clock begins at zero; its frames go on with the number after the last one.
+    rig.jumped_ns[1] = -((2 * CLOCK_NS) as i64);
+    good_bursts(&mut rig, &[1, 1, 1, 4]);
+    assert_all_right(&rig);
+    let paired: Vec<u64> = rig.shots.iter().map(|shot| shot.trigger).collect();
+    assert_eq!(paired, [0, 1, 2, 3, 4, 8, 9, 10, 11, 12, 13, 14]);
+    assert!(suspects(&rig).starts_with(&[8]) && !suspects(&rig).contains(&11));
 }

@@ -47,6 +47,8 @@ pub(super) struct Track {
     pub missed: u64,
     /// A located frame a: its trigger and its timestamp.
     pub clock: Option<(u64, i128)>,
+    /// Half the id of that frame: where the camera's own count stood.
+    clock_count: u64,
     /// Frames the stream reports as lost for want of a buffer, not yet charged to a trigger.
     pub underruns: u64,
     reported_underruns: u64,
@@ -80,25 +82,38 @@ impl Track {
     pub fn locate(&mut self, frame: &Frame, burst: Burst, grid: TimeGrid) -> Location {
         let half = i128::from(frame.frame_id % 2);
         let timestamp = i128::from(frame.device_timestamp_ns) - half * grid.interval_ns;
+        let count = frame.frame_id / 2;
         if std::mem::take(&mut self.restarted) {
-            self.missed = burst.first.saturating_sub(frame.frame_id / 2);
+            self.missed = burst.first.saturating_sub(count);
         }
-        let counted = frame.frame_id / 2 + self.missed;
+        let counted = count + self.missed;
         let location = match self.clock {
             Some(clock) if clock.0 >= burst.first => {
                 self.within_burst(counted, timestamp, clock, burst, grid)
             }
-            Some(clock) => self.first_of_burst(counted, timestamp, clock, burst, grid),
-            None => located(counted, 0),
+            Some(clock) => self.first_of_burst(count, timestamp, clock, burst, grid),
+            None => self.without_clock(count, burst),
         };
         if let Location::Trigger { trigger, missed, disagreement } = &location {
             self.missed += missed;
             let newer = self.clock.is_none_or(|(last, _)| *trigger > last);
             if newer && disagreement.is_none() && *trigger < burst.end {
-                self.clock = Some((*trigger, timestamp));
+                self.set_clock(*trigger, count, timestamp);
             }
         }
         location
+    }
+
+    /// No frame of this camera is located yet, so that nothing but its number says where it
+    /// belongs. A camera that missed the very first triggers counts from a later one: numbers of
+    /// earlier bursts are taken for the present burst, and the first such shot is suspect, because
+    /// a very late frame looks the same. Frames that follow show which it was.
+    fn without_clock(&mut self, count: u64, burst: Burst) -> Location {
+        let missed = burst.first.saturating_sub(count);
+        let disagreement = (missed != self.missed)
+            .then(|| format!("frame id says trigger {count}, {} was given", burst.first));
+        self.missed = missed;
+        Location::Trigger { trigger: count + missed, missed: 0, disagreement }
     }
 
     /// The clock was set in this burst: a whole number of periods has passed since.
@@ -139,20 +154,36 @@ impl Track {
     /// The clock was set in an earlier burst. The pause between bursts is of any length, so the
     /// timestamp says only whether the frame came after the earlier burst.
     fn first_of_burst(
-        &self,
-        counted: u64,
+        &mut self,
+        count: u64,
         timestamp: i128,
         clock: (u64, i128),
         burst: Burst,
         grid: TimeGrid,
     ) -> Location {
+        let counted = count + self.missed;
+        let missed = burst.first.saturating_sub(counted);
+        let trigger = counted + missed;
         let last_trigger = i128::from(burst.first) - 1;
         let earlier_burst_ns = (last_trigger - i128::from(clock.0)) * grid.period_ns;
-        if timestamp - clock.1 <= earlier_burst_ns + grid.tolerance_ns() {
+        if timestamp - clock.1 > earlier_burst_ns + grid.tolerance_ns() {
+            return located(trigger, missed);
+        }
+        // A later number with an earlier time is no frame of the earlier burst: the clock was set
+        // back, or the camera restarted. It is a new beginning.
+        let is_newer = count > self.clock_count && (missed == 0 || timestamp < clock.1);
+        if !is_newer {
             return Location::Past;
         }
-        let missed = burst.first.saturating_sub(counted);
-        located(counted + missed, missed)
+        self.set_clock(trigger, count, timestamp);
+        let back_us = (clock.1 + earlier_burst_ns - timestamp) / 1000;
+        let words = format!("the camera's clock went back by {back_us} us or more");
+        Location::Trigger { trigger, missed, disagreement: Some(words) }
+    }
+
+    fn set_clock(&mut self, trigger: u64, count: u64, timestamp: i128) {
+        self.clock = Some((trigger, timestamp));
+        self.clock_count = count;
     }
 }
 
