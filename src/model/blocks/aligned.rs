@@ -96,11 +96,25 @@ impl Axes {
         Some(Self { column: view.xi.along?, row: view.eta.along?, depth: view.depth.along? })
     }
 
+    /// Every way to look along a grid.
+    pub const ALL: [Self; 6] = [
+        Self { column: 0, row: 1, depth: 2 },
+        Self { column: 0, row: 2, depth: 1 },
+        Self { column: 1, row: 0, depth: 2 },
+        Self { column: 1, row: 2, depth: 0 },
+        Self { column: 2, row: 0, depth: 1 },
+        Self { column: 2, row: 1, depth: 0 },
+    ];
+
+    /// Position in [`Self::ALL`].
+    pub fn number(self) -> usize {
+        2 * self.column + usize::from(self.row > self.depth)
+    }
+
     /// For row r and column c of a block as the camera sees it, the near and the far child.
-    pub fn children(self) -> [[[usize; 2]; 2]; 2] {
-        let child =
-            |r: usize, c: usize, d: usize| r << self.row | c << self.column | d << self.depth;
-        [0, 1].map(|r| [0, 1].map(|c| [child(r, c, 0), child(r, c, 1)]))
+    pub const fn children(self) -> [[[usize; 2]; 2]; 2] {
+        let (c, r, d) = (1 << self.column, 1 << self.row, 1 << self.depth);
+        [[[0, d], [c, c + d]], [[r, r + d], [r + c, r + c + d]]]
     }
 }
 

@@ -18,6 +18,11 @@ pub struct PairTap<const L: usize> {
     pub len: u16,
 }
 
+impl<const L: usize> PairTap<L> {
+    /// No light on any microlens.
+    pub const NONE: Self = Self { shares: [[0; L]; 2], first: 0, len: 0 };
+}
+
 /// One unit of a share in a [`PairTap`].
 /// Shares may exceed 1: microlenses see a view through intervals that overlap.
 pub const SHARE_UNIT: f32 = 1.0 / 32768.0;
