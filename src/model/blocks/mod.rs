@@ -74,8 +74,12 @@ pub trait BlockProjector: Send + Sync {
     /// Images the blocks into a view. Overwrites `image`, of [`BlockModel::image_len`] values.
     fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]);
 
-    /// Spreads a view of [`BlockModel::image_len`] finite values back onto the voxels of the
-    /// blocks in `range`: adds to `out[block − range.start]`.
+    /// Makes a view of [`BlockModel::image_len`] finite values ready to be spread back: whatever is
+    /// to be done to its pixels once and not again for every range of blocks.
+    fn prepare(&self, view: ViewId, image: &mut [f32]);
+
+    /// Spreads a view that went through [`Self::prepare`] back onto the voxels of the blocks in
+    /// `range`: adds to `out[block − range.start]`.
     fn back_project(
         &self,
         view: ViewId,

@@ -10,7 +10,7 @@
 //! So the taps of a batch of blocks are copied first: loads that wait for nothing but memory
 //! overlap.
 
-use std::{borrow::Cow, ops::Range};
+use std::ops::Range;
 
 use multiversion::multiversion;
 
@@ -42,9 +42,11 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
             _ => project_blocks::<L, D, 5>,
         };
         project_blocks(&tables, &self.places[view.camera], light, image);
-        for (pixel, &open) in image.iter_mut().zip(tables.coverage.unwrap_or(&[])) {
-            *pixel *= open;
-        }
+        cover(&tables, image);
+    }
+
+    fn prepare(&self, view: ViewId, image: &mut [f32]) {
+        cover(&self.model.view(view), image);
     }
 
     fn back_project(
@@ -55,10 +57,6 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
         out: &mut [BlockLight],
     ) {
         let tables = self.model.view(view);
-        let mut open = Cow::Borrowed(image);
-        if let Some(coverage) = tables.coverage {
-            open.to_mut().iter_mut().zip(coverage).for_each(|(pixel, open)| *pixel *= open);
-        }
         let gather_blocks = match self.model.cameras[view.camera].axes.number() {
             0 => gather_blocks::<L, D, 0>,
             1 => gather_blocks::<L, D, 1>,
@@ -67,7 +65,7 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
             4 => gather_blocks::<L, D, 4>,
             _ => gather_blocks::<L, D, 5>,
         };
-        gather_blocks(&tables, &self.places[view.camera][range], &open, out);
+        gather_blocks(&tables, &self.places[view.camera][range], image, out);
     }
 
     fn retain(&mut self, keep: &[bool]) {
@@ -75,6 +73,13 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
             let mut flags = keep.iter();
             places.retain(|_| flags.next().copied().unwrap_or(false));
         }
+    }
+}
+
+/// Weighs pixels by the open share of their pupil cells.
+fn cover<const L: usize>(tables: &ViewTables<'_, L>, image: &mut [f32]) {
+    for (pixel, &open) in image.iter_mut().zip(tables.coverage.unwrap_or(&[])) {
+        *pixel *= open;
     }
 }
 

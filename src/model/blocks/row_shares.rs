@@ -208,7 +208,8 @@ fn measure_shares(optics: &RowOptics, shadows: &Shadows, offsets_mm: &[f64], uni
     let scale = &shadows.scale[..count];
     let spread = optics.map.spread();
     let square = |t: f64| if t > 0.0 { t * t } else { 0.0 };
-    for n in 0..count {
+    let reached = |n: usize| offsets_mm[n].abs() < optics.half_lens_mm + half_sum_mm[n];
+    let measure = |n: usize| {
         let (s, d) = (half_sum_mm[n], half_difference_mm[n]);
         // The trapezoid is symmetric: its upper half is 1 less the lower one.
         let below = |t: f64| {
@@ -219,11 +220,24 @@ fn measure_shares(optics: &RowOptics, shadows: &Shadows, offsets_mm: &[f64], uni
         let (low, high) =
             (offsets_mm[n] - optics.half_lens_mm, offsets_mm[n] + optics.half_lens_mm);
         let share = (below(high) - below(low)) / spread;
-        let reached = offsets_mm[n].abs() < optics.half_lens_mm + s;
-        let share = if reached { share } else { 0.0 };
-        units[n] = (share / f64::from(SHARE_UNIT) + 0.5).min(f64::from(u16::MAX)) as i32;
+        let share = if reached(n) { share } else { 0.0 };
+        (share / f64::from(SHARE_UNIT) + 0.5).min(f64::from(u16::MAX)) as i32
+    };
+    for start in (0..count).step_by(NEIGHBOURS) {
+        let end = count.min(start + NEIGHBOURS);
+        // The last microlenses of a tap are seldom reached.
+        let mut any = false;
+        for n in start..end {
+            any |= reached(n);
+        }
+        for n in start..end {
+            units[n] = if any { measure(n) } else { 0 };
+        }
     }
 }
+
+/// Voxels that are asked together whether a microlens receives any of their light.
+const NEIGHBOURS: usize = 32;
 
 #[cfg(test)]
 mod tests {

@@ -129,8 +129,10 @@ fn back_projection_is_the_adjoint_of_projection() {
             projector.project(id, &light, &mut image);
             let mut spread = vec![[0.0; 8]; kept.len()];
             let (low, high) = spread.split_at_mut(kept.len() / 2);
-            projector.back_project(id, &weights, 0..low.len(), low);
-            projector.back_project(id, &weights, kept.len() / 2..kept.len(), high);
+            let mut prepared = weights.clone();
+            projector.prepare(id, &mut prepared);
+            projector.back_project(id, &prepared, 0..low.len(), low);
+            projector.back_project(id, &prepared, kept.len() / 2..kept.len(), high);
             let dot = |a: &[f32], b: &[f32]| -> f64 {
                 a.iter().zip(b).map(|(a, b)| f64::from(a * b)).sum()
             };

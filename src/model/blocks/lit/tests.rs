@@ -77,7 +77,8 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
             ViewStack::new(len, (0..len * layout.views.len()).map(value).collect())
         })
         .collect();
-    for forgiven in [0, 7, 30] {
+    let mut mixed = false;
+    for forgiven in [0, 8, 20, 40] {
         let darkness = Darkness { dark_below: vec![5.0; 2], forgiven: vec![forgiven; 2] };
         let by_camera: Vec<Vec<[bool; 2]>> = (0..2)
             .map(|camera| verdicts(&model, camera, &stacks[camera], (5.0, forgiven)))
@@ -94,12 +95,12 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
             }
         }
         let count = found.iter().filter(|&&lit| lit).count();
-        assert!(count > 0 || forgiven == 0, "no voxel is lit: nothing is tested");
-        assert!(count < grid.len());
+        mixed |= (1..grid.len()).contains(&count);
         for (voxel, &found) in found.iter().enumerate() {
             assert_eq!(found, expected(voxel), "{forgiven} forgiven: voxel {voxel}");
         }
     }
+    assert!(mixed, "all voxels alike: nothing is tested");
 }
 
 #[test]
