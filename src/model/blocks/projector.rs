@@ -131,9 +131,10 @@ fn project_blocks<const L: usize, const D: usize, const A: usize>(
                             _ => light[children[r][c][layer & 1]] * UNITS,
                         }
                     });
+                    let [of_low, of_high] = &column.shares;
+                    let spread = &mut spread[r];
                     for i in 0..L {
-                        spread[r][i] = low * f32::from(column.shares[0][i])
-                            + high * f32::from(column.shares[1][i]);
+                        spread[i] = low * f32::from(of_low[i]) + high * f32::from(of_high[i]);
                     }
                 }
                 let mut at = usize::from(row.first) * tables.width + usize::from(column.first);
@@ -208,9 +209,11 @@ fn along_columns<const L: usize>(sums: &[[f32; L]; 2], shares: &[[u16; L]; 2]) -
     let mut half = L / 2;
     while half > 0 {
         for i in 0..half {
+            let (mut lower, upper) = (products[i], products[i + half]);
             for q in 0..4 {
-                products[i][q] += products[i + half][q];
+                lower[q] += upper[q];
             }
+            products[i] = lower;
         }
         half /= 2;
     }

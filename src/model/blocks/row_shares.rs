@@ -230,8 +230,8 @@ fn measure_shares(optics: &RowOptics, shadows: &Shadows, offsets_mm: &[f64], uni
         for n in start..end {
             any |= reached(n);
         }
-        for n in start..end {
-            units[n] = if any { measure(n) } else { 0 };
+        for (n, units) in (start..end).zip(&mut units[start..end]) {
+            *units = if any { measure(n) } else { 0 };
         }
     }
 }
