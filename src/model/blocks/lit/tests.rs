@@ -73,12 +73,12 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
         .iter()
         .map(|layout| {
             let len = layout.window.len();
-            let value = |_| if random.random::<f32>() < 0.4 { 0.0 } else { 10.0 };
+            let value = |_| if random.random::<f32>() < 0.2 { 0.0 } else { 10.0 };
             ViewStack::new(len, (0..len * layout.views.len()).map(value).collect())
         })
         .collect();
     let mut mixed = false;
-    for forgiven in [0, 8, 20, 40] {
+    for forgiven in [0, 10, 20, 30, 45] {
         let darkness = Darkness { dark_below: vec![5.0; 2], forgiven: vec![forgiven; 2] };
         let by_camera: Vec<Vec<[bool; 2]>> = (0..2)
             .map(|camera| verdicts(&model, camera, &stacks[camera], (5.0, forgiven)))
