@@ -6,6 +6,7 @@ use std::{
 };
 
 use lfpiv_hw::RawImage;
+use rayon::prelude::*;
 
 use super::{ArchiveError, FileDepth, ImageSize, grey_tiff, read_grey_tiff, write_grey_tiff};
 use crate::lightfield::ImagePair;
@@ -17,19 +18,20 @@ pub fn image_names(index: usize) -> [String; 2] {
 
 /// Reads the images of the first `cameras` cameras from a pair folder.
 ///
-/// Every image must have `size` pixels. Images of further cameras in the folder are ignored.
+/// Every image must have `size` pixels. Images are read side by side. Images of further cameras in the folder are ignored.
 pub fn read_pair(
     folder: &Path,
     cameras: usize,
     size: ImageSize,
 ) -> Result<ImagePair, ArchiveError> {
-    let read = |name: &String| read_image(&folder.join(name), cameras, size);
-    let cameras = (0..cameras)
-        .map(|index| {
-            let [a, b] = image_names(index);
-            Ok([read(&a)?, read(&b)?])
-        })
-        .collect::<Result<_, ArchiveError>>()?;
+    let read = |name: String| read_image(&folder.join(name), cameras, size);
+    let of_camera = |index: usize| {
+        let [a, b] = image_names(index);
+        rayon::join(|| read(a), || read(b))
+    };
+    // All are read before the first failure is reported: always that of the first file.
+    let read: Vec<_> = (0..cameras).into_par_iter().map(of_camera).collect();
+    let cameras = read.into_iter().map(|(a, b)| Ok([a?, b?])).collect::<Result<_, _>>()?;
     Ok(ImagePair { cameras })
 }
 

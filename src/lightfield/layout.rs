@@ -4,7 +4,7 @@
 //! (k, l) pupil cells. It is a small picture, one value per microlens, of the scene seen from
 //! that part of the main lens; the paper's Fig. 5 calls it a sub-aperture image.
 
-use std::ops::Range;
+use std::{ops::Range, sync::Arc};
 
 use lfpiv_hw::{Optics, RawImage};
 use rayon::prelude::*;
@@ -52,7 +52,7 @@ pub struct View {
     pub l: i32,
     /// Share of each pixel's pupil cell that lies inside the aperture, 0 where the microlens has
     /// no pixel of its own for this view; row-major over the window. `None`: 1 everywhere.
-    pub coverage: Option<Vec<f32>>,
+    pub coverage: Option<Arc<[f32]>>,
 }
 
 impl View {
@@ -143,22 +143,24 @@ impl ViewLayout {
         let rows = AxisSampling::rows(optics);
         let radius_mm = optics.pupil_diameter_mm() / 2.0;
         let aperture = Aperture { radius_mm, interval_mm: edge.interval_mm };
-        let cells: Vec<(i32, i32)> = (-rows.reach..=rows.reach)
-            .flat_map(|l| (-columns.reach..=columns.reach).map(move |k| (k, l)))
-            .collect();
-        let mut views: Vec<View> = cells
+        let mut views: Vec<View> = (-columns.reach..=columns.reach)
             .into_par_iter()
-            .filter_map(|(k, l)| {
-                let coverage = aperture.coverage(&columns, &rows, &window, k, l);
-                let sum: f64 = coverage.iter().map(|&c| f64::from(c)).sum();
-                let open = coverage.iter().all(|&c| c == 1.0);
-                (sum >= LEAST_MEAN_COVERAGE * coverage.len() as f64).then(|| View {
-                    k,
-                    l,
-                    coverage: (!open).then_some(coverage),
+            .flat_map_iter(|k| {
+                let strips = aperture.strips(&columns, &window, k);
+                let (aperture, rows, window) = (&aperture, &rows, &window);
+                (-rows.reach..=rows.reach).filter_map(move |l| {
+                    let coverage = aperture.coverage(&strips, rows, window, l)?;
+                    let sum: f64 = coverage.iter().map(|&c| f64::from(c)).sum();
+                    let open = coverage.iter().all(|&c| c == 1.0);
+                    (sum >= LEAST_MEAN_COVERAGE * coverage.len() as f64).then(|| View {
+                        k,
+                        l,
+                        coverage: (!open).then(|| coverage.into()),
+                    })
                 })
             })
             .collect();
+        views.sort_by_key(|view| (view.l, view.k));
         if !edge.partly_open_views && views.iter().any(|view| !view.is_cut()) {
             views.retain(|view| !view.is_cut());
         }
@@ -209,29 +211,42 @@ struct Aperture {
 }
 
 impl Aperture {
-    /// Coverage of view (k, l) over the window, row-major.
-    fn coverage(
+    /// The aperture before each microlens column of the window, in views (k, ·); `None` where a
+    /// column has no pixel for them.
+    fn strips(
         &self,
         columns: &AxisSampling,
-        rows: &AxisSampling,
         window: &MicrolensWindow,
         k: i32,
+    ) -> Vec<Option<Strip>> {
+        let strip = |i| columns.sample(k, i).map(|sample| self.strip(sample.pupil_mm));
+        window.columns.clone().map(strip).collect()
+    }
+
+    /// Coverage of view (k, l) over the window, row-major, from the strips of k. `None` where the
+    /// whole view is closed.
+    fn coverage(
+        &self,
+        strips: &[Option<Strip>],
+        rows: &AxisSampling,
+        window: &MicrolensWindow,
         l: i32,
-    ) -> Vec<f32> {
-        let along_columns: Vec<Option<Strip>> = window
-            .columns
-            .clone()
-            .map(|i| columns.sample(k, i).map(|s| self.strip(s.pupil_mm)))
-            .collect();
+    ) -> Option<Vec<f32>> {
+        let longest = strips.iter().flatten().map(|strip| strip.longest).fold(-1.0, f64::max);
+        let nearest = window.rows.clone().filter_map(|j| rows.sample(l, j));
+        let nearest = nearest.map(|row| row.pupil_mm.abs()).fold(f64::INFINITY, f64::min);
+        if nearest - self.interval_mm / 2.0 >= longest {
+            return None;
+        }
         let mut coverage = Vec::with_capacity(window.len());
         for j in window.rows.clone() {
             let row = rows.sample(l, j);
-            coverage.extend(along_columns.iter().map(|strip| match (strip, row) {
+            coverage.extend(strips.iter().map(|strip| match (strip, row) {
                 (Some(strip), Some(row)) => strip.covered(row.pupil_mm, self.interval_mm) as f32,
                 _ => 0.0,
             }));
         }
-        coverage
+        Some(coverage)
     }
 
     /// The aperture between both edges of a column of pupil intervals.

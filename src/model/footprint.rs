@@ -53,10 +53,10 @@ pub struct Trapezoid {
 
 /// Sums narrower than a picometre are widened to it: a point in focus falls on one microlens, and
 /// one on a border is split evenly instead of by the rounding of its place.
-const STEP_WIDTH_MM: f64 = 1e-9;
+pub const STEP_WIDTH_MM: f64 = 1e-9;
 
 /// Below this share of the wider one, the narrower width does not change any weight.
-const POINT_WIDTH: f64 = 1e-7;
+pub const POINT_WIDTH: f64 = 1e-7;
 
 impl Trapezoid {
     /// The sum of uniform variables of these full widths, in mm; both may be 0.

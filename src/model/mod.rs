@@ -26,7 +26,7 @@ use thiserror::Error;
 
 pub use blocks::{
     BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, VoxelwiseBlocks, block_model,
-    blocks_along, child_voxel,
+    block_model_beside, blocks_along, child_voxel,
 };
 pub use choice::{ModelChoice, Part, PartChoice, SceneMeasure};
 pub use explicit::{ExplicitModel, SubsetMatrix};

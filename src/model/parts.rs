@@ -103,6 +103,26 @@ impl ModelParts {
         };
         ViewLayout::with_edge(optics, view.window.clone(), edge)
     }
+
+    /// The layouts of all cameras. Those whose microlens windows are the same are computed once, and
+    /// not at all where they are among the `known` ones of a model with the same optics and parts.
+    pub(super) fn layouts(
+        &self,
+        optics: &Optics,
+        views: &[CameraView],
+        known: &[ViewLayout],
+    ) -> Vec<ViewLayout> {
+        let mut layouts: Vec<ViewLayout> = Vec::with_capacity(views.len());
+        for view in views {
+            let mut before = known.iter().chain(&layouts);
+            let layout = match before.find(|layout| layout.window == view.window) {
+                Some(layout) => layout.clone(),
+                None => self.layout(optics, view),
+            };
+            layouts.push(layout);
+        }
+        layouts
+    }
 }
 
 #[cfg(test)]

@@ -83,7 +83,7 @@ pub struct AxisTable<const W: usize> {
 }
 
 /// What an [`AxisTable`] is made from.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct AxisGeometry<'a> {
     /// The camera's optics.
     pub optics: &'a Optics,

@@ -195,8 +195,7 @@ impl<const W: usize> CameraTables<W> {
 
 /// Bytes of a layout's coverage.
 pub(super) fn coverage_bytes(layout: &ViewLayout) -> usize {
-    let bytes = |coverage: &Vec<f32>| coverage.len() * size_of::<f32>();
-    layout.views.iter().filter_map(|view| view.coverage.as_ref()).map(bytes).sum()
+    layout.views.iter().filter_map(|view| view.coverage.as_deref()).map(size_of_val).sum()
 }
 
 impl<const W: usize> WeightSource for ThinLensModel<W> {

@@ -50,7 +50,7 @@ const BLOCKS_PER_TASK: usize = 8192;
 
 /// One view, measured against projected.
 struct Compared {
-    /// (I + β)/(p + β) − 1 per pixel.
+    /// (I + β)/(p + β) − 1 per pixel, prepared to be spread back.
     excess: Vec<f32>,
     /// Σ (I − p)².
     missed: f64,
@@ -107,6 +107,7 @@ impl OsMart {
                     seen += f64::from(measured).powi(2);
                     *pixel = (measured.max(0.0) + noise) / (*pixel + noise) - 1.0;
                 }
+                projector.prepare(id, &mut image);
                 Compared { excess: image, missed, seen }
             })
             .collect()

@@ -15,7 +15,7 @@ use crate::{
     lightfield::{ViewLayout, ViewStack},
     model::{
         BlockModel, ForwardModel, ModelError, ModelParts, ViewId, VolumeGrid, block_model,
-        thin_lens_model_of,
+        block_model_beside, thin_lens_model_of,
     },
 };
 
@@ -101,11 +101,14 @@ impl Reconstructor {
         let auto = settings.footprint == Footprint::Auto;
         let points = || thin_lens_model_of(optics, poses, grid, 0.0, &parts);
         let models = if settings.solver == Solver::OsMart {
-            let model = |refinement| {
+            let mut models: Vec<Box<dyn BlockModel>> = Vec::new();
+            for refinement in refinements(settings) {
                 let grid = grid.refined(refinement);
-                block_model(optics, poses, &grid, footprint_mm(settings, &grid), &parts)
-            };
-            Models::Blocks(refinements(settings).into_iter().map(model).collect::<Result<_, _>>()?)
+                let footprint_mm = footprint_mm(settings, &grid);
+                let known = models.first().map_or(&[][..], |model| model.layouts());
+                models.push(block_model_beside(optics, poses, &grid, footprint_mm, &parts, known)?);
+            }
+            Models::Blocks(models)
         } else {
             Models::Voxels {
                 filled: thin_lens_model_of(

@@ -1,5 +1,7 @@
 //! Blocks seen by cameras that look along an axis of the grid.
 
+use std::sync::Arc;
+
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
@@ -14,6 +16,7 @@ use crate::{
         ModelError, ModelParts, ViewId, VolumeGrid,
         camera::CameraView,
         footprint::RayMap,
+        tables::AxisGeometry,
         thin_lens::{camera_views, coverage_bytes},
     },
 };
@@ -32,8 +35,8 @@ pub struct AlignedModel<const L: usize, const D: usize> {
 #[derive(Debug)]
 pub(super) struct AlignedCamera<const L: usize> {
     pub axes: Axes,
-    pub columns: PairTable<L>,
-    pub rows: PairTable<L>,
+    pub columns: Arc<PairTable<L>>,
+    pub rows: Arc<PairTable<L>>,
     /// Pixels per row of the window.
     pub width: usize,
 }
@@ -96,11 +99,25 @@ impl Axes {
         Some(Self { column: view.xi.along?, row: view.eta.along?, depth: view.depth.along? })
     }
 
+    /// Every way to look along a grid.
+    pub const ALL: [Self; 6] = [
+        Self { column: 0, row: 1, depth: 2 },
+        Self { column: 0, row: 2, depth: 1 },
+        Self { column: 1, row: 0, depth: 2 },
+        Self { column: 1, row: 2, depth: 0 },
+        Self { column: 2, row: 0, depth: 1 },
+        Self { column: 2, row: 1, depth: 0 },
+    ];
+
+    /// Position in [`Self::ALL`].
+    pub fn number(self) -> usize {
+        2 * self.column + usize::from(self.row > self.depth)
+    }
+
     /// For row r and column c of a block as the camera sees it, the near and the far child.
-    pub fn children(self) -> [[[usize; 2]; 2]; 2] {
-        let child =
-            |r: usize, c: usize, d: usize| r << self.row | c << self.column | d << self.depth;
-        [0, 1].map(|r| [0, 1].map(|c| [child(r, c, 0), child(r, c, 1)]))
+    pub const fn children(self) -> [[[usize; 2]; 2]; 2] {
+        let (c, r, d) = (1 << self.column, 1 << self.row, 1 << self.depth);
+        [[[0, d], [c, c + d]], [[r, r + d], [r + c, r + c + d]]]
     }
 }
 
@@ -110,6 +127,7 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
     pub fn new(
         optics: &Optics,
         views: &[CameraView],
+        layouts: Vec<ViewLayout>,
         grid: &VolumeGrid,
         footprint_mm: f64,
         parts: &ModelParts,
@@ -118,9 +136,8 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
             return None;
         }
         let mut cameras = Vec::with_capacity(views.len());
-        let mut layouts = Vec::with_capacity(views.len());
-        for view in views {
-            let layout = parts.layout(optics, view);
+        let mut tables = SharedTables::default();
+        for (view, layout) in views.iter().zip(&layouts) {
             let axes = Axes::of(view)?;
             let mut axis_geometries =
                 view.geometries(optics, &layout.columns, &layout.rows, footprint_mm, parts);
@@ -128,12 +145,10 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
                 geometry.depths = view.depth.layer_nodes(axes.depth, grid.voxels[axes.depth], D);
             }
             let [columns, rows] = axis_geometries;
-            let (columns, rows) =
-                rayon::join(|| PairTable::new(&columns), || PairTable::new(&rows));
-            let width = view.window.columns.len();
-            cameras.push(AlignedCamera { axes, columns: columns?, rows: rows?, width });
-            layouts.push(layout);
+            let (columns, rows) = (tables.of(columns)?, tables.of(rows)?);
+            cameras.push(AlignedCamera { axes, columns, rows, width: view.window.columns.len() });
         }
+        drop(tables);
         Some(Self { grid: grid.clone(), layouts, cameras })
     }
 
@@ -149,6 +164,23 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
             width: camera.width,
             coverage: view.coverage.as_deref(),
         }
+    }
+}
+
+/// Tables with what each was made from: two cameras at right angles often see the same along the
+/// axis that they share.
+#[derive(Default)]
+struct SharedTables<'a, const L: usize>(Vec<(AxisGeometry<'a>, Arc<PairTable<L>>)>);
+
+impl<'a, const L: usize> SharedTables<'a, L> {
+    /// The table of a geometry; `None` as [`PairTable::new`].
+    fn of(&mut self, geometry: AxisGeometry<'a>) -> Option<Arc<PairTable<L>>> {
+        if let Some((_, table)) = self.0.iter().find(|(known, _)| *known == geometry) {
+            return Some(table.clone());
+        }
+        let table = Arc::new(PairTable::new(&geometry)?);
+        self.0.push((geometry, table.clone()));
+        Some(table)
     }
 }
 
@@ -209,8 +241,13 @@ impl<const L: usize, const D: usize> BlockModel for AlignedModel<L, D> {
     }
 
     fn memory_bytes(&self) -> usize {
-        let tables: usize =
-            self.cameras.iter().map(|c| c.columns.memory_bytes() + c.rows.memory_bytes()).sum();
+        let mut tables: Vec<&Arc<PairTable<L>>> = Vec::new();
+        for table in self.cameras.iter().flat_map(|camera| [&camera.columns, &camera.rows]) {
+            if !tables.iter().any(|known| Arc::ptr_eq(known, table)) {
+                tables.push(table);
+            }
+        }
+        let tables: usize = tables.iter().map(|table| table.memory_bytes()).sum();
         tables + self.layouts.iter().map(coverage_bytes).sum::<usize>()
     }
 }

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::row_shares::{RowShares, first_of_pair};
 use crate::model::{footprint::RayMap, tables::AxisGeometry};
 
 /// The microlenses that a pair of voxels covers along one axis, and the share of each voxel on
@@ -18,6 +19,11 @@ pub struct PairTap<const L: usize> {
     pub len: u16,
 }
 
+impl<const L: usize> PairTap<L> {
+    /// No light on any microlens.
+    pub const NONE: Self = Self { shares: [[0; L]; 2], first: 0, len: 0 };
+}
+
 /// One unit of a share in a [`PairTap`].
 /// Shares may exceed 1: microlenses see a view through intervals that overlap.
 pub const SHARE_UNIT: f32 = 1.0 / 32768.0;
@@ -29,7 +35,7 @@ pub struct PairTable<const L: usize> {
     reach: i32,
     depths: usize,
     pairs: usize,
-    taps: Vec<PairTap<L>>,
+    views: Vec<Vec<PairTap<L>>>,
 }
 
 impl<const L: usize> PairTable<L> {
@@ -40,24 +46,19 @@ impl<const L: usize> PairTable<L> {
         if geometry.pair_reach() > L {
             return None;
         }
-        let views = (2 * reach + 1) as usize;
-        let mut taps =
-            vec![PairTap { shares: [[0; L]; 2], first: 0, len: 0 }; views * depths * pairs];
-        taps.par_chunks_mut(pairs).enumerate().for_each(|(n, row)| {
-            let (k, depth) = ((n / depths) as i32 - reach, n % depths);
-            let map = RayMap::at_depth(geometry.optics, geometry.depths.at(depth));
-            for (pair, tap) in row.iter_mut().enumerate() {
-                *tap = pair_tap(geometry, map, k, pair);
-            }
+        // A vector per view: nothing is written twice, and every thread fills its own pages.
+        let views = (-reach..=reach).into_par_iter().map(|k| {
+            let mut row = RowShares::new(geometry);
+            let mut taps = Vec::with_capacity(depths * pairs);
+            (0..depths).for_each(|depth| row.push_taps(k, depth, &mut taps));
+            taps
         });
-        Some(Self { reach, depths, pairs, taps })
+        Some(Self { reach, depths, pairs, views: views.collect() })
     }
 
     /// The taps of view index `k`, addressed by `depth * pairs + pair`.
     pub fn of_view(&self, k: i32) -> &[PairTap<L>] {
-        let len = self.depths * self.pairs;
-        let start = (k + self.reach) as usize * len;
-        &self.taps[start..start + len]
+        &self.views[(k + self.reach) as usize]
     }
 
     /// Number of pairs: the stride between depths in [`Self::of_view`].
@@ -72,11 +73,12 @@ impl<const L: usize> PairTable<L> {
 
     /// Bytes held.
     pub fn memory_bytes(&self) -> usize {
-        self.taps.len() * size_of::<PairTap<L>>()
+        self.views.len() * self.depths * self.pairs * size_of::<PairTap<L>>()
     }
 }
 
-fn pair_tap<const L: usize>(
+/// One tap by itself: what [`RowShares`] does for a whole row.
+pub(super) fn pair_tap<const L: usize>(
     geometry: &AxisGeometry<'_>,
     map: RayMap,
     k: i32,
@@ -86,10 +88,7 @@ fn pair_tap<const L: usize>(
     let shadow = |child| geometry.shadow_of(map, k, geometry.positions.at(2 * pair + child));
     let shadows = [shadow(0), shadow(1)];
     let first = geometry.first_reached(&shadows[0]).min(geometry.first_reached(&shadows[1]));
-    let window = &geometry.window;
-    // A footprint that leaves the window keeps its true shares on what remains of it.
-    let last_first = (window.end as i64 - L as i64).max(window.start as i64);
-    let first = first.clamp(window.start as i64, last_first) as usize;
+    let first = first_of_pair::<L>(geometry, first);
     let mut shares = [[0; L]; 2];
     let mut len = 0;
     for (shares, shadow) in shares.iter_mut().zip(&shadows) {
@@ -101,5 +100,5 @@ fn pair_tap<const L: usize>(
             }
         }
     }
-    PairTap { shares, first: (first - window.start) as u16, len: len as u16 }
+    PairTap { shares, first: (first - geometry.window.start) as u16, len: len as u16 }
 }

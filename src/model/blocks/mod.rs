@@ -13,6 +13,7 @@ mod axis_table;
 mod dark_counts;
 mod lit;
 mod projector;
+mod row_shares;
 #[cfg(test)]
 mod tests;
 mod voxelwise;
@@ -73,8 +74,12 @@ pub trait BlockProjector: Send + Sync {
     /// Images the blocks into a view. Overwrites `image`, of [`BlockModel::image_len`] values.
     fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]);
 
-    /// Spreads a view of [`BlockModel::image_len`] finite values back onto the voxels of the
-    /// blocks in `range`: adds to `out[block − range.start]`.
+    /// Makes a view of [`BlockModel::image_len`] finite values ready to be spread back: whatever is
+    /// to be done to its pixels once and not again for every range of blocks.
+    fn prepare(&self, view: ViewId, image: &mut [f32]);
+
+    /// Spreads a view that went through [`Self::prepare`] back onto the voxels of the blocks in
+    /// `range`: adds to `out[block − range.start]`.
     fn back_project(
         &self,
         view: ViewId,
@@ -96,10 +101,24 @@ pub fn block_model(
     footprint_mm: f64,
     parts: &ModelParts,
 ) -> Result<Box<dyn BlockModel>, ModelError> {
+    block_model_beside(optics, poses, grid, footprint_mm, parts, &[])
+}
+
+/// [`block_model`] beside another model of the same optics and parts, on another grid of the same
+/// volume: layouts of the `known` ones are shared where their windows are the same.
+pub fn block_model_beside(
+    optics: &Optics,
+    poses: &[Pose],
+    grid: &VolumeGrid,
+    footprint_mm: f64,
+    parts: &ModelParts,
+    known: &[ViewLayout],
+) -> Result<Box<dyn BlockModel>, ModelError> {
     if let Some(views) = aligned_views(optics, poses, grid, footprint_mm)? {
+        let layouts = parts.layouts(optics, &views, known);
         let model = match DepthsPerBlock::needed(optics, grid, footprint_mm) {
-            DepthsPerBlock::One => aligned::<1>(optics, &views, grid, footprint_mm, parts),
-            DepthsPerBlock::Two => aligned::<2>(optics, &views, grid, footprint_mm, parts),
+            DepthsPerBlock::One => aligned::<1>(optics, &views, layouts, grid, footprint_mm, parts),
+            DepthsPerBlock::Two => aligned::<2>(optics, &views, layouts, grid, footprint_mm, parts),
         };
         if let Some(model) = model {
             return Ok(model);
@@ -113,14 +132,17 @@ pub fn block_model(
 fn aligned<const D: usize>(
     optics: &Optics,
     views: &[CameraView],
+    layouts: Vec<ViewLayout>,
     grid: &VolumeGrid,
     footprint_mm: f64,
     parts: &ModelParts,
 ) -> Option<Box<dyn BlockModel>> {
-    if let Some(model) = AlignedModel::<4, D>::new(optics, views, grid, footprint_mm, parts) {
+    let narrow =
+        AlignedModel::<4, D>::new(optics, views, layouts.clone(), grid, footprint_mm, parts);
+    if let Some(model) = narrow {
         return Some(Box::new(model));
     }
-    let model = AlignedModel::<8, D>::new(optics, views, grid, footprint_mm, parts)?;
+    let model = AlignedModel::<8, D>::new(optics, views, layouts, grid, footprint_mm, parts)?;
     Some(Box::new(model))
 }
 

@@ -4,15 +4,20 @@
 //! over the microlenses along the columns, then along the rows. Rows are `L` values long whatever the
 //! footprint: shares beyond it are 0, and the loops unroll into vector instructions. The kernels
 //! are plain loops, not iterator chains: two of three instructions were calls otherwise.
+//!
+//! A view's tables come from memory or a far cache, block by block from another place. Waiting for
+//! them was a third of the time, because a processor looks ahead over two or three blocks only.
+//! So the taps of a batch of blocks are copied first: loads that wait for nothing but memory
+//! overlap.
 
-use std::{borrow::Cow, ops::Range};
+use std::ops::Range;
 
 use multiversion::multiversion;
 
 use super::{
     BlockLight, BlockProjector,
-    aligned::{AlignedModel, Place, ViewTables},
-    axis_table::SHARE_UNIT,
+    aligned::{AlignedModel, Axes, Place, ViewTables},
+    axis_table::{PairTap, SHARE_UNIT},
 };
 use crate::model::ViewId;
 
@@ -23,18 +28,25 @@ pub(super) struct AlignedProjector<'a, const L: usize, const D: usize> {
     pub(super) places: Vec<Vec<Place>>,
 }
 
-/// For row r and column c of a block as the camera sees it, the near and the far child.
-type Children = [[[usize; 2]; 2]; 2];
-
 impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, D> {
     fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]) {
         let tables = self.model.view(view);
-        let children = self.model.cameras[view.camera].axes.children();
         image.fill(0.0);
-        project_blocks::<L, D>(&tables, &children, &self.places[view.camera], light, image);
-        for (pixel, &open) in image.iter_mut().zip(tables.coverage.unwrap_or(&[])) {
-            *pixel *= open;
-        }
+        // Children at constant places are shuffled in registers instead of loaded one by one.
+        let project_blocks = match self.model.cameras[view.camera].axes.number() {
+            0 => project_blocks::<L, D, 0>,
+            1 => project_blocks::<L, D, 1>,
+            2 => project_blocks::<L, D, 2>,
+            3 => project_blocks::<L, D, 3>,
+            4 => project_blocks::<L, D, 4>,
+            _ => project_blocks::<L, D, 5>,
+        };
+        project_blocks(&tables, &self.places[view.camera], light, image);
+        cover(&tables, image);
+    }
+
+    fn prepare(&self, view: ViewId, image: &mut [f32]) {
+        cover(&self.model.view(view), image);
     }
 
     fn back_project(
@@ -45,12 +57,15 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
         out: &mut [BlockLight],
     ) {
         let tables = self.model.view(view);
-        let children = self.model.cameras[view.camera].axes.children();
-        let mut open = Cow::Borrowed(image);
-        if let Some(coverage) = tables.coverage {
-            open.to_mut().iter_mut().zip(coverage).for_each(|(pixel, open)| *pixel *= open);
-        }
-        gather_blocks::<L, D>(&tables, &children, &self.places[view.camera][range], &open, out);
+        let gather_blocks = match self.model.cameras[view.camera].axes.number() {
+            0 => gather_blocks::<L, D, 0>,
+            1 => gather_blocks::<L, D, 1>,
+            2 => gather_blocks::<L, D, 2>,
+            3 => gather_blocks::<L, D, 3>,
+            4 => gather_blocks::<L, D, 4>,
+            _ => gather_blocks::<L, D, 5>,
+        };
+        gather_blocks(&tables, &self.places[view.camera][range], image, out);
     }
 
     fn retain(&mut self, keep: &[bool]) {
@@ -61,78 +76,119 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
     }
 }
 
+/// Weighs pixels by the open share of their pupil cells.
+fn cover<const L: usize>(tables: &ViewTables<'_, L>, image: &mut [f32]) {
+    for (pixel, &open) in image.iter_mut().zip(tables.coverage.unwrap_or(&[])) {
+        *pixel *= open;
+    }
+}
+
 /// A share along the columns times one along the rows, in the units of the tables.
 const UNITS: f32 = SHARE_UNIT * SHARE_UNIT;
 
-#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn project_blocks<const L: usize, const D: usize>(
+/// Blocks whose taps are fetched together: enough to keep as many loads in flight as a core can,
+/// few enough for its nearest cache.
+const BATCH: usize = 16;
+
+/// A block's taps along the columns and the rows, per layer.
+type BlockTaps<const L: usize, const D: usize> = [[PairTap<L>; 2]; D];
+
+#[inline(always)]
+fn fetch<const L: usize, const D: usize>(
     tables: &ViewTables<'_, L>,
-    children: &Children,
+    places: &[Place],
+    taps: &mut [BlockTaps<L, D>; BATCH],
+) {
+    for (taps, place) in taps.iter_mut().zip(places) {
+        for (layer, [column, row]) in taps.iter_mut().enumerate() {
+            *column = tables.columns[place.column as usize + layer * tables.column_pairs];
+            *row = tables.rows[place.row as usize + layer * tables.row_pairs];
+        }
+    }
+}
+
+/// `A` is the number of the camera's [`Axes`].
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn project_blocks<const L: usize, const D: usize, const A: usize>(
+    tables: &ViewTables<'_, L>,
     places: &[Place],
     light: &[BlockLight],
     image: &mut [f32],
 ) {
-    for (place, light) in places.iter().zip(light) {
-        for layer in 0..D {
-            let column = &tables.columns[place.column as usize + layer * tables.column_pairs];
-            let row = &tables.rows[place.row as usize + layer * tables.row_pairs];
-            let of_layer = |depths: &[usize; 2]| match D {
-                1 => light[depths[0] & 7] + light[depths[1] & 7],
-                _ => light[depths[layer & 1] & 7],
-            };
-            let mut spread = [[0.0f32; L]; 2];
-            for (spread, [low, high]) in spread.iter_mut().zip(children) {
-                let (low, high) = (of_layer(low) * UNITS, of_layer(high) * UNITS);
-                for (i, spread) in spread.iter_mut().enumerate() {
-                    *spread = low * f32::from(column.shares[0][i])
-                        + high * f32::from(column.shares[1][i]);
+    let children = const { Axes::ALL[A].children() };
+    let mut taps = [[[PairTap::NONE; 2]; D]; BATCH];
+    for (places, light) in places.chunks(BATCH).zip(light.chunks(BATCH)) {
+        fetch(tables, places, &mut taps);
+        for (taps, light) in taps.iter().zip(light) {
+            for layer in 0..D {
+                let [column, row] = &taps[layer];
+                let mut spread = [[0.0f32; L]; 2];
+                for r in 0..2 {
+                    let [low, high] = [0, 1].map(|c| {
+                        let [near, far] = children[r][c];
+                        match D {
+                            1 => (light[near] + light[far]) * UNITS,
+                            _ => light[children[r][c][layer & 1]] * UNITS,
+                        }
+                    });
+                    let [of_low, of_high] = &column.shares;
+                    let spread = &mut spread[r];
+                    for i in 0..L {
+                        spread[i] = low * f32::from(of_low[i]) + high * f32::from(of_high[i]);
+                    }
                 }
-            }
-            let mut at = usize::from(row.first) * tables.width + usize::from(column.first);
-            for j in 0..usize::from(row.len).min(L) {
-                // Tables and image belong together; a wrong image length loses light, no more.
-                let Some(pixels) = image.get_mut(at..at + L) else { break };
-                let (low, high) = (f32::from(row.shares[0][j]), f32::from(row.shares[1][j]));
-                for i in 0..L {
-                    pixels[i] += low * spread[0][i] + high * spread[1][i];
+                let mut at = usize::from(row.first) * tables.width + usize::from(column.first);
+                for j in 0..usize::from(row.len).min(L) {
+                    // Tables and image belong together; a wrong image length loses light, no more.
+                    let Some(pixels) = image.get_mut(at..at + L) else { break };
+                    let (low, high) = (f32::from(row.shares[0][j]), f32::from(row.shares[1][j]));
+                    for i in 0..L {
+                        pixels[i] += low * spread[0][i] + high * spread[1][i];
+                    }
+                    at += tables.width;
                 }
-                at += tables.width;
             }
         }
     }
 }
 
+/// The adjoint of [`project_blocks`].
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn gather_blocks<const L: usize, const D: usize>(
+fn gather_blocks<const L: usize, const D: usize, const A: usize>(
     tables: &ViewTables<'_, L>,
-    children: &Children,
     places: &[Place],
     image: &[f32],
     out: &mut [BlockLight],
 ) {
-    for (place, out) in places.iter().zip(out) {
-        for layer in 0..D {
-            let column = &tables.columns[place.column as usize + layer * tables.column_pairs];
-            let row = &tables.rows[place.row as usize + layer * tables.row_pairs];
-            let mut at = usize::from(row.first) * tables.width + usize::from(column.first);
-            let mut sums = [[0.0f32; L]; 2];
-            for j in 0..usize::from(row.len).min(L) {
-                let Some(pixels) = image.get(at..at + L) else { break };
-                let (low, high) = (f32::from(row.shares[0][j]), f32::from(row.shares[1][j]));
-                for i in 0..L {
-                    sums[0][i] += low * pixels[i];
-                    sums[1][i] += high * pixels[i];
+    let children = const { Axes::ALL[A].children() };
+    let mut taps = [[[PairTap::NONE; 2]; D]; BATCH];
+    for (places, out) in places.chunks(BATCH).zip(out.chunks_mut(BATCH)) {
+        fetch(tables, places, &mut taps);
+        for (taps, out) in taps.iter().zip(out) {
+            for layer in 0..D {
+                let [column, row] = &taps[layer];
+                let mut at = usize::from(row.first) * tables.width + usize::from(column.first);
+                let mut sums = [[0.0f32; L]; 2];
+                for j in 0..usize::from(row.len).min(L) {
+                    let Some(pixels) = image.get(at..at + L) else { break };
+                    let (low, high) = (f32::from(row.shares[0][j]), f32::from(row.shares[1][j]));
+                    for i in 0..L {
+                        sums[0][i] += low * pixels[i];
+                        sums[1][i] += high * pixels[i];
+                    }
+                    at += tables.width;
                 }
-                at += tables.width;
-            }
-            for (sums, children) in sums.iter().zip(children) {
-                for (shares, depths) in column.shares.iter().zip(children) {
-                    let sum = dot(sums, shares) * UNITS;
-                    if D == 1 {
-                        out[depths[0] & 7] += sum;
-                        out[depths[1] & 7] += sum;
-                    } else {
-                        out[depths[layer & 1] & 7] += sum;
+                let quarters = along_columns(&sums, &column.shares);
+                for r in 0..2 {
+                    for c in 0..2 {
+                        let sum = quarters[2 * r + c];
+                        let [near, far] = children[r][c];
+                        if D == 1 {
+                            out[near] += sum;
+                            out[far] += sum;
+                        } else {
+                            out[children[r][c][layer & 1]] += sum;
+                        }
                     }
                 }
             }
@@ -140,19 +196,26 @@ fn gather_blocks<const L: usize, const D: usize>(
     }
 }
 
-/// Σ a_i b_i, halves first: the order that vector units like. `L` is a power of two.
+/// Σ_i sums[r][i] shares[c][i] at 2 r + c, halves first: four sums side by side in a vector. `L` is
+/// a power of two.
 #[inline(always)]
-fn dot<const L: usize>(a: &[f32; L], b: &[u16; L]) -> f32 {
-    let mut products = [0.0f32; L];
+fn along_columns<const L: usize>(sums: &[[f32; L]; 2], shares: &[[u16; L]; 2]) -> [f32; 4] {
+    let mut products = [[0.0f32; 4]; L];
     for i in 0..L {
-        products[i] = a[i] * f32::from(b[i]);
+        for q in 0..4 {
+            products[i][q] = sums[q / 2][i] * f32::from(shares[q % 2][i]);
+        }
     }
     let mut half = L / 2;
     while half > 0 {
         for i in 0..half {
-            products[i] += products[i + half];
+            let (mut lower, upper) = (products[i], products[i + half]);
+            for q in 0..4 {
+                lower[q] += upper[q];
+            }
+            products[i] = lower;
         }
         half /= 2;
     }
-    products[0]
+    products[0].map(|sum| sum * UNITS)
 }

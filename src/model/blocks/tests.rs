@@ -52,6 +52,21 @@ fn all_blocks(grid: &VolumeGrid) -> Vec<u32> {
     (0..blocks_along(grid).into_iter().product::<usize>() as u32).collect()
 }
 
+#[test]
+fn axes_are_numbered_as_they_are_listed() {
+    for (n, axes) in aligned::Axes::ALL.into_iter().enumerate() {
+        assert_eq!(axes.number(), n);
+        for (r, columns) in axes.children().into_iter().enumerate() {
+            for (c, depths) in columns.into_iter().enumerate() {
+                for (d, child) in depths.into_iter().enumerate() {
+                    let bit = |axis: usize| child >> axis & 1;
+                    assert_eq!([bit(axes.column), bit(axes.row), bit(axes.depth)], [c, r, d]);
+                }
+            }
+        }
+    }
+}
+
 /// Random light, dark beyond the grid's end.
 fn random_light(random: &mut Pcg64Mcg, grid: &VolumeGrid, blocks: &[u32]) -> Vec<BlockLight> {
     let light = |&block: &u32| {
@@ -114,8 +129,10 @@ fn back_projection_is_the_adjoint_of_projection() {
             projector.project(id, &light, &mut image);
             let mut spread = vec![[0.0; 8]; kept.len()];
             let (low, high) = spread.split_at_mut(kept.len() / 2);
-            projector.back_project(id, &weights, 0..low.len(), low);
-            projector.back_project(id, &weights, kept.len() / 2..kept.len(), high);
+            let mut prepared = weights.clone();
+            projector.prepare(id, &mut prepared);
+            projector.back_project(id, &prepared, 0..low.len(), low);
+            projector.back_project(id, &prepared, kept.len() / 2..kept.len(), high);
             let dot = |a: &[f32], b: &[f32]| -> f64 {
                 a.iter().zip(b).map(|(a, b)| f64::from(a * b)).sum()
             };

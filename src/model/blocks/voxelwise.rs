@@ -110,6 +110,9 @@ impl BlockProjector for VoxelwiseProjector<'_> {
         self.projector.project(view, flat, image);
     }
 
+    /// Nothing: the voxels' own projector weighs the pixels.
+    fn prepare(&self, _view: ViewId, _image: &mut [f32]) {}
+
     fn back_project(
         &self,
         view: ViewId,
