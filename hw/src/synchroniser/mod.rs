@@ -52,7 +52,10 @@ pub fn open(
         return open_on(Box::new(line), settings, timing);
     };
     let file = OpenOptions::new().create(true).append(true).open(path).map_err(|error| {
-        lost(format!("cannot write instruments.synchroniser.transcript {}: {error}", path.display()))
+        lost(format!(
+            "cannot write instruments.synchroniser.transcript {}: {error}",
+            path.display()
+        ))
     })?;
     open_on(Box::new(Recorded::new(line, Transcript::written(file))), settings, timing)
 }
