@@ -2,8 +2,8 @@
 
 use std::{thread, time::Duration};
 
-use lfpiv::acquisition::{AcquisitionError, Outcome};
-use lfpiv_sim::wire::WireSettings;
+use lfpiv::acquisition::Outcome;
+use lfpiv_sim::wire::{WireSettings, bench::WireBench};
 
 use crate::{
     bench::{LONG, Patterns, SIZE, connect, patterns, take, wire},
@@ -75,18 +75,7 @@ fn a_camera_that_vanishes_and_returns_is_waited_for() {
 fn a_synchroniser_that_falls_silent_ends_the_run_and_its_burst_ends_itself() {
     in_private_network(
         "faults::a_synchroniser_that_falls_silent_ends_the_run_and_its_burst_ends_itself",
-        || {
-            let folder = tempfile::tempdir().unwrap();
-            let wire = wire(folder.path());
-            let instruments = patterns(&wire);
-            let taken = take(connect(&wire, SIZE), 400, 20.0, |shot| {
-                if shot.trigger == 5 {
-                    instruments.unit().fall_silent_after(0);
-                }
-            });
-            assert_ends_by_itself(&taken.ended, &instruments);
-            taken.assert_pictures(&Patterns(SIZE));
-        },
+        || disturbed_in_a_burst(|instruments| instruments.unit().fall_silent_after(0)),
     );
 }
 
@@ -94,32 +83,29 @@ fn a_synchroniser_that_falls_silent_ends_the_run_and_its_burst_ends_itself() {
 fn a_serial_line_that_is_cut_ends_the_run_and_its_burst_ends_itself() {
     in_private_network(
         "faults::a_serial_line_that_is_cut_ends_the_run_and_its_burst_ends_itself",
-        || {
-            let folder = tempfile::tempdir().unwrap();
-            let wire = wire(folder.path());
-            let instruments = patterns(&wire);
-            let taken = take(connect(&wire, SIZE), 400, 20.0, |shot| {
-                if shot.trigger == 5 {
-                    instruments.cut_line();
-                }
-            });
-            assert_ends_by_itself(&taken.ended, &instruments);
-            taken.assert_pictures(&Patterns(SIZE));
-        },
+        || disturbed_in_a_burst(WireBench::cut_line),
     );
 }
 
-/// Says that the state is unknown; and no more than one burst of Q-switch pulses comes.
-fn assert_ends_by_itself<T: std::fmt::Debug>(
-    ended: &Result<T, AcquisitionError>,
-    instruments: &lfpiv_sim::wire::bench::WireBench,
-) {
-    let error = ended.as_ref().expect_err("an error").to_string();
+/// The run ends and says that the state is unknown, and no more than one burst of Q-switch pulses
+/// comes; what had arrived is whole.
+fn disturbed_in_a_burst(disturb: impl Fn(&WireBench)) {
+    const RATE_HZ: f64 = 20.0;
+    let folder = tempfile::tempdir().expect("a folder");
+    let wire = wire(folder.path());
+    let instruments = patterns(&wire);
+    let taken = take(connect(&wire, SIZE), 400, RATE_HZ, |shot| {
+        if shot.trigger == 5 {
+            disturb(&instruments);
+        }
+    });
+    let error = taken.ended.as_ref().expect_err("a lost unit").to_string();
     assert!(error.contains("interlock"), "{error}");
-    // Five seconds of shots are the longest burst.
+    taken.assert_pictures(&Patterns(SIZE));
+    // A single shot comes first, then bursts of five seconds at most.
     thread::sleep(Duration::from_secs(6));
     let after_burst = instruments.report().q_switches;
-    assert!(after_burst[0] <= 1 + 5 * 20, "{after_burst:?}");
+    assert!(after_burst[0] <= 1 + (5.0 * RATE_HZ) as u64, "{after_burst:?}");
     thread::sleep(Duration::from_secs(1));
     assert_eq!(instruments.report().q_switches, after_burst);
 }

@@ -3,8 +3,9 @@
 use std::{
     fs,
     io::{BufRead, BufReader},
-    path::Path,
+    path::{Path, PathBuf},
     process::{Child, Command, Stdio},
+    sync::Arc,
     thread,
     time::{Duration, Instant},
 };
@@ -45,6 +46,17 @@ fn configuration(folder: &Path, port: &Path) -> String {
     )
 }
 
+/// Instruments, and a configuration for the daemon that drives them.
+fn instruments(folder: &Path) -> (WireBench, PathBuf) {
+    let wire = wire(folder);
+    let size = ImageSize::from(&small().optics.sensor);
+    let pictures = Arc::new(Repeated::new(size));
+    let instruments = WireBench::start(&wire, size, 12, pictures).expect("a bench");
+    let config = folder.join("loopback.toml");
+    fs::write(&config, configuration(folder, &wire.port)).expect("a file");
+    (instruments, config)
+}
+
 fn daemon(config: &Path, shots: Option<u64>) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
     command.args(["run", "--config"]).arg(config).stdout(Stdio::piped()).stderr(Stdio::null());
@@ -73,12 +85,7 @@ fn wait_for_pulses(instruments: &WireBench, count: u64, daemon: &mut Child) {
 fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
     in_private_network("killed::a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once", || {
         let folder = tempfile::tempdir().unwrap();
-        let wire = wire(folder.path());
-        let size = ImageSize::from(&small().optics.sensor);
-        let pictures = std::sync::Arc::new(Repeated::new(size));
-        let instruments = WireBench::start(&wire, size, 12, pictures).unwrap();
-        let config = folder.path().join("loopback.toml");
-        fs::write(&config, configuration(folder.path(), &wire.port)).unwrap();
+        let (instruments, config) = instruments(folder.path());
         let mut daemon = daemon(&config, None);
         let mut lines = BufReader::new(daemon.stdout.take().unwrap()).lines();
         let status = lines.next().unwrap().unwrap();
@@ -110,12 +117,7 @@ fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
 fn a_killed_daemon_leaves_no_more_than_one_burst() {
     in_private_network("killed::a_killed_daemon_leaves_no_more_than_one_burst", || {
         let folder = tempfile::tempdir().unwrap();
-        let wire = wire(folder.path());
-        let size = ImageSize::from(&small().optics.sensor);
-        let pictures = std::sync::Arc::new(Repeated::new(size));
-        let instruments = WireBench::start(&wire, size, 12, pictures).unwrap();
-        let config = folder.path().join("loopback.toml");
-        fs::write(&config, configuration(folder.path(), &wire.port)).unwrap();
+        let (instruments, config) = instruments(folder.path());
 
         let mut first = daemon(&config, None);
         wait_for_pulses(&instruments, 30, &mut first);

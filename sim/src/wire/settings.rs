@@ -6,8 +6,10 @@ use garde::Validate;
 use lfpiv_hw::check::finite;
 use serde::{Deserialize, Serialize};
 
+use super::exposure::CameraFacts;
+#[cfg(feature = "aravis")]
 use super::{
-    exposure::{CameraFacts, LaserFacts},
+    exposure::LaserFacts,
     pulse_generator::{Pacing, PulseGeneratorOptions, TooSoon},
 };
 
@@ -77,6 +79,7 @@ impl Default for WireSettings {
     }
 }
 
+#[cfg(feature = "aravis")]
 impl WireSettings {
     pub(super) fn unit(&self) -> PulseGeneratorOptions {
         let pacing =
