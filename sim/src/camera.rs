@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Cameras are switched on one after the other: their clocks agree in rate, not in origin.
-const CLOCK_OFFSET_NS: u64 = 1_234_567_891;
+pub(crate) const CLOCK_OFFSET_NS: u64 = 1_234_567_891;
 
 /// Longest sleep between looks at the clock; a change of the bench ends it sooner.
 const LONGEST_SLEEP: Duration = Duration::from_secs(3600);

@@ -75,8 +75,8 @@ pub(super) fn high_water_bytes(process: u32) -> Option<u64> {
     Some(kilobytes * 1024)
 }
 
-/// User and system time of a process so far.
-pub(super) fn processor_seconds(process: u32) -> Option<f64> {
+/// User and system time of a process so far, in s, where the system tells it.
+pub fn processor_seconds(process: u32) -> Option<f64> {
     /// Linux tells user space 100 ticks a second on every machine.
     const TICKS_PER_SECOND: f64 = 100.0;
     let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;

@@ -24,6 +24,7 @@ mod stream;
 mod suite;
 mod truth;
 
+pub use child::processor_seconds;
 pub use error::BenchmarkError;
 pub use kernel::{ReferenceKernel, reference_seconds};
 pub use machine::Stamp;
@@ -32,6 +33,4 @@ pub use record::{Curve, MeasuredField, Projection, Record};
 pub use row::Row;
 pub use runner::{RunOptions, run};
 pub use stream::Streamed;
-#[cfg(feature = "aravis")]
-pub use stream::drive;
 pub use suite::{Bar, Case, Figure, Measure, Method, Suite};

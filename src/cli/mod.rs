@@ -9,6 +9,8 @@ mod check;
 pub mod daemon;
 mod demo_table;
 mod devices;
+#[cfg(feature = "aravis")]
+mod drive;
 mod instruments;
 mod ledger_file;
 mod output;

@@ -46,8 +46,11 @@ mod with_aravis {
         bench::{WireBench, WireReport},
     };
 
-    use super::{super::stop::stop_on_signals, SimBenchArgs};
-    use crate::{benchmark::drive, cli::output::print, config::ConfigFile};
+    use super::{
+        super::{drive::drive, output::print, stop::stop_on_signals},
+        SimBenchArgs,
+    };
+    use crate::config::ConfigFile;
 
     /// How often frames that were sent are listed.
     const LISTING: Duration = Duration::from_millis(100);

@@ -27,9 +27,7 @@ use super::{
     pty::Served,
     pulse_generator::PulseGenerator,
 };
-
-/// Cameras are switched on one after the other: their clocks agree in rate, not in origin.
-const CLOCK_OFFSET_NS: u64 = 1_234_567_891;
+use crate::camera::CLOCK_OFFSET_NS;
 
 /// Why there is no bench.
 #[derive(Debug, Error)]

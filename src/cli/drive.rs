@@ -1,0 +1,115 @@
+//! A simulated bench at the ends of wires, driven by this program's drivers as fast as it is asked to.
+
+use std::{num::NonZeroU64, sync::Arc, time::Duration, time::Instant};
+
+use anyhow::{Context, bail};
+use lfpiv_hw::{
+    PulseSchedule, RawImage,
+    gige::{CameraSettings, ImageSize, PixelFormat},
+    synchroniser::{SynchroniserDriver, SynchroniserSettings},
+};
+use lfpiv_sim::{
+    LightPulse,
+    wire::{Pictures, WireSettings, bench::WireBench},
+};
+use parking_lot::Mutex;
+use tokio::sync::mpsc;
+use tokio_util::sync::CancellationToken;
+
+use super::instruments::open;
+use crate::{
+    acquisition::{AcquisitionSettings, Bench, Ledger, Outcome, OverloadPolicy, acquire},
+    benchmark::{Streamed, processor_seconds},
+    config::{Config, InstrumentSettings},
+};
+
+/// How frames are sent.
+const PIXEL_FORMAT: PixelFormat = PixelFormat::Mono12Packed;
+
+/// The driver unpacks a frame from Aravis' buffer into the image that the program keeps.
+const COPIES_PER_FRAME: usize = 1;
+
+/// The same picture for every exposure: making pictures is not what is measured.
+struct Still(RawImage);
+
+impl Pictures for Still {
+    fn of(&self, _: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<[RawImage; 2]> {
+        light.iter().map(|_| [self.0.clone(), self.0.clone()]).collect()
+    }
+}
+
+/// Takes `shots` shots over the wires that `config` describes and lets them go.
+///
+/// # Errors
+/// No `[wire]` table, instruments that cannot be had, or a run that fails.
+pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
+    let Some(wire) = &config.wire else { bail!("there is no [wire] table") };
+    let size = ImageSize::from(&config.optics.sensor);
+    let counts = (0..size.pixels()).map(|pixel| ((pixel * 2_654_435_761) >> 7 & 0xfff) as u16);
+    let still = Still(RawImage::new(size.columns, size.rows, counts.collect())?);
+    let _instruments = WireBench::start(wire, size, 12, Arc::new(still))?;
+    let named = instruments(wire)?;
+    let bench = open(config, &named)?;
+    let settings = AcquisitionSettings {
+        schedule: PulseSchedule::plan(&config.timing, config.shot.dt_us, config.shot.rate_hz)?,
+        shots: Some(shots),
+        overload: OverloadPolicy::Wait,
+        patience: Duration::from_secs_f64(named.frame_patience_s),
+    };
+    let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
+    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
+    let own = std::process::id();
+    let (began, busy) = (Instant::now(), processor_seconds(own).unwrap_or_default());
+    runtime.block_on(take_all(bench, settings, &ledger))?;
+    let seconds = began.elapsed().as_secs_f64();
+    let ledger = ledger.lock();
+    let frames: u64 = ledger.streams().iter().map(|stream| stream.completed).sum();
+    let frames_per_s = frames as f64 / config.camera.len() as f64 / seconds;
+    let frame_mb = PIXEL_FORMAT.payload_bytes(size.pixels()) as f64 / 1e6;
+    Ok(Streamed {
+        whole_shots: ledger.accounts()[0].outcomes.of(Outcome::Complete),
+        seconds,
+        processor_seconds: processor_seconds(own).unwrap_or_default() - busy,
+        frames_per_s,
+        mb_per_s: frames_per_s * frame_mb,
+        copies_per_frame: COPIES_PER_FRAME,
+    })
+}
+
+/// The instruments at the other ends, as a configuration for `lfpiv run` would name them.
+fn instruments(wire: &WireSettings) -> anyhow::Result<InstrumentSettings> {
+    let port = wire.port.to_str().context("the port's path is not UTF-8")?;
+    let camera = |&ip| CameraSettings {
+        ip: Some(ip),
+        pixel_format: PIXEL_FORMAT,
+        packet_size_bytes: 16_000,
+        socket_buffer_bytes: 4 << 20,
+        frame_retention_us: 2_000_000,
+        ..CameraSettings::default()
+    };
+    Ok(InstrumentSettings {
+        camera: wire.camera_ips.iter().map(camera).collect(),
+        synchroniser: SynchroniserSettings {
+            pacing_ms: 0,
+            ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
+        },
+        frame_patience_s: 10.0,
+        frame_record: None,
+    })
+}
+
+async fn take_all(
+    bench: Bench,
+    settings: AcquisitionSettings,
+    ledger: &Arc<Mutex<Ledger>>,
+) -> anyhow::Result<()> {
+    let room = settings.max_burst() as usize;
+    let (sender, mut receiver) = mpsc::channel(room);
+    let stop = CancellationToken::new();
+    let acquiring = tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop));
+    while let Some(shot) = receiver.recv().await {
+        ledger.lock().settle_all(shot.trigger, Outcome::Complete)?;
+    }
+    acquiring.await??;
+    Ok(())
+}
