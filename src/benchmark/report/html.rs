@@ -137,13 +137,20 @@ impl Page {
         if compared.is_empty() {
             return;
         }
-        self.add("<div class=\"scroll\"><table>\n<tr><th></th><th>Paper</th><th>Ours</th></tr>\n");
+        // Where the paper says nothing it has no column.
+        let paper = compared.iter().any(|line| !line.paper.is_empty());
+        let column = |tag: &str, text: &str| match paper {
+            true => format!("<{tag}>{}</{tag}>", escaped(text)),
+            false => String::new(),
+        };
+        self.add("<div class=\"scroll\"><table>\n");
+        let _ = writeln!(self.0, "<tr><th></th>{}<th>Ours</th></tr>", column("th", "Paper"));
         for line in compared {
             let _ = writeln!(
                 self.0,
-                "<tr><td>{}</td><td>{}</td><td>{}</td></tr>",
+                "<tr><td>{}</td>{}<td>{}</td></tr>",
                 escaped(&line.what),
-                escaped(&line.paper),
+                column("td", &line.paper),
                 escaped(&line.ours)
             );
         }
