@@ -3,6 +3,8 @@
 mod pool;
 mod record;
 
+use std::sync::Arc;
+
 use thiserror::Error;
 
 use pool::Counts;
@@ -14,12 +16,13 @@ pub use record::RecordedCamera;
 ///
 /// Eight-bit images are widened to `u16` unscaled: the values are the counts in the file.
 ///
-/// An image that comes from an [`ImagePool`] gives its memory back when it is dropped.
+/// Clones share the counts: raw log, processing and server hold the same memory. An image that
+/// comes from an [`ImagePool`] gives it back when its last clone is dropped.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RawImage {
     columns: usize,
     rows: usize,
-    counts: Counts,
+    counts: Arc<Counts>,
 }
 
 /// A buffer whose length is not columns × rows.
@@ -35,7 +38,7 @@ impl RawImage {
     /// Wraps `counts` (length `columns * rows`, row-major).
     pub fn new(columns: usize, rows: usize, counts: Vec<u16>) -> Result<Self, ImageSizeError> {
         if counts.len() == columns * rows {
-            Ok(Self { columns, rows, counts: Counts::from(counts) })
+            Ok(Self { columns, rows, counts: Arc::new(Counts::from(counts)) })
         } else {
             Err(ImageSizeError { columns, rows, counts: counts.len() })
         }
