@@ -6,7 +6,7 @@
 
 use std::time::Duration;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::{RawImage, timing::PulseSchedule};
@@ -131,7 +131,8 @@ pub struct Frame {
 }
 
 /// Completeness of a frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum FrameStatus {
     /// Every byte arrived.
     Complete,
@@ -141,7 +142,7 @@ pub enum FrameStatus {
 }
 
 /// Counters of one camera's stream since its start.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StreamStatistics {
     /// Frames delivered whole.
     pub completed: u64,

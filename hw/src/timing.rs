@@ -17,6 +17,8 @@ mod limits;
 mod settings;
 mod trigger;
 
+use serde::{Deserialize, Serialize};
+
 pub use error::{Signal, TimingError, Violation};
 pub use limits::{Rounding, UnitLimits, UnitSchedule};
 pub use settings::TimingSettings;
@@ -26,7 +28,7 @@ pub use trigger::{ExternalTrigger, TriggerEdge, TriggerSource};
 const ROUNDING_US: f64 = 1e-6;
 
 /// A validated schedule of one period. All times are in µs after T0.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PulseSchedule {
     /// Time between T0 pulses, in µs. With an external trigger, what is expected of the source.
     pub period_us: f64,

@@ -39,7 +39,8 @@ impl Run {
             while !self.all_connected() {
                 tokio::select! {
                     () = self.stop.cancelled() => return Ok(false),
-                    event = self.events.recv() => self.handle(event)?,
+                    event = self.events.recv() => self.handle(event).await?,
+                    request = self.control.next() => self.obey(request).await?,
                 }
             }
         }
@@ -71,7 +72,8 @@ impl Run {
             let left = noticed_by.saturating_duration_since(Instant::now());
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(true),
-                event = self.events.recv() => self.handle(event)?,
+                event = self.events.recv() => self.handle(event).await?,
+                request = self.control.next() => self.obey(request).await?,
                 () = tokio::time::sleep(left) => return Ok(false),
             }
         }

@@ -4,7 +4,10 @@ use std::time::{Duration, Instant};
 
 use lfpiv_hw::device::SynchroniserState;
 
-use super::{AcquisitionError, OverloadPolicy, absence::Presence, controller::Run, rulings::note};
+use super::{
+    AcquisitionError, Closed, Mode, OverloadPolicy, absence::Presence, controller::Run,
+    journal::Entry, rulings::note,
+};
 
 /// How often the run loop looks at the time.
 const TICK: Duration = Duration::from_millis(20);
@@ -18,92 +21,123 @@ const BURST_GRACE: Duration = Duration::from_secs(2);
 const STOP_GRACE: Duration = Duration::from_secs(5);
 
 impl Run {
-    /// Shots of the next burst; `None` when the run is over.
+    /// Shots of the next burst, armed and ready to be fired; `None` when the run is over.
     pub(super) async fn next_burst(&mut self) -> Result<Option<u64>, AcquisitionError> {
-        if !self.await_cameras().await? {
-            return Ok(None);
-        }
-        let left = self.settings.shots.map_or(u64::MAX, |shots| shots.get() - self.fired);
-        let longest = if self.pairing.has_reference() { self.settings.max_burst() } else { 1 };
-        let shots = match self.settings.overload {
-            OverloadPolicy::Shed => left.min(longest),
-            OverloadPolicy::Wait => self.keep_places(left.min(longest)).await?,
-        };
-        Ok((shots > 0 && !self.stop.is_cancelled()).then_some(shots))
-    }
-
-    /// Waits for room in the queue and keeps up to `wanted` places; returns how many.
-    async fn keep_places(&mut self, wanted: u64) -> Result<u64, AcquisitionError> {
-        while wanted > 0 && self.places.is_empty() {
-            tokio::select! {
-                () = self.stop.cancelled() => return Ok(0),
-                event = self.events.recv() => self.handle(event)?,
-                place = self.queue.clone().reserve_owned() => {
-                    self.places.push_back(place.map_err(|_| AcquisitionError::QueueClosed)?);
+        loop {
+            if !self.await_cameras().await? || self.stop.is_cancelled() {
+                return Ok(None);
+            }
+            match self.mode() {
+                Mode::Firing => {}
+                mode => {
+                    self.rest(mode).await?;
+                    continue;
                 }
             }
-        }
-        while (self.places.len() as u64) < wanted {
-            match self.queue.clone().try_reserve_owned() {
-                Ok(place) => self.places.push_back(place),
-                Err(_) => break,
+            let Some(shots) = self.size_of_burst().await? else { return Ok(None) };
+            if shots == 0 || !self.may_fire(shots).await? {
+                continue;
+            }
+            if !self.is_programmed {
+                self.program().await?;
+            }
+            if self.wait_until_armed().await? {
+                return Ok(Some(shots));
             }
         }
-        Ok(self.places.len() as u64)
+    }
+
+    /// Shots that the next burst should have; zero when there is no room for them yet, `None` when
+    /// there is nothing left to do.
+    async fn size_of_burst(&mut self) -> Result<Option<u64>, AcquisitionError> {
+        if let Some(bursts) = &self.settings.bursts {
+            // `fired` counts what was given; a burst is replayed as it was asked for.
+            let Some(shots) = bursts.get(self.bursts_fired).copied() else { return Ok(None) };
+            return Ok(Some(if self.room(shots).await? < shots { 0 } else { shots }));
+        }
+        let left = self.settings.shots.map_or(u64::MAX, |shots| shots.get() - self.fired);
+        if left == 0 {
+            return Ok(None);
+        }
+        let longest = if self.pairing.has_reference() { self.settings.max_burst() } else { 1 };
+        let wanted = left.min(longest);
+        Ok(Some(match self.settings.overload {
+            OverloadPolicy::Shed => wanted,
+            OverloadPolicy::Wait => self.room(1).await?.min(wanted),
+        }))
+    }
+
+    /// Places in the queue, `least` of them when there are so many; zero when something else
+    /// happened before there was room.
+    async fn room(&mut self, least: u64) -> Result<u64, AcquisitionError> {
+        let stop = self.stop.clone();
+        let least = usize::try_from(least).unwrap_or(usize::MAX);
+        tokio::select! {
+            biased;
+            () = stop.cancelled() => Ok(0),
+            room = self.queue.room(least) => match room {
+                Ok(room) => Ok(room as u64),
+                Err(Closed) => Err(AcquisitionError::QueueClosed),
+            },
+            event = self.events.recv() => self.handle(event).await.map(|()| 0),
+            request = self.control.next() => self.obey(request).await.map(|()| 0),
+        }
     }
 
     /// Fires one burst and waits until each of its triggers is ruled on, or, once the run is
     /// being stopped, for as long as [`STOP_GRACE`].
     pub(super) async fn run_burst(&mut self, shots: u64) -> Result<(), AcquisitionError> {
-        if !self.wait_until_armed().await? {
-            return Ok(());
-        }
         let fired_before = self.fired;
         self.fire(shots).await?;
-        let planned_end = Instant::now() + self.planned_duration(shots);
-        let (mut ended, mut stop_by, mut broken_off) = (false, None, false);
+        let planned_end = self.time + self.planned_duration(shots);
+        let (mut ended, mut stop_by) = (false, None);
         let mut looked = Instant::now();
         let mut tick = tokio::time::interval(TICK);
+        let stop = self.stop.clone();
         while !ended || self.pairing.open_triggers() > 0 {
             tokio::select! {
-                event = self.events.recv() => self.handle(event)?,
-                _ = tick.tick() => {
-                    let rulings = self.pairing.tick(self.began.elapsed());
-                    self.apply(rulings)?;
-                }
-                () = self.stop.cancelled(), if stop_by.is_none() => {
+                event = self.events.recv() => self.handle(event).await?,
+                _ = tick.tick() => self.look_at_the_time().await?,
+                request = self.control.next() => self.obey(request).await?,
+                () = stop.cancelled(), if stop_by.is_none() => {
                     self.make_safe().await?;
+                    self.note(Entry::Stopping { at_ns: self.at_ns() }).await?;
                     stop_by = Some(Instant::now() + STOP_GRACE);
                 }
             }
-            if !broken_off && !self.all_connected() {
-                self.make_safe().await?;
-                broken_off = true;
+            if !self.broken_off && !self.all_connected() {
+                self.break_off().await?;
             }
             self.watch_external_trigger(&mut looked).await?;
-            let now = Instant::now();
             let all_ruled = self.pairing.open_triggers() == 0;
-            let over = now >= planned_end || all_ruled || broken_off || stop_by.is_some();
+            let over =
+                self.time >= planned_end || all_ruled || self.broken_off || stop_by.is_some();
             if !ended && over {
                 ended = self.try_end_burst().await?;
             }
             // Frames may set the pace of a simulated bench: a burst ends late while they come.
             let last_sign = planned_end.max(self.last_frame);
-            if !ended && now > last_sign + self.settings.patience + BURST_GRACE {
+            if !ended && self.time > last_sign + self.settings.patience + BURST_GRACE {
                 return Err(AcquisitionError::Endless { shots });
             }
-            if stop_by.is_some_and(|end| now > end) {
+            if stop_by.is_some_and(|end| Instant::now() > end) {
                 break;
             }
         }
-        self.places.clear();
-        if self.stop.is_cancelled() || broken_off {
+        if self.stop.is_cancelled() || self.broken_off {
             return Ok(());
         }
         if self.fired == fired_before {
             return Err(AcquisitionError::NoTriggers { shots });
         }
         self.check_silence().await
+    }
+
+    /// Time goes on while nothing is seen. It must not overtake what was seen and waits to be
+    /// taken: that is looked for after the clock was read.
+    async fn look_at_the_time(&mut self) -> Result<(), AcquisitionError> {
+        let now = self.clock.now();
+        if self.events.is_empty() { self.time_passes(now).await } else { Ok(()) }
     }
 
     /// A source of triggers that is too fast is seen by looking only; the driver ends firing then.
@@ -120,27 +154,35 @@ impl Run {
         Ok(())
     }
 
-    /// Lets the lamps warm up, if they need to; false when the run is stopped meanwhile.
+    /// Lets the lamps warm up, if they need to; false when the run is stopped meanwhile, or when
+    /// something else is asked of it.
     async fn wait_until_armed(&mut self) -> Result<bool, AcquisitionError> {
         let wait = self.synchroniser.call(|unit| unit.arm()).await?;
         let armed = tokio::time::sleep(wait);
         tokio::pin!(armed);
+        let stop = self.stop.clone();
         loop {
             tokio::select! {
-                () = self.stop.cancelled() => return Ok(false),
-                event = self.events.recv() => self.handle(event)?,
-                () = &mut armed => return Ok(true),
+                () = stop.cancelled() => return Ok(false),
+                event = self.events.recv() => self.handle(event).await?,
+                request = self.control.next() => self.obey(request).await?,
+                () = &mut armed => break,
             }
         }
+        Ok(self.mode() == Mode::Firing && self.is_programmed && self.all_connected())
     }
 
     async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
-        let first = self.pairing.fired(shots, self.began.elapsed());
+        self.time_passes(self.clock.now()).await?;
+        self.broken_off = false;
+        self.bursts_fired += 1;
+        let first = self.pairing.fired(shots, self.time);
         for trigger in first..first + shots {
             note(self.ledger.lock().enter(trigger));
         }
         self.fired += shots;
         self.presence.iter_mut().for_each(|camera| camera.silent += shots);
+        self.note(Entry::Fired { at_ns: self.at_ns(), first, shots }).await?;
         self.synchroniser.call(move |unit| unit.fire(shots)).await
     }
 
@@ -160,8 +202,9 @@ impl Run {
             // A unit that does not count is taken at its word; frames say the rest.
             _ => self.fired,
         };
+        self.note(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
         let rulings = self.pairing.burst_ended(given)?;
-        self.apply(rulings)?;
+        self.apply(rulings).await?;
         Ok(true)
     }
 

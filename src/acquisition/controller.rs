@@ -1,16 +1,22 @@
-//! The run loop: bursts out, frames in, shots on.
+//! The run: its parts, its beginning and its end.
 
-use std::{collections::VecDeque, sync::Arc, thread::JoinHandle, time::Instant};
+use std::{sync::Arc, thread::JoinHandle, time::Duration};
 
-use lfpiv_hw::device::{Camera, Synchroniser, SynchroniserState};
+use lfpiv_hw::{
+    device::{Camera, Synchroniser, SynchroniserState},
+    synchroniser::line,
+};
 use parking_lot::Mutex;
 use tokio::sync::mpsc;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::{
-    AcquisitionError, AcquisitionSettings, Ledger, Shot,
+    AcquisitionError, AcquisitionSettings, ControlInbox, HostClock, Journal, Ledger, Mode,
+    RunClock, ShotSender,
     absence::Presence,
+    control::control,
     devices::{CameraEvent, SynchroniserThread, join, spawn_camera},
+    journal::Entry,
     pairing::{FrameCounters, Pairing, PairingSettings},
 };
 
@@ -20,6 +26,47 @@ pub struct Bench {
     pub cameras: Vec<Box<dyn Camera>>,
     /// The unit that triggers them.
     pub synchroniser: Box<dyn Synchroniser>,
+    /// What goes over the unit's line, to be recorded.
+    pub transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
+}
+
+impl Bench {
+    /// A bench without a line that could be listened to.
+    pub fn new(cameras: Vec<Box<dyn Camera>>, synchroniser: Box<dyn Synchroniser>) -> Self {
+        Self { cameras, synchroniser, transcript: None }
+    }
+}
+
+/// What acquisition shares with the rest of the daemon.
+pub struct AcquisitionLinks {
+    /// What becomes of each trigger.
+    pub ledger: Arc<Mutex<Ledger>>,
+    /// Where paired shots go.
+    pub queue: ShotSender,
+    /// The run's own record.
+    pub journal: Journal,
+    /// By which frames are due and late.
+    pub clock: Arc<dyn RunClock>,
+    /// What is asked of the run under way.
+    pub control: ControlInbox,
+    /// Ends the run.
+    pub stop: CancellationToken,
+}
+
+impl AcquisitionLinks {
+    /// A run that keeps no record, goes by the host's clock and cannot be controlled.
+    pub fn new(ledger: Arc<Mutex<Ledger>>, queue: ShotSender, stop: CancellationToken) -> Self {
+        let fixed = Box::new(|_| Err("the schedule of this run is fixed".to_owned()));
+        let (_, control) = control(Mode::Firing, 0.0, fixed);
+        Self {
+            ledger,
+            queue,
+            journal: Journal::none(),
+            clock: Arc::new(HostClock::start()),
+            control,
+            stop,
+        }
+    }
 }
 
 /// What acquisition has to tell when it ends.
@@ -37,6 +84,7 @@ pub struct AcquisitionReport {
 const EVENT_QUEUE: usize = 8;
 /// How far a frame interval may be off, in ns: a camera's timestamps are good to some µs.
 const FRAME_INTERVAL_TOLERANCE_NS: u64 = 20_000;
+
 /// Makes the synchroniser safe and reads it back: the first thing a run does, before anything
 /// that takes time. What an earlier run left behind must not fire while tables are built.
 ///
@@ -44,7 +92,7 @@ const FRAME_INTERVAL_TOLERANCE_NS: u64 = 20_000;
 ///
 /// [`AcquisitionError::NotSafe`].
 pub async fn secure(bench: Bench) -> Result<Bench, AcquisitionError> {
-    let Bench { cameras, mut synchroniser } = bench;
+    let Bench { cameras, mut synchroniser, transcript } = bench;
     let secured = tokio::task::spawn_blocking(move || {
         let made = synchroniser.make_safe();
         let state = synchroniser.state();
@@ -52,7 +100,7 @@ pub async fn secure(bench: Bench) -> Result<Bench, AcquisitionError> {
     });
     let (synchroniser, made, state) = secured.await.map_err(|error| not_safe(error.to_string()))?;
     confirm_safe(made, state)?;
-    Ok(Bench { cameras, synchroniser })
+    Ok(Bench { cameras, synchroniser, transcript })
 }
 
 /// Safe is what is read back as safe; an error on the way there is not.
@@ -72,9 +120,10 @@ fn not_safe(reason: String) -> AcquisitionError {
     AcquisitionError::NotSafe { reason, before: None }
 }
 
-/// Takes shots until `settings.shots` triggers are given or `stop` is cancelled, and sends them,
-/// paired, into `queue`. What becomes of each trigger is written to `ledger`; shots that were sent
-/// on are settled by whoever takes them from the queue.
+/// Takes shots until `settings.shots` triggers are given or the run is stopped, and sends them,
+/// paired, into the queue. What becomes of each trigger is written to the ledger, and everything
+/// that is seen to the journal; shots that were sent on are settled by whoever takes them from the
+/// queue.
 ///
 /// # Errors
 ///
@@ -83,13 +132,11 @@ fn not_safe(reason: String) -> AcquisitionError {
 pub async fn acquire(
     bench: Bench,
     settings: AcquisitionSettings,
-    ledger: Arc<Mutex<Ledger>>,
-    queue: mpsc::Sender<Shot>,
-    stop: CancellationToken,
+    links: AcquisitionLinks,
 ) -> Result<AcquisitionReport, AcquisitionError> {
-    let mut run = Run::start(bench, settings, ledger, queue, stop)?;
+    let mut run = Run::start(bench, settings, links)?;
     let ended = run.take_shots().await;
-    let closed = run.close().await;
+    let closed = run.close(ended.as_ref().err()).await;
     // What ended the run matters more than what went wrong afterwards, except for the laser.
     match (ended, closed) {
         (Err(error), Err(AcquisitionError::NotSafe { reason, .. })) => {
@@ -100,13 +147,18 @@ pub async fn acquire(
     }
 }
 
-/// A run under way; `burst.rs` fires, `rulings.rs` deals with what comes of it.
+/// A run under way; `burst.rs` fires, `requests.rs` obeys, `rulings.rs` deals with what comes of
+/// it, `record.rs` writes it down.
 pub(super) struct Run {
     pub(super) settings: AcquisitionSettings,
     pub(super) ledger: Arc<Mutex<Ledger>>,
-    pub(super) queue: mpsc::Sender<Shot>,
-    /// Places in the queue that are kept for triggers to come ([`OverloadPolicy::Wait`]).
-    pub(super) places: VecDeque<mpsc::OwnedPermit<Shot>>,
+    pub(super) queue: ShotSender,
+    pub(super) journal: Journal,
+    /// The raw log has failed, and the run is ending for it.
+    pub(super) log_failed: bool,
+    pub(super) clock: Arc<dyn RunClock>,
+    pub(super) control: ControlInbox,
+    pub(super) transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
     pub(super) stop: CancellationToken,
     pub(super) synchroniser: SynchroniserThread,
     /// Not started yet: the laser is disabled before anything else is touched.
@@ -119,13 +171,23 @@ pub(super) struct Run {
     pub(super) events: mpsc::Receiver<CameraEvent>,
     pub(super) pairing: Pairing,
     pub(super) identity: String,
-    pub(super) began: Instant,
-    pub(super) last_frame: Instant,
+    /// The time of what was seen last.
+    pub(super) time: Duration,
+    pub(super) last_frame: Duration,
+    /// Memory of the largest frame so far, in bytes.
+    pub(super) frame_bytes: u64,
     pub(super) fired: u64,
+    pub(super) bursts_fired: usize,
     /// The unit's count when it was programmed; `None` from a unit that does not count.
     pub(super) first_count: Option<u64>,
     /// Triggers given before that.
     pub(super) given_before: u64,
+    /// The unit was made safe since, or another schedule is asked for.
+    pub(super) is_programmed: bool,
+    /// The lamps fire although no shots are taken.
+    pub(super) is_armed: bool,
+    /// The burst that runs was ended before its time.
+    pub(super) broken_off: bool,
     /// Whether each camera is there.
     pub(super) presence: Vec<Presence>,
 }
@@ -134,27 +196,25 @@ impl Run {
     fn start(
         bench: Bench,
         settings: AcquisitionSettings,
-        ledger: Arc<Mutex<Ledger>>,
-        queue: mpsc::Sender<Shot>,
-        stop: CancellationToken,
+        links: AcquisitionLinks,
     ) -> Result<Self, AcquisitionError> {
         let count = bench.cameras.len();
         // First of all: from here on the unit is made safe whatever happens.
         let synchroniser = SynchroniserThread::spawn(bench.synchroniser)?;
         let stop_cameras = CancellationToken::new();
         let (sender, events) = mpsc::channel(EVENT_QUEUE);
-        let pairing = Pairing::new(PairingSettings {
-            cameras: count,
-            period_ns: u64::try_from(settings.period().as_nanos()).unwrap_or(u64::MAX),
-            frame_interval_ns: settings.frame_interval().as_nanos() as u64,
-            frame_interval_tolerance_ns: FRAME_INTERVAL_TOLERANCE_NS,
-            patience: settings.patience,
-        });
+        let pairing = Pairing::new(pairing_settings(&settings, count));
+        let AcquisitionLinks { ledger, queue, journal, clock, control, stop } = links;
+        control.state.lock().dt_us = settings.schedule.dt_us;
         Ok(Self {
             settings,
             ledger,
             queue,
-            places: VecDeque::new(),
+            journal,
+            log_failed: false,
+            clock,
+            control,
+            transcript: bench.transcript,
             stop,
             synchroniser,
             idle_cameras: bench.cameras,
@@ -165,11 +225,16 @@ impl Run {
             events,
             pairing,
             identity: String::new(),
-            began: Instant::now(),
-            last_frame: Instant::now(),
+            time: Duration::ZERO,
+            last_frame: Duration::ZERO,
+            frame_bytes: 0,
             fired: 0,
+            bursts_fired: 0,
             first_count: None,
             given_before: 0,
+            is_programmed: false,
+            is_armed: false,
+            broken_off: false,
             presence: vec![Presence::default(); count],
         })
     }
@@ -192,6 +257,10 @@ impl Run {
         self.synchroniser.call(move |unit| unit.program(&schedule)).await?;
         self.first_count = self.synchroniser.call(|unit| unit.trigger_count()).await?;
         self.given_before = self.fired;
+        self.is_programmed = true;
+        self.pairing.rescheduled(pairing_settings(&self.settings, self.presence.len()));
+        let (identity, schedule) = (self.identity.clone(), self.settings.schedule.clone());
+        self.note(Entry::Programmed { at_ns: self.at_ns(), identity, schedule }).await?;
         Ok(())
     }
 
@@ -199,38 +268,40 @@ impl Run {
     async fn start_cameras(&mut self) -> Result<(), AcquisitionError> {
         let Some(events) = self.event_sender.take() else { return Ok(()) };
         for (index, camera) in std::mem::take(&mut self.idle_cameras).into_iter().enumerate() {
-            self.cameras.push(spawn_camera(
-                index,
-                camera,
-                events.clone(),
-                self.stop_cameras.clone(),
-            )?);
+            let (events, clock) = (events.clone(), self.clock.clone());
+            let stop = self.stop_cameras.clone();
+            self.cameras.push(spawn_camera(index, camera, events, clock, stop)?);
         }
         drop(events);
         for _ in 0..self.cameras.len() {
             let event = self.events.recv().await;
-            self.handle(event)?;
+            self.handle(event).await?;
         }
         Ok(())
     }
 
     /// Laser first, cameras second, books last.
-    async fn close(mut self) -> Result<AcquisitionReport, AcquisitionError> {
+    async fn close(
+        mut self,
+        error: Option<&AcquisitionError>,
+    ) -> Result<AcquisitionReport, AcquisitionError> {
+        self.control.state.lock().mode = Mode::Stopping;
         let safe = self.make_safe().await;
         self.stop_cameras.cancel();
         drop(self.event_sender.take());
         // The channel ends with the camera threads; what was on its way still counts.
         while let Some(event) = self.events.recv().await {
-            self.handle_leftover(event);
+            self.handle_leftover(event).await;
         }
         for camera in std::mem::take(&mut self.cameras) {
             join(camera).await;
         }
-        self.places.clear();
         let rulings = self.pairing.finish();
-        let ruled = self.apply(rulings);
+        let ruled = self.apply(rulings).await;
+        let error = error.map(ToString::to_string);
+        let noted = self.note(Entry::Ended { at_ns: self.at_ns(), error }).await;
         self.synchroniser.close().await;
-        safe.and(ruled)?;
+        safe.and(ruled).and(noted.map(|_| ()))?;
         Ok(AcquisitionReport {
             synchroniser: self.identity,
             triggers: self.fired,
@@ -238,10 +309,22 @@ impl Run {
         })
     }
 
-    /// Safe, and read back.
+    /// Safe, and read back. The schedule has to be programmed anew after this.
     pub(super) async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
+        (self.is_programmed, self.is_armed) = (false, false);
         let made = self.synchroniser.call(|unit| unit.make_safe()).await;
         let state = self.synchroniser.call(|unit| unit.state()).await;
         confirm_safe(made, state)
+    }
+}
+
+fn pairing_settings(settings: &AcquisitionSettings, cameras: usize) -> PairingSettings {
+    PairingSettings {
+        cameras,
+        period_ns: u64::try_from(settings.period().as_nanos()).unwrap_or(u64::MAX),
+        frame_interval_ns: settings.frame_interval().as_nanos() as u64,
+        frame_interval_tolerance_ns: FRAME_INTERVAL_TOLERANCE_NS,
+        dt_us: settings.schedule.dt_us,
+        patience: settings.patience,
     }
 }

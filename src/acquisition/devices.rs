@@ -3,7 +3,7 @@
 use std::{
     any::Any,
     panic::{AssertUnwindSafe, catch_unwind},
-    sync::mpsc as std_mpsc,
+    sync::{Arc, mpsc as std_mpsc},
     thread::JoinHandle,
     time::Duration,
 };
@@ -12,7 +12,7 @@ use lfpiv_hw::device::{Camera, DeviceError, Frame, StreamStatistics, Synchronise
 use tokio::sync::{mpsc, oneshot};
 use tokio_util::sync::CancellationToken;
 
-use super::AcquisitionError;
+use super::{AcquisitionError, RunClock};
 
 /// How long a camera thread waits for a frame before it looks whether it should stop.
 const FRAME_WAIT: Duration = Duration::from_millis(50);
@@ -22,10 +22,10 @@ const FRAME_WAIT: Duration = Duration::from_millis(50);
 pub(super) enum CameraEvent {
     /// The camera waits for triggers; it may be away for so long before that is noticed.
     Started { camera: usize, notices_absence_within: Duration },
-    /// A frame came, and what the stream has counted since the start.
-    Frame { camera: usize, frame: Frame, statistics: StreamStatistics },
+    /// A frame came, when, and what the stream has counted since the start.
+    Frame { camera: usize, frame: Frame, arrived: Duration, statistics: StreamStatistics },
     /// The camera has vanished or is back, or it has stopped: what its stream has counted.
-    Stream { camera: usize, connected: bool, statistics: StreamStatistics },
+    Stream { camera: usize, connected: bool, at: Duration, statistics: StreamStatistics },
     /// The camera is of no more use; its thread has ended.
     Failed { error: DeviceError },
 }
@@ -35,13 +35,15 @@ pub(super) fn spawn_camera(
     index: usize,
     mut camera: Box<dyn Camera>,
     events: mpsc::Sender<CameraEvent>,
+    clock: Arc<dyn RunClock>,
     stop: CancellationToken,
 ) -> Result<JoinHandle<()>, AcquisitionError> {
     let name = camera.name().to_owned();
     let thread = std::thread::Builder::new().name(format!("camera {name}"));
     let run = move || {
         let device = camera.name().to_owned();
-        let streamed = guarded(&device, || stream(index, camera.as_mut(), &events, &stop));
+        let streamed =
+            guarded(&device, || stream(index, camera.as_mut(), &events, clock.as_ref(), &stop));
         let stopped = guarded(&device, || camera.stop());
         if let Err(error) = streamed.and(stopped) {
             // With the receiver gone nobody is left to tell but the log.
@@ -57,6 +59,7 @@ fn stream(
     index: usize,
     camera: &mut dyn Camera,
     events: &mpsc::Sender<CameraEvent>,
+    clock: &dyn RunClock,
     stop: &CancellationToken,
 ) -> Result<(), DeviceError> {
     camera.start()?;
@@ -66,23 +69,24 @@ fn stream(
     let mut connected = true;
     while listening && !stop.is_cancelled() {
         let frame = camera.next_frame(FRAME_WAIT)?;
+        let now = clock.now();
         if camera.is_connected() != connected {
             connected = !connected;
-            listening = events.blocking_send(stream_event(index, camera, connected)).is_ok();
+            listening = events.blocking_send(stream_event(index, camera, connected, now)).is_ok();
         }
         if let Some(frame) = frame {
             let statistics = camera.statistics();
-            let event = CameraEvent::Frame { camera: index, frame, statistics };
+            let event = CameraEvent::Frame { camera: index, frame, arrived: now, statistics };
             listening = events.blocking_send(event).is_ok();
         }
     }
     // Frames that were lost last have no frame behind them to tell.
-    let _ = events.blocking_send(stream_event(index, camera, connected));
+    let _ = events.blocking_send(stream_event(index, camera, connected, clock.now()));
     Ok(())
 }
 
-fn stream_event(index: usize, camera: &dyn Camera, connected: bool) -> CameraEvent {
-    CameraEvent::Stream { camera: index, connected, statistics: camera.statistics() }
+fn stream_event(index: usize, camera: &dyn Camera, connected: bool, at: Duration) -> CameraEvent {
+    CameraEvent::Stream { camera: index, connected, at, statistics: camera.statistics() }
 }
 
 /// A driver's panic must not leave the laser on or a thread silently dead.

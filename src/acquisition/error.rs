@@ -3,7 +3,10 @@
 use lfpiv_hw::device::DeviceError;
 use thiserror::Error;
 
+use std::sync::Arc;
+
 use super::pairing::ExtraTriggers;
+use crate::archive::RawLogError;
 
 /// Why acquisition could not begin or go on. The synchroniser has been made safe by then, or the
 /// error says that it has not.
@@ -36,6 +39,15 @@ pub enum AcquisitionError {
     /// Triggers from elsewhere.
     #[error(transparent)]
     ExtraTriggers(#[from] ExtraTriggers),
+    /// The run's raw data can no longer be kept.
+    #[error(transparent)]
+    RawLog(#[from] Arc<RawLogError>),
+    /// The disk takes no more, and says nothing about it.
+    #[error(
+        "the disk has taken nothing for {seconds} s and frames wait to be written: check the disk \
+         that holds the results"
+    )]
+    DiskHangs { seconds: u64 },
     /// Nobody takes the shots.
     #[error("the worker pool no longer takes shots")]
     QueueClosed,

@@ -9,20 +9,31 @@
 
 mod absence;
 mod burst;
+mod clock;
+mod control;
 mod controller;
 mod devices;
 mod error;
+mod gate;
+pub mod journal;
 mod ledger;
 mod outcome;
 pub mod pairing;
+mod queue;
+mod record;
+mod requests;
 mod rulings;
 mod settings;
 mod shot;
 
-pub use controller::{AcquisitionReport, Bench, acquire, secure};
+pub use clock::{HostClock, RunClock};
+pub use control::{Command, Control, ControlInbox, ControlState, Mode, Planner, Refusal, control};
+pub use controller::{AcquisitionLinks, AcquisitionReport, Bench, acquire, secure};
 pub use devices::panic_message;
 pub use error::AcquisitionError;
+pub use journal::Journal;
 pub use ledger::{Ledger, LedgerError, TriggerEntry};
 pub use outcome::{Account, Outcome, OutcomeCounts};
+pub use queue::{Closed, ShotReceiver, ShotSender, shot_queue};
 pub use settings::{AcquisitionSettings, MAX_BURST, OverloadPolicy};
 pub use shot::Shot;

@@ -1,9 +1,9 @@
 //! How triggers end, and one camera's count of it.
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// How a trigger ended for one camera.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
     /// Both frames arrived whole, were paired and processed. Whether processing found vectors is
@@ -21,7 +21,7 @@ pub enum Outcome {
     Unpaired,
     /// Not processed although nothing is wrong with it: the queue was full or the run ended.
     Shed,
-    /// Processed, but the result could not be written.
+    /// The result or the raw images could not be written.
     WriteFailed,
 }
 

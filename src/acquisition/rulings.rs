@@ -1,28 +1,41 @@
 //! What comes of a burst: camera events, rulings, the ledger, the queue.
 
-use std::time::Instant;
-
-use tokio::sync::mpsc;
+use std::time::Duration;
 
 use super::{
-    AcquisitionError, LedgerError, Outcome, Shot, controller::Run, devices::CameraEvent,
+    AcquisitionError, LedgerError, Outcome, Shot,
+    controller::Run,
+    devices::CameraEvent,
+    journal::{Entry, FrameHead},
     pairing::Ruling,
 };
 
 impl Run {
-    pub(super) fn handle(&mut self, event: Option<CameraEvent>) -> Result<(), AcquisitionError> {
+    pub(super) async fn handle(
+        &mut self,
+        event: Option<CameraEvent>,
+    ) -> Result<(), AcquisitionError> {
         match event {
-            Some(CameraEvent::Frame { camera, frame, statistics }) => {
+            Some(CameraEvent::Frame { camera, frame, arrived, statistics }) => {
+                // What time alone decides comes first: a replay, too, finds it decided.
+                self.time_passes(arrived).await?;
                 self.presence[camera].silent = 0;
-                self.last_frame = Instant::now();
+                self.last_frame = self.time;
+                self.frame_bytes = self.frame_bytes.max(2 * frame.image.counts().len() as u64);
                 self.ledger.lock().streamed(camera, statistics);
+                let (at_ns, head) = (self.at_ns(), FrameHead::from(&frame));
+                let entry = Entry::Frame { at_ns, camera, frame: head, statistics };
+                self.note_frame(entry, &frame.image).await?;
                 self.pairing.underruns(camera, statistics.underruns);
-                let rulings = self.pairing.frame(camera, frame, self.began.elapsed());
-                self.apply(rulings)
+                let rulings = self.pairing.frame(camera, frame, self.time);
+                self.apply(rulings).await
             }
-            Some(CameraEvent::Stream { camera, connected, statistics }) => {
+            Some(CameraEvent::Stream { camera, connected, at, statistics }) => {
+                self.time_passes(at).await?;
                 self.ledger.lock().streamed(camera, statistics);
                 self.presence[camera].tell(connected);
+                let at_ns = self.at_ns();
+                self.note(Entry::Stream { at_ns, camera, connected, statistics }).await?;
                 Ok(())
             }
             Some(CameraEvent::Started { camera, notices_absence_within }) => {
@@ -35,50 +48,75 @@ impl Run {
         }
     }
 
-    pub(super) fn apply(&mut self, rulings: Vec<Ruling>) -> Result<(), AcquisitionError> {
+    /// It is `now` at least: looks for frames that will not come. Events of two cameras may be
+    /// stamped in another order than they are seen; time does not go back for that.
+    pub(super) async fn time_passes(&mut self, now: Duration) -> Result<(), AcquisitionError> {
+        self.time = self.time.max(now);
+        let rulings = self.pairing.tick(self.time);
+        self.apply(rulings).await
+    }
+
+    pub(super) async fn apply(&mut self, rulings: Vec<Ruling>) -> Result<(), AcquisitionError> {
+        // The ledger is complete even where the record fails: the first failure is reported last.
+        let mut ended = Ok(());
         for ruling in rulings {
-            match ruling {
-                Ruling::Paired(shot) => self.send_on(shot)?,
+            let applied = match ruling {
+                Ruling::Paired(shot) => self.send_on(shot).await,
                 Ruling::Settled { trigger, camera, outcome } => {
-                    // What is shed was nobody's fault, and there may be many at the end of a run.
-                    if outcome == Outcome::Shed {
-                        tracing::debug!(trigger, camera, "shed");
-                    } else {
-                        tracing::warn!(trigger, camera, outcome = outcome.name(), "shot lost");
-                    }
-                    note(self.ledger.lock().settle(trigger, camera, outcome));
+                    self.settle(trigger, camera, outcome).await
                 }
                 Ruling::Withdrawn { trigger } => {
                     self.fired -= 1;
                     note(self.ledger.lock().withdraw(trigger));
+                    self.note(Entry::Withdrawn { trigger }).await.map(|_| ())
                 }
-            }
+            };
+            ended = ended.and(applied);
         }
-        Ok(())
+        ended
     }
 
-    fn send_on(&mut self, shot: Shot) -> Result<(), AcquisitionError> {
+    async fn settle(
+        &mut self,
+        trigger: u64,
+        camera: usize,
+        outcome: Outcome,
+    ) -> Result<(), AcquisitionError> {
+        // What is shed was nobody's fault, and there may be many at the end of a run.
+        if outcome == Outcome::Shed {
+            tracing::debug!(trigger, camera, "shed");
+        } else {
+            tracing::warn!(trigger, camera, outcome = outcome.name(), "shot lost");
+        }
+        note(self.ledger.lock().settle(trigger, camera, outcome));
+        self.note(Entry::Settled { trigger, camera, outcome }).await.map(|_| ())
+    }
+
+    async fn send_on(&mut self, shot: Shot) -> Result<(), AcquisitionError> {
         let trigger = shot.trigger;
         self.ledger.lock().queued(trigger, &shot.suspect);
-        if let Some(place) = self.places.pop_front() {
-            place.send(shot);
-            return Ok(());
-        }
-        match self.queue.try_send(shot) {
-            Ok(()) => Ok(()),
-            Err(refused) => {
-                note(self.ledger.lock().settle_all(trigger, Outcome::Shed));
-                match refused {
-                    mpsc::error::TrySendError::Full(_) => Ok(()),
-                    mpsc::error::TrySendError::Closed(_) => Err(AcquisitionError::QueueClosed),
-                }
-            }
-        }
+        let ids = |frames: &[lfpiv_hw::device::Frame; 2]| frames.each_ref().map(|f| f.frame_id);
+        let entry = Entry::Shot {
+            trigger,
+            frame_ids: shot.cameras.iter().map(ids).collect(),
+            suspect: shot.suspect.clone(),
+            dt_us: shot.dt_us,
+        };
+        let noted = self.note(entry).await;
+        self.journal.paired(trigger, noted.as_ref().ok().copied().flatten());
+        let shed = match self.queue.push(shot) {
+            Ok(None) => return noted.map(|_| ()),
+            Ok(Some(oldest)) => oldest.trigger,
+            Err(_) => trigger,
+        };
+        note(self.ledger.lock().settle_all(shed, Outcome::Shed));
+        let noted = noted.and(self.note(Entry::Shed { trigger: shed }).await);
+        if shed == trigger { Err(AcquisitionError::QueueClosed) } else { noted.map(|_| ()) }
     }
 
     /// Events that come while the run is torn down cannot change how it ends.
-    pub(super) fn handle_leftover(&mut self, event: CameraEvent) {
-        if let Err(error) = self.handle(Some(event)) {
+    pub(super) async fn handle_leftover(&mut self, event: CameraEvent) {
+        if let Err(error) = self.handle(Some(event)).await {
             tracing::warn!(%error, "while the run was ending");
         }
     }

@@ -22,6 +22,8 @@ pub struct AcquisitionSettings {
     pub schedule: PulseSchedule,
     /// Triggers to give; unbounded when absent.
     pub shots: Option<NonZeroU64>,
+    /// The shots of each burst, to play a run again; the run loop decides when absent.
+    pub bursts: Option<Vec<u64>>,
     /// What happens when the queue is full.
     pub overload: OverloadPolicy,
     /// How long a frame that is due is waited for.

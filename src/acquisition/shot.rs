@@ -9,6 +9,8 @@ pub struct Shot {
     pub trigger: u64,
     /// Exposures 1 and 2 of each camera, in the order of the configuration's cameras.
     pub cameras: Vec<[Frame; 2]>,
+    /// Time between the light pulses, in µs.
+    pub dt_us: f64,
     /// Evidence that disagrees with the pairing, in words; empty for a shot in order. A suspect
     /// shot is kept and marked, and whoever reads its result must see the mark.
     pub suspect: Vec<String>,

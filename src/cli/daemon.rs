@@ -24,14 +24,14 @@ use std::{
 use anyhow::{Context, anyhow};
 use lfpiv_hw::PulseSchedule;
 use parking_lot::Mutex;
-use tokio::{net::TcpListener, sync::mpsc, task::JoinHandle};
+use tokio::{net::TcpListener, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
 use super::{ledger_file::write_ledger, run_folder::create_run_folder, run_info::run_info};
 use crate::{
     acquisition::{
-        AcquisitionReport, AcquisitionSettings, Bench, Ledger, OverloadPolicy, acquire,
-        panic_message, secure,
+        AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Journal, Ledger,
+        OverloadPolicy, acquire, panic_message, secure, shot_queue,
     },
     archive::ResultStore,
     config::ConfigFile,
@@ -64,6 +64,7 @@ impl DaemonPlan {
         Ok(AcquisitionSettings {
             schedule,
             shots: self.shots,
+            bursts: None,
             overload: self.overload,
             patience: instruments.map_or(SIMULATED_PATIENCE, |instruments| {
                 Duration::from_secs_f64(instruments.frame_patience_s)
@@ -150,6 +151,7 @@ impl Daemon {
         let server = tokio::spawn(server);
         let links = PoolLinks {
             ledger: self.ledger.clone(),
+            journal: Journal::none(),
             board: self.board.clone(),
             stop: stop.clone(),
         };
@@ -201,9 +203,10 @@ where
     P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
     E: Display + 'static,
 {
-    let (sender, receiver) = mpsc::channel(queue);
+    let (sender, receiver) = shot_queue(queue);
     let pool = tokio::spawn(pool.run(receiver));
-    let acquired = unpanicked(tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop)));
+    let links = AcquisitionLinks::new(ledger.clone(), sender, stop);
+    let acquired = unpanicked(tokio::spawn(acquire(bench, settings, links)));
     let acquired = acquired.await;
     state.set_phase(Phase::Stopping);
     let processed = unpanicked(pool).await;

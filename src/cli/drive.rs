@@ -13,12 +13,14 @@ use lfpiv_sim::{
     wire::{Pictures, WireSettings, bench::WireBench},
 };
 use parking_lot::Mutex;
-use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
 
 use super::instruments::open;
 use crate::{
-    acquisition::{AcquisitionSettings, Bench, Ledger, Outcome, OverloadPolicy, acquire},
+    acquisition::{
+        AcquisitionLinks, AcquisitionSettings, Bench, Ledger, Outcome, OverloadPolicy, acquire,
+        shot_queue,
+    },
     benchmark::{Streamed, processor_seconds},
     config::{Config, InstrumentSettings},
 };
@@ -53,6 +55,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     let settings = AcquisitionSettings {
         schedule: PulseSchedule::plan(&config.timing, config.shot.dt_us, config.shot.rate_hz)?,
         shots: Some(shots),
+        bursts: None,
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs_f64(named.frame_patience_s),
     };
@@ -104,9 +107,10 @@ async fn take_all(
     ledger: &Arc<Mutex<Ledger>>,
 ) -> anyhow::Result<()> {
     let room = settings.max_burst() as usize;
-    let (sender, mut receiver) = mpsc::channel(room);
+    let (sender, mut receiver) = shot_queue(room);
     let stop = CancellationToken::new();
-    let acquiring = tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop));
+    let links = AcquisitionLinks::new(ledger.clone(), sender, stop);
+    let acquiring = tokio::spawn(acquire(bench, settings, links));
     while let Some(shot) = receiver.recv().await {
         ledger.lock().settle_all(shot.trigger, Outcome::Complete)?;
     }

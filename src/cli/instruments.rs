@@ -7,8 +7,9 @@ use lfpiv_hw::{
     RecordedCamera,
     device::Camera,
     gige::{self, CameraSettings, ImageSize},
-    synchroniser,
+    synchroniser::{self, line::Transcript},
 };
+use tokio::sync::mpsc;
 
 use crate::{
     acquisition::Bench,
@@ -21,13 +22,17 @@ use crate::{
 /// # Errors
 /// The first instrument that cannot be had.
 pub(super) fn open(config: &Config, instruments: &InstrumentSettings) -> anyhow::Result<Bench> {
-    let synchroniser = synchroniser::open(&instruments.synchroniser, &config.timing)
+    let (bytes, transcript) = mpsc::unbounded_channel();
+    // Nobody listens where no record of the run is kept.
+    let listener = Transcript::told(move |entry| drop(bytes.send(entry)));
+    let synchroniser = synchroniser::open(&instruments.synchroniser, &config.timing, listener)
         .context("the synchroniser cannot be used")?;
     let size = ImageSize::from(&config.optics.sensor);
     let cameras = instruments.camera.iter().enumerate().map(|(index, settings)| {
         open_camera(index, settings, size, instruments.frame_record.as_deref())
     });
-    Ok(Bench { cameras: cameras.collect::<anyhow::Result<_>>()?, synchroniser })
+    let cameras = cameras.collect::<anyhow::Result<_>>()?;
+    Ok(Bench { cameras, synchroniser, transcript: Some(transcript) })
 }
 
 fn open_camera(

@@ -69,7 +69,7 @@ fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Benc
     };
     let seed = scene.seed;
     let bench = connect(scene, config.bench_geometry(), seed, pacing);
-    Ok(Bench { cameras: bench.cameras, synchroniser: bench.synchroniser })
+    Ok(Bench::new(bench.cameras, bench.synchroniser))
 }
 
 async fn run_bench(

@@ -10,7 +10,7 @@ mod settings;
 
 pub use background::{Condensation, StationaryLight};
 pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
-pub use pair::ImagePair;
+pub use pair::{ImagePair, RawLevel};
 pub use photometry::{LightLevels, PhotometricZones};
 pub use sampling::{AxisSampling, Sample};
 pub use seeding::Seeding;

@@ -17,14 +17,17 @@ use std::{
 use parking_lot::Mutex;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio_util::sync::CancellationToken;
 
 use super::{
     Board, ImagePair, PairResult, ShotRecord,
     writer::{Finished, Observer, ResultSink, Writer},
 };
-use crate::acquisition::{Ledger, LedgerError, Outcome, Shot, panic_message};
+use crate::{
+    acquisition::{Journal, Ledger, LedgerError, Outcome, Shot, ShotReceiver, panic_message},
+    lightfield::RawLevel,
+};
 
 /// How many workers, on how many threads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,10 +62,12 @@ pub enum PoolError {
 }
 
 /// What the pool shares with the rest of the daemon.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct PoolLinks {
     /// Where each shot's end is settled.
     pub ledger: Arc<Mutex<Ledger>>,
+    /// How safe each shot's raw data is.
+    pub journal: Journal,
     /// Where records and results are shown.
     pub board: Arc<Board>,
     /// Cancelled when shots that wait shall not be processed any more.
@@ -116,7 +121,7 @@ where
     /// # Errors
     ///
     /// [`PoolError::WriterPanicked`], [`PoolError::Close`].
-    pub async fn run(self, mut queue: mpsc::Receiver<Shot>) -> Result<(), PoolError> {
+    pub async fn run(self, mut queue: ShotReceiver) -> Result<(), PoolError> {
         let free = Arc::new(Semaphore::new(self.workers));
         loop {
             // A worker first, a shot second: what no worker can take stays in the queue.
@@ -143,11 +148,11 @@ where
         let results = self.results.clone();
         let links = self.links.clone();
         self.threads.spawn(move || {
-            let Shot { trigger, cameras, suspect } = shot;
+            let Shot { trigger, cameras, dt_us, suspect } = shot;
             links.board.processing(trigger);
             let cameras = cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
             let pair = ImagePair { cameras: cameras.collect() };
-            let result = process_guarded(process.as_ref(), &pair, suspect);
+            let result = process_guarded(process.as_ref(), &pair, dt_us, suspect);
             let finished = Finished { shot: trigger, result, worker };
             if let Err(std_mpsc::SendError(lost)) = results.send(finished) {
                 links.write_failed(lost, "the writer of results has ended");
@@ -178,6 +183,8 @@ impl PoolLinks {
         outcome: Outcome,
         record: impl FnOnce(&Board) -> ShotRecord,
     ) -> ShotRecord {
+        let raw_lost = self.journal.level(shot) == RawLevel::Lost;
+        let outcome = if raw_lost { Outcome::WriteFailed } else { outcome };
         let mut ledger = self.ledger.lock();
         let record = record(&self.board);
         note(ledger.settle_all(shot, outcome));
@@ -195,12 +202,15 @@ fn note(entry: Result<(), LedgerError>) {
 fn process_guarded<E: Display>(
     process: &impl Fn(&ImagePair) -> Result<PairResult, E>,
     pair: &ImagePair,
+    dt_us: f64,
     suspect: Vec<String>,
 ) -> Result<PairResult, String> {
     let processed = catch_unwind(AssertUnwindSafe(|| process(pair)));
     let mut result = processed
         .map_err(|panic| format!("the worker panicked: {}", panic_message(panic.as_ref())))?
         .map_err(|error| error.to_string())?;
+    // Whoever runs the bench may have changed it since the start.
+    result.field.dt_s = dt_us * 1e-6;
     result.warnings.extend(suspect.into_iter().map(|words| format!("suspect pairing: {words}")));
     Ok(result)
 }

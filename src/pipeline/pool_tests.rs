@@ -13,7 +13,7 @@ use lfpiv_hw::{
 
 use super::*;
 use crate::{
-    acquisition::Ledger,
+    acquisition::{Ledger, shot_queue},
     pipeline::{Lookup, RESULTS_IN_MEMORY, ShotRecord, Stage, StageSeconds},
     velocimetry::{VectorGrid, VectorStatus, VelocityField},
 };
@@ -58,6 +58,7 @@ fn result() -> PairResult {
         },
         seconds: StageSeconds::default(),
         warnings: Vec::new(),
+        raw: Default::default(),
         model: Default::default(),
     }
 }
@@ -71,7 +72,7 @@ fn shot(trigger: u64) -> Shot {
         host_timestamp_ns: 0,
         status: FrameStatus::Complete,
     };
-    Shot { trigger, cameras: vec![[frame(), frame()]], suspect: Vec::new() }
+    Shot { trigger, cameras: vec![[frame(), frame()]], dt_us: 100.0, suspect: Vec::new() }
 }
 
 fn number(pair: &ImagePair) -> u16 {
@@ -90,6 +91,7 @@ impl Rig {
         (0..shots).for_each(|trigger| ledger.enter(trigger).unwrap());
         let links = PoolLinks {
             ledger: Arc::new(Mutex::new(ledger)),
+            journal: Journal::none(),
             board: Arc::new(Board::new()),
             stop: CancellationToken::new(),
         };
@@ -113,10 +115,10 @@ impl Rig {
     }
 }
 
-async fn filled(shots: u64) -> mpsc::Receiver<Shot> {
-    let (sender, receiver) = mpsc::channel(shots.max(1) as usize);
+async fn filled(shots: u64) -> ShotReceiver {
+    let (sender, receiver) = shot_queue(shots as usize);
     for trigger in 0..shots {
-        sender.send(shot(trigger)).await.unwrap();
+        assert_eq!(sender.push(shot(trigger)).map(|shed| shed.is_some()), Ok(false));
     }
     receiver
 }
@@ -205,9 +207,9 @@ async fn no_more_shots_are_in_hand_than_there_are_workers() {
 #[tokio::test]
 async fn suspect_shots_are_processed_and_marked() {
     let rig = Rig::new(1);
-    let (sender, receiver) = mpsc::channel(1);
+    let (sender, receiver) = shot_queue(1);
     let suspect = vec!["camera 1: frame b came late".to_owned()];
-    sender.send(Shot { suspect, ..shot(0) }).await.unwrap();
+    assert!(sender.push(Shot { suspect, ..shot(0) }).is_ok());
     drop(sender);
     rig.pool(1, |_| Ok(result())).run(receiver).await.unwrap();
     let warnings = rig.links.board.record(0).unwrap().warnings;

@@ -6,7 +6,9 @@ use lfpiv_hw::{Optics, Pose, RawImage};
 use thiserror::Error;
 
 use crate::{
-    lightfield::{Background, Condensation, ImageSettings, PhotometricZones, StationaryLight},
+    lightfield::{
+        Background, Condensation, ImageSettings, PhotometricZones, RawLevel, StationaryLight,
+    },
     model::{ModelError, ModelSettings, VolumeGrid},
     pipeline::{
         ImagePair, PairResult, StageSeconds,
@@ -192,7 +194,13 @@ impl Processor {
         }
         let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s };
         Ok((
-            PairResult { field, seconds, warnings, model: fitted.choice.clone() },
+            PairResult {
+                field,
+                seconds,
+                warnings,
+                raw: RawLevel::NotKept,
+                model: fitted.choice.clone(),
+            },
             [volume_a, volume_b],
         ))
     }

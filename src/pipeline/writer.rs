@@ -60,7 +60,7 @@ impl<S: ResultSink> Writer<S> {
     pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
         for Finished { shot, result, worker } in inbox {
             let ended = catch_unwind(AssertUnwindSafe(|| match result {
-                Ok(result) => self.write(shot, Arc::new(result)),
+                Ok(result) => self.write(shot, result),
                 Err(message) => self.fail(shot, message),
             }));
             if let Err(panic) = ended {
@@ -82,7 +82,9 @@ impl<S: ResultSink> Writer<S> {
         }
     }
 
-    fn write(&mut self, shot: u64, result: Arc<PairResult>) {
+    fn write(&mut self, shot: u64, mut result: PairResult) {
+        result.raw = self.links.journal.level(shot);
+        let result = Arc::new(result);
         let kept = result.clone();
         let record = match self.sink.append(shot, &result) {
             Ok(()) => self.links.conclude(shot, Outcome::Complete, |board| board.done(shot, kept)),

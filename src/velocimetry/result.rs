@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::VelocityField;
-use crate::model::ModelChoice;
+use crate::{lightfield::RawLevel, model::ModelChoice};
 
 /// Wall-clock seconds spent in each stage of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -27,6 +27,8 @@ pub struct PairResult {
     pub seconds: StageSeconds,
     /// What the reader should know: saturation, a dark camera, an empty volume.
     pub warnings: Vec<String>,
+    /// How safe its raw images were when the result was stored.
+    pub raw: RawLevel,
     /// The forward model behind it, and why it is this one.
     pub model: Arc<ModelChoice>,
 }

@@ -3,12 +3,11 @@
 use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
 
 use lfpiv::acquisition::{
-    AcquisitionError, AcquisitionReport, AcquisitionSettings, Ledger, Outcome, OverloadPolicy,
-    Shot, acquire,
+    AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Ledger, Outcome,
+    OverloadPolicy, Shot, acquire, shot_queue,
 };
 use lfpiv_hw::{PulseSchedule, TimingSettings};
 use parking_lot::Mutex;
-use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
 
 use crate::bench::{CallLog, Trick, bench, configuration};
@@ -43,6 +42,7 @@ pub fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
     AcquisitionSettings {
         schedule: PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap(),
         shots: NonZeroU64::new(shots),
+        bursts: None,
         overload,
         // Longer than a loaded machine takes to render a frame.
         patience: Duration::from_secs(2),
@@ -59,8 +59,9 @@ async fn take(
 ) -> Taken {
     let (bench, calls) = bench(&configuration(Path::new("unused")), tricks);
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));
-    let (sender, mut receiver) = mpsc::channel(queue);
-    let acquiring = tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop));
+    let (sender, mut receiver) = shot_queue(queue);
+    let links = AcquisitionLinks::new(ledger.clone(), sender, stop);
+    let acquiring = tokio::spawn(acquire(bench, settings, links));
     let mut shots = Vec::new();
     while let Some(shot) = receiver.recv().await {
         ledger.lock().settle_all(shot.trigger, Outcome::Complete).unwrap();
@@ -111,12 +112,13 @@ async fn lost_damaged_and_repeated_frames_are_accounted_for() {
 async fn a_full_queue_sheds_and_the_ledger_says_so() {
     let (bench, _) = bench(&configuration(Path::new("unused")), &[]);
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));
-    let (sender, mut receiver) = mpsc::channel(2);
+    let (sender, mut receiver) = shot_queue(2);
     let settings = settings(6, OverloadPolicy::Shed);
     // Nobody takes a shot before the end.
-    acquire(bench, settings, ledger.clone(), sender, CancellationToken::new()).await.unwrap();
+    let links = AcquisitionLinks::new(ledger.clone(), sender, CancellationToken::new());
+    acquire(bench, settings, links).await.unwrap();
     let queued = [receiver.recv().await.unwrap().trigger, receiver.recv().await.unwrap().trigger];
-    assert_eq!(queued, [0, 1]);
+    assert_eq!(queued, [4, 5], "the oldest are shed");
     let account = ledger.lock().accounts()[0];
     assert_eq!((account.triggers, account.open, account.outcomes.of(Outcome::Shed)), (6, 2, 4));
 }

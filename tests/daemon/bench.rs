@@ -59,7 +59,7 @@ pub fn bench(file: &ConfigFile, tricks: &[(usize, u64, Trick)]) -> (Bench, CallL
     });
     let cameras = cameras.collect();
     let synchroniser = Box::new(LoggedUnit { inner: inner.synchroniser, log: log.clone() });
-    (Bench { cameras, synchroniser }, log)
+    (Bench::new(cameras, synchroniser), log)
 }
 
 struct TrickCamera {
@@ -183,6 +183,7 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
         },
         seconds: StageSeconds { decode_s: 0.1, reconstruct_s: 0.2, correlate_s: 0.3 },
         warnings: Vec::new(),
+        raw: Default::default(),
         model: Default::default(),
     }
 }

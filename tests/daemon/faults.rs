@@ -3,15 +3,14 @@
 use std::{sync::Arc, time::Duration};
 
 use lfpiv::acquisition::{
-    AcquisitionError, AcquisitionReport, AcquisitionSettings, Ledger, Outcome, OverloadPolicy,
-    Shot, acquire,
+    AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Ledger, Outcome,
+    OverloadPolicy, Shot, acquire, shot_queue,
 };
 use lfpiv_hw::device::{Camera, DeviceError, Frame, StreamStatistics};
 use lfpiv_sim::faults::{
     CameraFaults, ClockJump, FaultRecord, FaultSettings, FaultyCamera, FrameFault, FrameShares,
 };
 use parking_lot::Mutex;
-use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
 
 use crate::{
@@ -152,11 +151,11 @@ async fn take_with_seed(seed: u64, camera: CameraFaults) -> Taken {
     });
     bench.cameras = wrapped.collect();
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));
-    let (sender, mut receiver) = mpsc::channel(SHOTS as usize);
+    let (sender, mut receiver) = shot_queue(SHOTS as usize);
     let settings =
         AcquisitionSettings { patience: PATIENCE, ..settings(SHOTS, OverloadPolicy::Shed) };
-    let acquiring =
-        tokio::spawn(acquire(bench, settings, ledger.clone(), sender, CancellationToken::new()));
+    let links = AcquisitionLinks::new(ledger.clone(), sender, CancellationToken::new());
+    let acquiring = tokio::spawn(acquire(bench, settings, links));
     let mut shots = Vec::new();
     while let Some(shot) = receiver.recv().await {
         ledger.lock().settle_all(shot.trigger, Outcome::Complete).unwrap();

@@ -10,22 +10,21 @@ use std::{
 
 use lfpiv::{
     acquisition::{
-        AcquisitionError, AcquisitionReport, AcquisitionSettings, Bench, Ledger, Outcome,
-        OverloadPolicy, Shot, acquire,
+        AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Ledger,
+        Outcome, OverloadPolicy, Shot, acquire, shot_queue,
     },
     config::{Config, ConfigFile},
 };
 use lfpiv_hw::{
     PulseSchedule, RawImage, TimingSettings,
     gige::{self, CameraSettings, ImageSize, PixelFormat},
-    synchroniser::{self, SynchroniserDriver, SynchroniserSettings},
+    synchroniser::{self, SynchroniserDriver, SynchroniserSettings, line::Transcript},
 };
 use lfpiv_sim::{
     LightPulse,
     wire::{Pictures, WireSettings, bench::WireBench},
 };
 use parking_lot::Mutex;
-use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
 
 /// Longer than anything takes that is going to happen, on a busy machine too.
@@ -81,12 +80,13 @@ pub fn connect(wire: &WireSettings, size: ImageSize) -> Bench {
         reply_timeout_ms: 1000,
         ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
     };
-    let synchroniser = synchroniser::open(&settings, &timing()).expect("a synchroniser");
+    let synchroniser =
+        synchroniser::open(&settings, &timing(), Transcript::kept()).expect("a synchroniser");
     let open = |index: usize| {
         let name = format!("cam{}", index + 1);
         gige::open(&name, &camera(index), size).expect("a camera")
     };
-    Bench { cameras: (0..2).map(open).collect(), synchroniser }
+    Bench::new((0..2).map(open).collect(), synchroniser)
 }
 
 /// Pictures of 12-bit counts that tell shot, camera and exposure in every row, where exactly one
@@ -158,6 +158,7 @@ pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot))
     let settings = AcquisitionSettings {
         schedule: PulseSchedule::plan(&timing(), 100.0, rate_hz).expect("a schedule"),
         shots: NonZeroU64::new(shots),
+        bursts: None,
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs(10),
     };
@@ -165,9 +166,10 @@ pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot))
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));
     let began = Instant::now();
     let (ended, shots) = runtime.block_on(async {
-        let (sender, mut receiver) = mpsc::channel(shots as usize);
+        let (sender, mut receiver) = shot_queue(shots as usize);
         let stop = CancellationToken::new();
-        let acquiring = tokio::spawn(acquire(bench, settings, ledger.clone(), sender, stop));
+        let links = AcquisitionLinks::new(ledger.clone(), sender, stop);
+        let acquiring = tokio::spawn(acquire(bench, settings, links));
         let mut shots = Vec::new();
         while let Some(shot) = receiver.recv().await {
             ledger.lock().settle_all(shot.trigger, Outcome::Complete).expect("an open trigger");

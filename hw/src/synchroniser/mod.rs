@@ -30,7 +30,8 @@ pub const LONGEST_BURST_S: f64 = 5.0;
 /// What to tell the operator when the unit's state cannot be read.
 pub const USE_INTERLOCK: &str = "state unknown: use the hardware interlock";
 
-/// Opens the port and makes contact; outputs are disabled before anything else.
+/// Opens the port and makes contact; outputs are disabled before anything else. Every byte on the
+/// line goes to `transcript`, too.
 ///
 /// # Errors
 ///
@@ -39,6 +40,7 @@ pub const USE_INTERLOCK: &str = "state unknown: use the hardware interlock";
 pub fn open(
     settings: &SynchroniserSettings,
     timing: &TimingSettings,
+    transcript: Transcript,
 ) -> Result<Box<dyn Synchroniser>, DeviceError> {
     let lost = |detail: String| DeviceError::Lost { device: settings.port.clone(), detail };
     let baud_rate = settings.baud_rates()[0];
@@ -48,6 +50,7 @@ pub fn open(
              it (group dialout) and that no other program does"
         ))
     })?;
+    let line = Recorded::new(line, transcript);
     let Some(path) = &settings.transcript else {
         return open_on(Box::new(line), settings, timing);
     };

@@ -44,6 +44,8 @@ pub struct PairingSettings {
     pub frame_interval_ns: u64,
     /// How far that difference may be off before the shot is suspect, in ns.
     pub frame_interval_tolerance_ns: u64,
+    /// Time between the light pulses, in µs: it goes into the shots.
+    pub dt_us: f64,
     /// How long to wait for a frame that is due. A shot is given up after this; what comes within
     /// as long again is late.
     pub patience: Duration,
@@ -108,12 +110,8 @@ pub struct Pairing {
 impl Pairing {
     /// A machine that waits for the first burst.
     pub fn new(settings: PairingSettings) -> Self {
-        let grid = TimeGrid {
-            period_ns: i128::from(settings.period_ns.max(1)),
-            interval_ns: i128::from(settings.frame_interval_ns),
-        };
         Self {
-            grid,
+            grid: TimeGrid::of(&settings),
             burst: Burst::default(),
             given: 0,
             tracks: vec![Track::default(); settings.cameras],
@@ -123,6 +121,12 @@ impl Pairing {
             counters: FrameCounters::default(),
             settings,
         }
+    }
+
+    /// The unit is programmed anew, perhaps with another schedule; no burst runs.
+    pub fn rescheduled(&mut self, settings: PairingSettings) {
+        self.grid = TimeGrid::of(&settings);
+        self.settings = settings;
     }
 
     /// Whether the difference between the cameras' clocks is known. Until then, fire single shots.

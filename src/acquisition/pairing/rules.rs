@@ -135,7 +135,8 @@ impl Pairing {
         let cameras: Vec<[Frame; 2]> =
             open.slots.into_iter().filter_map(|slot| both(slot.frames)).collect();
         suspect.extend(self.check_intervals(&cameras));
-        rulings.push(Ruling::Paired(Shot { trigger, cameras, suspect }));
+        let dt_us = self.settings.dt_us;
+        rulings.push(Ruling::Paired(Shot { trigger, cameras, dt_us, suspect }));
     }
 
     /// Compares the cameras' clocks with each other and follows their drift. After a jump their
@@ -193,7 +194,8 @@ impl Pairing {
             // A camera that still delivers is slow, not silent: its clock runs from its last frame.
             let due = open.due.max(*last_arrival);
             if !slot.settled && !slot.is_full() && slot.is_overdue(due, now, patience) {
-                slot.overdue_at.get_or_insert(now);
+                // The moment when patience ended, not that at which somebody looked.
+                slot.overdue_at.get_or_insert(slot.deadline(due, patience));
                 any_overdue = true;
             }
         }

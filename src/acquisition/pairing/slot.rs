@@ -61,8 +61,12 @@ impl Slot {
     /// Whether the wait is over: `patience` after the frame was due and the camera last spoke, or
     /// after the camera went on to a later trigger.
     pub fn is_overdue(&self, due: Duration, now: Duration, patience: Duration) -> bool {
-        let since = self.passed_at.unwrap_or(due);
-        now > since + patience
+        now > self.deadline(due, patience)
+    }
+
+    /// When the wait is over.
+    pub fn deadline(&self, due: Duration, patience: Duration) -> Duration {
+        self.passed_at.unwrap_or(due) + patience
     }
 
     /// Drops the pictures: what is settled needs no memory.

@@ -36,6 +36,7 @@ fn settings(cameras: usize) -> PairingSettings {
         period_ns: PERIOD_NS,
         frame_interval_ns: INTERVAL_NS,
         frame_interval_tolerance_ns: 20_000,
+        dt_us: 100.0,
         patience: PATIENCE,
     }
 }

@@ -2,6 +2,8 @@
 
 use lfpiv_hw::device::Frame;
 
+use super::PairingSettings;
+
 /// The triggers of the burst that runs or ran last: `first` up to, not including, `end`.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Burst {
@@ -18,6 +20,14 @@ pub(super) struct TimeGrid {
 }
 
 impl TimeGrid {
+    /// The grid of a schedule.
+    pub fn of(settings: &PairingSettings) -> Self {
+        Self {
+            period_ns: i128::from(settings.period_ns.max(1)),
+            interval_ns: i128::from(settings.frame_interval_ns),
+        }
+    }
+
     /// Whole periods in a time difference, and what is left.
     pub fn steps(&self, elapsed_ns: i128) -> (i128, i128) {
         let steps = (elapsed_ns + self.period_ns.div_euclid(2)).div_euclid(self.period_ns);

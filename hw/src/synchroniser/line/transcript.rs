@@ -7,10 +7,13 @@ use std::{
     time::{Duration, SystemTime, UNIX_EPOCH},
 };
 
+use serde::{Deserialize, Serialize};
+
 use super::Line;
 
 /// Which way bytes went.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Direction {
     /// From the host to the unit.
     ToUnit,
@@ -51,6 +54,7 @@ pub struct Transcript {
 enum Sink {
     Kept(Vec<Entry>),
     Written(Box<dyn Write + Send>),
+    Told(Box<dyn FnMut(Entry) + Send>),
 }
 
 impl Transcript {
@@ -64,11 +68,16 @@ impl Transcript {
         Self { sink: Arc::new(Mutex::new(Sink::Written(Box::new(writer)))) }
     }
 
-    /// The entries so far; none from a transcript that is written.
+    /// Hands every entry to `listener`, on the thread that uses the line.
+    pub fn told(listener: impl FnMut(Entry) + Send + 'static) -> Self {
+        Self { sink: Arc::new(Mutex::new(Sink::Told(Box::new(listener)))) }
+    }
+
+    /// The entries so far; none from a transcript that is written or told.
     pub fn entries(&self) -> Vec<Entry> {
         match &*self.sink.lock().unwrap_or_else(PoisonError::into_inner) {
             Sink::Kept(entries) => entries.clone(),
-            Sink::Written(_) => Vec::new(),
+            Sink::Written(_) | Sink::Told(_) => Vec::new(),
         }
     }
 
@@ -86,6 +95,7 @@ impl Transcript {
         let entry = Entry { host_time_ns, direction, bytes: bytes.to_vec() };
         match &mut *self.sink.lock().unwrap_or_else(PoisonError::into_inner) {
             Sink::Kept(entries) => entries.push(entry),
+            Sink::Told(listener) => listener(entry),
             Sink::Written(writer) => {
                 writeln!(writer, "{entry}")?;
                 writer.flush()?;

@@ -1,0 +1,166 @@
+//! Shots on their way to the workers: a bounded queue that sheds its oldest.
+//!
+//! What is shown live should be as fresh as can be, and what is shed is measured later from the
+//! raw log: so a full queue gives up the shot that has waited longest, not the one that comes.
+
+use std::{collections::VecDeque, sync::Arc};
+
+use parking_lot::Mutex;
+use tokio::sync::Notify;
+
+use super::Shot;
+
+/// A queue for `capacity` shots, at least one.
+pub fn shot_queue(capacity: usize) -> (ShotSender, ShotReceiver) {
+    let shared = Arc::new(Shared {
+        capacity: capacity.max(1),
+        state: Mutex::default(),
+        pushed: Notify::new(),
+        taken: Notify::new(),
+    });
+    (ShotSender(shared.clone()), ShotReceiver(shared))
+}
+
+/// Nobody takes shots any more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Closed;
+
+/// The end into which shots go; there is one.
+pub struct ShotSender(Arc<Shared>);
+
+/// The end from which shots come; there is one.
+pub struct ShotReceiver(Arc<Shared>);
+
+struct Shared {
+    capacity: usize,
+    state: Mutex<State>,
+    pushed: Notify,
+    taken: Notify,
+}
+
+#[derive(Default)]
+struct State {
+    shots: VecDeque<Shot>,
+    sender_gone: bool,
+    receiver_gone: bool,
+}
+
+impl ShotSender {
+    /// Adds a shot. The oldest comes back when there is no room for both.
+    ///
+    /// # Errors
+    ///
+    /// [`Closed`]: nobody is left to take it, and it is dropped.
+    pub fn push(&self, shot: Shot) -> Result<Option<Shot>, Closed> {
+        let mut state = self.0.state.lock();
+        if state.receiver_gone {
+            return Err(Closed);
+        }
+        let full = state.shots.len() >= self.0.capacity;
+        let shed = if full { state.shots.pop_front() } else { None };
+        state.shots.push_back(shot);
+        drop(state);
+        self.0.pushed.notify_one();
+        Ok(shed)
+    }
+
+    /// Shots that can be added without shedding one; waits until there is room for `least`, or
+    /// until the queue is empty.
+    ///
+    /// # Errors
+    ///
+    /// [`Closed`].
+    pub async fn room(&self, least: usize) -> Result<usize, Closed> {
+        loop {
+            {
+                let state = self.0.state.lock();
+                if state.receiver_gone {
+                    return Err(Closed);
+                }
+                let room = self.0.capacity.saturating_sub(state.shots.len());
+                if room >= least.clamp(1, self.0.capacity) {
+                    return Ok(room);
+                }
+            }
+            self.0.taken.notified().await;
+        }
+    }
+}
+
+impl Drop for ShotSender {
+    fn drop(&mut self) {
+        self.0.state.lock().sender_gone = true;
+        self.0.pushed.notify_one();
+    }
+}
+
+impl ShotReceiver {
+    /// The oldest shot; `None` once the sender is gone and the queue is empty.
+    pub async fn recv(&mut self) -> Option<Shot> {
+        loop {
+            {
+                let mut state = self.0.state.lock();
+                if let Some(shot) = state.shots.pop_front() {
+                    drop(state);
+                    self.0.taken.notify_one();
+                    return Some(shot);
+                }
+                if state.sender_gone {
+                    return None;
+                }
+            }
+            self.0.pushed.notified().await;
+        }
+    }
+}
+
+impl Drop for ShotReceiver {
+    fn drop(&mut self) {
+        self.0.state.lock().receiver_gone = true;
+        self.0.taken.notify_one();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shot(trigger: u64) -> Shot {
+        Shot { trigger, cameras: Vec::new(), dt_us: 100.0, suspect: Vec::new() }
+    }
+
+    #[tokio::test]
+    async fn the_oldest_makes_room() {
+        let (sender, mut receiver) = shot_queue(2);
+        let shed: Vec<Option<u64>> = (0..4)
+            .map(|trigger| sender.push(shot(trigger)).unwrap().map(|shed| shed.trigger))
+            .collect();
+        assert_eq!(shed, [None, None, Some(0), Some(1)]);
+        drop(sender);
+        let mut left = Vec::new();
+        while let Some(shot) = receiver.recv().await {
+            left.push(shot.trigger);
+        }
+        assert_eq!(left, [2, 3]);
+    }
+
+    #[tokio::test]
+    async fn room_is_waited_for() {
+        let (sender, mut receiver) = shot_queue(2);
+        assert_eq!(sender.room(1).await, Ok(2));
+        assert!(sender.push(shot(0)).unwrap().is_none());
+        assert!(sender.push(shot(1)).unwrap().is_none());
+        let waiting = tokio::spawn(async move {
+            let room = sender.room(1).await;
+            (sender, room)
+        });
+        tokio::task::yield_now().await;
+        assert!(!waiting.is_finished());
+        assert_eq!(receiver.recv().await.map(|shot| shot.trigger), Some(0));
+        let (sender, room) = waiting.await.unwrap();
+        assert_eq!(room, Ok(1));
+        drop(receiver);
+        assert_eq!(sender.room(1).await, Err(Closed));
+        assert_eq!(sender.push(shot(2)).map(|_| ()), Err(Closed));
+    }
+}
