@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use lfpiv_hw::device::SynchroniserState;
 
 use super::{
-    AcquisitionError, Closed, Mode, OverloadPolicy, absence::Presence, controller::Run,
+    AcquisitionError, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence, controller::Run,
     journal::Entry, rulings::note,
 };
 
@@ -50,10 +50,8 @@ impl Run {
     /// Shots that the next burst should have; zero when there is no room for them yet, `None` when
     /// there is nothing left to do.
     async fn size_of_burst(&mut self) -> Result<Option<u64>, AcquisitionError> {
-        if let Some(bursts) = &self.settings.bursts {
-            // `fired` counts what was given; a burst is replayed as it was asked for.
-            let Some(shots) = bursts.get(self.bursts_fired).copied() else { return Ok(None) };
-            return Ok(Some(if self.room(shots).await? < shots { 0 } else { shots }));
+        if let Some(script) = self.bursts.clone() {
+            return self.size_of_scripted_burst(script.next()).await;
         }
         let left = self.settings.shots.map_or(u64::MAX, |shots| shots.get() - self.fired);
         if left == 0 {
@@ -65,6 +63,26 @@ impl Run {
             OverloadPolicy::Shed => wanted,
             OverloadPolicy::Wait => self.room(1).await?.min(wanted),
         }))
+    }
+
+    /// As [`Self::size_of_burst`], where a script decides.
+    async fn size_of_scripted_burst(
+        &mut self,
+        scripted: ScriptedBurst,
+    ) -> Result<Option<u64>, AcquisitionError> {
+        let (shots, schedule) = match scripted {
+            ScriptedBurst::Over => return Ok(None),
+            ScriptedBurst::NotYet => {
+                self.attend(TICK).await?;
+                return Ok(Some(0));
+            }
+            ScriptedBurst::Fire { shots, schedule } => (shots, schedule),
+        };
+        if *schedule != self.settings.schedule {
+            self.settings.schedule = (*schedule).clone();
+            self.is_programmed = false;
+        }
+        Ok(Some(if self.room(shots).await? < shots { 0 } else { shots }))
     }
 
     /// Places in the queue, `least` of them when there are so many; zero when something else
@@ -175,7 +193,6 @@ impl Run {
     async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
         self.time_passes(self.clock.now()).await?;
         self.broken_off = false;
-        self.bursts_fired += 1;
         let first = self.pairing.fired(shots, self.time);
         for trigger in first..first + shots {
             note(self.ledger.lock().enter(trigger));

@@ -11,7 +11,7 @@ use tokio::sync::mpsc;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::{
-    AcquisitionError, AcquisitionSettings, ControlInbox, HostClock, Journal, Ledger, Mode,
+    AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, HostClock, Journal, Ledger, Mode,
     RunClock, ShotSender,
     absence::Presence,
     control::control,
@@ -47,6 +47,8 @@ pub struct AcquisitionLinks {
     pub journal: Journal,
     /// By which frames are due and late.
     pub clock: Arc<dyn RunClock>,
+    /// Decides the bursts of a run that is played again; the run loop does when absent.
+    pub bursts: Option<Arc<dyn BurstScript>>,
     /// What is asked of the run under way.
     pub control: ControlInbox,
     /// Ends the run.
@@ -63,6 +65,7 @@ impl AcquisitionLinks {
             queue,
             journal: Journal::none(),
             clock: Arc::new(HostClock::start()),
+            bursts: None,
             control,
             stop,
         }
@@ -157,6 +160,7 @@ pub(super) struct Run {
     /// The raw log has failed, and the run is ending for it.
     pub(super) log_failed: bool,
     pub(super) clock: Arc<dyn RunClock>,
+    pub(super) bursts: Option<Arc<dyn BurstScript>>,
     pub(super) control: ControlInbox,
     pub(super) transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
     pub(super) stop: CancellationToken,
@@ -177,7 +181,6 @@ pub(super) struct Run {
     /// Memory of the largest frame so far, in bytes.
     pub(super) frame_bytes: u64,
     pub(super) fired: u64,
-    pub(super) bursts_fired: usize,
     /// The unit's count when it was programmed; `None` from a unit that does not count.
     pub(super) first_count: Option<u64>,
     /// Triggers given before that.
@@ -204,7 +207,7 @@ impl Run {
         let stop_cameras = CancellationToken::new();
         let (sender, events) = mpsc::channel(EVENT_QUEUE);
         let pairing = Pairing::new(pairing_settings(&settings, count));
-        let AcquisitionLinks { ledger, queue, journal, clock, control, stop } = links;
+        let AcquisitionLinks { ledger, queue, journal, clock, bursts, control, stop } = links;
         control.state.lock().dt_us = settings.schedule.dt_us;
         Ok(Self {
             settings,
@@ -213,6 +216,7 @@ impl Run {
             journal,
             log_failed: false,
             clock,
+            bursts,
             control,
             transcript: bench.transcript,
             stop,
@@ -229,7 +233,6 @@ impl Run {
             last_frame: Duration::ZERO,
             frame_bytes: 0,
             fired: 0,
-            bursts_fired: 0,
             first_count: None,
             given_before: 0,
             is_programmed: false,

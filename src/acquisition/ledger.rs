@@ -139,6 +139,14 @@ impl Ledger {
         (0..self.accounts.len()).try_for_each(|camera| self.settle(trigger, camera, outcome))
     }
 
+    /// Settles a trigger for those cameras for which it is open.
+    pub fn settle_open(&mut self, trigger: u64, outcome: Outcome) {
+        for camera in 0..self.accounts.len() {
+            // What is refused is settled already, or unknown: it stays as it is.
+            let _ = self.settle(trigger, camera, outcome);
+        }
+    }
+
     /// Notes what a camera's driver has counted since the start of its stream.
     pub fn streamed(&mut self, camera: usize, statistics: StreamStatistics) {
         self.streams[camera] = statistics;

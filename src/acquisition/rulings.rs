@@ -6,7 +6,7 @@ use super::{
     AcquisitionError, LedgerError, Outcome, Shot,
     controller::Run,
     devices::CameraEvent,
-    journal::{Entry, FrameHead},
+    journal::{Entry, FrameHead, FrameKey},
     pairing::Ruling,
 };
 
@@ -95,10 +95,9 @@ impl Run {
     async fn send_on(&mut self, shot: Shot) -> Result<(), AcquisitionError> {
         let trigger = shot.trigger;
         self.ledger.lock().queued(trigger, &shot.suspect);
-        let ids = |frames: &[lfpiv_hw::device::Frame; 2]| frames.each_ref().map(|f| f.frame_id);
         let entry = Entry::Shot {
             trigger,
-            frame_ids: shot.cameras.iter().map(ids).collect(),
+            frames: shot.cameras.iter().map(|ab| ab.each_ref().map(FrameKey::from)).collect(),
             suspect: shot.suspect.clone(),
             dt_us: shot.dt_us,
         };

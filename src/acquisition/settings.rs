@@ -1,6 +1,6 @@
 //! What acquisition needs to know, passed in by value.
 
-use std::{num::NonZeroU64, time::Duration};
+use std::{num::NonZeroU64, sync::Arc, time::Duration};
 
 use lfpiv_hw::timing::PulseSchedule;
 
@@ -22,8 +22,6 @@ pub struct AcquisitionSettings {
     pub schedule: PulseSchedule,
     /// Triggers to give; unbounded when absent.
     pub shots: Option<NonZeroU64>,
-    /// The shots of each burst, to play a run again; the run loop decides when absent.
-    pub bursts: Option<Vec<u64>>,
     /// What happens when the queue is full.
     pub overload: OverloadPolicy,
     /// How long a frame that is due is waited for.
@@ -52,3 +50,20 @@ impl AcquisitionSettings {
 
 /// Longest burst. A dead host or a lost line ends the firing within this time by itself.
 pub const MAX_BURST: Duration = Duration::from_secs(5);
+
+/// Decides the bursts in the run loop's place, to play a run again.
+pub trait BurstScript: Send + Sync {
+    /// What the run loop should do when it has nothing else to do.
+    fn next(&self) -> ScriptedBurst;
+}
+
+/// See [`BurstScript`].
+#[derive(Debug, Clone)]
+pub enum ScriptedBurst {
+    /// Fire so many shots with this schedule.
+    Fire { shots: u64, schedule: Arc<PulseSchedule> },
+    /// Wait for what comes.
+    NotYet,
+    /// End the run.
+    Over,
+}

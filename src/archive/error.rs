@@ -29,6 +29,17 @@ pub enum ArchiveError {
         /// The library's reason.
         reason: netcdf::Error,
     },
+    /// Stored results that cannot be read.
+    #[error(
+        "cannot read the results in {}: {reason}; move the file away to have its shots measured \
+         again", path.display()
+    )]
+    UnreadableResults {
+        /// The file.
+        path: PathBuf,
+        /// The library's reason.
+        reason: netcdf::Error,
+    },
     /// An image of the pair is not there.
     #[error(
         "{} is missing: with {cameras} configured a pair folder needs {needed}; \

@@ -16,6 +16,7 @@ mod pair_folder;
 mod paraview;
 mod raw_log;
 mod store;
+mod stored;
 #[cfg(test)]
 mod test_data;
 mod velocity_file;
@@ -28,5 +29,6 @@ pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, write_vti};
 pub use raw_log::{AppendError, RawLog, RawLogError, Record, Watermarks};
 pub use store::ResultStore;
+pub use stored::{StoredResults, stored_vectors};
 pub use velocity_file::write_velocity;
 pub use volume_file::write_volumes;

@@ -100,7 +100,8 @@ impl NetCdfFile {
         self.add::<i8>(described, dimensions)?;
         self.with(|file| {
             let mut variable = required(file, described.name)?;
-            variable.put_attribute("flag_values", vec![0_i8, 1])?;
+            let values = 0..meanings.split(' ').count() as i8;
+            variable.put_attribute("flag_values", values.collect::<Vec<_>>())?;
             variable.put_attribute("flag_meanings", meanings)?;
             Ok(())
         })

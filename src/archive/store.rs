@@ -9,6 +9,7 @@
 //! ```
 
 use std::{
+    fs,
     io::Write as _,
     path::{Path, PathBuf},
     time::{Duration, Instant},
@@ -18,6 +19,7 @@ use super::{
     ArchiveError,
     durable::{create_folder, replace},
     paraview::{VtiSeries, write_vti},
+    stored::StoredResults,
     velocity_file::VelocityFile,
 };
 use crate::velocimetry::PairResult;
@@ -70,18 +72,43 @@ impl ResultStore {
         })
     }
 
+    /// Goes on with a run whose results lie in `folder`. Results that a crash has left unreadable
+    /// are removed: nothing but whole segments counts.
+    ///
+    /// # Errors
+    /// [`ArchiveError::Io`]; a sealed segment that cannot be read.
+    pub fn reopen(
+        folder: &Path,
+        configuration: &str,
+    ) -> Result<(Self, StoredResults), ArchiveError> {
+        let stored = StoredResults::find(folder)?;
+        for part in &stored.unreadable {
+            fs::remove_file(part).map_err(ArchiveError::io("remove", part))?;
+        }
+        let mut series = VtiSeries::default();
+        for shot in &stored.shots {
+            let name = vti_name(*shot);
+            if folder.join(&name).exists() {
+                series.push(name, *shot);
+            }
+        }
+        let (folder, configuration) = (folder.into(), configuration.into());
+        let (segment_age, segment) = (SEGMENT_AGE, None);
+        Ok((Self { folder, configuration, segment_age, segment, series }, stored))
+    }
+
     /// The folder of the run.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
     /// Stores the result of one shot. Seals the open segment when its time has come, or when the
-    /// forward model is another: its attributes tell of one.
+    /// forward model or the time between the pulses is another: a file tells of one.
     ///
     /// Shots may come in any order, each once. The `.vti` can be read on return; the NetCDF
     /// record once its segment is sealed.
     pub fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
-        if self.segment.as_ref().is_some_and(|segment| !segment.file.has_model_of(result)) {
+        if self.segment.as_ref().is_some_and(|segment| !segment.file.suits(result)) {
             self.seal()?;
         }
         let mut segment = match self.segment.take() {
@@ -103,7 +130,7 @@ impl ResultStore {
     }
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
-        let name = format!("shot_{shot:06}.vti");
+        let name = vti_name(shot);
         write_vti(&self.folder.join(&name), &result.field)?;
         self.series.push(name, shot);
         self.series.write(&self.folder.join("velocity.vti.series"))
@@ -126,6 +153,10 @@ impl ResultStore {
     }
 }
 
+fn vti_name(shot: u64) -> String {
+    format!("shot_{shot:06}.vti")
+}
+
 impl Drop for ResultStore {
     fn drop(&mut self) {
         if let Err(error) = self.seal() {
@@ -136,8 +167,6 @@ impl Drop for ResultStore {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::*;
     use crate::{archive::test_data::result, model::ModelChoice};
 

@@ -16,6 +16,9 @@ use super::{
 use crate::model::ModelChoice;
 use crate::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 
+/// Meanings of `raw_level`, in the order of [`RawLevel`](crate::lightfield::RawLevel).
+const RAW_LEVELS: &str = "not_kept lost acquired written synced";
+
 /// A quantity that each vector has.
 type PerVector = fn(&VelocityField, usize) -> f32;
 
@@ -25,6 +28,11 @@ type PerStage = fn(&StageSeconds) -> f64;
 const SHOT: Described =
     Described { name: "shot", units: "1", long_name: "shot number within the run" };
 const DT: Described = Described { name: "dt", units: "s", long_name: "time between the frames" };
+const RAW_LEVEL: Described = Described {
+    name: "raw_level",
+    units: "1",
+    long_name: "how safe the raw images were when this was stored",
+};
 const VALID: Described =
     Described { name: "valid", units: "1", long_name: "vector was measured and accepted" };
 const REPLACED: Described = Described {
@@ -123,6 +131,7 @@ impl VelocityFile {
         file.add_record_dimension("shot")?;
         file.add_axes([0, 1, 2].map(|axis| like.grid.axis_mm(axis)))?;
         file.add::<i64>(&SHOT, &["shot"])?;
+        file.add_flag(&RAW_LEVEL, &["shot"], RAW_LEVELS)?;
         file.add::<f64>(&DT, &[])?;
         file.put("dt", &[like.dt_s])?;
         for (described, _) in &FIELDS {
@@ -140,9 +149,9 @@ impl VelocityFile {
         Ok(Self { file, grid: like.grid.clone(), dt_s: like.dt_s, model, shots: 0 })
     }
 
-    /// Whether a result may be added: all in a file have the same model.
-    pub fn has_model_of(&self, result: &PairResult) -> bool {
-        self.model == result.model
+    /// Whether a result may be added: all in a file have the same model and dt.
+    pub fn suits(&self, result: &PairResult) -> bool {
+        self.model == result.model && self.dt_s == result.field.dt_s
     }
 
     /// Adds one shot.
@@ -153,6 +162,7 @@ impl VelocityFile {
         }
         let record = self.shots;
         self.file.put_record("shot", record, &[shot as i64])?;
+        self.file.put_record("raw_level", record, &[result.raw as i8])?;
         for (described, value_of) in &FIELDS {
             let values: Vec<f32> = (0..self.grid.len()).map(|i| value_of(field, i)).collect();
             self.file.put_record(described.name, record, &values)?;

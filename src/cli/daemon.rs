@@ -27,13 +27,16 @@ use parking_lot::Mutex;
 use tokio::{net::TcpListener, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
-use super::{ledger_file::write_ledger, run_folder::create_run_folder, run_info::run_info};
+use super::{
+    ledger_file::write_ledger, recording::Recording, run_folder::create_run_folder, run_info::run_info,
+};
 use crate::{
     acquisition::{
-        AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Journal, Ledger,
-        OverloadPolicy, acquire, panic_message, secure, shot_queue,
+        AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench,
+        BurstScript, Control, ControlInbox, Journal, Ledger, Mode, OverloadPolicy, Planner,
+        RunClock, ShotReceiver, acquire, control, panic_message, secure, shot_queue,
     },
-    archive::ResultStore,
+    archive::{RawLogSettings, ResultStore},
     config::ConfigFile,
     pipeline::{Board, ImagePair, Observer, PairResult, Pool, PoolLinks, PoolSettings},
     server::{ApiState, Phase, serve},
@@ -53,9 +56,27 @@ pub struct DaemonPlan {
     pub shots: Option<NonZeroU64>,
     /// What happens when shots come faster than they are processed.
     pub overload: OverloadPolicy,
+    /// How the raw data is kept; `None` for a run that is played again.
+    pub raw_log: Option<RawLogSettings>,
+    /// What it does first.
+    pub mode: Mode,
 }
 
 impl DaemonPlan {
+    /// A run that takes shots at once and keeps its raw data as its configuration says.
+    pub fn new(file: ConfigFile, shots: Option<NonZeroU64>, overload: OverloadPolicy) -> Self {
+        let raw_log = Some(file.config.raw_log.clone());
+        Self { file, shots, overload, raw_log, mode: Mode::Firing }
+    }
+
+    /// Plans the schedule for another time between the pulses.
+    fn planner(&self) -> Planner {
+        let (timing, rate_hz) = (self.file.config.timing.clone(), self.file.config.shot.rate_hz);
+        Box::new(move |dt_us| {
+            PulseSchedule::plan(&timing, dt_us, rate_hz).map_err(|error| error.to_string())
+        })
+    }
+
     fn acquisition(&self) -> anyhow::Result<AcquisitionSettings> {
         let (shot, timing) = (&self.file.config.shot, &self.file.config.timing);
         let schedule = PulseSchedule::plan(timing, shot.dt_us, shot.rate_hz)
@@ -64,7 +85,6 @@ impl DaemonPlan {
         Ok(AcquisitionSettings {
             schedule,
             shots: self.shots,
-            bursts: None,
             overload: self.overload,
             patience: instruments.map_or(SIMULATED_PATIENCE, |instruments| {
                 Duration::from_secs_f64(instruments.frame_patience_s)
@@ -73,12 +93,26 @@ impl DaemonPlan {
     }
 }
 
+/// What decides times and bursts of a run that is played again.
+pub struct RunScript {
+    /// Shows the recorded times.
+    pub clock: Arc<dyn RunClock>,
+    /// Which bursts are fired when.
+    pub bursts: Arc<dyn BurstScript>,
+    /// Shots in the longest of them: so many wait for a worker without being shed.
+    pub longest_burst: usize,
+}
+
 /// A run that is listening but takes no shots yet.
 pub struct Daemon {
     plan: DaemonPlan,
     acquisition: AcquisitionSettings,
     folder: PathBuf,
     store: ResultStore,
+    recording: Recording,
+    control: Control,
+    inbox: ControlInbox,
+    script: Option<RunScript>,
     listener: TcpListener,
     address: SocketAddr,
     state: ApiState,
@@ -113,10 +147,36 @@ impl Daemon {
         let address = listener.local_addr().context("the server has no address")?;
         let folder = create_run_folder(&config.output.dir)?;
         let store = ResultStore::create(&folder, &plan.file.text)?;
+        let recording = Recording::begin(&folder, &plan, &acquisition)?;
+        let (control, inbox) = control(plan.mode, acquisition.schedule.dt_us, plan.planner());
         let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
         let board = Arc::new(Board::new());
         let state = ApiState::new(run_info(&plan, &folder), ledger.clone(), board.clone());
-        Ok(Self { plan, acquisition, folder, store, listener, address, state, ledger, board })
+        Ok(Self {
+            plan,
+            acquisition,
+            folder,
+            store,
+            recording,
+            control,
+            inbox,
+            script: None,
+            listener,
+            address,
+            state,
+            ledger,
+            board,
+        })
+    }
+
+    /// For whoever runs the bench.
+    pub fn control(&self) -> Control {
+        self.control.clone()
+    }
+
+    /// How safe each shot's raw data is.
+    pub fn journal(&self) -> Journal {
+        self.recording.journal.clone()
     }
 
     /// The address that the server is bound to.
@@ -127,6 +187,11 @@ impl Daemon {
     /// Where the results go.
     pub fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    /// The run follows a script.
+    pub fn follow(&mut self, script: RunScript) {
+        self.script = Some(script);
     }
 
     /// Runs to the end. `processor` builds the tables, slowly, on a thread of its own;
@@ -151,7 +216,7 @@ impl Daemon {
         let server = tokio::spawn(server);
         let links = PoolLinks {
             ledger: self.ledger.clone(),
-            journal: Journal::none(),
+            journal: self.recording.journal.clone(),
             board: self.board.clone(),
             stop: stop.clone(),
         };
@@ -160,11 +225,26 @@ impl Daemon {
             let process = unpanicked(tokio::task::spawn_blocking(processor)).await??;
             let pool = Pool::new(PoolSettings::default(), process, self.store, observer, links)?;
             self.state.set_phase(Phase::Running);
-            let queue = self.plan.file.config.pipeline.queue;
-            take_and_process(bench, self.acquisition, queue, pool, &self.ledger, &self.state, stop)
-                .await
+            let configured = self.plan.file.config.pipeline.queue;
+            let queue = self.script.as_ref().map_or(configured, |script| script.longest_burst);
+            let (sender, receiver) = shot_queue(queue);
+            let links = AcquisitionLinks {
+                journal: self.recording.journal.clone(),
+                control: self.inbox,
+                ..AcquisitionLinks::new(self.ledger.clone(), sender, stop)
+            };
+            let links = match self.script {
+                Some(RunScript { clock, bursts, .. }) => {
+                    AcquisitionLinks { clock, bursts: Some(bursts), ..links }
+                }
+                None => links,
+            };
+            let acquiring = acquire(bench, self.acquisition, links);
+            take_and_process(acquiring, pool, receiver, &self.state).await
         };
         let worked = work.await;
+        let recording = self.recording;
+        let recorded = unpanicked(tokio::task::spawn_blocking(|| recording.close())).await;
         let written = write_ledger(&self.folder, &self.ledger.lock(), &self.board, &worked);
         self.state.set_phase(match &worked {
             Ok(_) => Phase::Finished,
@@ -173,6 +253,7 @@ impl Daemon {
         stop_server.cancel();
         end_server(server).await;
         let acquisition = worked?;
+        recorded??;
         written?;
         let ledger = self.ledger.lock().clone();
         Ok(DaemonReport { folder: self.folder, acquisition, ledger })
@@ -191,23 +272,17 @@ async fn end_server(mut server: JoinHandle<io::Result<()>>) {
 
 /// Acquisition and pool side by side until both have ended.
 async fn take_and_process<P, E>(
-    bench: Bench,
-    settings: AcquisitionSettings,
-    queue: usize,
+    acquiring: impl Future<Output = Result<AcquisitionReport, AcquisitionError>> + Send + 'static,
     pool: Pool<P>,
-    ledger: &Arc<Mutex<Ledger>>,
+    queue: ShotReceiver,
     state: &ApiState,
-    stop: CancellationToken,
 ) -> anyhow::Result<AcquisitionReport>
 where
     P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
     E: Display + 'static,
 {
-    let (sender, receiver) = shot_queue(queue);
-    let pool = tokio::spawn(pool.run(receiver));
-    let links = AcquisitionLinks::new(ledger.clone(), sender, stop);
-    let acquired = unpanicked(tokio::spawn(acquire(bench, settings, links)));
-    let acquired = acquired.await;
+    let pool = tokio::spawn(pool.run(queue));
+    let acquired = unpanicked(tokio::spawn(acquiring)).await;
     state.set_phase(Phase::Stopping);
     let processed = unpanicked(pool).await;
     let report = acquired?.context("acquisition ended before its time")?;

@@ -55,7 +55,6 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     let settings = AcquisitionSettings {
         schedule: PulseSchedule::plan(&config.timing, config.shot.dt_us, config.shot.rate_hz)?,
         shots: Some(shots),
-        bursts: None,
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs_f64(named.frame_patience_s),
     };

@@ -31,6 +31,54 @@ struct LedgerFile<'a> {
     without_result: Vec<ShotRecord>,
 }
 
+/// What was measured after the run.
+pub(super) struct ProcessedLater {
+    /// Whether the run came to its end; otherwise it was killed.
+    pub ended: bool,
+    /// The shots.
+    pub shots: Vec<u64>,
+}
+
+#[derive(Serialize)]
+struct RecoveredLedgerFile<'a> {
+    code_version: &'static str,
+    error: Option<&'static str>,
+    balanced: bool,
+    cameras: &'a [Account],
+    streams: &'a [StreamStatistics],
+    exceptions: Vec<&'a TriggerEntry>,
+    /// Shots that gave no result in the run and have one now.
+    processed_later: &'a [u64],
+}
+
+/// Writes `ledger.json` again, from the run's record.
+pub(super) fn write_recovered_ledger(
+    folder: &Path,
+    ledger: &Ledger,
+    later: &ProcessedLater,
+) -> anyhow::Result<()> {
+    let file = RecoveredLedgerFile {
+        code_version: env!("CARGO_PKG_VERSION"),
+        error: (!later.ended).then_some("the run was cut off; this is made from its record"),
+        balanced: ledger.is_balanced(),
+        cameras: ledger.accounts(),
+        streams: ledger.streams(),
+        exceptions: ledger.entries().filter(is_odd).collect(),
+        processed_later: &later.shots,
+    };
+    write_json(folder, &file)
+}
+
+fn is_odd(entry: &&TriggerEntry) -> bool {
+    !entry.is_complete() || !entry.suspect.is_empty()
+}
+
+fn write_json(folder: &Path, file: &impl Serialize) -> anyhow::Result<()> {
+    let text = serde_json::to_vec_pretty(file).context("the ledger cannot be written as JSON")?;
+    write_replacing(&folder.join("ledger.json"), |writer| writer.write_all(&text))?;
+    Ok(())
+}
+
 /// Writes `ledger.json` into `folder`.
 pub(super) fn write_ledger(
     folder: &Path,
@@ -39,7 +87,6 @@ pub(super) fn write_ledger(
     ended: &anyhow::Result<AcquisitionReport>,
 ) -> anyhow::Result<()> {
     let report = ended.as_ref().ok();
-    let odd = |entry: &&TriggerEntry| !entry.is_complete() || !entry.suspect.is_empty();
     let without_result = ledger
         .entries()
         .filter_map(|entry| board.record(entry.trigger))
@@ -53,10 +100,8 @@ pub(super) fn write_ledger(
         cameras: ledger.accounts(),
         streams: ledger.streams(),
         frames: report.map(|report| report.frames),
-        exceptions: ledger.entries().filter(odd).collect(),
+        exceptions: ledger.entries().filter(is_odd).collect(),
         without_result,
     };
-    let text = serde_json::to_vec_pretty(&file).context("the ledger cannot be written as JSON")?;
-    write_replacing(&folder.join("ledger.json"), |writer| writer.write_all(&text))?;
-    Ok(())
+    write_json(folder, &file)
 }

@@ -1,14 +1,16 @@
-//! The command line: `lfpiv check | timing | simulate | process | run | sim-bench | devices |
-//! bench | peers`.
+//! The command line: `lfpiv check | timing | simulate | process | run | replay | export |
+//! sim-bench | devices | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
 
 mod bench;
 mod check;
+mod compare;
 pub mod daemon;
 mod demo_table;
 mod devices;
+mod export;
 #[cfg(feature = "aravis")]
 mod drive;
 mod instruments;
@@ -16,6 +18,9 @@ mod ledger_file;
 mod output;
 mod peers;
 mod process;
+mod process_run;
+mod recording;
+mod replay;
 mod run;
 mod run_folder;
 mod run_info;
@@ -33,8 +38,10 @@ use tracing_subscriber::{filter::Targets, prelude::*};
 
 pub use bench::BenchArgs;
 pub use check::CheckArgs;
+pub use export::ExportArgs;
 pub use peers::PeersCommand;
 pub use process::ProcessArgs;
+pub use replay::ReplayArgs;
 pub use run::RunArgs;
 pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
@@ -60,6 +67,10 @@ enum Command {
     Process(ProcessArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
+    /// Play a recorded run again, through the same pipeline.
+    Replay(ReplayArgs),
+    /// Make image files of a recorded run's shots.
+    Export(ExportArgs),
     /// Put simulated instruments at the ends of real wires, for a daemon to run.
     SimBench(SimBenchArgs),
     /// List the cameras on the network.
@@ -81,6 +92,8 @@ pub fn main() -> ExitCode {
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
+        Command::Replay(args) => replay::replay_run(&args),
+        Command::Export(args) => export::export(&args),
         Command::SimBench(args) => sim_bench::sim_bench(&args),
         Command::Devices => devices::devices(),
         Command::Bench(args) => bench::bench(&args),

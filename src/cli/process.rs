@@ -11,6 +11,7 @@ use indicatif::ProgressBar;
 
 use super::{
     output::{count, print, progress_bar},
+    process_run::{is_run, process_run},
     solver::{solver_by_name, solver_name},
 };
 use crate::{
@@ -24,19 +25,21 @@ use crate::{
 /// Arguments of `lfpiv process`.
 #[derive(Debug, clap::Args)]
 pub struct ProcessArgs {
-    /// Configuration file (TOML) of the bench that took the images.
+    /// Configuration file (TOML) of the bench that took the images; a recorded run has its own.
     #[arg(long, value_name = "FILE")]
-    pub config: PathBuf,
-    /// Folder for the results: one folder per pair, called as the pair's.
+    pub config: Option<PathBuf>,
+    /// Folder for the results: one folder per pair, called as the pair's; a recorded run gets them
+    /// in its own.
     #[arg(long, value_name = "OUT")]
-    pub out: PathBuf,
+    pub out: Option<PathBuf>,
     /// Write the reconstructed volumes, too.
     #[arg(long)]
     pub save_volumes: bool,
     /// Solver to use instead of the configuration's.
     #[arg(long, value_name = "NAME", value_parser = solver_by_name)]
     pub solver: Option<Solver>,
-    /// Pair folders, or folders of pair folders.
+    /// Pair folders, folders of pair folders, or one folder of a recorded run, whose missing
+    /// results are made.
     #[arg(required = true, value_name = "DIR")]
     pub folders: Vec<PathBuf>,
 }
@@ -46,8 +49,19 @@ const LEAST_BACKGROUND_PAIRS: usize = 3;
 
 /// Measures every pair; a pair that fails is reported and the others are still measured.
 pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
-    let mut run = Run::prepare(args)?;
-    let (jobs, mut failures) = jobs(&args.folders, &args.out);
+    if let [folder] = args.folders.as_slice()
+        && is_run(folder)
+    {
+        return process_recorded(folder, args);
+    }
+    let (Some(config), Some(out)) = (&args.config, &args.out) else {
+        bail!(
+            "image pairs need --config FILE and --out OUT; only the folder of one recorded run (it \
+             has a folder raw) does without"
+        )
+    };
+    let mut run = Run::prepare(args, config)?;
+    let (jobs, mut failures) = jobs(&args.folders, out);
     run.learn_background(&jobs)?;
     for failure in &failures {
         tracing::error!("{failure}");
@@ -71,13 +85,25 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     }
     bar.finish_and_clear();
     if measured > 0 {
-        series.write(&args.out.join("velocity.vti.series"))?;
+        series.write(&out.join("velocity.vti.series"))?;
     }
     if failures.is_empty() {
         return Ok(());
     }
     let listed = failures.iter().map(|failure| format!("\n  {failure}")).collect::<String>();
     bail!("{} could not be measured:{listed}", count(failures.len(), "pair folder"))
+}
+
+/// A run has its configuration and its place for results.
+fn process_recorded(folder: &Path, args: &ProcessArgs) -> anyhow::Result<()> {
+    if args.config.is_some() || args.out.is_some() || args.solver.is_some() || args.save_volumes {
+        bail!(
+            "{} is a recorded run: its missing results are made as it was configured, in its own \
+             folder. To measure its images otherwise, `lfpiv export` them first",
+            folder.display()
+        );
+    }
+    process_run(folder)
 }
 
 /// What is the same for all pairs.
@@ -88,8 +114,8 @@ struct Run {
 }
 
 impl Run {
-    fn prepare(args: &ProcessArgs) -> anyhow::Result<Self> {
-        let mut file = ConfigFile::load(&args.config)?;
+    fn prepare(args: &ProcessArgs, config: &Path) -> anyhow::Result<Self> {
+        let mut file = ConfigFile::load(config)?;
         if let Some(solver) = args.solver {
             file.config.reconstruction.solver = solver;
             let name = solver_name(solver);
@@ -97,7 +123,7 @@ impl Run {
             file.text.push_str(&format!("\n{note} = \"{name}\"\n"));
         }
         let processor = Processor::new(file.config.measurement())
-            .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
+            .with_context(|| format!("{} cannot be measured with", config.display()))?;
         Ok(Self { processor, file, save_volumes: args.save_volumes })
     }
 

@@ -86,7 +86,7 @@ async fn run_bench(
     let measurement = file.config.measurement();
     let has_instruments = file.config.instruments.is_some();
     let stop = stop_on_signals("the last results may be left as .part files")?;
-    let daemon = Daemon::prepare(DaemonPlan { file, shots, overload }).await?;
+    let daemon = Daemon::prepare(DaemonPlan::new(file, shots, overload)).await?;
     print(&format!("status:  http://{}/api/v1/status", daemon.address()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
 

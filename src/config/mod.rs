@@ -19,6 +19,7 @@ use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    archive::RawLogSettings,
     lightfield::ImageSettings,
     model::{ModelSettings, VolumeGrid, mode_or_table},
     pipeline::Measurement,
@@ -93,6 +94,10 @@ pub struct Config {
     #[serde(default)]
     #[garde(dive)]
     pub pipeline: PipelineSettings,
+    /// How raw data is kept.
+    #[serde(default)]
+    #[garde(dive)]
+    pub raw_log: RawLogSettings,
     /// HTTP.
     #[serde(default)]
     #[garde(skip)]

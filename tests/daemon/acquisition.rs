@@ -42,7 +42,6 @@ pub fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
     AcquisitionSettings {
         schedule: PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap(),
         shots: NonZeroU64::new(shots),
-        bursts: None,
         overload,
         // Longer than a loaded machine takes to render a frame.
         patience: Duration::from_secs(2),

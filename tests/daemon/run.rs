@@ -23,7 +23,7 @@ use crate::{
 };
 
 fn plan(file: &ConfigFile, shots: u64, overload: OverloadPolicy) -> DaemonPlan {
-    DaemonPlan { file: file.clone(), shots: NonZeroU64::new(shots), overload }
+    DaemonPlan::new(file.clone(), NonZeroU64::new(shots), overload)
 }
 
 /// Remembers every shot that leaves the pool.

@@ -158,7 +158,6 @@ pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot))
     let settings = AcquisitionSettings {
         schedule: PulseSchedule::plan(&timing(), 100.0, rate_hz).expect("a schedule"),
         shots: NonZeroU64::new(shots),
-        bursts: None,
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs(10),
     };

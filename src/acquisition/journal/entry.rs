@@ -47,8 +47,8 @@ pub enum Entry {
     },
     /// What a camera's stream says of itself: that it is away, back, or has ended.
     Stream { at_ns: u64, camera: usize, connected: bool, statistics: StreamStatistics },
-    /// These frames are one shot: per camera the ids of frames a and b.
-    Shot { trigger: u64, frame_ids: Vec<[u64; 2]>, suspect: Vec<String>, dt_us: f64 },
+    /// These frames are one shot: frames a and b of each camera.
+    Shot { trigger: u64, frames: Vec<[FrameKey; 2]>, suspect: Vec<String>, dt_us: f64 },
     /// How a trigger ended for one camera, as far as acquisition decides it.
     Settled { trigger: u64, camera: usize, outcome: Outcome },
     /// The trigger was asked for and never given.
@@ -76,6 +76,28 @@ pub struct FrameHead {
     pub host_timestamp_ns: u64,
     /// See [`Frame::status`].
     pub status: FrameStatus,
+}
+
+/// Which of a camera's frames is meant: numbers alone repeat where a camera has restarted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct FrameKey {
+    /// See [`Frame::frame_id`].
+    pub frame_id: u64,
+    /// See [`Frame::device_timestamp_ns`].
+    pub device_timestamp_ns: u64,
+}
+
+impl From<&Frame> for FrameKey {
+    fn from(frame: &Frame) -> Self {
+        FrameHead::from(frame).key()
+    }
+}
+
+impl FrameHead {
+    /// What tells this frame from the camera's others.
+    pub fn key(&self) -> FrameKey {
+        FrameKey { frame_id: self.frame_id, device_timestamp_ns: self.device_timestamp_ns }
+    }
 }
 
 impl From<&Frame> for FrameHead {

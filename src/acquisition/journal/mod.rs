@@ -5,17 +5,23 @@
 //! knows what they say. From it, `lfpiv process` finishes what was shed, `lfpiv export` makes image
 //! files, and [`super::replay`] plays the run again.
 
+mod books;
 mod entry;
 mod levels;
+mod recorded;
 
 use std::sync::Arc;
 
 use lfpiv_hw::RawImage;
 use parking_lot::Mutex;
 
-pub use entry::{Description, Entry, FrameHead, JOURNAL_VERSION};
+pub use books::ledger as ledger_of;
+pub use entry::{Description, Entry, FrameHead, FrameKey, JOURNAL_VERSION};
 use levels::Levels;
 pub use levels::ShotMarks;
+pub use recorded::{
+    Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunIndex,
+};
 
 use crate::{
     archive::{AppendError, RawLog, RawLogError, Record},

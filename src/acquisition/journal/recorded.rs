@@ -1,0 +1,168 @@
+//! A recorded run, read back.
+
+use std::{
+    collections::{BTreeMap, HashMap},
+    path::{Path, PathBuf},
+};
+
+use lfpiv_hw::RawImage;
+use thiserror::Error;
+
+use super::{Description, Entry, FrameKey, JOURNAL_VERSION};
+use crate::{
+    archive::{Position, RawLogError, RawLogReader},
+    lightfield::ImagePair,
+};
+
+/// Where a run's raw log lies in its folder.
+pub const RAW_FOLDER: &str = "raw";
+
+/// Why a recorded run cannot be read.
+#[derive(Debug, Error)]
+pub enum RecordedRunError {
+    /// The log itself cannot be read.
+    #[error(transparent)]
+    RawLog(#[from] RawLogError),
+    /// Its description or an entry is not what this program writes.
+    #[error("{}: {what} cannot be understood: {reason}", folder.display())]
+    NotAJournal { folder: PathBuf, what: String, reason: serde_json::Error },
+    /// A later program wrote it.
+    #[error(
+        "{}: written as journal version {found}, this program knows up to {JOURNAL_VERSION}: use \
+         the lfpiv that recorded it, or a later one", folder.display()
+    )]
+    NewerVersion { folder: PathBuf, found: u32 },
+    /// An entry that should have an image has none.
+    #[error("{}: a frame of the record has no image", folder.display())]
+    NoImage { folder: PathBuf },
+    /// No such shot.
+    #[error("{}: there is no shot {shot} in the record", folder.display())]
+    NoShot { folder: PathBuf, shot: u64 },
+}
+
+/// A recorded run. It holds no file open, and can be read beside the run that still writes it.
+#[derive(Debug, Clone)]
+pub struct RecordedRun {
+    folder: PathBuf,
+    reader: RawLogReader,
+    description: Description,
+}
+
+/// An entry and where its record lies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    pub position: Position,
+    pub entry: Entry,
+}
+
+/// One shot of a recorded run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordedShot {
+    /// Its number.
+    pub trigger: u64,
+    /// Where frames a and b of each camera lie.
+    pub frames: Vec<[Position; 2]>,
+    /// Time between the light pulses, in µs.
+    pub dt_us: f64,
+    /// Evidence that disagrees with the pairing.
+    pub suspect: Vec<String>,
+}
+
+/// What a run holds.
+#[derive(Debug, Clone, Default)]
+pub struct RunIndex {
+    /// Its shots by number.
+    pub shots: BTreeMap<u64, RecordedShot>,
+    /// Whether the record has an end; a run that was killed has none.
+    pub ended: bool,
+    /// What is damaged in the log, in words.
+    pub damaged: Vec<String>,
+}
+
+impl RecordedRun {
+    /// Opens the record of the run in `run`.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be read.
+    pub fn open(run: &Path) -> Result<Self, RecordedRunError> {
+        let folder = run.join(RAW_FOLDER);
+        let reader = RawLogReader::open(&folder)?;
+        let description: Description =
+            serde_json::from_slice(reader.description()).map_err(|reason| {
+                let what = "its description".to_owned();
+                RecordedRunError::NotAJournal { folder: folder.clone(), what, reason }
+            })?;
+        if description.journal_version > JOURNAL_VERSION {
+            let found = description.journal_version;
+            return Err(RecordedRunError::NewerVersion { folder, found });
+        }
+        Ok(Self { folder, reader, description })
+    }
+
+    /// What the run was.
+    pub fn description(&self) -> &Description {
+        &self.description
+    }
+
+    /// All entries in order. An item is an error where the log is damaged; those behind it follow.
+    pub fn entries(&self) -> impl Iterator<Item = Result<Placed, RecordedRunError>> + '_ {
+        self.reader.heads().map(|head| {
+            let (number, position, head, _) = head?;
+            let entry = serde_json::from_slice(&head).map_err(|reason| {
+                let what = format!("record {number}");
+                RecordedRunError::NotAJournal { folder: self.folder.clone(), what, reason }
+            })?;
+            Ok(Placed { position, entry })
+        })
+    }
+
+    /// Finds every shot and where its frames lie.
+    pub fn index(&self) -> RunIndex {
+        let mut index = RunIndex::default();
+        let mut frames: HashMap<(usize, FrameKey), Position> = HashMap::new();
+        for item in self.entries() {
+            match item {
+                Ok(Placed { position, entry: Entry::Frame { camera, frame, .. } }) => {
+                    // Of a frame that came twice, the first was used.
+                    frames.entry((camera, frame.key())).or_insert(position);
+                }
+                Ok(Placed { entry: Entry::Shot { trigger, frames: keys, suspect, dt_us }, .. }) => {
+                    let mut find = |(camera, keys): (usize, &[FrameKey; 2])| {
+                        let [a, b] = keys.map(|key| frames.remove(&(camera, key)));
+                        Some([a?, b?])
+                    };
+                    let found: Option<Vec<_>> = keys.iter().enumerate().map(&mut find).collect();
+                    match found {
+                        Some(frames) => {
+                            let shot = RecordedShot { trigger, frames, dt_us, suspect };
+                            index.shots.insert(trigger, shot);
+                        }
+                        None => index.damaged.push(format!("shot {trigger} lacks a frame")),
+                    }
+                }
+                Ok(Placed { entry: Entry::Ended { .. }, .. }) => index.ended = true,
+                Ok(_) => {}
+                Err(error) => index.damaged.push(error.to_string()),
+            }
+        }
+        index
+    }
+
+    /// The image of a frame.
+    ///
+    /// # Errors
+    /// The record is damaged, or has no image.
+    pub fn image(&self, position: Position) -> Result<RawImage, RecordedRunError> {
+        let record = self.reader.read(position)?;
+        record.image.ok_or_else(|| RecordedRunError::NoImage { folder: self.folder.clone() })
+    }
+
+    /// The images of a shot.
+    ///
+    /// # Errors
+    /// As [`Self::image`].
+    pub fn pair(&self, shot: &RecordedShot) -> Result<ImagePair, RecordedRunError> {
+        let cameras = shot.frames.iter().map(|[a, b]| Ok([self.image(*a)?, self.image(*b)?]));
+        Ok(ImagePair { cameras: cameras.collect::<Result<_, RecordedRunError>>()? })
+    }
+}

@@ -1,0 +1,63 @@
+//! A recorded run played again: cameras and a synchroniser that do what their originals did, for
+//! the same run loop.
+//!
+//! The record says in which order the run loop saw frames, bursts and their ends, and when. The
+//! replay keeps that order, and its clock shows the recorded times; so every decision is the same,
+//! at the speed of then or as fast as the frames can be read.
+
+mod clock;
+mod devices;
+mod script;
+
+use std::{path::Path, sync::Arc};
+
+use lfpiv_hw::device::Camera;
+use tokio_util::sync::CancellationToken;
+
+pub use script::Speed;
+use self::{clock::ReplayClock, script::Script};
+use super::{
+    Bench, BurstScript, RunClock,
+    journal::{Description, RecordedRun, RecordedRunError},
+};
+
+/// What is needed to play a run again.
+pub struct Replay {
+    /// What the run was.
+    pub description: Description,
+    /// The instruments.
+    pub bench: Bench,
+    /// Shows the recorded times.
+    pub clock: Arc<dyn RunClock>,
+    /// Which bursts are fired when.
+    pub bursts: Arc<dyn BurstScript>,
+    /// Shots in the longest burst: the queue must have room for them.
+    pub longest_burst: u64,
+}
+
+/// Opens the record of the run in `run`. `stop` is cancelled where the record says that the run
+/// was told to stop, or where it breaks off.
+///
+/// # Errors
+///
+/// The record cannot be read; a damaged one is refused.
+pub fn replay(
+    run: &Path,
+    speed: Speed,
+    stop: CancellationToken,
+) -> Result<Replay, RecordedRunError> {
+    let recorded = RecordedRun::open(run)?;
+    let description = recorded.description().clone();
+    let clock = Arc::new(ReplayClock::default());
+    let script = Arc::new(Script::read(recorded, speed, clock.clone(), stop)?);
+    let cameras = (0..description.cameras)
+        .map(|camera| Box::new(devices::ReplayCamera::new(camera, script.clone())) as Box<dyn Camera>);
+    let unit = devices::ReplayUnit::new(script.clone());
+    Ok(Replay {
+        bench: Bench::new(cameras.collect(), Box::new(unit)),
+        description,
+        clock,
+        longest_burst: script.longest_burst(),
+        bursts: script,
+    })
+}

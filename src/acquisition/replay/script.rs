@@ -1,0 +1,283 @@
+//! Whose turn it is.
+//!
+//! A step of the record belongs to a camera (a frame, a connection lost) or to the run loop (a
+//! burst fired, a burst ended). A camera's step is over when the camera asks for the next frame,
+//! for by then the run loop has been told of this one: so the run loop sees the steps in order.
+
+use std::{
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use lfpiv_hw::{
+    RawImage,
+    device::{DeviceError, Frame, StreamStatistics},
+    timing::PulseSchedule,
+};
+use parking_lot::{Condvar, Mutex, MutexGuard};
+use tokio_util::sync::CancellationToken;
+
+use super::clock::ReplayClock;
+use crate::{
+    acquisition::{
+        BurstScript, ScriptedBurst,
+        journal::{Entry, FrameHead, Placed, RecordedRun, RecordedRunError},
+    },
+    archive::Position,
+};
+
+/// How fast a run is played.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Speed {
+    /// As it was.
+    Recorded,
+    /// As fast as the frames can be read and taken.
+    Max,
+}
+
+/// How long a camera looks at whose turn it is before it looks again.
+const LOOK: Duration = Duration::from_millis(1);
+/// How far the clock goes on in that time while only the run loop can act, in ns.
+const LOOK_AHEAD_NS: u64 = 20_000_000;
+/// For so long the run loop may let a step of its own wait before the clock goes on beyond it.
+const STALLED: Duration = Duration::from_millis(200);
+
+#[derive(Debug, Clone)]
+enum Step {
+    Frame { at_ns: u64, camera: usize, head: FrameHead, statistics: StreamStatistics, place: Position },
+    Stream { at_ns: u64, camera: usize, connected: bool, statistics: StreamStatistics },
+    Fired { at_ns: u64, shots: u64, schedule: Arc<PulseSchedule> },
+    BurstEnded { at_ns: u64, given: u64 },
+    Stopping { at_ns: u64 },
+}
+
+impl Step {
+    fn of(placed: Placed, schedule: &mut Option<Arc<PulseSchedule>>) -> Option<Self> {
+        let Placed { position: place, entry } = placed;
+        match entry {
+            Entry::Programmed { schedule: programmed, .. } => {
+                *schedule = Some(Arc::new(programmed));
+                None
+            }
+            Entry::Fired { at_ns, shots, .. } => {
+                let schedule = schedule.clone()?;
+                Some(Self::Fired { at_ns, shots, schedule })
+            }
+            Entry::BurstEnded { at_ns, given } => Some(Self::BurstEnded { at_ns, given }),
+            Entry::Frame { at_ns, camera, frame: head, statistics } => {
+                Some(Self::Frame { at_ns, camera, head, statistics, place })
+            }
+            Entry::Stream { at_ns, camera, connected, statistics } => {
+                Some(Self::Stream { at_ns, camera, connected, statistics })
+            }
+            Entry::Stopping { at_ns } => Some(Self::Stopping { at_ns }),
+            _ => None,
+        }
+    }
+
+    fn at_ns(&self) -> u64 {
+        match self {
+            Self::Frame { at_ns, .. }
+            | Self::Stream { at_ns, .. }
+            | Self::Fired { at_ns, .. }
+            | Self::BurstEnded { at_ns, .. }
+            | Self::Stopping { at_ns } => *at_ns,
+        }
+    }
+}
+
+/// The record as it is played.
+pub(super) struct Script {
+    recorded: RecordedRun,
+    steps: Vec<Step>,
+    speed: Speed,
+    clock: Arc<ReplayClock>,
+    began: Instant,
+    state: Mutex<State>,
+    changed: Condvar,
+    stop: CancellationToken,
+}
+
+struct State {
+    next: usize,
+    /// When the last step was taken.
+    moved: Instant,
+    /// Triggers that the unit has given, as far as the steps taken say.
+    given: u64,
+}
+
+/// What a camera gets from its turn.
+pub(super) enum Turn {
+    Frame { frame: Frame, statistics: StreamStatistics },
+    Stream { connected: bool, statistics: StreamStatistics },
+    /// Nothing within the time given.
+    None,
+}
+
+impl Script {
+    pub fn read(
+        recorded: RecordedRun,
+        speed: Speed,
+        clock: Arc<ReplayClock>,
+        stop: CancellationToken,
+    ) -> Result<Self, RecordedRunError> {
+        let mut steps = Vec::new();
+        let mut schedule = None;
+        for placed in recorded.entries() {
+            steps.extend(Step::of(placed?, &mut schedule));
+        }
+        let state = State { next: 0, moved: Instant::now(), given: 0 };
+        Ok(Self {
+            recorded,
+            steps,
+            speed,
+            clock,
+            began: Instant::now(),
+            state: Mutex::new(state),
+            changed: Condvar::new(),
+            stop,
+        })
+    }
+
+    pub fn longest_burst(&self) -> u64 {
+        let shots = self.steps.iter().map(|step| match step {
+            Step::Fired { shots, .. } => *shots,
+            _ => 0,
+        });
+        shots.max().unwrap_or(0)
+    }
+
+    /// The camera's step, if its turn comes within `timeout`. The turn lasts until
+    /// [`Self::finish`].
+    pub fn turn(&self, camera: usize, timeout: Duration) -> Result<Turn, DeviceError> {
+        let until = Instant::now() + timeout;
+        let mut state = self.state.lock();
+        while Instant::now() < until {
+            match self.steps.get(state.next) {
+                Some(Step::Frame { camera: of, .. } | Step::Stream { camera: of, .. })
+                    if *of == camera =>
+                {
+                    if self.is_due(&self.steps[state.next]) {
+                        let step = self.steps[state.next].clone();
+                        drop(state);
+                        return self.play(step);
+                    }
+                }
+                Some(Step::Stopping { .. }) => {
+                    self.stop.cancel();
+                    self.advance(&mut state);
+                    continue;
+                }
+                Some(step @ (Step::Fired { .. } | Step::BurstEnded { .. })) => {
+                    self.let_time_pass(step, &state);
+                }
+                Some(_) => {}
+                // A record that breaks off ends the run; one that is whole has ended it already.
+                None => self.stop.cancel(),
+            }
+            self.changed.wait_for(&mut state, LOOK);
+        }
+        Ok(Turn::None)
+    }
+
+    /// The step that [`Self::turn`] gave is over.
+    pub fn finish(&self) {
+        self.advance(&mut self.state.lock());
+    }
+
+    /// Whether the unit still fires: until the end of the burst is the next step.
+    pub fn is_firing(&self) -> bool {
+        let mut state = self.state.lock();
+        match self.steps.get(state.next) {
+            Some(Step::BurstEnded { at_ns, given }) => {
+                self.clock.advance(*at_ns);
+                state.given = *given;
+                self.advance(&mut state);
+                false
+            }
+            Some(_) => true,
+            None => false,
+        }
+    }
+
+    /// Triggers given.
+    pub fn given(&self) -> u64 {
+        self.state.lock().given
+    }
+
+    /// A burst begins.
+    pub fn fire(&self, shots: u64) -> Result<(), String> {
+        let mut state = self.state.lock();
+        match self.steps.get(state.next) {
+            Some(Step::Fired { shots: recorded, .. }) if *recorded == shots => {
+                self.advance(&mut state);
+                Ok(())
+            }
+            _ => Err(format!("a burst of {shots} is not what the record says comes next")),
+        }
+    }
+
+    fn advance(&self, state: &mut MutexGuard<'_, State>) {
+        state.next += 1;
+        state.moved = Instant::now();
+        self.changed.notify_all();
+    }
+
+    fn is_due(&self, step: &Step) -> bool {
+        self.speed == Speed::Max || self.began.elapsed().as_nanos() as u64 >= step.at_ns()
+    }
+
+    /// Only the run loop can act: the clock goes on, up to the time at which it did, and beyond
+    /// only when it does not.
+    fn let_time_pass(&self, step: &Step, state: &State) {
+        let mut to_ns = match self.speed {
+            Speed::Max => self.clock.now_ns() + LOOK_AHEAD_NS,
+            Speed::Recorded => self.began.elapsed().as_nanos() as u64,
+        };
+        if state.moved.elapsed() < STALLED {
+            to_ns = to_ns.min(step.at_ns());
+        }
+        self.clock.advance(to_ns);
+    }
+
+    fn play(&self, step: Step) -> Result<Turn, DeviceError> {
+        self.clock.advance(step.at_ns());
+        match step {
+            Step::Frame { head, statistics, place, camera, .. } => {
+                let frame = frame(head, self.image(camera, place)?);
+                Ok(Turn::Frame { frame, statistics })
+            }
+            Step::Stream { connected, statistics, .. } => Ok(Turn::Stream { connected, statistics }),
+            _ => Ok(Turn::None),
+        }
+    }
+
+    fn image(&self, camera: usize, place: Position) -> Result<RawImage, DeviceError> {
+        self.recorded.image(place).map_err(|error| DeviceError::Lost {
+            device: format!("recorded camera {}", camera + 1),
+            detail: error.to_string(),
+        })
+    }
+}
+
+impl BurstScript for Script {
+    fn next(&self) -> ScriptedBurst {
+        let state = self.state.lock();
+        match self.steps.get(state.next) {
+            Some(Step::Fired { shots, schedule, at_ns }) => {
+                if !self.is_due(&self.steps[state.next]) {
+                    return ScriptedBurst::NotYet;
+                }
+                self.clock.advance(*at_ns);
+                ScriptedBurst::Fire { shots: *shots, schedule: schedule.clone() }
+            }
+            Some(_) => ScriptedBurst::NotYet,
+            None => ScriptedBurst::Over,
+        }
+    }
+}
+
+fn frame(head: FrameHead, image: RawImage) -> Frame {
+    let FrameHead { frame_id, device_timestamp_ns, host_timestamp_ns, status } = head;
+    Frame { image, frame_id, device_timestamp_ns, host_timestamp_ns, status }
+}

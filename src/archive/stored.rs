@@ -1,0 +1,152 @@
+//! Which results of a run are on disk.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+    path::{Path, PathBuf},
+};
+
+use super::ArchiveError;
+
+/// What lies in a run's folder. Only sealed segments count: their results are whole.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct StoredResults {
+    /// Shots with a stored result.
+    pub shots: BTreeSet<u64>,
+    /// The shot whose result was stored first, which decided the forward model.
+    pub first: Option<u64>,
+    /// Segments that were being written when the run was killed.
+    pub unreadable: Vec<PathBuf>,
+}
+
+impl StoredResults {
+    /// Looks through the folder of a run.
+    ///
+    /// # Errors
+    /// The folder cannot be listed, or a sealed segment cannot be read.
+    pub fn find(folder: &Path) -> Result<Self, ArchiveError> {
+        let mut stored = Self::default();
+        let mut oldest = None;
+        let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
+        for entry in entries {
+            let entry = entry.map_err(ArchiveError::io("list the folder", folder))?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            if !name.starts_with("velocity_") {
+                continue;
+            }
+            let path = entry.path();
+            if name.ends_with(".nc.part") {
+                stored.unreadable.push(path);
+            } else if name.ends_with(".nc") {
+                let shots = shots_in(&path)?;
+                let sealed = entry.metadata().and_then(|metadata| metadata.modified()).ok();
+                if sealed.is_some() && (oldest.is_none() || sealed < oldest) {
+                    (oldest, stored.first) = (sealed, shots.first().copied());
+                }
+                stored.shots.extend(shots);
+            }
+        }
+        Ok(stored)
+    }
+}
+
+/// Every number of the stored vectors of each shot in the run's folder, as bits: for holding one
+/// run against another.
+///
+/// # Errors
+/// As [`StoredResults::find`].
+pub fn stored_vectors(folder: &Path) -> Result<BTreeMap<u64, Vec<u32>>, ArchiveError> {
+    let mut vectors: BTreeMap<u64, Vec<u32>> = BTreeMap::new();
+    for path in sealed_segments(folder)? {
+        for (record, shot) in shots_in(&path)?.into_iter().enumerate() {
+            let bits = vectors_of(&path, record).map_err(unreadable(&path))?;
+            vectors.insert(shot, bits);
+        }
+    }
+    Ok(vectors)
+}
+
+fn vectors_of(path: &Path, record: usize) -> Result<Vec<u32>, netcdf::Error> {
+    let file = netcdf::open(path)?;
+    let mut bits = Vec::new();
+    for name in COMPARED {
+        let variable = file.variable(name).ok_or_else(|| missing(name))?;
+        let numbers: Vec<f32> = variable.get_values((record, .., .., ..))?;
+        bits.extend(numbers.into_iter().map(f32::to_bits));
+    }
+    Ok(bits)
+}
+
+/// What a result consists of; the time it took is not of it.
+const COMPARED: [&str; 8] = [
+    "u",
+    "v",
+    "w",
+    "u_uncertainty",
+    "v_uncertainty",
+    "w_uncertainty",
+    "valid",
+    "replaced",
+];
+
+fn sealed_segments(folder: &Path) -> Result<Vec<PathBuf>, ArchiveError> {
+    let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
+    let mut paths = Vec::new();
+    for entry in entries {
+        let path = entry.map_err(ArchiveError::io("list the folder", folder))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with("velocity_") && name.ends_with(".nc") {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    Ok(paths)
+}
+
+fn missing(variable: &str) -> netcdf::Error {
+    netcdf::Error::NotFound(variable.to_owned())
+}
+
+fn unreadable(path: &Path) -> impl FnOnce(netcdf::Error) -> ArchiveError {
+    move |reason| ArchiveError::UnreadableResults { path: path.into(), reason }
+}
+
+/// Shot numbers of a segment, in the order in which they were stored.
+fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
+    let read = || -> Result<Vec<i64>, netcdf::Error> {
+        netcdf::open(path)?.variable("shot").ok_or_else(|| missing("shot"))?.get_values(..)
+    };
+    let shots = read().map_err(unreadable(path))?;
+    Ok(shots.into_iter().filter_map(|shot| u64::try_from(shot).ok()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::archive::{ResultStore, test_data::result};
+
+    #[test]
+    fn sealed_results_count_and_the_rest_of_a_crash_does_not() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::create(root.path(), "").unwrap();
+        for shot in [3, 4] {
+            store.append(shot, &result([4, 3, 2])).unwrap();
+        }
+        store.seal().unwrap();
+        store.append(5, &result([4, 3, 2])).unwrap();
+        // As a killed process would: the destructor does not run.
+        std::mem::forget(store);
+        let stored = StoredResults::find(root.path()).unwrap();
+        assert_eq!((stored.shots, stored.first), (BTreeSet::from([3, 4]), Some(3)));
+        assert_eq!(stored.unreadable.len(), 1);
+
+        let (mut store, _) = ResultStore::reopen(root.path(), "").unwrap();
+        store.append(5, &result([4, 3, 2])).unwrap();
+        store.close().unwrap();
+        let stored = StoredResults::find(root.path()).unwrap();
+        assert_eq!(stored.shots, BTreeSet::from([3, 4, 5]));
+        assert!(stored.unreadable.is_empty());
+        let series = fs::read_to_string(root.path().join("velocity.vti.series")).unwrap();
+        assert_eq!(series.matches("shot_0000").count(), 3, "{series}");
+    }
+}

@@ -1,0 +1,84 @@
+//! The raw log of a run: begun with it, closed after it.
+
+use std::{
+    fs::{File, TryLockError},
+    path::Path,
+};
+
+use anyhow::{Context, bail};
+
+use super::daemon::DaemonPlan;
+use crate::{
+    acquisition::{
+        AcquisitionSettings, Journal,
+        journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
+    },
+    archive::{RawLog, RawLogWriter},
+};
+
+/// A run's record under way.
+pub(super) struct Recording {
+    pub journal: Journal,
+    writer: Option<RawLogWriter>,
+    _lock: RunLock,
+}
+
+impl Recording {
+    /// Begins the record of a run in `folder`, where the configuration asks for one.
+    pub fn begin(
+        folder: &Path,
+        plan: &DaemonPlan,
+        acquisition: &AcquisitionSettings,
+    ) -> anyhow::Result<Self> {
+        let lock = RunLock::take(folder)?;
+        let Some(settings) = plan.raw_log.as_ref().filter(|settings| settings.keep) else {
+            return Ok(Self { journal: Journal::none(), writer: None, _lock: lock });
+        };
+        let description = Description {
+            journal_version: JOURNAL_VERSION,
+            code_version: env!("CARGO_PKG_VERSION").to_owned(),
+            cameras: plan.file.config.camera.len(),
+            patience_ns: u64::try_from(acquisition.patience.as_nanos()).unwrap_or(u64::MAX),
+            configuration: plan.file.text.clone(),
+        };
+        let description =
+            serde_json::to_vec(&description).context("the run cannot be described")?;
+        let (log, writer) = RawLog::create(&folder.join(RAW_FOLDER), &description, settings)?;
+        Ok(Self { journal: Journal::new(log), writer: Some(writer), _lock: lock })
+    }
+
+    /// Everything to the disk, and the last segment sealed. Blocks.
+    pub fn close(self) -> anyhow::Result<()> {
+        if let Some(writer) = self.writer {
+            writer.close().context("the raw log could not be closed")?;
+        }
+        Ok(())
+    }
+}
+
+/// One program at a time works on a run. The operating system lets go of the lock with the
+/// process, however it ends.
+pub(super) struct RunLock(#[expect(dead_code, reason = "held, not used")] File);
+
+impl RunLock {
+    /// # Errors
+    /// Another program has the run.
+    pub fn take(run: &Path) -> anyhow::Result<Self> {
+        let path = run.join("lock");
+        let file = File::options()
+            .create(true)
+            .append(true)
+            .open(&path)
+            .with_context(|| format!("cannot open {}", path.display()))?;
+        match file.try_lock() {
+            Ok(()) => Ok(Self(file)),
+            Err(TryLockError::WouldBlock) => bail!(
+                "{} is being written by another lfpiv: wait until it has ended, or stop it",
+                run.display()
+            ),
+            Err(TryLockError::Error(error)) => {
+                Err(error).with_context(|| format!("cannot lock {}", path.display()))
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! `lfpiv replay`: a recorded run again, through the same run loop and pipeline.
+
+use std::{
+    fs,
+    net::{Ipv4Addr, SocketAddr},
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context, bail};
+use garde::Validate;
+use lfpiv_hw::device::Camera;
+use lfpiv_sim::faults::{FaultSettings, FaultyCamera};
+
+use super::{
+    compare::compare,
+    daemon::{Daemon, DaemonPlan, RunScript},
+    output::print,
+    stop::stop_on_signals,
+};
+use crate::{
+    acquisition::{
+        Bench, Mode, OverloadPolicy,
+        replay::{Replay, Speed, replay},
+    },
+    config::{Config, ConfigFile},
+    pipeline::Processor,
+};
+
+/// Arguments of `lfpiv replay`.
+#[derive(Debug, clap::Args)]
+pub struct ReplayArgs {
+    /// Folder of the recorded run.
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// Folder below which the replay makes one of its own.
+    #[arg(long, value_name = "DIR", default_value = "results/replay")]
+    pub out: PathBuf,
+    /// As fast as the run was (1), or as fast as its frames can be read (max).
+    #[arg(long, value_name = "1|max", default_value = "max", value_parser = speed)]
+    pub speed: Speed,
+    /// Disturb the recorded frames: a file of fault settings (TOML).
+    #[arg(long, value_name = "FILE")]
+    pub faults: Option<PathBuf>,
+    /// Address for status and results meanwhile; a free port of this machine when absent.
+    #[arg(long, value_name = "ADDRESS")]
+    pub address: Option<SocketAddr>,
+}
+
+/// Plays the run; without faults its results and its ledger are compared with the recorded ones.
+pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
+    let faults = args.faults.as_deref().map(read_faults).transpose()?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build()
+        .context("the runtime does not start")?;
+    let folder = runtime.block_on(play(args, faults.as_ref()))?;
+    print(&format!("results are in {}", folder.display()))?;
+    match faults {
+        Some(_) => Ok(()),
+        None => compare(&args.run, &folder),
+    }
+}
+
+async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Result<PathBuf> {
+    let stop = stop_on_signals("the last results may be left as .part files")?;
+    let Replay { description, bench, clock, bursts, longest_burst } =
+        replay(&args.run, args.speed, stop.clone())?;
+    let mut config = Config::parse("the run's configuration", &description.configuration)?;
+    config.output.dir.clone_from(&args.out);
+    config.server.address =
+        args.address.unwrap_or_else(|| SocketAddr::from((Ipv4Addr::LOCALHOST, 0)));
+    let measurement = config.measurement();
+    let path = args.run.join("configuration.toml");
+    let plan = DaemonPlan {
+        file: ConfigFile { path, text: description.configuration, config },
+        shots: None,
+        overload: OverloadPolicy::Wait,
+        raw_log: None,
+        mode: Mode::Firing,
+    };
+    let mut daemon = Daemon::prepare(plan).await?;
+    let longest_burst = usize::try_from(longest_burst).unwrap_or(usize::MAX);
+    daemon.follow(RunScript { clock, bursts, longest_burst });
+    let processor = move || {
+        let processor = Processor::new(measurement).context("this cannot be measured")?;
+        Ok(move |pair: &_| processor.process(pair))
+    };
+    let bench = match faults {
+        Some(faults) => disturbed(bench, faults),
+        None => bench,
+    };
+    let report = daemon.run(bench, processor, Box::new(|_, _| {}), stop).await?;
+    Ok(report.folder)
+}
+
+fn disturbed(bench: Bench, faults: &FaultSettings) -> Bench {
+    let wrap = |(index, camera): (usize, Box<dyn Camera>)| {
+        Box::new(FaultyCamera::new(camera, index, faults)) as Box<dyn Camera>
+    };
+    Bench { cameras: bench.cameras.into_iter().enumerate().map(wrap).collect(), ..bench }
+}
+
+/// Reads a file of fault settings.
+pub(super) fn read_faults(path: &Path) -> anyhow::Result<FaultSettings> {
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let faults: FaultSettings =
+        toml::from_str(&text).with_context(|| format!("{} is no fault file", path.display()))?;
+    if let Err(problems) = faults.validate() {
+        bail!("{}: {problems}", path.display());
+    }
+    Ok(faults)
+}
+
+fn speed(text: &str) -> Result<Speed, String> {
+    match text {
+        "1" => Ok(Speed::Recorded),
+        "max" => Ok(Speed::Max),
+        other => Err(format!("'{other}': allowed: 1, max")),
+    }
+}
