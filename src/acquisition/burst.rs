@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use lfpiv_hw::device::SynchroniserState;
 
 use super::{
-    AcquisitionError, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence, controller::Run,
-    journal::Entry, rulings::note,
+    AcquisitionError, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence,
+    controller::Run, journal::Entry, rulings::note,
 };
 
 /// How often the run loop looks at the time.

@@ -11,8 +11,8 @@ use tokio::sync::mpsc;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::{
-    AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, HostClock, Journal, Ledger, Mode,
-    RunClock, ShotSender,
+    AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, HostClock, Journal, Ledger,
+    Mode, RunClock, ShotSender,
     absence::Presence,
     control::control,
     devices::{CameraEvent, SynchroniserThread, join, spawn_camera},

@@ -14,7 +14,7 @@ mod grey_tiff;
 mod netcdf_file;
 mod pair_folder;
 mod paraview;
-mod raw_log;
+pub mod raw_log;
 mod store;
 mod stored;
 #[cfg(test)]
@@ -27,7 +27,10 @@ pub use error::ArchiveError;
 pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, write_vti};
-pub use raw_log::{AppendError, RawLog, RawLogError, Record, Watermarks};
+pub use raw_log::{
+    AppendError, Position, RawLog, RawLogError, RawLogReader, RawLogSettings, RawLogWriter, Record,
+    Watermarks, recover,
+};
 pub use store::ResultStore;
 pub use stored::{StoredResults, stored_vectors};
 pub use velocity_file::write_velocity;

@@ -78,16 +78,8 @@ fn vectors_of(path: &Path, record: usize) -> Result<Vec<u32>, netcdf::Error> {
 }
 
 /// What a result consists of; the time it took is not of it.
-const COMPARED: [&str; 8] = [
-    "u",
-    "v",
-    "w",
-    "u_uncertainty",
-    "v_uncertainty",
-    "w_uncertainty",
-    "valid",
-    "replaced",
-];
+const COMPARED: [&str; 8] =
+    ["u", "v", "w", "u_uncertainty", "v_uncertainty", "w_uncertainty", "valid", "replaced"];
 
 fn sealed_segments(folder: &Path) -> Result<Vec<PathBuf>, ArchiveError> {
     let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;

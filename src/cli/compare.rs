@@ -8,31 +8,52 @@ use serde_json::Value;
 use super::output::{count, print};
 use crate::archive::stored_vectors;
 
-/// Compares the run in `again` with the one in `original`. Shots without a stored result in
-/// `original` (shed then, or lost with a crash) are left out, and said.
+/// What a run has on disk.
+pub(super) struct Results {
+    /// The bits of each shot's vectors.
+    vectors: BTreeMap<u64, Vec<u32>>,
+    /// Each camera's counts; empty without a ledger, as a run that was killed.
+    accounts: Vec<BTreeMap<String, u64>>,
+}
+
+impl Results {
+    /// # Errors
+    ///
+    /// Something is there and cannot be read.
+    pub fn read(run: &Path) -> anyhow::Result<Self> {
+        let path = run.join("ledger.json");
+        let accounts = if path.exists() { accounts(&path)? } else { Vec::new() };
+        Ok(Self { vectors: stored_vectors(run)?, accounts })
+    }
+}
+
+/// Compares what a run had with what it has when played again. Shots without a stored result then
+/// (shed, or lost with a crash) are left out, and said.
 ///
 /// # Errors
 ///
 /// They differ; where.
-pub(super) fn compare(original: &Path, again: &Path) -> anyhow::Result<()> {
-    let (then, now) = (stored_vectors(original)?, stored_vectors(again)?);
+pub(super) fn compare(then: &Results, now: &Results) -> anyhow::Result<()> {
     let mut differ = Vec::new();
-    for (shot, vectors) in &then {
-        match now.get(shot) {
+    for (shot, vectors) in &then.vectors {
+        match now.vectors.get(shot) {
             Some(same) if same == vectors => {}
             Some(_) => differ.push(format!("shot {shot}: other vectors")),
             None => differ.push(format!("shot {shot}: no result now")),
         }
     }
-    let more = now.keys().filter(|shot| !then.contains_key(shot)).count();
+    let more = now.vectors.keys().filter(|shot| !then.vectors.contains_key(shot)).count();
     print(&format!(
         "{} held against the recorded run's results bit for bit, {} different; {more} had none then",
-        count(then.len(), "shot"),
+        count(then.vectors.len(), "shot"),
         differ.len()
     ))?;
-    differ.extend(ledger_differences(original, again)?);
+    differ.extend(ledger_differences(then, now));
     if differ.is_empty() {
-        return print("the ledgers are the same");
+        return match then.accounts.len() {
+            0 => print("the recorded run has no ledger to compare"),
+            _ => print("the ledgers are the same"),
+        };
     }
     let listed: String = differ.iter().map(|line| format!("\n  {line}")).collect();
     bail!("the replay differs from the recorded run:{listed}")
@@ -40,25 +61,21 @@ pub(super) fn compare(original: &Path, again: &Path) -> anyhow::Result<()> {
 
 /// Cameras' accounts that differ. What was shed live and is measured now moved from one count to
 /// another, and is no difference.
-fn ledger_differences(original: &Path, again: &Path) -> anyhow::Result<Vec<String>> {
-    if !original.join("ledger.json").exists() {
-        return Ok(Vec::new());
-    }
-    let (then, now) = (accounts(original)?, accounts(again)?);
-    let lines = then.iter().zip(&now).enumerate().flat_map(|(camera, (then, now))| {
+fn ledger_differences(then: &Results, now: &Results) -> Vec<String> {
+    let cameras = then.accounts.iter().zip(&now.accounts).enumerate();
+    let lines = cameras.flat_map(|(camera, (then, now))| {
         then.iter().filter_map(move |(name, before)| {
             let after = now.get(name).copied().unwrap_or_default();
             (after != *before)
                 .then(|| format!("camera {}: {name} {before} then, {after} now", camera + 1))
         })
     });
-    Ok(lines.collect())
+    lines.collect()
 }
 
 /// Counts of each camera, shed ones among the complete.
-fn accounts(run: &Path) -> anyhow::Result<Vec<BTreeMap<String, u64>>> {
-    let path = run.join("ledger.json");
-    let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+fn accounts(path: &Path) -> anyhow::Result<Vec<BTreeMap<String, u64>>> {
+    let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let ledger: Value = serde_json::from_slice(&text)
         .with_context(|| format!("{} is no ledger", path.display()))?;
     let cameras = ledger["cameras"].as_array().cloned().unwrap_or_default();
@@ -66,10 +83,8 @@ fn accounts(run: &Path) -> anyhow::Result<Vec<BTreeMap<String, u64>>> {
 }
 
 fn account(camera: &Value) -> BTreeMap<String, u64> {
-    let mut counts = BTreeMap::from([(
-        "triggers".to_owned(),
-        camera["triggers"].as_u64().unwrap_or_default(),
-    )]);
+    let mut counts =
+        BTreeMap::from([("triggers".to_owned(), camera["triggers"].as_u64().unwrap_or_default())]);
     for (name, number) in camera["outcomes"].as_object().into_iter().flatten() {
         let name = match name.as_str() {
             "complete" | "shed" => "complete or shed",

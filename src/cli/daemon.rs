@@ -28,7 +28,8 @@ use tokio::{net::TcpListener, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    ledger_file::write_ledger, recording::Recording, run_folder::create_run_folder, run_info::run_info,
+    ledger_file::write_ledger, recording::Recording, run_folder::create_run_folder,
+    run_info::run_info,
 };
 use crate::{
     acquisition::{
@@ -99,6 +100,8 @@ pub struct RunScript {
     pub clock: Arc<dyn RunClock>,
     /// Which bursts are fired when.
     pub bursts: Arc<dyn BurstScript>,
+    /// Ends acquisition, and leaves the pool to measure what it has.
+    pub stop: CancellationToken,
     /// Shots in the longest of them: so many wait for a worker without being shed.
     pub longest_burst: usize,
 }
@@ -234,8 +237,8 @@ impl Daemon {
                 ..AcquisitionLinks::new(self.ledger.clone(), sender, stop)
             };
             let links = match self.script {
-                Some(RunScript { clock, bursts, .. }) => {
-                    AcquisitionLinks { clock, bursts: Some(bursts), ..links }
+                Some(RunScript { clock, bursts, stop, .. }) => {
+                    AcquisitionLinks { clock, bursts: Some(bursts), stop, ..links }
                 }
                 None => links,
             };

@@ -1,9 +1,6 @@
 //! `lfpiv export`: image files of a recorded run's shots.
 
-use std::{
-    ops::RangeInclusive,
-    path::PathBuf,
-};
+use std::{ops::RangeInclusive, path::PathBuf};
 
 use anyhow::{Context, bail};
 
@@ -34,7 +31,11 @@ pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
     let wanted = |shot: &u64| args.shots.as_ref().is_none_or(|range| range.contains(shot));
     let shots: Vec<_> = index.shots.values().filter(|shot| wanted(&shot.trigger)).collect();
     if shots.is_empty() {
-        bail!("{} holds no such shot: it has {}", args.run.display(), count(index.shots.len(), "shot"));
+        bail!(
+            "{} holds no such shot: it has {}",
+            args.run.display(),
+            count(index.shots.len(), "shot")
+        );
     }
     let bar = progress_bar(shots.len(), "shots");
     for shot in &shots {
@@ -51,7 +52,8 @@ pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
 }
 
 fn shot_range(text: &str) -> Result<RangeInclusive<u64>, String> {
-    let number = |text: &str| text.trim().parse::<u64>().map_err(|_| format!("'{text}' is no shot number"));
+    let number =
+        |text: &str| text.trim().parse::<u64>().map_err(|_| format!("'{text}' is no shot number"));
     match text.split_once("..") {
         None => number(text).map(|shot| shot..=shot),
         Some((first, last)) => Ok(number(first)?..=number(last.trim_start_matches('='))?),

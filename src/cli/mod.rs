@@ -10,9 +10,9 @@ mod compare;
 pub mod daemon;
 mod demo_table;
 mod devices;
-mod export;
 #[cfg(feature = "aravis")]
 mod drive;
+mod export;
 mod instruments;
 mod ledger_file;
 mod output;

@@ -12,7 +12,7 @@ use lfpiv_hw::device::Camera;
 use lfpiv_sim::faults::{FaultSettings, FaultyCamera};
 
 use super::{
-    compare::compare,
+    compare::{Results, compare},
     daemon::{Daemon, DaemonPlan, RunScript},
     output::print,
     stop::stop_on_signals,
@@ -49,6 +49,7 @@ pub struct ReplayArgs {
 /// Plays the run; without faults its results and its ledger are compared with the recorded ones.
 pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
     let faults = args.faults.as_deref().map(read_faults).transpose()?;
+    let recorded = Results::read(&args.run)?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
@@ -57,14 +58,15 @@ pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
     print(&format!("results are in {}", folder.display()))?;
     match faults {
         Some(_) => Ok(()),
-        None => compare(&args.run, &folder),
+        None => compare(&recorded, &Results::read(&folder)?),
     }
 }
 
 async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Result<PathBuf> {
     let stop = stop_on_signals("the last results may be left as .part files")?;
+    let acquired = stop.child_token();
     let Replay { description, bench, clock, bursts, longest_burst } =
-        replay(&args.run, args.speed, stop.clone())?;
+        replay(&args.run, args.speed, acquired.clone())?;
     let mut config = Config::parse("the run's configuration", &description.configuration)?;
     config.output.dir.clone_from(&args.out);
     config.server.address =
@@ -80,7 +82,7 @@ async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Resu
     };
     let mut daemon = Daemon::prepare(plan).await?;
     let longest_burst = usize::try_from(longest_burst).unwrap_or(usize::MAX);
-    daemon.follow(RunScript { clock, bursts, longest_burst });
+    daemon.follow(RunScript { clock, bursts, stop: acquired, longest_burst });
     let processor = move || {
         let processor = Processor::new(measurement).context("this cannot be measured")?;
         Ok(move |pair: &_| processor.process(pair))
@@ -102,7 +104,8 @@ fn disturbed(bench: Bench, faults: &FaultSettings) -> Bench {
 
 /// Reads a file of fault settings.
 pub(super) fn read_faults(path: &Path) -> anyhow::Result<FaultSettings> {
-    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let text =
+        fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
     let faults: FaultSettings =
         toml::from_str(&text).with_context(|| format!("{} is no fault file", path.display()))?;
     if let Err(problems) = faults.validate() {

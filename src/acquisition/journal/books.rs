@@ -30,10 +30,7 @@ pub fn ledger(recorded: &RecordedRun, measured: &BTreeSet<u64>) -> Result<Ledger
     Ok(ledger)
 }
 
-fn take(
-    ledger: &mut Ledger,
-    placed: Result<Placed, RecordedRunError>,
-) -> Result<(), LedgerError> {
+fn take(ledger: &mut Ledger, placed: Result<Placed, RecordedRunError>) -> Result<(), LedgerError> {
     match placed.map(|placed| placed.entry) {
         Ok(Entry::Fired { first, shots, .. }) => {
             (first..first + shots).try_for_each(|trigger| ledger.enter(trigger))
@@ -45,9 +42,7 @@ fn take(
             ledger.queued(trigger, &suspect);
             Ok(())
         }
-        Ok(
-            Entry::Frame { camera, statistics, .. } | Entry::Stream { camera, statistics, .. },
-        ) => {
+        Ok(Entry::Frame { camera, statistics, .. } | Entry::Stream { camera, statistics, .. }) => {
             ledger.streamed(camera, statistics);
             Ok(())
         }

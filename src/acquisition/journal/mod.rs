@@ -19,9 +19,7 @@ pub use books::ledger as ledger_of;
 pub use entry::{Description, Entry, FrameHead, FrameKey, JOURNAL_VERSION};
 use levels::Levels;
 pub use levels::ShotMarks;
-pub use recorded::{
-    Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunIndex,
-};
+pub use recorded::{Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunIndex};
 
 use crate::{
     archive::{AppendError, RawLog, RawLogError, Record},

@@ -126,7 +126,9 @@ impl RecordedRun {
                     // Of a frame that came twice, the first was used.
                     frames.entry((camera, frame.key())).or_insert(position);
                 }
-                Ok(Placed { entry: Entry::Shot { trigger, frames: keys, suspect, dt_us }, .. }) => {
+                Ok(Placed {
+                    entry: Entry::Shot { trigger, frames: keys, suspect, dt_us }, ..
+                }) => {
                     let mut find = |(camera, keys): (usize, &[FrameKey; 2])| {
                         let [a, b] = keys.map(|key| frames.remove(&(camera, key)));
                         Some([a?, b?])

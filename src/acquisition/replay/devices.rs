@@ -3,9 +3,7 @@
 use std::{sync::Arc, time::Duration};
 
 use lfpiv_hw::{
-    device::{
-        Camera, DeviceError, Frame, StreamStatistics, Synchroniser, SynchroniserState,
-    },
+    device::{Camera, DeviceError, Frame, StreamStatistics, Synchroniser, SynchroniserState},
     timing::PulseSchedule,
 };
 

@@ -14,12 +14,12 @@ use std::{path::Path, sync::Arc};
 use lfpiv_hw::device::Camera;
 use tokio_util::sync::CancellationToken;
 
-pub use script::Speed;
 use self::{clock::ReplayClock, script::Script};
 use super::{
     Bench, BurstScript, RunClock,
     journal::{Description, RecordedRun, RecordedRunError},
 };
+pub use script::Speed;
 
 /// What is needed to play a run again.
 pub struct Replay {
@@ -50,8 +50,9 @@ pub fn replay(
     let description = recorded.description().clone();
     let clock = Arc::new(ReplayClock::default());
     let script = Arc::new(Script::read(recorded, speed, clock.clone(), stop)?);
-    let cameras = (0..description.cameras)
-        .map(|camera| Box::new(devices::ReplayCamera::new(camera, script.clone())) as Box<dyn Camera>);
+    let cameras = (0..description.cameras).map(|camera| {
+        Box::new(devices::ReplayCamera::new(camera, script.clone())) as Box<dyn Camera>
+    });
     let unit = devices::ReplayUnit::new(script.clone());
     Ok(Replay {
         bench: Bench::new(cameras.collect(), Box::new(unit)),

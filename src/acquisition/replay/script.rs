@@ -44,11 +44,31 @@ const STALLED: Duration = Duration::from_millis(200);
 
 #[derive(Debug, Clone)]
 enum Step {
-    Frame { at_ns: u64, camera: usize, head: FrameHead, statistics: StreamStatistics, place: Position },
-    Stream { at_ns: u64, camera: usize, connected: bool, statistics: StreamStatistics },
-    Fired { at_ns: u64, shots: u64, schedule: Arc<PulseSchedule> },
-    BurstEnded { at_ns: u64, given: u64 },
-    Stopping { at_ns: u64 },
+    Frame {
+        at_ns: u64,
+        camera: usize,
+        head: FrameHead,
+        statistics: StreamStatistics,
+        place: Position,
+    },
+    Stream {
+        at_ns: u64,
+        camera: usize,
+        connected: bool,
+        statistics: StreamStatistics,
+    },
+    Fired {
+        at_ns: u64,
+        shots: u64,
+        schedule: Arc<PulseSchedule>,
+    },
+    BurstEnded {
+        at_ns: u64,
+        given: u64,
+    },
+    Stopping {
+        at_ns: u64,
+    },
 }
 
 impl Step {
@@ -108,8 +128,14 @@ struct State {
 
 /// What a camera gets from its turn.
 pub(super) enum Turn {
-    Frame { frame: Frame, statistics: StreamStatistics },
-    Stream { connected: bool, statistics: StreamStatistics },
+    Frame {
+        frame: Frame,
+        statistics: StreamStatistics,
+    },
+    Stream {
+        connected: bool,
+        statistics: StreamStatistics,
+    },
     /// Nothing within the time given.
     None,
 }
@@ -247,7 +273,9 @@ impl Script {
                 let frame = frame(head, self.image(camera, place)?);
                 Ok(Turn::Frame { frame, statistics })
             }
-            Step::Stream { connected, statistics, .. } => Ok(Turn::Stream { connected, statistics }),
+            Step::Stream { connected, statistics, .. } => {
+                Ok(Turn::Stream { connected, statistics })
+            }
             _ => Ok(Turn::None),
         }
     }
