@@ -154,7 +154,12 @@ impl Daemon {
         let (control, inbox) = control(plan.mode, acquisition.schedule.dt_us, plan.planner());
         let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
         let board = Arc::new(Board::new());
-        let state = ApiState::new(run_info(&plan, &folder), ledger.clone(), board.clone());
+        let state = ApiState::new(
+            run_info(&plan, &folder),
+            ledger.clone(),
+            board.clone(),
+            recording.journal.clone(),
+        );
         Ok(Self {
             plan,
             acquisition,

@@ -16,7 +16,10 @@ use prometheus_client::{
     registry::Registry,
 };
 
-use super::{ApiError, ApiState, status::ShotCounts};
+use super::{
+    ApiError, ApiState,
+    status::{RawMarks, ShotCounts},
+};
 use crate::acquisition::Outcome;
 
 const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
@@ -33,12 +36,18 @@ pub(super) async fn metrics(State(state): State<ApiState>) -> Response {
     }
 }
 
-#[derive(Debug)]
 struct Reader(ApiState);
+
+impl fmt::Debug for Reader {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("Reader")
+    }
+}
 
 impl Collector for Reader {
     fn encode(&self, mut encoder: DescriptorEncoder) -> Result<(), fmt::Error> {
         self.encode_shots(&mut encoder)?;
+        self.encode_raw(&mut encoder)?;
         self.encode_ledger(&mut encoder)?;
         let uptime = ConstGauge::new(self.0.began.elapsed().as_secs_f64());
         let metric = encoder.encode_descriptor(
@@ -69,6 +78,31 @@ impl Reader {
             let labels = [("state", state)];
             let metric = family.encode_family(&labels)?;
             ConstGauge::new(count as i64).encode(metric)?;
+        }
+        Ok(())
+    }
+
+    /// Watermarks of the raw data.
+    fn encode_raw(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
+        let Some(marks) = RawMarks::of(&self.0) else { return Ok(()) };
+        let help = "Shots whose raw data has got this far";
+        let mut family = encoder.encode_descriptor("raw_shots", help, None, MetricType::Counter)?;
+        for (level, count) in [
+            ("paired", marks.shots.paired),
+            ("written", marks.shots.written),
+            ("synced", marks.shots.synced),
+            ("processed", marks.processed),
+        ] {
+            let labels = [("level", level)];
+            let metric = family.encode_family(&labels)?;
+            ConstCounter::new(count).encode(metric)?;
+        }
+        let help = "Raw data, as it was in memory and as it is stored";
+        let mut family = encoder.encode_descriptor("raw_bytes", help, None, MetricType::Counter)?;
+        for (form, count) in [("in", marks.bytes_in), ("stored", marks.bytes_written)] {
+            let labels = [("form", form)];
+            let metric = family.encode_family(&labels)?;
+            ConstCounter::new(count).encode(metric)?;
         }
         Ok(())
     }

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::{ApiError, ApiState, shot_number};
 use crate::{
     acquisition::{Outcome, TriggerEntry},
+    lightfield::RawLevel,
     pipeline::{ShotRecord, Stage, StageSeconds},
 };
 
@@ -63,6 +64,8 @@ pub(super) struct ShotView {
     shot: u64,
     state: ShotState,
     cameras: Vec<CameraOutcome>,
+    /// How safe its raw images are.
+    raw: RawLevel,
     /// Evidence that disagrees with the pairing.
     suspect: Vec<String>,
     message: Option<String>,
@@ -83,6 +86,7 @@ impl ShotView {
             shot: entry.trigger,
             state: ShotState::of(entry, record.as_ref()),
             cameras: cameras.collect(),
+            raw: state.journal.level(entry.trigger),
             suspect: entry.suspect.clone(),
             message: record.as_ref().and_then(|record| record.message.clone()),
             warnings: record.as_ref().map(|record| record.warnings.clone()).unwrap_or_default(),

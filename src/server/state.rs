@@ -5,7 +5,10 @@ use std::{path::PathBuf, sync::Arc, time::Instant};
 use parking_lot::Mutex;
 use serde::Serialize;
 
-use crate::{acquisition::Ledger, pipeline::Board};
+use crate::{
+    acquisition::{Journal, Ledger},
+    pipeline::Board,
+};
 
 /// How far the run is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -66,20 +69,26 @@ pub struct ConfigurationSummary {
 }
 
 /// Shared by all handlers; cheap to clone.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct ApiState {
     pub(super) info: Arc<RunInfo>,
     pub(super) ledger: Arc<Mutex<Ledger>>,
     pub(super) board: Arc<Board>,
+    pub(super) journal: Journal,
     pub(super) began: Instant,
     phase: Arc<Mutex<Phase>>,
 }
 
 impl ApiState {
     /// The state of a run that is starting.
-    pub fn new(info: RunInfo, ledger: Arc<Mutex<Ledger>>, board: Arc<Board>) -> Self {
+    pub fn new(
+        info: RunInfo,
+        ledger: Arc<Mutex<Ledger>>,
+        board: Arc<Board>,
+        journal: Journal,
+    ) -> Self {
         let phase = Arc::new(Mutex::new(Phase::Starting));
-        Self { info: Arc::new(info), ledger, board, began: Instant::now(), phase }
+        Self { info: Arc::new(info), ledger, board, journal, began: Instant::now(), phase }
     }
 
     /// The run has come this far.

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::{ApiState, ConfigurationSummary, Phase};
 use crate::{
-    acquisition::{Account, Outcome},
+    acquisition::{Account, Outcome, journal::ShotMarks},
     model::ModelChoice,
 };
 
@@ -21,6 +21,8 @@ pub(super) struct Status {
     stage: String,
     shots: ShotCounts,
     ledger: LedgerView,
+    /// How far the raw data has got; absent where none is kept.
+    raw: Option<RawMarks>,
     model: String,
     /// The parts of the model and why; absent before the first result.
     model_choice: Option<ModelChoice>,
@@ -68,6 +70,31 @@ impl ShotCounts {
     }
 }
 
+/// Watermarks of the raw data: how many shots have got how far, and what it takes.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct RawMarks {
+    #[serde(flatten)]
+    pub shots: ShotMarks,
+    /// Shots with a stored result.
+    pub processed: u64,
+    pub bytes_in: u64,
+    pub bytes_written: u64,
+    pub segments: u32,
+}
+
+impl RawMarks {
+    pub fn of(state: &ApiState) -> Option<Self> {
+        let marks = state.journal.log()?.watermarks();
+        Some(Self {
+            shots: state.journal.marks(),
+            processed: state.board.counts().done,
+            bytes_in: marks.bytes_in,
+            bytes_written: marks.bytes_written,
+            segments: marks.segments,
+        })
+    }
+}
+
 #[derive(Debug, Serialize)]
 struct LedgerView {
     /// Whether every trigger is accounted for.
@@ -97,6 +124,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
         stage: stage(&state, &phase, shots),
         shots,
         ledger: ledger(&state),
+        raw: RawMarks::of(&state),
         model: info.model.clone(),
         model_choice: state.board.model().map(|model| (*model).clone()),
         solver: info.solver.clone(),

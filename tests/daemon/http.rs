@@ -73,7 +73,7 @@ impl Server {
             },
             results_dir: PathBuf::from("/data/run-1"),
         };
-        let state = ApiState::new(info, Arc::new(Mutex::new(ledger)), Arc::new(board));
+        let state = ApiState::new(info, Arc::new(Mutex::new(ledger)), Arc::new(board), Journal::none());
         state.set_phase(Phase::Running);
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
         let (address, stop) = (listener.local_addr().unwrap(), CancellationToken::new());
