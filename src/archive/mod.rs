@@ -14,6 +14,7 @@ mod grey_tiff;
 mod netcdf_file;
 mod pair_folder;
 mod paraview;
+pub mod raw_log;
 mod store;
 #[cfg(test)]
 mod test_data;

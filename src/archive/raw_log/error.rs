@@ -1,0 +1,219 @@
+//! Why the raw log cannot be written or read.
+
+use std::{
+    io::{self, ErrorKind},
+    path::PathBuf,
+    sync::Arc,
+};
+
+use thiserror::Error;
+
+use super::{FORMAT_VERSION, Record, format::HeaderFault};
+
+/// Why the raw log cannot be written or read.
+///
+/// Every message is complete: the reason is part of it, not a `source` to be printed after it.
+#[derive(Debug, Error)]
+pub enum RawLogError {
+    /// The operating system refused.
+    #[error("cannot {action} {}: {reason}", path.display())]
+    Io {
+        /// What was tried.
+        action: &'static str,
+        /// On which file or folder.
+        path: PathBuf,
+        /// The system's reason.
+        reason: io::Error,
+    },
+    /// The disk refused while a run was being recorded: nothing is recorded any more.
+    #[error(
+        "raw data is not recorded any more: cannot {action} {}: {reason}; what was written before \
+         is kept; {}", path.display(), advice(reason, path)
+    )]
+    DiskFailed {
+        /// What was tried.
+        action: &'static str,
+        /// On which file or folder.
+        path: PathBuf,
+        /// The system's reason.
+        reason: io::Error,
+    },
+    /// An earlier failure ended the log.
+    #[error("{0}")]
+    Stopped(Arc<RawLogError>),
+    /// The log's writer has been closed.
+    #[error("the raw log in {} is closed: start a new run to record more", folder.display())]
+    Closed {
+        /// The log's folder.
+        folder: PathBuf,
+    },
+    /// The writer's thread ended by a panic.
+    #[error(
+        "raw data is not recorded any more: the writer of {} has panicked; what was written \
+         before is kept; report the panic message above and start a new run", folder.display()
+    )]
+    WriterPanicked {
+        /// The log's folder.
+        folder: PathBuf,
+    },
+    /// A run's folder is already in use.
+    #[error(
+        "{} already holds a raw log: choose another folder or move it away", folder.display()
+    )]
+    AlreadyUsed {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// A record that the format cannot hold.
+    #[error(
+        "record {sequence} has {what} in a raw log, which holds up to {limit}: record smaller \
+         images or shorter notes"
+    )]
+    TooLarge {
+        /// Number of the record.
+        sequence: u64,
+        /// Which part, and its size.
+        what: String,
+        /// What is allowed.
+        limit: &'static str,
+    },
+    /// There is not room for what is about to be recorded.
+    #[error(
+        "{} has room for {free_mb} MB and {needed_mb} MB are needed ({wanted_mb} MB of images, \
+         {queued_mb} MB that wait to be written, {reserve_mb} MB that stay free): make room, \
+         record fewer shots, or lower raw_log.reserve_mb", folder.display()
+    )]
+    NoRoom {
+        /// The log's folder.
+        folder: PathBuf,
+        /// Room on the disk, in MB.
+        free_mb: u64,
+        /// Sum of the next three, in MB.
+        needed_mb: u64,
+        /// Images about to be recorded, in MB.
+        wanted_mb: u64,
+        /// Images recorded and not written yet, in MB.
+        queued_mb: u64,
+        /// Room that must stay free, in MB.
+        reserve_mb: u64,
+    },
+    /// The disk does not keep up.
+    #[error(
+        "{queued_mb} MB wait to be written to {}, more than half of raw_log.queue_mb = {queue_mb}: \
+         wait until they are written; if this happens often, the disk is too slow for this rate",
+        folder.display()
+    )]
+    Behind {
+        /// The log's folder.
+        folder: PathBuf,
+        /// Images recorded and not written yet, in MB.
+        queued_mb: u64,
+        /// Most that may wait, in MB.
+        queue_mb: u64,
+    },
+    /// There is nothing to read.
+    #[error(
+        "{} holds no raw log: give the folder raw of a recorded run, with segment_000000.raw in it",
+        folder.display()
+    )]
+    NoSegment {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// Written by a newer program.
+    #[error(
+        "{} is in version {found} of the raw log's format and this program reads up to \
+         {FORMAT_VERSION}: use the lfpiv that recorded it, or a newer one", path.display()
+    )]
+    NewerVersion {
+        /// The segment.
+        path: PathBuf,
+        /// Its version.
+        found: u32,
+    },
+    /// Bytes that are not what was written.
+    #[error(
+        "{} is damaged at byte {offset}: {what}; records around it are still read: look for \
+         another copy of this file, and at the disk", path.display()
+    )]
+    Damaged {
+        /// The segment.
+        path: PathBuf,
+        /// Where the damaged record or footer begins.
+        offset: u64,
+        /// What is wrong there.
+        what: &'static str,
+    },
+    /// Records that are in no segment.
+    #[error(
+        "records {first} to {last} are missing in {}: a segment is lost or damaged; look for \
+         another copy of the folder", folder.display()
+    )]
+    Missing {
+        /// The log's folder.
+        folder: PathBuf,
+        /// First record that is not there.
+        first: u64,
+        /// Last record that is not there.
+        last: u64,
+    },
+}
+
+/// Why a record was not taken.
+#[derive(Debug, Error)]
+pub enum AppendError {
+    /// As many bytes as allowed wait to be written; here is the record.
+    #[error("the raw log's queue is full: wait for room")]
+    Full(Record),
+    /// The log has failed or is closed.
+    #[error("{0}")]
+    Failed(Arc<RawLogError>),
+}
+
+impl RawLogError {
+    /// Adapter for `map_err`: adds what was tried and on which path.
+    pub(super) fn io(
+        action: &'static str,
+        path: impl Into<PathBuf>,
+    ) -> impl FnOnce(io::Error) -> Self {
+        let path = path.into();
+        move |reason| Self::Io { action, path, reason }
+    }
+
+    /// The same failure as the end of a log that was being written.
+    pub(super) fn ends_recording(self) -> Self {
+        match self {
+            Self::Io { action, path, reason } => Self::DiskFailed { action, path, reason },
+            other => other,
+        }
+    }
+
+    /// Why the first bytes of a segment are no header.
+    pub(super) fn header(path: impl Into<PathBuf>, fault: HeaderFault) -> Self {
+        let path = path.into();
+        let damaged = |path, what| Self::Damaged { path, offset: 0, what };
+        match fault {
+            HeaderFault::NewerVersion(found) => Self::NewerVersion { path, found },
+            HeaderFault::Incomplete => damaged(path, "the segment's header is not complete"),
+            HeaderFault::Damaged => damaged(path, "this is not the header of a segment"),
+        }
+    }
+}
+
+fn advice(reason: &io::Error, path: &std::path::Path) -> String {
+    match reason.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => format!(
+            "make room on the disk of {}, then `lfpiv process RUN` measures what was recorded",
+            path.display()
+        ),
+        ErrorKind::ReadOnlyFilesystem => {
+            "the disk is or has become read-only: look for its faults \
+            in the kernel's log (dmesg) and record the next run on another disk; `lfpiv process \
+            RUN` measures what was recorded"
+                .into()
+        }
+        _ => "look for the disk's faults in the kernel's log (dmesg) and record the next run on \
+            another disk; `lfpiv process RUN` measures what was recorded"
+            .into(),
+    }
+}
