@@ -66,12 +66,10 @@ pub enum RawLogError {
     },
     /// A record that the format cannot hold.
     #[error(
-        "record {sequence} has {what} in a raw log, which holds up to {limit}: record smaller \
-         images or shorter notes"
+        "{what} cannot be recorded, a raw log holds up to {limit}: record smaller images or \
+         shorter notes"
     )]
     TooLarge {
-        /// Number of the record.
-        sequence: u64,
         /// Which part, and its size.
         what: String,
         /// What is allowed.
@@ -165,7 +163,7 @@ pub enum AppendError {
     /// As many bytes as allowed wait to be written; here is the record.
     #[error("the raw log's queue is full: wait for room")]
     Full(Record),
-    /// The log has failed or is closed.
+    /// The log has failed or is closed, or could never hold this record.
     #[error("{0}")]
     Failed(Arc<RawLogError>),
 }

@@ -71,7 +71,7 @@ impl RawLog {
     /// Takes a record, waiting for room in the queue; its sequence number.
     ///
     /// # Errors
-    /// The log has failed or is closed.
+    /// The log has failed or is closed, or could never hold this record.
     pub async fn append(&self, record: Record) -> Result<u64, RawLogError> {
         self.queue.append(record).await.map_err(RawLogError::Stopped)
     }
@@ -79,7 +79,7 @@ impl RawLog {
     /// Takes a record, waiting for room in the queue; its sequence number. Not for async code.
     ///
     /// # Errors
-    /// The log has failed or is closed.
+    /// The log has failed or is closed, or could never hold this record.
     pub fn append_blocking(&self, record: Record) -> Result<u64, RawLogError> {
         self.queue.append_blocking(record).map_err(RawLogError::Stopped)
     }
@@ -127,6 +127,11 @@ impl RawLog {
             });
         }
         Ok(())
+    }
+
+    /// Bytes of heads and images that wait to be written.
+    pub fn queued_bytes(&self) -> u64 {
+        self.queue.bytes()
     }
 
     /// Why the log has failed, if it has. That is for good: nothing is taken any more.

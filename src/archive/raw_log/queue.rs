@@ -105,6 +105,9 @@ impl Queue {
         if let Some(end) = state.end() {
             return Err(AppendError::Failed(Arc::clone(end)));
         }
+        if let Err(too_large) = record.image_size() {
+            return Err(AppendError::Failed(Arc::new(too_large)));
+        }
         let bytes = record.bytes();
         if state.bytes > 0 && state.bytes.saturating_add(bytes) > self.most_bytes {
             return Err(AppendError::Full(record));

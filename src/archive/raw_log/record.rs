@@ -3,6 +3,8 @@
 use lfpiv_hw::RawImage;
 use serde::Serialize;
 
+use super::{RawLogError, codec::MOST_PIXELS};
+
 /// One record: a head that the log does not look into, and an image if there is one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Record {
@@ -17,6 +19,26 @@ impl Record {
     pub fn bytes(&self) -> u64 {
         let counts = self.image.as_ref().map_or(0, |image| image.counts().len());
         self.head.len() as u64 + 2 * counts as u64
+    }
+
+    /// Columns and rows of the image; 0 without one.
+    ///
+    /// # Errors
+    /// Head or image is larger than the format allows.
+    pub(super) fn image_size(&self) -> Result<[u32; 2], RawLogError> {
+        if u32::try_from(self.head.len()).is_err() {
+            let what = format!("a head of {} bytes", self.head.len());
+            return Err(RawLogError::TooLarge { what, limit: "4294967295 bytes" });
+        }
+        let Some(image) = &self.image else { return Ok([0, 0]) };
+        let sides = u32::try_from(image.columns()).ok().zip(u32::try_from(image.rows()).ok());
+        match sides.filter(|_| image.counts().len() as u64 <= MOST_PIXELS) {
+            Some((columns, rows)) => Ok([columns, rows]),
+            None => {
+                let what = format!("an image of {} x {} pixels", image.columns(), image.rows());
+                Err(RawLogError::TooLarge { what, limit: "268435456 pixels" })
+            }
+        }
     }
 }
 

@@ -15,7 +15,7 @@ use std::{
 
 use super::{
     RawLogError, Record,
-    codec::{Encoder, MOST_PIXELS},
+    codec::Encoder,
     format::{Footer, RECORD_HEADER_BYTES, RecordHeader, SegmentHeader},
     names::{part_path, sealed_path},
     settings::Limits,
@@ -198,7 +198,7 @@ impl Segments {
     /// Appends room for the header, then head and stored image, to the batch.
     fn encode(&mut self, record: &Record) -> Result<RecordHeader, RawLogError> {
         let sequence = self.progress.written + self.batch_records;
-        let (columns, rows) = size_of(record, sequence)?;
+        let [columns, rows] = record.image_size()?;
         self.batch.extend([0; RECORD_HEADER_BYTES]);
         self.batch.extend(&record.head);
         let stored_at = self.batch.len();
@@ -301,18 +301,4 @@ pub(super) fn give_sealed_name(
         .rename(&part, &sealed_path(folder, segment))
         .map_err(RawLogError::io("give its final name to", &part))?;
     storage.sync_folder(folder).map_err(RawLogError::io("flush to disk", folder))
-}
-
-/// Columns and rows of a record's image; 0 without one.
-fn size_of(record: &Record, sequence: u64) -> Result<(u32, u32), RawLogError> {
-    if u32::try_from(record.head.len()).is_err() {
-        let what = format!("a head of {} bytes", record.head.len());
-        return Err(RawLogError::TooLarge { sequence, what, limit: "4294967295 bytes" });
-    }
-    let Some(image) = &record.image else { return Ok((0, 0)) };
-    let sides = u32::try_from(image.columns()).ok().zip(u32::try_from(image.rows()).ok());
-    sides.filter(|_| image.counts().len() as u64 <= MOST_PIXELS).ok_or_else(|| {
-        let what = format!("an image of {} x {} pixels", image.columns(), image.rows());
-        RawLogError::TooLarge { sequence, what, limit: "268435456 pixels" }
-    })
 }

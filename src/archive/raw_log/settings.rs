@@ -13,9 +13,6 @@ const BYTES_PER_MB: u64 = 1_000_000;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct RawLogSettings {
-    /// Whether raw data is kept at all.
-    #[garde(skip)]
-    pub keep: bool,
     /// How images are stored.
     #[garde(skip)]
     pub codec: Codec,
@@ -35,14 +32,7 @@ pub struct RawLogSettings {
 
 impl Default for RawLogSettings {
     fn default() -> Self {
-        Self {
-            keep: true,
-            codec: Codec::Auto,
-            segment_mb: 1000,
-            sync_ms: 200,
-            queue_mb: 500,
-            reserve_mb: 1000,
-        }
+        Self { codec: Codec::Auto, segment_mb: 1000, sync_ms: 200, queue_mb: 500, reserve_mb: 1000 }
     }
 }
 

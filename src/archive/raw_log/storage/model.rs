@@ -25,7 +25,7 @@ struct State {
     durable: Content,
     operations: Vec<Operation>,
     faults: Faults,
-    /// Operations that change something, tried so far.
+    /// Operations that change something, tried since the faults were set.
     tried: u64,
 }
 
@@ -67,8 +67,11 @@ impl ModelDisk {
         Self(Arc::new(Mutex::new(state)))
     }
 
+    /// Operations are counted from now on.
     pub fn set_faults(&self, faults: Faults) {
-        self.0.lock().faults = faults;
+        let mut state = self.0.lock();
+        state.faults = faults;
+        state.tried = 0;
     }
 
     /// What is seen while the power is on.
@@ -153,11 +156,6 @@ impl Content {
     /// The same, to be damaged.
     pub fn file_mut(&mut self, path: &Path) -> Option<&mut Vec<u8>> {
         Some(&mut self.files[*self.names.get(path)?])
-    }
-
-    /// All names.
-    pub fn names(&self) -> impl Iterator<Item = &Path> {
-        self.names.keys().map(PathBuf::as_path)
     }
 
     /// Every name with its bytes.

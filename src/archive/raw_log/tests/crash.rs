@@ -173,7 +173,7 @@ fn check_recovery_that_is_cut(left: &Content, at_least: u64, random: &mut impl R
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 60, rng_seed: RngSeed::Fixed(11), ..Default::default() })]
+    #![proptest_config(ProptestConfig { cases: 200, rng_seed: RngSeed::Fixed(11), ..Default::default() })]
 
     #[test]
     fn what_was_promised_survives_a_crash_at_every_operation(

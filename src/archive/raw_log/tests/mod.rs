@@ -30,7 +30,7 @@ fn folder() -> &'static Path {
 fn limits() -> Limits {
     Limits {
         codec: Codec::Auto,
-        segment_bytes: 2500,
+        segment_bytes: 1200,
         sync_interval: Duration::from_millis(5),
         queue_bytes: 1_000_000,
         reserve_bytes: 0,
