@@ -3,7 +3,7 @@
 use std::{net::SocketAddr, path::PathBuf, sync::Arc};
 
 use lfpiv::{
-    acquisition::{Ledger, Outcome},
+    acquisition::{Journal, Ledger, Outcome},
     pipeline::{Board, ImagePair, RESULTS_IN_MEMORY},
     server::{ApiState, ConfigurationSummary, Phase, RunInfo, serve},
 };
@@ -73,7 +73,8 @@ impl Server {
             },
             results_dir: PathBuf::from("/data/run-1"),
         };
-        let state = ApiState::new(info, Arc::new(Mutex::new(ledger)), Arc::new(board), Journal::none());
+        let state =
+            ApiState::new(info, Arc::new(Mutex::new(ledger)), Arc::new(board), Journal::none());
         state.set_phase(Phase::Running);
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
         let (address, stop) = (listener.local_addr().unwrap(), CancellationToken::new());

@@ -13,6 +13,9 @@ const BYTES_PER_MB: u64 = 1_000_000;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct RawLogSettings {
+    /// Whether raw data is kept at all.
+    #[garde(skip)]
+    pub keep: bool,
     /// How images are stored.
     #[garde(skip)]
     pub codec: Codec,
@@ -32,7 +35,14 @@ pub struct RawLogSettings {
 
 impl Default for RawLogSettings {
     fn default() -> Self {
-        Self { codec: Codec::Auto, segment_mb: 1000, sync_ms: 200, queue_mb: 500, reserve_mb: 1000 }
+        Self {
+            keep: true,
+            codec: Codec::Auto,
+            segment_mb: 1000,
+            sync_ms: 200,
+            queue_mb: 500,
+            reserve_mb: 1000,
+        }
     }
 }
 
