@@ -24,7 +24,11 @@ impl Run {
             return Ok(None);
         }
         let left = self.settings.shots.map_or(u64::MAX, |shots| shots.get() - self.fired);
-        let longest = if self.pairing.has_reference() { self.settings.max_burst() } else { 1 };
+        let longest = if self.pairing.has_reference(self.began.elapsed()) {
+            self.settings.max_burst()
+        } else {
+            1
+        };
         let shots = match self.settings.overload {
             OverloadPolicy::Shed => left.min(longest),
             OverloadPolicy::Wait => self.keep_places(left.min(longest)).await?,

@@ -143,7 +143,7 @@ where
         let results = self.results.clone();
         let links = self.links.clone();
         self.threads.spawn(move || {
-            let Shot { trigger, cameras, suspect } = shot;
+            let Shot { trigger, cameras, suspect, .. } = shot;
             links.board.processing(trigger);
             let cameras = cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
             let pair = ImagePair { cameras: cameras.collect() };
