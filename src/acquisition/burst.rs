@@ -57,7 +57,8 @@ impl Run {
         if left == 0 {
             return Ok(None);
         }
-        let longest = if self.pairing.has_reference() { self.settings.max_burst() } else { 1 };
+        let longest =
+            if self.pairing.has_reference(self.time) { self.settings.max_burst() } else { 1 };
         let wanted = left.min(longest);
         Ok(Some(match self.settings.overload {
             OverloadPolicy::Shed => wanted,

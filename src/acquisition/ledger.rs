@@ -66,6 +66,8 @@ pub struct Ledger {
     accounts: Vec<Account>,
     streams: Vec<StreamStatistics>,
     entries: BTreeMap<u64, TriggerEntry>,
+    /// Triggers below this may have been forgotten, and cannot be entered again.
+    forgotten_below: u64,
 }
 
 impl Ledger {
@@ -75,12 +77,13 @@ impl Ledger {
             accounts: vec![Account::default(); cameras],
             streams: vec![StreamStatistics::default(); cameras],
             entries: BTreeMap::new(),
+            forgotten_below: 0,
         }
     }
 
     /// Enters a trigger: from now on it is open for every camera.
     pub fn enter(&mut self, trigger: u64) -> Result<(), LedgerError> {
-        if self.entries.contains_key(&trigger) {
+        if trigger < self.forgotten_below || self.entries.contains_key(&trigger) {
             return Err(LedgerError::Entered { trigger });
         }
         let cameras = vec![None; self.accounts.len()];
@@ -134,8 +137,13 @@ impl Ledger {
         Ok(())
     }
 
-    /// Settles a trigger for all cameras.
+    /// Settles a trigger for all cameras, or, where one of them is settled already, for none.
     pub fn settle_all(&mut self, trigger: u64, outcome: Outcome) -> Result<(), LedgerError> {
+        let entry = self.entries.get(&trigger);
+        let settled = entry.map_or(Some(0), |entry| entry.cameras.iter().position(Option::is_some));
+        if let Some(camera) = settled {
+            return Err(LedgerError::NotOpen { trigger, camera, outcome });
+        }
         (0..self.accounts.len()).try_for_each(|camera| self.settle(trigger, camera, outcome))
     }
 
@@ -195,12 +203,17 @@ impl Ledger {
     fn forget_oldest(&mut self) {
         while self.entries.len() > HISTORY {
             match self.entries.first_entry() {
-                Some(oldest) if oldest.get().is_settled() => drop(oldest.remove()),
+                Some(oldest) if oldest.get().is_settled() => {
+                    self.forgotten_below = oldest.remove().trigger + 1;
+                }
                 _ => break,
             }
         }
     }
 }
+
+#[cfg(test)]
+mod properties;
 
 #[cfg(test)]
 mod tests {
@@ -243,6 +256,7 @@ mod tests {
             }
         }
         assert!(ledger.entry(0).is_none() && ledger.entry(3).is_some());
+        assert_eq!(ledger.enter(0), Err(LedgerError::Entered { trigger: 0 }), "forgotten, not new");
         ledger.settle(3, 0, Outcome::Shed).unwrap();
         assert_eq!(ledger.accounts()[0].triggers, HISTORY as u64 + 10);
         assert!(ledger.is_balanced());

@@ -126,7 +126,8 @@ mod tests {
     use super::*;
 
     fn shot(trigger: u64) -> Shot {
-        Shot { trigger, cameras: Vec::new(), dt_us: 100.0, suspect: Vec::new() }
+        let (cameras, suspect, residuals_ns) = (Vec::new(), Vec::new(), Vec::new());
+        Shot { trigger, cameras, dt_us: 100.0, suspect, residuals_ns }
     }
 
     #[tokio::test]

@@ -98,6 +98,7 @@ impl Run {
         let entry = Entry::Shot {
             trigger,
             frames: shot.cameras.iter().map(|ab| ab.each_ref().map(FrameKey::from)).collect(),
+            residuals_ns: shot.residuals_ns.clone(),
             suspect: shot.suspect.clone(),
             dt_us: shot.dt_us,
         };

@@ -1,5 +1,5 @@
 //! The command line: `lfpiv check | timing | simulate | process | run | replay | export |
-//! sim-bench | devices | bench | peers`.
+//! sim-bench | devices | doctor | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
@@ -10,6 +10,7 @@ mod compare;
 pub mod daemon;
 mod demo_table;
 mod devices;
+mod doctor;
 #[cfg(feature = "aravis")]
 mod drive;
 mod export;
@@ -38,6 +39,7 @@ use tracing_subscriber::{filter::Targets, prelude::*};
 
 pub use bench::BenchArgs;
 pub use check::CheckArgs;
+pub use doctor::DoctorArgs;
 pub use export::ExportArgs;
 pub use peers::PeersCommand;
 pub use process::ProcessArgs;
@@ -75,6 +77,8 @@ enum Command {
     SimBench(SimBenchArgs),
     /// List the cameras on the network.
     Devices,
+    /// Look whether this machine is fit for the bench, and say what to do.
+    Doctor(DoctorArgs),
     /// Measure speed against error of declared cases and methods, and write a report.
     Bench(BenchArgs),
     /// Make cases that other programs can be timed on, and time this one (see benches/peers).
@@ -96,6 +100,7 @@ pub fn main() -> ExitCode {
         Command::Export(args) => export::export(&args),
         Command::SimBench(args) => sim_bench::sim_bench(&args),
         Command::Devices => devices::devices(),
+        Command::Doctor(args) => doctor::doctor(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Peers(command) => peers::peers(&command),
     };

@@ -148,7 +148,7 @@ where
         let results = self.results.clone();
         let links = self.links.clone();
         self.threads.spawn(move || {
-            let Shot { trigger, cameras, dt_us, suspect } = shot;
+            let Shot { trigger, cameras, dt_us, suspect, .. } = shot;
             links.board.processing(trigger);
             let cameras = cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
             let pair = ImagePair { cameras: cameras.collect() };

@@ -72,7 +72,8 @@ fn shot(trigger: u64) -> Shot {
         host_timestamp_ns: 0,
         status: FrameStatus::Complete,
     };
-    Shot { trigger, cameras: vec![[frame(), frame()]], dt_us: 100.0, suspect: Vec::new() }
+    let cameras = vec![[frame(), frame()]];
+    Shot { trigger, cameras, dt_us: 100.0, suspect: Vec::new(), residuals_ns: vec![0] }
 }
 
 fn number(pair: &ImagePair) -> u16 {

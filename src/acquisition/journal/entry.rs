@@ -48,7 +48,13 @@ pub enum Entry {
     /// What a camera's stream says of itself: that it is away, back, or has ended.
     Stream { at_ns: u64, camera: usize, connected: bool, statistics: StreamStatistics },
     /// These frames are one shot: frames a and b of each camera.
-    Shot { trigger: u64, frames: Vec<[FrameKey; 2]>, suspect: Vec<String>, dt_us: f64 },
+    Shot {
+        trigger: u64,
+        frames: Vec<[FrameKey; 2]>,
+        residuals_ns: Vec<i64>,
+        suspect: Vec<String>,
+        dt_us: f64,
+    },
     /// How a trigger ended for one camera, as far as acquisition decides it.
     Settled { trigger: u64, camera: usize, outcome: Outcome },
     /// The trigger was asked for and never given.

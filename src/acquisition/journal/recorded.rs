@@ -127,7 +127,8 @@ impl RecordedRun {
                     frames.entry((camera, frame.key())).or_insert(position);
                 }
                 Ok(Placed {
-                    entry: Entry::Shot { trigger, frames: keys, suspect, dt_us }, ..
+                    entry: Entry::Shot { trigger, frames: keys, suspect, dt_us, .. },
+                    ..
                 }) => {
                     let mut find = |(camera, keys): (usize, &[FrameKey; 2])| {
                         let [a, b] = keys.map(|key| frames.remove(&(camera, key)));

@@ -14,9 +14,21 @@
 //! shots are suspect. A jump by a whole number of periods looks like missed triggers: nothing
 //! tells them apart.
 //!
+//! Clocks are fitted ([`clocks`]): every shot carries how far each camera's timestamp is off its
+//! clock's line, and is suspect when that is far out. Far out is more than eight standard
+//! deviations of the recent shots and more than the exactness that cameras are believed to have
+//! (`frame_interval_tolerance_ns`), or an eighth of a period.
+//!
+//! The first frame of a stream may be lost, and the next one, frame b, be numbered 0 in its place.
+//! Two successive frames as far apart as exposures of one trigger show this.
+//!
 //! Each trigger entered with [`Pairing::fired`] leads, for each camera, to exactly one ruling.
 //! Time is passed in, as a duration since any fixed moment.
 
+mod clock_fit;
+mod clocks;
+#[cfg(test)]
+mod many_shots;
 mod rules;
 mod slot;
 #[cfg(test)]
@@ -25,6 +37,7 @@ mod track;
 
 use std::{collections::BTreeMap, time::Duration};
 
+use clocks::Clocks;
 use lfpiv_hw::device::Frame;
 use serde::Serialize;
 use slot::Slot;
@@ -62,11 +75,16 @@ pub enum Ruling {
     Withdrawn { trigger: u64 },
 }
 
-/// Frames that became no part of a shot or of a verdict.
+/// Where the frames went. Every frame is counted once:
+/// `received = paired + unpaired + duplicate + stray + `[`Pairing::held_frames`].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct FrameCounters {
     /// Frames received in all.
     pub received: u64,
+    /// Frames of shots that were paired.
+    pub paired: u64,
+    /// Frames of triggers that could not be paired; their outcomes say why.
+    pub unpaired: u64,
     /// Frames that were there already.
     pub duplicate: u64,
     /// Frames of no open trigger.
@@ -101,8 +119,9 @@ pub struct Pairing {
     given: u64,
     tracks: Vec<Track>,
     last_arrival: Vec<Duration>,
-    /// Timestamp of each camera less that of camera 0, for the same trigger.
-    clock_offsets_ns: Option<Vec<i128>>,
+    clocks: Clocks,
+    /// The time of the last call.
+    now: Duration,
     open: BTreeMap<u64, OpenTrigger>,
     counters: FrameCounters,
 }
@@ -116,7 +135,8 @@ impl Pairing {
             given: 0,
             tracks: vec![Track::default(); settings.cameras],
             last_arrival: vec![Duration::ZERO; settings.cameras],
-            clock_offsets_ns: (settings.cameras == 1).then(|| vec![0]),
+            clocks: Clocks::new(settings.cameras, TimeGrid::of(&settings)),
+            now: Duration::ZERO,
             open: BTreeMap::new(),
             counters: FrameCounters::default(),
             settings,
@@ -125,18 +145,28 @@ impl Pairing {
 
     /// The unit is programmed anew, perhaps with another schedule; no burst runs.
     pub fn rescheduled(&mut self, settings: PairingSettings) {
-        self.grid = TimeGrid::of(&settings);
+        let grid = TimeGrid::of(&settings);
+        if grid != self.grid {
+            self.clocks.rescheduled(grid);
+            self.grid = grid;
+        }
         self.settings = settings;
     }
 
-    /// Whether the difference between the cameras' clocks is known. Until then, fire single shots.
-    pub fn has_reference(&self) -> bool {
-        self.clock_offsets_ns.is_some()
+    /// Whether the difference between the cameras' clocks is known well enough at `now` to tell
+    /// one trigger from the next: after a long pause it no longer is. Until then, fire single shots.
+    pub fn has_reference(&self, now: Duration) -> bool {
+        self.clocks.are_compared(now)
     }
 
     /// Triggers that are not ruled on yet.
     pub fn open_triggers(&self) -> usize {
         self.open.len()
+    }
+
+    /// Frames of open triggers.
+    pub fn held_frames(&self) -> u64 {
+        self.open.values().flat_map(|open| &open.slots).map(Slot::frames_held).sum()
     }
 
     /// Frames counted so far.
@@ -146,6 +176,10 @@ impl Pairing {
 
     /// A burst of `shots` triggers begins now; its first trigger's number is returned.
     pub fn fired(&mut self, shots: u64, now: Duration) -> u64 {
+        self.now = now;
+        if !self.clocks.are_compared(now) {
+            self.clocks.forget_differences();
+        }
         let first = self.burst.end;
         self.burst = Burst { first, end: first + shots };
         let period = Duration::from_nanos(self.settings.period_ns);
@@ -159,13 +193,14 @@ impl Pairing {
 
     /// A frame arrived from `camera`.
     pub fn frame(&mut self, camera: usize, frame: Frame, now: Duration) -> Vec<Ruling> {
+        self.now = now;
         self.counters.received += 1;
         self.last_arrival[camera] = now;
-        let half = (frame.frame_id % 2) as usize;
         let mut rulings = Vec::new();
         match self.tracks[camera].locate(&frame, self.burst, self.grid) {
             Location::Past => self.counters.stray += 1,
             Location::Trigger { trigger, missed, disagreement } => {
+                let half = self.tracks[camera].half(&frame);
                 self.mark_missed(camera, trigger - missed..trigger, &mut rulings);
                 self.mark_passed(camera, trigger, now);
                 if self.store(camera, trigger, half, frame, disagreement) {
@@ -185,12 +220,13 @@ impl Pairing {
     /// learnt anew: [`Self::has_reference`].
     pub fn camera_returned(&mut self, camera: usize) {
         self.tracks[camera].restart();
-        self.clock_offsets_ns = (self.settings.cameras == 1).then(|| vec![0]);
+        self.clocks.restart(camera);
     }
 
     /// Time has passed. A trigger is given up for silence only once it is known to have been
     /// given: from [`Self::burst_ended`] or because a camera saw it.
     pub fn tick(&mut self, now: Duration) -> Vec<Ruling> {
+        self.now = now;
         let mut rulings = Vec::new();
         let triggers: Vec<u64> = self.open.keys().copied().collect();
         for trigger in triggers {

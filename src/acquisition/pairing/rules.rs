@@ -21,11 +21,14 @@ impl Pairing {
             return false;
         };
         let slot = &mut open.slots[camera];
-        if slot.settled || slot.frames[half].is_some() {
+        if slot.settled {
+            self.counters.stray += 1;
+            return false;
+        }
+        if !slot.put(half, frame) {
             self.counters.duplicate += 1;
             return false;
         }
-        slot.frames[half] = Some(frame);
         slot.disagreement.extend(disagreement.map(|words| format!("camera {camera}: {words}")));
         true
     }
@@ -74,16 +77,16 @@ impl Pairing {
         }
     }
 
-    /// The camera whose frames are whole periods after the others', given the offsets between
+    /// The camera whose frames are whole periods after the others', given the differences between
     /// their clocks, and by how many periods.
     fn find_camera_behind(&self, open: &OpenTrigger) -> Option<(usize, u64)> {
-        let offsets = self.clock_offsets_ns.as_ref()?;
         if open.slots.iter().any(|slot| !slot.disagreement.is_empty()) {
             return None;
         }
-        let first = open.slots[0].timestamp_ns()?;
-        open.slots.iter().zip(offsets).enumerate().find_map(|(camera, (slot, offset))| {
-            let (steps, off_grid_ns) = self.grid.steps(slot.timestamp_ns()? - first - offset);
+        let first_ns = open.slots[0].timestamp_ns()?;
+        open.slots.iter().enumerate().find_map(|(camera, slot)| {
+            let moved_ns = self.clocks.difference_ns(camera, first_ns, slot.timestamp_ns()?)?;
+            let (steps, off_grid_ns) = self.grid.steps(moved_ns);
             let behind = if steps > 0 { camera } else { 0 };
             let clear = steps != 0 && off_grid_ns.abs() <= self.grid.tolerance_ns();
             clear.then(|| (behind, steps.unsigned_abs() as u64))
@@ -126,42 +129,24 @@ impl Pairing {
             for (camera, slot) in open.slots.iter().enumerate() {
                 let outcome = slot.outcome_without_partner();
                 rulings.push(Ruling::Settled { trigger, camera, outcome });
+                self.counters.unpaired += slot.frames_held();
             }
             return;
         }
         let mut suspect: Vec<String> =
             open.slots.iter_mut().flat_map(|slot| slot.disagreement.drain(..)).collect();
-        suspect.extend(self.check_offsets(&open, suspect.is_empty()));
+        let timestamps_ns: Vec<i128> = open.slots.iter().filter_map(Slot::timestamp_ns).collect();
+        let place = (trigger, self.burst, self.grid);
+        let compared = self.clocks.compare(place, &timestamps_ns, suspect.is_empty(), self.now);
+        suspect.extend(compared.suspect);
         let cameras: Vec<[Frame; 2]> =
             open.slots.into_iter().filter_map(|slot| both(slot.frames)).collect();
         suspect.extend(self.check_intervals(&cameras));
+        self.counters.paired += 2 * cameras.len() as u64;
+        let residuals_ns = compared.residuals_ns;
         let dt_us = self.settings.dt_us;
-        rulings.push(Ruling::Paired(Shot { trigger, cameras, dt_us, suspect }));
-    }
-
-    /// Compares the cameras' clocks with each other and follows their drift. After a jump their
-    /// difference is learnt anew, as in the beginning: from a single shot that is in order.
-    fn check_offsets(&mut self, open: &OpenTrigger, in_order: bool) -> Option<String> {
-        let first = open.slots[0].timestamp_ns()?;
-        let offsets: Vec<i128> =
-            open.slots.iter().map(|slot| slot.timestamp_ns().map_or(0, |t| t - first)).collect();
-        let Some(known) = &self.clock_offsets_ns else {
-            if self.burst.end - self.burst.first > 1 {
-                return Some("the cameras' clocks are not compared since they moved apart".into());
-            }
-            if in_order {
-                self.clock_offsets_ns = Some(offsets);
-            }
-            return None;
-        };
-        let jumps = known.iter().zip(&offsets).map(|(old, new)| (new - old).abs());
-        let jump_ns = jumps.max().unwrap_or(0);
-        if jump_ns > self.grid.tolerance_ns() {
-            self.clock_offsets_ns = None;
-            return Some(format!("the cameras' clocks moved apart by {} us", jump_ns / 1000));
-        }
-        self.clock_offsets_ns = Some(offsets);
-        None
+        let shot = Shot { trigger, cameras, dt_us, suspect, residuals_ns };
+        rulings.push(Ruling::Paired(shot));
     }
 
     /// Frame b must follow frame a after the time the schedule sets.
@@ -220,7 +205,7 @@ impl Pairing {
             if !slot.settled && slot.is_full() {
                 let outcome = slot.outcome_without_partner();
                 rulings.push(Ruling::Settled { trigger, camera, outcome });
-                slot.settle();
+                self.counters.unpaired += slot.settle();
             }
         }
         self.drop_when_settled(trigger);
@@ -250,7 +235,7 @@ impl Pairing {
                 Outcome::MissingPackets
             };
             rulings.push(Ruling::Settled { trigger, camera, outcome });
-            slot.settle();
+            self.counters.unpaired += slot.settle();
         }
         self.drop_when_settled(trigger);
     }
@@ -262,7 +247,7 @@ impl Pairing {
             let lost = slot.missed || slot.passed_at.is_some() || slot.overdue_at.is_some();
             if !slot.settled && !lost {
                 rulings.push(Ruling::Settled { trigger, camera, outcome: Outcome::Shed });
-                slot.settle();
+                self.counters.unpaired += slot.settle();
             }
         }
         self.drop_when_settled(trigger);

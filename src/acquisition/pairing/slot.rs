@@ -38,6 +38,25 @@ impl Slot {
         self.frames.iter().filter(|frame| frame.is_none()).count() as u64
     }
 
+    pub fn frames_held(&self) -> u64 {
+        2 - self.frames_missing()
+    }
+
+    /// Puts a frame in its place, unless it is there already. A frame of another number in that
+    /// place was taken for this half before it was known where the numbers begin.
+    pub fn put(&mut self, half: usize, frame: Frame) -> bool {
+        if let Some(there) = self.frames[half].take() {
+            let misplaced = there.frame_id != frame.frame_id && self.frames[1 - half].is_none();
+            if !misplaced {
+                self.frames[half] = Some(there);
+                return false;
+            }
+            self.frames[1 - half] = Some(there);
+        }
+        self.frames[half] = Some(frame);
+        true
+    }
+
     pub fn is_damaged(&self) -> bool {
         self.frames.iter().flatten().any(|frame| frame.status == FrameStatus::MissingPackets)
     }
@@ -69,9 +88,11 @@ impl Slot {
         self.passed_at.unwrap_or(due) + patience
     }
 
-    /// Drops the pictures: what is settled needs no memory.
-    pub fn settle(&mut self) {
+    /// Drops the pictures: what is settled needs no memory. Returns how many frames there were.
+    pub fn settle(&mut self) -> u64 {
+        let held = self.frames_held();
         self.settled = true;
         self.frames = [None, None];
+        held
     }
 }

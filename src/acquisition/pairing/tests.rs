@@ -223,7 +223,7 @@ proptest! {
                 rig.jumped_ns[camera] = jump_ns;
             }
             // As the daemon does: single shots until the clocks are known.
-            let (length, cut) = if rig.pairing.has_reference() { (shots.len(), cut) } else { (1, 0) };
+            let (length, cut) = if rig.pairing.has_reference(rig.now) { (shots.len(), cut) } else { (1, 0) };
             let (fates, jitter): (Vec<_>, Vec<_>) = shots.into_iter().take(length).unzip();
             none_missed &= fates.iter().flatten().all(|fate| *fate != Fate::Missed);
             rig.burst(&fates, &jitter, cut);
@@ -361,7 +361,7 @@ fn more_triggers_than_asked_for_is_an_alarm() {
 /// Good shots in bursts of the length that the daemon would fire.
 fn good_bursts(rig: &mut Rig, lengths: &[usize]) {
     for length in lengths {
-        let length = if rig.pairing.has_reference() { *length } else { 1 };
+        let length = if rig.pairing.has_reference(rig.now) { *length } else { 1 };
         rig.burst(&vec![vec![Fate::Delivered; 2]; length], &vec![vec![1, 2]; length], 0);
     }
 }
@@ -397,7 +397,7 @@ fn after_a_jump_the_clocks_are_compared_anew() {
         rig.jumped_ns[1] = jump_ns;
         good_bursts(&mut rig, &[3, 1, 1, 4]);
         assert_all_right(&rig);
-        assert!(rig.pairing.has_reference());
+        assert!(rig.pairing.has_reference(rig.now));
         let suspects = suspects(&rig);
         assert!(suspects.starts_with(&[5, 6, 7]), "{jump_ns}: {suspects:?}");
         assert_eq!(rig.shots.iter().filter(|shot| shot.trigger > 9).count(), 4);
@@ -418,4 +418,40 @@ fn a_camera_that_restarts_and_has_missed_triggers_meanwhile_is_paired_again() {
     let paired: Vec<u64> = rig.shots.iter().map(|shot| shot.trigger).collect();
     assert_eq!(paired, [0, 1, 2, 3, 4, 8, 9, 10, 11, 12, 13, 14]);
     assert!(suspects(&rig).starts_with(&[8]) && !suspects(&rig).contains(&11));
+}
+
+/// A stream begins with frame b, because frame a got lost: the driver gives it number 0.
+#[test]
+fn a_stream_that_begins_with_a_frame_b_is_paired_from_the_next_trigger_on() {
+    for bursts in [&[1, 1, 1, 3][..], &[6]] {
+        let mut rig = Rig::new(1);
+        let mut number = 0;
+        for shots in bursts {
+            let first = rig.fire(*shots);
+            let start = rig.now;
+            for trigger in first..first + shots {
+                rig.wait_until(start + Duration::from_nanos(PERIOD_NS) * (trigger - first) as u32);
+                let at_ns = CLOCK_NS + rig.now.as_nanos() as u64;
+                for half in (0..2).filter(|half| trigger + half > 0) {
+                    let sent = frame(number, at_ns + half * INTERVAL_NS, 2 * trigger + half);
+                    let rulings = rig.pairing.frame(0, sent, rig.now);
+                    rig.apply(rulings);
+                    number += 1;
+                }
+            }
+            rig.given += shots;
+            let rulings = rig.pairing.burst_ended(rig.given).unwrap();
+            rig.apply(rulings);
+            rig.wait_until(rig.now + 4 * PATIENCE);
+        }
+        let paired: Vec<u64> = rig.shots.iter().map(|shot| shot.trigger).collect();
+        assert_eq!(paired, (1..rig.given).collect::<Vec<_>>());
+        for shot in &rig.shots {
+            assert_eq!(Rig::true_triggers(shot), [2 * shot.trigger, 2 * shot.trigger + 1]);
+            assert!(shot.suspect.is_empty(), "{:?}", shot.suspect);
+        }
+        let lost = rig.ledger.entry(0).unwrap();
+        assert_eq!(lost.cameras, [Some(Outcome::MissingPackets)]);
+        assert_eq!(rig.pairing.counters().unpaired, 1);
+    }
 }

@@ -1,5 +1,7 @@
 //! Which trigger a frame belongs to: frame id, checked against the camera's own clock.
 
+use std::collections::VecDeque;
+
 use lfpiv_hw::device::Frame;
 
 use super::PairingSettings;
@@ -12,11 +14,13 @@ pub(super) struct Burst {
 }
 
 /// The time grid on which a camera's frames must lie.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct TimeGrid {
     pub period_ns: i128,
     /// Timestamp of frame b less that of frame a.
     pub interval_ns: i128,
+    /// How exactly that is kept.
+    pub interval_tolerance_ns: i128,
 }
 
 impl TimeGrid {
@@ -25,6 +29,7 @@ impl TimeGrid {
         Self {
             period_ns: i128::from(settings.period_ns.max(1)),
             interval_ns: i128::from(settings.frame_interval_ns),
+            interval_tolerance_ns: i128::from(settings.frame_interval_tolerance_ns),
         }
     }
 
@@ -38,6 +43,14 @@ impl TimeGrid {
     /// drift by parts in 10⁴ at most: an eighth of a period tells one from the other.
     pub fn tolerance_ns(&self) -> i128 {
         self.period_ns / 8
+    }
+
+    /// Whether two timestamps are as far apart as those of one trigger's frames, and not as those
+    /// of frame b and the next trigger's frame a.
+    fn is_one_pair(&self, elapsed_ns: i128) -> bool {
+        let other_gap_ns = self.period_ns - 2 * self.interval_ns;
+        let distinct = other_gap_ns.abs() > 4 * self.interval_tolerance_ns;
+        distinct && (elapsed_ns - self.interval_ns).abs() <= self.interval_tolerance_ns
     }
 }
 
@@ -64,7 +77,14 @@ pub(super) struct Track {
     reported_underruns: u64,
     /// The camera was away, and how many triggers it has missed is not known.
     restarted: bool,
+    /// 1 when the stream's first frame was a frame b, and was given the number of a frame a.
+    late_start: u64,
+    /// Numbers and timestamps of the last frames.
+    recent: VecDeque<(u64, i128)>,
 }
+
+/// Frames among which successive ones are looked for: they overtake each other by a few places.
+const RECENT: usize = 8;
 
 impl Track {
     /// The camera was away and perhaps without power: its clock and the number of triggers it has
@@ -73,6 +93,13 @@ impl Track {
     pub fn restart(&mut self) {
         self.clock = None;
         self.restarted = true;
+        self.late_start = 0;
+        self.recent.clear();
+    }
+
+    /// 0 for a frame a, 1 for a frame b.
+    pub fn half(&self, frame: &Frame) -> usize {
+        ((frame.frame_id + self.late_start) % 2) as usize
     }
 
     /// Takes in the stream's running count of underruns.
@@ -90,9 +117,15 @@ impl Track {
 
     /// Finds the trigger of a frame and moves the clock on.
     pub fn locate(&mut self, frame: &Frame, burst: Burst, grid: TimeGrid) -> Location {
-        let half = i128::from(frame.frame_id % 2);
+        let renumbered = self.find_start(frame, grid);
+        let half = self.half(frame) as i128;
         let timestamp = i128::from(frame.device_timestamp_ns) - half * grid.interval_ns;
-        let count = frame.frame_id / 2;
+        let count = (frame.frame_id + self.late_start) / 2;
+        if renumbered && let Some((trigger, at_ns)) = self.clock {
+            // Its trigger by time is right; the number of those missed follows from it.
+            let timed = i128::from(trigger) + grid.steps(timestamp - at_ns).0;
+            self.missed = u64::try_from(timed - i128::from(count)).unwrap_or(0);
+        }
         if std::mem::take(&mut self.restarted) {
             self.missed = burst.first.saturating_sub(count);
         }
@@ -112,6 +145,27 @@ impl Track {
             }
         }
         location
+    }
+
+    /// Two successive frames that belong together, the first with an odd number: the numbers
+    /// began with a frame b. Returns whether that is news.
+    fn find_start(&mut self, frame: &Frame, grid: TimeGrid) -> bool {
+        let (id, timestamp) = (frame.frame_id, i128::from(frame.device_timestamp_ns));
+        let wrong_pair = self.recent.iter().any(|(other, at)| {
+            let (first, elapsed_ns) =
+                if *other < id { (*other, timestamp - at) } else { (id, at - timestamp) };
+            other.abs_diff(id) == 1
+                && (first + self.late_start) % 2 == 1
+                && grid.is_one_pair(elapsed_ns)
+        });
+        if wrong_pair {
+            self.late_start = 1 - self.late_start;
+        }
+        self.recent.push_back((id, timestamp));
+        if self.recent.len() > RECENT {
+            self.recent.pop_front();
+        }
+        wrong_pair
     }
 
     /// No frame of this camera is located yet, so that nothing but its number says where it

@@ -1,0 +1,152 @@
+//! Processor, memory and limits.
+
+use std::fs;
+
+use rustix::process::{Resource, getrlimit};
+
+use super::{
+    Finding, Need,
+    need::{cores, mb},
+};
+
+/// Memory of tables and volumes of a large bench.
+const PROGRAM_BYTES: f64 = 512e6;
+/// Files, connections and event streams that may be open.
+const FILES: u64 = 1024;
+const LEAST_FILES: u64 = 256;
+
+/// Everything about the machine that needs no configuration, though one sharpens it.
+pub fn examine(need: Option<&Need>) -> Vec<Finding> {
+    let available = fs::read_to_string("/proc/meminfo").ok().and_then(|text| available(&text));
+    let governor = fs::read_to_string("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+    vec![
+        processor(cores(), &instruction_sets()),
+        memory(available, need),
+        power(governor.ok().as_deref().map(str::trim)),
+        files(getrlimit(Resource::Nofile).current),
+    ]
+}
+
+fn processor(cores: usize, sets: &[&str]) -> Finding {
+    const CHECK: &str = "processor";
+    let words = if sets.is_empty() { "no vector instructions known" } else { &sets.join(", ") };
+    let found = format!("{cores} cores, {words}");
+    let fast = sets.iter().any(|set| ["avx2", "avx512f", "neon"].contains(set));
+    let finding = if !fast {
+        Finding::advice(
+            CHECK,
+            found,
+            "the reconstruction runs several times slower without AVX2: use a newer machine, or \
+             let the hypervisor pass the host's processor through",
+        )
+    } else if cores < 2 {
+        let todo = "acquisition and processing share a core: give at least two";
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    finding.with("cores", cores as f64)
+}
+
+/// Vector instructions that the code has paths for.
+fn instruction_sets() -> Vec<&'static str> {
+    #[cfg(target_arch = "x86_64")]
+    let sets = [
+        ("sse4.1", std::arch::is_x86_feature_detected!("sse4.1")),
+        ("avx2", std::arch::is_x86_feature_detected!("avx2")),
+        ("fma", std::arch::is_x86_feature_detected!("fma")),
+        ("avx512f", std::arch::is_x86_feature_detected!("avx512f")),
+    ];
+    #[cfg(target_arch = "aarch64")]
+    let sets = [("neon", std::arch::is_aarch64_feature_detected!("neon"))];
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    let sets: [(&str, bool); 0] = [];
+    sets.into_iter().filter(|(_, there)| *there).map(|(name, _)| name).collect()
+}
+
+/// `MemAvailable` of /proc/meminfo, in bytes.
+fn available(meminfo: &str) -> Option<f64> {
+    let line = meminfo.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    let kib: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kib * 1024.0)
+}
+
+fn memory(available: Option<f64>, need: Option<&Need>) -> Finding {
+    const CHECK: &str = "memory";
+    let Some(available) = available else {
+        let todo = "make sure that some GB are free";
+        return Finding::advice(CHECK, "/proc/meminfo does not tell", todo);
+    };
+    let needed = PROGRAM_BYTES + need.map_or(0.0, Need::waiting_bytes);
+    let found = format!("{} free, up to {} needed", mb(available), mb(needed));
+    let todo = "end other programs, add memory or lower pipeline.queue";
+    let finding = if available < needed {
+        Finding::problem(CHECK, found, todo)
+    } else if available < 2.0 * needed {
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    finding.with("available_mb", available / 1e6).with("needed_mb", needed / 1e6)
+}
+
+fn power(governor: Option<&str>) -> Finding {
+    const CHECK: &str = "power governor";
+    match governor {
+        None => Finding::ok(CHECK, "none here (virtual machine, or fixed clock)"),
+        Some(name @ ("performance" | "schedutil" | "ondemand")) => Finding::ok(CHECK, name),
+        Some(name) => Finding::advice(
+            CHECK,
+            name,
+            "it may slow the processor while frames come: sudo cpupower frequency-set -g \
+             performance",
+        ),
+    }
+}
+
+fn files(limit: Option<u64>) -> Finding {
+    const CHECK: &str = "open files";
+    let Some(limit) = limit else { return Finding::ok(CHECK, "no limit") };
+    let found = format!("at most {limit}");
+    let todo = format!("ulimit -n {FILES}, or LimitNOFILE={FILES} in the service's unit");
+    let finding = if limit < LEAST_FILES {
+        Finding::problem(CHECK, found, todo)
+    } else if limit < FILES {
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    finding.with("limit", limit as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::doctor::Verdict;
+
+    #[test]
+    fn memory_is_read_in_bytes_and_held_against_the_frames() {
+        let text = "MemTotal:  16000000 kB\nMemAvailable:    2000000 kB\n";
+        assert_eq!(available(text), Some(2_048_000_000.0));
+        assert_eq!(available("MemTotal: 1 kB\n"), None);
+        let need =
+            Need { frame_bytes: vec![1, 1], rate_hz: 1.0, pixels: 1 << 22, shots_in_memory: 6 };
+        let verdict = |bytes| memory(Some(bytes), Some(&need)).verdict;
+        assert_eq!(verdict(4e9), Verdict::Ok);
+        assert_eq!(verdict(1e9), Verdict::Advice);
+        assert_eq!(verdict(0.6e9), Verdict::Problem);
+        assert_eq!(memory(None, None).verdict, Verdict::Advice);
+    }
+
+    #[test]
+    fn limits_and_governors_have_their_verdicts() {
+        assert_eq!(files(Some(100)).verdict, Verdict::Problem);
+        assert_eq!(files(Some(512)).verdict, Verdict::Advice);
+        assert_eq!(files(Some(FILES)).verdict, Verdict::Ok);
+        assert_eq!(power(Some("powersave")).verdict, Verdict::Advice);
+        assert_eq!(power(None).verdict, Verdict::Ok);
+        assert_eq!(processor(1, &["avx2"]).verdict, Verdict::Advice);
+        assert_eq!(processor(8, &["sse4.1"]).verdict, Verdict::Advice);
+        assert_eq!(processor(2, &["avx2", "fma"]).found, "2 cores, avx2, fma");
+    }
+}

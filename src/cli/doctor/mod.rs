@@ -1,0 +1,73 @@
+//! `lfpiv doctor`: is this machine fit for the bench? Each check has a verdict, what was measured,
+//! and what to do.
+
+mod clock;
+mod disk;
+mod endpoint;
+mod finding;
+mod machine;
+mod need;
+mod network;
+mod routes;
+mod serial;
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, bail};
+
+use super::output::{count, print};
+use crate::config::ConfigFile;
+pub use finding::{Finding, Verdict};
+use need::Need;
+
+/// Arguments of `lfpiv doctor`.
+#[derive(Debug, clap::Args)]
+pub struct DoctorArgs {
+    /// Configuration file (TOML): what the machine is held against. Without it the machine alone
+    /// is looked at.
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
+    /// For machines: one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Looks at everything and says what to do; an error only where there is a problem.
+pub fn doctor(args: &DoctorArgs) -> anyhow::Result<()> {
+    let file = args.config.as_deref().map(ConfigFile::load).transpose()?;
+    let findings = examine(file.as_ref());
+    let text = if args.json { json(&findings)? } else { finding::report(&findings) };
+    print(&text)?;
+    let problems = findings.iter().filter(|f| f.verdict == Verdict::Problem).count();
+    if problems > 0 {
+        bail!("{} found; a run would fail or lose shots", count(problems, "problem"));
+    }
+    Ok(())
+}
+
+fn examine(file: Option<&ConfigFile>) -> Vec<Finding> {
+    let need = file.map(|file| Need::of(&file.config));
+    let output = file.map_or(Path::new("."), |file| file.config.output.dir.as_path());
+    let mut findings = disk::examine(output, need.as_ref());
+    findings.extend(machine::examine(need.as_ref()));
+    findings.push(clock::examine());
+    if let Some(file) = file {
+        findings.push(endpoint::address(file.config.server.address));
+        findings.extend(endpoint::tokens(&file.text));
+    }
+    if let Some(instruments) = file.and_then(|file| file.config.instruments.as_ref()) {
+        findings.extend(network::examine(&instruments.camera, need.as_ref()));
+        findings.push(serial::examine(Path::new(&instruments.synchroniser.port)));
+    }
+    findings
+}
+
+fn json(findings: &[Finding]) -> anyhow::Result<String> {
+    let verdict = findings.iter().map(|finding| finding.verdict).max().unwrap_or(Verdict::Ok);
+    let report = serde_json::json!({
+        "code_version": env!("CARGO_PKG_VERSION"),
+        "verdict": verdict,
+        "checks": findings,
+    });
+    serde_json::to_string_pretty(&report).context("the findings cannot be written as JSON")
+}
