@@ -39,6 +39,7 @@ impl Run {
             while !self.all_connected() {
                 tokio::select! {
                     () = self.stop.cancelled() => return Ok(false),
+                    () = self.settings.heartbeat.turn() => {}
                     event = self.events.recv() => self.handle(event)?,
                 }
             }
@@ -71,6 +72,7 @@ impl Run {
             let left = noticed_by.saturating_duration_since(Instant::now());
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(true),
+                () = self.settings.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event)?,
                 () = tokio::time::sleep(left) => return Ok(false),
             }

@@ -41,6 +41,7 @@ impl Run {
         while wanted > 0 && self.places.is_empty() {
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(0),
+                () = self.settings.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event)?,
                 place = self.queue.clone().reserve_owned() => {
                     self.places.push_back(place.map_err(|_| AcquisitionError::QueueClosed)?);
@@ -69,6 +70,7 @@ impl Run {
         let mut looked = Instant::now();
         let mut tick = tokio::time::interval(TICK);
         while !ended || self.pairing.open_triggers() > 0 {
+            self.settings.heartbeat.beat();
             tokio::select! {
                 event = self.events.recv() => self.handle(event)?,
                 _ = tick.tick() => {
@@ -132,6 +134,7 @@ impl Run {
         loop {
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(false),
+                () = self.settings.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event)?,
                 () = &mut armed => return Ok(true),
             }

@@ -180,6 +180,7 @@ impl Run {
         self.identity = self.synchroniser.call(|unit| unit.identify()).await?;
         self.program().await?;
         self.start_cameras().await?;
+        self.settings.heartbeat.beat();
         while let Some(shots) = self.next_burst().await? {
             self.run_burst(shots).await?;
         }
@@ -216,6 +217,7 @@ impl Run {
 
     /// Laser first, cameras second, books last.
     async fn close(mut self) -> Result<AcquisitionReport, AcquisitionError> {
+        self.settings.heartbeat.beat();
         let safe = self.make_safe().await;
         self.stop_cameras.cancel();
         drop(self.event_sender.take());
@@ -230,6 +232,7 @@ impl Run {
         let rulings = self.pairing.finish();
         let ruled = self.apply(rulings);
         self.synchroniser.close().await;
+        self.settings.heartbeat.rest();
         safe.and(ruled)?;
         Ok(AcquisitionReport {
             synchroniser: self.identity,

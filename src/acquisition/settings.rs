@@ -4,6 +4,8 @@ use std::{num::NonZeroU64, time::Duration};
 
 use lfpiv_hw::timing::PulseSchedule;
 
+use super::Heartbeat;
+
 /// What happens when shots come faster than they are processed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OverloadPolicy {
@@ -26,6 +28,8 @@ pub struct AcquisitionSettings {
     pub overload: OverloadPolicy,
     /// How long a frame that is due is waited for.
     pub patience: Duration,
+    /// Beats while the run loop turns.
+    pub heartbeat: Heartbeat,
 }
 
 impl AcquisitionSettings {

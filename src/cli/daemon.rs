@@ -27,10 +27,12 @@ use parking_lot::Mutex;
 use tokio::{net::TcpListener, sync::mpsc, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
-use super::{ledger_file::write_ledger, run_folder::create_run_folder, run_info::run_info};
+use super::{
+    ledger_file::write_ledger, run_folder::create_run_folder, run_info::run_info, service::Service,
+};
 use crate::{
     acquisition::{
-        AcquisitionReport, AcquisitionSettings, Bench, Ledger, OverloadPolicy, acquire,
+        AcquisitionReport, AcquisitionSettings, Bench, Heartbeat, Ledger, OverloadPolicy, acquire,
         panic_message, secure,
     },
     archive::ResultStore,
@@ -65,6 +67,7 @@ impl DaemonPlan {
             schedule,
             shots: self.shots,
             overload: self.overload,
+            heartbeat: Heartbeat::default(),
             patience: instruments.map_or(SIMULATED_PATIENCE, |instruments| {
                 Duration::from_secs_f64(instruments.frame_patience_s)
             }),
@@ -153,6 +156,8 @@ impl Daemon {
             board: self.board.clone(),
             stop: stop.clone(),
         };
+        let heartbeat = &self.acquisition.heartbeat;
+        let service = Service::new(&self.state, &self.ledger, &self.board, heartbeat);
         let work = async {
             let bench = secure(bench).await?;
             let process = unpanicked(tokio::task::spawn_blocking(processor)).await??;
@@ -162,7 +167,7 @@ impl Daemon {
             take_and_process(bench, self.acquisition, queue, pool, &self.ledger, &self.state, stop)
                 .await
         };
-        let worked = work.await;
+        let worked = service.accompany(work).await;
         let written = write_ledger(&self.folder, &self.ledger.lock(), &self.board, &worked);
         self.state.set_phase(match &worked {
             Ok(_) => Phase::Finished,

@@ -18,7 +18,9 @@ use tokio_util::sync::CancellationToken;
 
 use super::instruments::open;
 use crate::{
-    acquisition::{AcquisitionSettings, Bench, Ledger, Outcome, OverloadPolicy, acquire},
+    acquisition::{
+        AcquisitionSettings, Bench, Heartbeat, Ledger, Outcome, OverloadPolicy, acquire,
+    },
     benchmark::{Streamed, processor_seconds},
     config::{Config, InstrumentSettings},
 };
@@ -55,6 +57,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
         shots: Some(shots),
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs_f64(named.frame_patience_s),
+        heartbeat: Heartbeat::default(),
     };
     let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;

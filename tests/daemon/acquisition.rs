@@ -3,8 +3,8 @@
 use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
 
 use lfpiv::acquisition::{
-    AcquisitionError, AcquisitionReport, AcquisitionSettings, Ledger, Outcome, OverloadPolicy,
-    Shot, acquire,
+    AcquisitionError, AcquisitionReport, AcquisitionSettings, Heartbeat, Ledger, Outcome,
+    OverloadPolicy, Shot, acquire,
 };
 use lfpiv_hw::{PulseSchedule, TimingSettings};
 use parking_lot::Mutex;
@@ -46,6 +46,7 @@ pub fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
         overload,
         // Longer than a loaded machine takes to render a frame.
         patience: Duration::from_secs(2),
+        heartbeat: Heartbeat::default(),
     }
 }
 

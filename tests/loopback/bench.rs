@@ -10,8 +10,8 @@ use std::{
 
 use lfpiv::{
     acquisition::{
-        AcquisitionError, AcquisitionReport, AcquisitionSettings, Bench, Ledger, Outcome,
-        OverloadPolicy, Shot, acquire,
+        AcquisitionError, AcquisitionReport, AcquisitionSettings, Bench, Heartbeat, Ledger,
+        Outcome, OverloadPolicy, Shot, acquire,
     },
     config::{Config, ConfigFile},
 };
@@ -160,6 +160,7 @@ pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot))
         shots: NonZeroU64::new(shots),
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs(10),
+        heartbeat: Heartbeat::default(),
     };
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().expect("tokio");
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));
