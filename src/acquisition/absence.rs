@@ -39,6 +39,7 @@ impl Run {
             while !self.all_connected() {
                 tokio::select! {
                     () = self.stop.cancelled() => return Ok(false),
+                    () = self.heartbeat.turn() => {}
                     event = self.events.recv() => self.handle(event).await?,
                     request = self.control.next() => self.obey(request).await?,
                 }
@@ -72,6 +73,7 @@ impl Run {
             let left = noticed_by.saturating_duration_since(Instant::now());
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(true),
+                () = self.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event).await?,
                 request = self.control.next() => self.obey(request).await?,
                 () = tokio::time::sleep(left) => return Ok(false),

@@ -98,6 +98,7 @@ impl Run {
                 Ok(room) => Ok(room as u64),
                 Err(Closed) => Err(AcquisitionError::QueueClosed),
             },
+            () = self.heartbeat.turn() => Ok(0),
             event = self.events.recv() => self.handle(event).await.map(|()| 0),
             request = self.control.next() => self.obey(request).await.map(|()| 0),
         }
@@ -114,6 +115,7 @@ impl Run {
         let mut tick = tokio::time::interval(TICK);
         let stop = self.stop.clone();
         while !ended || self.pairing.open_triggers() > 0 {
+            self.heartbeat.beat();
             tokio::select! {
                 event = self.events.recv() => self.handle(event).await?,
                 _ = tick.tick() => self.look_at_the_time().await?,
@@ -183,6 +185,7 @@ impl Run {
         loop {
             tokio::select! {
                 () = stop.cancelled() => return Ok(false),
+                () = self.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event).await?,
                 request = self.control.next() => self.obey(request).await?,
                 () = &mut armed => break,

@@ -11,8 +11,8 @@ use tokio::sync::mpsc;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::{
-    AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, HostClock, Journal, Ledger,
-    Mode, RunClock, ShotSender,
+    AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, Heartbeat, HostClock,
+    Journal, Ledger, Mode, RunClock, ShotSender,
     absence::Presence,
     control::control,
     devices::{CameraEvent, SynchroniserThread, join, spawn_camera},
@@ -51,6 +51,8 @@ pub struct AcquisitionLinks {
     pub bursts: Option<Arc<dyn BurstScript>>,
     /// What is asked of the run under way.
     pub control: ControlInbox,
+    /// Beats while the run loop turns.
+    pub heartbeat: Heartbeat,
     /// Ends the run.
     pub stop: CancellationToken,
 }
@@ -67,6 +69,7 @@ impl AcquisitionLinks {
             clock: Arc::new(HostClock::start()),
             bursts: None,
             control,
+            heartbeat: Heartbeat::default(),
             stop,
         }
     }
@@ -163,6 +166,7 @@ pub(super) struct Run {
     pub(super) bursts: Option<Arc<dyn BurstScript>>,
     pub(super) control: ControlInbox,
     pub(super) transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
+    pub(super) heartbeat: Heartbeat,
     pub(super) stop: CancellationToken,
     pub(super) synchroniser: SynchroniserThread,
     /// Not started yet: the laser is disabled before anything else is touched.
@@ -207,7 +211,8 @@ impl Run {
         let stop_cameras = CancellationToken::new();
         let (sender, events) = mpsc::channel(EVENT_QUEUE);
         let pairing = Pairing::new(pairing_settings(&settings, count));
-        let AcquisitionLinks { ledger, queue, journal, clock, bursts, control, stop } = links;
+        let AcquisitionLinks { ledger, queue, journal, clock, bursts, control, heartbeat, stop } =
+            links;
         control.state.lock().dt_us = settings.schedule.dt_us;
         Ok(Self {
             settings,
@@ -219,6 +224,7 @@ impl Run {
             bursts,
             control,
             transcript: bench.transcript,
+            heartbeat,
             stop,
             synchroniser,
             idle_cameras: bench.cameras,
@@ -248,6 +254,7 @@ impl Run {
         self.identity = self.synchroniser.call(|unit| unit.identify()).await?;
         self.program().await?;
         self.start_cameras().await?;
+        self.heartbeat.beat();
         while let Some(shots) = self.next_burst().await? {
             self.run_burst(shots).await?;
         }
@@ -304,6 +311,7 @@ impl Run {
         let error = error.map(ToString::to_string);
         let noted = self.note(Entry::Ended { at_ns: self.at_ns(), error }).await;
         self.synchroniser.close().await;
+        self.heartbeat.rest();
         safe.and(ruled).and(noted.map(|_| ()))?;
         Ok(AcquisitionReport {
             synchroniser: self.identity,

@@ -15,6 +15,7 @@ mod controller;
 mod devices;
 mod error;
 mod gate;
+mod heartbeat;
 pub mod journal;
 mod ledger;
 mod outcome;
@@ -32,6 +33,7 @@ pub use control::{Command, Control, ControlInbox, ControlState, Mode, Planner, R
 pub use controller::{AcquisitionLinks, AcquisitionReport, Bench, acquire, secure};
 pub use devices::panic_message;
 pub use error::AcquisitionError;
+pub use heartbeat::Heartbeat;
 pub use journal::Journal;
 pub use ledger::{Ledger, LedgerError, TriggerEntry};
 pub use outcome::{Account, Outcome, OutcomeCounts};

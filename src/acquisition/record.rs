@@ -61,10 +61,19 @@ impl Run {
             self.broken_off = true;
             self.make_safe().await?;
         }
-        match tokio::time::timeout(DISK_PATIENCE, self.journal.add(record)).await {
-            Ok(added) => Ok(added?),
-            Err(_) => Err(AcquisitionError::DiskHangs { seconds: DISK_PATIENCE.as_secs() }),
+        let journal = self.journal.clone();
+        let added = journal.add(record);
+        tokio::pin!(added);
+        let given_up = tokio::time::sleep(DISK_PATIENCE);
+        tokio::pin!(given_up);
+        loop {
+            tokio::select! {
+                added = &mut added => return Ok(added?),
+                () = &mut given_up => break,
+                () = self.heartbeat.turn() => {}
+            }
         }
+        Err(AcquisitionError::DiskHangs { seconds: DISK_PATIENCE.as_secs() })
     }
 
     /// Bytes that went over the synchroniser's line since.

@@ -13,6 +13,8 @@ use super::ArchiveError;
 pub struct StoredResults {
     /// Shots with a stored result.
     pub shots: BTreeSet<u64>,
+    /// Results in all; more than the shots if one were there twice.
+    pub records: usize,
     /// The shot whose result was stored first, which decided the forward model.
     pub first: Option<u64>,
     /// Segments that were being written when the run was killed.
@@ -43,6 +45,7 @@ impl StoredResults {
                 if sealed.is_some() && (oldest.is_none() || sealed < oldest) {
                     (oldest, stored.first) = (sealed, shots.first().copied());
                 }
+                stored.records += shots.len();
                 stored.shots.extend(shots);
             }
         }

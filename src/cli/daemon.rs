@@ -29,13 +29,13 @@ use tokio_util::sync::CancellationToken;
 
 use super::{
     ledger_file::write_ledger, recording::Recording, run_folder::create_run_folder,
-    run_info::run_info,
+    run_info::run_info, service::Service,
 };
 use crate::{
     acquisition::{
         AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench,
-        BurstScript, Control, ControlInbox, Journal, Ledger, Mode, OverloadPolicy, Planner,
-        RunClock, ShotReceiver, acquire, control, panic_message, secure, shot_queue,
+        BurstScript, Control, ControlInbox, Heartbeat, Journal, Ledger, Mode, OverloadPolicy,
+        Planner, RunClock, ShotReceiver, acquire, control, panic_message, secure, shot_queue,
     },
     archive::{RawLogSettings, ResultStore},
     config::ConfigFile,
@@ -228,6 +228,8 @@ impl Daemon {
             board: self.board.clone(),
             stop: stop.clone(),
         };
+        let heartbeat = Heartbeat::default();
+        let service = Service::new(&self.state, &self.ledger, &self.board, &heartbeat);
         let work = async {
             let bench = secure(bench).await?;
             let process = unpanicked(tokio::task::spawn_blocking(processor)).await??;
@@ -239,6 +241,7 @@ impl Daemon {
             let links = AcquisitionLinks {
                 journal: self.recording.journal.clone(),
                 control: self.inbox,
+                heartbeat,
                 ..AcquisitionLinks::new(self.ledger.clone(), sender, stop)
             };
             let links = match self.script {
@@ -250,7 +253,7 @@ impl Daemon {
             let acquiring = acquire(bench, self.acquisition, links);
             take_and_process(acquiring, pool, receiver, &self.state).await
         };
-        let worked = work.await;
+        let worked = service.accompany(work).await;
         let recording = self.recording;
         let recorded = unpanicked(tokio::task::spawn_blocking(|| recording.close())).await;
         let written = write_ledger(&self.folder, &self.ledger.lock(), &self.board, &worked);

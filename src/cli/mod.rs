@@ -16,6 +16,7 @@ mod drive;
 mod export;
 mod instruments;
 mod ledger_file;
+mod logging;
 mod output;
 mod peers;
 mod process;
@@ -25,17 +26,16 @@ mod replay;
 mod run;
 mod run_folder;
 mod run_info;
+mod service;
 mod sim_bench;
 mod simulate;
 mod solver;
 mod stop;
 mod timing;
 
-use std::{io::IsTerminal, process::ExitCode};
+use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use tracing::level_filters::LevelFilter;
-use tracing_subscriber::{filter::Targets, prelude::*};
 
 pub use bench::BenchArgs;
 pub use check::CheckArgs;
@@ -89,7 +89,7 @@ enum Command {
 /// Parses the command line, does what it says and reports errors.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
-    start_logging();
+    logging::start();
     let done = match cli.command {
         Command::Check(args) => check::check(&args),
         Command::Timing(args) => timing::timing(&args),
@@ -107,21 +107,10 @@ pub fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error:#}");
+            logging::complain(&error);
             ExitCode::FAILURE
         }
     }
-}
-
-/// Logs to standard error. `RUST_LOG` chooses what (`warn`, `info,lfpiv=debug`); notices and worse
-/// when it is absent or cannot be read.
-fn start_logging() {
-    let wanted = std::env::var("RUST_LOG").ok().and_then(|wanted| wanted.parse::<Targets>().ok());
-    let filter = wanted.unwrap_or_else(|| Targets::new().with_default(LevelFilter::INFO));
-    let lines = tracing_subscriber::fmt::layer()
-        .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal());
-    tracing_subscriber::registry().with(lines).with(filter).init();
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use parking_lot::Mutex;
 use serde::Serialize;
 
 use super::{PairResult, StageSeconds};
-use crate::model::ModelChoice;
+use crate::{acquisition::Heartbeat, model::ModelChoice};
 
 /// Results kept in memory; older ones are on disk only.
 pub const RESULTS_IN_MEMORY: usize = 32;
@@ -97,6 +97,7 @@ pub enum Lookup {
 #[derive(Debug, Default)]
 pub struct Board {
     state: Mutex<State>,
+    writing: Heartbeat,
 }
 
 #[derive(Debug, Default)]
@@ -115,6 +116,11 @@ impl Board {
     /// An empty board.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Beats when the writer of results begins with a shot, rests when it is done.
+    pub fn writing(&self) -> &Heartbeat {
+        &self.writing
     }
 
     /// A worker begins with a shot.

@@ -58,7 +58,9 @@ impl<S: ResultSink> Writer<S> {
 
     /// Writes until every worker is gone; the error is that of closing.
     pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
+        let heartbeat = self.links.board.writing().clone();
         for Finished { shot, result, worker } in inbox {
+            heartbeat.beat();
             let ended = catch_unwind(AssertUnwindSafe(|| match result {
                 Ok(result) => self.write(shot, result),
                 Err(message) => self.fail(shot, message),
@@ -66,9 +68,13 @@ impl<S: ResultSink> Writer<S> {
             if let Err(panic) = ended {
                 self.end_after_panic(shot, &panic_message(panic.as_ref()));
             }
+            heartbeat.rest();
             drop(worker);
         }
-        self.sink.close().map_err(|error| error.to_string())
+        heartbeat.beat();
+        let closed = self.sink.close().map_err(|error| error.to_string());
+        heartbeat.rest();
+        closed
     }
 
     /// A panic while writing costs the shot its file, not the run its conservation law.

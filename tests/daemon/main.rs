@@ -7,5 +7,6 @@
 mod acquisition;
 mod bench;
 mod faults;
+mod heartbeat;
 mod http;
 mod run;

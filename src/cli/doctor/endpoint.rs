@@ -111,7 +111,7 @@ mod tests {
             let there = listener.local_addr().unwrap();
             let other = thread::spawn(move || {
                 let (mut stream, _) = listener.accept().unwrap();
-                stream.read(&mut [0; 512]).unwrap();
+                assert!(stream.read(&mut [0; 512]).unwrap() > 0);
                 stream.write_all(answer.as_bytes()).unwrap();
                 listener
             });

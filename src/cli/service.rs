@@ -1,0 +1,253 @@
+//! The daemon as a systemd service: ready when shots can be taken, a watchdog that is fed only
+//! while the loops turn, a line of status. Without systemd (`NOTIFY_SOCKET`) nothing happens.
+
+use std::{
+    future::Future,
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use parking_lot::Mutex;
+use sd_notify::NotifyState;
+
+use crate::{
+    acquisition::{Heartbeat, Ledger},
+    pipeline::Board,
+    server::{ApiState, Phase},
+};
+
+/// How often the loops are looked at.
+const LOOK: Duration = Duration::from_millis(100);
+/// How often the line of status may change.
+const STATUS_INTERVAL: Duration = Duration::from_secs(1);
+
+/// What the service manager is told.
+#[derive(Debug, Clone, PartialEq)]
+enum Message {
+    Ready,
+    Stopping,
+    Alive,
+    Status(String),
+}
+
+/// Decides what the service manager is told; time is passed in.
+#[derive(Debug)]
+struct Watch {
+    acquisition: Heartbeat,
+    writer: Heartbeat,
+    /// The service is killed after so long without a sign of life.
+    limit: Option<Duration>,
+    ready: bool,
+    stopping: bool,
+    fed_at: Option<Instant>,
+    hangs: bool,
+    status: String,
+    status_at: Option<Instant>,
+}
+
+impl Watch {
+    fn new(acquisition: Heartbeat, writer: Heartbeat, limit: Option<Duration>) -> Self {
+        Self {
+            acquisition,
+            writer,
+            limit,
+            ready: false,
+            stopping: false,
+            fed_at: None,
+            hangs: false,
+            status: String::new(),
+            status_at: None,
+        }
+    }
+
+    fn look(&mut self, now: Instant, phase: &Phase, status: String) -> Vec<Message> {
+        let mut messages = Vec::new();
+        if !self.ready && *phase == Phase::Running && self.acquisition.has_begun() {
+            self.ready = true;
+            messages.push(Message::Ready);
+        }
+        if *phase == Phase::Stopping {
+            messages.extend(self.stop());
+        }
+        if self.may_feed(now) {
+            self.fed_at = Some(now);
+            messages.push(Message::Alive);
+        }
+        let due = self.status_at.is_none_or(|at| now >= at + STATUS_INTERVAL);
+        if due && status != self.status {
+            self.status_at = Some(now);
+            self.status.clone_from(&status);
+            messages.push(Message::Status(status));
+        }
+        messages
+    }
+
+    /// Said once.
+    fn stop(&mut self) -> Option<Message> {
+        (!std::mem::replace(&mut self.stopping, true)).then_some(Message::Stopping)
+    }
+
+    /// Whether the watchdog is due and every loop has turned lately. A loop may take half the
+    /// limit, so that the other half is left to say so.
+    fn may_feed(&mut self, now: Instant) -> bool {
+        let Some(limit) = self.limit else { return false };
+        let loops = [("acquisition", &self.acquisition), ("the writer of results", &self.writer)];
+        let hanging = loops.into_iter().find(|(_, beat)| beat.silent_for(now) > limit / 2);
+        let hung_before = std::mem::replace(&mut self.hangs, hanging.is_some());
+        match hanging {
+            Some((name, beat)) => {
+                if !hung_before {
+                    let seconds = beat.silent_for(now).as_secs();
+                    tracing::error!("{name} has not turned for {seconds} s: no watchdog is fed");
+                }
+                false
+            }
+            None => self.fed_at.is_none_or(|fed| now >= fed + limit / 4),
+        }
+    }
+}
+
+/// Tells the service manager how a run goes.
+pub(super) struct Service {
+    watch: Watch,
+    state: ApiState,
+    ledger: Arc<Mutex<Ledger>>,
+    board: Arc<Board>,
+}
+
+impl Service {
+    /// For a run with these books; `acquisition` beats in its loop.
+    pub fn new(
+        state: &ApiState,
+        ledger: &Arc<Mutex<Ledger>>,
+        board: &Arc<Board>,
+        acquisition: &Heartbeat,
+    ) -> Self {
+        let limit = sd_notify::watchdog_enabled();
+        let watch = Watch::new(acquisition.clone(), board.writing().clone(), limit);
+        Self { watch, state: state.clone(), ledger: ledger.clone(), board: board.clone() }
+    }
+
+    /// Does `work`, and looks after it meanwhile.
+    pub async fn accompany<T>(mut self, work: impl Future<Output = T>) -> T {
+        let mut look = tokio::time::interval(LOOK);
+        tokio::pin!(work);
+        loop {
+            tokio::select! {
+                done = &mut work => {
+                    send(self.watch.stop().into_iter().collect());
+                    return done;
+                }
+                _ = look.tick() => {
+                    let (phase, status) = (self.state.phase(), self.status());
+                    send(self.watch.look(Instant::now(), &phase, status));
+                }
+            }
+        }
+    }
+
+    /// A line for `systemctl status`.
+    fn status(&self) -> String {
+        let what = match self.state.phase() {
+            Phase::Starting => "preparing the measurement",
+            Phase::Running if !self.watch.ready => "preparing the instruments",
+            Phase::Running => "taking shots",
+            Phase::Stopping => "finishing the shots in hand",
+            Phase::Finished => "finished",
+            Phase::Failed(_) => "failed",
+        };
+        let triggers = self.ledger.lock().accounts().first().map_or(0, |account| account.triggers);
+        let counts = self.board.counts();
+        let (done, failed) = (counts.done, counts.failed + counts.write_failed);
+        format!("{what}: {triggers} triggers, {done} shots measured, {failed} without result")
+    }
+}
+
+fn send(messages: Vec<Message>) {
+    if messages.is_empty() {
+        return;
+    }
+    let states: Vec<NotifyState<'_>> = messages
+        .iter()
+        .map(|message| match message {
+            Message::Ready => NotifyState::Ready,
+            Message::Stopping => NotifyState::Stopping,
+            Message::Alive => NotifyState::Watchdog,
+            Message::Status(line) => NotifyState::Status(line),
+        })
+        .collect();
+    if let Err(error) = sd_notify::notify(&states) {
+        tracing::debug!(%error, "the service manager cannot be told");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMIT: Duration = Duration::from_secs(8);
+
+    struct Watched {
+        watch: Watch,
+        acquisition: Heartbeat,
+        writer: Heartbeat,
+        began: Instant,
+    }
+
+    impl Watched {
+        fn new() -> Self {
+            let (acquisition, writer) = (Heartbeat::default(), Heartbeat::default());
+            let watch = Watch::new(acquisition.clone(), writer.clone(), Some(LIMIT));
+            Self { watch, acquisition, writer, began: Instant::now() }
+        }
+
+        /// What is said when nothing has beaten for `seconds`.
+        fn after(&mut self, seconds: u64, phase: &Phase) -> Vec<Message> {
+            self.watch.look(self.began + Duration::from_secs(seconds), phase, String::new())
+        }
+    }
+
+    #[test]
+    fn ready_is_said_once_and_only_when_the_run_loop_turns() {
+        let mut run = Watched::new();
+        assert_eq!(run.after(0, &Phase::Starting), [Message::Alive]);
+        assert_eq!(run.after(0, &Phase::Running), []);
+        run.acquisition.beat();
+        assert_eq!(run.after(0, &Phase::Running), [Message::Ready]);
+        assert_eq!(run.after(1, &Phase::Running), []);
+        assert_eq!(run.after(2, &Phase::Stopping), [Message::Stopping, Message::Alive]);
+        assert_eq!(run.after(3, &Phase::Stopping), []);
+    }
+
+    #[test]
+    fn the_watchdog_stays_silent_while_a_loop_hangs() {
+        for hung in 0..2 {
+            let mut run = Watched::new();
+            let beats = [run.acquisition.clone(), run.writer.clone()];
+            beats.iter().for_each(Heartbeat::beat);
+            assert!(run.after(1, &Phase::Running).contains(&Message::Alive));
+            assert_eq!(run.after(2, &Phase::Running), [], "not due");
+            assert_eq!(run.after(3, &Phase::Running), [Message::Alive]);
+            // One rests, the other one should have turned and has not.
+            beats[1 - hung].rest();
+            for seconds in 5..30 {
+                assert_eq!(run.after(seconds, &Phase::Running), [], "{seconds} s");
+            }
+            // It was slow, and goes on.
+            beats[hung].rest();
+            assert_eq!(run.after(30, &Phase::Running), [Message::Alive]);
+        }
+    }
+
+    #[test]
+    fn a_status_is_told_when_it_changes_and_at_most_once_a_second() {
+        let mut watch = Watch::new(Heartbeat::default(), Heartbeat::default(), None);
+        let began = Instant::now();
+        let mut look = |ms: u64, line: &str| {
+            let now = began + Duration::from_millis(ms);
+            !watch.look(now, &Phase::Running, line.to_owned()).is_empty()
+        };
+        let told = [look(0, "a"), look(100, "b"), look(1000, "b"), look(2500, "b")];
+        assert_eq!(told, [true, false, true, false]);
+    }
+}

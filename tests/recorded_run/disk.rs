@@ -1,0 +1,98 @@
+//! A disk that is full: nothing more is fired, nothing acknowledged is lost, and firing goes on
+//! when there is room.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::{Child, Command, Stdio},
+    time::{Duration, Instant},
+};
+
+use crate::bench::{PATIENCE, configuration, images};
+
+/// Runs this test's other half in a namespace in which it may mount a small disk of its own.
+fn in_namespace(test: &str) -> Option<bool> {
+    let probe = Command::new("unshare").args(["-Urm", "true"]).stderr(Stdio::null()).status();
+    if !probe.is_ok_and(|status| status.success()) {
+        eprintln!("skipped: this machine lets nobody mount in a namespace (unshare -Urm)");
+        return None;
+    }
+    let own = std::env::current_exe().expect("the test's own path");
+    let status = Command::new("unshare")
+        .args(["-Urm"])
+        .arg(own)
+        .args(["--exact", test, "--ignored", "--nocapture"])
+        .status()
+        .expect("unshare");
+    Some(status.success())
+}
+
+fn mount_small_disk(at: &Path, megabytes: u32) {
+    fs::create_dir_all(at).expect("a folder");
+    let size = format!("size={megabytes}m");
+    let mounted = Command::new("mount").args(["-t", "tmpfs", "-o", &size, "none"]).arg(at).status();
+    assert!(mounted.expect("mount").success());
+}
+
+#[test]
+fn a_full_disk_holds_fire_until_there_is_room() {
+    if let Some(passed) = in_namespace("disk::half_of_a_full_disk") {
+        assert!(passed);
+    }
+}
+
+struct Daemon {
+    child: Child,
+    log: PathBuf,
+}
+
+impl Daemon {
+    fn log(&self) -> String {
+        fs::read_to_string(&self.log).expect("its log")
+    }
+
+    fn wait_for(&self, words: &str) {
+        let began = Instant::now();
+        while !self.log().contains(words) {
+            assert!(began.elapsed() < PATIENCE, "{}", self.log());
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+}
+
+impl Drop for Daemon {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+    }
+}
+
+#[test]
+#[ignore = "the half of a_full_disk_holds_fire_until_there_is_room that runs in a namespace"]
+fn half_of_a_full_disk() {
+    let root = tempfile::tempdir().expect("a folder");
+    mount_small_disk(&root.path().join("results"), 40);
+    let ballast = root.path().join("results/ballast");
+    fs::write(&ballast, vec![1; 25 << 20]).expect("room for ballast");
+    let config = configuration(root.path(), "[raw_log]\nreserve_mb = 2\nsync_ms = 5\n");
+    let log = root.path().join("log");
+    let child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+        .args(["run", "--shots", "300", "--config"])
+        .arg(&config)
+        .stdout(Stdio::null())
+        .stderr(fs::File::create(&log).expect("a file"))
+        .spawn()
+        .expect("the binary starts");
+    let mut daemon = Daemon { child, log };
+    daemon.wait_for("nothing is fired");
+    assert!(daemon.log().contains("make room"), "{}", daemon.log());
+    fs::remove_file(&ballast).expect("the ballast");
+    let began = Instant::now();
+    while daemon.child.try_wait().expect("its state").is_none() {
+        assert!(began.elapsed() < PATIENCE, "{}", daemon.log());
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let run = fs::read_dir(root.path().join("results")).expect("results").next();
+    let run = run.expect("a run").expect("a folder").path();
+    let shots = images(&run);
+    assert_eq!(shots.len(), 300, "{}", daemon.log());
+}

@@ -1,0 +1,107 @@
+//! SIGKILL at any moment: what was said to be on the disk is there, byte for byte.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    path::Path,
+    time::{Duration, Instant},
+};
+
+use lfpiv::{
+    acquisition::journal::RAW_FOLDER,
+    archive::{StoredResults, recover},
+};
+use lfpiv_hw::RawImage;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use crate::bench::{Running, configuration, finished_run, images, lfpiv, text};
+
+const KILLS: u64 = 50;
+/// Shots that the reference has; no killed run comes so far.
+const REFERENCE_SHOTS: &str = "400";
+/// Small segments and frequent syncs, so that kills fall into every part of the writing.
+const RAW_LOG: &str = "[raw_log]\nsegment_mb = 2\nsync_ms = 5\n";
+
+/// Shots that the daemon says are synced, asked again and again until it is killed.
+fn acknowledged_until(running: &Running, end: Instant) -> BTreeSet<u64> {
+    let mut synced = BTreeSet::new();
+    while Instant::now() < end {
+        let Some(list) = running.get("/api/v1/shots?limit=1000") else { continue };
+        let shots = list["shots"].as_array().expect("a list");
+        let safe = shots.iter().filter(|shot| shot["raw"] == "synced");
+        synced.extend(safe.filter_map(|shot| shot["shot"].as_u64()));
+        std::thread::sleep(Duration::from_millis(3));
+    }
+    synced
+}
+
+/// Everything acknowledged is there, and whatever is there is what the cameras delivered.
+fn assert_kept(
+    run: &Path,
+    acknowledged: &BTreeSet<u64>,
+    reference: &BTreeMap<u64, Vec<[RawImage; 2]>>,
+) -> usize {
+    let kept: BTreeMap<u64, _> = images(run).into_iter().collect();
+    let lost: Vec<&u64> = acknowledged.iter().filter(|shot| !kept.contains_key(shot)).collect();
+    assert!(lost.is_empty(), "{}: shots {lost:?} were acknowledged", run.display());
+    for (shot, images) in &kept {
+        assert!(images == &reference[shot], "{}: shot {shot} is another", run.display());
+    }
+    kept.len()
+}
+
+#[test]
+fn what_was_acknowledged_survives_fifty_kills() {
+    let root = tempfile::tempdir().expect("a folder");
+    let config = configuration(root.path(), RAW_LOG);
+    let reference: BTreeMap<u64, _> =
+        images(&finished_run(&config, REFERENCE_SHOTS)).into_iter().collect();
+    let (mut acknowledged, mut kept, mut torn) = (0, 0, 0);
+    let mut last = None;
+    for seed in 0..KILLS {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let running = Running::start(&config, &["--shots", REFERENCE_SHOTS]);
+        let alive = Duration::from_micros(random.random_range(0..700_000));
+        let synced = acknowledged_until(&running, Instant::now() + alive);
+        let run = running.kill();
+        let raw = run.join(RAW_FOLDER);
+        let recovery = recover(&raw).expect("a log that can be recovered");
+        torn += recovery.segments.iter().filter(|segment| segment.torn.is_some()).count();
+        assert!(recover(&raw).expect("once more").segments.is_empty(), "recovered once for all");
+        acknowledged += synced.len();
+        kept += assert_kept(&run, &synced, &reference);
+        if synced.len() > 3 {
+            last = Some(run);
+        }
+    }
+    println!(
+        "{KILLS} kills: {acknowledged} shots acknowledged as synced, all there; {kept} there in \
+         all, every byte as delivered; {torn} torn tails cut"
+    );
+    assert!(acknowledged > 100, "the kills come too early to say anything");
+    finish_twice(&last.expect("a run that came far enough"));
+}
+
+/// `lfpiv process` measures what has no result, once.
+fn finish_twice(run: &Path) {
+    let folder = run.to_str().expect("a path in UTF-8");
+    let shots = images(run).len();
+    for had in ["", &format!("{shots} had a result, ")] {
+        let output = lfpiv(&["process", folder]);
+        let said = text(&output.stdout);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let expected = format!("{had}{shots} have one now");
+        assert!(
+            said.contains(&expected)
+                || had.is_empty() && said.contains(&format!("{shots} have one now")),
+            "{said}"
+        );
+    }
+    let stored = StoredResults::find(run).expect("results");
+    assert_eq!(stored.shots.len(), shots);
+    assert_eq!(stored.records, shots, "no result is there twice");
+    let ledger = std::fs::read_to_string(run.join("ledger.json")).expect("a ledger");
+    let ledger: serde_json::Value = serde_json::from_str(&ledger).expect("JSON");
+    assert_eq!(ledger["balanced"], true);
+    assert!(ledger["error"].as_str().is_some_and(|error| error.contains("cut off")), "{ledger}");
+}

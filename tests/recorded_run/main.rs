@@ -1,0 +1,8 @@
+//! What a run leaves on disk: after the end, after SIGKILL, on a disk that is full; and the same
+//! run played again.
+
+mod bench;
+mod disk;
+mod killed;
+mod processed_later;
+mod replayed;

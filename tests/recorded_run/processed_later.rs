@@ -1,0 +1,40 @@
+//! Shots that were shed live are measured later, from the raw log.
+
+use std::{collections::BTreeSet, fs};
+
+use lfpiv::archive::StoredResults;
+
+use crate::bench::{Running, configuration, images, lfpiv, text};
+
+#[test]
+fn what_was_shed_is_measured_later() {
+    let root = tempfile::tempdir().expect("a folder");
+    // Fifty shots a second are more than the fine voxels leave time for.
+    let config = configuration(root.path(), "");
+    let slow = fs::read_to_string(&config).unwrap().replacen("queue = 4", "queue = 1", 1).replacen(
+        "refinement = 2",
+        "refinement = 4\npasses = 60",
+        1,
+    );
+    fs::write(&config, slow).unwrap();
+    let running = Running::start(&config, &[]);
+    running.wait_until(|status| status["shots"]["shed"].as_u64() > Some(3));
+    let terminate = format!("kill -TERM {}", running.child.id());
+    assert!(std::process::Command::new("sh").args(["-c", &terminate]).status().unwrap().success());
+    let Running { mut child, folder, .. } = running;
+    assert!(child.wait().unwrap().success());
+
+    let recorded: BTreeSet<u64> = images(&folder).into_iter().map(|(shot, _)| shot).collect();
+    let before = StoredResults::find(&folder).unwrap().shots;
+    assert!(before.len() + 3 < recorded.len(), "{} of {}", before.len(), recorded.len());
+    let output = lfpiv(&["process", folder.to_str().unwrap()]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let after = StoredResults::find(&folder).unwrap();
+    assert_eq!(after.shots, recorded);
+    assert_eq!(after.records, recorded.len());
+    let ledger = fs::read(folder.join("ledger.json")).unwrap();
+    let ledger: serde_json::Value = serde_json::from_slice(&ledger).unwrap();
+    let later = ledger["processed_later"].as_array().unwrap().len();
+    assert_eq!(later, recorded.len() - before.len());
+    assert_eq!(ledger["cameras"][0]["outcomes"]["complete"], before.len());
+}

@@ -1,0 +1,64 @@
+//! A recorded run played again: the same vectors, bit for bit, and the same ledger.
+
+use std::fs;
+
+use crate::bench::{configuration, finished_run, images, lfpiv, text};
+
+#[test]
+fn a_replay_gives_the_same_vectors_and_the_same_ledger() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = finished_run(&configuration(root.path(), ""), "30");
+    let out = root.path().join("again");
+    for speed in ["max", "1"] {
+        let arguments =
+            ["replay", "--speed", speed, "--out", out.to_str().unwrap(), run.to_str().unwrap()];
+        let output = lfpiv(&arguments);
+        let said = text(&output.stdout);
+        assert!(output.status.success(), "{said}{}", text(&output.stderr));
+        assert!(said.contains("30 shots held against"), "{said}");
+        assert!(said.contains("0 different") && said.contains("ledgers are the same"), "{said}");
+    }
+}
+
+#[test]
+fn a_replay_with_faults_says_what_became_of_them() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = finished_run(&configuration(root.path(), ""), "40");
+    let faults = root.path().join("faults.toml");
+    fs::write(&faults, "seed = 3\n[camera.shares]\ndropped = 0.05\ntruncated = 0.05\n").unwrap();
+    let out = root.path().join("again");
+    let output = lfpiv(&[
+        "replay",
+        "--faults",
+        faults.to_str().unwrap(),
+        "--out",
+        out.to_str().unwrap(),
+        run.to_str().unwrap(),
+    ]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let again = fs::read_dir(&out).unwrap().next().unwrap().unwrap().path();
+    let ledger = fs::read(again.join("ledger.json")).unwrap();
+    let ledger: serde_json::Value = serde_json::from_slice(&ledger).unwrap();
+    assert_eq!(ledger["balanced"], true);
+    let outcomes = &ledger["cameras"][0]["outcomes"];
+    let missing = outcomes["missing_packets"].as_u64().unwrap();
+    assert!((1..20).contains(&missing), "{outcomes}");
+    assert_eq!(ledger["cameras"][0]["triggers"], 40);
+}
+
+#[test]
+fn a_record_that_is_changed_is_found_out() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = finished_run(&configuration(root.path(), ""), "3");
+    assert_eq!(images(&run).len(), 3);
+    let segment = run.join("raw/segment_000000.raw");
+    let mut bytes = fs::read(&segment).unwrap();
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 0x10;
+    fs::write(&segment, bytes).unwrap();
+    let output = lfpiv(&["process", run.to_str().unwrap()]);
+    let said = text(&output.stderr);
+    let replayed = lfpiv(&["replay", run.to_str().unwrap()]);
+    assert!(!replayed.status.success() || !output.status.success(), "{said}");
+    assert!(text(&replayed.stderr).contains("segment_000000.raw"), "{}", text(&replayed.stderr));
+}
