@@ -102,7 +102,7 @@ fn any_operation_may_fail_and_what_was_written_is_there() {
 #[test]
 fn a_slow_disk_makes_those_wait_who_append_and_nothing_is_lost() {
     let disk = ModelDisk::default();
-    let limits = Limits { queue_bytes: 3000, ..limits() };
+    let limits = Limits { queue_bytes: 1000, ..limits() };
     let (log, writer) = log_on(&disk, &limits);
     disk.set_faults(Faults { delay: Duration::from_millis(4), ..Default::default() });
     let mut refused = 0;
