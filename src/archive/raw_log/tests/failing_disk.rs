@@ -213,6 +213,17 @@ fn watchers_see_every_step_to_the_disk_and_a_failure() {
 }
 
 #[test]
+fn whoever_waits_for_a_writer_that_panics_is_told() {
+    let disk = ModelDisk::default();
+    let (log, writer) = log_on(&disk, &Limits { queue_bytes: 500, ..limits() });
+    disk.set_faults(Faults { panics: true, ..Default::default() });
+    append_until_it_fails(&log);
+    let failure = log.failure().unwrap().to_string();
+    assert!(failure.contains("the writer of run/raw has panicked"), "{failure}");
+    assert!(writer.close().is_err());
+}
+
+#[test]
 fn nothing_is_taken_after_closing_and_a_dropped_writer_closes() {
     let disk = ModelDisk::default();
     let (log, writer) = log_on(&disk, &limits());
