@@ -3,6 +3,7 @@
 //! - [`read_pair`], [`find_pair_folders`], [`write_pair`]: folders of grey TIFF images
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
 //! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files).
+//! - [`raw_log`]: everything that a run recorded, durable and lossless.
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair.
 //!
 //! NetCDF files appear under their final name only when they are whole: they are written as

@@ -45,6 +45,7 @@ mod codec;
 mod error;
 mod format;
 mod log;
+pub mod measure;
 mod names;
 mod queue;
 mod reader;

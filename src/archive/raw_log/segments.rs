@@ -15,7 +15,7 @@ use std::{
 
 use super::{
     RawLogError, Record,
-    codec::Encoder,
+    codec::{Encoder, STORED_RAW},
     format::{Footer, RECORD_HEADER_BYTES, RecordHeader, SegmentHeader},
     names::{part_path, sealed_path},
     settings::Limits,
@@ -221,7 +221,9 @@ impl Segments {
             let stored = &self.batch[stored_at..];
             header.stored_bytes = stored.len() as u32;
             header.stored_crc = crc32fast::hash(stored);
-            header.image_crc = image.crc32();
+            // Raw counts are stored as the bytes that their checksum is of.
+            let is_raw = header.codec == STORED_RAW;
+            header.image_crc = if is_raw { header.stored_crc } else { image.crc32() };
         }
         Ok(header)
     }

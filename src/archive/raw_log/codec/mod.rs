@@ -41,6 +41,9 @@ enum StoredAs {
     Zstd = 3,
 }
 
+/// The number of a record whose image is stored as 16-bit counts, low byte first.
+pub(super) const STORED_RAW: u32 = StoredAs::Raw as u32;
+
 /// Encodes images, with what is worth keeping from one to the next.
 pub(super) struct Encoder {
     codec: Codec,

@@ -45,6 +45,8 @@ pub(in super::super) struct Faults {
     pub fails_at: Option<(u64, ErrorKind)>,
     /// Whether all after that one fail, too.
     pub stays_failed: bool,
+    /// Whether the next operation panics.
+    pub panics: bool,
     /// Time that a write or a sync takes.
     pub delay: Duration,
 }
@@ -211,6 +213,7 @@ impl State {
     fn try_next(&mut self) -> io::Result<()> {
         let number = self.tried;
         self.tried += 1;
+        assert!(!self.faults.panics, "the model disk panics as it was told to");
         match self.faults.fails_at {
             Some((at, kind)) if number == at || (number > at && self.faults.stays_failed) => {
                 Err(kind.into())

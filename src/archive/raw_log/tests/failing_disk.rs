@@ -102,7 +102,7 @@ fn any_operation_may_fail_and_what_was_written_is_there() {
 #[test]
 fn a_slow_disk_makes_those_wait_who_append_and_nothing_is_lost() {
     let disk = ModelDisk::default();
-    let limits = Limits { queue_bytes: 3000, ..limits() };
+    let limits = Limits { queue_bytes: 1000, ..limits() };
     let (log, writer) = log_on(&disk, &limits);
     disk.set_faults(Faults { delay: Duration::from_millis(4), ..Default::default() });
     let mut refused = 0;
@@ -210,6 +210,17 @@ fn watchers_see_every_step_to_the_disk_and_a_failure() {
     assert_eq!((marks.appended, marks.written, marks.synced), (6, 5, 5));
     assert!(log.failure().is_some());
     drop(writer);
+}
+
+#[test]
+fn whoever_waits_for_a_writer_that_panics_is_told() {
+    let disk = ModelDisk::default();
+    let (log, writer) = log_on(&disk, &Limits { queue_bytes: 500, ..limits() });
+    disk.set_faults(Faults { panics: true, ..Default::default() });
+    append_until_it_fails(&log);
+    let failure = log.failure().unwrap().to_string();
+    assert!(failure.contains("the writer of run/raw has panicked"), "{failure}");
+    assert!(writer.close().is_err());
 }
 
 #[test]
