@@ -127,7 +127,8 @@ mod tests {
 
     fn shot(trigger: u64) -> Shot {
         let (cameras, suspect, residuals_ns) = (Vec::new(), Vec::new(), Vec::new());
-        Shot { trigger, cameras, dt_us: 100.0, suspect, residuals_ns }
+        let due = std::time::Duration::ZERO;
+        Shot { trigger, cameras, due, dt_us: 100.0, suspect, residuals_ns }
     }
 
     #[tokio::test]

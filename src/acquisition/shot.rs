@@ -1,5 +1,7 @@
 //! One shot: what all cameras saw of one trigger.
 
+use std::time::Duration;
+
 use lfpiv_hw::device::Frame;
 
 /// The paired frames of one trigger.
@@ -9,6 +11,8 @@ pub struct Shot {
     pub trigger: u64,
     /// Exposures 1 and 2 of each camera, in the order of the configuration's cameras.
     pub cameras: Vec<[Frame; 2]>,
+    /// When the trigger was due, by the run's clock.
+    pub due: Duration,
     /// Time between the light pulses, in µs.
     pub dt_us: f64,
     /// Evidence that disagrees with the pairing, in words; empty for a shot in order. A suspect

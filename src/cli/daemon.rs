@@ -34,8 +34,9 @@ use super::{
 use crate::{
     acquisition::{
         AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench,
-        BurstScript, Control, ControlInbox, Heartbeat, Journal, Ledger, Mode, OverloadPolicy,
-        Planner, RunClock, ShotReceiver, acquire, control, panic_message, secure, shot_queue,
+        BurstScript, Control, ControlInbox, Heartbeat, HostClock, Journal, Ledger, Mode,
+        OverloadPolicy, Planner, RunClock, ShotReceiver, acquire, control, panic_message, secure,
+        shot_queue,
     },
     archive::{RawLogSettings, ResultStore},
     config::ConfigFile,
@@ -222,7 +223,12 @@ impl Daemon {
         let stop_server = CancellationToken::new();
         let server = serve(self.listener, self.state.clone(), stop_server.clone());
         let server = tokio::spawn(server);
+        let clock: Arc<dyn RunClock> = match &self.script {
+            Some(script) => script.clock.clone(),
+            None => Arc::new(HostClock::start()),
+        };
         let links = PoolLinks {
+            clock: clock.clone(),
             ledger: self.ledger.clone(),
             journal: self.recording.journal.clone(),
             board: self.board.clone(),
@@ -242,11 +248,12 @@ impl Daemon {
                 journal: self.recording.journal.clone(),
                 control: self.inbox,
                 heartbeat,
+                clock,
                 ..AcquisitionLinks::new(self.ledger.clone(), sender, stop)
             };
             let links = match self.script {
-                Some(RunScript { clock, bursts, stop, .. }) => {
-                    AcquisitionLinks { clock, bursts: Some(bursts), stop, ..links }
+                Some(RunScript { bursts, stop, .. }) => {
+                    AcquisitionLinks { bursts: Some(bursts), stop, ..links }
                 }
                 None => links,
             };

@@ -4,12 +4,16 @@
 use std::{
     collections::{BTreeMap, BTreeSet},
     sync::Arc,
+    time::Duration,
 };
 
 use parking_lot::Mutex;
 use serde::Serialize;
 
-use super::{PairResult, StageSeconds};
+use super::{
+    PairResult, StageSeconds,
+    latency::{Latencies, LatencyQuantiles},
+};
 use crate::{acquisition::Heartbeat, model::ModelChoice};
 
 /// Results kept in memory; older ones are on disk only.
@@ -106,6 +110,7 @@ struct State {
     results: BTreeMap<u64, Arc<PairResult>>,
     processing: BTreeSet<u64>,
     counts: PoolCounts,
+    latencies: Latencies,
     /// Behind the result that came last.
     model: Option<Arc<ModelChoice>>,
     /// Highest number of a record that was forgotten.
@@ -160,6 +165,16 @@ impl Board {
         let mut state = self.state.lock();
         state.counts.write_failed += 1;
         state.finish(ShotRecord::new(shot, Stage::WriteFailed, Some(message)))
+    }
+
+    /// So long after its trigger a shot's velocity was stored.
+    pub fn took(&self, latency: Duration) {
+        self.state.lock().latencies.add(latency);
+    }
+
+    /// How long the last shots took; `None` before the first.
+    pub fn latency(&self) -> Option<LatencyQuantiles> {
+        self.state.lock().latencies.quantiles()
     }
 
     /// How many shots are where.

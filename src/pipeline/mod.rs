@@ -4,6 +4,7 @@ mod board;
 mod choose;
 mod fitted;
 mod frame;
+mod latency;
 mod part_errors;
 mod plan;
 mod pool;
@@ -17,6 +18,7 @@ pub use crate::{
     velocimetry::{PairResult, StageSeconds},
 };
 pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage};
+pub use latency::LatencyQuantiles;
 pub use plan::Plan;
 pub use pool::{Pool, PoolError, PoolLinks, PoolSettings};
 pub use processor::{Measurement, ProcessError, Processor, SetupError};

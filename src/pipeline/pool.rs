@@ -25,7 +25,9 @@ use super::{
     writer::{Finished, Observer, ResultSink, Writer},
 };
 use crate::{
-    acquisition::{Journal, Ledger, LedgerError, Outcome, Shot, ShotReceiver, panic_message},
+    acquisition::{
+        Journal, Ledger, LedgerError, Outcome, RunClock, Shot, ShotReceiver, panic_message,
+    },
     lightfield::RawLevel,
 };
 
@@ -68,6 +70,8 @@ pub struct PoolLinks {
     pub ledger: Arc<Mutex<Ledger>>,
     /// How safe each shot's raw data is.
     pub journal: Journal,
+    /// By which triggers were due.
+    pub clock: Arc<dyn RunClock>,
     /// Where records and results are shown.
     pub board: Arc<Board>,
     /// Cancelled when shots that wait shall not be processed any more.
@@ -148,12 +152,12 @@ where
         let results = self.results.clone();
         let links = self.links.clone();
         self.threads.spawn(move || {
-            let Shot { trigger, cameras, dt_us, suspect, .. } = shot;
+            let Shot { trigger, cameras, due, dt_us, suspect, .. } = shot;
             links.board.processing(trigger);
             let cameras = cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
             let pair = ImagePair { cameras: cameras.collect() };
             let result = process_guarded(process.as_ref(), &pair, dt_us, suspect);
-            let finished = Finished { shot: trigger, result, worker };
+            let finished = Finished { shot: trigger, due, result, worker };
             if let Err(std_mpsc::SendError(lost)) = results.send(finished) {
                 links.write_failed(lost, "the writer of results has ended");
             }

@@ -13,7 +13,7 @@ use lfpiv_hw::{
 
 use super::*;
 use crate::{
-    acquisition::{Ledger, shot_queue},
+    acquisition::{HostClock, Ledger, shot_queue},
     pipeline::{Lookup, RESULTS_IN_MEMORY, ShotRecord, Stage, StageSeconds},
     velocimetry::{VectorGrid, VectorStatus, VelocityField},
 };
@@ -73,7 +73,8 @@ fn shot(trigger: u64) -> Shot {
         status: FrameStatus::Complete,
     };
     let cameras = vec![[frame(), frame()]];
-    Shot { trigger, cameras, dt_us: 100.0, suspect: Vec::new(), residuals_ns: vec![0] }
+    let (due, dt_us) = (Duration::ZERO, 100.0);
+    Shot { trigger, cameras, due, dt_us, suspect: Vec::new(), residuals_ns: vec![0] }
 }
 
 fn number(pair: &ImagePair) -> u16 {
@@ -93,6 +94,7 @@ impl Rig {
         let links = PoolLinks {
             ledger: Arc::new(Mutex::new(ledger)),
             journal: Journal::none(),
+            clock: Arc::new(HostClock::start()),
             board: Arc::new(Board::new()),
             stop: CancellationToken::new(),
         };

@@ -3,6 +3,7 @@
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
     sync::{Arc, mpsc::Receiver},
+    time::Duration,
 };
 
 use tokio::sync::OwnedSemaphorePermit;
@@ -41,6 +42,8 @@ pub type Observer = Box<dyn FnMut(&ShotRecord, Option<&PairResult>) + Send>;
 /// A shot that a worker is done with. The worker is free again once this is written.
 pub(super) struct Finished {
     pub shot: u64,
+    /// When its trigger was due.
+    pub due: Duration,
     pub result: Result<PairResult, String>,
     pub worker: OwnedSemaphorePermit,
 }
@@ -59,10 +62,10 @@ impl<S: ResultSink> Writer<S> {
     /// Writes until every worker is gone; the error is that of closing.
     pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
         let heartbeat = self.links.board.writing().clone();
-        for Finished { shot, result, worker } in inbox {
+        for Finished { shot, due, result, worker } in inbox {
             heartbeat.beat();
             let ended = catch_unwind(AssertUnwindSafe(|| match result {
-                Ok(result) => self.write(shot, result),
+                Ok(result) => self.write(shot, due, result),
                 Err(message) => self.fail(shot, message),
             }));
             if let Err(panic) = ended {
@@ -88,12 +91,15 @@ impl<S: ResultSink> Writer<S> {
         }
     }
 
-    fn write(&mut self, shot: u64, mut result: PairResult) {
+    fn write(&mut self, shot: u64, due: Duration, mut result: PairResult) {
         result.raw = self.links.journal.level(shot);
         let result = Arc::new(result);
         let kept = result.clone();
         let record = match self.sink.append(shot, &result) {
-            Ok(()) => self.links.conclude(shot, Outcome::Complete, |board| board.done(shot, kept)),
+            Ok(()) => {
+                self.links.board.took(self.links.clock.now().saturating_sub(due));
+                self.links.conclude(shot, Outcome::Complete, |board| board.done(shot, kept))
+            }
             Err(error) => {
                 tracing::error!(shot, %error, "the result is not on disk");
                 let message = error.to_string();

@@ -49,6 +49,7 @@ impl Collector for Reader {
         self.encode_shots(&mut encoder)?;
         self.encode_raw(&mut encoder)?;
         self.encode_ledger(&mut encoder)?;
+        self.encode_latency(&mut encoder)?;
         let uptime = ConstGauge::new(self.0.began.elapsed().as_secs_f64());
         let metric = encoder.encode_descriptor(
             "uptime_seconds",
@@ -78,6 +79,21 @@ impl Reader {
             let labels = [("state", state)];
             let metric = family.encode_family(&labels)?;
             ConstGauge::new(count as i64).encode(metric)?;
+        }
+        Ok(())
+    }
+
+    /// From trigger to stored velocity.
+    fn encode_latency(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
+        let Some(latency) = self.0.board.latency() else { return Ok(()) };
+        let help = "From trigger to stored velocity, over the last thousand shots";
+        let mut family =
+            encoder.encode_descriptor("latency_seconds", help, None, MetricType::Gauge)?;
+        let quantiles = [("0.5", latency.p50_s), ("0.95", latency.p95_s), ("0.99", latency.p99_s)];
+        for (quantile, seconds) in quantiles {
+            let labels = [("quantile", quantile)];
+            let metric = family.encode_family(&labels)?;
+            ConstGauge::new(seconds).encode(metric)?;
         }
         Ok(())
     }

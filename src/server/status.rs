@@ -7,6 +7,7 @@ use super::{ApiState, ConfigurationSummary, Phase};
 use crate::{
     acquisition::{Account, Outcome, journal::ShotMarks},
     model::ModelChoice,
+    pipeline::LatencyQuantiles,
 };
 
 /// The run at a glance.
@@ -23,6 +24,8 @@ pub(super) struct Status {
     ledger: LedgerView,
     /// How far the raw data has got; absent where none is kept.
     raw: Option<RawMarks>,
+    /// From trigger to stored velocity; absent before the first result.
+    latency: Option<LatencyQuantiles>,
     model: String,
     /// The parts of the model and why; absent before the first result.
     model_choice: Option<ModelChoice>,
@@ -125,6 +128,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
         shots,
         ledger: ledger(&state),
         raw: RawMarks::of(&state),
+        latency: state.board.latency(),
         model: info.model.clone(),
         model_choice: state.board.model().map(|model| (*model).clone()),
         solver: info.solver.clone(),

@@ -6,3 +6,4 @@ mod disk;
 mod killed;
 mod processed_later;
 mod replayed;
+mod soak;

@@ -145,7 +145,7 @@ impl Pairing {
         self.counters.paired += 2 * cameras.len() as u64;
         let residuals_ns = compared.residuals_ns;
         let dt_us = self.settings.dt_us;
-        let shot = Shot { trigger, cameras, dt_us, suspect, residuals_ns };
+        let shot = Shot { trigger, cameras, due: open.due, dt_us, suspect, residuals_ns };
         rulings.push(Ruling::Paired(shot));
     }
 

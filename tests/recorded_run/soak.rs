@@ -1,0 +1,73 @@
+//! Two thousand shots in real time: nothing grows, and what a bench does per second is told.
+
+use std::{
+    fs,
+    time::{Duration, Instant},
+};
+
+use serde_json::Value;
+
+use crate::bench::{Running, configuration, images};
+
+const SHOTS: u64 = 2000;
+/// When memory has settled: pools, tables and histories are full.
+const SETTLED: u64 = 400;
+/// What may be added after that: allocators are not exact.
+const GROWTH_BYTES: u64 = 8 << 20;
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// Resident memory of a process, in bytes.
+fn resident_bytes(process: u32) -> u64 {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).expect("its status");
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).expect("its memory");
+    let kilobytes: u64 = line.trim().trim_end_matches(" kB").parse().expect("a number");
+    kilobytes << 10
+}
+
+fn count(status: &Value, name: &str) -> u64 {
+    status["shots"][name].as_u64().unwrap_or(0)
+}
+
+#[test]
+fn two_thousand_shots_in_flat_memory() {
+    let root = tempfile::tempdir().expect("a folder");
+    let config = configuration(root.path(), "[raw_log]\nsegment_mb = 20\n");
+    let text = fs::read_to_string(&config).expect("the configuration");
+    let tiny = text
+        .replacen("columns = 13\nrows = 13", "columns = 5\nrows = 5", 1)
+        .replacen("columns = 240\nrows = 240", "columns = 92\nrows = 92", 1)
+        .replacen("voxels = [8, 8, 8]", "voxels = [4, 4, 4]", 1);
+    fs::write(&config, tiny).expect("the configuration");
+    let running = Running::start(&config, &["--shots", &SHOTS.to_string()]);
+    let process = running.child.id();
+    let (began, mut settled, mut most, mut deepest) = (Instant::now(), 0, 0, 0);
+    let mut last = Value::Null;
+    while let Some(status) = running.get("/api/v1/status") {
+        let (done, resident) = (count(&status, "done"), resident_bytes(process));
+        if done >= SETTLED && settled == 0 {
+            settled = resident;
+        }
+        (most, deepest) = (most.max(resident), deepest.max(count(&status, "queued")));
+        assert!(began.elapsed() < PATIENCE, "{status}");
+        if done < SHOTS {
+            last = status;
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    let seconds = began.elapsed().as_secs_f64();
+    let run = running.kill();
+    let latency = &last["latency"];
+    println!(
+        "{SHOTS} shots in {seconds:.0} s: {:.1} acquired and processed per second, queue {deepest} \
+         deep at most; from trigger to velocity p50 {:.3}, p95 {:.3}, p99 {:.3} s; memory {:.1} MB \
+         after {SETTLED} shots, {:.1} MB at most",
+        SHOTS as f64 / seconds,
+        latency["p50_s"].as_f64().unwrap_or(f64::NAN),
+        latency["p95_s"].as_f64().unwrap_or(f64::NAN),
+        latency["p99_s"].as_f64().unwrap_or(f64::NAN),
+        settled as f64 / 1e6,
+        most as f64 / 1e6,
+    );
+    assert!(settled > 0 && most < settled + GROWTH_BYTES, "{settled} grew to {most}");
+    assert_eq!(images(&run).len() as u64, SHOTS);
+}
