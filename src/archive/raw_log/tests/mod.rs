@@ -45,7 +45,7 @@ fn record(number: u64) -> Record {
     let bits = random.random_range(0..=16_u32);
     let counts = (0..columns * rows).map(|_| random.random_range(0..1_u32 << bits) as u16);
     let image = RawImage::new(columns, rows, counts.collect()).unwrap();
-    Record { head: head.into_bytes(), image: (number % 4 != 0).then_some(image) }
+    Record { head: head.into_bytes(), image: (!number.is_multiple_of(4)).then_some(image) }
 }
 
 /// A closed log of the first records, on a disk of its own.
