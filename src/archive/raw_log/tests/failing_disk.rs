@@ -69,17 +69,21 @@ fn a_full_disk_ends_the_log_and_everything_written_is_there() {
 #[test]
 fn any_operation_may_fail_and_what_was_written_is_there() {
     let mut failed = 0;
-    for at in 0..60 {
+    for at in 0..60_u64 {
         for kind in [ErrorKind::ReadOnlyFilesystem, ErrorKind::Other] {
             let disk = ModelDisk::default();
             let (log, writer) = log_on(&disk, &limits());
             let fails_at = Some((at, kind));
-            disk.set_faults(Faults { fails_at, stays_failed: at % 2 == 0, ..Default::default() });
+            disk.set_faults(Faults {
+                fails_at,
+                stays_failed: at.is_multiple_of(2),
+                ..Default::default()
+            });
             for number in 0..100 {
                 if log.append_blocking(record(number)).is_err() {
                     break;
                 }
-                if number % 10 == 0 {
+                if number.is_multiple_of(10) {
                     thread::sleep(Duration::from_micros(300));
                 }
             }

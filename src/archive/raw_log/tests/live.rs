@@ -20,7 +20,7 @@ fn a_reader_follows_the_writer_through_its_segments() {
     let writing = thread::spawn(move || {
         for number in 0..300 {
             log.append_blocking(record(number)).unwrap();
-            if number % 7 == 0 {
+            if number.is_multiple_of(7) {
                 thread::sleep(Duration::from_micros(500));
             }
         }
