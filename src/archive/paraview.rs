@@ -129,6 +129,16 @@ impl VtiSeries {
         self.files.push(SeriesEntry { name, time: shot as f64 });
     }
 
+    /// Files in it.
+    pub fn len(&self) -> usize {
+        self.files.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.files.is_empty()
+    }
+
     /// Writes the list, replacing an older one.
     pub fn write(&self, path: &Path) -> Result<(), ArchiveError> {
         replace(path, |writer| serde_json::to_writer_pretty(writer, self).map_err(io::Error::from))

@@ -26,6 +26,11 @@ use crate::velocimetry::PairResult;
 
 /// How long a segment stays open: what a crash can cost of the NetCDF results.
 const SEGMENT_AGE: Duration = Duration::from_secs(60);
+/// How many shots it takes: the library's memory grows with them, by some 5 kB each.
+const SEGMENT_SHOTS: usize = 600;
+/// The list for ParaView is written anew with every shot up to so many, and later with every
+/// segment: it is as long as the run.
+const SHOTS_LISTED_AT_ONCE: usize = 100;
 
 /// Writes the results of one run. Used by one thread; [`Self::close`] it to learn of failures.
 pub struct ResultStore {
@@ -118,27 +123,36 @@ impl ResultStore {
         let appended = segment.file.append(shot, result);
         self.segment = Some(segment);
         appended?;
-        self.seal_if_due()?;
-        self.write_for_paraview(shot, result)
+        self.write_for_paraview(shot, result)?;
+        self.seal_if_due().map(|_| ())
     }
 
-    /// Seals the open segment if it is old enough. For the pauses of a run, when no shot comes
+    /// Seals the open segment if it is old enough, or full. For the pauses of a run, when no shot comes
     /// whose [`Self::append`] would do it.
     pub fn seal_if_due(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
-        let age = self.segment.as_ref().map(|segment| segment.opened.elapsed());
-        if age.is_some_and(|age| age >= self.segment_age) { self.seal() } else { Ok(None) }
+        let is_due = |segment: &Segment| {
+            segment.opened.elapsed() >= self.segment_age || segment.file.shots() >= SEGMENT_SHOTS
+        };
+        if self.segment.as_ref().is_some_and(is_due) { self.seal() } else { Ok(None) }
     }
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
         let name = vti_name(shot);
         write_vti(&self.folder.join(&name), &result.field)?;
         self.series.push(name, shot);
+        if self.series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
+    }
+
+    fn write_series(&self) -> Result<(), ArchiveError> {
         self.series.write(&self.folder.join("velocity.vti.series"))
     }
 
     /// Seals the open segment, if any, and says where it lies.
     pub fn seal(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
-        self.segment.take().map(|segment| segment.file.seal()).transpose()
+        let Some(segment) = self.segment.take() else { return Ok(None) };
+        let path = segment.file.seal()?;
+        self.write_series()?;
+        Ok(Some(path))
     }
 
     /// Seals what is open and ends the run.

@@ -154,6 +154,11 @@ impl VelocityFile {
         self.model == result.model && self.dt_s == result.field.dt_s
     }
 
+    /// Shots in it.
+    pub fn shots(&self) -> usize {
+        self.shots
+    }
+
     /// Adds one shot.
     pub fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
         let field = &result.field;

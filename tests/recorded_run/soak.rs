@@ -10,8 +10,8 @@ use serde_json::Value;
 use crate::bench::{Running, configuration, images};
 
 const SHOTS: u64 = 2000;
-/// When memory has settled: pools, tables and histories are full.
-const SETTLED: u64 = 400;
+/// When memory has settled: pools and tables are full, and a first segment of results is sealed.
+const SETTLED: u64 = 700;
 /// What may be added after that: allocators are not exact.
 const GROWTH_BYTES: u64 = 8 << 20;
 const PATIENCE: Duration = Duration::from_secs(300);
