@@ -27,5 +27,6 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
         seconds: StageSeconds { decode_s: 1.0, reconstruct_s: 2.0, correlate_s: 3.0 },
         warnings: Vec::new(),
         model: Default::default(),
+        light: None,
     }
 }

@@ -95,7 +95,7 @@ async fn run_bench(
     let observer = observer(truth, shots.is_some().then(|| rows.clone()), bar.clone());
     let processor = move || {
         let processor = Processor::new(measurement).context("this cannot be measured")?;
-        Ok(move |pair: &_| processor.process(pair))
+        Ok(move |pair: &_| processor.process_with_light(pair))
     };
     let ended = daemon.run(bench, processor, observer, stop.clone()).await;
     if let Some(bar) = bar {

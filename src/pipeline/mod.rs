@@ -2,13 +2,17 @@
 
 mod board;
 mod choose;
+mod events;
 mod fitted;
 mod frame;
+mod gallery;
 mod part_errors;
 mod plan;
 mod pool;
 mod processor;
 mod scene;
+#[cfg(test)]
+mod test_data;
 mod writer;
 
 pub use crate::{
@@ -16,7 +20,9 @@ pub use crate::{
     reconstruction::DenseVolume,
     velocimetry::{PairResult, StageSeconds},
 };
-pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage};
+pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage, Watermarks};
+pub use events::{Batch, EVENTS_IN_MEMORY, Event, EventKind, EventLog};
+pub use gallery::{Gallery, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES};
 pub use plan::Plan;
 pub use pool::{Pool, PoolError, PoolLinks, PoolSettings};
 pub use processor::{Measurement, ProcessError, Processor, SetupError};

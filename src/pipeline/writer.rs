@@ -60,7 +60,12 @@ impl<S: ResultSink> Writer<S> {
     pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
         for Finished { shot, result, worker } in inbox {
             let ended = catch_unwind(AssertUnwindSafe(|| match result {
-                Ok(result) => self.write(shot, Arc::new(result)),
+                Ok(mut result) => {
+                    if let Some(light) = result.light.take() {
+                        self.links.board.gallery().show_light(shot, light);
+                    }
+                    self.write(shot, Arc::new(result));
+                }
                 Err(message) => self.fail(shot, message),
             }));
             if let Err(panic) = ended {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::VelocityField;
-use crate::model::ModelChoice;
+use crate::{model::ModelChoice, reconstruction::FrameLight};
 
 /// Wall-clock seconds spent in each stage of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -29,4 +29,6 @@ pub struct PairResult {
     pub warnings: Vec<String>,
     /// The forward model behind it, and why it is this one.
     pub model: Arc<ModelChoice>,
+    /// The light of frames a and b on the configured grid, where it was asked for.
+    pub light: Option<[FrameLight; 2]>,
 }

@@ -184,5 +184,6 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
         seconds: StageSeconds { decode_s: 0.1, reconstruct_s: 0.2, correlate_s: 0.3 },
         warnings: Vec::new(),
         model: Default::default(),
+        light: None,
     }
 }
