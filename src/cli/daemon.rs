@@ -13,7 +13,6 @@
 use std::{
     fmt::Display,
     future::Future,
-    io,
     net::SocketAddr,
     num::NonZeroU64,
     path::{Path, PathBuf},
@@ -36,7 +35,7 @@ use crate::{
     archive::ResultStore,
     config::ConfigFile,
     pipeline::{Board, ImagePair, Observer, PairResult, Pool, PoolLinks, PoolSettings},
-    server::{ApiState, Phase, serve},
+    server::{ApiState, Phase, Protection, serve},
 };
 
 /// Rendering sets the pace of a simulated bench, and may take a minute for a large volume.
@@ -80,6 +79,7 @@ pub struct Daemon {
     store: ResultStore,
     listener: TcpListener,
     address: SocketAddr,
+    protection: Protection,
     state: ApiState,
     ledger: Arc<Mutex<Ledger>>,
     board: Arc<Board>,
@@ -101,10 +101,12 @@ impl Daemon {
     ///
     /// # Errors
     ///
-    /// An impossible schedule, a folder that cannot be made, an address in use.
+    /// An impossible schedule, a server that would be open to others, a folder that cannot be made,
+    /// an address in use.
     pub async fn prepare(plan: DaemonPlan) -> anyhow::Result<Self> {
         let config = &plan.file.config;
         let acquisition = plan.acquisition()?;
+        let protection = Protection::open(&config.server)?;
         let address = config.server.address;
         let listener = TcpListener::bind(address).await.with_context(|| {
             format!("cannot listen on {address}: is another lfpiv running? See server.address")
@@ -115,12 +117,28 @@ impl Daemon {
         let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
         let board = Arc::new(Board::new());
         let state = ApiState::new(run_info(&plan, &folder), ledger.clone(), board.clone());
-        Ok(Self { plan, acquisition, folder, store, listener, address, state, ledger, board })
+        Ok(Self {
+            plan,
+            acquisition,
+            folder,
+            store,
+            listener,
+            address,
+            protection,
+            state,
+            ledger,
+            board,
+        })
     }
 
     /// The address that the server is bound to.
     pub fn address(&self) -> SocketAddr {
         self.address
+    }
+
+    /// Where a browser finds the server.
+    pub fn url(&self) -> String {
+        self.plan.file.config.server.url(self.address)
     }
 
     /// Where the results go.
@@ -146,7 +164,7 @@ impl Daemon {
         E: Display + 'static,
     {
         let stop_server = CancellationToken::new();
-        let server = serve(self.listener, self.state.clone(), stop_server.clone());
+        let server = serve(self.listener, self.state.clone(), self.protection, stop_server.clone());
         let server = tokio::spawn(server);
         let links = PoolLinks {
             ledger: self.ledger.clone(),
@@ -178,10 +196,9 @@ impl Daemon {
 }
 
 /// Waits for the requests in hand, but not for a client that keeps its connection open.
-async fn end_server(mut server: JoinHandle<io::Result<()>>) {
+async fn end_server(mut server: JoinHandle<()>) {
     match tokio::time::timeout(SERVER_GRACE, &mut server).await {
-        Ok(Ok(Ok(()))) => {}
-        Ok(Ok(Err(error))) => tracing::error!(%error, "the server ended by an error"),
+        Ok(Ok(())) => {}
         Ok(Err(error)) => tracing::error!(%error, "the server ended by a panic"),
         Err(_) => server.abort(),
     }

@@ -87,7 +87,7 @@ async fn run_bench(
     let has_instruments = file.config.instruments.is_some();
     let stop = stop_on_signals("the last results may be left as .part files")?;
     let daemon = Daemon::prepare(DaemonPlan { file, shots, overload }).await?;
-    print(&format!("status:  http://{}/api/v1/status", daemon.address()))?;
+    print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
 
     let rows = Arc::new(Mutex::new(Vec::new()));

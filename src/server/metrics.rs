@@ -21,6 +21,9 @@ use crate::acquisition::Outcome;
 
 const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
 
+/// Counters and gauges in OpenMetrics text, for Prometheus.
+#[utoipa::path(get, path = "/metrics", tag = "live",
+    responses((status = 200, content_type = "application/openmetrics-text", body = String)))]
 pub(super) async fn metrics(State(state): State<ApiState>) -> Response {
     let mut registry = Registry::with_prefix("lfpiv");
     registry.register_collector(Box::new(Reader(state)));

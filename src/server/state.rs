@@ -1,11 +1,20 @@
 //! What the handlers read.
 
-use std::{path::PathBuf, sync::Arc, time::Instant};
+use std::{fmt, path::PathBuf, sync::Arc, time::Instant};
 
 use parking_lot::Mutex;
 use serde::Serialize;
+use utoipa::ToSchema;
 
-use crate::{acquisition::Ledger, pipeline::Board};
+use super::{
+    control::{Controls, Desk},
+    events::Brief,
+    frames::FrameSource,
+};
+use crate::{
+    acquisition::Ledger,
+    pipeline::{Board, EventKind},
+};
 
 /// How far the run is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -39,9 +48,10 @@ pub struct RunInfo {
 }
 
 /// The configuration in brief.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ConfigurationSummary {
     /// The file.
+    #[schema(value_type = String)]
     pub file: PathBuf,
     /// Whether the bench is simulated.
     pub simulated: bool,
@@ -66,25 +76,73 @@ pub struct ConfigurationSummary {
 }
 
 /// Shared by all handlers; cheap to clone.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct ApiState {
     pub(super) info: Arc<RunInfo>,
     pub(super) ledger: Arc<Mutex<Ledger>>,
     pub(super) board: Arc<Board>,
     pub(super) began: Instant,
+    pub(super) desk: Desk,
+    pub(super) frames: Arc<dyn FrameSource>,
     phase: Arc<Mutex<Phase>>,
+    /// What was told last.
+    told: Arc<Mutex<Option<Brief>>>,
+}
+
+impl fmt::Debug for ApiState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let phase = self.phase();
+        f.debug_struct("ApiState")
+            .field("info", &self.info)
+            .field("phase", &phase)
+            .finish_non_exhaustive()
+    }
 }
 
 impl ApiState {
     /// The state of a run that is starting.
     pub fn new(info: RunInfo, ledger: Arc<Mutex<Ledger>>, board: Arc<Board>) -> Self {
         let phase = Arc::new(Mutex::new(Phase::Starting));
-        Self { info: Arc::new(info), ledger, board, began: Instant::now(), phase }
+        Self {
+            info: Arc::new(info),
+            ledger,
+            frames: board.clone(),
+            board,
+            began: Instant::now(),
+            desk: Desk::default(),
+            phase,
+            told: Arc::default(),
+        }
     }
 
-    /// The run has come this far.
+    /// The run can be controlled over HTTP. `may_arm`: the configuration allows to arm, and an
+    /// operator has enabled it at the bench for this run.
+    pub fn with_controls(mut self, controls: Arc<dyn Controls>, may_arm: bool) -> Self {
+        self.desk = Desk { controls: Some(controls), may_arm };
+        self
+    }
+
+    /// Previews show the frames of this source, instead of the latest ones only.
+    pub fn with_frames(mut self, frames: Arc<dyn FrameSource>) -> Self {
+        self.frames = frames;
+        self
+    }
+
+    /// The run has come this far; whoever watches is told.
     pub fn set_phase(&self, phase: Phase) {
         *self.phase.lock() = phase;
+        self.announce();
+    }
+
+    /// Tells of the run where it is not as it was told last.
+    pub(super) fn announce(&self) {
+        // Locked throughout: what is told last is what is true last.
+        let mut told = self.told.lock();
+        let brief = self.brief();
+        if told.as_ref() != Some(&brief) {
+            self.board.events().publish(EventKind::Status, &brief);
+            *told = Some(brief);
+        }
     }
 
     /// How far the run is.

@@ -2,15 +2,17 @@
 
 use axum::{Json, extract::State, http::StatusCode};
 use serde::Serialize;
+use utoipa::ToSchema;
 
-use super::{ApiState, ConfigurationSummary, Phase};
+use super::{ApiState, ConfigurationSummary, Phase, control::ControlState, events::Brief};
 use crate::{
     acquisition::{Account, Outcome},
     model::ModelChoice,
+    pipeline::Watermarks,
 };
 
 /// The run at a glance.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, ToSchema)]
 pub(super) struct Status {
     state: &'static str,
     /// Why the run failed.
@@ -21,8 +23,13 @@ pub(super) struct Status {
     stage: String,
     shots: ShotCounts,
     ledger: LedgerView,
+    /// How far data is safe; absent where nothing is recorded.
+    watermarks: Option<Watermarks>,
+    /// What can be controlled, as it is; absent where nothing can.
+    control: Option<ControlState>,
     model: String,
     /// The parts of the model and why; absent before the first result.
+    #[schema(value_type = Option<Object>)]
     model_choice: Option<ModelChoice>,
     solver: String,
     configuration: ConfigurationSummary,
@@ -30,7 +37,7 @@ pub(super) struct Status {
 }
 
 /// How many shots are where; the sum of all but `triggered` is `triggered`.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, ToSchema)]
 pub(super) struct ShotCounts {
     pub triggered: u64,
     pub awaiting_frames: u64,
@@ -68,41 +75,69 @@ impl ShotCounts {
     }
 }
 
-#[derive(Debug, Serialize)]
-struct LedgerView {
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Ledger)]
+pub(super) struct LedgerView {
     /// Whether every trigger is accounted for.
     balanced: bool,
     cameras: Vec<CameraAccount>,
 }
 
-#[derive(Debug, Serialize)]
-struct CameraAccount {
+#[derive(Debug, Serialize, ToSchema)]
+pub(super) struct CameraAccount {
     camera: String,
     #[serde(flatten)]
     account: Account,
 }
 
+/// State of the run, shot counts, ledger, configuration in brief.
+#[utoipa::path(get, path = "/api/v1/status", tag = "live", responses((status = 200, body = Status)))]
 pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
     let shots = ShotCounts::of(&state);
     let phase = state.phase();
     let info = &state.info;
     Json(Status {
         state: name(&phase),
-        error: match &phase {
-            Phase::Failed(reason) => Some(reason.clone()),
-            _ => None,
-        },
+        error: error(&phase),
         uptime_s: state.began.elapsed().as_secs_f64(),
         code_version: info.code_version.clone(),
         stage: stage(&state, &phase, shots),
         shots,
         ledger: ledger(&state),
+        watermarks: state.board.watermarks(),
+        control: state.control(),
         model: info.model.clone(),
         model_choice: state.board.model().map(|model| (*model).clone()),
         solver: info.solver.clone(),
         configuration: info.configuration.clone(),
         results_dir: info.results_dir.display().to_string(),
     })
+}
+
+impl ApiState {
+    /// The run as events tell it.
+    pub(super) fn brief(&self) -> Brief {
+        let (shots, phase) = (ShotCounts::of(self), self.phase());
+        Brief {
+            state: name(&phase),
+            error: error(&phase),
+            stage: stage(self, &phase, shots),
+            shots,
+            watermarks: self.board.watermarks(),
+            control: self.control(),
+        }
+    }
+
+    fn control(&self) -> Option<ControlState> {
+        self.desk.controls.as_ref().map(|controls| controls.state())
+    }
+}
+
+fn error(phase: &Phase) -> Option<String> {
+    match phase {
+        Phase::Failed(reason) => Some(reason.clone()),
+        _ => None,
+    }
 }
 
 fn ledger(state: &ApiState) -> LedgerView {
@@ -137,9 +172,15 @@ fn stage(state: &ApiState, phase: &Phase, shots: ShotCounts) -> String {
     }
 }
 
-pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, String) {
+/// Whether the run is well: `ok`, or 503 once it has failed; the status says why. Open to all, for
+/// whoever supervises the daemon.
+#[utoipa::path(get, path = "/healthz", tag = "live", security(()),
+    responses(
+        (status = 200, content_type = "text/plain", body = String),
+        (status = 503, description = "The run has failed", content_type = "text/plain", body = String)))]
+pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, &'static str) {
     match state.phase() {
-        Phase::Failed(reason) => (StatusCode::SERVICE_UNAVAILABLE, format!("failed: {reason}\n")),
-        _ => (StatusCode::OK, "ok\n".to_owned()),
+        Phase::Failed(_) => (StatusCode::SERVICE_UNAVAILABLE, "failed: see /api/v1/status\n"),
+        _ => (StatusCode::OK, "ok\n"),
     }
 }

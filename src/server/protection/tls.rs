@@ -28,7 +28,8 @@ fn certificates(path: &Path) -> Result<Vec<CertificateDer<'static>>, ProtectionE
     let (what, key) = ("certificate", "server.tls.certificate");
     let text = read_secret(what, key, path, 0)?;
     let found: Result<Vec<_>, _> = CertificateDer::pem_slice_iter(text.as_bytes()).collect();
-    let refused = |reason: String| ProtectionError::Pem { what, key, path: path.to_owned(), reason };
+    let refused =
+        |reason: String| ProtectionError::Pem { what, key, path: path.to_owned(), reason };
     let found = found.map_err(|error| refused(error.to_string()))?;
     match found.is_empty() {
         true => Err(refused("there is no certificate in it".to_owned())),
