@@ -3,9 +3,10 @@
 use axum::{
     Json,
     extract::{FromRequest, FromRequestParts, Path, Query, Request},
-    http::request::Parts,
+    http::{StatusCode, request::Parts},
 };
 use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
 
 use super::ApiError;
 
@@ -33,15 +34,17 @@ impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Arguments<T> {
     }
 }
 
-/// A body in JSON.
+/// A body in JSON, an object. Without that rule `[50.0]` would be read as the first member of a type.
 pub(super) struct Body<T>(pub T);
 
 impl<S: Send + Sync, T: DeserializeOwned> FromRequest<S> for Body<T> {
     type Rejection = ApiError;
 
     async fn from_request(request: Request, state: &S) -> Result<Self, ApiError> {
-        let Json(body) = Json::from_request(request, state).await?;
-        Ok(Self(body))
+        let Json(object) = Json::<Map<String, Value>>::from_request(request, state).await?;
+        T::deserialize(Value::Object(object)).map(Self).map_err(|error| {
+            ApiError::new(StatusCode::UNPROCESSABLE_ENTITY, format!("the body: {error}"))
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! What every request passes before a handler sees it, in this order: how often this client asks,
-//! by which name it calls the server and from which page, how long the request takes, and what
-//! its token allows.
+//! by which name it calls the server and from which page, how large the request is and how long it
+//! takes, and what its token allows.
 
 use std::time::Instant;
 
@@ -12,7 +12,7 @@ use axum::{
 };
 
 use super::{
-    ApiError,
+    ApiError, BODY_BYTES,
     app::{App, Connection},
     protection::{Origin, Scope},
 };
@@ -106,6 +106,18 @@ fn single(headers: &HeaderMap, name: header::HeaderName) -> Result<Option<&str>,
 fn has_token(uri: &Uri) -> bool {
     let keys = uri.query().unwrap_or_default().split('&').map(|pair| pair.split('=').next());
     keys.flatten().any(|key| TOKEN_KEYS.iter().any(|token| key.eq_ignore_ascii_case(token)))
+}
+
+/// A body that is said to be too large is refused before any of it is waited for; one that turns
+/// out to be is cut off by the router's limit.
+pub(super) async fn size(request: Request, next: Next) -> Result<Response, ApiError> {
+    let length = single(request.headers(), header::CONTENT_LENGTH)?;
+    let length = length.and_then(|length| length.parse::<u64>().ok()).unwrap_or_default();
+    if length > BODY_BYTES as u64 {
+        let error = format!("a body of {length} bytes; allowed: {BODY_BYTES}");
+        return Err(ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, error));
+    }
+    Ok(next.run(request).await)
 }
 
 /// No request is worked on for ever: a client that sends its body too slowly is cut off here.

@@ -109,7 +109,8 @@ async fn serve_http(
         .timer(TokioTimer::new())
         .header_read_timeout(patience)
         .max_headers(HEADER_FIELDS)
-        .max_buf_size(HEADER_BYTES)
+        .max_header_size(HEADER_BYTES)
+        .max_buf_size(2 * HEADER_BYTES)
         .serve_connection(TokioIo::new(stream), service);
     watcher.watch(served).await?;
     Ok(())

@@ -6,6 +6,17 @@
 
 mod acquisition;
 mod bench;
+mod client;
+mod control;
+mod document;
+mod events;
 mod faults;
+mod fuzz;
 mod http;
+mod limits;
+mod previews;
 mod run;
+mod schema;
+mod security;
+mod server;
+mod tls;
