@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
 use super::{
-    ApiError, ApiState,
+    ApiError,
     app::{App, Connection},
     extract::Body,
 };
@@ -99,18 +99,21 @@ pub trait Controls: Send + Sync + 'static {
     fn state(&self) -> ControlState;
 }
 
-/// A run's controls and whether they may arm.
+/// A run's controls.
 #[derive(Clone, Default)]
 pub(super) struct Desk {
     pub controls: Option<Arc<dyn Controls>>,
-    /// Both permissions were given.
-    pub may_arm: bool,
+    /// Whether an operator has enabled arming at the bench for this run.
+    pub enabled_at_bench: bool,
 }
 
 impl fmt::Debug for Desk {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let state = self.controls.as_ref().map(|controls| controls.state());
-        f.debug_struct("Desk").field("state", &state).field("may_arm", &self.may_arm).finish()
+        f.debug_struct("Desk")
+            .field("state", &state)
+            .field("enabled_at_bench", &self.enabled_at_bench)
+            .finish()
     }
 }
 
@@ -146,10 +149,15 @@ struct ControlEvent<'a> {
 /// What can be controlled and how it stands.
 #[utoipa::path(get, path = "/api/v1/control", tag = "control",
     responses((status = 200, body = ControlView)))]
-pub(super) async fn show(State(state): State<ApiState>) -> Json<ControlView> {
-    let Desk { controls, may_arm } = &state.desk;
-    let state = controls.as_ref().map(|controls| controls.state());
-    Json(ControlView { controllable: controls.is_some(), may_arm: *may_arm, state })
+pub(super) async fn show(State(app): State<App>) -> Json<ControlView> {
+    let controls = app.run.desk.controls.as_ref();
+    let state = controls.map(|controls| controls.state());
+    Json(ControlView { controllable: controls.is_some(), may_arm: may_arm(&app), state })
+}
+
+/// Both permissions: the configuration's and the operator's.
+fn may_arm(app: &App) -> bool {
+    app.protection.remote_arming && app.run.desk.enabled_at_bench
 }
 
 /// Fire bursts, once armed. Needs permission to arm.
@@ -255,7 +263,7 @@ impl Asker {
             let reason = "acquisition takes no requests in this run".to_owned();
             return Err(refused("this run cannot be controlled", vec![reason]));
         };
-        if command.lets_fire() && !desk.may_arm {
+        if command.lets_fire() && !may_arm(&self.app) {
             let reason = "set server.remote_arming, and have an operator enable it at the bench \
                           for this run"
                 .to_owned();

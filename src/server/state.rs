@@ -115,10 +115,10 @@ impl ApiState {
         }
     }
 
-    /// The run can be controlled over HTTP. `may_arm`: the configuration allows to arm, and an
-    /// operator has enabled it at the bench for this run.
-    pub fn with_controls(mut self, controls: Arc<dyn Controls>, may_arm: bool) -> Self {
-        self.desk = Desk { controls: Some(controls), may_arm };
+    /// The run can be controlled over HTTP. `arm` and `start` are refused unless an operator has
+    /// enabled them at the bench for this run, and the configuration has (`server.remote_arming`).
+    pub fn with_controls(mut self, controls: Arc<dyn Controls>, enabled_at_bench: bool) -> Self {
+        self.desk = Desk { controls: Some(controls), enabled_at_bench };
         self
     }
 

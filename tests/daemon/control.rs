@@ -74,10 +74,10 @@ impl Controls for Bench {
     }
 }
 
-async fn controlled(settings: &ServerSettings, may_arm: bool) -> (Server, Arc<Recording>) {
+async fn controlled(settings: &ServerSettings, enabled_at_bench: bool) -> (Server, Arc<Recording>) {
     let recording = Recording::new();
     let bench = Arc::new(Bench(recording.clone()));
-    let equip = |state: lfpiv::server::ApiState| state.with_controls(bench, may_arm);
+    let equip = |state: lfpiv::server::ApiState| state.with_controls(bench, enabled_at_bench);
     (Server::with(Ledger::new(2), Board::new(), settings, equip).await, recording)
 }
 
@@ -91,7 +91,7 @@ async fn post(server: &Server, command: &str, body: Option<Value>) -> Answer {
 }
 
 fn tokens(folder: &Path) -> ServerSettings {
-    with_tokens(folder)
+    ServerSettings { remote_arming: true, ..with_tokens(folder) }
 }
 
 #[tokio::test]
@@ -174,6 +174,7 @@ async fn what_is_no_command_does_not_reach_the_run() {
         ("dt", json!({ "dt_us": 0.0 }), 422),
         ("dt", json!({ "dt_us": -1e300 }), 422),
         ("dt", json!({ "dt_us": 50.0, "force": true }), 422),
+        // Serde would take this for a type with one member.
         ("dt", json!([50.0]), 422),
         ("note", json!({ "text": "  " }), 422),
         ("note", json!({ "text": "a\u{0}b" }), 422),

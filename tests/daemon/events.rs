@@ -29,9 +29,9 @@ use crate::{
 /// One event as it came.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Told {
-    name: String,
-    id: Option<String>,
-    data: Value,
+    pub name: String,
+    pub id: Option<String>,
+    pub data: Value,
 }
 
 /// An event stream that is open.
@@ -40,7 +40,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    async fn open(address: SocketAddr, last_id: Option<&str>) -> Self {
+    pub async fn open(address: SocketAddr, last_id: Option<&str>) -> Self {
         let ask = Ask::get("/api/v1/events");
         let ask = match last_id {
             Some(id) => ask.with("Last-Event-ID", id),
@@ -55,7 +55,7 @@ impl Watch {
     }
 
     /// The next event; `None` when the server has ended the stream.
-    async fn next(&mut self) -> Option<Told> {
+    pub async fn next(&mut self) -> Option<Told> {
         let (mut name, mut id) = (None, None);
         loop {
             let line = self.lines.next_line();

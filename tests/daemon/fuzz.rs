@@ -125,7 +125,7 @@ fn judge(answer: &Answer) -> Result<(), TestCaseError> {
 }
 
 async fn fuzzed_server(folder: &std::path::Path) -> Server {
-    let settings = ServerSettings { client_patience_s: 5.0, ..with_tokens(folder) };
+    let settings = ServerSettings { remote_arming: true, ..with_tokens(folder) };
     let mut ledger = lfpiv::acquisition::Ledger::new(2);
     for shot in 5..9 {
         ledger.enter(shot).unwrap();

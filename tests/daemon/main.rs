@@ -14,6 +14,7 @@ mod faults;
 mod fuzz;
 mod http;
 mod limits;
+mod measured;
 mod previews;
 mod run;
 mod schema;

@@ -30,6 +30,8 @@ pub struct Protection {
     pub(super) patience: Duration,
     /// Open at the same time.
     pub(super) connections: usize,
+    /// Whether the configuration allows to arm over HTTP.
+    pub(super) remote_arming: bool,
 }
 
 impl Protection {
@@ -54,6 +56,7 @@ impl Protection {
             tls,
             patience: Duration::from_secs_f64(settings.client_patience_s),
             connections: settings.connections,
+            remote_arming: settings.remote_arming,
         })
     }
 }
