@@ -57,6 +57,11 @@ impl Gallery {
         shelves.projections.put(shot, projection_bytes, Arc::new([a.projections, b.projections]));
     }
 
+    /// The shot whose frames are shown.
+    pub fn latest_frames(&self) -> Option<u64> {
+        self.shelves.lock().frames.as_ref().map(|(shot, _)| *shot)
+    }
+
     /// Frame a (0) or b (1) of a camera, from 0, while the shot is the latest.
     pub fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<lfpiv_hw::RawImage> {
         let shelves = self.shelves.lock();
@@ -128,7 +133,9 @@ mod tests {
         let gallery = Gallery::default();
         let image = lfpiv_hw::RawImage::new(2, 1, vec![3, 4]).unwrap();
         let pair = ImagePair { cameras: vec![[image.clone(), image.clone()]] };
+        assert_eq!(gallery.latest_frames(), None);
         gallery.show_frames(7, &pair);
+        assert_eq!(gallery.latest_frames(), Some(7));
         let shown = gallery.frame(7, 0, 1).unwrap();
         assert!(std::ptr::eq(shown.counts(), image.counts()));
         assert_eq!(gallery.frame(6, 0, 1), None);

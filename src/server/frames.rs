@@ -52,7 +52,7 @@ pub(super) struct WidthQuery {
 /// header `lfpiv-white` says how many counts that is.
 #[utoipa::path(get, path = "/api/v1/shots/{shot}/frames/{camera}/{image}", tag = "shots",
     params(
-        ("shot" = u64, Path, description = "Shot number, from 0."),
+        ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
         ("camera" = usize, Path, minimum = 1, description = "Camera, from 1."),
         ("image" = inline(FrameImage), Path, description = "Frame a or b."),
         WidthQuery),
@@ -66,7 +66,10 @@ pub(super) async fn preview(
     Arguments(query): Arguments<WidthQuery>,
     headers: HeaderMap,
 ) -> Result<Response, ApiError> {
-    let shot = shot_number(&shot)?;
+    let shot = match shot.as_str() {
+        "latest" => app.run.board.gallery().latest_frames().ok_or_else(none_yet)?,
+        number => shot_number(number)?,
+    };
     let camera = camera_index(&camera, app.run.info.configuration.cameras.len())?;
     let half = image.strip_suffix(".png").unwrap_or(&image);
     let half = frame_index(half)?;
@@ -124,6 +127,10 @@ fn camera_index(text: &str, cameras: usize) -> Result<usize, ApiError> {
             Err(ApiError::not_found(format!("there is no camera {number}, but 1 to {cameras}")))
         }
     }
+}
+
+fn none_yet() -> ApiError {
+    ApiError::not_found("no shot has come to a worker yet")
 }
 
 fn absent(shot: u64, known: bool) -> ApiError {

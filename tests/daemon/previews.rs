@@ -110,6 +110,8 @@ async fn raw_frames_are_shown_at_the_width_asked_for() {
     assert_eq!((whole.get_pixel(0, 0).0[0], whole.get_pixel(39, 19).0[0]), (0, 255));
     let half = pixels(&server.get(&format!("{}?width=20", frame(1, "a"))).await);
     assert_eq!(half.dimensions(), (20, 10));
+    let latest = server.get("/api/v1/shots/latest/frames/2/b.png").await;
+    assert_eq!(pixels(&latest), whole);
     server.assert_error(&format!("{}?width=3", frame(1, "a")), 400, "allowed 16 to 8192").await;
     server.assert_error(&format!("{}?width=x", frame(1, "a")), 400, "width").await;
     server.assert_error(&format!("{}?depth=3", frame(1, "a")), 400, "depth").await;
