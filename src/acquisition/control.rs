@@ -15,7 +15,8 @@ use serde::Serialize;
 use tokio::sync::{mpsc, oneshot};
 
 /// A request.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "command", rename_all = "snake_case")]
 pub enum Command {
     /// Take shots.
     Start,

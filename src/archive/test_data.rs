@@ -28,5 +28,6 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
         warnings: Vec::new(),
         raw: Default::default(),
         model: Default::default(),
+        light: None,
     }
 }

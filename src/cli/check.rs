@@ -42,7 +42,7 @@ fn summary(config: &Config) -> String {
             .map_or(String::new(), |n| format!(", {n:.0} in the volume"));
         lines.push(("simulation", format!("{} particles per microlens{particles}", scene.ppm)));
     }
-    lines.push(("server", format!("http://{}", config.server.address)));
+    lines.push(("server", config.server.url(config.server.address)));
     lines.push(("output", config.output.dir.display().to_string()));
     lines.into_iter().fold(String::new(), |mut text, (subject, line)| {
         // Writing to a String does not fail.

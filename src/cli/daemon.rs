@@ -13,7 +13,6 @@
 use std::{
     fmt::Display,
     future::Future,
-    io,
     net::SocketAddr,
     num::NonZeroU64,
     path::{Path, PathBuf},
@@ -28,8 +27,8 @@ use tokio::{net::TcpListener, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    ledger_file::write_ledger, recording::Recording, run_folder::create_run_folder,
-    run_info::run_info, service::Service,
+    ledger_file::write_ledger, recorded_frames::RecordedFrames, recording::Recording,
+    run_folder::create_run_folder, run_info::run_info, service::Service,
 };
 use crate::{
     acquisition::{
@@ -41,7 +40,7 @@ use crate::{
     archive::{RawLogSettings, ResultStore},
     config::ConfigFile,
     pipeline::{Board, ImagePair, Observer, PairResult, Pool, PoolLinks, PoolSettings},
-    server::{ApiState, Phase, serve},
+    server::{ApiState, Phase, Protection, serve},
 };
 
 /// Rendering sets the pace of a simulated bench, and may take a minute for a large volume.
@@ -62,13 +61,15 @@ pub struct DaemonPlan {
     pub raw_log: Option<RawLogSettings>,
     /// What it does first.
     pub mode: Mode,
+    /// Whether an operator at the bench lets clients arm the laser over HTTP.
+    pub remote_arming: bool,
 }
 
 impl DaemonPlan {
     /// A run that takes shots at once and keeps its raw data as its configuration says.
     pub fn new(file: ConfigFile, shots: Option<NonZeroU64>, overload: OverloadPolicy) -> Self {
         let raw_log = Some(file.config.raw_log.clone());
-        Self { file, shots, overload, raw_log, mode: Mode::Firing }
+        Self { file, shots, overload, raw_log, mode: Mode::Firing, remote_arming: false }
     }
 
     /// Plans the schedule for another time between the pulses.
@@ -119,6 +120,7 @@ pub struct Daemon {
     script: Option<RunScript>,
     listener: TcpListener,
     address: SocketAddr,
+    protection: Protection,
     state: ApiState,
     ledger: Arc<Mutex<Ledger>>,
     board: Arc<Board>,
@@ -140,10 +142,12 @@ impl Daemon {
     ///
     /// # Errors
     ///
-    /// An impossible schedule, a folder that cannot be made, an address in use.
+    /// An impossible schedule, a server that would be open to others, a folder that cannot be made,
+    /// an address in use.
     pub async fn prepare(plan: DaemonPlan) -> anyhow::Result<Self> {
         let config = &plan.file.config;
         let acquisition = plan.acquisition()?;
+        let protection = Protection::open(&config.server)?;
         let address = config.server.address;
         let listener = TcpListener::bind(address).await.with_context(|| {
             format!("cannot listen on {address}: is another lfpiv running? See server.address")
@@ -160,7 +164,9 @@ impl Daemon {
             ledger.clone(),
             board.clone(),
             recording.journal.clone(),
-        );
+        )
+        .with_controls(Arc::new(control.clone()), plan.remote_arming)
+        .with_frames(Arc::new(RecordedFrames::new(board.clone(), &folder)));
         Ok(Self {
             plan,
             acquisition,
@@ -172,6 +178,7 @@ impl Daemon {
             script: None,
             listener,
             address,
+            protection,
             state,
             ledger,
             board,
@@ -191,6 +198,11 @@ impl Daemon {
     /// The address that the server is bound to.
     pub fn address(&self) -> SocketAddr {
         self.address
+    }
+
+    /// Where a browser finds the server.
+    pub fn url(&self) -> String {
+        self.plan.file.config.server.url(self.address)
     }
 
     /// Where the results go.
@@ -221,7 +233,7 @@ impl Daemon {
         E: Display + 'static,
     {
         let stop_server = CancellationToken::new();
-        let server = serve(self.listener, self.state.clone(), stop_server.clone());
+        let server = serve(self.listener, self.state.clone(), self.protection, stop_server.clone());
         let server = tokio::spawn(server);
         let clock: Arc<dyn RunClock> = match &self.script {
             Some(script) => script.clock.clone(),
@@ -279,10 +291,9 @@ impl Daemon {
 }
 
 /// Waits for the requests in hand, but not for a client that keeps its connection open.
-async fn end_server(mut server: JoinHandle<io::Result<()>>) {
+async fn end_server(mut server: JoinHandle<()>) {
     match tokio::time::timeout(SERVER_GRACE, &mut server).await {
-        Ok(Ok(Ok(()))) => {}
-        Ok(Ok(Err(error))) => tracing::error!(%error, "the server ended by an error"),
+        Ok(Ok(())) => {}
         Ok(Err(error)) => tracing::error!(%error, "the server ended by a panic"),
         Err(_) => server.abort(),
     }

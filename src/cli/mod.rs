@@ -21,6 +21,7 @@ mod output;
 mod peers;
 mod process;
 mod process_run;
+mod recorded_frames;
 mod recording;
 mod replay;
 mod run;

@@ -79,6 +79,7 @@ async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Resu
         overload: OverloadPolicy::Wait,
         raw_log: None,
         mode: Mode::Firing,
+        remote_arming: false,
     };
     let mut daemon = Daemon::prepare(plan).await?;
     let longest_burst = usize::try_from(longest_burst).unwrap_or(usize::MAX);

@@ -15,7 +15,7 @@ use super::{
     stop::stop_on_signals,
 };
 use crate::{
-    acquisition::{Bench, OverloadPolicy},
+    acquisition::{Bench, Mode, OverloadPolicy},
     config::{Config, ConfigFile},
     pipeline::{Observer, Processor, Stage},
 };
@@ -33,6 +33,13 @@ pub struct RunArgs {
     /// bounded run compares vectors with; the run's own when absent.
     #[arg(long, value_name = "FILE")]
     pub truth: Option<PathBuf>,
+    /// Begin with the laser safe: shots are taken once a client asks for them.
+    #[arg(long)]
+    pub disarmed: bool,
+    /// Let clients with a control token arm the laser and start, in this run; the configuration
+    /// must allow it, too (server.remote_arming).
+    #[arg(long)]
+    pub remote_arming: bool,
 }
 
 /// Runs the bench until its shots are done or it is told to stop by Ctrl-C or SIGTERM.
@@ -48,7 +55,17 @@ pub fn run(args: RunArgs) -> anyhow::Result<()> {
         .enable_all()
         .build()
         .context("the runtime does not start")?;
-    runtime.block_on(run_bench(file, bench, args.shots, truth.map(|scene| scene.flow)))
+    // A bounded run is there for its results: triggers wait for them.
+    let overload = match args.shots {
+        Some(_) => OverloadPolicy::Wait,
+        None => OverloadPolicy::Shed,
+    };
+    let plan = DaemonPlan {
+        mode: if args.disarmed { Mode::Disarmed } else { Mode::Firing },
+        remote_arming: args.remote_arming,
+        ..DaemonPlan::new(file, args.shots, overload)
+    };
+    runtime.block_on(run_bench(plan, bench, truth.map(|scene| scene.flow)))
 }
 
 /// The instruments that the configuration names, or the simulated bench.
@@ -72,22 +89,13 @@ fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Benc
     Ok(Bench::new(bench.cameras, bench.synchroniser))
 }
 
-async fn run_bench(
-    file: ConfigFile,
-    bench: Bench,
-    shots: Option<NonZeroU64>,
-    truth: Option<Flow>,
-) -> anyhow::Result<()> {
-    // A bounded run is there for its results: triggers wait for them.
-    let overload = match shots {
-        Some(_) => OverloadPolicy::Wait,
-        None => OverloadPolicy::Shed,
-    };
-    let measurement = file.config.measurement();
-    let has_instruments = file.config.instruments.is_some();
+async fn run_bench(plan: DaemonPlan, bench: Bench, truth: Option<Flow>) -> anyhow::Result<()> {
+    let shots = plan.shots;
+    let measurement = plan.file.config.measurement();
+    let has_instruments = plan.file.config.instruments.is_some();
     let stop = stop_on_signals("the last results may be left as .part files")?;
-    let daemon = Daemon::prepare(DaemonPlan::new(file, shots, overload)).await?;
-    print(&format!("status:  http://{}/api/v1/status", daemon.address()))?;
+    let daemon = Daemon::prepare(plan).await?;
+    print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
 
     let rows = Arc::new(Mutex::new(Vec::new()));
@@ -95,7 +103,7 @@ async fn run_bench(
     let observer = observer(truth, shots.is_some().then(|| rows.clone()), bar.clone());
     let processor = move || {
         let processor = Processor::new(measurement).context("this cannot be measured")?;
-        Ok(move |pair: &_| processor.process(pair))
+        Ok(move |pair: &_| processor.process_with_light(pair))
     };
     let ended = daemon.run(bench, processor, observer, stop.clone()).await;
     if let Some(bar) = bar {

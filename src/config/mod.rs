@@ -6,10 +6,10 @@ mod instruments;
 mod location;
 mod problem;
 mod range;
+mod server;
 
 use std::{
     fs,
-    net::SocketAddr,
     path::{Path, PathBuf},
 };
 
@@ -29,6 +29,7 @@ use crate::{
 
 pub use instruments::InstrumentSettings;
 pub use problem::{ConfigError, Problem};
+pub use server::{ServerSettings, TlsSettings};
 
 /// A configuration and the text it was read from, which is stored with the results.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,7 +101,7 @@ pub struct Config {
     pub raw_log: RawLogSettings,
     /// HTTP.
     #[serde(default)]
-    #[garde(skip)]
+    #[garde(dive)]
     pub server: ServerSettings,
     /// Where results go.
     #[serde(default)]
@@ -144,20 +145,6 @@ pub struct PipelineSettings {
 impl Default for PipelineSettings {
     fn default() -> Self {
         Self { queue: 4 }
-    }
-}
-
-/// The HTTP endpoint.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct ServerSettings {
-    /// Address to bind; loopback unless changed.
-    pub address: SocketAddr,
-}
-
-impl Default for ServerSettings {
-    fn default() -> Self {
-        Self { address: SocketAddr::from(([127, 0, 0, 1], 8640)) }
     }
 }
 

@@ -1,5 +1,5 @@
 //! What became of the shots that were handed on: shared by the pool, which writes, and the
-//! server, which reads.
+//! server, which reads. Whatever changes here is told to the log of events.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -11,7 +11,7 @@ use parking_lot::Mutex;
 use serde::Serialize;
 
 use super::{
-    PairResult, StageSeconds,
+    EventKind, EventLog, Gallery, PairResult, StageSeconds,
     latency::{Latencies, LatencyQuantiles},
 };
 use crate::{acquisition::Heartbeat, model::ModelChoice};
@@ -84,6 +84,21 @@ pub struct PoolCounts {
     pub write_failed: u64,
 }
 
+/// How far the run's data is safe: how many shots have got that far.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct Watermarks {
+    /// Their frames have arrived.
+    pub acquired: u64,
+    /// Their frames are paired.
+    pub paired: u64,
+    /// Their raw data is with the kernel: it survives a crash of this program.
+    pub written: u64,
+    /// Their raw data is on the disk: it survives a power cut.
+    pub fsynced: u64,
+    /// Their velocity is stored.
+    pub processed: u64,
+}
+
 /// What is known of a shot's result.
 #[derive(Debug, Clone)]
 pub enum Lookup {
@@ -102,6 +117,8 @@ pub enum Lookup {
 pub struct Board {
     state: Mutex<State>,
     writing: Heartbeat,
+    events: EventLog,
+    gallery: Gallery,
 }
 
 #[derive(Debug, Default)]
@@ -113,6 +130,8 @@ struct State {
     latencies: Latencies,
     /// Behind the result that came last.
     model: Option<Arc<ModelChoice>>,
+    /// `None` until something is recorded.
+    watermarks: Option<Watermarks>,
     /// Highest number of a record that was forgotten.
     forgotten: Option<u64>,
 }
@@ -128,6 +147,16 @@ impl Board {
         &self.writing
     }
 
+    /// What happened, for whoever watches.
+    pub fn events(&self) -> &EventLog {
+        &self.events
+    }
+
+    /// What the latest shots looked like.
+    pub fn gallery(&self) -> &Gallery {
+        &self.gallery
+    }
+
     /// A worker begins with a shot.
     pub fn processing(&self, shot: u64) {
         let mut state = self.state.lock();
@@ -137,34 +166,57 @@ impl Board {
 
     /// A shot gave no result.
     pub fn failed(&self, shot: u64, message: String) -> ShotRecord {
-        let mut state = self.state.lock();
-        state.counts.failed += 1;
-        state.finish(ShotRecord::new(shot, Stage::Failed, Some(message)))
+        self.finish(ShotRecord::new(shot, Stage::Failed, Some(message)), None)
     }
 
     /// A shot was measured and written.
     pub fn done(&self, shot: u64, result: Arc<PairResult>) -> ShotRecord {
-        let mut state = self.state.lock();
-        state.counts.done += 1;
-        let record = ShotRecord::of_result(shot, Stage::Done, None, &result);
-        state.keep(shot, result);
-        state.finish(record)
+        self.finish(ShotRecord::of_result(shot, Stage::Done, None, &result), Some(result))
     }
 
     /// A shot was measured, but its result could not be written.
     pub fn write_failed(&self, shot: u64, result: Arc<PairResult>, message: String) -> ShotRecord {
-        let mut state = self.state.lock();
-        state.counts.write_failed += 1;
         let record = ShotRecord::of_result(shot, Stage::WriteFailed, Some(message), &result);
-        state.keep(shot, result);
-        state.finish(record)
+        self.finish(record, Some(result))
     }
 
     /// A shot was measured, and its result was lost on the way to disk.
     pub fn write_lost(&self, shot: u64, message: String) -> ShotRecord {
+        self.finish(ShotRecord::new(shot, Stage::WriteFailed, Some(message)), None)
+    }
+
+    /// Events are published under the lock: who hears of a shot finds it here, and its last event
+    /// is that of its end.
+    fn finish(&self, record: ShotRecord, result: Option<Arc<PairResult>>) -> ShotRecord {
         let mut state = self.state.lock();
-        state.counts.write_failed += 1;
-        state.finish(ShotRecord::new(shot, Stage::WriteFailed, Some(message)))
+        match record.stage {
+            Stage::Processing => {}
+            Stage::Done => state.counts.done += 1,
+            Stage::Failed => state.counts.failed += 1,
+            Stage::WriteFailed => state.counts.write_failed += 1,
+        }
+        let fetchable = result.map(|result| state.keep(record.shot, result)).is_some();
+        state.processing.remove(&record.shot);
+        state.record(record.clone());
+        self.events.publish(EventKind::Shot, &record);
+        if fetchable {
+            self.events.publish(EventKind::Result, &ResultReady::of(&record));
+        }
+        record
+    }
+
+    /// Data reached these levels; told to whoever watches when it is news.
+    pub fn set_watermarks(&self, watermarks: Watermarks) {
+        let mut state = self.state.lock();
+        if state.watermarks != Some(watermarks) {
+            state.watermarks = Some(watermarks);
+            self.events.publish(EventKind::Watermarks, &watermarks);
+        }
+    }
+
+    /// How far the data is safe; `None` where nothing is recorded.
+    pub fn watermarks(&self) -> Option<Watermarks> {
+        self.state.lock().watermarks
     }
 
     /// So long after its trigger a shot's velocity was stored.
@@ -233,10 +285,22 @@ impl State {
             self.forgotten = self.forgotten.max(oldest);
         }
     }
+}
 
-    fn finish(&mut self, record: ShotRecord) -> ShotRecord {
-        self.processing.remove(&record.shot);
-        self.record(record.clone());
-        record
+/// The event of a result that can be fetched.
+#[derive(Debug, Serialize)]
+struct ResultReady {
+    shot: u64,
+    vectors: Option<usize>,
+    valid_share: Option<f64>,
+}
+
+impl ResultReady {
+    fn of(record: &ShotRecord) -> Self {
+        Self { shot: record.shot, vectors: record.vectors, valid_share: record.valid_share }
     }
 }
+
+#[cfg(test)]
+#[path = "board_tests.rs"]
+mod tests;

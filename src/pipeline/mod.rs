@@ -2,14 +2,18 @@
 
 mod board;
 mod choose;
+mod events;
 mod fitted;
 mod frame;
+mod gallery;
 mod latency;
 mod part_errors;
 mod plan;
 mod pool;
 mod processor;
 mod scene;
+#[cfg(test)]
+mod test_data;
 mod writer;
 
 pub use crate::{
@@ -17,7 +21,9 @@ pub use crate::{
     reconstruction::DenseVolume,
     velocimetry::{PairResult, StageSeconds},
 };
-pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage};
+pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage, Watermarks};
+pub use events::{Batch, EVENTS_IN_MEMORY, Event, EventKind, EventLog};
+pub use gallery::{Gallery, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES};
 pub use latency::LatencyQuantiles;
 pub use plan::Plan;
 pub use pool::{Pool, PoolError, PoolLinks, PoolSettings};

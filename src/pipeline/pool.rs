@@ -156,6 +156,7 @@ where
             links.board.processing(trigger);
             let cameras = cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
             let pair = ImagePair { cameras: cameras.collect() };
+            links.board.gallery().show_frames(trigger, &pair);
             let result = process_guarded(process.as_ref(), &pair, dt_us, suspect);
             let finished = Finished { shot: trigger, due, result, worker };
             if let Err(std_mpsc::SendError(lost)) = results.send(finished) {

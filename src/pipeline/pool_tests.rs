@@ -14,8 +14,7 @@ use lfpiv_hw::{
 use super::*;
 use crate::{
     acquisition::{HostClock, Ledger, shot_queue},
-    pipeline::{Lookup, RESULTS_IN_MEMORY, ShotRecord, Stage, StageSeconds},
-    velocimetry::{VectorGrid, VectorStatus, VelocityField},
+    pipeline::{Lookup, RESULTS_IN_MEMORY, ShotRecord, Stage, test_data::result},
 };
 
 /// Keeps shot numbers; refuses shot 2 and panics at shot 7.
@@ -40,26 +39,6 @@ impl ResultSink for Shelf {
     fn close(self) -> Result<(), io::Error> {
         self.closed.fetch_add(1, Ordering::SeqCst);
         Ok(())
-    }
-}
-
-fn result() -> PairResult {
-    PairResult {
-        field: VelocityField {
-            grid: VectorGrid { vectors: [1, 1, 1], first_mm: [0.0; 3], spacing_mm: 0.8 },
-            displacement_vox: vec![[1.0, 2.0, 3.0]],
-            uncertainty_vox: vec![[0.1; 3]],
-            status: vec![VectorStatus::Valid],
-            peak_ratio: vec![2.0],
-            vorticity: vec![[0.0; 3]],
-            divergence: vec![0.0],
-            voxel_mm: 0.1,
-            dt_s: 1e-4,
-        },
-        seconds: StageSeconds::default(),
-        warnings: Vec::new(),
-        raw: Default::default(),
-        model: Default::default(),
     }
 }
 

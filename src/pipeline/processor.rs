@@ -16,7 +16,7 @@ use crate::{
         frame::{Correction, Frame},
         plan::Plan,
     },
-    reconstruction::{DenseVolume, ReconstructionSettings, SparseVolume},
+    reconstruction::{DenseVolume, FrameLight, ReconstructionSettings, SparseVolume},
     velocimetry::{Interrogation, PointCloud, VelocimetrySettings},
 };
 
@@ -139,6 +139,21 @@ impl Processor {
         self.measure(pair).map(|(result, _)| result)
     }
 
+    /// Measures one pair and keeps the light of both frames beside the vectors, to look at.
+    ///
+    /// # Errors
+    /// [`ProcessError`]: images that do not fit the configuration.
+    pub fn process_with_light(
+        &self,
+        pair: impl Borrow<ImagePair>,
+    ) -> Result<PairResult, ProcessError> {
+        let (mut result, [a, b]) = self.measure(pair)?;
+        let grid = &self.measurement.volume;
+        let (a, b) = rayon::join(|| FrameLight::new(&a, grid), || FrameLight::new(&b, grid));
+        result.light = Some([a, b]);
+        Ok(result)
+    }
+
     /// Measures one pair and hands out the volumes of frames a and b, on the configured grid.
     pub fn process_with_volumes(
         &self,
@@ -200,6 +215,7 @@ impl Processor {
                 warnings,
                 raw: RawLevel::NotKept,
                 model: fitted.choice.clone(),
+                light: None,
             },
             [volume_a, volume_b],
         ))

@@ -65,7 +65,12 @@ impl<S: ResultSink> Writer<S> {
         for Finished { shot, due, result, worker } in inbox {
             heartbeat.beat();
             let ended = catch_unwind(AssertUnwindSafe(|| match result {
-                Ok(result) => self.write(shot, due, result),
+                Ok(mut result) => {
+                    if let Some(light) = result.light.take() {
+                        self.links.board.gallery().show_light(shot, light);
+                    }
+                    self.write(shot, due, result);
+                }
                 Err(message) => self.fail(shot, message),
             }));
             if let Err(panic) = ended {

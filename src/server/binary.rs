@@ -1,4 +1,6 @@
-//! A velocity field as bytes, little-endian throughout.
+//! Velocity fields and volumes as bytes, little-endian throughout.
+//!
+//! A velocity field:
 //!
 //! | offset | type | content |
 //! |---|---|---|
@@ -17,23 +19,47 @@
 //!
 //! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Velocity in m/s is displacement times
 //! voxel edge / 1000 / time between the frames.
+//!
+//! A volume:
+//!
+//! | offset | type | content |
+//! |---|---|---|
+//! | 0 | 8 bytes | magic `LFPIVVO1` |
+//! | 8 | u64 | shot number |
+//! | 16 | 3 × u32 | voxel counts nx, ny, nz |
+//! | 28 | u32 | offset of the array: 80 |
+//! | 32 | 3 × f64 | position of the centre of voxel (0, 0, 0), in mm |
+//! | 56 | f64 | edge of a voxel, in mm |
+//! | 64 | u32 | frame: 0 is a, 1 is b |
+//! | 68 | 12 bytes | zero |
+//! | 80 | nx·ny·nz × f32 | light intensity per voxel, ordered z, y, x (x fastest) |
 
-use crate::velocimetry::{VectorStatus, VelocityField};
+use crate::{
+    reconstruction::SparseVolume,
+    velocimetry::{VectorStatus, VelocityField},
+};
 
 /// The media type to ask for.
 pub const MEDIA_TYPE: &str = "application/octet-stream";
-/// The first bytes; the last of them is the version of the layout.
+/// The first bytes of a field; the last of them is the version of the layout.
 pub const MAGIC: &[u8; 8] = b"LFPIVVF1";
+/// The first bytes of a volume; the last of them is the version of the layout.
+pub const VOLUME_MAGIC: &[u8; 8] = b"LFPIVVO1";
 /// Where the arrays begin.
 pub const HEADER_BYTES: u32 = 80;
 
 /// Bytes per vector in the arrays.
 const VECTOR_BYTES: usize = 29;
 
+/// How many bytes a field has.
+pub fn field_bytes(field: &VelocityField) -> usize {
+    HEADER_BYTES as usize + VECTOR_BYTES * field.grid.len()
+}
+
 /// The bytes of a field; see the module.
 pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
     let grid = &field.grid;
-    let mut bytes = Vec::with_capacity(HEADER_BYTES as usize + VECTOR_BYTES * grid.len());
+    let mut bytes = Vec::with_capacity(field_bytes(field) + 3);
     bytes.extend_from_slice(MAGIC);
     bytes.extend_from_slice(&shot.to_le_bytes());
     for count in grid.vectors {
@@ -54,6 +80,34 @@ pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
     bytes.resize(bytes.len().next_multiple_of(4), 0);
     for number in field.uncertainty_vox.iter().flatten() {
         bytes.extend_from_slice(&number.to_le_bytes());
+    }
+    bytes
+}
+
+/// How many bytes a volume has.
+pub fn volume_bytes(volume: &SparseVolume) -> usize {
+    HEADER_BYTES as usize + volume.grid.len() * size_of::<f32>()
+}
+
+/// The bytes of the volume of frame a (0) or b (1), dark voxels included; see the module.
+pub fn encode_volume(shot: u64, frame: usize, volume: &SparseVolume) -> Vec<u8> {
+    let grid = &volume.grid;
+    let start = HEADER_BYTES as usize;
+    let mut bytes = Vec::with_capacity(volume_bytes(volume));
+    bytes.extend_from_slice(VOLUME_MAGIC);
+    bytes.extend_from_slice(&shot.to_le_bytes());
+    for count in grid.voxels {
+        bytes.extend_from_slice(&(count as u32).to_le_bytes());
+    }
+    bytes.extend_from_slice(&HEADER_BYTES.to_le_bytes());
+    for number in grid.centre_of([0; 3]).iter().chain([&grid.voxel_mm]) {
+        bytes.extend_from_slice(&number.to_le_bytes());
+    }
+    bytes.extend_from_slice(&(frame as u32).to_le_bytes());
+    bytes.resize(volume_bytes(volume), 0);
+    for (&voxel, light) in volume.voxels.iter().zip(&volume.intensity) {
+        let at = start + voxel as usize * size_of::<f32>();
+        bytes[at..at + size_of::<f32>()].copy_from_slice(&light.to_le_bytes());
     }
     bytes
 }

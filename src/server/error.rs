@@ -2,16 +2,29 @@
 
 use axum::{
     Json,
-    http::StatusCode,
+    extract::rejection::{JsonRejection, PathRejection, QueryRejection},
+    http::{HeaderName, HeaderValue, StatusCode, header},
     response::{IntoResponse, Response},
 };
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use utoipa::ToSchema;
+
+/// Every error has this body; some have more keys beside the message.
+#[derive(Debug, Serialize, ToSchema)]
+pub(super) struct ErrorBody {
+    /// What happened and what to do.
+    error: String,
+    #[serde(flatten)]
+    details: Map<String, Value>,
+}
 
 /// A status and a JSON body with the key `error`.
 #[derive(Debug)]
 pub(super) struct ApiError {
     status: StatusCode,
-    body: Value,
+    body: ErrorBody,
+    headers: Vec<(HeaderName, HeaderValue)>,
 }
 
 impl ApiError {
@@ -31,19 +44,53 @@ impl ApiError {
         Self::new(StatusCode::INTERNAL_SERVER_ERROR, message)
     }
 
+    /// To be asked again in a second.
+    pub fn busy(message: impl Into<String>) -> Self {
+        let again = HeaderValue::from_static("1");
+        Self::new(StatusCode::SERVICE_UNAVAILABLE, message).header(header::RETRY_AFTER, again)
+    }
+
+    pub fn new(status: StatusCode, message: impl Into<String>) -> Self {
+        let body = ErrorBody { error: message.into(), details: Map::new() };
+        Self { status, body, headers: Vec::new() }
+    }
+
     /// Adds a field beside the message.
     pub fn with(mut self, key: &str, value: impl Into<Value>) -> Self {
-        self.body[key] = value.into();
+        self.body.details.insert(key.to_owned(), value.into());
         self
     }
 
-    fn new(status: StatusCode, message: impl Into<String>) -> Self {
-        Self { status, body: json!({ "error": message.into() }) }
+    /// Adds a header.
+    pub fn header(mut self, name: HeaderName, value: HeaderValue) -> Self {
+        self.headers.push((name, value));
+        self
     }
 }
 
 impl IntoResponse for ApiError {
     fn into_response(self) -> Response {
-        (self.status, Json(self.body)).into_response()
+        let mut response = (self.status, Json(self.body)).into_response();
+        response.headers_mut().extend(self.headers);
+        response
+    }
+}
+
+impl From<QueryRejection> for ApiError {
+    fn from(rejection: QueryRejection) -> Self {
+        Self::bad_request(rejection.body_text())
+    }
+}
+
+impl From<PathRejection> for ApiError {
+    fn from(rejection: PathRejection) -> Self {
+        Self::bad_request(rejection.body_text())
+    }
+}
+
+/// 413 for too much, 415 for what is not called JSON, 422 for what is JSON of another shape.
+impl From<JsonRejection> for ApiError {
+    fn from(rejection: JsonRejection) -> Self {
+        Self::new(rejection.status(), rejection.body_text())
     }
 }

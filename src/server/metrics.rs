@@ -18,12 +18,15 @@ use prometheus_client::{
 
 use super::{
     ApiError, ApiState,
-    status::{RawMarks, ShotCounts},
+    status::{RawLogView, ShotCounts},
 };
 use crate::acquisition::Outcome;
 
 const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
 
+/// Counters and gauges in OpenMetrics text, for Prometheus.
+#[utoipa::path(get, path = "/metrics", tag = "live",
+    responses((status = 200, content_type = "application/openmetrics-text", body = String)))]
 pub(super) async fn metrics(State(state): State<ApiState>) -> Response {
     let mut registry = Registry::with_prefix("lfpiv");
     registry.register_collector(Box::new(Reader(state)));
@@ -100,22 +103,25 @@ impl Reader {
 
     /// Watermarks of the raw data.
     fn encode_raw(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
-        let Some(marks) = RawMarks::of(&self.0) else { return Ok(()) };
-        let help = "Shots whose raw data has got this far";
-        let mut family = encoder.encode_descriptor("raw_shots", help, None, MetricType::Counter)?;
+        let Some(marks) = self.0.watermarks() else { return Ok(()) };
+        let help = "Shots whose data has got this far";
+        let mut family =
+            encoder.encode_descriptor("watermark_shots", help, None, MetricType::Counter)?;
         for (level, count) in [
-            ("paired", marks.shots.paired),
-            ("written", marks.shots.written),
-            ("synced", marks.shots.synced),
+            ("acquired", marks.acquired),
+            ("paired", marks.paired),
+            ("written", marks.written),
+            ("fsynced", marks.fsynced),
             ("processed", marks.processed),
         ] {
             let labels = [("level", level)];
             let metric = family.encode_family(&labels)?;
             ConstCounter::new(count).encode(metric)?;
         }
+        let Some(log) = RawLogView::of(&self.0) else { return Ok(()) };
         let help = "Raw data, as it was in memory and as it is stored";
         let mut family = encoder.encode_descriptor("raw_bytes", help, None, MetricType::Counter)?;
-        for (form, count) in [("in", marks.bytes_in), ("stored", marks.bytes_written)] {
+        for (form, count) in [("in", log.bytes_in), ("stored", log.bytes_written)] {
             let labels = [("form", form)];
             let metric = family.encode_family(&labels)?;
             ConstCounter::new(count).encode(metric)?;

@@ -1,64 +1,145 @@
-//! HTTP: what the daemon does and what it measured. Read-only; nothing here can fire a laser.
+//! HTTP: what the daemon does and what it measured, as it happens, and the run's controls.
 //!
-//! | endpoint | answer |
-//! |---|---|
-//! | `GET /api/v1/status` | state of the run, shot counts, ledger, configuration in brief |
-//! | `GET /api/v1/shots?limit=N` | the last N shots (default 100, at most 1000), newest first |
-//! | `GET /api/v1/shots/{n}` | one shot |
-//! | `GET /api/v1/results/latest` | the result with the highest shot number |
-//! | `GET /api/v1/results/{n}` | the result of shot n |
-//! | `GET /healthz` | `ok`, or 503 when the run has failed |
-//! | `GET /metrics` | counters and gauges in OpenMetrics text |
+//! | endpoint | scope | answer |
+//! |---|---|---|
+//! | `GET /api/v1/status` | read | state of the run, shot counts, ledger, configuration in brief |
+//! | `GET /api/v1/events` | read | the same as it changes: server-sent events |
+//! | `GET /api/v1/shots?limit=N` | read | the last N shots (default 100, at most 1000), newest first |
+//! | `GET /api/v1/shots/{n}` | read | one shot |
+//! | `GET /api/v1/shots/{n}/frames/{camera}/{a,b}.png?width=` | read | a raw frame to look at |
+//! | `GET /api/v1/results/{n}` | read | the result of shot n, or of `latest` |
+//! | `GET /api/v1/results/{n}/volumes/{a,b}` | read | a frame's volume, as bytes |
+//! | `GET /api/v1/results/{n}/projections/{a,b}/{xy,xz,yz}.png` | read | its shadows |
+//! | `GET /api/v1/control` | read | what can be controlled |
+//! | `POST /api/v1/control/{start,stop,arm,disarm,dt,note}` | control | see [`control`] |
+//! | `GET /metrics` | read | counters and gauges in OpenMetrics text |
+//! | `GET /healthz` | – | `ok`, or 503 when the run has failed |
+//! | `GET /api/v1/openapi.json`, `/docs` | – | all of this, generated, and a page that shows it |
 //!
-//! Results are JSON, or binary with `?format=binary` or `Accept: application/octet-stream`; see
-//! [`binary`] for the layout. Names carry units. Errors are JSON, `{"error": "..."}`: 400 for
-//! what is no number, 404 for what is not there, 410 for a result that has left the memory, with
-//! the files it is in.
+//! A request passes [`listener`] (connections, TLS, slow clients) and [`guard`] (rate, host and
+//! origin, deadline, scope) before a handler sees it; [`protection`] is made before an address is
+//! bound. Results are JSON, or bytes as [`binary`] lays them out. Errors are JSON,
+//! `{"error": "..."}`, with the status that docs/http.md lists.
 
+mod app;
 pub mod binary;
+mod bytes;
+mod control;
 mod error;
+mod events;
+mod extract;
+mod frames;
+mod guard;
+mod light;
+mod listener;
 mod metrics;
+mod openapi;
+mod preview;
+mod protection;
 mod results;
+mod schemas;
 mod shots;
 mod state;
 mod status;
+mod work;
 
-use axum::{Router, routing::get};
+use std::sync::Arc;
+
+use axum::{Router, extract::DefaultBodyLimit, http::StatusCode, middleware};
 use tokio::net::TcpListener;
 use tokio_util::sync::CancellationToken;
+use utoipa::OpenApi;
+use utoipa_axum::{router::OpenApiRouter, routes};
 
+use app::App;
+pub use control::Controls;
 use error::ApiError;
+pub use frames::FrameSource;
+pub use protection::{Protection, ProtectionError};
 pub use state::{ApiState, ConfigurationSummary, Phase, RunInfo};
 
-/// Serves `state` on `listener` until `stop` is cancelled and the requests in hand are answered.
-///
-/// # Errors
-///
-/// What the listener's socket reports.
+/// Largest body of a request.
+const BODY_BYTES: usize = 64 << 10;
+
+/// Serves `state` on `listener` until `stop` is cancelled, the requests in hand are answered, and
+/// event streams have told what happened until then.
 pub async fn serve(
     listener: TcpListener,
     state: ApiState,
+    protection: Protection,
     stop: CancellationToken,
-) -> std::io::Result<()> {
-    axum::serve(listener, router(state)).with_graceful_shutdown(stop.cancelled_owned()).await
+) {
+    let (routes, document) = routes();
+    let app = App::new(state.clone(), protection, Arc::new(document), stop.clone());
+    let (tasks, protection) = (app.tasks.clone(), app.protection.clone());
+    let router = guarded(routes, app);
+    tokio::select! {
+        () = listener::listen(listener, router, protection, stop) => {}
+        () = events::tell_news(state) => {}
+    }
+    tasks.close();
+    tasks.wait().await;
 }
 
-fn router(state: ApiState) -> Router {
+/// Everything that is served, by who may ask, and its description.
+struct Routes {
+    open: Router<App>,
+    read: Router<App>,
+    control: Router<App>,
+}
+
+fn routes() -> (Routes, utoipa::openapi::OpenApi) {
+    let (open, mut document) = OpenApiRouter::with_openapi(openapi::Document::openapi())
+        .routes(routes!(status::health))
+        .routes(routes!(openapi::document))
+        .routes(routes!(openapi::page))
+        .routes(routes!(openapi::script))
+        .routes(routes!(openapi::style))
+        .split_for_parts();
+    let (read, read_document) = OpenApiRouter::new()
+        .routes(routes!(status::status))
+        .routes(routes!(events::events))
+        .routes(routes!(shots::list))
+        .routes(routes!(shots::one))
+        .routes(routes!(frames::preview))
+        .routes(routes!(results::one))
+        .routes(routes!(light::volume))
+        .routes(routes!(light::projection))
+        .routes(routes!(control::show))
+        .routes(routes!(metrics::metrics))
+        .split_for_parts();
+    let (control, control_document) = OpenApiRouter::new()
+        .routes(routes!(control::start))
+        .routes(routes!(control::stop))
+        .routes(routes!(control::arm))
+        .routes(routes!(control::disarm))
+        .routes(routes!(control::dt))
+        .routes(routes!(control::note))
+        .split_for_parts();
+    document.merge(read_document);
+    document.merge(control_document);
+    (Routes { open, read, control }, openapi::with_common_errors(document))
+}
+
+/// The routes behind their guards; the last layer sees a request first.
+fn guarded(routes: Routes, app: App) -> Router {
+    let read =
+        routes.read.route_layer(middleware::from_fn_with_state(app.clone(), guard::may_read));
+    let control =
+        routes.control.route_layer(middleware::from_fn_with_state(app.clone(), guard::may_control));
     Router::new()
-        .route("/api/v1/status", get(status::status))
-        .route("/api/v1/shots", get(shots::list))
-        .route("/api/v1/shots/{n}", get(shots::one))
-        .route("/api/v1/results/latest", get(results::latest))
-        .route("/api/v1/results/{n}", get(results::one))
-        .route("/healthz", get(status::health))
-        .route("/metrics", get(metrics::metrics))
-        .fallback(|| async { ApiError::not_found("no such endpoint; see docs/http.md") })
-        .with_state(state)
-}
-
-/// A shot number from a path.
-fn shot_number(text: &str) -> Result<u64, ApiError> {
-    text.parse().map_err(|_| {
-        ApiError::bad_request(format!("'{text}' is no shot number: give an integer from 0"))
-    })
+        .merge(routes.open)
+        .merge(read)
+        .merge(control)
+        .fallback(|| async { ApiError::not_found("no such endpoint; see /docs") })
+        .method_not_allowed_fallback(|| async {
+            ApiError::new(StatusCode::METHOD_NOT_ALLOWED, "not with this method; see /docs")
+        })
+        .layer(DefaultBodyLimit::max(BODY_BYTES))
+        .layer(middleware::from_fn_with_state(app.clone(), guard::deadline))
+        .layer(middleware::from_fn(guard::size))
+        .layer(middleware::from_fn_with_state(app.clone(), guard::origin))
+        .layer(middleware::from_fn_with_state(app.clone(), guard::rate))
+        .layer(middleware::from_fn(guard::headers))
+        .with_state(app)
 }

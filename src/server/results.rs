@@ -1,22 +1,31 @@
 //! `/api/v1/results`: velocity fields.
 
-use std::sync::Arc;
-
 use axum::{
-    Json,
-    extract::{Path, Query, State, rejection::QueryRejection},
+    extract::State,
     http::{HeaderMap, header},
-    response::{IntoResponse, Response},
+    response::Response,
 };
 use serde::{Deserialize, Serialize};
+use utoipa::{IntoParams, ToSchema};
 
-use super::{ApiError, ApiState, binary, shot_number, shots::ShotState};
+use super::{
+    ApiError, ApiState,
+    app::App,
+    binary,
+    bytes::{ETag, unchanging},
+    extract::{Arguments, Params, shot_number},
+    shots::ShotState,
+};
 use crate::{
     pipeline::{Lookup, PairResult, RESULTS_IN_MEMORY, StageSeconds},
     velocimetry::VectorStatus,
 };
 
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+/// What a vector takes in JSON, generously.
+const JSON_VECTOR_BYTES: usize = 512;
+
+/// How a result is written.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 enum Format {
     #[default]
@@ -24,14 +33,18 @@ enum Format {
     Binary,
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
 pub(super) struct FormatQuery {
+    /// `json` or `binary`; without it, the `Accept` header decides.
+    #[param(inline)]
     format: Option<Format>,
 }
 
 /// Where the vectors are.
-#[derive(Debug, Serialize)]
-struct GridView {
+#[derive(Debug, Serialize, ToSchema)]
+pub(super) struct GridView {
     /// Vector counts along x, y, z.
     vectors_xyz: [usize; 3],
     first_mm: [f64; 3],
@@ -41,8 +54,9 @@ struct GridView {
 }
 
 /// A result as JSON: one element per vector in every array.
-#[derive(Debug, Serialize)]
-struct ResultView<'a> {
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Result)]
+pub(super) struct ResultView<'a> {
     shot: u64,
     dt_s: f64,
     voxel_mm: f64,
@@ -94,61 +108,88 @@ fn scaled(vectors: &[[f32; 3]], factor: f32) -> Vec<[f32; 3]> {
     vectors.iter().map(|vector| vector.map(|component| component * factor)).collect()
 }
 
-pub(super) async fn latest(
-    State(state): State<ApiState>,
+/// A result: JSON, or bytes with `format=binary` or `Accept: application/octet-stream`; see
+/// docs/http.md for the layout.
+#[utoipa::path(get, path = "/api/v1/results/{shot}", tag = "results",
+    params(
+        ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
+        FormatQuery),
+    responses(
+        (status = 200, description = "The velocity field", content(
+            (ResultView<'static> = "application/json"), (Vec<u8> = "application/octet-stream"))),
+        (status = 206, description = "The range of bytes that was asked for"),
+        (status = 304, description = "The client has it: `If-None-Match`"),
+        (status = 404, description = "No such shot, or no result (yet)", body = super::error::ErrorBody),
+        (status = 410, description = "It is on disk only", body = super::error::ErrorBody),
+        (status = 416, description = "No such range", body = super::error::ErrorBody)))]
+pub(super) async fn one(
+    State(app): State<App>,
+    Params(shot): Params<String>,
     headers: HeaderMap,
-    query: Result<Query<FormatQuery>, QueryRejection>,
+    Arguments(query): Arguments<FormatQuery>,
 ) -> Result<Response, ApiError> {
-    let format = requested(&headers, query)?;
-    match state.board.latest() {
-        Some((shot, result)) => Ok(answer(shot, &result, format)),
-        None => Err(ApiError::not_found("no shot has a result yet")),
+    let format = requested(&headers, &query);
+    let shot = resolved(&app.run, &shot)?;
+    let result = match app.run.board.result(shot) {
+        Lookup::Here(result) => result,
+        other => return Err(absent(&app.run, shot, other)),
+    };
+    let run = app.run.board.events().run();
+    let vectors = result.field.grid.len();
+    match format {
+        Format::Json => {
+            let tag = ETag::new(run, &format!("result-{shot}-json"));
+            unchanging(&headers, &tag, "application/json", || async {
+                let made = move || {
+                    serde_json::to_vec(&ResultView::new(shot, &result)).map_err(|error| {
+                        ApiError::internal(format!("shot {shot} cannot be put into JSON: {error}"))
+                    })
+                };
+                Ok((app.work.make(vectors * JSON_VECTOR_BYTES, made).await?, HeaderMap::new()))
+            })
+            .await
+        }
+        Format::Binary => {
+            let tag = ETag::new(run, &format!("result-{shot}-binary"));
+            unchanging(&headers, &tag, binary::MEDIA_TYPE, || async {
+                let bytes = binary::field_bytes(&result.field);
+                let made = move || Ok(binary::encode(shot, &result.field));
+                Ok((app.work.make(bytes, made).await?, HeaderMap::new()))
+            })
+            .await
+        }
     }
 }
 
-pub(super) async fn one(
-    State(state): State<ApiState>,
-    Path(shot): Path<String>,
-    headers: HeaderMap,
-    query: Result<Query<FormatQuery>, QueryRejection>,
-) -> Result<Response, ApiError> {
-    let shot = shot_number(&shot)?;
-    let format = requested(&headers, query)?;
-    match state.board.result(shot) {
-        Lookup::Here(result) => Ok(answer(shot, &result, format)),
-        Lookup::OnDisk => Err(on_disk(&state, shot)),
+/// The shot that a path names, by number or as `latest`.
+pub(super) fn resolved(state: &ApiState, shot: &str) -> Result<u64, ApiError> {
+    if shot != "latest" {
+        return shot_number(shot);
+    }
+    let latest = state.board.latest().map(|(shot, _)| shot);
+    latest.ok_or_else(|| ApiError::not_found("no shot has a result yet"))
+}
+
+/// What there is to say of a result that cannot be fetched.
+pub(super) fn absent(state: &ApiState, shot: u64, lookup: Lookup) -> ApiError {
+    match lookup {
+        Lookup::Here(_) | Lookup::OnDisk => on_disk(state, shot),
         Lookup::NoResult(record) => {
             let reason = record.message.unwrap_or_else(|| "it is being processed".to_owned());
-            Err(ApiError::not_found(format!("shot {shot} has no result: {reason}")))
+            ApiError::not_found(format!("shot {shot} has no result: {reason}"))
         }
-        Lookup::Unknown => Err(not_in_pool(&state, shot)),
+        Lookup::Unknown => not_in_pool(state, shot),
     }
 }
 
 /// The query decides; without one, the `Accept` header does.
-fn requested(
-    headers: &HeaderMap,
-    query: Result<Query<FormatQuery>, QueryRejection>,
-) -> Result<Format, ApiError> {
-    let Query(query) = query.map_err(|error| {
-        ApiError::bad_request(format!("{}; allowed: format=json, format=binary", error.body_text()))
-    })?;
+fn requested(headers: &HeaderMap, query: &FormatQuery) -> Format {
     let accepts_binary = headers
         .get(header::ACCEPT)
         .and_then(|accept| accept.to_str().ok())
         .is_some_and(|accept| accept.contains(binary::MEDIA_TYPE));
     let by_header = if accepts_binary { Format::Binary } else { Format::Json };
-    Ok(query.format.unwrap_or(by_header))
-}
-
-fn answer(shot: u64, result: &Arc<PairResult>, format: Format) -> Response {
-    match format {
-        Format::Json => Json(ResultView::new(shot, result)).into_response(),
-        Format::Binary => {
-            let body = binary::encode(shot, &result.field);
-            ([(header::CONTENT_TYPE, binary::MEDIA_TYPE)], body).into_response()
-        }
-    }
+    query.format.unwrap_or(by_header)
 }
 
 fn on_disk(state: &ApiState, shot: u64) -> ApiError {

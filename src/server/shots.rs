@@ -1,12 +1,13 @@
 //! `/api/v1/shots`: what became of each shot.
 
-use axum::{
-    Json,
-    extract::{Path, Query, State, rejection::QueryRejection},
-};
+use axum::{Json, extract::State};
 use serde::{Deserialize, Serialize};
+use utoipa::{IntoParams, ToSchema};
 
-use super::{ApiError, ApiState, shot_number};
+use super::{
+    ApiError, ApiState,
+    extract::{Arguments, Params, shot_number},
+};
 use crate::{
     acquisition::{Outcome, TriggerEntry},
     lightfield::RawLevel,
@@ -19,7 +20,7 @@ const DEFAULT_LIMIT: usize = 100;
 const MAX_LIMIT: usize = 1000;
 
 /// Where a shot is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum ShotState {
     AwaitingFrames,
@@ -52,14 +53,15 @@ impl ShotState {
     }
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, ToSchema)]
 pub(super) struct CameraOutcome {
     camera: String,
     outcome: Option<Outcome>,
 }
 
 /// One shot as clients see it.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Shot)]
 pub(super) struct ShotView {
     shot: u64,
     state: ShotState,
@@ -97,21 +99,27 @@ impl ShotView {
     }
 }
 
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
 pub(super) struct ListQuery {
+    /// How many, 0 to 1000; 100 unless given.
+    #[param(maximum = 1000)]
     limit: Option<usize>,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, ToSchema)]
 pub(super) struct ShotList {
     shots: Vec<ShotView>,
 }
 
+/// The last shots, newest first.
+#[utoipa::path(get, path = "/api/v1/shots", tag = "shots", params(ListQuery),
+    responses((status = 200, body = ShotList)))]
 pub(super) async fn list(
     State(state): State<ApiState>,
-    query: Result<Query<ListQuery>, QueryRejection>,
+    Arguments(query): Arguments<ListQuery>,
 ) -> Result<Json<ShotList>, ApiError> {
-    let Query(query) = query.map_err(|error| ApiError::bad_request(error.body_text()))?;
     let limit = query.limit.unwrap_or(DEFAULT_LIMIT);
     if limit > MAX_LIMIT {
         let message = format!("limit = {limit}: allowed: 0 to {MAX_LIMIT}");
@@ -123,9 +131,15 @@ pub(super) async fn list(
     Ok(Json(ShotList { shots }))
 }
 
+/// One shot.
+#[utoipa::path(get, path = "/api/v1/shots/{shot}", tag = "shots",
+    params(("shot" = u64, Path, description = "Shot number, from 0.")),
+    responses(
+        (status = 200, body = ShotView),
+        (status = 404, description = "No such shot", body = super::error::ErrorBody)))]
 pub(super) async fn one(
     State(state): State<ApiState>,
-    Path(shot): Path<String>,
+    Params(shot): Params<String>,
 ) -> Result<Json<ShotView>, ApiError> {
     let shot = shot_number(&shot)?;
     let entry = state.ledger.lock().entry(shot).cloned();

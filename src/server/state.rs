@@ -1,13 +1,19 @@
 //! What the handlers read.
 
-use std::{path::PathBuf, sync::Arc, time::Instant};
+use std::{fmt, path::PathBuf, sync::Arc, time::Instant};
 
 use parking_lot::Mutex;
 use serde::Serialize;
+use utoipa::ToSchema;
 
+use super::{
+    control::{Controls, Desk},
+    events::Brief,
+    frames::FrameSource,
+};
 use crate::{
     acquisition::{Journal, Ledger},
-    pipeline::Board,
+    pipeline::{Board, EventKind, Watermarks},
 };
 
 /// How far the run is.
@@ -42,9 +48,10 @@ pub struct RunInfo {
 }
 
 /// The configuration in brief.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ConfigurationSummary {
     /// The file.
+    #[schema(value_type = String)]
     pub file: PathBuf,
     /// Whether the bench is simulated.
     pub simulated: bool,
@@ -76,7 +83,21 @@ pub struct ApiState {
     pub(super) board: Arc<Board>,
     pub(super) journal: Journal,
     pub(super) began: Instant,
+    pub(super) desk: Desk,
+    pub(super) frames: Arc<dyn FrameSource>,
     phase: Arc<Mutex<Phase>>,
+    /// What was told last.
+    told: Arc<Mutex<Option<Brief>>>,
+}
+
+impl fmt::Debug for ApiState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let phase = self.phase();
+        f.debug_struct("ApiState")
+            .field("info", &self.info)
+            .field("phase", &phase)
+            .finish_non_exhaustive()
+    }
 }
 
 impl ApiState {
@@ -88,12 +109,68 @@ impl ApiState {
         journal: Journal,
     ) -> Self {
         let phase = Arc::new(Mutex::new(Phase::Starting));
-        Self { info: Arc::new(info), ledger, board, journal, began: Instant::now(), phase }
+        Self {
+            info: Arc::new(info),
+            ledger,
+            frames: board.clone(),
+            board,
+            journal,
+            began: Instant::now(),
+            desk: Desk::default(),
+            phase,
+            told: Arc::default(),
+        }
     }
 
-    /// The run has come this far.
+    /// The run can be controlled over HTTP. `arm` and `start` are refused unless an operator has
+    /// enabled them at the bench for this run, and the configuration has (`server.remote_arming`).
+    pub fn with_controls(mut self, controls: Arc<dyn Controls>, enabled_at_bench: bool) -> Self {
+        self.desk = Desk { controls: Some(controls), enabled_at_bench };
+        self
+    }
+
+    /// Previews show the frames of this source, instead of the latest ones only.
+    pub fn with_frames(mut self, frames: Arc<dyn FrameSource>) -> Self {
+        self.frames = frames;
+        self
+    }
+
+    /// The run has come this far; whoever watches is told.
     pub fn set_phase(&self, phase: Phase) {
         *self.phase.lock() = phase;
+        self.announce();
+    }
+
+    /// Tells of the run where it is not as it was told last.
+    pub(super) fn announce(&self) {
+        // Locked throughout: what is told last is what is true last.
+        let mut told = self.told.lock();
+        let brief = self.brief();
+        if let Some(marks) = brief.watermarks {
+            self.board.set_watermarks(marks);
+        }
+        if told.as_ref() != Some(&brief) {
+            self.board.events().publish(EventKind::Status, &brief);
+            *told = Some(brief);
+        }
+    }
+
+    /// How far data is safe, in numbers of shots; `None` where nothing is recorded.
+    pub(super) fn watermarks(&self) -> Option<Watermarks> {
+        let marks = self.journal.log().map(|_| self.journal.marks());
+        let Some(marks) = marks else { return self.board.watermarks() };
+        let acquired = {
+            let ledger = self.ledger.lock();
+            let triggers = ledger.accounts().first().map_or(0, |account| account.triggers);
+            triggers - ledger.awaiting_frames()
+        };
+        Some(Watermarks {
+            acquired,
+            paired: marks.paired,
+            written: marks.written,
+            fsynced: marks.synced,
+            processed: self.board.counts().done,
+        })
     }
 
     /// How far the run is.

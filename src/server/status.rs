@@ -2,16 +2,17 @@
 
 use axum::{Json, extract::State, http::StatusCode};
 use serde::Serialize;
+use utoipa::ToSchema;
 
-use super::{ApiState, ConfigurationSummary, Phase};
+use super::{ApiState, ConfigurationSummary, Phase, events::Brief};
 use crate::{
-    acquisition::{Account, Outcome, journal::ShotMarks},
+    acquisition::{Account, ControlState, Outcome},
     model::ModelChoice,
-    pipeline::LatencyQuantiles,
+    pipeline::{LatencyQuantiles, Watermarks},
 };
 
 /// The run at a glance.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, ToSchema)]
 pub(super) struct Status {
     state: &'static str,
     /// Why the run failed.
@@ -22,12 +23,17 @@ pub(super) struct Status {
     stage: String,
     shots: ShotCounts,
     ledger: LedgerView,
-    /// How far the raw data has got; absent where none is kept.
-    raw: Option<RawMarks>,
+    /// How far data is safe; absent where nothing is recorded.
+    watermarks: Option<Watermarks>,
+    /// What the raw log takes; absent where nothing is recorded.
+    raw_log: Option<RawLogView>,
     /// From trigger to stored velocity; absent before the first result.
     latency: Option<LatencyQuantiles>,
+    /// What can be controlled, as it is; absent where nothing can.
+    control: Option<ControlState>,
     model: String,
     /// The parts of the model and why; absent before the first result.
+    #[schema(value_type = Option<Object>)]
     model_choice: Option<ModelChoice>,
     solver: String,
     configuration: ConfigurationSummary,
@@ -35,7 +41,7 @@ pub(super) struct Status {
 }
 
 /// How many shots are where; the sum of all but `triggered` is `triggered`.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, ToSchema)]
 pub(super) struct ShotCounts {
     pub triggered: u64,
     pub awaiting_frames: u64,
@@ -73,24 +79,23 @@ impl ShotCounts {
     }
 }
 
-/// Watermarks of the raw data: how many shots have got how far, and what it takes.
-#[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct RawMarks {
-    #[serde(flatten)]
-    pub shots: ShotMarks,
-    /// Shots with a stored result.
-    pub processed: u64,
+/// What the raw log takes.
+#[derive(Debug, Clone, Copy, Serialize, ToSchema)]
+pub(super) struct RawLogView {
+    /// The highest shot number that is on the disk.
+    last_synced: Option<u64>,
+    /// Bytes of images and heads, as they were in memory.
     pub bytes_in: u64,
+    /// Bytes of all segments.
     pub bytes_written: u64,
-    pub segments: u32,
+    segments: u32,
 }
 
-impl RawMarks {
+impl RawLogView {
     pub fn of(state: &ApiState) -> Option<Self> {
         let marks = state.journal.log()?.watermarks();
         Some(Self {
-            shots: state.journal.marks(),
-            processed: state.board.counts().done,
+            last_synced: state.journal.marks().last_synced,
             bytes_in: marks.bytes_in,
             bytes_written: marks.bytes_written,
             segments: marks.segments,
@@ -98,43 +103,71 @@ impl RawMarks {
     }
 }
 
-#[derive(Debug, Serialize)]
-struct LedgerView {
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Ledger)]
+pub(super) struct LedgerView {
     /// Whether every trigger is accounted for.
     balanced: bool,
     cameras: Vec<CameraAccount>,
 }
 
-#[derive(Debug, Serialize)]
-struct CameraAccount {
+#[derive(Debug, Serialize, ToSchema)]
+pub(super) struct CameraAccount {
     camera: String,
     #[serde(flatten)]
     account: Account,
 }
 
+/// State of the run, shot counts, ledger, configuration in brief.
+#[utoipa::path(get, path = "/api/v1/status", tag = "live", responses((status = 200, body = Status)))]
 pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
     let shots = ShotCounts::of(&state);
     let phase = state.phase();
     let info = &state.info;
     Json(Status {
         state: name(&phase),
-        error: match &phase {
-            Phase::Failed(reason) => Some(reason.clone()),
-            _ => None,
-        },
+        error: error(&phase),
         uptime_s: state.began.elapsed().as_secs_f64(),
         code_version: info.code_version.clone(),
         stage: stage(&state, &phase, shots),
         shots,
         ledger: ledger(&state),
-        raw: RawMarks::of(&state),
+        watermarks: state.watermarks(),
+        raw_log: RawLogView::of(&state),
         latency: state.board.latency(),
+        control: state.control(),
         model: info.model.clone(),
         model_choice: state.board.model().map(|model| (*model).clone()),
         solver: info.solver.clone(),
         configuration: info.configuration.clone(),
         results_dir: info.results_dir.display().to_string(),
     })
+}
+
+impl ApiState {
+    /// The run as events tell it.
+    pub(super) fn brief(&self) -> Brief {
+        let (shots, phase) = (ShotCounts::of(self), self.phase());
+        Brief {
+            state: name(&phase),
+            error: error(&phase),
+            stage: stage(self, &phase, shots),
+            shots,
+            watermarks: self.watermarks(),
+            control: self.control(),
+        }
+    }
+
+    fn control(&self) -> Option<ControlState> {
+        self.desk.controls.as_ref().map(|controls| controls.state())
+    }
+}
+
+fn error(phase: &Phase) -> Option<String> {
+    match phase {
+        Phase::Failed(reason) => Some(reason.clone()),
+        _ => None,
+    }
 }
 
 fn ledger(state: &ApiState) -> LedgerView {
@@ -169,9 +202,15 @@ fn stage(state: &ApiState, phase: &Phase, shots: ShotCounts) -> String {
     }
 }
 
-pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, String) {
+/// Whether the run is well: `ok`, or 503 once it has failed; the status says why. Open to all, for
+/// whoever supervises the daemon.
+#[utoipa::path(get, path = "/healthz", tag = "live", security(()),
+    responses(
+        (status = 200, content_type = "text/plain", body = String),
+        (status = 503, description = "The run has failed", content_type = "text/plain", body = String)))]
+pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, &'static str) {
     match state.phase() {
-        Phase::Failed(reason) => (StatusCode::SERVICE_UNAVAILABLE, format!("failed: {reason}\n")),
-        _ => (StatusCode::OK, "ok\n".to_owned()),
+        Phase::Failed(_) => (StatusCode::SERVICE_UNAVAILABLE, "failed: see /api/v1/status\n"),
+        _ => (StatusCode::OK, "ok\n"),
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::VelocityField;
-use crate::{lightfield::RawLevel, model::ModelChoice};
+use crate::{lightfield::RawLevel, model::ModelChoice, reconstruction::FrameLight};
 
 /// Wall-clock seconds spent in each stage of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -31,4 +31,6 @@ pub struct PairResult {
     pub raw: RawLevel,
     /// The forward model behind it, and why it is this one.
     pub model: Arc<ModelChoice>,
+    /// The light of frames a and b on the configured grid, where it was asked for.
+    pub light: Option<[FrameLight; 2]>,
 }

@@ -185,5 +185,6 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
         warnings: Vec::new(),
         raw: Default::default(),
         model: Default::default(),
+        light: None,
     }
 }

@@ -1,104 +1,17 @@
 //! Every endpoint through a real socket.
 
-use std::{net::SocketAddr, path::PathBuf, sync::Arc};
-
 use lfpiv::{
-    acquisition::{Journal, Ledger, Outcome},
+    acquisition::{Ledger, Outcome},
     pipeline::{Board, ImagePair, RESULTS_IN_MEMORY},
-    server::{ApiState, ConfigurationSummary, Phase, RunInfo, serve},
+    server::Phase,
 };
-use parking_lot::Mutex;
 use serde_json::Value;
-use tokio::{net::TcpListener, task::JoinHandle};
-use tokio_util::sync::CancellationToken;
 
-use crate::bench::quick_result;
-
-/// What came back.
-pub struct Answer {
-    pub status: u16,
-    pub media_type: String,
-    pub body: Vec<u8>,
-}
-
-impl Answer {
-    pub fn json(&self) -> Value {
-        assert_eq!(self.media_type, "application/json");
-        serde_json::from_slice(&self.body).unwrap()
-    }
-}
-
-/// GET, without blocking the runtime.
-pub async fn get(address: SocketAddr, path: &str, accept: Option<&str>) -> Answer {
-    let (url, accept) = (format!("http://{address}{path}"), accept.map(str::to_owned));
-    let ask = move || {
-        let agent = ureq::Agent::new_with_config(
-            ureq::Agent::config_builder().http_status_as_error(false).build(),
-        );
-        let request = agent.get(&url).header("Accept", accept.as_deref().unwrap_or("*/*"));
-        let mut response = request.call().unwrap();
-        let media_type = response.headers().get("content-type");
-        let media_type = media_type.map(|t| t.to_str().unwrap().to_owned()).unwrap_or_default();
-        let body = response.body_mut().read_to_vec().unwrap();
-        Answer { status: response.status().as_u16(), media_type, body }
-    };
-    tokio::task::spawn_blocking(ask).await.unwrap()
-}
-
-struct Server {
-    address: SocketAddr,
-    state: ApiState,
-    stop: CancellationToken,
-    task: JoinHandle<std::io::Result<()>>,
-}
-
-impl Server {
-    async fn start(ledger: Ledger, board: Board) -> Self {
-        let info = RunInfo {
-            code_version: "0.0.0".to_owned(),
-            model: "thin lens".to_owned(),
-            solver: "os-mart".to_owned(),
-            configuration: ConfigurationSummary {
-                file: PathBuf::from("bench.toml"),
-                simulated: true,
-                cameras: vec!["cam1".to_owned(), "cam2".to_owned()],
-                voxels_xyz: [3, 2, 1],
-                voxel_mm: 0.1,
-                window_mm: 1.6,
-                dt_us: 100.0,
-                rate_hz: 10.0,
-                shots: None,
-                overload: "shed".to_owned(),
-                queue: 4,
-            },
-            results_dir: PathBuf::from("/data/run-1"),
-        };
-        let state =
-            ApiState::new(info, Arc::new(Mutex::new(ledger)), Arc::new(board), Journal::none());
-        state.set_phase(Phase::Running);
-        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
-        let (address, stop) = (listener.local_addr().unwrap(), CancellationToken::new());
-        let task = tokio::spawn(serve(listener, state.clone(), stop.clone()));
-        Self { address, state, stop, task }
-    }
-
-    async fn get(&self, path: &str) -> Answer {
-        get(self.address, path, None).await
-    }
-
-    async fn assert_error(&self, path: &str, status: u16, words: &str) -> Value {
-        let answer = self.get(path).await;
-        assert_eq!(answer.status, status, "{path}");
-        let body = answer.json();
-        let error = body["error"].as_str().unwrap();
-        assert!(error.contains(words), "{path}: {error}");
-        body
-    }
-}
+use crate::{bench::quick_result, client::Ask, server::Server};
 
 /// More done shots than fit in memory, then one failed, shed, lost, processing, queued and
 /// awaiting frames each.
-async fn busy_server() -> (Server, u64) {
+pub async fn busy_server() -> (Server, u64) {
     let (mut ledger, board) = (Ledger::new(2), Board::new());
     let done = RESULTS_IN_MEMORY as u64 + 2;
     let pair = ImagePair { cameras: Vec::new() };
@@ -178,7 +91,8 @@ async fn a_result_is_json_or_bytes() {
 
     let path = format!("/api/v1/results/{last}");
     let by_query = server.get(&format!("{path}?format=binary")).await;
-    let by_header = get(server.address, &path, Some("application/octet-stream")).await;
+    let by_header = Ask::get(&path).with("Accept", "application/octet-stream");
+    let by_header = by_header.of(server.address).await;
     assert_eq!(by_query.media_type, "application/octet-stream");
     assert_eq!(by_query.body, by_header.body);
     check_layout(&by_query.body, last);
@@ -227,7 +141,7 @@ async fn what_is_no_number_is_a_bad_request() {
     server.assert_error("/api/v1/results/1.5", 400, "no shot number").await;
     server.assert_error("/api/v1/shots?limit=many", 400, "limit").await;
     server.assert_error("/api/v1/shots?limit=5000", 400, "0 to 1000").await;
-    server.assert_error("/api/v1/results/latest?format=xml", 400, "format=binary").await;
+    server.assert_error("/api/v1/results/latest?format=xml", 400, "`binary`").await;
 }
 
 #[tokio::test]
@@ -267,6 +181,6 @@ async fn the_server_ends_when_told() {
     let server = Server::start(Ledger::new(1), Board::new()).await;
     assert_eq!(server.get("/healthz").await.status, 200);
     server.stop.cancel();
-    server.task.await.unwrap().unwrap();
+    server.task.await.unwrap();
     assert!(std::net::TcpStream::connect(server.address).is_err());
 }

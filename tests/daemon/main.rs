@@ -6,7 +6,20 @@
 
 mod acquisition;
 mod bench;
+mod client;
+mod control;
+mod controlled;
+mod document;
+mod events;
 mod faults;
+mod fuzz;
 mod heartbeat;
 mod http;
+mod limits;
+mod measured;
+mod previews;
 mod run;
+mod schema;
+mod security;
+mod server;
+mod tls;

@@ -19,7 +19,7 @@ use tokio_util::sync::CancellationToken;
 
 use crate::{
     bench::{Trick, bench, configuration, quick_result},
-    http::get,
+    client::get,
 };
 
 fn plan(file: &ConfigFile, shots: u64, overload: OverloadPolicy) -> DaemonPlan {
@@ -88,9 +88,9 @@ async fn a_bounded_run_waits_for_every_shot() {
         assert_eq!((account.triggers, account.outcomes.of(Outcome::Complete)), (5, 5));
     }
     let names = files(&report.folder);
-    let expected = ["configuration.toml", "ledger.json", "shot_000000.vti"];
-    assert_eq!(names[..3], expected);
-    assert_eq!(names[7..], ["velocity.vti.series", "velocity_000000.nc"]);
+    let expected = ["configuration.toml", "ledger.json", "lock", "raw", "shot_000000.vti"];
+    assert_eq!(names[..5], expected);
+    assert_eq!(names[9..], ["velocity.vti.series", "velocity_000000.nc"]);
     let ledger = ledger_file(&report.folder);
     assert_eq!(ledger["balanced"], true);
     assert_eq!(ledger["cameras"][1]["outcomes"]["complete"], 5);
@@ -156,10 +156,10 @@ async fn a_run_can_be_watched_and_stopped() {
         Ok::<_, String>(quick_result(pair))
     };
     let running = tokio::spawn(daemon.run(bench, move || Ok(process), observer, stop.clone()));
-    while get(address, "/api/v1/results/latest", None).await.status != 200 {
+    while get(address, "/api/v1/results/latest").await.status != 200 {
         tokio::time::sleep(Duration::from_millis(50)).await;
     }
-    let status = get(address, "/api/v1/status", None).await.json();
+    let status = get(address, "/api/v1/status").await.json();
     assert_eq!(
         (&status["state"], &status["configuration"]["overload"]),
         (&"running".into(), &"wait".into())

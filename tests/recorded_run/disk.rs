@@ -58,8 +58,8 @@ fn half_of_a_disk_that_fills_up() {
     mount_small_disk(&root.path().join("results"), 30);
     let config = configuration(root.path(), "[raw_log]\nreserve_mb = 0\nsync_ms = 5\n");
     let running = Running::start(&config, &["--shots", "10000"]);
-    let status = running.wait_until(|status| status["raw"]["synced"].as_u64() > Some(5));
-    let acknowledged = status["raw"]["synced"].as_u64().expect("a count") as usize;
+    let status = running.wait_until(|status| status["watermarks"]["fsynced"].as_u64() > Some(5));
+    let acknowledged = status["watermarks"]["fsynced"].as_u64().expect("a count") as usize;
     // Somebody else takes all the room there is, without asking.
     let mut ballast = fs::File::create(root.path().join("results/ballast")).expect("a file");
     while ballast.write_all(&[1; 1 << 16]).is_ok() {}

@@ -8,6 +8,7 @@
 mod books;
 mod entry;
 mod levels;
+mod places;
 mod recorded;
 
 use std::sync::Arc;
@@ -19,6 +20,7 @@ pub use books::ledger as ledger_of;
 pub use entry::{Description, Entry, FrameHead, FrameKey, JOURNAL_VERSION};
 use levels::Levels;
 pub use levels::ShotMarks;
+pub use places::FramePlaces;
 pub use recorded::{Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunIndex};
 
 use crate::{

@@ -105,12 +105,14 @@ impl RecordedRun {
     }
 
     /// All entries in order. An item is an error where the log is damaged; those behind it follow.
-    pub fn entries(&self) -> impl Iterator<Item = Result<Placed, RecordedRunError>> + '_ {
-        self.reader.heads().map(|head| {
+    /// Beside a run that is being written, one that has ended goes on when there is more.
+    pub fn entries(&self) -> impl Iterator<Item = Result<Placed, RecordedRunError>> + Send + use<> {
+        let folder = self.folder.clone();
+        self.reader.heads().map(move |head| {
             let (number, position, head, _) = head?;
             let entry = serde_json::from_slice(&head).map_err(|reason| {
                 let what = format!("record {number}");
-                RecordedRunError::NotAJournal { folder: self.folder.clone(), what, reason }
+                RecordedRunError::NotAJournal { folder: folder.clone(), what, reason }
             })?;
             Ok(Placed { position, entry })
         })
@@ -119,32 +121,19 @@ impl RecordedRun {
     /// Finds every shot and where its frames lie.
     pub fn index(&self) -> RunIndex {
         let mut index = RunIndex::default();
-        let mut frames: HashMap<(usize, FrameKey), Position> = HashMap::new();
+        let mut finder = ShotFinder::default();
         for item in self.entries() {
             match item {
-                Ok(Placed { position, entry: Entry::Frame { camera, frame, .. } }) => {
-                    // Of a frame that came twice, the first was used.
-                    frames.entry((camera, frame.key())).or_insert(position);
-                }
-                Ok(Placed {
-                    entry: Entry::Shot { trigger, frames: keys, suspect, dt_us, .. },
-                    ..
-                }) => {
-                    let mut find = |(camera, keys): (usize, &[FrameKey; 2])| {
-                        let [a, b] = keys.map(|key| frames.remove(&(camera, key)));
-                        Some([a?, b?])
-                    };
-                    let found: Option<Vec<_>> = keys.iter().enumerate().map(&mut find).collect();
-                    match found {
-                        Some(frames) => {
-                            let shot = RecordedShot { trigger, frames, dt_us, suspect };
-                            index.shots.insert(trigger, shot);
+                Ok(placed) => {
+                    index.ended |= matches!(placed.entry, Entry::Ended { .. });
+                    match finder.take(placed) {
+                        Some(Ok(shot)) => drop(index.shots.insert(shot.trigger, shot)),
+                        Some(Err(trigger)) => {
+                            index.damaged.push(format!("shot {trigger} lacks a frame"));
                         }
-                        None => index.damaged.push(format!("shot {trigger} lacks a frame")),
+                        None => {}
                     }
                 }
-                Ok(Placed { entry: Entry::Ended { .. }, .. }) => index.ended = true,
-                Ok(_) => {}
                 Err(error) => index.damaged.push(error.to_string()),
             }
         }
@@ -167,5 +156,35 @@ impl RecordedRun {
     pub fn pair(&self, shot: &RecordedShot) -> Result<ImagePair, RecordedRunError> {
         let cameras = shot.frames.iter().map(|[a, b]| Ok([self.image(*a)?, self.image(*b)?]));
         Ok(ImagePair { cameras: cameras.collect::<Result<_, RecordedRunError>>()? })
+    }
+}
+
+/// Finds the shots in a record, entry by entry.
+#[derive(Debug, Default)]
+pub(super) struct ShotFinder {
+    /// Frames of no shot so far.
+    frames: HashMap<(usize, FrameKey), Position>,
+}
+
+impl ShotFinder {
+    /// The shot that this entry completes; its number where a frame of it is not in the record.
+    pub fn take(&mut self, placed: Placed) -> Option<Result<RecordedShot, u64>> {
+        match placed.entry {
+            Entry::Frame { camera, frame, .. } => {
+                // Of a frame that came twice, the first was used.
+                self.frames.entry((camera, frame.key())).or_insert(placed.position);
+                None
+            }
+            Entry::Shot { trigger, frames: keys, suspect, dt_us, .. } => {
+                let mut find = |(camera, keys): (usize, &[FrameKey; 2])| {
+                    let [a, b] = keys.map(|key| self.frames.remove(&(camera, key)));
+                    Some([a?, b?])
+                };
+                let found: Option<Vec<_>> = keys.iter().enumerate().map(&mut find).collect();
+                let shot = |frames| RecordedShot { trigger, frames, dt_us, suspect };
+                Some(found.map(shot).ok_or(trigger))
+            }
+            _ => None,
+        }
     }
 }

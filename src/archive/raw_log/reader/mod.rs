@@ -69,12 +69,12 @@ impl RawLogReader {
 
     /// All heads in order, without their images. An item is an error where something is damaged or
     /// missing; those behind it follow. Images are not checked.
-    pub fn heads(&self) -> impl Iterator<Item = Result<Head, RawLogError>> + '_ {
+    pub fn heads(&self) -> impl Iterator<Item = Result<Head, RawLogError>> + Send + use<> {
         let mut scan = Scan::new(self);
         iter::from_fn(move || {
             let step = scan.step()?;
             Some(step.and_then(|(position, header)| {
-                let segment = self.scanned(&scan)?;
+                let segment = scan.scanned()?;
                 let head = segment.head(position.offset, &header)?;
                 Ok((header.sequence, position, head, header.has_image()))
             }))
@@ -83,12 +83,14 @@ impl RawLogReader {
 
     /// All records in order, with their sequence numbers. An item is an error where something is
     /// damaged or missing; those behind it follow.
-    pub fn records(&self) -> impl Iterator<Item = Result<(u64, Record), RawLogError>> + '_ {
+    pub fn records(
+        &self,
+    ) -> impl Iterator<Item = Result<(u64, Record), RawLogError>> + Send + use<> {
         let mut scan = Scan::new(self);
         iter::from_fn(move || {
             let step = scan.step()?;
             Some(step.and_then(|(position, header)| {
-                let record = read_record(self.scanned(&scan)?, position.offset, &header)?;
+                let record = read_record(scan.scanned()?, position.offset, &header)?;
                 Ok((header.sequence, record))
             }))
         })
@@ -147,10 +149,6 @@ impl RawLogReader {
         numbers.sort_unstable();
         numbers.dedup();
         Ok(numbers)
-    }
-
-    fn scanned<'s>(&self, scan: &'s Scan<'_>) -> Result<&'s SegmentFile, RawLogError> {
-        scan.segment().ok_or_else(|| RawLogError::NoSegment { folder: self.folder.clone() })
     }
 }
 

@@ -11,8 +11,8 @@ use super::{
 };
 
 /// A place in the log, and what has been seen on the way.
-pub(super) struct Scan<'r> {
-    reader: &'r RawLogReader,
+pub(super) struct Scan {
+    reader: RawLogReader,
     /// The segment that is or will be read.
     number: u32,
     open: Option<OpenSegment>,
@@ -42,14 +42,18 @@ enum Look {
     End,
 }
 
-impl<'r> Scan<'r> {
-    pub fn new(reader: &'r RawLogReader) -> Self {
-        Self { reader, number: 0, open: None, expected: 0 }
+impl Scan {
+    pub fn new(reader: &RawLogReader) -> Self {
+        Self { reader: reader.clone(), number: 0, open: None, expected: 0 }
     }
 
     /// The segment that the last step was in.
-    pub fn segment(&self) -> Option<&SegmentFile> {
-        self.open.as_ref().map(|open| &open.segment)
+    ///
+    /// # Errors
+    /// There was no step.
+    pub fn scanned(&self) -> Result<&SegmentFile, RawLogError> {
+        let segment = self.open.as_ref().map(|open| &open.segment);
+        segment.ok_or_else(|| RawLogError::NoSegment { folder: self.reader.folder().to_owned() })
     }
 
     /// The next record, or what is wrong before it; nothing at the end of what is whole. Beside a
@@ -84,7 +88,7 @@ impl<'r> Scan<'r> {
             headers: crc32fast::Hasher::new(),
             is_damaged: false,
         });
-        note_gap(self.reader, &mut self.expected, first)?;
+        note_gap(&self.reader, &mut self.expected, first)?;
         Ok(Look::Onward)
     }
 
@@ -102,7 +106,7 @@ impl<'r> Scan<'r> {
         }
         match found {
             Ok(Found::Record(header)) => {
-                note_gap(self.reader, &mut self.expected, header.sequence)?;
+                note_gap(&self.reader, &mut self.expected, header.sequence)?;
                 self.expected += 1;
                 open.pass(&header);
                 Ok(Look::Record(Position { segment: self.number, offset }, header))

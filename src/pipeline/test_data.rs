@@ -1,0 +1,26 @@
+//! A result that needs no measuring.
+
+use super::{PairResult, StageSeconds};
+use crate::velocimetry::{VectorGrid, VectorStatus, VelocityField};
+
+/// One vector.
+pub(super) fn result() -> PairResult {
+    PairResult {
+        field: VelocityField {
+            grid: VectorGrid { vectors: [1, 1, 1], first_mm: [0.0; 3], spacing_mm: 0.8 },
+            displacement_vox: vec![[1.0, 2.0, 3.0]],
+            uncertainty_vox: vec![[0.1; 3]],
+            status: vec![VectorStatus::Valid],
+            peak_ratio: vec![2.0],
+            vorticity: vec![[0.0; 3]],
+            divergence: vec![0.0],
+            voxel_mm: 0.1,
+            dt_s: 1e-4,
+        },
+        seconds: StageSeconds::default(),
+        warnings: Vec::new(),
+        raw: Default::default(),
+        model: Default::default(),
+        light: None,
+    }
+}

@@ -1,0 +1,264 @@
+//! What a client may ask of a run. Acquisition decides; this room carries the question.
+//!
+//! `arm` and `start` let a laser fire. They are refused unless the configuration allows them
+//! (`server.remote_arming`) and an operator has enabled them at the bench for this run. `stop` and
+//! `disarm` are never refused for either reason, nor for the rate of requests.
+
+use std::{fmt, future::Future, net::SocketAddr, pin::Pin, sync::Arc, time::Duration};
+
+use axum::{
+    Json,
+    extract::{FromRequestParts, State},
+    http::{StatusCode, request::Parts},
+    response::{IntoResponse, Response},
+};
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+use super::{
+    ApiError,
+    app::{App, Connection},
+    extract::Body,
+};
+use crate::{
+    acquisition::{Command, Control, ControlState, Refusal},
+    pipeline::EventKind,
+};
+
+/// Longest text of a note, in bytes.
+pub(super) const NOTE_BYTES: usize = 4096;
+/// How long a client waits for the bench; what takes longer goes on without it.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// Whether a laser may fire because of it.
+fn lets_fire(command: &Command) -> bool {
+    matches!(command, Command::Start | Command::Arm)
+}
+
+/// The run's side.
+pub trait Controls: Send + Sync + 'static {
+    /// Does it, or says why not. Runs to its end even when the client goes away.
+    fn request(
+        &self,
+        command: Command,
+    ) -> Pin<Box<dyn Future<Output = Result<ControlState, Refusal>> + Send>>;
+    /// How it stands.
+    fn state(&self) -> ControlState;
+}
+
+impl Controls for Control {
+    fn request(
+        &self,
+        command: Command,
+    ) -> Pin<Box<dyn Future<Output = Result<ControlState, Refusal>> + Send>> {
+        let control = self.clone();
+        Box::pin(async move { Self::request(&control, command).await })
+    }
+
+    fn state(&self) -> ControlState {
+        Self::state(self)
+    }
+}
+
+/// A run's controls.
+#[derive(Clone, Default)]
+pub(super) struct Desk {
+    pub controls: Option<Arc<dyn Controls>>,
+    /// Whether an operator has enabled arming at the bench for this run.
+    pub enabled_at_bench: bool,
+}
+
+impl fmt::Debug for Desk {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let state = self.controls.as_ref().map(|controls| controls.state());
+        f.debug_struct("Desk")
+            .field("state", &state)
+            .field("enabled_at_bench", &self.enabled_at_bench)
+            .finish()
+    }
+}
+
+/// How the controls stand.
+#[derive(Debug, Serialize, ToSchema)]
+pub(super) struct ControlView {
+    /// Whether this run can be controlled over HTTP at all.
+    controllable: bool,
+    /// Whether `arm` and `start` are allowed.
+    may_arm: bool,
+    /// Absent when the run cannot be controlled.
+    state: Option<ControlState>,
+}
+
+/// A request that was granted.
+#[derive(Debug, Serialize, ToSchema)]
+pub(super) struct Granted {
+    /// Whether the bench is still about it; events tell when it is done.
+    pending: bool,
+    #[serde(flatten)]
+    state: ControlState,
+}
+
+/// The event of a request that was granted.
+#[derive(Debug, Serialize)]
+struct ControlEvent<'a> {
+    #[serde(flatten)]
+    command: &'a Command,
+    #[serde(flatten)]
+    state: ControlState,
+}
+
+/// What can be controlled and how it stands.
+#[utoipa::path(get, path = "/api/v1/control", tag = "control",
+    responses((status = 200, body = ControlView)))]
+pub(super) async fn show(State(app): State<App>) -> Json<ControlView> {
+    let controls = app.run.desk.controls.as_ref();
+    let state = controls.map(|controls| controls.state());
+    Json(ControlView { controllable: controls.is_some(), may_arm: may_arm(&app), state })
+}
+
+/// Both permissions: the configuration's and the operator's.
+fn may_arm(app: &App) -> bool {
+    app.protection.remote_arming && app.run.desk.enabled_at_bench
+}
+
+/// Fire bursts, once armed. Needs permission to arm.
+#[utoipa::path(post, path = "/api/v1/control/start", tag = "control", responses(
+    (status = 200, body = Granted), (status = 202, body = Granted),
+    (status = 409, body = super::error::ErrorBody)))]
+pub(super) async fn start(from: Asker) -> Result<Response, ApiError> {
+    from.asks(Command::Start).await
+}
+
+/// Fire no more. Exempt from the rate limit.
+#[utoipa::path(post, path = "/api/v1/control/stop", tag = "control", responses(
+    (status = 200, body = Granted), (status = 202, body = Granted),
+    (status = 409, body = super::error::ErrorBody)))]
+pub(super) async fn stop(from: Asker) -> Result<Response, ApiError> {
+    from.asks(Command::Stop).await
+}
+
+/// Program the synchroniser and warm up the lamps. Needs permission to arm.
+#[utoipa::path(post, path = "/api/v1/control/arm", tag = "control", responses(
+    (status = 200, body = Granted), (status = 202, body = Granted),
+    (status = 409, body = super::error::ErrorBody)))]
+pub(super) async fn arm(from: Asker) -> Result<Response, ApiError> {
+    from.asks(Command::Arm).await
+}
+
+/// Make the laser safe. Exempt from the rate limit.
+#[utoipa::path(post, path = "/api/v1/control/disarm", tag = "control", responses(
+    (status = 200, body = Granted), (status = 202, body = Granted),
+    (status = 409, body = super::error::ErrorBody)))]
+pub(super) async fn disarm(from: Asker) -> Result<Response, ApiError> {
+    from.asks(Command::Disarm).await
+}
+
+/// The body of `POST /api/v1/control/dt`.
+#[derive(Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DtBody {
+    /// In µs, 0.1 to 1,000,000.
+    #[schema(minimum = 0.1, maximum = 1_000_000.0)]
+    dt_us: f64,
+}
+
+/// Set the time between the light pulses.
+#[utoipa::path(post, path = "/api/v1/control/dt", tag = "control", request_body = DtBody, responses(
+    (status = 200, body = Granted), (status = 202, body = Granted),
+    (status = 409, body = super::error::ErrorBody)))]
+pub(super) async fn dt(from: Asker, Body(body): Body<DtBody>) -> Result<Response, ApiError> {
+    if !(0.1..=1e6).contains(&body.dt_us) {
+        let error = format!("dt_us = {}: allowed 0.1 to 1000000", body.dt_us);
+        return Err(ApiError::new(StatusCode::UNPROCESSABLE_ENTITY, error));
+    }
+    from.asks(Command::SetDt { dt_us: body.dt_us }).await
+}
+
+/// The body of `POST /api/v1/control/note`.
+#[derive(Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct NoteBody {
+    /// At most 4096 bytes.
+    #[schema(min_length = 1, max_length = 4096)]
+    text: String,
+}
+
+/// Add words to the run's record.
+#[utoipa::path(post, path = "/api/v1/control/note", tag = "control", request_body = NoteBody, responses(
+    (status = 200, body = Granted), (status = 202, body = Granted),
+    (status = 409, body = super::error::ErrorBody)))]
+pub(super) async fn note(from: Asker, Body(body): Body<NoteBody>) -> Result<Response, ApiError> {
+    let length = body.text.len();
+    if length > NOTE_BYTES {
+        let error = format!("a note of {length} bytes; allowed: {NOTE_BYTES}");
+        return Err(ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, error));
+    }
+    let printable = |letter: char| !letter.is_control() || matches!(letter, '\n' | '\t');
+    if body.text.trim().is_empty() || !body.text.chars().all(printable) {
+        let error = "a note is text, without control characters";
+        return Err(ApiError::new(StatusCode::UNPROCESSABLE_ENTITY, error));
+    }
+    from.asks(Command::Note { text: body.text }).await
+}
+
+/// Who asks, for the log.
+pub(super) struct Asker {
+    app: App,
+    peer: SocketAddr,
+}
+
+impl FromRequestParts<App> for Asker {
+    type Rejection = ApiError;
+
+    async fn from_request_parts(parts: &mut Parts, app: &App) -> Result<Self, ApiError> {
+        let connection = parts.extensions.get::<Connection>();
+        let connection = connection.ok_or_else(|| ApiError::internal("a request from nowhere"))?;
+        Ok(Self { app: app.clone(), peer: connection.peer })
+    }
+}
+
+impl Asker {
+    async fn asks(self, command: Command) -> Result<Response, ApiError> {
+        let desk = &self.app.run.desk;
+        let Some(controls) = desk.controls.clone() else {
+            let reason = "acquisition takes no requests in this run".to_owned();
+            return Err(refused("this run cannot be controlled", vec![reason]));
+        };
+        if lets_fire(&command) && !may_arm(&self.app) {
+            let reason = "set server.remote_arming, and have an operator enable it at the bench \
+                          for this run"
+                .to_owned();
+            return Err(refused("a laser must not be armed over HTTP in this run", vec![reason]));
+        }
+        let peer = self.peer;
+        tracing::info!(%peer, ?command, "asked over HTTP");
+        let (run, asked) = (self.app.run.clone(), controls.clone());
+        // A task of its own: it ends in order, whoever waits for it.
+        let request = self.app.tasks.spawn(async move {
+            let answer = asked.request(command.clone()).await;
+            match &answer {
+                Ok(state) => {
+                    let event = ControlEvent { command: &command, state: state.clone() };
+                    run.board.events().publish(EventKind::Control, &event);
+                }
+                Err(refusal) => tracing::warn!(%peer, ?command, ?refusal, "refused"),
+            }
+            answer
+        });
+        let patience = PATIENCE.min(self.app.protection.patience / 2);
+        match tokio::time::timeout(patience, request).await {
+            Ok(Ok(Ok(state))) => Ok(Json(Granted { pending: false, state }).into_response()),
+            Ok(Ok(Err(refusal))) => Err(refused("the run refuses", refusal.reasons)),
+            Ok(Err(error)) => Err(ApiError::internal(format!("the request failed: {error}"))),
+            Err(_) => {
+                let granted = Granted { pending: true, state: controls.state() };
+                Ok((StatusCode::ACCEPTED, Json(granted)).into_response())
+            }
+        }
+    }
+}
+
+fn refused(what: &str, reasons: Vec<String>) -> ApiError {
+    let error = format!("{what}: {}", reasons.join("; "));
+    ApiError::new(StatusCode::CONFLICT, error).with("reasons", reasons)
+}

@@ -1,0 +1,161 @@
+//! `/api/v1/events`: what happens, as it happens, as server-sent events.
+
+use std::{collections::VecDeque, convert::Infallible, time::Duration};
+
+use axum::{
+    extract::State,
+    http::{HeaderMap, HeaderName, HeaderValue},
+    response::{
+        IntoResponse, Response, Sse,
+        sse::{self, KeepAlive},
+    },
+};
+use futures_util::{Stream, stream};
+use serde::Serialize;
+use tokio::sync::{OwnedSemaphorePermit, watch};
+
+use super::{ApiError, ApiState, app::App, status::ShotCounts};
+use crate::{
+    acquisition::ControlState,
+    pipeline::{EventKind, Watermarks},
+};
+
+/// Events read from the log at once.
+const BATCH: usize = 64;
+/// Silence after which a comment shows that the connection lives.
+const KEEP_ALIVE: Duration = Duration::from_secs(5);
+/// How often the books are looked at for news.
+const NEWS: Duration = Duration::from_millis(250);
+
+/// The run in brief: the data of the event `status`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Brief {
+    pub state: &'static str,
+    pub error: Option<String>,
+    pub stage: String,
+    pub shots: ShotCounts,
+    pub watermarks: Option<Watermarks>,
+    pub control: Option<ControlState>,
+}
+
+/// Tells of the run when it has moved on, a few times a second at most, until it is dropped.
+pub(super) async fn tell_news(run: ApiState) {
+    let mut ticks = tokio::time::interval(NEWS);
+    ticks.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
+    loop {
+        ticks.tick().await;
+        run.announce();
+    }
+}
+
+/// Live events, server-sent.
+///
+/// Named `status` (the run in brief), `shot` (a shot's record when it ends), `result` (a result can
+/// be fetched), `watermarks` (how far data is safe), `control` (a request was granted) and `missed`.
+/// Without `Last-Event-ID` the stream begins with the present `status`; with it, with what came
+/// after that event. `missed` says how many events the server had forgotten by then; `null` when
+/// the number belongs to another run.
+#[utoipa::path(get, path = "/api/v1/events", tag = "live",
+    params(("Last-Event-ID" = Option<String>, Header,
+        description = "The id of the last event that was seen.")),
+    responses(
+        (status = 200, description = "Events, without end while the run lasts",
+            content_type = "text/event-stream", body = String),
+        (status = 503, description = "Too many streams", body = super::error::ErrorBody)))]
+pub(super) async fn events(
+    State(app): State<App>,
+    headers: HeaderMap,
+) -> Result<Response, ApiError> {
+    let permit = app.streams.clone().try_acquire_owned();
+    let permit = permit.map_err(|_| ApiError::busy("there are too many event streams"))?;
+    let reader = Reader::new(app, headers.get("last-event-id"), permit);
+    let events = Sse::new(reader.into_stream()).keep_alive(KeepAlive::new().interval(KEEP_ALIVE));
+    let unbuffered = (HeaderName::from_static("x-accel-buffering"), HeaderValue::from_static("no"));
+    Ok(([unbuffered], events).into_response())
+}
+
+/// One stream's place in the log.
+struct Reader {
+    app: App,
+    run: u64,
+    /// Number of the last event that was read.
+    place: u64,
+    news: watch::Receiver<u64>,
+    pending: VecDeque<sse::Event>,
+    _permit: OwnedSemaphorePermit,
+}
+
+impl Reader {
+    fn new(app: App, last: Option<&HeaderValue>, permit: OwnedSemaphorePermit) -> Self {
+        let log = app.run.board.events();
+        let (run, news, now) = (log.run(), log.watch(), log.last_id());
+        let pending = VecDeque::new();
+        let mut reader = Self { app, run, place: now, news, pending, _permit: permit };
+        match last.map(|id| resumed(id, run)) {
+            Some(Some(place)) => reader.place = place.min(now),
+            other => {
+                if other.is_some() {
+                    reader.tell_missed(None);
+                }
+                let brief = serde_json::to_string(&reader.app.run.brief()).unwrap_or_default();
+                reader.tell(EventKind::Status.name(), now, &brief);
+            }
+        }
+        reader
+    }
+
+    fn tell(&mut self, name: &str, id: u64, data: &str) {
+        let id = format!("{:x}-{id}", self.run);
+        self.pending.push_back(sse::Event::default().event(name).id(id).data(data));
+    }
+
+    fn tell_missed(&mut self, count: Option<u64>) {
+        let data = serde_json::json!({ "missed": count }).to_string();
+        self.pending.push_back(sse::Event::default().event("missed").data(data));
+    }
+
+    /// Takes what is new in the log.
+    fn read(&mut self) {
+        let batch = self.app.run.board.events().after(self.place, BATCH);
+        if batch.missed > 0 {
+            self.tell_missed(Some(batch.missed));
+        }
+        for event in batch.events {
+            self.tell(event.kind.name(), event.id, &event.data);
+            self.place = event.id;
+        }
+    }
+
+    /// The next event; `None` once the server ends and everything was told.
+    async fn next(&mut self) -> Option<sse::Event> {
+        loop {
+            let ending = self.app.stop.is_cancelled();
+            if self.pending.is_empty() {
+                self.read();
+            }
+            if let Some(event) = self.pending.pop_front() {
+                return Some(event);
+            }
+            if ending {
+                return None;
+            }
+            tokio::select! {
+                _ = self.news.changed() => {}
+                () = self.app.stop.cancelled() => {}
+            }
+        }
+    }
+
+    fn into_stream(self) -> impl Stream<Item = Result<sse::Event, Infallible>> {
+        stream::unfold(self, |mut reader| async move {
+            reader.next().await.map(|event| (Ok(event), reader))
+        })
+    }
+}
+
+/// The place of an event's id in this run; `None` for another run's or none at all.
+fn resumed(id: &HeaderValue, run: u64) -> Option<u64> {
+    let (of_run, place) = id.to_str().ok()?.split_once('-')?;
+    let of_run = u64::from_str_radix(of_run, 16).ok()?;
+    (of_run == run).then(|| place.parse().ok())?
+}

@@ -1,0 +1,145 @@
+//! `/api/v1/shots/{shot}/frames`: raw frames to look at.
+
+use axum::{
+    extract::State,
+    http::{HeaderMap, HeaderName, HeaderValue},
+    response::Response,
+};
+use lfpiv_hw::RawImage;
+use serde::Deserialize;
+use utoipa::IntoParams;
+
+use super::{
+    ApiError,
+    app::App,
+    bytes::{ETag, unchanging},
+    extract::{Arguments, Params, frame_index, shot_number},
+    preview::{Grey, Preview},
+};
+use crate::pipeline::Board;
+
+/// Width of a preview unless asked otherwise, in pixels.
+const DEFAULT_WIDTH: usize = 640;
+/// Least and greatest width that may be asked for, in pixels.
+const WIDTHS: std::ops::RangeInclusive<usize> = 16..=8192;
+/// The media type of previews.
+pub(super) const PNG: &str = "image/png";
+
+/// Where raw frames come from.
+pub trait FrameSource: Send + Sync + 'static {
+    /// Frame a (0) or b (1) of a camera, from 0; `None` where it is not to be had. May read a
+    /// disk: it is not called on the runtime's threads.
+    fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<RawImage>;
+}
+
+/// The frames of the latest shot.
+impl FrameSource for Board {
+    fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<RawImage> {
+        self.gallery().frame(shot, camera, half)
+    }
+}
+
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(super) struct WidthQuery {
+    /// Pixels across; never more than the image has. 640 unless given.
+    #[param(minimum = 16, maximum = 8192)]
+    width: Option<usize>,
+}
+
+/// A raw frame as PNG, made smaller by area mean. Black is zero, white the 99.9th percentile; the
+/// header `lfpiv-white` says how many counts that is.
+#[utoipa::path(get, path = "/api/v1/shots/{shot}/frames/{camera}/{image}", tag = "shots",
+    params(
+        ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
+        ("camera" = usize, Path, minimum = 1, description = "Camera, from 1."),
+        ("image" = inline(FrameImage), Path, description = "Frame a or b."),
+        WidthQuery),
+    responses(
+        (status = 200, content_type = "image/png", description = "The image", body = Vec<u8>),
+        (status = 404, description = "No such shot or camera", body = super::error::ErrorBody),
+        (status = 410, description = "The frame is not to be had any more", body = super::error::ErrorBody)))]
+pub(super) async fn preview(
+    State(app): State<App>,
+    Params((shot, camera, image)): Params<(String, String, String)>,
+    Arguments(query): Arguments<WidthQuery>,
+    headers: HeaderMap,
+) -> Result<Response, ApiError> {
+    let shot = match shot.as_str() {
+        "latest" => app.run.board.gallery().latest_frames().ok_or_else(none_yet)?,
+        number => shot_number(number)?,
+    };
+    let camera = camera_index(&camera, app.run.info.configuration.cameras.len())?;
+    let half = image.strip_suffix(".png").unwrap_or(&image);
+    let half = frame_index(half)?;
+    let width = query.width.unwrap_or(DEFAULT_WIDTH);
+    if !WIDTHS.contains(&width) {
+        let error = format!("width = {width}: allowed {} to {}", WIDTHS.start(), WIDTHS.end());
+        return Err(ApiError::bad_request(error));
+    }
+    let run = app.run.board.events().run();
+    let tag = ETag::new(run, &format!("frame-{shot}-{camera}-{half}-{width}"));
+    unchanging(&headers, &tag, PNG, || async {
+        let (frames, white) = (app.run.frames.clone(), tokio::sync::oneshot::channel());
+        let (tell_white, white) = white;
+        let known = app.run.ledger.lock().entry(shot).is_some();
+        let png = app.work.make(width * width * 4, move || {
+            let image = frames.frame(shot, camera, half).ok_or_else(|| absent(shot, known))?;
+            let Preview { png, white } = Grey::of(&image, width).preview()?;
+            // The receiver waits for it.
+            let _ = tell_white.send(white);
+            Ok(png)
+        });
+        let png = png.await?;
+        Ok((png, white_header(white.await.unwrap_or_default())))
+    })
+    .await
+}
+
+/// The files of a shot's previews.
+#[derive(utoipa::ToSchema)]
+#[allow(dead_code)] // Names only, for the document.
+pub(super) enum FrameImage {
+    #[serde(rename = "a.png")]
+    A,
+    #[serde(rename = "b.png")]
+    B,
+}
+
+/// What the white of an image stands for.
+pub(super) fn white_header(white: f32) -> HeaderMap {
+    let mut headers = HeaderMap::new();
+    // A number is a valid value.
+    if let Ok(white) = HeaderValue::from_str(&white.to_string()) {
+        headers.insert(HeaderName::from_static("lfpiv-white"), white);
+    }
+    headers
+}
+
+fn camera_index(text: &str, cameras: usize) -> Result<usize, ApiError> {
+    let number: usize = text.parse().map_err(|_| {
+        ApiError::bad_request(format!("'{text}' is no camera: give an integer from 1"))
+    })?;
+    match number.checked_sub(1).filter(|camera| *camera < cameras) {
+        Some(camera) => Ok(camera),
+        None => {
+            Err(ApiError::not_found(format!("there is no camera {number}, but 1 to {cameras}")))
+        }
+    }
+}
+
+fn none_yet() -> ApiError {
+    ApiError::not_found("no shot has come to a worker yet")
+}
+
+fn absent(shot: u64, known: bool) -> ApiError {
+    if known {
+        ApiError::gone(format!(
+            "the frames of shot {shot} are not at hand: they have not come yet, or later shots \
+             have taken their place"
+        ))
+    } else {
+        ApiError::not_found(format!("no shot {shot} is known"))
+    }
+}

@@ -1,0 +1,145 @@
+//! `/api/v1/results/{shot}/volumes` and `/projections`: reconstructed light.
+
+use axum::{extract::State, http::HeaderMap, response::Response};
+
+use super::{
+    ApiError,
+    app::App,
+    binary,
+    bytes::{ETag, unchanging},
+    extract::{Params, frame_index},
+    frames::{PNG, white_header},
+    preview::{Grey, Preview},
+    results::{self, resolved},
+};
+use crate::{
+    pipeline::{Lookup, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES},
+    reconstruction::MaximumProjection,
+};
+
+/// The planes, in the order of the projections.
+const PLANES: [&str; 3] = ["xy", "xz", "yz"];
+
+/// A frame's volume: light intensity per voxel as float32, little-endian, behind a header of 80
+/// bytes; see docs/http.md. The volumes of the last shots are in memory, 64 MB of lit voxels.
+#[utoipa::path(get, path = "/api/v1/results/{shot}/volumes/{frame}", tag = "results",
+    params(
+        ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
+        ("frame" = inline(Half), Path, description = "Frame a or b.")),
+    responses(
+        (status = 200, description = "The volume", content_type = "application/octet-stream", body = Vec<u8>),
+        (status = 404, description = "No such shot or result", body = super::error::ErrorBody),
+        (status = 410, description = "It has left the memory", body = super::error::ErrorBody)))]
+pub(super) async fn volume(
+    State(app): State<App>,
+    Params((shot, frame)): Params<(String, String)>,
+    headers: HeaderMap,
+) -> Result<Response, ApiError> {
+    let frame = frame_index(&frame)?;
+    let shot = resolved(&app.run, &shot)?;
+    let tag = ETag::new(app.run.board.events().run(), &format!("volume-{shot}-{frame}"));
+    let Some(volumes) = app.run.board.gallery().volumes(shot) else {
+        return Err(gone(&app, shot, "volumes", VOLUME_MEMORY_BYTES));
+    };
+    unchanging(&headers, &tag, binary::MEDIA_TYPE, || async {
+        let bytes = binary::volume_bytes(&volumes[frame]);
+        let made = move || Ok(binary::encode_volume(shot, frame, &volumes[frame]));
+        Ok((app.work.make(bytes, made).await?, HeaderMap::new()))
+    })
+    .await
+}
+
+/// The largest intensity along the third axis, as PNG: x or y to the right, y or z upwards. Black is
+/// zero, white the 99.9th percentile, which the header `lfpiv-white` tells.
+#[utoipa::path(get, path = "/api/v1/results/{shot}/projections/{frame}/{image}", tag = "results",
+    params(
+        ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
+        ("frame" = inline(Half), Path, description = "Frame a or b."),
+        ("image" = inline(PlaneImage), Path, description = "Plane.")),
+    responses(
+        (status = 200, description = "The image", content_type = "image/png", body = Vec<u8>),
+        (status = 404, description = "No such shot or result", body = super::error::ErrorBody),
+        (status = 410, description = "It has left the memory", body = super::error::ErrorBody)))]
+pub(super) async fn projection(
+    State(app): State<App>,
+    Params((shot, frame, image)): Params<(String, String, String)>,
+    headers: HeaderMap,
+) -> Result<Response, ApiError> {
+    let frame = frame_index(&frame)?;
+    let name = image.strip_suffix(".png").unwrap_or(&image);
+    let plane = PLANES.iter().position(|plane| *plane == name).ok_or_else(|| {
+        ApiError::bad_request(format!("'{image}' is no plane: give xy.png, xz.png or yz.png"))
+    })?;
+    let shot = resolved(&app.run, &shot)?;
+    let run = app.run.board.events().run();
+    let tag = ETag::new(run, &format!("projection-{shot}-{frame}-{name}"));
+    let Some(projections) = app.run.board.gallery().projections(shot) else {
+        return Err(gone(&app, shot, "projections", PROJECTION_MEMORY_BYTES));
+    };
+    unchanging(&headers, &tag, PNG, || async {
+        let pixels = projections[frame][plane].intensity.len();
+        let (tell_white, white) = tokio::sync::oneshot::channel();
+        let png = app.work.make(pixels * size_of::<f32>(), move || {
+            let Preview { png, white } = upright(&projections[frame][plane]).preview()?;
+            // The receiver waits for it.
+            let _ = tell_white.send(white);
+            Ok(png)
+        });
+        let png = png.await?;
+        Ok((png, white_header(white.await.unwrap_or_default())))
+    })
+    .await
+}
+
+/// Frames, as the paths name them.
+#[derive(utoipa::ToSchema)]
+#[allow(dead_code)] // Names only, for the document.
+pub(super) enum Half {
+    #[serde(rename = "a")]
+    A,
+    #[serde(rename = "b")]
+    B,
+}
+
+/// The files of a frame's projections.
+#[derive(utoipa::ToSchema)]
+#[allow(dead_code)] // Names only, for the document.
+pub(super) enum PlaneImage {
+    #[serde(rename = "xy.png")]
+    Xy,
+    #[serde(rename = "xz.png")]
+    Xz,
+    #[serde(rename = "yz.png")]
+    Yz,
+}
+
+/// Image rows go down, the second axis goes up.
+fn upright(projection: &MaximumProjection) -> Grey {
+    let [columns, rows] = projection.size;
+    let values = projection.intensity.chunks(columns.max(1)).rev().flatten().copied().collect();
+    Grey { columns, rows, values }
+}
+
+/// The result is there or was, its light is not; otherwise what there is to say of the result.
+fn gone(app: &App, shot: u64, what: &str, memory_bytes: usize) -> ApiError {
+    match app.run.board.result(shot) {
+        Lookup::Here(_) | Lookup::OnDisk => ApiError::gone(format!(
+            "the {what} of shot {shot} are not in memory, which holds those of the last shots in \
+             {} MB: process its raw data again with volumes asked for",
+            memory_bytes >> 20
+        )),
+        other => results::absent(&app.run, shot, other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_second_axis_goes_up() {
+        let projection = MaximumProjection { size: [2, 2], intensity: vec![1.0, 2.0, 3.0, 4.0] };
+        let grey = upright(&projection);
+        assert_eq!((grey.columns, grey.rows, grey.values), (2, 2, vec![3.0, 4.0, 1.0, 2.0]));
+    }
+}

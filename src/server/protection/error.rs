@@ -1,0 +1,47 @@
+//! Why a server must not listen.
+
+use std::{io, net::SocketAddr, path::PathBuf};
+
+use thiserror::Error;
+
+/// How to make a token.
+pub(super) const MAKE_A_TOKEN: &str = "make one with: openssl rand -hex 32";
+
+/// Why a server must not listen; each message says what to do.
+#[derive(Debug, Error)]
+pub enum ProtectionError {
+    /// Anybody could read.
+    #[error(
+        "server.address = {address} can be reached from the network, and there are no tokens: \
+         name a file of tokens in server.tokens, or listen on 127.0.0.1"
+    )]
+    Exposed { address: SocketAddr },
+    /// A file that is not there, or not for us.
+    #[error("{what} {} cannot be read: {reason}; correct {key}", path.display())]
+    Unreadable { what: &'static str, key: &'static str, path: PathBuf, reason: io::Error },
+    /// A secret that others can read.
+    #[error(
+        "{what} {} can be read by others (mode {mode:03o}): run: chmod 600 {}",
+        path.display(), path.display()
+    )]
+    TooOpen { what: &'static str, path: PathBuf, mode: u32 },
+    /// A line that is no token.
+    #[error(
+        "tokens {}, line {line}: {problem}; a line is 'read TOKEN' or 'control TOKEN', \
+         {MAKE_A_TOKEN}",
+        path.display()
+    )]
+    Token { path: PathBuf, line: usize, problem: &'static str },
+    /// A file that lets nobody in.
+    #[error(
+        "tokens {} holds no token: add a line 'read TOKEN' or 'control TOKEN', {MAKE_A_TOKEN}",
+        path.display()
+    )]
+    NoTokens { path: PathBuf },
+    /// A file without certificate or key.
+    #[error("{what} {} cannot be used: {reason}; correct {key}", path.display())]
+    Pem { what: &'static str, key: &'static str, path: PathBuf, reason: String },
+    /// A certificate that does not go with its key.
+    #[error("[server.tls]: certificate and key cannot be used: {0}")]
+    Tls(#[from] rustls::Error),
+}

@@ -1,0 +1,71 @@
+//! Who may talk to the server, as whom, and how much. Made from the settings before an address is
+//! bound, so that a server that would be open by mistake never listens.
+
+mod error;
+mod hosts;
+mod rate;
+mod tls;
+mod tokens;
+
+use std::{net::SocketAddr, time::Duration};
+
+use tokio_rustls::TlsAcceptor;
+
+use crate::config::ServerSettings;
+pub use error::ProtectionError;
+pub(super) use hosts::{Hosts, Origin};
+pub(super) use rate::RateLimits;
+pub(super) use tokens::{Scope, Tokens};
+
+/// A client may make this many times its requests per second at once.
+const BURST_S: f64 = 8.0;
+
+/// See the module.
+pub struct Protection {
+    pub(super) tokens: Option<Tokens>,
+    pub(super) hosts: Hosts,
+    pub(super) rates: RateLimits,
+    pub(super) tls: Option<TlsAcceptor>,
+    /// How long a client may take to send something, or to take something.
+    pub(super) patience: Duration,
+    /// Open at the same time.
+    pub(super) connections: usize,
+    /// Whether the configuration allows to arm over HTTP.
+    pub(super) remote_arming: bool,
+}
+
+impl Protection {
+    /// Reads tokens and certificates.
+    ///
+    /// # Errors
+    /// [`ProtectionError`]: an address that the network reaches without tokens, files that cannot
+    /// be used, or that others can read.
+    pub fn open(settings: &ServerSettings) -> Result<Self, ProtectionError> {
+        let tokens = settings.tokens.as_deref().map(Tokens::load).transpose()?;
+        if tokens.is_none() && !settings.address.ip().is_loopback() {
+            return Err(ProtectionError::Exposed { address: settings.address });
+        }
+        let tls = settings.tls.as_ref().map(tls::acceptor).transpose()?;
+        if tls.is_none() {
+            warn_in_the_clear(settings.address);
+        }
+        Ok(Self {
+            tokens,
+            hosts: Hosts::new(&settings.hosts, settings.tls.is_some()),
+            rates: RateLimits::new(settings.requests_per_s, BURST_S * settings.requests_per_s),
+            tls,
+            patience: Duration::from_secs_f64(settings.client_patience_s),
+            connections: settings.connections,
+            remote_arming: settings.remote_arming,
+        })
+    }
+}
+
+fn warn_in_the_clear(address: SocketAddr) {
+    if !address.ip().is_loopback() {
+        tracing::warn!(
+            %address,
+            "tokens and results cross the network in the clear: give [server.tls] a certificate"
+        );
+    }
+}

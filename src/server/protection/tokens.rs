@@ -1,0 +1,213 @@
+//! Bearer tokens and what they allow.
+//!
+//! Only digests are kept, and all of them are compared in constant time: neither memory nor timing
+//! tells a token, its length or its place in the file.
+
+use std::{
+    fs::File,
+    io::{self, Read},
+    os::unix::fs::MetadataExt,
+    path::Path,
+};
+
+use ring::digest::{SHA256, SHA256_OUTPUT_LEN, digest};
+use subtle::{ConditionallySelectable, ConstantTimeEq};
+
+use super::ProtectionError;
+
+/// Fewest characters of a token: 128 bit in hexadecimal digits.
+const FEWEST_HEX: usize = 32;
+/// Fewest characters of a token of letters and digits: 128 bit in base 64.
+const FEWEST_BASE64: usize = 22;
+/// A random token of this length has more different characters than this.
+const FEWEST_DIFFERENT: usize = 8;
+
+/// What a token allows. Who may control may read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::server) enum Scope {
+    Read = 1,
+    Control = 2,
+}
+
+impl Scope {
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Read => "read",
+            Self::Control => "control",
+        }
+    }
+}
+
+type Digest = [u8; SHA256_OUTPUT_LEN];
+
+/// The tokens of a file.
+pub(in crate::server) struct Tokens {
+    entries: Vec<(Scope, Digest)>,
+}
+
+impl Tokens {
+    /// Reads a file that nobody else can read.
+    pub fn load(path: &Path) -> Result<Self, ProtectionError> {
+        let text = read_secret("tokens", "server.tokens", path, 0o077)?;
+        Self::parse(path, &text)
+    }
+
+    /// One token per line; empty lines and lines that begin with `#` are passed over.
+    fn parse(path: &Path, text: &str) -> Result<Self, ProtectionError> {
+        let mut entries = Vec::new();
+        for (number, line) in text.lines().enumerate() {
+            let line = line.trim();
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            let entry = entry(line).map_err(|problem| ProtectionError::Token {
+                path: path.to_owned(),
+                line: number + 1,
+                problem,
+            })?;
+            entries.push(entry);
+        }
+        match entries.is_empty() {
+            true => Err(ProtectionError::NoTokens { path: path.to_owned() }),
+            false => Ok(Self { entries }),
+        }
+    }
+
+    /// What a token allows; `None` when it is not one of ours.
+    pub fn scope_of(&self, presented: &str) -> Option<Scope> {
+        let presented = hash(presented);
+        let mut found = 0u8;
+        for (scope, expected) in &self.entries {
+            found.conditional_assign(&(*scope as u8).max(found), presented.ct_eq(expected));
+        }
+        [Scope::Read, Scope::Control].into_iter().find(|scope| *scope as u8 == found)
+    }
+}
+
+fn hash(token: &str) -> Digest {
+    let mut bytes = Digest::default();
+    bytes.copy_from_slice(digest(&SHA256, token.as_bytes()).as_ref());
+    bytes
+}
+
+fn entry(line: &str) -> Result<(Scope, Digest), &'static str> {
+    let mut words = line.split_whitespace();
+    let scope = match words.next() {
+        Some("read") => Scope::Read,
+        Some("control") => Scope::Control,
+        _ => return Err("it begins neither with 'read' nor with 'control'"),
+    };
+    let (Some(token), None) = (words.next(), words.next()) else {
+        return Err("there is not exactly one token after the scope");
+    };
+    strong(token)?;
+    Ok((scope, hash(token)))
+}
+
+/// Whether a token can have been drawn from 2¹²⁸.
+fn strong(token: &str) -> Result<(), &'static str> {
+    // RFC 6750, section 2.1.
+    let allowed = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~+/=".contains(&byte);
+    if !token.bytes().all(allowed) {
+        return Err("the token has characters other than letters, digits and -._~+/=");
+    }
+    let hexadecimal = token.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let fewest = if hexadecimal { FEWEST_HEX } else { FEWEST_BASE64 };
+    let mut different: Vec<u8> = token.bytes().collect();
+    different.sort_unstable();
+    different.dedup();
+    if token.len() < fewest || different.len() < FEWEST_DIFFERENT {
+        return Err("the token can be guessed: 128 random bits are the least");
+    }
+    Ok(())
+}
+
+/// The text of a file, unless its mode has one of the `forbidden` bits.
+pub(super) fn read_secret(
+    what: &'static str,
+    key: &'static str,
+    path: &Path,
+    forbidden: u32,
+) -> Result<String, ProtectionError> {
+    let unreadable = |reason: io::Error| {
+        let path = path.to_owned();
+        ProtectionError::Unreadable { what, key, path, reason }
+    };
+    // One handle: what is checked is what is read.
+    let mut file = File::open(path).map_err(unreadable)?;
+    let mode = file.metadata().map_err(unreadable)?.mode() & 0o777;
+    if mode & forbidden != 0 {
+        return Err(ProtectionError::TooOpen { what, path: path.to_owned(), mode });
+    }
+    let mut text = String::new();
+    file.read_to_string(&mut text).map_err(unreadable)?;
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::os::unix::fs::PermissionsExt;
+
+    use super::*;
+
+    const READ: &str = "0123456789abcdef0123456789abcdef";
+    const CONTROL: &str = "Zm9vYmFyYmF6cXV4Y29ycmU=";
+
+    fn parse(text: &str) -> Result<Tokens, String> {
+        Tokens::parse(Path::new("tokens"), text).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn a_token_has_its_scope_and_nothing_near_it_has_any() {
+        let tokens = parse(&format!("# lab\nread {READ}\n\n  control {CONTROL}\n")).unwrap();
+        assert_eq!(tokens.scope_of(READ), Some(Scope::Read));
+        assert_eq!(tokens.scope_of(CONTROL), Some(Scope::Control));
+        for wrong in ["", &READ[1..], &READ.to_uppercase(), &format!("{READ} "), "read"] {
+            assert_eq!(tokens.scope_of(wrong), None, "{wrong}");
+        }
+        assert!(Scope::Read < Scope::Control);
+    }
+
+    #[test]
+    fn a_token_given_twice_has_the_wider_scope() {
+        for order in [["read", "control"], ["control", "read"]] {
+            let tokens = parse(&order.map(|scope| format!("{scope} {READ}")).join("\n")).unwrap();
+            assert_eq!(tokens.scope_of(READ), Some(Scope::Control));
+        }
+    }
+
+    #[test]
+    fn what_is_no_token_is_refused_with_its_line() {
+        let refusal = |text: &str| parse(text).err().unwrap();
+        assert!(refusal("\nadmin abc").contains("line 2: it begins neither"));
+        assert!(refusal("read").contains("exactly one token"));
+        assert!(refusal(&format!("read {READ} {READ}")).contains("exactly one token"));
+        for weak in [&READ[..31], &CONTROL[..21], &"ab".repeat(40), "password-of-the-lab"] {
+            assert!(refusal(&format!("read {weak}")).contains("can be guessed"), "{weak}");
+        }
+        assert!(refusal(&format!("read {READ}ä")).contains("characters"));
+        assert!(refusal("# none").contains("holds no token"));
+        assert!(refusal("").contains("openssl rand -hex 32"));
+    }
+
+    #[test]
+    fn a_file_that_others_can_read_is_refused_with_the_remedy() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("tokens");
+        std::fs::write(&path, format!("read {READ}")).unwrap();
+        for (mode, accepted) in
+            [(0o600, true), (0o400, true), (0o640, false), (0o604, false), (0o620, false)]
+        {
+            std::fs::set_permissions(&path, PermissionsExt::from_mode(mode)).unwrap();
+            match Tokens::load(&path) {
+                Ok(_) => assert!(accepted, "{mode:o}"),
+                Err(error) => {
+                    let error = error.to_string();
+                    assert!(!accepted && error.contains("chmod 600"), "{mode:o}: {error}");
+                }
+            }
+        }
+        let absent = Tokens::load(&folder.path().join("absent")).err().unwrap().to_string();
+        assert!(absent.contains("absent cannot be read") && absent.contains("server.tokens"));
+    }
+}

@@ -1,0 +1,147 @@
+//! How types of other rooms look in JSON, for the OpenAPI document. `tests/daemon` holds real
+//! answers against it.
+
+use std::borrow::Cow;
+
+use utoipa::{
+    PartialSchema, ToSchema,
+    openapi::{
+        ObjectBuilder, Ref, RefOr, Schema,
+        schema::{SchemaType, Type},
+    },
+};
+
+use crate::{
+    acquisition::{Account, ControlState, Mode, Outcome, OutcomeCounts},
+    lightfield::RawLevel,
+    pipeline::{LatencyQuantiles, StageSeconds, Watermarks},
+    velocimetry::VectorStatus,
+};
+
+/// An object of required members of one type.
+fn numbers(of: Type, names: &[&str], description: &str) -> ObjectBuilder {
+    names.iter().fold(ObjectBuilder::new().description(Some(description)), |object, name| {
+        object
+            .property(*name, ObjectBuilder::new().schema_type(SchemaType::Type(of.clone())))
+            .required(*name)
+    })
+}
+
+fn words(words: &[&str], description: &str) -> RefOr<Schema> {
+    let object = ObjectBuilder::new().schema_type(SchemaType::Type(Type::String));
+    object.enum_values(Some(words.iter().copied())).description(Some(description)).into()
+}
+
+macro_rules! schema {
+    ($type:ty, $name:literal, $schema:expr) => {
+        impl PartialSchema for $type {
+            fn schema() -> RefOr<Schema> {
+                $schema
+            }
+        }
+
+        impl ToSchema for $type {
+            fn name() -> Cow<'static, str> {
+                Cow::Borrowed($name)
+            }
+        }
+    };
+}
+
+schema!(
+    Outcome,
+    "Outcome",
+    words(&Outcome::ALL.map(Outcome::name), "How a trigger ended for one camera.")
+);
+
+schema!(
+    OutcomeCounts,
+    "OutcomeCounts",
+    numbers(Type::Integer, &Outcome::ALL.map(Outcome::name), "Triggers by how they ended.").into()
+);
+
+impl PartialSchema for Account {
+    fn schema() -> RefOr<Schema> {
+        numbers(Type::Integer, &["triggers", "open"], "triggers = open + all outcomes.")
+            .property("outcomes", Ref::from_schema_name("OutcomeCounts"))
+            .required("outcomes")
+            .into()
+    }
+}
+
+impl ToSchema for Account {
+    fn schemas(schemas: &mut Vec<(String, RefOr<Schema>)>) {
+        schemas.push(("OutcomeCounts".to_owned(), OutcomeCounts::schema()));
+    }
+}
+
+schema!(
+    StageSeconds,
+    "StageSeconds",
+    numbers(Type::Number, &["decode_s", "reconstruct_s", "correlate_s"], "Time per stage, in s.")
+        .into()
+);
+
+schema!(
+    Watermarks,
+    "Watermarks",
+    numbers(
+        Type::Integer,
+        &["acquired", "paired", "written", "fsynced", "processed"],
+        "How many shots have got how far."
+    )
+    .into()
+);
+
+schema!(
+    Mode,
+    "Mode",
+    words(&["disarmed", "armed", "firing", "stopping"], "Whether the laser can fire.")
+);
+
+impl PartialSchema for ControlState {
+    fn schema() -> RefOr<Schema> {
+        let text = ObjectBuilder::new().schema_type(SchemaType::Type(Type::String));
+        numbers(Type::Number, &["dt_us"], "What the run does, and why it may not fire.")
+            .property("mode", Ref::from_schema_name("Mode"))
+            .required("mode")
+            .property("held", utoipa::openapi::ArrayBuilder::new().items(text))
+            .required("held")
+            .into()
+    }
+}
+
+impl ToSchema for ControlState {
+    fn schemas(schemas: &mut Vec<(String, RefOr<Schema>)>) {
+        schemas.push(("Mode".to_owned(), Mode::schema()));
+    }
+}
+
+schema!(
+    RawLevel,
+    "RawLevel",
+    words(
+        &["not_kept", "lost", "acquired", "written", "synced"],
+        "How safe the raw images are: nowhere, lost, in memory, with the system, on the disk."
+    )
+);
+
+schema!(
+    LatencyQuantiles,
+    "LatencyQuantiles",
+    numbers(
+        Type::Number,
+        &["shots", "p50_s", "p95_s", "p99_s"],
+        "From trigger to stored velocity, over the last shots."
+    )
+    .into()
+);
+
+schema!(
+    VectorStatus,
+    "VectorStatus",
+    words(
+        &["valid", "replaced", "invalid"],
+        "Whether a vector is measured, stood in for, or none."
+    )
+);

@@ -1,0 +1,194 @@
+//! Clients that ask too much, too often or too slowly.
+
+use std::time::{Duration, Instant};
+
+use lfpiv::config::ServerSettings;
+use tokio::{
+    io::{AsyncReadExt, AsyncWriteExt},
+    net::TcpStream,
+};
+
+use crate::{
+    client::{Answer, Ask, exchange, get},
+    previews::lit_board,
+    server::{CONTROL, READ, Server, settings, with_tokens},
+};
+
+fn impatient() -> ServerSettings {
+    ServerSettings { client_patience_s: 0.5, ..settings() }
+}
+
+/// Reads until the server closes; how long that took.
+async fn until_closed(stream: &mut TcpStream) -> (Duration, Vec<u8>) {
+    let (began, mut received) = (Instant::now(), Vec::new());
+    let read = stream.read_to_end(&mut received);
+    let _ = tokio::time::timeout(Duration::from_secs(10), read).await.expect("never closed");
+    (began.elapsed(), received)
+}
+
+#[tokio::test]
+async fn too_large_a_body_or_header_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let server = Server::empty(&with_tokens(folder.path())).await;
+    let note = |length: usize| {
+        let text = "x".repeat(length);
+        Ask::post("/api/v1/control/note").token(CONTROL).json(&format!("{{\"text\":\"{text}\"}}"))
+    };
+    let refused = |answer: Answer, words: &str| {
+        let error = answer.error(413);
+        assert!(error.contains(words), "{error}");
+    };
+    refused(note(70_000).of(server.address).await, "allowed: 65536");
+    refused(note(4097).of(server.address).await, "allowed: 4096");
+    assert_eq!(note(4096).of(server.address).await.status, 409);
+    // A length that is only claimed is refused before anything is waited for.
+    let claimed = Ask::post("/api/v1/control/note")
+        .token(CONTROL)
+        .with("Content-Type", "application/json")
+        .with("Content-Length", "99999999999");
+    refused(claimed.of(server.address).await, "99999999999 bytes");
+    let chunk = format!("{:x}\r\n{}\r\n", 70_000, "x".repeat(70_000));
+    let chunked = Ask::post("/api/v1/control/note")
+        .token(CONTROL)
+        .with("Content-Type", "application/json")
+        .with("Transfer-Encoding", "chunked")
+        .unsized_body(chunk.as_bytes());
+    refused(chunked.of(server.address).await, "length limit");
+    let long = Ask::get("/api/v1/status").token(READ).with("X-Long", &"x".repeat(40_000));
+    assert_eq!(long.of(server.address).await.status, 431);
+    let many = (0..100).fold(Ask::get("/healthz"), |ask, n| ask.with(&format!("X-{n}"), "x"));
+    assert_eq!(many.of(server.address).await.status, 431);
+    assert_eq!(get(server.address, "/healthz").await.status, 200);
+}
+
+#[tokio::test]
+async fn a_client_that_dribbles_its_header_is_cut_off() {
+    let server = Server::empty(&impatient()).await;
+    let mut stream = TcpStream::connect(server.address).await.unwrap();
+    stream.write_all(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n").await.unwrap();
+    let began = Instant::now();
+    let dribble = async {
+        // Each line comes well within the patience; the header as a whole does not.
+        while stream.write_all(b"X-More: x\r\n").await.is_ok() {
+            tokio::time::sleep(Duration::from_millis(50)).await;
+        }
+    };
+    tokio::time::timeout(Duration::from_secs(8), dribble).await.expect("it is still served");
+    assert!(began.elapsed() >= Duration::from_millis(450), "{:?}", began.elapsed());
+    assert_eq!(get(server.address, "/healthz").await.status, 200);
+}
+
+#[tokio::test]
+async fn a_client_that_says_nothing_or_stays_is_cut_off() {
+    let server = Server::empty(&impatient()).await;
+    let mut silent = TcpStream::connect(server.address).await.unwrap();
+    assert!(until_closed(&mut silent).await.0 < Duration::from_secs(5));
+    let mut idle = TcpStream::connect(server.address).await.unwrap();
+    idle.write_all(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n").await.unwrap();
+    let (waited, received) = until_closed(&mut idle).await;
+    assert_eq!(Answer::read(&received).status, 200);
+    assert!(waited < Duration::from_secs(5), "{waited:?}");
+}
+
+#[tokio::test]
+async fn a_client_that_dribbles_its_body_is_told_and_cut_off() {
+    let folder = tempfile::tempdir().unwrap();
+    let patience = ServerSettings { client_patience_s: 0.5, ..with_tokens(folder.path()) };
+    let server = Server::empty(&patience).await;
+    let slow = Ask::post("/api/v1/control/note")
+        .token(CONTROL)
+        .with("Content-Type", "application/json")
+        .with("Content-Length", "1000")
+        .body(b"{\"text\":");
+    let answer = slow.of(server.address).await;
+    assert!(answer.error(408).contains("after 0.5 s"), "{answer:?}");
+}
+
+#[tokio::test]
+async fn a_client_that_does_not_take_its_answer_is_cut_off_and_its_memory_is_free() {
+    // A volume of 64 MB, which no socket buffer holds; four of them fill the memory for answers.
+    let board = lit_board([256, 256, 256]);
+    let ledger = lfpiv::acquisition::Ledger::new(2);
+    let server = Server::with(ledger, board, &impatient(), |state| state).await;
+    let volume = Ask::get("/api/v1/results/7/volumes/a");
+    let mut streams = Vec::new();
+    for _ in 0..3 {
+        let mut stream = TcpStream::connect(server.address).await.unwrap();
+        stream.write_all(&volume.bytes(server.address)).await.unwrap();
+        streams.push(stream);
+    }
+    tokio::time::sleep(Duration::from_millis(1500)).await;
+    for mut stream in streams {
+        let (_, received) = until_closed(&mut stream).await;
+        assert!(received.len() < 64 << 20, "it was sent after all");
+    }
+    for _ in 0..5 {
+        let whole = volume.of(server.address).await;
+        assert_eq!((whole.status, whole.body.len()), (200, 80 + (64 << 20)));
+    }
+}
+
+#[tokio::test]
+async fn many_requests_are_limited_but_never_those_that_make_safe() {
+    let folder = tempfile::tempdir().unwrap();
+    let slow = ServerSettings { requests_per_s: 0.5, ..with_tokens(folder.path()) };
+    let server = Server::empty(&slow).await;
+    for _ in 0..4 {
+        assert_eq!(get(server.address, "/healthz").await.status, 200);
+    }
+    let limited = get(server.address, "/healthz").await;
+    assert!(limited.error(429).contains("requests_per_s"));
+    let seconds: u64 = limited.header("retry-after").unwrap().parse().unwrap();
+    assert!((1..=2).contains(&seconds));
+    for _ in 0..20 {
+        for command in ["stop", "disarm"] {
+            let ask = Ask::post(&format!("/api/v1/control/{command}")).token(CONTROL);
+            assert_eq!(ask.of(server.address).await.status, 409, "no controls, but let through");
+        }
+    }
+    let arm = Ask::post("/api/v1/control/arm").token(CONTROL);
+    assert_eq!(arm.of(server.address).await.status, 429);
+    assert_eq!(Ask::get("/api/v1/control/stop").of(server.address).await.status, 429);
+}
+
+#[tokio::test]
+async fn one_client_cannot_take_every_connection() {
+    let few = ServerSettings { connections: 8, client_patience_s: 1.0, ..settings() };
+    let server = Server::empty(&few).await;
+    let mut silent = Vec::new();
+    for _ in 0..4 {
+        silent.push(TcpStream::connect(server.address).await.unwrap());
+    }
+    // The accept loop sees them in order.
+    let stream = TcpStream::connect(server.address).await.unwrap();
+    let refused = exchange(stream, b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n").await;
+    assert_eq!(refused.status, 0, "{refused:?}");
+    let loopback = std::net::SocketAddr::from(([127, 0, 0, 2], 0));
+    let socket = tokio::net::TcpSocket::new_v4().unwrap();
+    socket.bind(loopback).unwrap();
+    let other = socket.connect(server.address).await.unwrap();
+    assert_eq!(Ask::get("/healthz").over(other, server.address).await.status, 200);
+    for stream in &mut silent {
+        until_closed(stream).await;
+    }
+    assert_eq!(get(server.address, "/healthz").await.status, 200);
+}
+
+#[tokio::test]
+async fn bytes_that_are_no_http_are_refused() {
+    let server = Server::empty(&impatient()).await;
+    for bytes in [
+        b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03".as_slice(),
+        b"GET\r\n\r\n",
+        b"GET /healthz HTTP/9.9\r\n\r\n",
+        b"GET /healthz HTTP/1.1\r\nHost: localhost\r\nContent-Length: -1\r\n\r\n",
+        b"POST /api/v1/control/stop HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1\r\nContent-Length: 2\r\n\r\n",
+        b"\0\0\0\0",
+        &[0xff; 100_000],
+    ] {
+        let stream = TcpStream::connect(server.address).await.unwrap();
+        let answer = exchange(stream, bytes).await;
+        assert!(matches!(answer.status, 0 | 400 | 408 | 431 | 505), "{answer:?}");
+    }
+    assert_eq!(get(server.address, "/healthz").await.status, 200);
+}
