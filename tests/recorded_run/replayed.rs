@@ -62,3 +62,19 @@ fn a_record_that_is_changed_is_found_out() {
     assert!(!replayed.status.success() || !output.status.success(), "{said}");
     assert!(text(&replayed.stderr).contains("segment_000000.raw"), "{}", text(&replayed.stderr));
 }
+
+#[test]
+fn the_ledger_and_the_record_say_the_same() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = finished_run(&configuration(root.path(), ""), "12");
+    let accounts = || {
+        let ledger = fs::read(run.join("ledger.json")).expect("a ledger");
+        let ledger: serde_json::Value = serde_json::from_slice(&ledger).expect("JSON");
+        (ledger["cameras"].clone(), ledger["streams"].clone())
+    };
+    let written_by_the_run = accounts();
+    // Nothing is left to measure: the ledger is made again from the record alone.
+    let output = lfpiv(&["process", run.to_str().unwrap()]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert_eq!(accounts(), written_by_the_run);
+}

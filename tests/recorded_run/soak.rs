@@ -71,3 +71,45 @@ fn two_thousand_shots_in_flat_memory() {
     assert!(settled > 0 && most < settled + GROWTH_BYTES, "{settled} grew to {most}");
     assert_eq!(images(&run).len() as u64, SHOTS);
 }
+
+/// A bench in real time, whose shots are shed when processing is slower; for its figures.
+#[test]
+fn ten_shots_a_second_in_real_time() {
+    let root = tempfile::tempdir().expect("a folder");
+    let small = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
+    let results = format!("dir = \"{}\"", root.path().join("results").display());
+    let text = fs::read_to_string(small).expect("small.toml");
+    let config = root.path().join("bench.toml");
+    fs::write(&config, text.replacen("dir = \"results\"", &results, 1)).expect("a file");
+    let running = Running::start(&config, &[]);
+    running.wait_until(|status| count(status, "triggered") > 5);
+    let (began, first) = (Instant::now(), running.get("/api/v1/status").expect("a status"));
+    let mut deepest = 0;
+    while began.elapsed() < Duration::from_secs(8) {
+        let status = running.get("/api/v1/status").expect("a status");
+        deepest = deepest.max(count(&status, "queued"));
+        std::thread::sleep(Duration::from_millis(100));
+    }
+    let seconds = began.elapsed().as_secs_f64();
+    let last = running.get("/api/v1/status").expect("a status");
+    let rate = |of: &dyn Fn(&Value) -> u64| (of(&last) - of(&first)) as f64 / seconds;
+    let acquired = rate(&|status| status["watermarks"]["acquired"].as_u64().unwrap_or(0));
+    let (processed, shed) = (rate(&|s| count(s, "done")), rate(&|s| count(s, "shed")));
+    let raw = &last["raw_log"];
+    println!(
+        "748 x 748 pixels, 24 x 20 x 16 voxels, 10 Hz asked for: {acquired:.1} shots/s acquired \
+         while the same cores render them, {processed:.1} processed, {shed:.1} shed; queue {deepest} deep at most; latency {}; raw data {:.0} MB in, \
+         {:.0} MB on disk; {}",
+        last["latency"],
+        raw["bytes_in"].as_f64().unwrap_or(0.0) / 1e6,
+        raw["bytes_written"].as_f64().unwrap_or(0.0) / 1e6,
+        last["watermarks"],
+    );
+    assert!(acquired > 0.5 && processed > 0.0, "{last}");
+    let marks = &last["watermarks"];
+    let mark = |name: &str| marks[name].as_u64().expect("a count");
+    assert!(mark("acquired") >= mark("paired") && mark("paired") >= mark("written"), "{marks}");
+    assert!(mark("written") >= mark("fsynced") && mark("fsynced") > 0, "{marks}");
+    let run = running.kill();
+    assert!(images(&run).len() as u64 >= mark("fsynced"));
+}
