@@ -70,6 +70,12 @@ impl Stage {
         self.written("wire.toml", &format!("{wire}readout_us = 5000.0\n"))
     }
 
+    /// Number and checksum of every frame that the daemon has had from a camera.
+    fn received(&self, camera: usize) -> Vec<[String; 2]> {
+        let list = rows(&self.path("received").join(format!("cam{}.csv", camera + 1)));
+        list.iter().map(|row| [row[1].clone(), row[5].clone()]).collect()
+    }
+
     /// Plays `run` over the wires into a daemon that takes `shots` shots; what the daemon said, and
     /// what the instruments said.
     fn play(&self, run: &Path, more: &[&str], daemon: &str, shots: &str) -> (Output, String) {
@@ -290,9 +296,12 @@ fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
             assert!((1..SHOTS).contains(&whole), "{whole}");
             assert_eq!(images(&disturbed).len(), whole);
 
+            let received = [stage.received(0), stage.received(1)];
             let (output, told) = stage.play(&disturbed, &[], &stage.daemon(), "16");
             assert!(told.contains("16 triggers as recorded; dark: 0 in"), "{told}");
             assert_same(&disturbed, &folder_of(&output), whole);
+            // Those of shots that were never whole among them.
+            assert_eq!([stage.received(0), stage.received(1)], received);
         },
     );
 }
