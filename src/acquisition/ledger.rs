@@ -94,6 +94,7 @@ impl Ledger {
             account.open += 1;
         }
         self.forget_oldest();
+        self.hold_to_the_law();
         Ok(())
     }
 
@@ -108,6 +109,7 @@ impl Ledger {
             account.triggers -= 1;
             account.open -= 1;
         }
+        self.hold_to_the_law();
         Ok(())
     }
 
@@ -134,6 +136,7 @@ impl Ledger {
         }
         let account = &mut self.accounts[camera];
         account.settle(outcome);
+        self.hold_to_the_law();
         Ok(())
     }
 
@@ -197,6 +200,15 @@ impl Ledger {
     /// Whether the conservation law holds for every camera.
     pub fn is_balanced(&self) -> bool {
         self.accounts.iter().all(Account::is_balanced)
+    }
+
+    /// After every transition. Books that do not balance are a fault of this program: whoever reads
+    /// them has to know.
+    fn hold_to_the_law(&self) {
+        if !self.is_balanced() {
+            debug_assert!(false, "the ledger does not balance: {:?}", self.accounts);
+            tracing::error!(accounts = ?self.accounts, "the ledger does not balance");
+        }
     }
 
     /// Open entries stay: forgetting one would break the law.

@@ -1,12 +1,39 @@
 //! Holds two runs against each other: every number of every vector, and the ledgers.
 
-use std::{collections::BTreeMap, fs, path::Path};
+use std::{
+    collections::BTreeMap,
+    fs,
+    path::{Path, PathBuf},
+};
 
 use anyhow::{Context, bail};
 use serde_json::Value;
 
 use super::output::{count, print};
 use crate::archive::stored_vectors;
+
+/// Arguments of `lfpiv compare`.
+#[derive(Debug, clap::Args)]
+pub struct CompareArgs {
+    /// Folder of the run.
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// Folder of the same run played again.
+    #[arg(value_name = "AGAIN")]
+    pub again: PathBuf,
+}
+
+/// Compares vectors, bit for bit, and ledgers.
+pub fn compare_runs(args: &CompareArgs) -> anyhow::Result<()> {
+    let [then, now] = [&args.run, &args.again].map(|run| {
+        let results = Results::read(run)?;
+        if results.vectors.is_empty() {
+            bail!("{} holds no results: is it the folder of a run?", run.display());
+        }
+        Ok(results)
+    });
+    compare(&then?, &now?)
+}
 
 /// What a run has on disk.
 pub(super) struct Results {

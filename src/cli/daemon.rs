@@ -27,8 +27,12 @@ use tokio::{net::TcpListener, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    ledger_file::write_ledger, recorded_frames::RecordedFrames, recording::Recording,
-    run_folder::create_run_folder, run_info::run_info, service::Service,
+    ledger_file::write_ledger,
+    recorded_frames::RecordedFrames,
+    recording::{Recording, tell_unfinished},
+    run_folder::create_run_folder,
+    run_info::run_info,
+    service::Service,
 };
 use crate::{
     acquisition::{
@@ -153,6 +157,7 @@ impl Daemon {
             format!("cannot listen on {address}: is another lfpiv running? See server.address")
         })?;
         let address = listener.local_addr().context("the server has no address")?;
+        tell_unfinished(&config.output.dir);
         let folder = create_run_folder(&config.output.dir)?;
         let store = ResultStore::create(&folder, &plan.file.text)?;
         let recording = Recording::begin(&folder, &plan, &acquisition)?;

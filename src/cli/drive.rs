@@ -10,7 +10,7 @@ use lfpiv_hw::{
 };
 use lfpiv_sim::{
     LightPulse,
-    wire::{Pictures, WireSettings, bench::WireBench},
+    wire::{Delivery, Pictures, WireSettings, bench::WireBench},
 };
 use parking_lot::Mutex;
 use tokio_util::sync::CancellationToken;
@@ -35,8 +35,8 @@ const COPIES_PER_FRAME: usize = 1;
 struct Still(RawImage);
 
 impl Pictures for Still {
-    fn of(&self, _: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<[RawImage; 2]> {
-        light.iter().map(|_| [self.0.clone(), self.0.clone()]).collect()
+    fn of(&self, _: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<Delivery> {
+        light.iter().map(|_| [self.0.clone(), self.0.clone()].into()).collect()
     }
 }
 

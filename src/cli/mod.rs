@@ -1,4 +1,5 @@
 //! The command line: `lfpiv check | timing | simulate | process | run | replay | export |
+//! compare |
 //! sim-bench | devices | doctor | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
@@ -21,6 +22,8 @@ mod output;
 mod peers;
 mod process;
 mod process_run;
+#[cfg(feature = "aravis")]
+mod recorded_bench;
 mod recorded_frames;
 mod recording;
 mod replay;
@@ -40,6 +43,7 @@ use clap::{Parser, Subcommand};
 
 pub use bench::BenchArgs;
 pub use check::CheckArgs;
+pub use compare::CompareArgs;
 pub use doctor::DoctorArgs;
 pub use export::ExportArgs;
 pub use peers::PeersCommand;
@@ -72,6 +76,8 @@ enum Command {
     Run(RunArgs),
     /// Play a recorded run again, through the same pipeline.
     Replay(ReplayArgs),
+    /// Hold the results of a run played again against those of the run.
+    Compare(CompareArgs),
     /// Make image files of a recorded run's shots.
     Export(ExportArgs),
     /// Put simulated instruments at the ends of real wires, for a daemon to run.
@@ -98,6 +104,7 @@ pub fn main() -> ExitCode {
         Command::Process(args) => process::process(&args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay_run(&args),
+        Command::Compare(args) => compare::compare_runs(&args),
         Command::Export(args) => export::export(&args),
         Command::SimBench(args) => sim_bench::sim_bench(&args),
         Command::Devices => devices::devices(),

@@ -1,7 +1,7 @@
 //! The raw log of a run: begun with it, closed after it.
 
 use std::{
-    fs::{File, TryLockError},
+    fs::{self, File, TryLockError},
     path::Path,
 };
 
@@ -53,6 +53,19 @@ impl Recording {
             writer.close().context("the raw log could not be closed")?;
         }
         Ok(())
+    }
+}
+
+/// Says which runs in `results_dir` were cut off: they have a record, no ledger, and nobody writes
+/// them.
+pub(super) fn tell_unfinished(results_dir: &Path) {
+    for entry in fs::read_dir(results_dir).into_iter().flatten().flatten() {
+        let run = entry.path();
+        let is_cut_off = run.join(RAW_FOLDER).is_dir() && !run.join("ledger.json").exists();
+        if is_cut_off && RunLock::take(&run).is_ok() {
+            let run = run.display();
+            tracing::warn!("{run} was cut off: `lfpiv process {run}` measures what it recorded");
+        }
     }
 }
 

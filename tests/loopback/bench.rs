@@ -22,7 +22,7 @@ use lfpiv_hw::{
 };
 use lfpiv_sim::{
     LightPulse,
-    wire::{Pictures, WireSettings, bench::WireBench},
+    wire::{Delivery, Pictures, WireSettings, bench::WireBench},
 };
 use parking_lot::Mutex;
 use tokio_util::sync::CancellationToken;
@@ -104,7 +104,7 @@ impl Patterns {
 }
 
 impl Pictures for Patterns {
-    fn of(&self, shot: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<[RawImage; 2]> {
+    fn of(&self, shot: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<Delivery> {
         let as_planned = |pulses: &[LightPulse]| matches!(pulses, [p] if p.energy > 0.99);
         let exposed = |camera: usize, exposure: usize| {
             if as_planned(&light[camera][exposure]) {
@@ -113,7 +113,7 @@ impl Pictures for Patterns {
             let black = vec![0; self.0.pixels()];
             RawImage::new(self.0.columns, self.0.rows, black).expect("its own size")
         };
-        (0..light.len()).map(|camera| [exposed(camera, 0), exposed(camera, 1)]).collect()
+        (0..light.len()).map(|camera| [exposed(camera, 0), exposed(camera, 1)].into()).collect()
     }
 }
 
@@ -194,7 +194,7 @@ impl Repeated {
 }
 
 impl Pictures for Repeated {
-    fn of(&self, _: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<[RawImage; 2]> {
-        light.iter().map(|_| [self.0.clone(), self.0.clone()]).collect()
+    fn of(&self, _: u64, light: &[[Vec<LightPulse>; 2]], _: Option<f64>) -> Vec<Delivery> {
+        light.iter().map(|_| [self.0.clone(), self.0.clone()].into()).collect()
     }
 }

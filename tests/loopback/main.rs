@@ -11,4 +11,9 @@ mod killed;
 #[allow(dead_code)]
 #[path = "../../sim/tests/gige/network.rs"]
 mod network;
+mod replayed;
 mod shots;
+// What records a run.
+#[allow(dead_code)]
+#[path = "../recorded_run/bench.rs"]
+mod tiny;

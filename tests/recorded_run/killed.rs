@@ -79,7 +79,13 @@ fn what_was_acknowledged_survives_fifty_kills() {
          all, every byte as delivered; {torn} torn tails cut"
     );
     assert!(acknowledged > 100, "the kills come too early to say anything");
-    finish_twice(&last.expect("a run that came far enough"));
+    let last = last.expect("a run that came far enough");
+    // The next run says what an earlier one has left to do.
+    let config = config.to_str().expect("a path in UTF-8");
+    let next = lfpiv(&["run", "--config", config, "--shots", "1"]);
+    let advice = format!("lfpiv process {}", last.display());
+    assert!(text(&next.stderr).contains(&advice), "{}", text(&next.stderr));
+    finish_twice(&last);
 }
 
 /// `lfpiv process` measures what has no result, once.

@@ -3,6 +3,7 @@
 
 mod bench;
 mod disk;
+mod fixture;
 mod killed;
 mod processed_later;
 mod replayed;

@@ -46,6 +46,18 @@ pub struct FaultyLine<L> {
     incoming: VecDeque<(Duration, Vec<u8>)>,
 }
 
+impl<L> FaultyLine<L> {
+    /// The line that is disturbed.
+    pub(crate) fn inner(&self) -> &L {
+        &self.line
+    }
+
+    /// The line that is disturbed.
+    pub(crate) fn inner_mut(&mut self) -> &mut L {
+        &mut self.line
+    }
+}
+
 impl<L: Line> FaultyLine<L> {
     /// Wraps a line.
     pub fn new(line: L, settings: &FaultSettings) -> Self {

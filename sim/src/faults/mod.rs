@@ -7,7 +7,7 @@
 //! [`Line`](lfpiv_hw::synchroniser::line::Line): commands that are lost, replies that are lost,
 //! slow or garbled, stray bytes, `?8` at the wrong time, a cable that is cut. There is no third one
 //! for the synchroniser: whatever may go wrong with it goes wrong on its line, where the real
-//! driver has to bear it.
+//! driver has to bear it. [`crate::wire`] has both at the far ends of real wires.
 //!
 //! ```
 //! use std::time::Duration;

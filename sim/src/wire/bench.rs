@@ -10,7 +10,6 @@
 
 use std::{
     fs, io,
-    net::Ipv4Addr,
     os::unix::fs::symlink,
     path::PathBuf,
     sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc},
@@ -24,10 +23,16 @@ use super::{
     PeriodOutputs, Pictures, WireSettings,
     camera::{Exposed, FakeCameraError, FakeGigeCamera, FrameCounts},
     exposure::{CameraExposures, OpticalBench, Wiring},
+    faulty_unit::FaultyUnit,
+    frame_faults::{self, FrameFaults, NoSuchFaults, Outgoing},
+    pictures::Delivery,
     pty::Served,
     pulse_generator::PulseGenerator,
 };
-use crate::camera::CLOCK_OFFSET_NS;
+use crate::{
+    camera::CLOCK_OFFSET_NS,
+    faults::{FaultRecord, FaultSettings, FrameFault, Injected, LineFault},
+};
 
 /// Why there is no bench.
 #[derive(Debug, Error)]
@@ -35,6 +40,9 @@ pub enum WireError {
     /// A camera cannot be had.
     #[error(transparent)]
     Camera(#[from] FakeCameraError),
+    /// Faults that are asked for and cannot be made here.
+    #[error(transparent)]
+    Faults(#[from] NoSuchFaults),
     /// The system refuses a pseudo-terminal, a thread or the link.
     #[error("simulated bench: {what}")]
     System { what: String, source: io::Error },
@@ -55,6 +63,15 @@ pub struct SentFrame {
     pub crc32: u32,
 }
 
+/// What is out of the ordinary with a bench.
+#[derive(Debug, Clone, Default)]
+pub struct WireOptions {
+    /// Faults of cameras and serial line.
+    pub faults: FaultSettings,
+    /// Cameras offer only pixel formats that carry every bit of the pictures' counts.
+    pub exact: bool,
+}
+
 /// What has come out of a bench so far.
 #[derive(Debug, Clone, Default)]
 pub struct WireReport {
@@ -64,12 +81,17 @@ pub struct WireReport {
     pub q_switches: [u64; 2],
     /// Per camera.
     pub frames: Vec<FrameCounts>,
+    /// Faults of each camera's frames, which are numbered from 0 as the camera counts exposures.
+    pub frame_faults: Vec<Vec<Injected<FrameFault>>>,
+    /// Faults of the serial line.
+    pub line_faults: Vec<Injected<LineFault>>,
 }
 
 /// Instruments that are switched on; dropping them cuts every wire.
 pub struct WireBench {
     cameras: Vec<Arc<FakeGigeCamera>>,
-    unit: Served<PulseGenerator>,
+    unit: Served<FaultyUnit<PulseGenerator>>,
+    frame_faults: Vec<FaultRecord<FrameFault>>,
     sent: Arc<Mutex<Vec<SentFrame>>>,
     link: PathBuf,
     threads: Vec<JoinHandle<()>>,
@@ -79,7 +101,8 @@ pub struct WireBench {
 struct Triggered {
     shot: u64,
     exposures: CameraExposures,
-    images: [RawImage; 2],
+    /// Without an image the frame is lost on its way.
+    images: [Option<RawImage>; 2],
 }
 
 impl WireBench {
@@ -93,19 +116,39 @@ impl WireBench {
         count_bits: u32,
         pictures: Arc<dyn Pictures>,
     ) -> Result<Self, WireError> {
+        Self::start_with(settings, sensor, count_bits, pictures, &WireOptions::default())
+    }
+
+    /// As [`Self::start`], with faults, or with cameras that cut no bits off.
+    ///
+    /// # Errors
+    /// As [`Self::start`]; faults that the wires cannot make.
+    pub fn start_with(
+        settings: &WireSettings,
+        sensor: ImageSize,
+        count_bits: u32,
+        pictures: Arc<dyn Pictures>,
+        options: &WireOptions,
+    ) -> Result<Self, WireError> {
+        frame_faults::check(&options.faults)?;
         let started = settings.camera_ips.iter().enumerate().map(|(index, &ip)| {
-            switched_on(settings, ip, &format!("SIM{}", index + 1), sensor, count_bits)
+            let serial = format!("SIM{}", index + 1);
+            let camera = FakeGigeCamera::start(ip, &serial, sensor, count_bits)?;
+            camera.set_exact(options.exact);
+            connected(camera, settings)
         });
         let cameras = started.collect::<Result<Vec<_>, _>>()?;
         let sent = Arc::new(Mutex::new(Vec::new()));
         let (periods, arriving) = mpsc::channel();
         let mut threads = Vec::new();
-        let mut triggers = Vec::new();
+        let (mut triggers, mut frame_faults) = (Vec::new(), Vec::new());
         for (index, camera) in cameras.iter().enumerate() {
             let (trigger, triggered) = mpsc::channel();
             triggers.push(trigger);
             let (camera, sent) = (Arc::clone(camera), Arc::clone(&sent));
-            let run = move || expose_all(index, &camera, &triggered, &sent);
+            let faults = FrameFaults::new(index, &options.faults);
+            frame_faults.push(faults.record());
+            let run = move || expose_all(index, &camera, faults, &triggered, &sent);
             threads.push(spawn(format!("fake camera {}", index + 1), run)?);
         }
         let optics = OpticalBench::new(wiring(cameras.len()), settings.laser(), settings.camera());
@@ -115,11 +158,12 @@ impl WireBench {
             // The optics live as long as this sender.
             let _ = periods.send(period);
         });
-        let unit = Served::start(PulseGenerator::new(settings.unit()), observer)
+        let unit = FaultyUnit::new(PulseGenerator::new(settings.unit()), &options.faults);
+        let unit = Served::start(unit, observer)
             .map_err(|source| system("no pseudo-terminal for the synchroniser", source))?;
         let link = settings.port.clone();
         make_link(unit.path(), &link)?;
-        Ok(Self { cameras, unit, sent, link, threads })
+        Ok(Self { cameras, unit, frame_faults, sent, link, threads })
     }
 
     /// A camera, to be disturbed.
@@ -128,7 +172,7 @@ impl WireBench {
     }
 
     /// The synchroniser, to be disturbed. Not twice in one statement: it is a lock.
-    pub fn unit(&self) -> MutexGuard<'_, PulseGenerator> {
+    pub fn unit(&self) -> MutexGuard<'_, FaultyUnit<PulseGenerator>> {
         self.unit.unit()
     }
 
@@ -150,6 +194,8 @@ impl WireBench {
             periods: unit.periods(),
             q_switches: heads.map(|channel| unit.pulses(channel.number())),
             frames: self.cameras.iter().map(|camera| camera.counts()).collect(),
+            frame_faults: self.frame_faults.iter().map(FaultRecord::faults).collect(),
+            line_faults: unit.record().faults(),
         }
     }
 }
@@ -171,14 +217,11 @@ impl Drop for WireBench {
     }
 }
 
-fn switched_on(
+/// The camera, plugged in again at a line as the settings have it.
+fn connected(
+    camera: FakeGigeCamera,
     settings: &WireSettings,
-    ip: Ipv4Addr,
-    serial: &str,
-    sensor: ImageSize,
-    count_bits: u32,
 ) -> Result<Arc<FakeGigeCamera>, FakeCameraError> {
-    let camera = FakeGigeCamera::start(ip, serial, sensor, count_bits)?;
     camera.unplug();
     camera.set_line_rate(settings.line_mbit_s * 1e6 / 8.0);
     camera.set_lost_packet_ratio(settings.lost_packets);
@@ -215,11 +258,12 @@ fn take_pictures(
             light[exposures.camera] = exposures.light.clone();
         }
         let separation_s = triggered.iter().find_map(|exposures| exposures.separation_s);
-        let mut images: Vec<_> =
+        let mut deliveries: Vec<_> =
             pictures.of(shot, &light, separation_s).into_iter().map(Some).collect();
         for exposures in triggered {
             let camera = exposures.camera;
-            if let Some(images) = images.get_mut(camera).and_then(Option::take) {
+            let delivery = deliveries.get_mut(camera).and_then(Option::take);
+            if let Some(Delivery::Frames(images)) = delivery {
                 // A camera's thread ends after this one.
                 let _ = cameras[camera].send(Triggered { shot, exposures, images });
             }
@@ -232,36 +276,45 @@ fn take_pictures(
 fn expose_all(
     index: usize,
     camera: &FakeGigeCamera,
+    mut faults: FrameFaults,
     triggered: &mpsc::Receiver<Triggered>,
     sent: &Mutex<Vec<SentFrame>>,
 ) {
     for Triggered { shot, exposures, images } in triggered {
         for (number, image) in images.into_iter().enumerate() {
             let start_ns = (exposures.exposures_us[number][0] * 1000.0).round() as u64;
-            let frame = SentFrame {
-                camera: index,
-                shot,
-                exposure: number as u8 + 1,
-                device_timestamp_ns: exposures.t0_ns
-                    + start_ns
-                    + CLOCK_OFFSET_NS * (index as u64 + 1),
-                crc32: image.crc32(),
-            };
-            match camera.expose(Arc::new(image), frame.device_timestamp_ns) {
-                Ok(Exposed::Yes) => {
-                    sent.lock().unwrap_or_else(PoisonError::into_inner).push(frame);
+            let at_ns = exposures.t0_ns + start_ns + CLOCK_OFFSET_NS * (index as u64 + 1);
+            match faults.disturb(image, at_ns) {
+                Outgoing::Nothing => {}
+                Outgoing::Unplugged => camera.unplug(),
+                Outgoing::Frame { lost_before, image, device_timestamp_ns } => {
+                    for _ in 0..lost_before {
+                        camera.lose();
+                    }
+                    let exposure = number as u8 + 1;
+                    let crc32 = image.crc32();
+                    let frame =
+                        SentFrame { camera: index, shot, exposure, device_timestamp_ns, crc32 };
+                    expose(camera, image, frame, sent);
                 }
-                Ok(Exposed::No(reason)) => {
-                    tracing::debug!(
-                        camera = index + 1,
-                        shot,
-                        ?reason,
-                        "the camera ignored a trigger"
-                    );
-                }
-                Err(error) => tracing::error!(camera = index + 1, shot, %error, "no picture"),
             }
         }
+    }
+}
+
+fn expose(
+    camera: &FakeGigeCamera,
+    image: RawImage,
+    frame: SentFrame,
+    sent: &Mutex<Vec<SentFrame>>,
+) {
+    let (number, shot) = (frame.camera + 1, frame.shot);
+    match camera.expose(Arc::new(image), frame.device_timestamp_ns) {
+        Ok(Exposed::Yes) => sent.lock().unwrap_or_else(PoisonError::into_inner).push(frame),
+        Ok(Exposed::No(reason)) => {
+            tracing::debug!(camera = number, shot, ?reason, "the camera ignored a trigger");
+        }
+        Err(error) => tracing::error!(camera = number, shot, %error, "no picture"),
     }
 }
 

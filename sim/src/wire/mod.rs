@@ -11,13 +11,17 @@ pub mod bench;
 #[cfg(feature = "aravis")]
 pub mod camera;
 pub mod exposure;
+mod faulty_unit;
+#[cfg(feature = "aravis")]
+mod frame_faults;
 pub mod olt_sync;
 mod pictures;
 pub mod pty;
 pub mod pulse_generator;
 mod settings;
 
-pub use pictures::{Pictures, ScenePictures};
+pub use faulty_unit::FaultyUnit;
+pub use pictures::{Delivery, Pictures, ScenePictures};
 pub use settings::WireSettings;
 
 /// The pulses that a synchroniser gives in one period.

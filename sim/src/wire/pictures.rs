@@ -4,6 +4,21 @@ use lfpiv_hw::RawImage;
 
 use crate::{BenchGeometry, LightPulse, Scene};
 
+/// What a camera makes of one trigger.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Delivery {
+    /// Exposures 1 and 2. A frame without an image is counted by the camera and lost on its way.
+    Frames([Option<RawImage>; 2]),
+    /// The camera does not see the trigger: there is no frame, and none is counted.
+    Missed,
+}
+
+impl From<[RawImage; 2]> for Delivery {
+    fn from(images: [RawImage; 2]) -> Self {
+        Self::Frames(images.map(Some))
+    }
+}
+
 /// Makes the pictures of a shot from the light that fell into its exposures.
 pub trait Pictures: Send + Sync {
     /// Exposures 1 and 2 of every camera. `light` is what fell into them, per camera;
@@ -13,7 +28,7 @@ pub trait Pictures: Send + Sync {
         shot: u64,
         light: &[[Vec<LightPulse>; 2]],
         separation_s: Option<f64>,
-    ) -> Vec<[RawImage; 2]>;
+    ) -> Vec<Delivery>;
 }
 
 /// A scene by ray tracing.
@@ -33,9 +48,10 @@ impl Pictures for ScenePictures {
         shot: u64,
         light: &[[Vec<LightPulse>; 2]],
         separation_s: Option<f64>,
-    ) -> Vec<[RawImage; 2]> {
+    ) -> Vec<Delivery> {
         let dt_s = separation_s.filter(|s| *s > 0.0).unwrap_or(self.geometry.dt_s);
         let geometry = BenchGeometry { dt_s, ..self.geometry.clone() };
-        self.scene.exposures(&geometry, self.seed, shot, light).images
+        let shown = self.scene.exposures(&geometry, self.seed, shot, light);
+        shown.images.into_iter().map(Delivery::from).collect()
     }
 }

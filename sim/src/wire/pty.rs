@@ -29,6 +29,10 @@ pub trait SerialUnit: Send + 'static {
     fn baud_rate(&self) -> u32;
     /// Bytes have come.
     fn receive(&mut self, bytes: &[u8], now_ns: u64);
+    /// Whether its cable is cut: the host's end is hung up then.
+    fn is_cut(&self) -> bool {
+        false
+    }
     /// Time has passed.
     fn advance(&mut self, now_ns: u64) -> Step;
 }
@@ -142,6 +146,9 @@ fn serve<U: SerialUnit>(
             if let (Some(terminal), false) = (&line, bytes.is_empty()) {
                 let heard = terminal.as_heard(bytes, unit.baud_rate())?;
                 unit.receive(&heard, now_ns());
+            }
+            if unit.is_cut() {
+                line_cut.store(true, Ordering::Relaxed);
             }
             unit.advance(now_ns())
         };

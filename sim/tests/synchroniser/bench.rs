@@ -22,6 +22,14 @@ use lfpiv_sim::wire::{
     pulse_generator::{PulseGenerator, PulseGeneratorOptions},
 };
 
+/// Opens a unit at its port; nobody listens to the line.
+pub fn open(
+    settings: &SynchroniserSettings,
+    timing: &TimingSettings,
+) -> Result<Box<dyn Synchroniser>, DeviceError> {
+    lfpiv_hw::synchroniser::open(settings, timing, Transcript::kept())
+}
+
 /// Longest wait for anything that is sure to come, on a loaded machine.
 pub const PATIENCE: Duration = Duration::from_secs(20);
 

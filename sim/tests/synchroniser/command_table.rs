@@ -5,11 +5,10 @@ use std::time::Duration;
 use lfpiv_hw::synchroniser::{
     bnc575::{command::Command, reply::Reply},
     line::{Dialogue, Direction, SerialLine, Transcript},
-    open,
 };
 
 use crate::bench::{
-    Bench, arm_and_fire, external_schedule, external_timing, schedule, timing, wait_for_state,
+    Bench, arm_and_fire, external_schedule, external_timing, open, schedule, timing, wait_for_state,
 };
 use lfpiv_hw::device::SynchroniserState;
 

@@ -2,17 +2,14 @@
 
 use std::time::Duration;
 
-use lfpiv_hw::{
-    device::{DeviceError, SynchroniserState},
-    synchroniser::open,
-};
+use lfpiv_hw::device::{DeviceError, SynchroniserState};
 use lfpiv_sim::wire::{
     olt_sync::OltSyncUnit,
     pty::Served,
     pulse_generator::{Pacing, PulseGeneratorOptions, TooSoon},
 };
 
-use crate::bench::{Bench, message, schedule, timing, wait_for_state, wait_until};
+use crate::bench::{Bench, message, open, schedule, timing, wait_for_state, wait_until};
 
 fn works(bench: &Bench) {
     let (mut unit, _) = bench.connect();

@@ -7,9 +7,9 @@ use std::{
     time::Duration,
 };
 
-use lfpiv_hw::{device::SynchroniserState, synchroniser::open};
+use lfpiv_hw::device::SynchroniserState;
 
-use crate::bench::{Bench, schedule, timing, wait_until};
+use crate::bench::{Bench, open, schedule, timing, wait_until};
 
 const PORT: &str = "LFPIV_TEST_PORT";
 const SHOTS: u64 = 60;

@@ -4,11 +4,13 @@ use std::{thread, time::Duration};
 
 use lfpiv_hw::{
     device::SynchroniserState,
-    synchroniser::{SynchroniserDriver, SynchroniserSettings, open},
+    synchroniser::{SynchroniserDriver, SynchroniserSettings},
 };
 use lfpiv_sim::wire::{olt_sync::OltSyncUnit, pty::Served};
 
-use crate::bench::{external_schedule, message, schedule, timing, wait_for_state, wait_until};
+use crate::bench::{
+    external_schedule, message, open, schedule, timing, wait_for_state, wait_until,
+};
 
 fn unit() -> Served<OltSyncUnit> {
     Served::start(OltSyncUnit::new("SYNC_1"), Box::new(|_| ())).unwrap()

@@ -52,9 +52,13 @@ struct FeedState {
     line_free: Instant,
 }
 
-struct Exposure {
-    image: Arc<RawImage>,
-    device_timestamp_ns: u64,
+enum Exposure {
+    Sent {
+        image: Arc<RawImage>,
+        device_timestamp_ns: u64,
+    },
+    /// Counted, and lost on its way with all its packets.
+    Lost,
 }
 
 /// What a frame is labelled with.
@@ -98,6 +102,15 @@ impl Feed {
         image: Arc<RawImage>,
         device_timestamp_ns: u64,
     ) -> Result<(), Ignored> {
+        self.hold(Exposure::Sent { image, device_timestamp_ns })
+    }
+
+    /// As [`Self::expose`], for a frame of which nothing gets through.
+    pub(super) fn lose(&self) -> Result<(), Ignored> {
+        self.hold(Exposure::Lost)
+    }
+
+    fn hold(&self, exposure: Exposure) -> Result<(), Ignored> {
         let mut state = self.lock();
         state.counts.exposures += 1;
         loop {
@@ -111,8 +124,10 @@ impl Feed {
             }
             state = self.wait(state);
         }
-        state.waiting.push_back(Exposure { image, device_timestamp_ns });
-        if state.waiting.len() == 1 {
+        let is_idle = state.waiting.is_empty();
+        state.waiting.push_back(exposure);
+        state.count_lost();
+        if is_idle && !state.waiting.is_empty() {
             state.camera.write_register(register::RELEASE_FRAME, 1);
         }
         Ok(())
@@ -154,6 +169,9 @@ impl Feed {
         let (exposure, frame_id) = {
             let mut state = self.lock();
             let exposure = state.waiting.pop_front();
+            state.count_frame();
+            let frame_id = state.last_frame_id;
+            state.count_lost();
             // The fake's thread, the only one that reads the rate, is the one we are on.
             if state.waiting.is_empty() {
                 state.camera.set_trigger_frequency(IDLE_LOOKS_HZ);
@@ -161,22 +179,26 @@ impl Feed {
                 state.camera.set_trigger_frequency(BUSY_LOOKS_HZ);
                 state.camera.write_register(register::RELEASE_FRAME, 1);
             }
-            // 0 is no frame's id.
-            state.last_frame_id = state.last_frame_id.checked_add(1).unwrap_or(1);
             match exposure {
                 Some(_) => state.counts.sent += 1,
                 None => state.counts.dark += 1,
             }
             self.changed.notify_all();
-            (exposure, state.last_frame_id)
+            (exposure, frame_id)
         };
-        match (&exposure, PixelFormat::from_code(format)) {
-            (Some(exposure), Some(format)) => {
-                pack(format, &exposure.image, region, self.count_bits, bytes);
+        let device_timestamp_ns = match exposure {
+            Some(Exposure::Sent { image, device_timestamp_ns }) => {
+                match PixelFormat::from_code(format) {
+                    Some(format) => pack(format, &image, region, self.count_bits, bytes),
+                    None => bytes.fill(0),
+                }
+                Some(device_timestamp_ns)
             }
-            _ => bytes.fill(0),
-        }
-        let device_timestamp_ns = exposure.map(|exposure| exposure.device_timestamp_ns);
+            Some(Exposure::Lost) | None => {
+                bytes.fill(0);
+                None
+            }
+        };
         FrameLabel { frame_id, device_timestamp_ns }
     }
 }
@@ -209,6 +231,20 @@ impl FeedState {
             Some(Ignored::OtherSource)
         } else {
             None
+        }
+    }
+
+    /// One frame more; 0 is no frame's id.
+    fn count_frame(&mut self) {
+        self.last_frame_id = self.last_frame_id.checked_add(1).unwrap_or(1);
+    }
+
+    /// Lost frames whose turn has come leave nothing but a gap in the numbers.
+    fn count_lost(&mut self) {
+        while matches!(self.waiting.front(), Some(Exposure::Lost)) {
+            self.waiting.pop_front();
+            self.count_frame();
+            self.counts.lost += 1;
         }
     }
 

@@ -20,7 +20,10 @@ use std::{
     sync::{Arc, Mutex, MutexGuard, PoisonError},
 };
 
-use lfpiv_hw::{RawImage, gige::ImageSize};
+use lfpiv_hw::{
+    RawImage,
+    gige::{ImageSize, PixelFormat},
+};
 use thiserror::Error;
 
 use callback::PoweredCamera;
@@ -105,13 +108,16 @@ pub enum Exposed {
     No(Ignored),
 }
 
-/// Where exposures went: `exposures` is the sum of `sent`, `ignored`, `abandoned` and those held.
+/// Where exposures went: `exposures` is the sum of `sent`, `lost`, `ignored`, `abandoned` and those
+/// held.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct FrameCounts {
     /// Pulses on the trigger line.
     pub exposures: u64,
     /// Frames that were handed to the network with their picture.
     pub sent: u64,
+    /// Frames that were counted and got lost on purpose.
+    pub lost: u64,
     /// Pulses that did nothing.
     pub ignored: u64,
     /// Exposures that were held when the acquisition ended.
@@ -133,6 +139,7 @@ struct State {
     power: Option<PoweredCamera>,
     lost_packet_ratio: f64,
     line_bytes_per_s: f64,
+    exact: bool,
     /// Counts of the times it was plugged in before.
     counts: FrameCounts,
 }
@@ -152,6 +159,7 @@ impl FakeGigeCamera {
             power: None,
             lost_packet_ratio: 0.0,
             line_bytes_per_s: LINE_BYTES_PER_S,
+            exact: false,
             counts: FrameCounts::default(),
         });
         let camera = Self { address, serial: serial.to_owned(), sensor, count_bits, state };
@@ -186,16 +194,28 @@ impl FakeGigeCamera {
             let (serial, sensor) = (self.serial.clone(), self.sensor);
             return Err(FakeCameraError::ImageSize { serial, columns, rows, sensor });
         }
-        let Some(feed) = self.feed() else {
-            let counts = &mut self.lock().counts;
-            counts.exposures += 1;
-            counts.ignored += 1;
-            return Ok(Exposed::No(Ignored::Unplugged));
-        };
+        let Some(feed) = self.feed() else { return Ok(self.unplugged()) };
         Ok(match feed.expose(image, device_timestamp_ns) {
             Ok(()) => Exposed::Yes,
             Err(reason) => Exposed::No(reason),
         })
+    }
+
+    /// One exposure whose frame gets lost with all its packets: the camera counts it, and nothing
+    /// arrives. Otherwise as [`Self::expose`].
+    pub fn lose(&self) -> Exposed {
+        let Some(feed) = self.feed() else { return self.unplugged() };
+        match feed.lose() {
+            Ok(()) => Exposed::Yes,
+            Err(reason) => Exposed::No(reason),
+        }
+    }
+
+    fn unplugged(&self) -> Exposed {
+        let counts = &mut self.lock().counts;
+        counts.exposures += 1;
+        counts.ignored += 1;
+        Exposed::No(Ignored::Unplugged)
     }
 
     /// Waits until every exposure has been handed to the network; `false` when the acquisition
@@ -232,6 +252,12 @@ impl FakeGigeCamera {
         self.lock().line_bytes_per_s = bytes_per_s.max(1e6);
     }
 
+    /// From the next time it is plugged in: whether it offers only pixel formats that carry every
+    /// bit of its counts. With others it sends the upper bits, as cameras do.
+    pub fn set_exact(&self, exact: bool) {
+        self.lock().exact = exact;
+    }
+
     /// Pulls the cable, which also powers it: the camera vanishes from the network and forgets its
     /// settings and its counter. Exposures that are held are lost.
     pub fn unplug(&self) {
@@ -253,13 +279,17 @@ impl FakeGigeCamera {
         if state.power.is_some() {
             return Ok(());
         }
-        let camera = self.switch_on(state.line_bytes_per_s)?;
+        let camera = self.switch_on(state.line_bytes_per_s, state.exact)?;
         camera.set_lost_packet_ratio(state.lost_packet_ratio);
         state.power = Some(camera);
         Ok(())
     }
 
-    fn switch_on(&self, line_bytes_per_s: f64) -> Result<PoweredCamera, FakeCameraError> {
+    fn switch_on(
+        &self,
+        line_bytes_per_s: f64,
+        exact: bool,
+    ) -> Result<PoweredCamera, FakeCameraError> {
         let (serial, address) = (self.serial.clone(), self.address);
         // Aravis only warns when it cannot listen.
         if let Err(source) = UdpSocket::bind((address, GVCP_PORT)) {
@@ -267,7 +297,8 @@ impl FakeGigeCamera {
         }
         let described = |source| FakeCameraError::Description { serial: serial.clone(), source };
         let mut file = tempfile::NamedTempFile::new().map_err(described)?;
-        file.write_all(GENICAM.as_bytes()).map_err(described)?;
+        let description = if exact { self.exact_description() } else { GENICAM.to_owned() };
+        file.write_all(description.as_bytes()).map_err(described)?;
         // The file is read while the camera is made, and not after.
         let device = aravis::GvFakeCamera::new_full(
             Some(&address.to_string()),
@@ -285,6 +316,17 @@ impl FakeGigeCamera {
         write_text(&registers, register::MODEL, b"simulated light field");
         let feed = Feed::new(registers, self.count_bits, line_bytes_per_s, FIRST_FRAME_ID);
         PoweredCamera::new(device, feed).ok_or(FakeCameraError::NotStarted { serial, address })
+    }
+
+    /// What the camera says about itself where it must not cut bits off.
+    fn exact_description(&self) -> String {
+        let narrow = PixelFormat::ALL
+            .into_iter()
+            .filter(|format| format.significant_bits() < self.count_bits)
+            .map(|format| format!("<EnumEntry Name=\"{}\">", format.name()))
+            .collect::<Vec<_>>();
+        let offered = |line: &&str| !narrow.iter().any(|entry| line.contains(entry));
+        GENICAM.lines().filter(offered).flat_map(|line| [line, "\n"]).collect()
     }
 
     fn power_on_values(&self) -> [(u32, u32); 6] {
@@ -313,6 +355,7 @@ fn sum(a: FrameCounts, b: FrameCounts) -> FrameCounts {
     FrameCounts {
         exposures: a.exposures + b.exposures,
         sent: a.sent + b.sent,
+        lost: a.lost + b.lost,
         ignored: a.ignored + b.ignored,
         abandoned: a.abandoned + b.abandoned,
         dark: a.dark + b.dark,

@@ -40,6 +40,18 @@ impl Default for LaserFacts {
     }
 }
 
+impl LaserFacts {
+    /// Energy of a pulse of `head` (0 or 1) whose Q-switch follows its lamp after `delay_us`, as a
+    /// share of the full one.
+    pub fn energy(&self, head: usize, delay_us: f64) -> f64 {
+        if delay_us <= 0.0 {
+            return 0.0;
+        }
+        let off = (delay_us - self.best_delay_us[head]) / self.delay_width_us;
+        (-off * off / 2.0).exp()
+    }
+}
+
 /// What a double-frame camera does with its trigger.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CameraFacts {
@@ -134,8 +146,7 @@ impl OpticalBench {
         if delay_us <= 0.0 || !warm {
             return None;
         }
-        let off = (delay_us - self.laser.best_delay_us[head]) / self.laser.delay_width_us;
-        Some(Flash { at_us: q_switch.start_us, energy: (-off * off / 2.0).exp() })
+        Some(Flash { at_us: q_switch.start_us, energy: self.laser.energy(head, delay_us) })
     }
 
     /// When both Q-switches were triggered, whether or not there was light.

@@ -1,0 +1,167 @@
+//! Instruments that are switched on until they are told to stop.
+
+use std::{collections::BTreeMap, fmt::Debug, path::Path, sync::Arc, time::Duration};
+
+use anyhow::{Context, bail};
+use lfpiv_hw::gige::ImageSize;
+use lfpiv_sim::{
+    faults::Injected,
+    wire::{
+        Pictures, ScenePictures, WireSettings,
+        bench::{WireBench, WireOptions, WireReport},
+    },
+};
+
+use super::{
+    super::{
+        drive::drive,
+        output::{count, print},
+        recorded_bench::{RecordedBench, RecordedPictures, Shown},
+        replay::read_faults,
+        stop::stop_on_signals,
+    },
+    SimBenchArgs,
+    sent_record::SentRecord,
+};
+use crate::config::{Config, ConfigFile};
+
+/// How often frames that were sent are listed.
+const LISTING: Duration = Duration::from_millis(100);
+
+/// Serves simulated instruments until Ctrl-C or SIGTERM.
+pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
+    let config = ConfigFile::load(&args.config)?.config;
+    let path = args.config.display();
+    if let Some(shots) = args.drive {
+        let streamed = drive(&config, shots).with_context(|| path.to_string())?;
+        return print(&serde_json::to_string(&streamed)?);
+    }
+    let wire = wire(&config).with_context(|| path.to_string())?;
+    let faults = args.faults.as_deref().map(read_faults).transpose()?.unwrap_or_default();
+    match &args.replay {
+        Some(run) => {
+            let recorded = RecordedBench::open(run, &config)?;
+            print(&format!(
+                "shows:        {} of {}",
+                count(recorded.triggers(), "trigger"),
+                run.display()
+            ))?;
+            let count_bits = recorded.count_bits;
+            let pictures = Arc::new(recorded.pictures(&config)?);
+            // What is cut off cannot give the same vectors.
+            let options = WireOptions { faults, exact: true };
+            let bench = switch_on(&config, &wire, count_bits, pictures.clone(), &options)?;
+            serve(bench, &wire, args.record.as_deref())?;
+            tell_what_was_shown(&pictures)
+        }
+        None => {
+            let Some(scene) = config.simulation.clone() else {
+                bail!("{path} has no [simulation] table: add one, or show a run with --replay");
+            };
+            let (seed, geometry) = (scene.seed, config.bench_geometry());
+            let count_bits = scene.sensor.bits.into();
+            let pictures = Arc::new(ScenePictures { scene, geometry, seed });
+            let options = WireOptions { faults, exact: false };
+            let bench = switch_on(&config, &wire, count_bits, pictures, &options)?;
+            serve(bench, &wire, args.record.as_deref())
+        }
+    }
+}
+
+fn wire(config: &Config) -> anyhow::Result<WireSettings> {
+    let wire = config.wire.clone();
+    let wire = wire.context("no [wire] table: take config/loopback-bench.toml as a start")?;
+    let (ips, poses) = (wire.camera_ips.len(), config.camera.len());
+    if ips != poses {
+        bail!("{ips} wire.camera_ips for {poses} [[camera]] tables; one for each");
+    }
+    Ok(wire)
+}
+
+fn switch_on(
+    config: &Config,
+    wire: &WireSettings,
+    count_bits: u32,
+    pictures: Arc<dyn Pictures>,
+    options: &WireOptions,
+) -> anyhow::Result<WireBench> {
+    let size = ImageSize::from(&config.optics.sensor);
+    Ok(WireBench::start_with(wire, size, count_bits, pictures, options)?)
+}
+
+/// Until a signal comes.
+fn serve(bench: WireBench, wire: &WireSettings, record: Option<&Path>) -> anyhow::Result<()> {
+    let record = record.map(SentRecord::create).transpose()?;
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build()
+        .context("the runtime does not start")?;
+    print(&format!("synchroniser: {}", wire.port.display()))?;
+    for ip in &wire.camera_ips {
+        print(&format!("camera:       {ip}"))?;
+    }
+    runtime.block_on(list_what_is_sent(&bench, record))?;
+    print(&summary(&bench.report()))
+}
+
+async fn list_what_is_sent(
+    bench: &WireBench,
+    mut record: Option<SentRecord>,
+) -> anyhow::Result<()> {
+    let stop = stop_on_signals("what is on the wires is lost")?;
+    while !stop.is_cancelled() {
+        tokio::select! {
+            () = stop.cancelled() => {}
+            () = tokio::time::sleep(LISTING) => {}
+        }
+        let sent = bench.take_sent();
+        if let Some(record) = &mut record {
+            for frame in &sent {
+                record.list(frame).context("the record of sent frames cannot be written")?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn summary(report: &WireReport) -> String {
+    let [first, second] = report.q_switches;
+    let cameras = report.frames.iter().zip(&report.frame_faults).enumerate();
+    let frames = cameras.map(|(index, (frames, faults))| {
+        format!(
+            "\ncamera {}: {} exposures, {} frames sent, {} lost, {} ignored{}",
+            index + 1,
+            frames.exposures,
+            frames.sent,
+            frames.lost,
+            frames.ignored,
+            counted(faults)
+        )
+    });
+    let line = counted(&report.line_faults);
+    let line = if line.is_empty() { line } else { format!("\nserial line{line}") };
+    format!(
+        "{} periods, Q-switch pulses {first} and {second}{}{line}",
+        report.periods,
+        frames.collect::<String>()
+    )
+}
+
+/// Faults by kind, as `; faults: 2 Dropped, 1 MissedTrigger`; nothing where there are none.
+fn counted<F: Debug>(faults: &[Injected<F>]) -> String {
+    let mut kinds: BTreeMap<String, u64> = BTreeMap::new();
+    for injected in faults {
+        *kinds.entry(format!("{:?}", injected.fault)).or_default() += 1;
+    }
+    let listed: Vec<_> = kinds.iter().map(|(kind, number)| format!("{number} {kind}")).collect();
+    if listed.is_empty() { String::new() } else { format!("; faults: {}", listed.join(", ")) }
+}
+
+fn tell_what_was_shown(pictures: &RecordedPictures) -> anyhow::Result<()> {
+    let Shown { recorded, other_light, beyond, failure } = pictures.shown();
+    print(&format!(
+        "{recorded} triggers as recorded; dark: {other_light} in another light, {beyond} beyond the \
+         record"
+    ))?;
+    failure.map_or(Ok(()), |failure| bail!("the record was not shown as it is: {failure}"))
+}

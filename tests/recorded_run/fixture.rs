@@ -1,0 +1,139 @@
+//! A run that journal version 1 recorded is played by every later program.
+//!
+//! `tests/fixtures/recorded_run_v1` is not to be written again: a new version of the journal gets a
+//! folder of its own beside it. It was made by
+//! `cargo test --test recorded_run write_the_fixture -- --ignored`.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use lfpiv::{
+    acquisition::journal::{JOURNAL_VERSION, RecordedRun},
+    archive::{
+        raw_log::{RawLog, RawLogReader, RawLogSettings},
+        stored_vectors,
+    },
+};
+use serde_json::Value;
+
+use crate::bench::{images, lfpiv, text};
+
+const SHOTS: u64 = 2;
+/// Of each camera's frames a and b, shot by shot.
+const CHECKSUMS: [[u32; 4]; 2] = [
+    [0xd320_cffa, 0xe63a_45c7, 0xfcdf_3415, 0x26ab_8e9a],
+    [0xb5af_b2df, 0xaaa8_ea58, 0x9c1d_fbc0, 0xc3a0_6b69],
+];
+/// 1e-4 voxel between the pulses: 10 nm in 100 µs, in m/s. Vectors are the same bits on processors
+/// with the same vector instructions; on others sums of products are rounded elsewhere.
+const TOLERANCE_M_S: f32 = 1e-4;
+
+fn fixture() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/recorded_run_v1")
+}
+
+fn accounts(run: &Path) -> Value {
+    let ledger = fs::read(run.join("ledger.json")).expect("a ledger");
+    serde_json::from_slice::<Value>(&ledger).expect("JSON")["cameras"].take()
+}
+
+#[test]
+fn a_run_of_version_1_has_its_images() {
+    let shots = images(&fixture());
+    assert_eq!(shots.len() as u64, SHOTS);
+    let found = shots.iter().map(|(_, cameras)| {
+        let checksums: Vec<u32> = cameras.iter().flatten().map(|image| image.crc32()).collect();
+        <[u32; 4]>::try_from(checksums).expect("four images")
+    });
+    assert_eq!(found.collect::<Vec<_>>(), CHECKSUMS);
+}
+
+#[test]
+fn a_run_of_version_1_gives_its_vectors_again() {
+    let root = tempfile::tempdir().expect("a folder");
+    let out = root.path().join("again");
+    // Its own comparison is to the bit, which other processors need not keep.
+    let output = lfpiv(&["replay", "--out", out.to_str().unwrap(), fixture().to_str().unwrap()]);
+    let again = fs::read_dir(&out).expect("results").next().expect("a run").expect("a run").path();
+    let (then, now) = (stored_vectors(&fixture()).unwrap(), stored_vectors(&again).unwrap());
+    println!("{}{}", text(&output.stdout), text(&output.stderr));
+    assert_eq!(then.len() as u64, SHOTS);
+    assert_eq!(then.keys().collect::<Vec<_>>(), now.keys().collect::<Vec<_>>());
+    for (shot, then) in &then {
+        let now = &now[shot];
+        // Eight variables: u, v, w first, whether a vector is valid and whether replaced last.
+        let vectors = then.len() / 8;
+        assert_eq!((vectors, now.len()), (27, then.len()));
+        assert_eq!(then[6 * vectors..], now[6 * vectors..], "shot {shot}");
+        for (a, b) in then.iter().zip(now).take(3 * vectors) {
+            let (a, b) = (f32::from_bits(*a), f32::from_bits(*b));
+            assert!((a - b).abs() <= TOLERANCE_M_S, "shot {shot}: {a} m/s then, {b} now");
+        }
+    }
+    assert_eq!(accounts(&fixture()), accounts(&again));
+}
+
+#[test]
+fn a_run_of_a_later_version_is_refused_by_every_command() {
+    let root = tempfile::tempdir().expect("a folder");
+    let reader = RawLogReader::open(&fixture().join("raw")).unwrap();
+    let mut description: Value = serde_json::from_slice(reader.description()).unwrap();
+    assert_eq!(description["journal_version"], JOURNAL_VERSION);
+    description["journal_version"] = (JOURNAL_VERSION + 1).into();
+    let description = serde_json::to_vec(&description).unwrap();
+    let raw = root.path().join("raw");
+    let (log, writer) = RawLog::create(&raw, &description, &RawLogSettings::default()).unwrap();
+    for record in reader.records() {
+        log.append_blocking(record.unwrap().1).unwrap();
+    }
+    writer.close().unwrap();
+    let words = RecordedRun::open(root.path()).unwrap_err().to_string();
+    assert!(words.contains("journal version 2, this program knows up to 1"), "{words}");
+    let run = root.path().to_str().unwrap();
+    let out = root.path().join("out");
+    for command in
+        [&["replay", run][..], &["process", run], &["export", "--out", out.to_str().unwrap(), run]]
+    {
+        let output = lfpiv(command);
+        let said = text(&output.stderr);
+        assert!(!output.status.success() && said.contains("journal version 2"), "{said}");
+    }
+}
+
+/// Makes the folder for a new version of the journal, once: two shots of a bench with 9 × 9
+/// microlenses.
+#[test]
+#[ignore = "writes the fixture of a new journal version"]
+fn write_the_fixture() {
+    assert_eq!(JOURNAL_VERSION, 1, "give the new version's fixture a folder of its own");
+    assert!(!fixture().exists(), "there is one already");
+    let root = tempfile::tempdir().expect("a folder");
+    let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
+    let mut configuration = fs::read_to_string(small).expect("small.toml");
+    for (from, to) in [
+        ("columns = 41\nrows = 41", "columns = 9\nrows = 9"),
+        ("columns = 748\nrows = 748", "columns = 164\nrows = 164"),
+        ("voxels = [24, 20, 16]", "voxels = [8, 8, 8]"),
+        ("window_mm = 0.8 ", "window_mm = 0.4 "),
+    ] {
+        assert!(configuration.contains(from), "{from}");
+        configuration = configuration.replacen(from, to, 1);
+    }
+    fs::write(root.path().join("bench.toml"), configuration).expect("a file");
+    // Paths in the record are relative to where it was made.
+    let output = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+        .args(["run", "--config", "bench.toml", "--shots", &SHOTS.to_string()])
+        .current_dir(root.path())
+        .output()
+        .expect("the binary starts");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let results = root.path().join("results");
+    let run = fs::read_dir(results).expect("results").next().expect("a run").expect("a run").path();
+    fs::create_dir_all(fixture().join("raw")).expect("a folder");
+    for name in ["raw/segment_000000.raw", "velocity_000000.nc", "ledger.json"] {
+        fs::copy(run.join(name), fixture().join(name)).expect("a file of the run");
+    }
+}
