@@ -6,8 +6,9 @@
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev libaravis-dev libusb-1.0-0-dev
-# Two simulated cameras run in a network of their own: unshare and ip.
-NETWORK_PACKAGES := util-linux iproute2
+# Two simulated cameras run in a network of their own, and tests fill small disks of their own:
+# unshare, ip and mount.
+NETWORK_PACKAGES := util-linux mount iproute2
 
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
