@@ -79,6 +79,11 @@ impl Run {
             }
             ScriptedBurst::Fire { shots, schedule } => (shots, schedule),
         };
+        // What was recorded before this burst has been delivered; it comes first.
+        if let Ok(event) = self.events.try_recv() {
+            self.handle(Some(event)).await?;
+            return Ok(Some(0));
+        }
         if *schedule != self.settings.schedule {
             self.settings.schedule = (*schedule).clone();
             self.is_programmed = false;
@@ -131,8 +136,12 @@ impl Run {
             }
             self.watch_external_trigger(&mut looked).await?;
             let all_ruled = self.pairing.open_triggers() == 0;
-            let over =
-                self.time >= planned_end || all_ruled || self.broken_off || stop_by.is_some();
+            let scripted = self.bursts.as_ref().is_some_and(|script| script.burst_is_over());
+            let over = self.time >= planned_end
+                || all_ruled
+                || self.broken_off
+                || stop_by.is_some()
+                || scripted && self.events.is_empty();
             if !ended && over {
                 ended = self.try_end_burst().await?;
             }
@@ -184,19 +193,22 @@ impl Run {
         let stop = self.stop.clone();
         loop {
             tokio::select! {
+                // Whoever wants the laser safe is heard before it is ready.
+                biased;
                 () = stop.cancelled() => return Ok(false),
-                () = self.heartbeat.turn() => {}
-                event = self.events.recv() => self.handle(event).await?,
                 request = self.control.next() => self.obey(request).await?,
+                event = self.events.recv() => self.handle(event).await?,
                 () = &mut armed => break,
+                () = self.heartbeat.turn() => {}
             }
         }
         Ok(self.mode() == Mode::Firing && self.is_programmed && self.all_connected())
     }
 
     async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
-        self.time_passes(self.clock.now()).await?;
         self.broken_off = false;
+        self.time_passes(self.clock.now()).await?;
+        self.is_burst_open = true;
         let first = self.pairing.fired(shots, self.time);
         for trigger in first..first + shots {
             note(self.ledger.lock().enter(trigger));
@@ -204,6 +216,10 @@ impl Run {
         self.fired += shots;
         self.presence.iter_mut().for_each(|camera| camera.silent += shots);
         self.note(Entry::Fired { at_ns: self.at_ns(), first, shots }).await?;
+        // The disk may have had to be waited for, laser safe: then this burst ends before it begins.
+        if self.broken_off || !self.is_programmed || self.stop.is_cancelled() {
+            return Ok(());
+        }
         self.synchroniser.call(move |unit| unit.fire(shots)).await
     }
 
@@ -213,7 +229,7 @@ impl Run {
     }
 
     /// Once the unit no longer fires, compares its count with what was asked for.
-    async fn try_end_burst(&mut self) -> Result<bool, AcquisitionError> {
+    pub(super) async fn try_end_burst(&mut self) -> Result<bool, AcquisitionError> {
         if self.synchroniser.call(|unit| unit.state()).await? == SynchroniserState::Firing {
             return Ok(false);
         }
@@ -223,6 +239,7 @@ impl Run {
             // A unit that does not count is taken at its word; frames say the rest.
             _ => self.fired,
         };
+        self.is_burst_open = false;
         self.note(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
         let rulings = self.pairing.burst_ended(given)?;
         self.apply(rulings).await?;

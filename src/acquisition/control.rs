@@ -1,7 +1,7 @@
 //! What whoever runs the bench may ask of a run under way.
 //!
 //! ```text
-//! disarmed <-> armed (lamps warm) <-> firing
+//! disarmed <-> armed (lamps fire) <-> firing
 //! ```
 //!
 //! Requests go through a channel to the run loop, which answers when it has taken them up; nothing
@@ -20,7 +20,7 @@ use tokio::sync::{mpsc, oneshot};
 pub enum Command {
     /// Take shots.
     Start,
-    /// End the burst that runs and take no more shots; the lamps stay warm.
+    /// End the burst that runs, laser safe, and take no more shots; the lamps are warmed anew.
     Stop,
     /// Warm the lamps, fire nothing.
     Arm,

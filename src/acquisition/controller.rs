@@ -191,6 +191,8 @@ pub(super) struct Run {
     pub(super) given_before: u64,
     /// The unit was made safe since, or another schedule is asked for.
     pub(super) is_programmed: bool,
+    /// A burst was fired, and its triggers have not been counted.
+    pub(super) is_burst_open: bool,
     /// The lamps fire although no shots are taken.
     pub(super) is_armed: bool,
     /// The burst that runs was ended before its time.
@@ -242,6 +244,7 @@ impl Run {
             first_count: None,
             given_before: 0,
             is_programmed: false,
+            is_burst_open: false,
             is_armed: false,
             broken_off: false,
             presence: vec![Presence::default(); count],
@@ -283,8 +286,10 @@ impl Run {
             self.cameras.push(spawn_camera(index, camera, events, clock, stop)?);
         }
         drop(events);
-        for _ in 0..self.cameras.len() {
+        let mut waiting = self.cameras.len();
+        while waiting > 0 {
             let event = self.events.recv().await;
+            waiting -= usize::from(matches!(event, Some(CameraEvent::Started { .. })));
             self.handle(event).await?;
         }
         Ok(())
@@ -305,6 +310,13 @@ impl Run {
         }
         for camera in std::mem::take(&mut self.cameras) {
             join(camera).await;
+        }
+        // What was asked for and not given any more is no trigger.
+        if self.is_burst_open
+            && safe.is_ok()
+            && let Err(error) = self.try_end_burst().await
+        {
+            tracing::warn!(%error, "the last burst could not be counted");
         }
         let rulings = self.pairing.finish();
         let ruled = self.apply(rulings).await;

@@ -43,23 +43,24 @@ impl Run {
         if self.log_failed {
             return Ok(None);
         }
-        let added = match self.journal.offer(entry, image) {
-            Ok(Offered::Taken(number)) => return Ok(number),
+        match self.journal.offer(entry, image) {
+            Ok(Offered::Taken(number)) => Ok(number),
             Ok(Offered::Full(record)) => self.wait_for_disk(record).await,
-            Err(error) => Err(error.into()),
-        };
-        // It is told once; what follows is the run's end.
-        self.log_failed = added.is_err();
-        added
+            Err(error) => {
+                // It is told once; what follows is the run's end.
+                self.log_failed = true;
+                Err(error.into())
+            }
+        }
     }
 
     /// Frames come faster than the disk takes them. Nothing is dropped: the burst ends, and the
     /// run waits.
     async fn wait_for_disk(&mut self, record: Record) -> Result<Option<u64>, AcquisitionError> {
-        if !self.broken_off {
-            tracing::warn!("the disk is slower than the cameras: the burst is broken off");
-            self.broken_off = true;
-            self.make_safe().await?;
+        let mut safe = Ok(());
+        if self.is_programmed {
+            tracing::warn!("the disk is slower than the cameras: the laser is made safe");
+            safe = self.break_off().await;
         }
         let journal = self.journal.clone();
         let added = journal.add(record);
@@ -68,12 +69,17 @@ impl Run {
         tokio::pin!(given_up);
         loop {
             tokio::select! {
-                added = &mut added => return Ok(added?),
+                added = &mut added => {
+                    self.log_failed = added.is_err();
+                    // A laser that is not safe matters more than a record that is kept.
+                    return safe.and(added.map_err(Into::into));
+                }
                 () = &mut given_up => break,
                 () = self.heartbeat.turn() => {}
             }
         }
-        Err(AcquisitionError::DiskHangs { seconds: DISK_PATIENCE.as_secs() })
+        self.log_failed = true;
+        safe.and(Err(AcquisitionError::DiskHangs { seconds: DISK_PATIENCE.as_secs() }))
     }
 
     /// Bytes that went over the synchroniser's line since.

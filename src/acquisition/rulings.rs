@@ -25,10 +25,11 @@ impl Run {
                 self.ledger.lock().streamed(camera, statistics);
                 let (at_ns, head) = (self.at_ns(), FrameHead::from(&frame));
                 let entry = Entry::Frame { at_ns, camera, frame: head, statistics };
-                self.note_frame(entry, &frame.image).await?;
+                // Even where it cannot be kept: what was delivered is paired and accounted for.
+                let noted = self.note_frame(entry, &frame.image).await;
                 self.pairing.underruns(camera, statistics.underruns);
                 let rulings = self.pairing.frame(camera, frame, self.time);
-                self.apply(rulings).await
+                noted.and(self.apply(rulings).await)
             }
             Some(CameraEvent::Stream { camera, connected, at, statistics }) => {
                 self.time_passes(at).await?;
@@ -67,6 +68,9 @@ impl Run {
                 }
                 Ruling::Withdrawn { trigger } => {
                     self.fired -= 1;
+                    for camera in &mut self.presence {
+                        camera.silent = camera.silent.saturating_sub(1);
+                    }
                     note(self.ledger.lock().withdraw(trigger));
                     self.note(Entry::Withdrawn { trigger }).await.map(|_| ())
                 }

@@ -55,6 +55,8 @@ pub const MAX_BURST: Duration = Duration::from_secs(5);
 pub trait BurstScript: Send + Sync {
     /// What the run loop should do when it has nothing else to do.
     fn next(&self) -> ScriptedBurst;
+    /// Whether the burst that runs was over by now, for whatever reason.
+    fn burst_is_over(&self) -> bool;
 }
 
 /// See [`BurstScript`].

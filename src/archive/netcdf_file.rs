@@ -153,6 +153,13 @@ impl NetCdfFile {
         Ok(self.path)
     }
 
+    /// Removes the file that was being written.
+    pub fn discard(self) -> Result<(), ArchiveError> {
+        let part = part_path(&self.path);
+        drop(self.file);
+        std::fs::remove_file(&part).map_err(ArchiveError::io("remove", part))
+    }
+
     fn with<R>(
         &mut self,
         action: impl FnOnce(&mut FileMut) -> netcdf::Result<R>,

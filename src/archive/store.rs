@@ -121,7 +121,11 @@ impl ResultStore {
             None => self.open_segment(shot, result)?,
         };
         let appended = segment.file.append(shot, result);
-        self.segment = Some(segment);
+        if appended.is_err() && segment.file.shots() == 0 {
+            segment.file.discard()?;
+        } else {
+            self.segment = Some(segment);
+        }
         appended?;
         self.write_for_paraview(shot, result)?;
         self.seal_if_due().map(|_| ())
@@ -160,12 +164,24 @@ impl ResultStore {
         self.seal().map(|_| ())
     }
 
+    /// A name by the first shot. There may be a sealed segment of it: one whose first shot could
+    /// not be stored, and later ones were.
+    fn unused_name(&self, shot: u64) -> PathBuf {
+        let named = |suffix: String| self.folder.join(format!("velocity_{shot:06}{suffix}.nc"));
+        let suffixes = (2..MAX_SUFFIX).map(|number| format!("_{number}"));
+        let mut names = std::iter::once(String::new()).chain(suffixes).map(named);
+        names.find(|path| !path.exists()).unwrap_or_else(|| named(String::new()))
+    }
+
     fn open_segment(&self, shot: u64, result: &PairResult) -> Result<Segment, ArchiveError> {
-        let path = self.folder.join(format!("velocity_{shot:06}.nc"));
+        let path = self.unused_name(shot);
         let file = VelocityFile::create(&path, &self.configuration, result)?;
         Ok(Segment { file, opened: Instant::now() })
     }
 }
+
+/// Longest search for a name; a segment is named anew only where its first shot was not stored.
+const MAX_SUFFIX: u32 = 1000;
 
 fn vti_name(shot: u64) -> String {
     format!("shot_{shot:06}.vti")

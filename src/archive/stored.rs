@@ -61,7 +61,8 @@ impl StoredResults {
 pub fn stored_vectors(folder: &Path) -> Result<BTreeMap<u64, Vec<u32>>, ArchiveError> {
     let mut vectors: BTreeMap<u64, Vec<u32>> = BTreeMap::new();
     for path in sealed_segments(folder)? {
-        for (record, shot) in shots_in(&path)?.into_iter().enumerate() {
+        for (record, shot) in records_of(&path)?.into_iter().enumerate() {
+            let Ok(shot) = u64::try_from(shot) else { continue };
             let bits = vectors_of(&path, record).map_err(unreadable(&path))?;
             vectors.insert(shot, bits);
         }
@@ -106,13 +107,19 @@ fn unreadable(path: &Path) -> impl FnOnce(netcdf::Error) -> ArchiveError {
     move |reason| ArchiveError::UnreadableResults { path: path.into(), reason }
 }
 
-/// Shot numbers of a segment, in the order in which they were stored.
+/// Shot numbers of a segment, in the order in which they were stored; a record that could not be
+/// written whole has none.
 fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
+    let records = records_of(path)?;
+    Ok(records.into_iter().filter_map(|shot| u64::try_from(shot).ok()).collect())
+}
+
+/// Shot numbers as they are in the file: below zero where a record was not written whole.
+fn records_of(path: &Path) -> Result<Vec<i64>, ArchiveError> {
     let read = || -> Result<Vec<i64>, netcdf::Error> {
         netcdf::open(path)?.variable("shot").ok_or_else(|| missing("shot"))?.get_values(..)
     };
-    let shots = read().map_err(unreadable(path))?;
-    Ok(shots.into_iter().filter_map(|shot| u64::try_from(shot).ok()).collect())
+    read().map_err(unreadable(path))
 }
 
 #[cfg(test)]

@@ -166,7 +166,6 @@ impl VelocityFile {
             return Err(ArchiveError::GridChanged { shot, path: self.file.path().into() });
         }
         let record = self.shots;
-        self.file.put_record("shot", record, &[shot as i64])?;
         self.file.put_record("raw_level", record, &[result.raw as i8])?;
         for (described, value_of) in &FIELDS {
             let values: Vec<f32> = (0..self.grid.len()).map(|i| value_of(field, i)).collect();
@@ -181,8 +180,15 @@ impl VelocityFile {
         for (described, value_of) in &SECONDS {
             self.file.put_record(described.name, record, &[value_of(&result.seconds)])?;
         }
+        // Last: a record that could not be written whole has no number, and counts as none.
+        self.file.put_record(SHOT.name, record, &[shot as i64])?;
         self.shots += 1;
         Ok(())
+    }
+
+    /// Gives the file up.
+    pub fn discard(self) -> Result<(), ArchiveError> {
+        self.file.discard()
     }
 
     /// Closes the file and gives it its final name.

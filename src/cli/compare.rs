@@ -9,7 +9,10 @@ use std::{
 use anyhow::{Context, bail};
 use serde_json::Value;
 
-use super::output::{count, print};
+use super::{
+    ledger_file::CUT_OFF,
+    output::{count, print},
+};
 use crate::archive::stored_vectors;
 
 /// Arguments of `lfpiv compare`.
@@ -39,7 +42,8 @@ pub fn compare_runs(args: &CompareArgs) -> anyhow::Result<()> {
 pub(super) struct Results {
     /// The bits of each shot's vectors.
     vectors: BTreeMap<u64, Vec<u32>>,
-    /// Each camera's counts; empty without a ledger, as a run that was killed.
+    /// Each camera's counts; empty for a run that was killed: what it had in hand then is
+    /// undecided in its record, and a replay decides it.
     accounts: Vec<BTreeMap<String, u64>>,
 }
 
@@ -78,7 +82,7 @@ pub(super) fn compare(then: &Results, now: &Results) -> anyhow::Result<()> {
     differ.extend(ledger_differences(then, now));
     if differ.is_empty() {
         return match then.accounts.len() {
-            0 => print("the recorded run has no ledger to compare"),
+            0 => print("the recorded run has no ledger of its own to compare: it was killed"),
             _ => print("the ledgers are the same"),
         };
     }
@@ -105,6 +109,9 @@ fn accounts(path: &Path) -> anyhow::Result<Vec<BTreeMap<String, u64>>> {
     let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let ledger: Value = serde_json::from_slice(&text)
         .with_context(|| format!("{} is no ledger", path.display()))?;
+    if ledger["error"] == CUT_OFF {
+        return Ok(Vec::new());
+    }
     let cameras = ledger["cameras"].as_array().cloned().unwrap_or_default();
     Ok(cameras.iter().map(account).collect())
 }

@@ -279,7 +279,12 @@ impl Daemon {
         };
         let worked = service.accompany(work).await;
         let recording = self.recording;
-        let recorded = unpanicked(tokio::task::spawn_blocking(|| recording.close())).await;
+        let (lock, closing) = recording.end();
+        let recorded = unpanicked(tokio::task::spawn_blocking(closing)).await;
+        let worked = match (worked, recorded.and_then(|closed| closed)) {
+            (Ok(_), Err(error)) => Err(error),
+            (worked, _) => worked,
+        };
         let written = write_ledger(&self.folder, &self.ledger.lock(), &self.board, &worked);
         self.state.set_phase(match &worked {
             Ok(_) => Phase::Finished,
@@ -288,8 +293,8 @@ impl Daemon {
         stop_server.cancel();
         end_server(server).await;
         let acquisition = worked?;
-        recorded??;
         written?;
+        drop(lock);
         let ledger = self.ledger.lock().clone();
         Ok(DaemonReport { folder: self.folder, acquisition, ledger })
     }

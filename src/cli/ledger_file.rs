@@ -1,16 +1,20 @@
 //! `ledger.json`: what became of every trigger of a run.
 
-use std::{io::Write, path::Path};
+use std::{collections::BTreeSet, fs, io::Write, path::Path};
 
 use anyhow::Context;
 use lfpiv_hw::device::StreamStatistics;
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::{
-    acquisition::{Account, AcquisitionReport, Ledger, TriggerEntry},
+    acquisition::{Account, AcquisitionReport, Ledger, TriggerEntry, journal::RunEnd},
     archive::write_replacing,
     pipeline::{Board, ShotRecord, Stage},
 };
+
+/// The file's name in the run's folder.
+const NAME: &str = "ledger.json";
 
 #[derive(Serialize)]
 struct LedgerFile<'a> {
@@ -31,42 +35,59 @@ struct LedgerFile<'a> {
     without_result: Vec<ShotRecord>,
 }
 
-/// What was measured after the run.
-pub(super) struct ProcessedLater {
-    /// Whether the run came to its end; otherwise it was killed.
-    pub ended: bool,
-    /// The shots.
-    pub shots: Vec<u64>,
-}
-
+/// The ledger of a run that had no time to write it.
 #[derive(Serialize)]
 struct RecoveredLedgerFile<'a> {
     code_version: &'static str,
-    error: Option<&'static str>,
+    error: Option<&'a str>,
     balanced: bool,
     cameras: &'a [Account],
     streams: &'a [StreamStatistics],
     exceptions: Vec<&'a TriggerEntry>,
-    /// Shots that gave no result in the run and have one now.
-    processed_later: &'a [u64],
 }
 
-/// Writes `ledger.json` again, from the run's record.
+/// Says in a ledger that it is not the run's own.
+pub(super) const CUT_OFF: &str = "the run was cut off; this is made from its record";
+
+/// Whether the run in `folder` has a ledger.
+pub(super) fn has_ledger(folder: &Path) -> bool {
+    folder.join(NAME).exists()
+}
+
+/// Writes the ledger of a run from its record; `end` is absent for one that was killed.
 pub(super) fn write_recovered_ledger(
     folder: &Path,
     ledger: &Ledger,
-    later: &ProcessedLater,
+    end: Option<&RunEnd>,
 ) -> anyhow::Result<()> {
     let file = RecoveredLedgerFile {
         code_version: env!("CARGO_PKG_VERSION"),
-        error: (!later.ended).then_some("the run was cut off; this is made from its record"),
+        error: end.map_or(Some(CUT_OFF), |end| end.error.as_deref()),
         balanced: ledger.is_balanced(),
         cameras: ledger.accounts(),
         streams: ledger.streams(),
         exceptions: ledger.entries().filter(is_odd).collect(),
-        processed_later: &later.shots,
     };
     write_json(folder, &file)
+}
+
+/// Notes in the ledger which shots gave no result in the run and have one now. What the run
+/// itself came to stays as it was written.
+pub(super) fn note_processed_later(folder: &Path, measured: &BTreeSet<u64>) -> anyhow::Result<()> {
+    let path = folder.join(NAME);
+    let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let mut ledger: Value = serde_json::from_slice(&text)
+        .with_context(|| format!("{} is no ledger", path.display()))?;
+    let shed = |entry: &&Value| {
+        entry["cameras"].as_array().is_some_and(|cameras| cameras.iter().all(|of| of == "shed"))
+    };
+    let exceptions = ledger["exceptions"].as_array().into_iter().flatten().filter(shed);
+    let later: Vec<u64> = exceptions
+        .filter_map(|entry| entry["trigger"].as_u64())
+        .filter(|shot| measured.contains(shot))
+        .collect();
+    ledger["processed_later"] = later.into();
+    write_json(folder, &ledger)
 }
 
 fn is_odd(entry: &&TriggerEntry) -> bool {
@@ -75,7 +96,7 @@ fn is_odd(entry: &&TriggerEntry) -> bool {
 
 fn write_json(folder: &Path, file: &impl Serialize) -> anyhow::Result<()> {
     let text = serde_json::to_vec_pretty(file).context("the ledger cannot be written as JSON")?;
-    write_replacing(&folder.join("ledger.json"), |writer| writer.write_all(&text))?;
+    write_replacing(&folder.join(NAME), |writer| writer.write_all(&text))?;
     Ok(())
 }
 

@@ -30,6 +30,7 @@ mod replay;
 mod run;
 mod run_folder;
 mod run_info;
+mod run_processor;
 mod service;
 mod sim_bench;
 mod simulate;

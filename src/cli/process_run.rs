@@ -1,23 +1,25 @@
 //! `lfpiv process RUN`: measures the shots of a recorded run that have no result yet.
 //!
 //! The run may have shed them, or been killed. Raw log first: what a crash has left half-written
-//! is cut off, and said. Then the results: whole segments stay, no shot is measured twice. The
-//! ledger is written last, made again from the record.
+//! is cut off, and said. Then the ledger, made from the record where the run had no time to write it.
+//! Then the results: whole segments stay, no shot is measured twice.
 
 use std::path::Path;
 
 use anyhow::{Context, bail};
 
 use super::{
-    ledger_file::{ProcessedLater, write_recovered_ledger},
+    ledger_file::{has_ledger, note_processed_later, write_recovered_ledger},
     output::{count, print, progress_bar},
     recording::RunLock,
+    run_processor::run_processor,
 };
 use crate::{
     acquisition::journal::{RAW_FOLDER, RecordedRun, RecordedShot, RunIndex, ledger_of},
     archive::{ResultStore, StoredResults, recover},
     config::Config,
-    lightfield::{Background, RawLevel},
+    lightfield::RawLevel,
+    model::ModelMode,
     pipeline::{PairResult, Processor},
 };
 
@@ -45,6 +47,12 @@ pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
     }
     let missing: Vec<&RecordedShot> =
         index.shots.values().filter(|shot| !stored.shots.contains(&shot.trigger)).collect();
+    // First: whatever happens to the results, it says what the run itself came to.
+    if !has_ledger(folder) {
+        let ledger =
+            ledger_of(&recorded, &stored.shots).context("the record contradicts itself")?;
+        write_recovered_ledger(folder, &ledger, index.end.as_ref())?;
+    }
     let mut finished = Finished::default();
     if missing.is_empty() {
         store.close()?;
@@ -52,9 +60,7 @@ pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
         finished = measure(&recorded, &index, &stored, &missing, store)?;
     }
     let measured = StoredResults::find(folder)?.shots;
-    let ledger = ledger_of(&recorded, &stored.shots).context("the record contradicts itself")?;
-    let later = ProcessedLater { ended: index.ended, shots: finished.measured };
-    write_recovered_ledger(folder, &ledger, &later)?;
+    note_processed_later(folder, &measured)?;
     let (had, now) = (stored.shots.len(), measured.len());
     print(&format!(
         "{}: {} recorded, {had} had a result, {now} have one now",
@@ -75,7 +81,6 @@ pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
 /// What came of the shots that had no result.
 #[derive(Debug, Default)]
 struct Finished {
-    measured: Vec<u64>,
     failed: Vec<String>,
 }
 
@@ -94,7 +99,6 @@ fn measure(
         match measure_one(&processor, recorded, shot) {
             Ok(result) => {
                 store.append(shot.trigger, &result)?;
-                finished.measured.push(shot.trigger);
             }
             Err(error) => finished.failed.push(format!("shot {}: {error:#}", shot.trigger)),
         }
@@ -112,15 +116,19 @@ fn prepare(
     index: &RunIndex,
     stored: &StoredResults,
 ) -> anyhow::Result<Processor> {
-    let mut processor =
-        Processor::new(config.measurement()).context("the run cannot be measured")?;
-    if config.image.background != Background::Constant {
-        for shot in index.shots.values() {
-            processor.learn_background(&recorded.pair(shot)?)?;
-        }
+    let processor = run_processor(config)?;
+    if config.model.mode == ModelMode::Explicit {
+        return Ok(processor);
     }
-    if let Some(first) = stored.first.and_then(|first| index.shots.get(&first)) {
-        processor.process(recorded.pair(first)?)?;
+    let candidates = stored.first.iter().chain(&stored.shots);
+    for shot in candidates.filter_map(|number| index.shots.get(number)) {
+        match recorded.pair(shot) {
+            Ok(pair) => {
+                processor.process(pair)?;
+                break;
+            }
+            Err(error) => tracing::warn!("{error}: another shot decides the forward model"),
+        }
     }
     Ok(processor)
 }

@@ -20,7 +20,7 @@ use crate::{
 pub(super) struct Recording {
     pub journal: Journal,
     writer: Option<RawLogWriter>,
-    _lock: RunLock,
+    lock: RunLock,
 }
 
 impl Recording {
@@ -32,7 +32,7 @@ impl Recording {
     ) -> anyhow::Result<Self> {
         let lock = RunLock::take(folder)?;
         let Some(settings) = plan.raw_log.as_ref().filter(|settings| settings.keep) else {
-            return Ok(Self { journal: Journal::none(), writer: None, _lock: lock });
+            return Ok(Self { journal: Journal::none(), writer: None, lock });
         };
         let description = Description {
             journal_version: JOURNAL_VERSION,
@@ -44,15 +44,18 @@ impl Recording {
         let description =
             serde_json::to_vec(&description).context("the run cannot be described")?;
         let (log, writer) = RawLog::create(&folder.join(RAW_FOLDER), &description, settings)?;
-        Ok(Self { journal: Journal::new(log), writer: Some(writer), _lock: lock })
+        Ok(Self { journal: Journal::new(log), writer: Some(writer), lock })
     }
 
-    /// Everything to the disk, and the last segment sealed. Blocks.
-    pub fn close(self) -> anyhow::Result<()> {
-        if let Some(writer) = self.writer {
-            writer.close().context("the raw log could not be closed")?;
-        }
-        Ok(())
+    /// What brings everything to the disk and seals the last segment, blocking; and the run's
+    /// lock, to be held until its last file is written.
+    pub fn end(self) -> (RunLock, impl FnOnce() -> anyhow::Result<()> + Send + 'static) {
+        let Self { writer, lock, .. } = self;
+        let close = move || match writer {
+            Some(writer) => writer.close().map(|_| ()).context("the raw log could not be closed"),
+            None => Ok(()),
+        };
+        (lock, close)
     }
 }
 

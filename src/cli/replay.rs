@@ -15,6 +15,7 @@ use super::{
     compare::{Results, compare},
     daemon::{Daemon, DaemonPlan, RunScript},
     output::print,
+    run_processor::run_processor,
     stop::stop_on_signals,
 };
 use crate::{
@@ -23,7 +24,6 @@ use crate::{
         replay::{Replay, Speed, replay},
     },
     config::{Config, ConfigFile},
-    pipeline::Processor,
 };
 
 /// Arguments of `lfpiv replay`.
@@ -71,7 +71,7 @@ async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Resu
     config.output.dir.clone_from(&args.out);
     config.server.address =
         args.address.unwrap_or_else(|| SocketAddr::from((Ipv4Addr::LOCALHOST, 0)));
-    let measurement = config.measurement();
+    let measured = config.clone();
     let path = args.run.join("configuration.toml");
     let plan = DaemonPlan {
         file: ConfigFile { path, text: description.configuration, config },
@@ -85,7 +85,7 @@ async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Resu
     let longest_burst = usize::try_from(longest_burst).unwrap_or(usize::MAX);
     daemon.follow(RunScript { clock, bursts, stop: acquired, longest_burst });
     let processor = move || {
-        let processor = Processor::new(measurement).context("this cannot be measured")?;
+        let processor = run_processor(&measured)?;
         Ok(move |pair: &_| processor.process(pair))
     };
     let bench = match faults {

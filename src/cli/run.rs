@@ -12,12 +12,13 @@ use super::{
     demo_table::{Row, stream_table, table},
     instruments,
     output::{print, progress_bar},
+    run_processor::run_processor,
     stop::stop_on_signals,
 };
 use crate::{
     acquisition::{Bench, Mode, OverloadPolicy},
     config::{Config, ConfigFile},
-    pipeline::{Observer, Processor, Stage},
+    pipeline::{Observer, Stage},
 };
 
 /// Arguments of `lfpiv run`.
@@ -91,7 +92,7 @@ fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Benc
 
 async fn run_bench(plan: DaemonPlan, bench: Bench, truth: Option<Flow>) -> anyhow::Result<()> {
     let shots = plan.shots;
-    let measurement = plan.file.config.measurement();
+    let config = plan.file.config.clone();
     let has_instruments = plan.file.config.instruments.is_some();
     let stop = stop_on_signals("the last results may be left as .part files")?;
     let daemon = Daemon::prepare(plan).await?;
@@ -102,7 +103,7 @@ async fn run_bench(plan: DaemonPlan, bench: Bench, truth: Option<Flow>) -> anyho
     let bar = shots.map(|shots| progress_bar(shots.get() as usize, "shots"));
     let observer = observer(truth, shots.is_some().then(|| rows.clone()), bar.clone());
     let processor = move || {
-        let processor = Processor::new(measurement).context("this cannot be measured")?;
+        let processor = run_processor(&config)?;
         Ok(move |pair: &_| processor.process_with_light(pair))
     };
     let ended = daemon.run(bench, processor, observer, stop.clone()).await;

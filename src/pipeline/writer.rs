@@ -2,7 +2,10 @@
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
-    sync::{Arc, mpsc::Receiver},
+    sync::{
+        Arc,
+        mpsc::{Receiver, RecvTimeoutError},
+    },
     time::Duration,
 };
 
@@ -14,12 +17,19 @@ use crate::{
     archive::{ArchiveError, ResultStore},
 };
 
+/// Silence after which the sink may tidy up.
+const PAUSE: Duration = Duration::from_secs(1);
+
 /// Where results are kept.
 pub trait ResultSink: Send + 'static {
     /// Why a result cannot be kept.
     type Error: std::error::Error;
     /// Keeps the result of one shot.
     fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), Self::Error>;
+    /// Called when nothing has come for a while.
+    fn idle(&mut self) -> Result<(), Self::Error> {
+        Ok(())
+    }
     /// Seals what was kept.
     fn close(self) -> Result<(), Self::Error>;
 }
@@ -29,6 +39,10 @@ impl ResultSink for ResultStore {
 
     fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
         Self::append(self, shot, result)
+    }
+
+    fn idle(&mut self) -> Result<(), ArchiveError> {
+        self.seal_if_due().map(|_| ())
     }
 
     fn close(self) -> Result<(), ArchiveError> {
@@ -62,27 +76,43 @@ impl<S: ResultSink> Writer<S> {
     /// Writes until every worker is gone; the error is that of closing.
     pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
         let heartbeat = self.links.board.writing().clone();
-        for Finished { shot, due, result, worker } in inbox {
-            heartbeat.beat();
-            let ended = catch_unwind(AssertUnwindSafe(|| match result {
-                Ok(mut result) => {
-                    if let Some(light) = result.light.take() {
-                        self.links.board.gallery().show_light(shot, light);
-                    }
-                    self.write(shot, due, result);
+        loop {
+            match inbox.recv_timeout(PAUSE) {
+                Ok(finished) => {
+                    heartbeat.beat();
+                    self.take(finished);
                 }
-                Err(message) => self.fail(shot, message),
-            }));
-            if let Err(panic) = ended {
-                self.end_after_panic(shot, &panic_message(panic.as_ref()));
+                Err(RecvTimeoutError::Timeout) => {
+                    heartbeat.beat();
+                    if let Err(error) = self.sink.idle() {
+                        tracing::error!(%error, "results may not be on disk");
+                    }
+                }
+                Err(RecvTimeoutError::Disconnected) => break,
             }
             heartbeat.rest();
-            drop(worker);
         }
         heartbeat.beat();
         let closed = self.sink.close().map_err(|error| error.to_string());
         heartbeat.rest();
         closed
+    }
+
+    fn take(&mut self, finished: Finished) {
+        let Finished { shot, due, result, worker } = finished;
+        let ended = catch_unwind(AssertUnwindSafe(|| match result {
+            Ok(mut result) => {
+                if let Some(light) = result.light.take() {
+                    self.links.board.gallery().show_light(shot, light);
+                }
+                self.write(shot, due, result);
+            }
+            Err(message) => self.fail(shot, message),
+        }));
+        if let Err(panic) = ended {
+            self.end_after_panic(shot, &panic_message(panic.as_ref()));
+        }
+        drop(worker);
     }
 
     /// A panic while writing costs the shot its file, not the run its conservation law.

@@ -107,6 +107,14 @@ struct ControlEvent<'a> {
     state: ControlState,
 }
 
+/// The event of a request that was refused.
+#[derive(Debug, Serialize)]
+struct RefusedEvent<'a> {
+    #[serde(flatten)]
+    command: &'a Command,
+    refused: &'a [String],
+}
+
 /// What can be controlled and how it stands.
 #[utoipa::path(get, path = "/api/v1/control", tag = "control",
     responses((status = 200, body = ControlView)))]
@@ -241,7 +249,11 @@ impl Asker {
                     let event = ControlEvent { command: &command, state: state.clone() };
                     run.board.events().publish(EventKind::Control, &event);
                 }
-                Err(refusal) => tracing::warn!(%peer, ?command, ?refusal, "refused"),
+                Err(refusal) => {
+                    tracing::warn!(%peer, ?command, ?refusal, "refused");
+                    let event = RefusedEvent { command: &command, refused: &refusal.reasons };
+                    run.board.events().publish(EventKind::Control, &event);
+                }
             }
             answer
         });

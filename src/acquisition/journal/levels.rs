@@ -6,6 +6,9 @@ use serde::Serialize;
 
 use crate::{archive::Watermarks, lightfield::RawLevel};
 
+/// In the place of a record's number: there is none, although there should be.
+pub(super) const LOST: u64 = u64::MAX;
+
 /// Shots remembered one by one.
 const REMEMBERED: usize = 10_000;
 
@@ -45,6 +48,7 @@ impl Levels {
 
     pub fn level(&self, shot: u64, marks: Watermarks, failed: bool) -> RawLevel {
         match self.shots.iter().rev().find(|(number, _)| *number == shot) {
+            Some((_, LOST)) => RawLevel::Lost,
             Some((_, record)) if *record < marks.synced => RawLevel::Synced,
             Some((_, record)) if *record < marks.written => RawLevel::Written,
             Some(_) if failed => RawLevel::Lost,

@@ -18,10 +18,12 @@ use parking_lot::Mutex;
 
 pub use books::ledger as ledger_of;
 pub use entry::{Description, Entry, FrameHead, FrameKey, JOURNAL_VERSION};
-use levels::Levels;
 pub use levels::ShotMarks;
+use levels::{LOST, Levels};
 pub use places::FramePlaces;
-pub use recorded::{Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunIndex};
+pub use recorded::{
+    Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunEnd, RunIndex,
+};
 
 use crate::{
     archive::{AppendError, RawLog, RawLogError, Record},
@@ -83,7 +85,9 @@ impl Journal {
 
     /// A shot is paired, and the record that says so has this number: its frames lie before it.
     pub(super) fn paired(&self, shot: u64, number: Option<u64>) {
-        self.levels.lock().paired(shot, number);
+        // A shot that found the log failed is lost to it.
+        let lost = self.log.is_some().then_some(LOST);
+        self.levels.lock().paired(shot, number.or(lost));
     }
 
     /// How safe the raw data of a shot is now.

@@ -31,7 +31,8 @@ impl FramePlaces {
     /// Frames a and b of each camera of a shot; `None` where the record has no such shot (yet), or
     /// it is long past. Reads on where the last look ended.
     pub fn of(&mut self, shot: u64) -> Option<&[[Position; 2]]> {
-        for placed in iter::from_fn(|| self.entries.next()).flatten() {
+        // A log that cannot be read on is looked at again with the next question.
+        for placed in iter::from_fn(|| self.entries.next()?.ok()) {
             if let Some(Ok(found)) = self.finder.take(placed) {
                 self.shots.insert(found.trigger, found);
                 if self.shots.len() > REMEMBERED {

@@ -68,13 +68,20 @@ pub struct RecordedShot {
     pub suspect: Vec<String>,
 }
 
+/// The end of a run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RunEnd {
+    /// What ended it before its time.
+    pub error: Option<String>,
+}
+
 /// What a run holds.
 #[derive(Debug, Clone, Default)]
 pub struct RunIndex {
     /// Its shots by number.
     pub shots: BTreeMap<u64, RecordedShot>,
-    /// Whether the record has an end; a run that was killed has none.
-    pub ended: bool,
+    /// How the run ended; a run that was killed has no end.
+    pub end: Option<RunEnd>,
     /// What is damaged in the log, in words.
     pub damaged: Vec<String>,
 }
@@ -125,7 +132,9 @@ impl RecordedRun {
         for item in self.entries() {
             match item {
                 Ok(placed) => {
-                    index.ended |= matches!(placed.entry, Entry::Ended { .. });
+                    if let Entry::Ended { error, .. } = &placed.entry {
+                        index.end = Some(RunEnd { error: error.clone() });
+                    }
                     match finder.take(placed) {
                         Some(Ok(shot)) => drop(index.shots.insert(shot.trigger, shot)),
                         Some(Err(trigger)) => {

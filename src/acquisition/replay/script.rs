@@ -39,8 +39,9 @@ pub enum Speed {
 const LOOK: Duration = Duration::from_millis(1);
 /// How far the clock goes on in that time while only the run loop can act, in ns.
 const LOOK_AHEAD_NS: u64 = 20_000_000;
-/// For so long the run loop may let a step of its own wait before the clock goes on beyond it.
-const STALLED: Duration = Duration::from_millis(200);
+/// For so long the run loop may let a step of its own wait before the clock goes on beyond it:
+/// longer than the run loop takes for a turn.
+const STALLED: Duration = Duration::from_secs(1);
 
 #[derive(Debug, Clone)]
 enum Step {
@@ -124,6 +125,8 @@ struct State {
     moved: Instant,
     /// Triggers that the unit has given, as far as the steps taken say.
     given: u64,
+    /// Triggers that it was asked for.
+    fired: u64,
 }
 
 /// What a camera gets from its turn.
@@ -152,7 +155,7 @@ impl Script {
         for placed in recorded.entries() {
             steps.extend(Step::of(placed?, &mut schedule));
         }
-        let state = State { next: 0, moved: Instant::now(), given: 0 };
+        let state = State { next: 0, moved: Instant::now(), given: 0, fired: 0 };
         Ok(Self {
             recorded,
             steps,
@@ -222,7 +225,11 @@ impl Script {
                 false
             }
             Some(_) => true,
-            None => false,
+            None => {
+                // The record breaks off: what was fired is taken for given.
+                state.given = state.fired;
+                false
+            }
         }
     }
 
@@ -236,6 +243,7 @@ impl Script {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
             Some(Step::Fired { shots: recorded, .. }) if *recorded == shots => {
+                state.fired += shots;
                 self.advance(&mut state);
                 Ok(())
             }
@@ -290,9 +298,11 @@ impl Script {
 
 impl BurstScript for Script {
     fn next(&self) -> ScriptedBurst {
-        let state = self.state.lock();
+        let mut state = self.state.lock();
         match self.steps.get(state.next) {
             Some(Step::Fired { shots, schedule, at_ns }) => {
+                // The run loop is here: it may have to wait for room, and time must not pass for it.
+                state.moved = Instant::now();
                 if !self.is_due(&self.steps[state.next]) {
                     return ScriptedBurst::NotYet;
                 }
@@ -301,6 +311,15 @@ impl BurstScript for Script {
             }
             Some(_) => ScriptedBurst::NotYet,
             None => ScriptedBurst::Over,
+        }
+    }
+
+    fn burst_is_over(&self) -> bool {
+        let state = self.state.lock();
+        match self.steps.get(state.next) {
+            Some(Step::BurstEnded { at_ns, .. }) => self.clock.now_ns() >= *at_ns,
+            Some(_) => false,
+            None => true,
         }
     }
 }
