@@ -1,10 +1,6 @@
 //! `/api/v1/shots/{shot}/frames`: raw frames to look at.
 
-use axum::{
-    extract::State,
-    http::{HeaderMap, HeaderName, HeaderValue},
-    response::Response,
-};
+use axum::{extract::State, http::HeaderMap, response::Response};
 use lfpiv_hw::RawImage;
 use serde::Deserialize;
 use utoipa::IntoParams;
@@ -14,7 +10,7 @@ use super::{
     app::App,
     bytes::{ETag, unchanging},
     extract::{Arguments, Params, frame_index, shot_number},
-    preview::{Grey, Preview},
+    preview::{Grey, PNG, made},
 };
 use crate::pipeline::Board;
 
@@ -22,8 +18,6 @@ use crate::pipeline::Board;
 const DEFAULT_WIDTH: usize = 640;
 /// Least and greatest width that may be asked for, in pixels.
 const WIDTHS: std::ops::RangeInclusive<usize> = 16..=8192;
-/// The media type of previews.
-pub(super) const PNG: &str = "image/png";
 
 /// Where raw frames come from.
 pub trait FrameSource: Send + Sync + 'static {
@@ -81,18 +75,13 @@ pub(super) async fn preview(
     let run = app.run.board.events().run();
     let tag = ETag::new(run, &format!("frame-{shot}-{camera}-{half}-{width}"));
     unchanging(&headers, &tag, PNG, || async {
-        let (frames, white) = (app.run.frames.clone(), tokio::sync::oneshot::channel());
-        let (tell_white, white) = white;
+        let frames = app.run.frames.clone();
         let known = app.run.ledger.lock().entry(shot).is_some();
-        let png = app.work.make(width * width * 4, move || {
+        let preview = move || {
             let image = frames.frame(shot, camera, half).ok_or_else(|| absent(shot, known))?;
-            let Preview { png, white } = Grey::of(&image, width).preview()?;
-            // The receiver waits for it.
-            let _ = tell_white.send(white);
-            Ok(png)
-        });
-        let png = png.await?;
-        Ok((png, white_header(white.await.unwrap_or_default())))
+            Grey::of(&image, width).preview()
+        };
+        made(&app.work, width * width * 4, preview).await
     })
     .await
 }
@@ -105,16 +94,6 @@ pub(super) enum FrameImage {
     A,
     #[serde(rename = "b.png")]
     B,
-}
-
-/// What the white of an image stands for.
-pub(super) fn white_header(white: f32) -> HeaderMap {
-    let mut headers = HeaderMap::new();
-    // A number is a valid value.
-    if let Ok(white) = HeaderValue::from_str(&white.to_string()) {
-        headers.insert(HeaderName::from_static("lfpiv-white"), white);
-    }
-    headers
 }
 
 fn camera_index(text: &str, cameras: usize) -> Result<usize, ApiError> {

@@ -8,8 +8,7 @@ use super::{
     binary,
     bytes::{ETag, unchanging},
     extract::{Params, frame_index},
-    frames::{PNG, white_header},
-    preview::{Grey, Preview},
+    preview::{Grey, PNG, made},
     results::{self, resolved},
 };
 use crate::{
@@ -78,15 +77,8 @@ pub(super) async fn projection(
     };
     unchanging(&headers, &tag, PNG, || async {
         let pixels = projections[frame][plane].intensity.len();
-        let (tell_white, white) = tokio::sync::oneshot::channel();
-        let png = app.work.make(pixels * size_of::<f32>(), move || {
-            let Preview { png, white } = upright(&projections[frame][plane]).preview()?;
-            // The receiver waits for it.
-            let _ = tell_white.send(white);
-            Ok(png)
-        });
-        let png = png.await?;
-        Ok((png, white_header(white.await.unwrap_or_default())))
+        let preview = move || upright(&projections[frame][plane]).preview();
+        made(&app.work, pixels * size_of::<f32>(), preview).await
     })
     .await
 }

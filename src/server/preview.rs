@@ -1,9 +1,14 @@
 //! Images to look at: made smaller by area mean, scaled to eight bit, as PNG.
 
+use axum::{
+    body::Bytes,
+    http::{HeaderMap, HeaderName, HeaderValue},
+};
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use lfpiv_hw::RawImage;
+use tokio::sync::oneshot;
 
-use super::ApiError;
+use super::{ApiError, work::Work};
 
 /// This share of the pixels is not brighter than white; a few hot ones must not darken all others.
 const WHITE_PERCENTILE: f64 = 0.999;
@@ -22,6 +27,36 @@ pub(super) struct Grey {
 pub(super) struct Preview {
     pub png: Vec<u8>,
     pub white: f32,
+}
+
+/// The media type of previews.
+pub(super) const PNG: &str = "image/png";
+
+/// Makes a preview, as one of the large answers: the PNG, and the header that tells its white.
+pub(super) async fn made(
+    work: &Work,
+    bytes: usize,
+    preview: impl FnOnce() -> Result<Preview, ApiError> + Send + 'static,
+) -> Result<(Bytes, HeaderMap), ApiError> {
+    let (tell_white, white) = oneshot::channel();
+    let png = work.make(bytes, move || {
+        let Preview { png, white } = preview()?;
+        // The receiver waits for it.
+        let _ = tell_white.send(white);
+        Ok(png)
+    });
+    let png = png.await?;
+    Ok((png, white_header(white.await.unwrap_or_default())))
+}
+
+/// What the white of an image stands for.
+fn white_header(white: f32) -> HeaderMap {
+    let mut headers = HeaderMap::new();
+    // A number is a valid value.
+    if let Ok(white) = HeaderValue::from_str(&white.to_string()) {
+        headers.insert(HeaderName::from_static("lfpiv-white"), white);
+    }
+    headers
 }
 
 impl Grey {
