@@ -18,6 +18,7 @@ mod http;
 mod limits;
 mod measured;
 mod previews;
+mod replayed;
 mod run;
 mod schema;
 mod security;

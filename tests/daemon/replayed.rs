@@ -1,0 +1,131 @@
+//! A run with every fault of its cameras, played again: the same verdict on every trigger, although
+//! frames came late then, and come when they are asked for now.
+
+use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
+
+use lfpiv::{
+    acquisition::{
+        AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Journal, Ledger, Outcome,
+        OverloadPolicy, acquire,
+        journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
+        replay::{Replay, Speed, replay},
+        shot_queue,
+    },
+    archive::{RawLog, RawLogSettings},
+};
+use lfpiv_hw::device::Camera;
+use lfpiv_sim::faults::{CameraFaults, FaultSettings, FaultyCamera, FrameShares};
+use parking_lot::Mutex;
+use tokio_util::sync::CancellationToken;
+
+use crate::{
+    acquisition::settings,
+    bench::{bench, configuration},
+};
+
+const SHOTS: u64 = 40;
+const PATIENCE: Duration = Duration::from_millis(700);
+
+fn faulty_bench(faults: &FaultSettings) -> Bench {
+    let (mut bench, _) = bench(&configuration(Path::new("unused")), &[]);
+    let wrap = |(index, camera): (usize, Box<dyn Camera>)| {
+        Box::new(FaultyCamera::new(camera, index, faults)) as Box<dyn Camera>
+    };
+    bench.cameras = bench.cameras.into_iter().enumerate().map(wrap).collect();
+    bench
+}
+
+/// Takes shots; the pool takes so long over each.
+async fn take(
+    bench: Bench,
+    settings: AcquisitionSettings,
+    queue: usize,
+    pool: Duration,
+    equip: impl FnOnce(AcquisitionLinks) -> AcquisitionLinks,
+) -> (AcquisitionReport, Ledger) {
+    let ledger = Arc::new(Mutex::new(Ledger::new(2)));
+    let (sender, mut receiver) = shot_queue(queue);
+    let links = equip(AcquisitionLinks::new(ledger.clone(), sender, CancellationToken::new()));
+    let acquiring = tokio::spawn(acquire(bench, settings, links));
+    while let Some(shot) = receiver.recv().await {
+        tokio::time::sleep(pool).await;
+        ledger.lock().settle_all(shot.trigger, Outcome::Complete).unwrap();
+    }
+    let report = acquiring.await.unwrap().unwrap();
+    let ledger = ledger.lock().clone();
+    assert!(ledger.is_balanced());
+    (report, ledger)
+}
+
+fn outcomes(ledger: &Ledger) -> Vec<(u64, Vec<Option<Outcome>>)> {
+    ledger.entries().map(|entry| (entry.trigger, entry.cameras.clone())).collect()
+}
+
+async fn record(run: &Path, faults: &FaultSettings) -> (AcquisitionReport, Ledger) {
+    let description = Description {
+        journal_version: JOURNAL_VERSION,
+        code_version: String::new(),
+        cameras: 2,
+        patience_ns: PATIENCE.as_nanos() as u64,
+        configuration: String::new(),
+    };
+    let description = serde_json::to_vec(&description).unwrap();
+    let raw = RawLogSettings::default();
+    let (log, writer) = RawLog::create(&run.join(RAW_FOLDER), &description, &raw).unwrap();
+    let settings =
+        AcquisitionSettings { patience: PATIENCE, ..settings(SHOTS, OverloadPolicy::Shed) };
+    let journal = Journal::new(log);
+    let taken = take(faulty_bench(faults), settings, SHOTS as usize, Duration::ZERO, |links| {
+        AcquisitionLinks { journal, ..links }
+    })
+    .await;
+    tokio::task::spawn_blocking(|| writer.close()).await.unwrap().unwrap();
+    taken
+}
+
+async fn play(run: &Path, pool: Duration) -> (AcquisitionReport, Ledger) {
+    let stop = CancellationToken::new();
+    let Replay { bench, clock, bursts, longest_burst, .. } =
+        replay(run, Speed::Max, stop.clone()).unwrap();
+    let settings = AcquisitionSettings {
+        patience: PATIENCE,
+        shots: None::<NonZeroU64>,
+        ..settings(1, OverloadPolicy::Wait)
+    };
+    take(bench, settings, longest_burst as usize, pool, |links| AcquisitionLinks {
+        clock,
+        bursts: Some(bursts),
+        stop,
+        ..links
+    })
+    .await
+}
+
+#[tokio::test]
+async fn every_trigger_ends_as_it_did() {
+    let shares = FrameShares {
+        dropped: 0.02,
+        late: 0.04,
+        reordered: 0.02,
+        duplicated: 0.02,
+        truncated: 0.02,
+        missed_trigger: 0.02,
+        ..FrameShares::default()
+    };
+    let camera = CameraFaults { shares, late_ms: 1000, ..CameraFaults::default() };
+    let mut late = 0;
+    for seed in [3, 4] {
+        let faults = FaultSettings { seed, camera: camera.clone(), ..FaultSettings::default() };
+        let root = tempfile::tempdir().unwrap();
+        let (report, ledger) = record(root.path(), &faults).await;
+        // A pool that is slow, and one that is not: the replay's clock must not care.
+        for pool in [Duration::ZERO, Duration::from_millis(60)] {
+            let (again, replayed) = play(root.path(), pool).await;
+            assert_eq!(outcomes(&replayed), outcomes(&ledger), "seed {seed}, {pool:?}");
+            assert_eq!((again.triggers, again.frames), (report.triggers, report.frames));
+        }
+        let accounts = ledger.accounts().iter();
+        late += accounts.map(|account| account.outcomes.of(Outcome::Late)).sum::<u64>();
+    }
+    assert!(late > 0, "no frame was late: the test says nothing about time");
+}
