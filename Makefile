@@ -76,9 +76,9 @@ lint: packages components
 test-rust: packages network-tools
 	cargo test --workspace --locked
 
-# Reads what the binary of the Rust tests writes.
+# Reads what the binary of the Rust tests writes: built as they build it, or all would be built anew.
 test-readers: packages readers
-	cargo build --locked
+	cargo test --locked --no-run --test run_command
 	LFPIV=target/debug/lfpiv .venv/bin/python -m pytest --quiet tests/readers
 
 clean:
