@@ -105,7 +105,23 @@ impl Running {
     pub fn kill(mut self) -> PathBuf {
         self.child.kill().expect("a running daemon");
         self.child.wait().expect("its end");
-        self.folder
+        self.folder.clone()
+    }
+
+    /// Asks it to stop, and waits until it has.
+    pub fn terminate(mut self) -> PathBuf {
+        let terminate = format!("kill -TERM {}", self.child.id());
+        assert!(Command::new("sh").args(["-c", &terminate]).status().expect("sh").success());
+        assert!(self.child.wait().expect("its end").success());
+        self.folder.clone()
+    }
+}
+
+/// A test that fails leaves no daemon behind.
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
     }
 }
 

@@ -19,10 +19,7 @@ fn what_was_shed_is_measured_later() {
     fs::write(&config, slow).unwrap();
     let running = Running::start(&config, &[]);
     running.wait_until(|status| status["shots"]["shed"].as_u64() > Some(3));
-    let terminate = format!("kill -TERM {}", running.child.id());
-    assert!(std::process::Command::new("sh").args(["-c", &terminate]).status().unwrap().success());
-    let Running { mut child, folder, .. } = running;
-    assert!(child.wait().unwrap().success());
+    let folder = running.terminate();
 
     let recorded: BTreeSet<u64> = images(&folder).into_iter().map(|(shot, _)| shot).collect();
     let before = StoredResults::find(&folder).unwrap().shots;
