@@ -58,7 +58,9 @@ impl Run {
     /// run waits.
     async fn wait_for_disk(&mut self, record: Record) -> Result<Option<u64>, AcquisitionError> {
         let mut safe = Ok(());
-        if self.is_programmed {
+        // A burst may run although another schedule is asked for already.
+        let may_fire = self.is_programmed || self.is_burst_open && !self.broken_off;
+        if may_fire {
             tracing::warn!("the disk is slower than the cameras: the laser is made safe");
             safe = self.break_off().await;
         }

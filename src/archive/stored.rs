@@ -29,26 +29,16 @@ impl StoredResults {
     pub fn find(folder: &Path) -> Result<Self, ArchiveError> {
         let mut stored = Self::default();
         let mut oldest = None;
-        let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
-        for entry in entries {
-            let entry = entry.map_err(ArchiveError::io("list the folder", folder))?;
-            let name = entry.file_name().to_string_lossy().into_owned();
-            if !name.starts_with("velocity_") {
-                continue;
+        for path in segments(folder, ".nc")? {
+            let shots = shots_in(&path)?;
+            let sealed = fs::metadata(&path).and_then(|metadata| metadata.modified()).ok();
+            if sealed.is_some() && (oldest.is_none() || sealed < oldest) {
+                (oldest, stored.first) = (sealed, shots.first().copied());
             }
-            let path = entry.path();
-            if name.ends_with(".nc.part") {
-                stored.unreadable.push(path);
-            } else if name.ends_with(".nc") {
-                let shots = shots_in(&path)?;
-                let sealed = entry.metadata().and_then(|metadata| metadata.modified()).ok();
-                if sealed.is_some() && (oldest.is_none() || sealed < oldest) {
-                    (oldest, stored.first) = (sealed, shots.first().copied());
-                }
-                stored.records += shots.len();
-                stored.shots.extend(shots);
-            }
+            stored.records += shots.len();
+            stored.shots.extend(shots);
         }
+        stored.unreadable = segments(folder, ".nc.part")?;
         Ok(stored)
     }
 }
@@ -60,7 +50,7 @@ impl StoredResults {
 /// As [`StoredResults::find`].
 pub fn stored_vectors(folder: &Path) -> Result<BTreeMap<u64, Vec<u32>>, ArchiveError> {
     let mut vectors: BTreeMap<u64, Vec<u32>> = BTreeMap::new();
-    for path in sealed_segments(folder)? {
+    for path in segments(folder, ".nc")? {
         for (record, shot) in records_of(&path)?.into_iter().enumerate() {
             let Ok(shot) = u64::try_from(shot) else { continue };
             let bits = vectors_of(&path, record).map_err(unreadable(&path))?;
@@ -85,13 +75,14 @@ fn vectors_of(path: &Path, record: usize) -> Result<Vec<u32>, netcdf::Error> {
 const COMPARED: [&str; 8] =
     ["u", "v", "w", "u_uncertainty", "v_uncertainty", "w_uncertainty", "valid", "replaced"];
 
-fn sealed_segments(folder: &Path) -> Result<Vec<PathBuf>, ArchiveError> {
+/// Segments in the run's folder whose names end so, sorted by name.
+fn segments(folder: &Path, ending: &str) -> Result<Vec<PathBuf>, ArchiveError> {
     let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
     let mut paths = Vec::new();
     for entry in entries {
         let path = entry.map_err(ArchiveError::io("list the folder", folder))?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if name.starts_with("velocity_") && name.ends_with(".nc") {
+        if name.starts_with("velocity_") && name.ends_with(ending) {
             paths.push(path);
         }
     }

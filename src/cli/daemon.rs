@@ -37,9 +37,8 @@ use super::{
 use crate::{
     acquisition::{
         AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench,
-        BurstScript, Control, ControlInbox, Heartbeat, HostClock, Journal, Ledger, Mode,
-        OverloadPolicy, Planner, RunClock, ShotReceiver, acquire, control, panic_message, secure,
-        shot_queue,
+        BurstScript, ControlInbox, Heartbeat, HostClock, Ledger, Mode, OverloadPolicy, Planner,
+        RunClock, ShotReceiver, acquire, control, panic_message, secure, shot_queue,
     },
     archive::{RawLogSettings, ResultStore},
     config::ConfigFile,
@@ -119,7 +118,6 @@ pub struct Daemon {
     folder: PathBuf,
     store: ResultStore,
     recording: Recording,
-    control: Control,
     inbox: ControlInbox,
     script: Option<RunScript>,
     listener: TcpListener,
@@ -170,7 +168,7 @@ impl Daemon {
             board.clone(),
             recording.journal.clone(),
         )
-        .with_controls(Arc::new(control.clone()), plan.remote_arming)
+        .with_controls(Arc::new(control), plan.remote_arming)
         .with_frames(Arc::new(RecordedFrames::new(board.clone(), &folder)));
         Ok(Self {
             plan,
@@ -178,7 +176,6 @@ impl Daemon {
             folder,
             store,
             recording,
-            control,
             inbox,
             script: None,
             listener,
@@ -188,16 +185,6 @@ impl Daemon {
             ledger,
             board,
         })
-    }
-
-    /// For whoever runs the bench.
-    pub fn control(&self) -> Control {
-        self.control.clone()
-    }
-
-    /// How safe each shot's raw data is.
-    pub fn journal(&self) -> Journal {
-        self.recording.journal.clone()
     }
 
     /// The address that the server is bound to.
