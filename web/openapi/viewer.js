@@ -9,6 +9,10 @@ const make = (tag, attributes = {}, ...children) => {
   return element;
 };
 
+// Words of the document, with what stands in `backticks` as code.
+const prose = (text) =>
+  make("span", {}, ...(text || "").split("`").map((part, n) => (n % 2 ? make("code", {}, part) : part)));
+
 const byId = (id) => document.getElementById(id);
 
 // A schema in a few words.
@@ -48,13 +52,13 @@ function members(schema) {
   const own = Object.entries(schema.properties || {});
   const required = new Set(schema.required || []);
   const rows = own.map(([name, member]) =>
-    [name, typeOf(member), required.has(name) ? "" : "may be absent", member.description]);
+    [name, typeOf(member), required.has(name) ? "" : "may be absent", prose(member.description)]);
   return (schema.allOf || []).reduce((all, part) => all.concat(members(part)), rows);
 }
 
 function showType(name, schema) {
   const box = make("details", { id: `type-${name}`, open: "" }, make("summary", {}, make("code", {}, name)));
-  if (schema.description) box.append(make("p", {}, schema.description));
+  if (schema.description) box.append(make("p", {}, prose(schema.description)));
   const rows = members(schema);
   box.append(rows.length ? table(["member", "type", "", ""], rows) : make("p", {}, typeOf(schema)));
   return box;
@@ -110,17 +114,17 @@ function tryForm(path, operation) {
 function showEndpoint(method, path, operation) {
   const box = make("details", {}, make("summary", {},
     make("span", { class: `method ${method}` }, method.toUpperCase()),
-    make("code", {}, path), make("span", { class: "brief" }, operation.summary || "")));
-  if (operation.description) box.append(make("p", {}, operation.description));
+    make("code", {}, path), make("span", { class: "brief" }, prose(operation.summary))));
+  if (operation.description) box.append(make("p", {}, prose(operation.description)));
   const parameters = (operation.parameters || []).map((p) =>
-    [p.name, p.in, typeOf(p.schema), p.description]);
+    [p.name, p.in, typeOf(p.schema), prose(p.description)]);
   if (parameters.length) box.append(table(["parameter", "in", "type", ""], parameters));
   const body = operation.requestBody?.content?.["application/json"]?.schema;
   if (body) box.append(make("p", {}, "Body: ", typeOf(body)));
   const answers = Object.entries(operation.responses).sort().map(([status, answer]) => {
     const content = Object.entries(answer.content || {});
     const types = content.flatMap(([type, { schema }]) => [make("div", {}, `${type} `, typeOf(schema))]);
-    return [status, answer.description, make("span", {}, ...types)];
+    return [status, prose(answer.description), make("span", {}, ...types)];
   });
   box.append(table(["status", "", "body"], answers));
   if (method === "get" && !path.endsWith("/events")) box.append(tryForm(path, operation));
@@ -129,7 +133,7 @@ function showEndpoint(method, path, operation) {
 
 async function main() {
   const api = await (await fetch("/api/v1/openapi.json")).json();
-  byId("description").textContent = api.info.description;
+  byId("description").append(prose(api.info.description));
   const endpoints = [];
   for (const [path, item] of Object.entries(api.paths)) {
     for (const [method, operation] of Object.entries(item)) {
@@ -137,7 +141,7 @@ async function main() {
     }
   }
   const sections = (api.tags || []).map((tag) => make("section", {},
-    make("h2", {}, tag.name), make("p", {}, tag.description || ""),
+    make("h2", {}, tag.name), make("p", {}, prose(tag.description)),
     ...endpoints.filter((e) => e.tag === tag.name)
       .map((e) => showEndpoint(e.method, e.path, e.operation))));
   byId("endpoints").replaceChildren(...sections);
