@@ -1,8 +1,10 @@
 //! From a pair of volumes to a velocity field.
 
 mod cloud;
+mod conjugate_gradients;
 mod correlation;
 mod derived;
+mod differences;
 mod field;
 mod floor;
 mod judge;

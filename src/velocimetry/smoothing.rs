@@ -15,7 +15,11 @@
 
 use rayon::prelude::*;
 
-use super::lattice::Lattice;
+use super::{
+    conjugate_gradients::{Until, solve},
+    differences::{Layout, Penalty},
+    lattice::Lattice,
+};
 
 /// Variance of the third difference of vectors of variance 1 from windows that overlap by half:
 /// 1 + 9 + 9 + 1, less 2 · (3 + 9 + 3) times their correlation of 1/2.
@@ -32,22 +36,14 @@ const UNSEEN: f64 = 0.1;
 const RESOLUTION_VOX: f64 = 1e-3;
 
 /// The equations are solved to this part of their first residual, or as far as this many steps go.
-const TOLERANCE: f64 = 1e-3;
-const MOST_STEPS: usize = 20;
-
-/// A lattice's nodes in memory.
-#[derive(Debug, Clone, Copy)]
-struct Layout {
-    nodes: [usize; 3],
-}
+const UNTIL: Until = Until { tolerance: 1e-3, steps: 20 };
 
 /// One component's equations (S + Σ Δᵀ P Δ) d = S y.
 struct Equations {
-    layout: Layout,
     /// 1/σ² of each node, with what windows cannot see.
     certainty: Vec<f64>,
-    /// Per axis: 1/τ² of the third difference that starts at each node; 0 where none does.
-    stiffness: [Vec<f64>; 3],
+    /// 1/τ² of every third difference.
+    penalty: Penalty,
 }
 
 impl Lattice {
@@ -71,168 +67,53 @@ impl Lattice {
     }
 }
 
-impl Layout {
-    fn stride(self, axis: usize) -> usize {
-        self.nodes[..axis].iter().product()
-    }
-
-    /// Axes with third differences.
-    fn long_axes(self) -> impl Iterator<Item = usize> {
-        (0..3).filter(move |&axis| self.nodes[axis] > 3)
-    }
-
-    /// Whether a third difference along `axis` starts at node `n`.
-    fn starts(self, axis: usize, n: usize) -> bool {
-        n / self.stride(axis) % self.nodes[axis] + 3 < self.nodes[axis]
-    }
-
-    /// Third differences along `axis` that start at the nodes; where none fits, one that runs on
-    /// into other rows and means nothing, and none for the last nodes.
-    fn third_differences(self, axis: usize, value: &[f64]) -> Vec<f64> {
-        let s = self.stride(axis);
-        let count = value.len().saturating_sub(3 * s);
-        (0..count)
-            .map(|n| value[n + 3 * s] - value[n] + 3.0 * (value[n + s] - value[n + 2 * s]))
-            .collect()
-    }
-
-    /// Sums over the nodes within one step along each axis.
-    fn sums_around(self, values: &mut [f64]) {
-        for axis in 0..3 {
-            let s = self.stride(axis);
-            let from = values.to_vec();
-            for (n, sum) in values.iter_mut().enumerate() {
-                let place = n / s % self.nodes[axis];
-                if place > 0 {
-                    *sum += from[n - s];
-                }
-                if place + 1 < self.nodes[axis] {
-                    *sum += from[n + s];
-                }
-            }
-        }
-    }
-}
-
 impl Equations {
     fn new(layout: Layout, value: &[f64], variance: &[f64]) -> Self {
-        let roughness: [Vec<f64>; 3] =
-            std::array::from_fn(|axis| roughness(layout, axis, value, variance));
-        let all = roughness.iter().flatten().filter(|&&t| t > 0.0);
+        let squares: [Vec<f64>; 3] =
+            std::array::from_fn(|axis| expected_squares(layout, axis, value, variance));
+        let all = squares.iter().flatten().filter(|&&t| t > 0.0);
         let (sum, count) = all.fold((0.0, 0usize), |(sum, count), t| (sum + t, count + 1));
         let unseen = UNSEEN * UNSEEN * sum / count.max(1) as f64;
-        let stiffness = roughness
+        let stiffness = squares
             .map(|of_axis| of_axis.iter().map(|&t| if t > 0.0 { 1.0 / t } else { 0.0 }).collect());
         let certainty = variance.iter().map(|v| 1.0 / (v + unseen)).collect();
-        Self { layout, certainty, stiffness }
+        Self { certainty, penalty: Penalty { layout, stiffness } }
     }
 
     /// The left-hand side applied to `value`.
     fn apply(&self, value: &[f64]) -> Vec<f64> {
-        let mut sum: Vec<f64> =
-            value.iter().zip(&self.certainty).map(|(value, weight)| value * weight).collect();
-        for axis in self.layout.long_axes() {
-            let s = self.layout.stride(axis);
-            let mut force = self.layout.third_differences(axis, value);
-            for (force, stiffness) in force.iter_mut().zip(&self.stiffness[axis]) {
-                *force *= stiffness;
-            }
-            for (place, factor) in [-1.0, 3.0, -3.0, 1.0].into_iter().enumerate() {
-                for (sum, force) in sum[place * s..].iter_mut().zip(&force) {
-                    *sum += factor * force;
-                }
-            }
-        }
+        let mut sum = self.right(value);
+        self.penalty.add_forces(value, &mut sum);
         sum
     }
 
-    /// The diagonal of the left-hand side.
-    fn diagonal(&self) -> Vec<f64> {
-        let mut sum = self.certainty.clone();
-        for axis in self.layout.long_axes() {
-            let s = self.layout.stride(axis);
-            for (place, square) in [1.0, 9.0, 9.0, 1.0].into_iter().enumerate() {
-                let from = &self.stiffness[axis][..sum.len().saturating_sub(3 * s)];
-                for (sum, stiffness) in sum[place * s..].iter_mut().zip(from) {
-                    *sum += square * stiffness;
-                }
-            }
-        }
-        sum
+    /// The right-hand side for measured values.
+    fn right(&self, measured: &[f64]) -> Vec<f64> {
+        measured.iter().zip(&self.certainty).map(|(value, weight)| value * weight).collect()
     }
 
-    /// Conjugate gradients from the measured values, divided by the diagonal.
     fn solve(&self, measured: Vec<f64>) -> Vec<f64> {
-        let diagonal = self.diagonal();
-        let applied = self.apply(&measured);
-        let right = measured.iter().zip(&self.certainty).map(|(value, weight)| value * weight);
-        let mut residual: Vec<f64> = right.zip(applied).map(|(r, a)| r - a).collect();
-        let mut value = measured;
-        let scaled = |residual: &[f64]| -> Vec<f64> {
-            residual.iter().zip(&diagonal).map(|(r, d)| r / d).collect()
-        };
-        let mut step = scaled(&residual);
-        let mut square = dot(&residual, &step);
-        let enough = TOLERANCE * TOLERANCE * square;
-        for _ in 0..MOST_STEPS {
-            if square <= enough {
-                break;
-            }
-            let applied = self.apply(&step);
-            let length = square / dot(&step, &applied);
-            add(&mut value, length, &step);
-            add(&mut residual, -length, &applied);
-            let next = scaled(&residual);
-            let next_square = dot(&residual, &next);
-            let keep = next_square / square;
-            for (step, next) in step.iter_mut().zip(next) {
-                *step = next + keep * *step;
-            }
-            square = next_square;
-        }
-        value
+        let mut diagonal = self.certainty.clone();
+        self.penalty.add_diagonal(&mut diagonal);
+        let right = self.right(&measured);
+        solve(|value| self.apply(value), &diagonal, &right, measured, UNTIL)
     }
 }
 
 /// Mean square τ² of the third difference along `axis` to expect from each node, in voxel²; 0 where
 /// none starts.
 ///
-/// The mean over the nodes around, with the whole lattice's as one more of them, and what their
-/// uncertainty alone would give: the differences of vectors that are smoothed already say too little,
-/// and a flow may be as rough as its vectors are uncertain.
-fn roughness(layout: Layout, axis: usize, value: &[f64], variance: &[f64]) -> Vec<f64> {
+/// The roughness around, and what the vectors' uncertainty alone would give: the differences of
+/// vectors that are smoothed already say too little, and a flow may be as rough as its vectors are
+/// uncertain.
+fn expected_squares(layout: Layout, axis: usize, value: &[f64], variance: &[f64]) -> Vec<f64> {
     let s = layout.stride(axis);
-    let starts: Vec<bool> = (0..value.len()).map(|n| layout.starts(axis, n)).collect();
-    let mut squares = vec![0.0; value.len()];
-    for (n, difference) in layout.third_differences(axis, value).into_iter().enumerate() {
-        if starts[n] {
-            squares[n] = difference * difference;
-        }
+    let mut squares = layout.roughness(axis, value);
+    for n in (0..value.len()).filter(|&n| layout.starts(axis, n)) {
+        let noise = (0..4).map(|k| variance[n + k * s]).sum::<f64>() / 4.0;
+        squares[n] += NOISE_GAIN * noise + RESOLUTION_VOX.powi(2);
     }
-    let mut counts: Vec<f64> = starts.iter().map(|&s| f64::from(u8::from(s))).collect();
-    let mean = squares.iter().sum::<f64>() / counts.iter().sum::<f64>().max(1.0);
-    layout.sums_around(&mut squares);
-    layout.sums_around(&mut counts);
-    (0..value.len())
-        .map(|n| {
-            if !starts[n] {
-                return 0.0;
-            }
-            let noise = (0..4).map(|k| variance[n + k * s]).sum::<f64>() / 4.0;
-            let around = (squares[n] + mean) / (counts[n] + 1.0);
-            around + NOISE_GAIN * noise + RESOLUTION_VOX.powi(2)
-        })
-        .collect()
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn add(to: &mut [f64], factor: f64, values: &[f64]) {
-    for (to, value) in to.iter_mut().zip(values) {
-        *to += factor * value;
-    }
+    squares
 }
 
 #[cfg(test)]

@@ -20,13 +20,14 @@ fn solved_directly(equations: &Equations, measured: &[f64]) -> Vec<f64> {
     let mut matrix = DMatrix::from_diagonal(&DVector::from_column_slice(&equations.certainty));
     let right = &matrix * DVector::from_column_slice(measured);
     for axis in 0..3 {
-        let s = equations.layout.stride(axis);
-        for n in (0..count).filter(|&n| equations.layout.starts(axis, n)) {
+        let layout = equations.penalty.layout;
+        let s = layout.stride(axis);
+        for n in (0..count).filter(|&n| layout.starts(axis, n)) {
             let mut difference = DVector::zeros(count);
             for (k, factor) in [-1.0, 3.0, -3.0, 1.0].into_iter().enumerate() {
                 difference[n + k * s] = factor;
             }
-            matrix += equations.stiffness[axis][n] * &difference * difference.transpose();
+            matrix += equations.penalty.stiffness[axis][n] * &difference * difference.transpose();
         }
     }
     matrix.lu().solve(&right).expect("certainties are positive").as_slice().to_vec()

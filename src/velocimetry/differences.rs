@@ -1,0 +1,116 @@
+//! Third differences along the axes of a lattice, and what they cost a field.
+
+/// A lattice's nodes in memory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layout {
+    /// Nodes along x, y, z; stored z, y, x.
+    pub nodes: [usize; 3],
+}
+
+/// The penalty Σ p (Δ³d)² on a field d: how dear every third difference is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Penalty {
+    /// Where the values lie.
+    pub layout: Layout,
+    /// Per axis: p of the third difference that starts at each node; 0 where none does.
+    pub stiffness: [Vec<f64>; 3],
+}
+
+impl Layout {
+    /// Nodes in all.
+    pub fn len(self) -> usize {
+        self.nodes.iter().product()
+    }
+
+    /// Nodes in memory from one to the next along `axis`.
+    pub fn stride(self, axis: usize) -> usize {
+        self.nodes[..axis].iter().product()
+    }
+
+    /// Axes with third differences.
+    fn long_axes(self) -> impl Iterator<Item = usize> {
+        (0..3).filter(move |&axis| self.nodes[axis] > 3)
+    }
+
+    /// Whether a third difference along `axis` starts at node `n`.
+    pub fn starts(self, axis: usize, n: usize) -> bool {
+        n / self.stride(axis) % self.nodes[axis] + 3 < self.nodes[axis]
+    }
+
+    /// Third differences along `axis` that start at the nodes; where none fits, one that runs on
+    /// into other rows and means nothing, and none for the last nodes.
+    fn third_differences(self, axis: usize, value: &[f64]) -> Vec<f64> {
+        let s = self.stride(axis);
+        let count = value.len().saturating_sub(3 * s);
+        (0..count)
+            .map(|n| value[n + 3 * s] - value[n] + 3.0 * (value[n + s] - value[n + 2 * s]))
+            .collect()
+    }
+
+    /// Sums over the nodes within one step along each axis.
+    fn sums_around(self, values: &mut [f64]) {
+        for axis in 0..3 {
+            let s = self.stride(axis);
+            let from = values.to_vec();
+            for (n, sum) in values.iter_mut().enumerate() {
+                let place = n / s % self.nodes[axis];
+                if place > 0 {
+                    *sum += from[n - s];
+                }
+                if place + 1 < self.nodes[axis] {
+                    *sum += from[n + s];
+                }
+            }
+        }
+    }
+
+    /// Mean square of the third difference along `axis` about each node, with the whole lattice's
+    /// as one more of those around: how rough the field is there. 0 where none starts.
+    pub fn roughness(self, axis: usize, value: &[f64]) -> Vec<f64> {
+        let starts: Vec<bool> = (0..value.len()).map(|n| self.starts(axis, n)).collect();
+        let mut squares = vec![0.0; value.len()];
+        for (n, difference) in self.third_differences(axis, value).into_iter().enumerate() {
+            if starts[n] {
+                squares[n] = difference * difference;
+            }
+        }
+        let mut counts: Vec<f64> = starts.iter().map(|&s| f64::from(u8::from(s))).collect();
+        let mean = squares.iter().sum::<f64>() / counts.iter().sum::<f64>().max(1.0);
+        self.sums_around(&mut squares);
+        self.sums_around(&mut counts);
+        (0..value.len())
+            .map(|n| if starts[n] { (squares[n] + mean) / (counts[n] + 1.0) } else { 0.0 })
+            .collect()
+    }
+}
+
+impl Penalty {
+    /// Adds Δᵀ p Δ of `value` to `sum`.
+    pub fn add_forces(&self, value: &[f64], sum: &mut [f64]) {
+        for axis in self.layout.long_axes() {
+            let s = self.layout.stride(axis);
+            let mut force = self.layout.third_differences(axis, value);
+            for (force, stiffness) in force.iter_mut().zip(&self.stiffness[axis]) {
+                *force *= stiffness;
+            }
+            for (place, factor) in [-1.0, 3.0, -3.0, 1.0].into_iter().enumerate() {
+                for (sum, force) in sum[place * s..].iter_mut().zip(&force) {
+                    *sum += factor * force;
+                }
+            }
+        }
+    }
+
+    /// Adds the diagonal of Δᵀ p Δ to `sum`.
+    pub fn add_diagonal(&self, sum: &mut [f64]) {
+        for axis in self.layout.long_axes() {
+            let s = self.layout.stride(axis);
+            for (place, square) in [1.0, 9.0, 9.0, 1.0].into_iter().enumerate() {
+                let from = &self.stiffness[axis][..sum.len().saturating_sub(3 * s)];
+                for (sum, stiffness) in sum[place * s..].iter_mut().zip(from) {
+                    *sum += square * stiffness;
+                }
+            }
+        }
+    }
+}
