@@ -71,12 +71,16 @@ pub struct Row {
     pub error_y_vox: Option<f64>,
     /// Along z.
     pub error_z_vox: Option<f64>,
-    /// The floor: mean |error| of the true particles through the same correlation, along x.
+    /// The floor: mean |error| of the true particles through the same correlation, along x. Single
+    /// particles are not followed in it: where they are exact, that leaves next to nothing, and says
+    /// nothing about windows.
     pub floor_x_vox: Option<f64>,
     /// Along y.
     pub floor_y_vox: Option<f64>,
     /// Along z.
     pub floor_z_vox: Option<f64>,
+    /// Mean |error| of all components when the true particles are correlated and followed.
+    pub followed_floor_vox: Option<f64>,
     /// Share of the x components within 0.3 voxels; those of invalid vectors count as misses.
     pub within_x: Option<f64>,
     /// Of the y components.

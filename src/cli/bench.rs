@@ -68,6 +68,7 @@ fn line(row: &Row) -> String {
         row.q.map(|q| format!("Q {q:.4}")),
         row.error_vox().map(|error| format!("error {} voxel", three(error))),
         row.floor_vox().map(|floor| format!("floor {}", three(floor))),
+        row.followed_floor_vox.map(|floor| format!("followed {floor:.4}")),
         row.fwhm_mm.map(|width| format!("FWHM {width:.4} mm")),
         row.centroid_error_mm.map(|error| format!("centroid off by {error:.4} mm")),
         row.peak_mb.map(|peak| format!("{peak:.0} MB")),

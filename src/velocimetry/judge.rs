@@ -70,13 +70,13 @@ impl Judge<'_> {
     }
 
     /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is
-    /// known: each as it was measured or stood in for, moved to the likeliest field.
+    /// known: each as it was measured or stood in for.
     pub fn vectors(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Vec<Vector> {
         let trusted: Vec<bool> =
             (0..self.peaks.len()).map(|n| self.trusts(n, uncertainty_vox[n])).collect();
         let candidates = self.candidates(&trusted);
         let pass = self.passing(&candidates);
-        let vectors: Vec<Vector> = (0..pass.len())
+        (0..pass.len())
             .map(|n| match uncertainty_vox[n] {
                 Some(uncertainty_vox) if pass[n] => Vector {
                     displacement_vox: self.field.values[n],
@@ -85,21 +85,7 @@ impl Judge<'_> {
                 },
                 _ => self.stand_in(n, &candidates, &pass, uncertainty_vox),
             })
-            .collect();
-        self.likeliest(vectors)
-    }
-
-    /// The vectors moved to the likeliest field behind them; what is invalid stays so.
-    fn likeliest(&self, mut vectors: Vec<Vector>) -> Vec<Vector> {
-        let values = vectors.iter().map(|v| v.displacement_vox).collect();
-        let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
-        let likeliest = Lattice { values, ..*self.field }.likeliest(&uncertainty_vox);
-        for (vector, value) in vectors.iter_mut().zip(likeliest.values) {
-            if vector.status != VectorStatus::Invalid {
-                vector.displacement_vox = value;
-            }
-        }
-        vectors
+            .collect()
     }
 
     /// Whether a vector deserves to be compared with its neighbours.

@@ -17,6 +17,7 @@ mod raster;
 mod result;
 mod settings;
 mod smoothing;
+mod tracks;
 mod uncertainty;
 mod validate;
 mod windows;

@@ -8,7 +8,7 @@
 use rayon::prelude::*;
 
 use super::{
-    VectorGrid, VelocimetrySettings, VelocityField,
+    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
     cloud::PointCloud,
     correlation::Frames,
     derived::curl_and_divergence,
@@ -17,6 +17,7 @@ use super::{
     lattice::Lattice,
     peak::{Peak, highest_peak},
     raster::{Image, Raster},
+    tracks::{Settled, follow},
     uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
 };
@@ -115,6 +116,16 @@ impl Interrogation {
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
+        self.measured([a, b], self.settings.follow_particles, dt_s)
+    }
+
+    /// The same by windows alone, whether or not the settings ask for single particles: what is left
+    /// of an error when the reconstruction has none.
+    pub fn measure_by_windows(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
+        self.measured([a, b], false, dt_s)
+    }
+
+    fn measured(&self, [a, b]: [&PointCloud; 2], particles: bool, dt_s: f64) -> VelocityField {
         let mut field = self.searched(a, b);
         let last = self.settings.passes.max(2) - 1;
         for pass in 1..last {
@@ -125,7 +136,8 @@ impl Interrogation {
             field = self.judge(&field, &found.peaks).predictor(&found.uncertainty_vox);
         }
         let found = self.pass(a, b, &mut field, WIDE);
-        let vectors = self.judge(&field, &found.peaks).vectors(&found.uncertainty_vox);
+        let mut vectors = self.judge(&field, &found.peaks).vectors(&found.uncertainty_vox);
+        self.settle(&mut vectors, particles.then_some([a, b]));
         self.report(&vectors, &found.peaks, dt_s)
     }
 
@@ -201,6 +213,29 @@ impl Interrogation {
 
     fn judge<'a>(&'a self, field: &'a Lattice, peaks: &'a [Option<Peak>]) -> Judge<'a> {
         Judge { settings: &self.settings, field, peaks }
+    }
+
+    /// Moves the last pass's vectors to the likeliest field behind them, and from there to the one
+    /// that the particles of `frames` follow; what is invalid stays so.
+    fn settle(&self, vectors: &mut [Vector], frames: Option<[&PointCloud; 2]>) {
+        let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
+        let measured = Lattice {
+            values: vectors.iter().map(|v| v.displacement_vox).collect(),
+            ..self.windows.at_rest()
+        };
+        let likeliest = measured.likeliest(&uncertainty_vox);
+        let Settled { field, uncertainty_vox } = match frames {
+            Some(frames) => follow(&likeliest, &uncertainty_vox, frames),
+            None => Settled { field: likeliest, uncertainty_vox },
+        };
+        for ((vector, value), uncertainty_vox) in
+            vectors.iter_mut().zip(field.values).zip(uncertainty_vox)
+        {
+            if vector.status != VectorStatus::Invalid {
+                vector.displacement_vox = value;
+                vector.uncertainty_vox = uncertainty_vox;
+            }
+        }
     }
 
     fn report(&self, vectors: &[Vector], peaks: &[Option<Peak>], dt_s: f64) -> VelocityField {

@@ -24,6 +24,10 @@ pub struct VelocimetrySettings {
     /// Edge of the first pass's windows, in mm; derived from `max_displacement_vox` when absent.
     #[garde(inner(range(min = 0.01, max = 100.0)))]
     pub first_window_mm: Option<f64>,
+    /// Follow single particles from frame to frame after the last pass: each is a measurement of its
+    /// own, and wrong ones are told from right ones.
+    #[garde(skip)]
+    pub follow_particles: bool,
     /// Threshold of the normalised median test (Westerweel and Scarano 2005).
     #[garde(range(min = 0.5, max = 100.0))]
     pub median_threshold: f64,
@@ -50,6 +54,7 @@ impl Default for VelocimetrySettings {
             passes: 5,
             max_displacement_vox: 6.0,
             first_window_mm: None,
+            follow_particles: true,
             median_threshold: 2.0,
             median_epsilon_vox: 0.1,
             least_peak_ratio: 1.2,

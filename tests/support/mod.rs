@@ -74,7 +74,7 @@ pub fn mean_error_vox(field: &VelocityField, flow: &Flow) -> [f64; 3] {
     })
 }
 
-/// The field that the true particles give through the configured windows: the floor that a
+/// The field that the true particles give through the configured windows alone: the floor that a
 /// reconstruction is measured against.
 pub fn true_particles_field(config: &Config, truth: &Truth) -> VelocityField {
     let settings = &config.velocimetry;
@@ -85,7 +85,8 @@ pub fn true_particles_field(config: &Config, truth: &Truth) -> VelocityField {
         let lit = truth.particles.iter().filter_map(|p| Some((p.lit_mm(frame)?, p.intensity)));
         PointCloud::from_particles(&lit.collect::<Vec<_>>(), &grid)
     };
-    interrogation.measure(&cloud(FrameOfPair::A), &cloud(FrameOfPair::B), truth.dt_s)
+    let [a, b] = [FrameOfPair::A, FrameOfPair::B].map(cloud);
+    interrogation.measure_by_windows(&a, &b, truth.dt_s)
 }
 
 /// The text of the small bench's configuration with one piece replaced, as a file in `folder`.

@@ -66,11 +66,14 @@ pub(super) fn measured(
     let (windows, flow) = (processor.interrogation(), &setting.scene.flow);
     let [a, b] =
         [FrameOfPair::A, FrameOfPair::B].map(|frame| true_cloud(&shot.truth, frame, windows));
-    let floor = Score::of(&windows.measure(&a, &b, shot.truth.dt_s), flow);
+    let dt_s = shot.truth.dt_s;
+    let floor = Score::of(&windows.measure_by_windows(&a, &b, dt_s), flow);
+    let followed = Score::of(&windows.measure(&a, &b, dt_s), flow);
     let result = processor.process(&shot.pair)?;
     let score = Score::of(&result.field, flow);
     let mut row = setting.row(method, shot.seed);
     fill(&mut row, &result, &score, &floor);
+    row.followed_floor_vox = Some(followed.mean_vox.iter().sum::<f64>() / 3.0);
     Ok(Measured { row, field: result.field, score })
 }
 

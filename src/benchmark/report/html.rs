@@ -104,7 +104,7 @@ impl Page {
         }
         self.add(
             "</table></div>\n<p class=\"note\">The floor is the error of correlating the true \
-             particles through the same windows and passes, and no more than 0.068 voxel at \
+             particles through the same windows and passes, without following single particles, and no more than 0.068 voxel at \
              1 ppm and 0.095 at 0.3 ppm. Where several methods were measured, up to \
              three are named, the nearest to the bar first.</p>\n",
         );

@@ -1,0 +1,216 @@
+//! The field that most particles follow.
+//!
+//! For every component, the spline B c that minimises
+//!
+//! ```text
+//! Σ ρ((d − B c)/s) + Σ (y − B c)²/u² + Σ (Δ³c)²/τ²
+//! ```
+//!
+//! over the displacements d of single particles, the correlation's vectors y and the third
+//! differences of the coefficients. ρ is the negative logarithm of Student's distribution: a
+//! particle that was taken for another, or whose light is another's in part, is wrong by more than a
+//! normal distribution allows, and pulls the less the further off it is. It is minimised by
+//! reweighted least squares (Lange, Little and Taylor, J. Am. Stat. Assoc. 84, 1989).
+
+use rayon::prelude::*;
+
+use super::{
+    super::{
+        conjugate_gradients::{Until, solve},
+        differences::{Layout, Penalty},
+        lattice::Lattice,
+    },
+    samples::{Samples, add_diagonal, add_transposed, values_at},
+    spline::{Spline, Taps},
+    variance::Waves,
+};
+
+/// Times the weights are taken anew in a round.
+const REWEIGHTS: usize = 3;
+
+/// A third difference may be so many times as large, squared, as they are about its place: those of
+/// the field before, by which it is judged, are smoothed.
+const SHARPER: f64 = 4.0;
+
+/// A third difference of a regular flow that is not told from zero, in voxels.
+const RESOLUTION_VOX: f64 = 3e-3;
+
+/// The correlation saw the same particles: where there are many, its variance counts so many times.
+const KNOWN_ALREADY: f64 = 25.0;
+
+/// So many particles about a node are half way from none to many in this sense.
+const HALF_WAY: f64 = 8.0;
+
+/// A field's error over what the scatter of its particles says: errors of reconstruction reach over
+/// several particles (`tests/hard_cases/coverage.rs`).
+const SHARED: f64 = 1.25;
+
+/// How far the equations are solved before the weights, which change more than that, are taken anew.
+const UNTIL: Until = Until { tolerance: 0.1, steps: 8 };
+
+/// The equations of all three components.
+pub struct Fit {
+    layout: Layout,
+    nodes: [usize; 3],
+    /// What makes a field on the nodes.
+    on_nodes: Vec<Taps>,
+    /// Per component: the correlation's vectors and their variance, in voxel and voxel².
+    vectors: [Vec<f64>; 3],
+    variance: [Vec<f64>; 3],
+    /// 1/τ² of the coefficients' third differences.
+    penalties: [Penalty; 3],
+    /// Particles about each node, and what they weigh per cell.
+    counts: Vec<f64>,
+    densities: [Vec<f64>; 3],
+}
+
+impl Fit {
+    /// Equations near the correlation's `field` with standard uncertainty `uncertainty_vox`, whose
+    /// spline is `spline`.
+    pub fn new(field: &Lattice, uncertainty_vox: &[[f32; 3]], spline: &Spline) -> Self {
+        let (layout, nodes, count) = (spline.layout, field.nodes, field.values.len());
+        let component = |of: &[[f32; 3]], c: usize| of.iter().map(|v| f64::from(v[c])).collect();
+        let uncertainty: [Vec<f64>; 3] = std::array::from_fn(|c| component(uncertainty_vox, c));
+        let variance = uncertainty.map(|u| u.iter().map(|u| u * u).collect());
+        Self {
+            layout,
+            nodes,
+            on_nodes: (0..count).map(|n| Taps::of_node(layout, nodes, n)).collect(),
+            vectors: std::array::from_fn(|c| component(&field.values, c)),
+            penalties: penalties(spline, nodes, &variance),
+            variance,
+            counts: vec![0.0; count],
+            densities: std::array::from_fn(|_| vec![0.0; count]),
+        }
+    }
+
+    /// Moves `spline` to the field that `samples` follow, which may be a little rougher.
+    pub fn adjust(&mut self, spline: &mut Spline, samples: &Samples) {
+        self.penalties = penalties(spline, self.nodes, &self.variance);
+        self.counts = samples.counts();
+        let adjusted: Vec<(Vec<f64>, Vec<f64>)> = (0..3usize)
+            .into_par_iter()
+            .map(|c| self.adjusted(c, &spline.coefficients[c], samples))
+            .collect();
+        for (c, (coefficients, weights)) in adjusted.into_iter().enumerate() {
+            spline.coefficients[c] = coefficients;
+            self.densities[c] = samples.density(&weights);
+        }
+    }
+
+    /// New coefficients of component `c`, and the weights that the samples have in them.
+    fn adjusted(&self, c: usize, start: &[f64], samples: &Samples) -> (Vec<f64>, Vec<f64>) {
+        let measured = samples.displacements(c);
+        let mut coefficients = start.to_vec();
+        let mut weights = Vec::new();
+        for _ in 0..REWEIGHTS {
+            let values = values_at(self.layout, samples.taps(), &coefficients);
+            let residual: Vec<f64> = measured.iter().zip(values).map(|(m, v)| m - v).collect();
+            weights = samples.weights(&residual);
+            coefficients = self.solved(
+                c,
+                coefficients,
+                [samples.taps(), &self.on_nodes],
+                [(&measured, &weights), (&self.vectors[c], &self.certainty(c))],
+            );
+        }
+        (coefficients, weights)
+    }
+
+    /// Solution of (Σ BᵀWB + ΔᵀPΔ) c = Σ BᵀW y for two kinds of samples with their `taps`, values y
+    /// and weights W.
+    fn solved(
+        &self,
+        c: usize,
+        start: Vec<f64>,
+        taps: [&[Taps]; 2],
+        samples: [(&[f64], &[f64]); 2],
+    ) -> Vec<f64> {
+        let layout = self.layout;
+        let weighted = |values: &[f64], weights: &[f64]| -> Vec<f64> {
+            values.iter().zip(weights).map(|(value, weight)| value * weight).collect()
+        };
+        let (mut diagonal, mut right) = (vec![0.0; start.len()], vec![0.0; start.len()]);
+        self.penalties[c].add_diagonal(&mut diagonal);
+        for (taps, (values, weights)) in taps.into_iter().zip(samples) {
+            add_diagonal(layout, taps, weights, &mut diagonal);
+            add_transposed(layout, taps, &weighted(values, weights), &mut right);
+        }
+        let apply = |coefficients: &[f64]| {
+            let mut sum = vec![0.0; coefficients.len()];
+            self.penalties[c].add_forces(coefficients, &mut sum);
+            for (taps, (_, weights)) in taps.into_iter().zip(samples) {
+                let values = values_at(layout, taps, coefficients);
+                add_transposed(layout, taps, &weighted(&values, weights), &mut sum);
+            }
+            sum
+        };
+        solve(apply, &diagonal, &right, start, UNTIL)
+    }
+
+    /// 1/u² of the correlation's vectors: little beside many particles, all there is without any.
+    fn certainty(&self, c: usize) -> Vec<f64> {
+        let times = |n: f64| 1.0 + (KNOWN_ALREADY - 1.0) * n / (n + HALF_WAY);
+        self.variance[c].iter().zip(&self.counts).map(|(v, &n)| 1.0 / (v * times(n))).collect()
+    }
+
+    /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels.
+    pub fn uncertainty_vox(&self) -> Vec<[f32; 3]> {
+        let certainty: [Vec<f64>; 3] = std::array::from_fn(|c| self.certainty(c));
+        let waves = Waves::new();
+        (0..self.on_nodes.len())
+            .into_par_iter()
+            .map(|n| {
+                std::array::from_fn(|c| {
+                    let (density, stiffness) = (self.densities[c][n], self.stiffness_at(c, n));
+                    let variance = waves.variance(density, certainty[c][n], stiffness);
+                    (SHARED * variance.sqrt()).max(RESOLUTION_VOX) as f32
+                })
+            })
+            .collect()
+    }
+
+    /// 1/τ² along x, y, z about node `n`.
+    fn stiffness_at(&self, c: usize, n: usize) -> [f64; 3] {
+        let [nx, ny, _] = self.nodes;
+        let place = [n % nx, n / nx % ny, n / (nx * ny)];
+        std::array::from_fn(|along| {
+            // A difference has its middle one and a half coefficients after its start; a node's own
+            // coefficient is the one after its number.
+            let coefficient = |axis: usize| match axis == along {
+                true => place[axis].min(self.layout.nodes[axis].saturating_sub(4)),
+                false => place[axis] + 1,
+            };
+            let start = (0..3).map(|axis| coefficient(axis) * self.layout.stride(axis));
+            self.penalties[c].stiffness[along][start.sum::<usize>()]
+        })
+    }
+}
+
+/// 1/τ² for every component of a field, whose variance on the `nodes` of its lattice was `variance`:
+/// a flow may be as rough as it is uncertain.
+fn penalties(spline: &Spline, nodes: [usize; 3], variance: &[Vec<f64>; 3]) -> [Penalty; 3] {
+    let layout = spline.layout;
+    std::array::from_fn(|c| {
+        let stiffness = std::array::from_fn(|axis| {
+            let squares = layout.roughness(axis, &spline.coefficients[c]);
+            let stiffness = |(n, square): (usize, f64)| {
+                let uncertain = variance[c][node_in_the_middle(layout, nodes, axis, n)];
+                let most = SHARPER * square + uncertain + RESOLUTION_VOX * RESOLUTION_VOX;
+                if layout.starts(axis, n) { 1.0 / most } else { 0.0 }
+            };
+            squares.into_iter().enumerate().map(stiffness).collect()
+        });
+        Penalty { layout, stiffness }
+    })
+}
+
+/// The node nearest to the middle of the third difference along `axis` that starts at coefficient `n`.
+fn node_in_the_middle(layout: Layout, nodes: [usize; 3], axis: usize, n: usize) -> usize {
+    let node = |along: usize| {
+        let coefficient = n / layout.stride(along) % layout.nodes[along];
+        let middle = if along == axis { coefficient + 1 } else { coefficient };
+        middle.saturating_sub(1).min(nodes[along] - 1)
+    };
+    (node(2) * nodes[1] + node(1)) * nodes[0] + node(0)
+}

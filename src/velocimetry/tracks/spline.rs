@@ -1,0 +1,203 @@
+//! A vector field as a sum of cubic B-splines (Unser, IEEE Signal Process. Mag. 16, 1999): with two
+//! continuous derivatives and an error of fourth order in the distance of its nodes.
+
+use super::super::{differences::Layout, lattice::Lattice};
+
+/// A vector field on a lattice, which has a coefficient on every node and one beyond each end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spline {
+    /// The coefficients' places in memory.
+    pub layout: Layout,
+    /// Node (0, 0, 0) of the lattice, which is coefficient (1, 1, 1), in voxels.
+    first_vox: [f32; 3],
+    step_vox: f32,
+    /// Per component of the vector.
+    pub coefficients: [Vec<f64>; 3],
+}
+
+/// The 4 × 4 × 4 coefficients that make the field at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taps {
+    /// Index of the first of them.
+    first: usize,
+    /// Weights along x, y, z.
+    weights: [[f32; 4]; 3],
+}
+
+impl Spline {
+    /// The spline that has the values of `field` on its nodes, and no curvature across its faces.
+    pub fn through(field: &Lattice) -> Self {
+        let layout = Layout { nodes: field.nodes.map(|n| n + 2) };
+        let coefficients = std::array::from_fn(|c| {
+            let mut values = vec![0.0; layout.len()];
+            for (n, value) in field.values.iter().enumerate() {
+                values[index_within(layout, field.nodes, n)] = f64::from(value[c]);
+            }
+            for axis in 0..3 {
+                interpolate_along(layout, axis, &mut values);
+            }
+            values
+        });
+        Self { layout, first_vox: field.first_vox, step_vox: field.step_vox, coefficients }
+    }
+
+    /// The field's values on the nodes of the lattice `like` that it was made through.
+    pub fn on_nodes(&self, like: &Lattice) -> Lattice {
+        let values = (0..like.values.len())
+            .map(|n| self.of(&Taps::of_node(self.layout, like.nodes, n)).map(|v| v as f32))
+            .collect();
+        Lattice { values, ..*like }
+    }
+
+    /// Place among the nodes of the lattice, 0 the first, from a place in voxels.
+    pub fn node_coordinates(&self, at_vox: [f32; 3]) -> [f32; 3] {
+        std::array::from_fn(|axis| (at_vox[axis] - self.first_vox[axis]) / self.step_vox)
+    }
+
+    /// Whether a place lies between the nodes.
+    pub fn contains(&self, at_vox: [f32; 3]) -> bool {
+        let at = self.node_coordinates(at_vox);
+        (0..3).all(|axis| (0.0..=(self.layout.nodes[axis] - 3) as f32).contains(&at[axis]))
+    }
+
+    /// What makes the field at a place, or at the nearest one between the nodes.
+    pub fn taps(&self, at_vox: [f32; 3]) -> Taps {
+        let at = self.node_coordinates(at_vox);
+        let (mut first, mut weights) = (0, [[0.0; 4]; 3]);
+        for axis in 0..3 {
+            let last = self.layout.nodes[axis] - 3;
+            let t = at[axis].clamp(0.0, last as f32);
+            let cell = (t as usize).min(last - 1);
+            first += cell * self.layout.stride(axis);
+            weights[axis] = basis(t - cell as f32);
+        }
+        Taps { first, weights }
+    }
+
+    /// The vector of some taps, in voxels.
+    pub fn of(&self, taps: &Taps) -> [f64; 3] {
+        std::array::from_fn(|c| taps.gather(self.layout, &self.coefficients[c]))
+    }
+
+    /// Where light that is at `at_vox` in its own frame is in the middle of the pair: half the
+    /// displacement further, forwards from frame a (`sign` 1) and backwards from frame b (−1),
+    /// along the curved path by the midpoint rule.
+    pub fn middle_of_path(&self, at_vox: [f32; 3], sign: f32) -> [f32; 3] {
+        let ahead = |by: [f64; 3], part: f32| {
+            std::array::from_fn(|axis| at_vox[axis] + sign * part * by[axis] as f32)
+        };
+        let start = self.of(&self.taps(at_vox));
+        ahead(self.of(&self.taps(ahead(start, 0.25))), 0.5)
+    }
+}
+
+impl Taps {
+    /// Taps of node `n` of a lattice of `nodes` whose spline's coefficients lie in `layout`.
+    pub fn of_node(layout: Layout, nodes: [usize; 3], n: usize) -> Self {
+        let centre = index_within(layout, nodes, n);
+        let first = centre - (0..3).map(|axis| layout.stride(axis)).sum::<usize>();
+        // The last cell's end has its four taps one node before, so that they stay inside.
+        let place = places(nodes, n);
+        let (mut start, mut weights) = (first, [basis(0.0); 3]);
+        for axis in 0..3 {
+            if place[axis] + 1 == nodes[axis] {
+                start -= layout.stride(axis);
+                weights[axis] = basis(1.0);
+            }
+        }
+        Self { first: start, weights }
+    }
+
+    /// The weighted sum of coefficients.
+    #[inline(always)]
+    pub fn gather(&self, layout: Layout, from: &[f64]) -> f64 {
+        let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
+        // Summed along x last: four lanes that never meet until the end.
+        let mut lanes = [0.0; 4];
+        for (k, wz) in wz.into_iter().enumerate() {
+            for (j, wy) in wy.into_iter().enumerate() {
+                let weight = wz * wy;
+                let row = &from[self.row(layout, j, k)..][..4];
+                for (lane, value) in lanes.iter_mut().zip(row) {
+                    *lane += weight * value;
+                }
+            }
+        }
+        let [a, b, c, d] = std::array::from_fn(|i| wx[i] * lanes[i]);
+        (a + b) + (c + d)
+    }
+
+    /// Adds `value` times the weights: the transpose of [`Self::gather`].
+    #[inline(always)]
+    pub fn scatter(&self, layout: Layout, value: f64, to: &mut [f64]) {
+        let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
+        let along = wx.map(|wx| value * wx);
+        for (k, wz) in wz.into_iter().enumerate() {
+            for (j, wy) in wy.into_iter().enumerate() {
+                let weight = wz * wy;
+                let row = &mut to[self.row(layout, j, k)..][..4];
+                for (to, along) in row.iter_mut().zip(along) {
+                    *to += weight * along;
+                }
+            }
+        }
+    }
+
+    /// The squares of the weights, on the same coefficients.
+    #[inline(always)]
+    pub fn squared(&self) -> Self {
+        Self { first: self.first, weights: self.weights.map(|w| w.map(|w| w * w)) }
+    }
+
+    #[inline(always)]
+    fn row(&self, layout: Layout, j: usize, k: usize) -> usize {
+        self.first + j * layout.stride(1) + k * layout.stride(2)
+    }
+}
+
+/// Cubic B-spline weights of the four coefficients about a place `u` between the middle two.
+fn basis(u: f32) -> [f32; 4] {
+    let v = 1.0 - u;
+    let side = |t: f32| t * t * t / 6.0;
+    let middle = |t: f32| (4.0 - 3.0 * t * t * (2.0 - t)) / 6.0;
+    [side(v), middle(u), middle(v), side(u)]
+}
+
+/// Place of a lattice's node `n` along x, y, z.
+fn places(nodes: [usize; 3], n: usize) -> [usize; 3] {
+    [n % nodes[0], n / nodes[0] % nodes[1], n / (nodes[0] * nodes[1])]
+}
+
+/// Index of the coefficient on node `n` of a lattice.
+fn index_within(layout: Layout, nodes: [usize; 3], n: usize) -> usize {
+    let place = places(nodes, n);
+    (0..3).map(|axis| (place[axis] + 1) * layout.stride(axis)).sum()
+}
+
+/// Turns the values on the inner nodes of every row along `axis` into the coefficients of the
+/// interpolating spline with straight ends: (c₋ + 4 c + c₊)/6 = y.
+fn interpolate_along(layout: Layout, axis: usize, values: &mut [f64]) {
+    let (s, count) = (layout.stride(axis), layout.nodes[axis] - 2);
+    let starts = (0..layout.len()).filter(|n| n / s % layout.nodes[axis] == 0);
+    let (mut ratio, mut row) = (vec![0.0; count], vec![0.0; count]);
+    for start in starts {
+        let at = |i: usize| start + (i + 1) * s;
+        // At the ends the coefficient is the value; between, elimination and back substitution.
+        row[0] = values[at(0)];
+        for i in 1..count {
+            let end = i + 1 == count;
+            let (side, middle) = if end { (0.0, 6.0) } else { (1.0, 4.0) };
+            let pivot = middle - side * ratio[i - 1];
+            ratio[i] = if end { 0.0 } else { 1.0 / pivot };
+            row[i] = (6.0 * values[at(i)] - side * row[i - 1]) / pivot;
+        }
+        for i in (0..count.saturating_sub(1)).rev() {
+            row[i] -= ratio[i] * row[i + 1];
+        }
+        for (i, value) in row.iter().enumerate() {
+            values[at(i)] = *value;
+        }
+        values[start] = 2.0 * values[at(0)] - values[at(1)];
+        values[at(count)] = 2.0 * values[at(count - 1)] - values[at(count - 2)];
+    }
+}

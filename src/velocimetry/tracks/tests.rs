@@ -1,0 +1,269 @@
+use nalgebra::{DMatrix, DVector};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::{
+    pairs::Pair,
+    particles::Neighbours,
+    samples::{add_transposed, values_at},
+    spline::Taps,
+    variance::Waves,
+    *,
+};
+
+const NODES: [usize; 3] = [7, 6, 5];
+const STEP: f32 = 8.0;
+
+fn lattice(f: impl Fn([f32; 3]) -> [f32; 3]) -> Lattice {
+    let values = vec![[0.0; 3]; NODES.iter().product()];
+    Lattice { nodes: NODES, first_vox: [3.0; 3], step_vox: STEP, values }.sampling(f)
+}
+
+/// A smooth flow of some voxels, with curvature and rotation.
+fn flow([x, y, z]: [f32; 3]) -> [f32; 3] {
+    [3.0 + (0.06 * y).sin(), 0.02 * x - 1.0 + (0.05 * z).cos(), 0.03 * (x - y) + 0.5]
+}
+
+fn random() -> Pcg64Mcg {
+    Pcg64Mcg::seed_from_u64(11)
+}
+
+/// Places between the lattice's nodes.
+fn places(random: &mut impl Rng, count: usize) -> Vec<[f32; 3]> {
+    let place = |random: &mut _, n: usize| 3.0 + STEP * (n - 1) as f32 * unit(random);
+    (0..count).map(|_| NODES.map(|n| place(random, n))).collect()
+}
+
+fn unit(random: &mut impl Rng) -> f32 {
+    random.random::<f32>()
+}
+
+/// Frames of points whose middle of the path is at `middles`, by the simulator's kind of rule:
+/// many small steps.
+fn frames(middles: &[[f32; 3]], flow: impl Fn([f32; 3]) -> [f32; 3]) -> [PointCloud; 2] {
+    [-0.5f32, 0.5].map(|part| {
+        const STEPS: usize = 50;
+        let moved = |&at: &[f32; 3]| {
+            (0..STEPS).fold(at, |at, _| {
+                let by = flow(at);
+                std::array::from_fn(|c| at[c] + part * by[c] / STEPS as f32)
+            })
+        };
+        let position_vox: Vec<[f32; 3]> = middles.iter().map(moved).collect();
+        PointCloud { light: vec![1.0; position_vox.len()], position_vox }
+    })
+}
+
+fn largest_difference(a: &Lattice, b: &Lattice) -> f32 {
+    let pairs = a.values.as_flattened().iter().zip(b.values.as_flattened());
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+}
+
+/// The largest error against [`flow`] on nodes that are not on the lattice's faces.
+fn largest_inner_error(found: &Lattice) -> f32 {
+    let inner = |n: usize| {
+        let place = [n % 7, n / 7 % 6, n / 42];
+        (0..3).all(|axis| place[axis] > 0 && place[axis] + 1 < NODES[axis])
+    };
+    let expected = lattice(flow).values;
+    let nodes = (0..expected.len()).filter(|&n| inner(n));
+    let errors = nodes.flat_map(|n| (0..3).map(move |c| (n, c)));
+    errors.map(|(n, c)| (found.values[n][c] - expected[n][c]).abs()).fold(0.0, f32::max)
+}
+
+#[test]
+fn a_spline_has_the_values_of_its_lattice_on_the_nodes_and_follows_it_between() {
+    let field = lattice(flow);
+    let spline = Spline::through(&field);
+    assert!(largest_difference(&spline.on_nodes(&field), &field) < 1e-5);
+    for at in places(&mut random(), 200) {
+        let (found, expected) = (spline.of(&spline.taps(at)), flow(at));
+        for c in 0..3 {
+            assert!((found[c] as f32 - expected[c]).abs() < 0.01, "{at:?}: {found:?} {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn a_place_on_a_node_has_the_nodes_own_taps() {
+    let spline = Spline::through(&lattice(flow));
+    for n in 0..NODES.iter().product() {
+        let place = [n % 7, n / 7 % 6, n / 42].map(|i| 3.0 + STEP * i as f32);
+        let [a, b] = [spline.taps(place), Taps::of_node(spline.layout, NODES, n)]
+            .map(|taps| spline.of(&taps));
+        assert!((0..3).all(|c| (a[c] - b[c]).abs() < 1e-6), "{n}: {a:?} {b:?}");
+    }
+}
+
+/// ⟨B c, v⟩ = ⟨c, Bᵀ v⟩ for random c and v.
+#[test]
+fn scattering_is_the_transpose_of_gathering() {
+    let mut random = random();
+    let spline = Spline::through(&lattice(flow));
+    let taps: Vec<Taps> = places(&mut random, 300).into_iter().map(|at| spline.taps(at)).collect();
+    let mut numbers =
+        |count: usize| -> Vec<f64> { (0..count).map(|_| f64::from(unit(&mut random))).collect() };
+    let (coefficients, values) = (numbers(spline.layout.len()), numbers(taps.len()));
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mut transposed = vec![0.0; coefficients.len()];
+    add_transposed(spline.layout, &taps, &values, &mut transposed);
+    let gathered = dot(&values_at(spline.layout, &taps, &coefficients), &values);
+    let scattered = dot(&coefficients, &transposed);
+    assert!((gathered / scattered - 1.0).abs() < 1e-9, "{gathered} {scattered}");
+}
+
+#[test]
+fn neighbours_are_those_that_a_search_through_all_finds() {
+    let mut random = random();
+    let points = places(&mut random, 500);
+    let near = Neighbours::new(&points, 3.0);
+    let square = |a: [f32; 3], b: [f32; 3]| (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f32>();
+    for at in places(&mut random, 100).into_iter().chain([[-40.0; 3], [1.5; 3], [90.0; 3]]) {
+        let mut found = Vec::new();
+        near.visit(at, |point, _| found.push(point));
+        found.sort_unstable();
+        let within = |&n: &usize| square(points[n], at) <= 9.0;
+        let expected: Vec<usize> = (0..points.len()).filter(within).collect();
+        assert_eq!(found, expected);
+        let by_distance =
+            |&a: &usize, &b: &usize| square(points[a], at).total_cmp(&square(points[b], at));
+        assert_eq!(near.nearest(at), expected.into_iter().min_by(by_distance));
+    }
+    assert_eq!(Neighbours::new(&[], 1.0).nearest([0.0; 3]), None);
+}
+
+/// Knots of points of different light about known centres, far enough apart, and a few dim points
+/// between them.
+#[test]
+fn particles_are_the_centres_of_knots_of_light() {
+    let mut random = random();
+    let centres: Vec<[f32; 3]> =
+        (0..60).map(|n| [n % 4, n / 4 % 4, n / 16].map(|i| 4.0 * i as f32 + 0.3)).collect();
+    let mut cloud = PointCloud { position_vox: Vec::new(), light: Vec::new() };
+    let mut add = |at: [f32; 3], light: f32| {
+        cloud.position_vox.push(at);
+        cloud.light.push(light);
+    };
+    for &centre in &centres {
+        for _ in 0..4 {
+            let offset = [0; 3].map(|_| 0.5 * (unit(&mut random) - 0.5));
+            // Two points opposite each other: their centre is the knot's.
+            let light = 1.0 + unit(&mut random);
+            add(std::array::from_fn(|c| centre[c] + offset[c]), light);
+            add(std::array::from_fn(|c| centre[c] - offset[c]), light);
+        }
+        add(centre.map(|c| c + 1.9), 0.05);
+    }
+    let found = particles(&cloud);
+    assert_eq!(found.len(), centres.len());
+    for centre in centres {
+        let nearest = |at: &&[f32; 3]| (0..3).all(|c| (at[c] - centre[c]).abs() < 1e-4);
+        assert!(found.iter().find(nearest).is_some(), "{centre:?}");
+    }
+}
+
+#[test]
+fn no_light_leaves_the_correlations_field() {
+    let (field, dark) = (lattice(flow), PointCloud { position_vox: vec![], light: vec![] });
+    let uncertainty_vox = vec![[0.1, 0.2, 0.05]; field.values.len()];
+    let settled = follow(&field, &uncertainty_vox, [&dark, &dark]);
+    assert!(largest_difference(&settled.field, &field) < 0.02);
+    assert!(settled.uncertainty_vox.iter().flatten().all(|u| u.is_finite() && *u > 0.0));
+}
+
+/// The correlation's field is off by several tenths of a voxel; particles at a realistic density put it
+/// right.
+#[test]
+fn a_field_off_by_tenths_of_a_voxel_is_put_right_by_its_particles() {
+    let middles = places(&mut random(), 900);
+    let [a, b] = frames(&middles, flow);
+    let off = lattice(|at| {
+        let [u, v, w] = flow(at);
+        [u + 0.2 * (0.1 * at[1]).sin(), v - 0.15, w + 0.1]
+    });
+    let settled = follow(&off, &vec![[0.1; 3]; off.values.len()], [&a, &b]);
+    let error = largest_inner_error(&settled.field);
+    assert!(error < 0.02, "{error}");
+}
+
+/// A third of the particles of frame b is somewhere else: lost, and new ones in their place.
+#[test]
+fn wrong_particles_do_not_draw_the_field_aside() {
+    let mut random = random();
+    let middles = places(&mut random, 1200);
+    let [a, mut b] = frames(&middles, flow);
+    for (n, at) in places(&mut random, 400).into_iter().enumerate() {
+        b.position_vox[n] = at;
+    }
+    let start = lattice(|at| flow(at).map(|v| v + 0.05));
+    let settled = follow(&start, &vec![[0.05; 3]; start.values.len()], [&a, &b]);
+    let error = largest_inner_error(&settled.field);
+    assert!(error < 0.02, "{error}");
+}
+
+/// The homogeneous formula against the inverse of the whole matrix, in the middle of a lattice with
+/// many samples at random places.
+#[test]
+fn the_variance_is_the_inverse_matrix_s() {
+    let mut random = random();
+    let spline = Spline::through(&lattice(flow));
+    let (layout, count) = (spline.layout, spline.layout.len());
+    for (per_cell, stiffness) in [(20.0, 2.0), (20.0, 0.1), (60.0, 0.5)] {
+        let cells: usize = NODES.iter().map(|n| n - 1).product();
+        let taps: Vec<Taps> = places(&mut random, per_cell as usize * cells)
+            .into_iter()
+            .chain(
+                (0..NODES.iter().product())
+                    .map(|n| [n % 7, n / 7 % 6, n / 42].map(|i| 3.0 + STEP * i as f32)),
+            )
+            .map(|at| spline.taps(at))
+            .collect();
+        let mut samples = DMatrix::zeros(taps.len(), count);
+        for (row, taps) in taps.iter().enumerate() {
+            let mut of_row = vec![0.0; count];
+            taps.scatter(layout, 1.0, &mut of_row);
+            samples.set_row(row, &DVector::from_vec(of_row).transpose());
+        }
+        let mut matrix = samples.transpose() * &samples;
+        for column in 0..count {
+            let mut unit = vec![0.0; count];
+            unit[column] = 1.0;
+            let starts = |axis| {
+                let stiff = move |n| if layout.starts(axis, n) { stiffness } else { 0.0 };
+                (0..count).map(stiff).collect()
+            };
+            let penalty = crate::velocimetry::differences::Penalty {
+                layout,
+                stiffness: std::array::from_fn(starts),
+            };
+            let mut forces = vec![0.0; count];
+            penalty.add_forces(&unit, &mut forces);
+            for (row, force) in forces.into_iter().enumerate() {
+                matrix[(row, column)] += force;
+            }
+        }
+        let middle = (2 * 6 + 3) * 7 + 3;
+        let mut node = vec![0.0; count];
+        Taps::of_node(layout, NODES, middle).scatter(layout, 1.0, &mut node);
+        let node = DVector::from_vec(node);
+        let solved = matrix.cholesky().unwrap().solve(&node);
+        let expected = node.dot(&solved).sqrt();
+        let found = Waves::new().variance(per_cell, 1.0, [stiffness; 3]).sqrt();
+        assert!(
+            (found / expected - 1.0).abs() < 0.15,
+            "{per_cell} {stiffness}: {found} {expected}"
+        );
+    }
+}
+
+#[test]
+fn pairs_are_each_others_nearest() {
+    let spline = Spline::through(&lattice(|_| [1.0, 0.0, 0.0]));
+    let a = [[10.0, 10.0, 10.0], [20.0, 20.0, 20.0], [20.3, 20.0, 20.0], [12.0, 30.0, 30.0]];
+    let b = [[21.0, 20.0, 20.1], [11.1, 10.0, 10.0], [14.0, 30.0, 30.0]];
+    let found = pairs(&spline, [&a, &b]);
+    let places: Vec<[f32; 3]> = found.iter().map(|Pair { middle_vox, .. }| *middle_vox).collect();
+    assert_eq!(found.len(), 2, "{places:?}");
+    assert!((found[0].displacement_vox[0] - 1.1).abs() < 1e-5);
+    assert!((found[1].displacement_vox[2] - 0.1).abs() < 1e-5);
+}
