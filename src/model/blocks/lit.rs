@@ -1,9 +1,10 @@
-//! Which voxels may hold light, 256 voxels at a time.
+//! Which voxels may hold light, up to 256 voxels at a time.
 //!
 //! One camera at a time: for each depth of blocks and each view, the image's lit pixels are carried
 //! onto the voxels. A few neighbouring microlenses are looked up together, so a row of the image
 //! becomes a line of bits in some twenty operations ([`maps`]); a voxel's line is the union of the
 //! rows in its support. The views that find a voxel dark are counted in bit planes ([`slab`]).
+//! Lines have as many words as a grid's columns need, four at most.
 
 mod maps;
 mod slab;
@@ -16,7 +17,7 @@ use super::{
     Darkness, LitBlocks,
     aligned::{AlignedCamera, AlignedModel, Axes},
     blocks_along,
-    dark_counts::{LINE_VOXELS, Line},
+    dark_counts::Line,
 };
 use crate::lightfield::{ViewLayout, ViewStack};
 use maps::GROUP;
@@ -31,7 +32,21 @@ pub(super) fn lit_blocks<const L: usize, const D: usize>(
     views: &[ViewStack],
     darkness: &Darkness,
 ) -> LitBlocks {
-    let cameras: Vec<CameraBits> = model
+    let columns = model.cameras.iter().map(|camera| model.grid.voxels[camera.axes.column]);
+    match columns.max().unwrap_or(0) {
+        ..=64 => lit_in_lines::<1, L, D>(model, views, darkness),
+        ..=128 => lit_in_lines::<2, L, D>(model, views, darkness),
+        _ => lit_in_lines::<4, L, D>(model, views, darkness),
+    }
+}
+
+/// [`lit_blocks`] by lines of `W` words.
+fn lit_in_lines<const W: usize, const L: usize, const D: usize>(
+    model: &AlignedModel<L, D>,
+    views: &[ViewStack],
+    darkness: &Darkness,
+) -> LitBlocks {
+    let cameras: Vec<CameraBits<W>> = model
         .cameras
         .iter()
         .zip(&model.layouts)
@@ -65,7 +80,7 @@ pub(super) fn lit_blocks<const L: usize, const D: usize>(
 }
 
 /// A block's children that all cameras think possible and one sees.
-fn lit_children(cameras: &[CameraBits], block: [usize; 3]) -> u8 {
+fn lit_children<const W: usize>(cameras: &[CameraBits<W>], block: [usize; 3]) -> u8 {
     let mut possible = u8::MAX;
     for camera in cameras {
         possible &= camera.possible.children(block);
@@ -110,28 +125,28 @@ impl LitImages {
 }
 
 /// A camera's verdict on every voxel.
-struct CameraBits {
-    possible: VoxelBits,
-    seen: VoxelBits,
+struct CameraBits<const W: usize> {
+    possible: VoxelBits<W>,
+    seen: VoxelBits<W>,
 }
 
 /// One bit per voxel: a [`Line`] for each strip of columns, tabulated depth and voxel across the
 /// rows.
-struct VoxelBits {
+struct VoxelBits<const W: usize> {
     axes: Axes,
     /// Depths per block that have lines of their own.
     layers: usize,
     /// Voxels along the depth and across the rows.
     depths: usize,
     rows: usize,
-    lines: Vec<Line>,
+    lines: Vec<Line<W>>,
 }
 
-impl VoxelBits {
+impl<const W: usize> VoxelBits<W> {
     /// The bits of a block's children; 0 beyond the grid's end.
     fn children(&self, block: [usize; 3]) -> u8 {
         let (column, row) = (2 * block[self.axes.column], 2 * block[self.axes.row]);
-        let (strip, column) = (column / LINE_VOXELS, column % LINE_VOXELS);
+        let (strip, column) = (column / (64 * W), column % (64 * W));
         let tabulated = self.layers * self.depths.div_ceil(2);
         let far_inside = 2 * block[self.axes.depth] + 1 < self.depths;
         let mut mask = 0;
@@ -156,7 +171,7 @@ impl VoxelBits {
     }
 }
 
-impl CameraBits {
+impl<const W: usize> CameraBits<W> {
     fn new<const L: usize>(
         camera: &AlignedCamera<L>,
         layout: &ViewLayout,
@@ -166,13 +181,13 @@ impl CameraBits {
     ) -> Self {
         let (columns, rows) = (voxels[camera.axes.column], voxels[camera.axes.row]);
         let depths = camera.columns.depths();
-        let slabs: Vec<[Vec<Line>; 2]> = (0..depths * columns.div_ceil(LINE_VOXELS))
+        let slabs: Vec<[Vec<Line<W>>; 2]> = (0..depths * columns.div_ceil(64 * W))
             .into_par_iter()
             .map(|n| {
-                let first_column = n / depths * LINE_VOXELS;
+                let first_column = n / depths * 64 * W;
                 let slab =
                     Slab { camera, layout, images, depth: n % depths, first_column, columns, rows };
-                slab.judge(forgiven)
+                slab.judge::<W>(forgiven)
             })
             .collect();
         let collect = |n: usize| VoxelBits {

@@ -107,4 +107,5 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
 fn finds_the_voxels_that_enough_views_find_lit() {
     compare::<1>([261, 7, 6], 3);
     compare::<2>([21, 8, 9], 4);
+    compare::<1>([70, 8, 7], 5);
 }
