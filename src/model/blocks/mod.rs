@@ -12,6 +12,7 @@ mod aligned;
 mod axis_table;
 mod dark_counts;
 mod lit;
+mod prefetch;
 mod projector;
 mod row_shares;
 #[cfg(test)]
