@@ -11,6 +11,8 @@ mod slab;
 #[cfg(test)]
 mod tests;
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::{
@@ -52,7 +54,7 @@ fn lit_in_lines<const W: usize, const L: usize, const D: usize>(
         .zip(&model.layouts)
         .enumerate()
         .map(|(n, (camera, layout))| {
-            let images = LitImages::new(layout, &views[n], darkness.dark_below[n]);
+            let images = LitImages::new(layout, &views[n], darkness, n);
             CameraBits::new(camera, layout, &images, (model.grid.voxels, D), darkness.forgiven[n])
         })
         .collect();
@@ -92,35 +94,45 @@ fn lit_children<const W: usize>(cameras: &[CameraBits<W>], block: [usize; 3]) ->
     possible & cameras.iter().fold(0, |mask, camera| mask | camera.seen.children(block))
 }
 
-/// The lit pixels of every view of a camera: for each row and each [`GROUP`] of microlenses the
-/// set of those that are lit, a bit each.
-struct LitImages {
+/// The lit pixels of the views of a camera that are asked: for each row and each [`GROUP`] of
+/// microlenses the set of those that are lit, a bit each.
+struct LitImages<'a> {
+    /// The views' positions in the layout, ascending.
+    views: &'a [usize],
     rows: usize,
     groups: usize,
     sets: Vec<u8>,
 }
 
-impl LitImages {
-    fn new(layout: &ViewLayout, views: &ViewStack, dark_below: f32) -> Self {
+impl<'a> LitImages<'a> {
+    fn new(layout: &ViewLayout, stack: &ViewStack, darkness: &'a Darkness, camera: usize) -> Self {
+        let (views, dark_below) = (&darkness.asked[camera], darkness.dark_below[camera]);
         let (width, rows) = (layout.window.columns.len(), layout.window.rows.len());
         let groups = width.div_ceil(GROUP);
         let mut sets = vec![0u8; views.len() * rows * groups];
-        for (n, view) in layout.views.iter().enumerate() {
-            for (row, line) in views.view(n).chunks_exact(width).enumerate() {
-                let target = &mut sets[(n * rows + row) * groups..][..groups];
+        for (&view, sets) in views.iter().zip(sets.chunks_exact_mut((rows * groups).max(1))) {
+            let coverage = layout.views[view].coverage.as_ref();
+            for (row, line) in stack.view(view).chunks_exact(width).enumerate() {
+                let target = &mut sets[row * groups..][..groups];
                 for (i, &value) in line.iter().enumerate() {
-                    let open = view.coverage.as_ref().map_or(1.0, |c| c[row * width + i]);
+                    let open = coverage.map_or(1.0, |c| c[row * width + i]);
                     // A pixel less than half open is no evidence of darkness.
                     let lit = open <= 0.5 || value >= dark_below * open;
                     target[i / GROUP] |= u8::from(lit) << (i % GROUP);
                 }
             }
         }
-        Self { rows, groups, sets }
+        Self { views, rows, groups, sets }
     }
 
-    fn row(&self, view: usize, row: usize) -> &[u8] {
-        &self.sets[(view * self.rows + row) * self.groups..][..self.groups]
+    /// Which images are those of the layout's views `of`.
+    fn of_views(&self, of: Range<usize>) -> Range<usize> {
+        let first_from = |start| self.views.partition_point(|&view| view < start);
+        first_from(of.start)..first_from(of.end)
+    }
+
+    fn row(&self, image: usize, row: usize) -> &[u8] {
+        &self.sets[(image * self.rows + row) * self.groups..][..self.groups]
     }
 }
 
@@ -175,7 +187,7 @@ impl<const W: usize> CameraBits<W> {
     fn new<const L: usize>(
         camera: &AlignedCamera<L>,
         layout: &ViewLayout,
-        images: &LitImages,
+        images: &LitImages<'_>,
         (voxels, layers): ([usize; 3], usize),
         forgiven: usize,
     ) -> Self {

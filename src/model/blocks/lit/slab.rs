@@ -4,6 +4,8 @@
 //! are worked on together: their lit rows lie side by side, and a line of voxels is loaded, counted
 //! for all of them and stored once.
 
+use std::ops::Range;
+
 use multiversion::multiversion;
 
 use super::{
@@ -22,7 +24,7 @@ use crate::{
 pub(super) struct Slab<'a, const L: usize> {
     pub camera: &'a AlignedCamera<L>,
     pub layout: &'a ViewLayout,
-    pub images: &'a LitImages,
+    pub images: &'a LitImages<'a>,
     pub depth: usize,
     pub first_column: usize,
     /// Voxels of the grid along the columns and across the rows.
@@ -41,15 +43,14 @@ impl<const L: usize> Slab<'_, L> {
         let mut group = ViewGroup::default();
         for views in self.layout.views.chunk_by(|a, b| a.l == b.l) {
             let mut supports = row_supports(&self.camera.rows, (views[0].l, self.depth), self.rows);
-            group.judged.clear();
-            group.judged.extend(views.iter().map(|view| columns[self.column_map_of(view)].judged));
-            let any = union(&group.judged);
+            let any = union(views.iter().map(|view| &columns[self.column_map_of(view)].judged));
             for support in &supports {
                 let seen = &mut seen[support.voxel];
-                *seen = union(&[*seen, any]);
+                *seen = union([&*seen, &any].into_iter());
             }
             supports.retain(|support| dark.is_open(support.voxel));
-            group.light(self, &columns, first_view, views, &supports);
+            let images = self.images.of_views(first_view..first_view + views.len());
+            group.light(self, &columns, images, &supports);
             count_dark(&mut group, &supports, &mut dark);
             first_view += views.len();
         }
@@ -70,7 +71,7 @@ impl<const L: usize> Slab<'_, L> {
     }
 }
 
-/// What views of one index along the rows see.
+/// What the asked views of one index along the rows see.
 #[derive(Default)]
 struct ViewGroup<const W: usize> {
     /// Per view the voxels that it sees well enough to judge.
@@ -84,34 +85,35 @@ struct ViewGroup<const W: usize> {
 }
 
 impl<const W: usize> ViewGroup<W> {
-    /// Carries the rows of all supports onto the voxels. The images of `views` start at
-    /// `first_view`.
+    /// Carries the rows of all supports in these images onto the voxels.
     fn light<const L: usize>(
         &mut self,
         slab: &Slab<'_, L>,
         columns: &[ColumnMap<W>],
-        first_view: usize,
-        views: &[View],
+        images: Range<usize>,
         supports: &[RowSupport],
     ) {
         self.first_row = supports.iter().map(|support| support.start).min().unwrap_or(0);
         let end = supports.iter().map(|support| support.end).max().unwrap_or(0);
+        self.judged.clear();
         self.lit.clear();
-        self.lit.resize((end - self.first_row) * views.len(), [0; W]);
+        self.lit.resize((end - self.first_row) * images.len(), [0; W]);
         // A view's map fits into the nearest cache, those of all views do not.
-        for (n, view) in views.iter().enumerate() {
+        for (n, image) in images.clone().enumerate() {
+            let view = &slab.layout.views[slab.images.views[image]];
             let columns = &columns[slab.column_map_of(view)];
-            let of_view = self.lit.iter_mut().skip(n).step_by(views.len());
+            self.judged.push(columns.judged);
+            let of_view = self.lit.iter_mut().skip(n).step_by(images.len());
             for (row, lit) in (self.first_row..end).zip(of_view) {
-                *lit = columns.light(slab.images.row(first_view + n, row));
+                *lit = columns.light(slab.images.row(image, row));
             }
         }
-        self.dark.resize(views.len(), [0; W]);
+        self.dark.resize(images.len(), [0; W]);
     }
 }
 
-fn union<const W: usize>(lines: &[Line<W>]) -> Line<W> {
-    lines.iter().fold([0; W], |union, line| std::array::from_fn(|word| union[word] | line[word]))
+fn union<'a, const W: usize>(lines: impl Iterator<Item = &'a Line<W>>) -> Line<W> {
+    lines.fold([0; W], |union, line| std::array::from_fn(|word| union[word] | line[word]))
 }
 
 /// A line whose first voxels are set.
