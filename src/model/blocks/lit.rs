@@ -36,8 +36,8 @@ pub(super) fn lit_blocks<const L: usize, const D: usize>(
 ) -> LitBlocks {
     let columns = model.cameras.iter().map(|camera| model.grid.voxels[camera.axes.column]);
     match columns.max().unwrap_or(0) {
-        ..=64 => lit_in_lines::<1, L, D>(model, views, darkness),
-        ..=128 => lit_in_lines::<2, L, D>(model, views, darkness),
+        0..=64 => lit_in_lines::<1, L, D>(model, views, darkness),
+        65..=128 => lit_in_lines::<2, L, D>(model, views, darkness),
         _ => lit_in_lines::<4, L, D>(model, views, darkness),
     }
 }
