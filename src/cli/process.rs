@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     archive::{VtiSeries, find_pair_folders, read_pair, write_velocity, write_volumes, write_vti},
-    config::ConfigFile,
+    config::{Config, ConfigFile},
     lightfield::{Background, ImagePair},
     pipeline::{PairResult, Processor},
     reconstruction::Solver,
@@ -60,16 +60,17 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
              has a folder raw) does without"
         )
     };
-    let mut run = Run::prepare(args, config)?;
     let (jobs, mut failures) = jobs(&args.folders, out);
+    let (mut run, first) = Run::prepare(args, config, jobs.first())?;
     run.learn_background(&jobs)?;
     for failure in &failures {
         tracing::error!("{failure}");
     }
     let bar = progress_bar(jobs.len(), "pairs");
     let (mut series, mut measured) = (VtiSeries::default(), 0_usize);
+    let mut read_already = first;
     for (number, job) in (0..).zip(&jobs) {
-        match run.measure(job) {
+        match run.measure(job, read_already.take()) {
             Ok(result) => {
                 measured += 1;
                 series.push(format!("{}/velocity.vti", job.name), number);
@@ -114,7 +115,12 @@ struct Run {
 }
 
 impl Run {
-    fn prepare(args: &ProcessArgs, config: &Path) -> anyhow::Result<Self> {
+    /// Builds the tables, and reads the first pair meanwhile.
+    fn prepare(
+        args: &ProcessArgs,
+        config: &Path,
+        first: Option<&Job>,
+    ) -> anyhow::Result<(Self, Option<anyhow::Result<ImagePair>>)> {
         let mut file = ConfigFile::load(config)?;
         if let Some(solver) = args.solver {
             file.config.reconstruction.solver = solver;
@@ -122,14 +128,17 @@ impl Run {
             let note = "# Overridden on the command line: reconstruction.solver";
             file.text.push_str(&format!("\n{note} = \"{name}\"\n"));
         }
-        let processor = Processor::new(file.config.measurement())
-            .with_context(|| format!("{} cannot be measured with", config.display()))?;
-        Ok(Self { processor, file, save_volumes: args.save_volumes })
+        let (processor, first) = rayon::join(
+            || Processor::new(file.config.measurement()),
+            || first.map(|job| read(&file.config, &job.pair)),
+        );
+        let processor =
+            processor.with_context(|| format!("{} cannot be measured with", config.display()))?;
+        Ok((Self { processor, file, save_volumes: args.save_volumes }, first))
     }
 
     fn read(&self, folder: &Path) -> anyhow::Result<ImagePair> {
-        let config = &self.file.config;
-        Ok(read_pair(folder, config.camera.len(), (&config.optics.sensor).into())?)
+        read(&self.file.config, folder)
     }
 
     /// Learns stationary light where the configuration asks for it: from its background images,
@@ -165,9 +174,13 @@ impl Run {
         }
     }
 
-    /// Reads, measures and stores one pair.
-    fn measure(&self, job: &Job) -> anyhow::Result<PairResult> {
-        let pair = self.read(&job.pair)?;
+    /// Measures and stores one pair, and reads it where that has not been tried already.
+    fn measure(
+        &self,
+        job: &Job,
+        read_already: Option<anyhow::Result<ImagePair>>,
+    ) -> anyhow::Result<PairResult> {
+        let pair = read_already.unwrap_or_else(|| self.read(&job.pair))?;
         let (result, volumes) = if self.save_volumes {
             let (result, volumes) = self.processor.process_with_volumes(pair)?;
             (result, Some(volumes))
@@ -188,6 +201,10 @@ impl Run {
         write_vti(&folder.join("velocity.vti"), &result.field)?;
         Ok(())
     }
+}
+
+fn read(config: &Config, folder: &Path) -> anyhow::Result<ImagePair> {
+    Ok(read_pair(folder, config.camera.len(), (&config.optics.sensor).into())?)
 }
 
 /// One pair and where its results go.

@@ -43,7 +43,7 @@ pub enum Settled {
 }
 
 /// Subsets between two clearances of dim voxels.
-const SUBSETS_PER_CLEARANCE: usize = 8;
+const SUBSETS_PER_CLEARANCE: usize = 4;
 
 /// Blocks that one task updates.
 const BLOCKS_PER_TASK: usize = 8192;

@@ -1,58 +1,83 @@
-//! Counting for 256 voxels at a time.
+//! Counting for a line of voxels at a time.
 
-/// Voxels that are counted together: what a vector of AVX2 holds.
-pub(super) const LINE_VOXELS: usize = 256;
-
-/// One bit per voxel.
-pub(super) type Line = [u64; LINE_VOXELS / 64];
+/// One bit per voxel of a line of 64·`W`.
+pub(super) type Line<const W: usize> = [u64; W];
 
 /// Counters of dark views for many voxels, as bit planes that start so high that the carry out of
 /// the last plane says "one more than forgiven".
-pub(super) struct DarkCounts {
+pub(super) struct DarkCounts<const W: usize> {
     planes: usize,
     /// For each line its planes, one after the other.
-    bits: Vec<Line>,
-    exceeded: Vec<Line>,
+    bits: Vec<Line<W>>,
+    exceeded: Vec<Line<W>>,
 }
 
-impl DarkCounts {
-    /// Counters for `lines` lines, where `forgiven` dark views are allowed.
-    pub fn new(lines: usize, forgiven: usize) -> Self {
-        let planes = (usize::BITS - forgiven.leading_zeros()) as usize;
+/// Numbers of planes whose loops are unrolled, so that a line is counted in registers.
+const PLANES: [usize; 4] = [3, 4, 8, 16];
+
+/// Nobody has more views.
+const MOST_FORGIVEN: usize = (1 << 16) - 1;
+
+impl<const W: usize> DarkCounts<W> {
+    /// Counters for `lines` lines, where `forgiven` dark views are allowed. Only the voxels of
+    /// `inside` are counted, the others have too many from the start.
+    pub fn new(lines: usize, inside: Line<W>, forgiven: usize) -> Self {
+        let forgiven = forgiven.min(MOST_FORGIVEN);
+        let fits = |planes: &usize| forgiven >> planes == 0;
+        let planes = PLANES.into_iter().find(fits).unwrap_or(PLANES[PLANES.len() - 1]);
         let start = (1usize << planes) - 1 - forgiven;
         let plane = |n: usize| if start >> (n % planes) & 1 == 1 { u64::MAX } else { 0 };
-        let bits = (0..lines * planes).map(|n| [plane(n); LINE_VOXELS / 64]).collect();
-        Self { planes, bits, exceeded: vec![Line::default(); lines] }
+        let bits = (0..lines * planes).map(|n| [plane(n); W]).collect();
+        Self { planes, bits, exceeded: vec![inside.map(|word| !word); lines] }
     }
 
-    /// Counts the voxels of a line whose bit is set in `dark`.
+    /// Whether a voxel of the line has no more dark views than forgiven.
     #[inline(always)]
-    pub fn count(&mut self, line: usize, dark: Line) {
+    pub fn is_open(&self, line: usize) -> bool {
+        self.exceeded[line] != [u64::MAX; W]
+    }
+
+    /// Counts, view by view, the voxels of a line whose bit is set.
+    #[inline(always)]
+    pub fn count(&mut self, line: usize, dark: &[Line<W>]) {
         let exceeded = &mut self.exceeded[line];
-        let mut carry = dark;
-        for word in 0..carry.len() {
-            carry[word] &= !exceeded[word];
+        let planes = &mut self.bits[line * self.planes..][..self.planes];
+        match self.planes {
+            3 => count_in::<W, 3>(planes, exceeded, dark),
+            4 => count_in::<W, 4>(planes, exceeded, dark),
+            8 => count_in::<W, 8>(planes, exceeded, dark),
+            _ => count_in::<W, 16>(planes, exceeded, dark),
         }
-        // Most voxels are soon beyond counting, and the others are lit in nearly every view.
-        if carry.iter().fold(0, |any, word| any | word) == 0 {
-            return;
-        }
-        for plane in &mut self.bits[line * self.planes..][..self.planes] {
-            for word in 0..carry.len() {
+    }
+
+    /// The voxels with no more dark views than forgiven.
+    pub fn within(&self) -> Vec<Line<W>> {
+        self.exceeded.iter().map(|line| line.map(|word| !word)).collect()
+    }
+}
+
+#[inline(always)]
+fn count_in<const W: usize, const P: usize>(
+    planes: &mut [Line<W>],
+    exceeded: &mut Line<W>,
+    dark: &[Line<W>],
+) {
+    let Some(planes) = planes.first_chunk_mut::<P>() else { return };
+    let (mut bits, mut beyond) = (*planes, *exceeded);
+    for dark in dark {
+        let mut carry = *dark;
+        for plane in &mut bits {
+            for word in 0..W {
                 let sum = plane[word] ^ carry[word];
                 carry[word] &= plane[word];
                 plane[word] = sum;
             }
         }
-        for word in 0..carry.len() {
-            exceeded[word] |= carry[word];
+        for word in 0..W {
+            beyond[word] |= carry[word];
         }
     }
-
-    /// The voxels with no more dark views than forgiven.
-    pub fn within(&self) -> Vec<Line> {
-        self.exceeded.iter().map(|line| line.map(|word| !word)).collect()
-    }
+    (*planes, *exceeded) = (bits, beyond);
 }
 
 #[cfg(test)]
@@ -64,21 +89,28 @@ mod tests {
     proptest! {
         #[test]
         fn counts_as_a_number_per_voxel(
-            forgiven in 0usize..20,
-            dark in prop::collection::vec((0usize..3, any::<[u64; 4]>()), 0..60),
+            forgiven in prop_oneof![0usize..20, Just(300)],
+            inside in any::<[u64; 2]>(),
+            dark in prop::collection::vec(
+                (0usize..3, prop::collection::vec(any::<[u64; 2]>(), 0..9)), 0..12,
+            ),
         ) {
-            let mut counts = DarkCounts::new(3, forgiven);
-            let mut naive = vec![0; 3 * LINE_VOXELS];
-            for (line, bits) in dark {
-                counts.count(line, bits);
-                for (voxel, count) in naive[line * LINE_VOXELS..][..LINE_VOXELS].iter_mut().enumerate() {
-                    *count += (bits[voxel / 64] >> (voxel % 64) & 1) as usize;
+            let mut counts = DarkCounts::new(3, inside, forgiven);
+            let mut naive = vec![0; 3 * 128];
+            for (line, views) in dark {
+                counts.count(line, &views);
+                for bits in views {
+                    for (voxel, count) in naive[line * 128..][..128].iter_mut().enumerate() {
+                        *count += (bits[voxel / 64] >> (voxel % 64) & 1) as usize;
+                    }
                 }
             }
             let within = counts.within();
-            for (voxel, count) in naive.into_iter().enumerate() {
-                let bit = within[voxel / LINE_VOXELS][voxel % LINE_VOXELS / 64] >> (voxel % 64) & 1;
-                prop_assert_eq!(bit == 1, count <= forgiven);
+            for (n, count) in naive.into_iter().enumerate() {
+                let (line, word, bit) = (n / 128, n % 128 / 64, n % 64);
+                let expected = inside[word] >> bit & 1 == 1 && count <= forgiven;
+                prop_assert_eq!(within[line][word] >> bit & 1 == 1, expected);
+                prop_assert!(!expected || counts.is_open(line));
             }
         }
     }

@@ -1,14 +1,17 @@
-//! Which voxels may hold light, 256 voxels at a time.
+//! Which voxels may hold light, up to 256 voxels at a time.
 //!
 //! One camera at a time: for each depth of blocks and each view, the image's lit pixels are carried
 //! onto the voxels. A few neighbouring microlenses are looked up together, so a row of the image
 //! becomes a line of bits in some twenty operations ([`maps`]); a voxel's line is the union of the
 //! rows in its support. The views that find a voxel dark are counted in bit planes ([`slab`]).
+//! Lines have as many words as a grid's columns need, four at most.
 
 mod maps;
 mod slab;
 #[cfg(test)]
 mod tests;
+
+use std::ops::Range;
 
 use rayon::prelude::*;
 
@@ -16,7 +19,7 @@ use super::{
     Darkness, LitBlocks,
     aligned::{AlignedCamera, AlignedModel, Axes},
     blocks_along,
-    dark_counts::{LINE_VOXELS, Line},
+    dark_counts::Line,
 };
 use crate::lightfield::{ViewLayout, ViewStack};
 use maps::GROUP;
@@ -31,13 +34,27 @@ pub(super) fn lit_blocks<const L: usize, const D: usize>(
     views: &[ViewStack],
     darkness: &Darkness,
 ) -> LitBlocks {
-    let cameras: Vec<CameraBits> = model
+    let columns = model.cameras.iter().map(|camera| model.grid.voxels[camera.axes.column]);
+    match columns.max().unwrap_or(0) {
+        0..=64 => lit_in_lines::<1, L, D>(model, views, darkness),
+        65..=128 => lit_in_lines::<2, L, D>(model, views, darkness),
+        _ => lit_in_lines::<4, L, D>(model, views, darkness),
+    }
+}
+
+/// [`lit_blocks`] by lines of `W` words.
+fn lit_in_lines<const W: usize, const L: usize, const D: usize>(
+    model: &AlignedModel<L, D>,
+    views: &[ViewStack],
+    darkness: &Darkness,
+) -> LitBlocks {
+    let cameras: Vec<CameraBits<W>> = model
         .cameras
         .iter()
         .zip(&model.layouts)
         .enumerate()
         .map(|(n, (camera, layout))| {
-            let images = LitImages::new(layout, &views[n], darkness.dark_below[n]);
+            let images = LitImages::new(layout, &views[n], darkness, n);
             CameraBits::new(camera, layout, &images, (model.grid.voxels, D), darkness.forgiven[n])
         })
         .collect();
@@ -65,7 +82,7 @@ pub(super) fn lit_blocks<const L: usize, const D: usize>(
 }
 
 /// A block's children that all cameras think possible and one sees.
-fn lit_children(cameras: &[CameraBits], block: [usize; 3]) -> u8 {
+fn lit_children<const W: usize>(cameras: &[CameraBits<W>], block: [usize; 3]) -> u8 {
     let mut possible = u8::MAX;
     for camera in cameras {
         possible &= camera.possible.children(block);
@@ -77,61 +94,71 @@ fn lit_children(cameras: &[CameraBits], block: [usize; 3]) -> u8 {
     possible & cameras.iter().fold(0, |mask, camera| mask | camera.seen.children(block))
 }
 
-/// The lit pixels of every view of a camera: for each row and each [`GROUP`] of microlenses the
-/// set of those that are lit, a bit each.
-struct LitImages {
+/// The lit pixels of the views of a camera that are asked: for each row and each [`GROUP`] of
+/// microlenses the set of those that are lit, a bit each.
+struct LitImages<'a> {
+    /// The views' positions in the layout, ascending.
+    views: &'a [usize],
     rows: usize,
     groups: usize,
     sets: Vec<u8>,
 }
 
-impl LitImages {
-    fn new(layout: &ViewLayout, views: &ViewStack, dark_below: f32) -> Self {
+impl<'a> LitImages<'a> {
+    fn new(layout: &ViewLayout, stack: &ViewStack, darkness: &'a Darkness, camera: usize) -> Self {
+        let (views, dark_below) = (&darkness.asked[camera], darkness.dark_below[camera]);
         let (width, rows) = (layout.window.columns.len(), layout.window.rows.len());
         let groups = width.div_ceil(GROUP);
         let mut sets = vec![0u8; views.len() * rows * groups];
-        for (n, view) in layout.views.iter().enumerate() {
-            for (row, line) in views.view(n).chunks_exact(width).enumerate() {
-                let target = &mut sets[(n * rows + row) * groups..][..groups];
+        for (&view, sets) in views.iter().zip(sets.chunks_exact_mut((rows * groups).max(1))) {
+            let coverage = layout.views[view].coverage.as_ref();
+            for (row, line) in stack.view(view).chunks_exact(width).enumerate() {
+                let target = &mut sets[row * groups..][..groups];
                 for (i, &value) in line.iter().enumerate() {
-                    let open = view.coverage.as_ref().map_or(1.0, |c| c[row * width + i]);
+                    let open = coverage.map_or(1.0, |c| c[row * width + i]);
                     // A pixel less than half open is no evidence of darkness.
                     let lit = open <= 0.5 || value >= dark_below * open;
                     target[i / GROUP] |= u8::from(lit) << (i % GROUP);
                 }
             }
         }
-        Self { rows, groups, sets }
+        Self { views, rows, groups, sets }
     }
 
-    fn row(&self, view: usize, row: usize) -> &[u8] {
-        &self.sets[(view * self.rows + row) * self.groups..][..self.groups]
+    /// Which images are those of the layout's views `of`.
+    fn of_views(&self, of: Range<usize>) -> Range<usize> {
+        let first_from = |start| self.views.partition_point(|&view| view < start);
+        first_from(of.start)..first_from(of.end)
+    }
+
+    fn row(&self, image: usize, row: usize) -> &[u8] {
+        &self.sets[(image * self.rows + row) * self.groups..][..self.groups]
     }
 }
 
 /// A camera's verdict on every voxel.
-struct CameraBits {
-    possible: VoxelBits,
-    seen: VoxelBits,
+struct CameraBits<const W: usize> {
+    possible: VoxelBits<W>,
+    seen: VoxelBits<W>,
 }
 
 /// One bit per voxel: a [`Line`] for each strip of columns, tabulated depth and voxel across the
 /// rows.
-struct VoxelBits {
+struct VoxelBits<const W: usize> {
     axes: Axes,
     /// Depths per block that have lines of their own.
     layers: usize,
     /// Voxels along the depth and across the rows.
     depths: usize,
     rows: usize,
-    lines: Vec<Line>,
+    lines: Vec<Line<W>>,
 }
 
-impl VoxelBits {
+impl<const W: usize> VoxelBits<W> {
     /// The bits of a block's children; 0 beyond the grid's end.
     fn children(&self, block: [usize; 3]) -> u8 {
         let (column, row) = (2 * block[self.axes.column], 2 * block[self.axes.row]);
-        let (strip, column) = (column / LINE_VOXELS, column % LINE_VOXELS);
+        let (strip, column) = (column / (64 * W), column % (64 * W));
         let tabulated = self.layers * self.depths.div_ceil(2);
         let far_inside = 2 * block[self.axes.depth] + 1 < self.depths;
         let mut mask = 0;
@@ -156,23 +183,23 @@ impl VoxelBits {
     }
 }
 
-impl CameraBits {
+impl<const W: usize> CameraBits<W> {
     fn new<const L: usize>(
         camera: &AlignedCamera<L>,
         layout: &ViewLayout,
-        images: &LitImages,
+        images: &LitImages<'_>,
         (voxels, layers): ([usize; 3], usize),
         forgiven: usize,
     ) -> Self {
         let (columns, rows) = (voxels[camera.axes.column], voxels[camera.axes.row]);
         let depths = camera.columns.depths();
-        let slabs: Vec<[Vec<Line>; 2]> = (0..depths * columns.div_ceil(LINE_VOXELS))
+        let slabs: Vec<[Vec<Line<W>>; 2]> = (0..depths * columns.div_ceil(64 * W))
             .into_par_iter()
             .map(|n| {
-                let first_column = n / depths * LINE_VOXELS;
+                let first_column = n / depths * 64 * W;
                 let slab =
                     Slab { camera, layout, images, depth: n % depths, first_column, columns, rows };
-                slab.judge(forgiven)
+                slab.judge::<W>(forgiven)
             })
             .collect();
         let collect = |n: usize| VoxelBits {

@@ -12,6 +12,7 @@ mod aligned;
 mod axis_table;
 mod dark_counts;
 mod lit;
+mod prefetch;
 mod projector;
 mod row_shares;
 #[cfg(test)]
@@ -39,12 +40,14 @@ pub struct LitBlocks {
     pub children: Vec<u8>,
 }
 
-/// What a view must show for a voxel to be possible.
+/// What views must show for a voxel to be possible.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Darkness {
+    /// Per camera, the views that are asked, ascending.
+    pub asked: Vec<Vec<usize>>,
     /// Per camera, the count under which a pixel is dark.
     pub dark_below: Vec<f32>,
-    /// Per camera, how many views may find a lit voxel dark.
+    /// Per camera, how many of the asked views may find a lit voxel dark.
     pub forgiven: Vec<usize>,
 }
 
@@ -57,10 +60,10 @@ pub trait BlockModel: Send + Sync {
     fn layouts(&self) -> &[ViewLayout];
     /// A projector for these blocks (positions in the block grid's z, y, x order, ascending).
     fn projector(&self, blocks: &[u32]) -> Box<dyn BlockProjector + '_>;
-    /// The voxels that no camera finds dark in more views than it forgives, and that some view
-    /// sees. A view finds a voxel dark when every pixel of the voxel's support is dark; views that
-    /// see too little of a voxel, and pixels less than half open, are no evidence (see
-    /// [`super::Projector::brightest`]).
+    /// The voxels that no camera finds dark in more of the asked views than it forgives, and that
+    /// some view, asked or not, sees. A view finds a voxel dark when every pixel of the voxel's
+    /// support is dark; views that see too little of a voxel, and pixels less than half open, are no
+    /// evidence (see [`super::Projector::brightest`]).
     fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks;
     /// Values of a projected image: the pixels of the camera's window, row-major, and a few more
     /// that mean nothing and let the kernels write past a row's end.

@@ -84,8 +84,9 @@ impl VoxelwiseBlocks {
             for view in 0..stack.len() {
                 let id = ViewId { camera, view };
                 projector.brightest(id, stack.view(view), 0..voxels.len(), &mut brightest);
+                let asked = darkness.asked[camera].contains(&view);
                 for ((dark, seen), &light) in dark.iter_mut().zip(&mut seen).zip(&brightest) {
-                    *dark += usize::from(light < darkness.dark_below[camera]);
+                    *dark += usize::from(asked && light < darkness.dark_below[camera]);
                     *seen |= light.is_finite();
                 }
             }

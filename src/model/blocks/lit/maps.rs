@@ -6,7 +6,7 @@ use crate::model::{
     SUPPORT_SHARE,
     blocks::{
         axis_table::{PairTable, PairTap, SHARE_UNIT},
-        dark_counts::{LINE_VOXELS, Line},
+        dark_counts::Line,
     },
     tables::LEAST_SEEN_SHARE,
 };
@@ -15,25 +15,17 @@ use crate::model::{
 pub(super) const GROUP: usize = 6;
 
 /// What one view index along the columns does to a line of voxels.
-pub(super) struct ColumnMap {
-    /// For every word of the line the groups of microlenses that can light its voxels.
-    lit_by: [Vec<LitByGroup>; LINE_VOXELS / 64],
+pub(super) struct ColumnMap<const W: usize> {
+    words: [WordMap; W],
     /// The voxels that the view sees well enough to judge.
-    pub judged: Line,
+    pub judged: Line<W>,
 }
 
-/// The bits of a word that each set of lit microlenses of a group sets.
-struct LitByGroup {
-    group: usize,
-    bits: [u64; 1 << GROUP],
-}
-
-/// What one view index along the rows does to the voxels across them.
-pub(super) struct RowMap {
-    /// The voxels that the view sees well enough to judge.
-    pub supports: Vec<RowSupport>,
-    /// The microlens rows of all of them.
-    pub reached: Range<usize>,
+/// The microlenses that can light the voxels of a word, in groups.
+struct WordMap {
+    groups: Range<usize>,
+    /// For each group the bits that each set of its microlenses sets.
+    bits: Vec<[u64; 1 << GROUP]>,
 }
 
 /// The microlens rows `start..end` that a voxel's light reaches.
@@ -43,26 +35,28 @@ pub(super) struct RowSupport {
     pub end: usize,
 }
 
-impl ColumnMap {
+impl<const W: usize> ColumnMap<W> {
     /// The voxels in whose support one of the lit microlenses of an image row lies. `row` holds a
     /// set of [`GROUP`] microlenses per byte.
-    pub fn light(&self, row: &[u8]) -> Line {
-        self.lit_by.each_ref().map(|groups| {
-            let bits = |by: &LitByGroup| by.bits[usize::from(row[by.group]) % (1 << GROUP)];
-            groups.iter().fold(0, |lit, by| lit | bits(by))
+    #[inline(always)]
+    pub fn light(&self, row: &[u8]) -> Line<W> {
+        std::array::from_fn(|word| {
+            let map = &self.words[word];
+            let sets = row[map.groups.clone()].iter().zip(&map.bits);
+            sets.fold(0, |lit, (&set, bits)| lit | bits[usize::from(set) % (1 << GROUP)])
         })
     }
 }
 
-/// The map of view index and depth `at`, for a strip of at most [`LINE_VOXELS`] voxels.
-pub(super) fn column_map<const L: usize>(
+/// The map of view index and depth `at`, for a strip of at most 64·`W` voxels.
+pub(super) fn column_map<const W: usize, const L: usize>(
     table: &PairTable<L>,
     at: (i32, usize),
     strip: Range<usize>,
     lenses: usize,
-) -> ColumnMap {
+) -> ColumnMap<W> {
     let mut voxels_of = vec![[usize::MAX, 0]; lenses];
-    let mut judged = Line::default();
+    let mut judged = [0; W];
     for (voxel, support) in supports(table, at) {
         if !strip.contains(&voxel) {
             continue;
@@ -74,26 +68,20 @@ pub(super) fn column_map<const L: usize>(
             *high = (*high).max(bit + 1);
         }
     }
-    let of_word = |word| {
-        let groups = voxels_of.chunks(GROUP).enumerate();
-        groups.filter_map(|(n, voxels_of)| LitByGroup::new(n, voxels_of, word)).collect()
-    };
-    ColumnMap { lit_by: std::array::from_fn(of_word), judged }
+    ColumnMap { words: std::array::from_fn(|word| WordMap::new(&voxels_of, word)), judged }
 }
 
-/// The map of view index and depth `at`, for `voxels` voxels.
-pub(super) fn row_map<const L: usize>(
+/// The supports of at most `voxels` voxels along the rows, in the view index and at the depth `at`;
+/// without those that the view sees too little of.
+pub(super) fn row_supports<const L: usize>(
     table: &PairTable<L>,
     at: (i32, usize),
     voxels: usize,
-) -> RowMap {
-    let supports: Vec<RowSupport> = supports(table, at)
+) -> Vec<RowSupport> {
+    supports(table, at)
         .filter(|&(voxel, _)| voxel < voxels)
         .map(|(voxel, Range { start, end })| RowSupport { voxel, start, end })
-        .collect();
-    let start = supports.iter().map(|support| support.start).min().unwrap_or(0);
-    let end = supports.iter().map(|support| support.end).max().unwrap_or(0);
-    RowMap { supports, reached: start..end }
+        .collect()
 }
 
 /// The microlenses of each voxel's support along one axis, where a view sees enough of it.
@@ -123,23 +111,29 @@ fn support<const L: usize>(tap: &PairTap<L>, n: usize) -> Option<Range<usize>> {
     Some(first + start..first + last + 1)
 }
 
-impl LitByGroup {
-    /// From the range of voxels that each microlens of a group lights; microlenses without voxels
-    /// light none. `None` where no voxel of the word is lit by the group.
-    fn new(group: usize, voxels_of: &[[usize; 2]], word: usize) -> Option<Self> {
-        let mut each = [0u64; GROUP];
-        for (bits, &[low, high]) in each.iter_mut().zip(voxels_of) {
-            for voxel in low.max(64 * word)..high.min(64 * (word + 1)) {
-                *bits |= 1 << (voxel % 64);
-            }
-        }
-        if each == [0; GROUP] {
-            return None;
-        }
-        let mut bits = [0; 1 << GROUP];
-        for set in 1..bits.len() {
-            bits[set] = bits[set & (set - 1)] | each[set.trailing_zeros() as usize];
-        }
-        Some(Self { group, bits })
+impl WordMap {
+    /// From the range of voxels that each microlens lights; microlenses without voxels light none.
+    fn new(voxels_of: &[[usize; 2]], word: usize) -> Self {
+        let in_word = |&[low, high]: &[usize; 2]| low < 64 * (word + 1) && high > 64 * word;
+        let first = voxels_of.iter().position(in_word).unwrap_or(0) / GROUP;
+        let end = voxels_of.iter().rposition(in_word).map_or(first, |last| last / GROUP + 1);
+        let of_group = |voxels_of| sets_of_group(voxels_of, word);
+        let bits = voxels_of.chunks(GROUP).take(end).skip(first).map(of_group).collect();
+        Self { groups: first..end, bits }
     }
+}
+
+/// The bits of a word that each set of microlenses of a group sets.
+fn sets_of_group(voxels_of: &[[usize; 2]], word: usize) -> [u64; 1 << GROUP] {
+    let mut each = [0u64; GROUP];
+    for (bits, &[low, high]) in each.iter_mut().zip(voxels_of) {
+        for voxel in low.max(64 * word)..high.min(64 * (word + 1)) {
+            *bits |= 1 << (voxel % 64);
+        }
+    }
+    let mut bits = [0; 1 << GROUP];
+    for set in 1..bits.len() {
+        bits[set] = bits[set & (set - 1)] | each[set.trailing_zeros() as usize];
+    }
+    bits
 }

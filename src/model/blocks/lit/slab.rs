@@ -1,24 +1,30 @@
 //! The verdict of all views of a camera on the voxels at one depth.
+//!
+//! Views that share their index along the rows share the rows of every voxel's support, too, and
+//! are worked on together: their lit rows lie side by side, and a line of voxels is loaded, counted
+//! for all of them and stored once.
+
+use std::ops::Range;
 
 use multiversion::multiversion;
 
 use super::{
     LitImages,
-    maps::{ColumnMap, RowMap, column_map, row_map},
+    maps::{ColumnMap, RowSupport, column_map, row_supports},
 };
 use crate::{
-    lightfield::ViewLayout,
+    lightfield::{View, ViewLayout},
     model::blocks::{
         aligned::AlignedCamera,
-        dark_counts::{DarkCounts, LINE_VOXELS, Line},
+        dark_counts::{DarkCounts, Line},
     },
 };
 
-/// The voxels at one tabulated depth of a camera, in a strip of [`LINE_VOXELS`] columns.
+/// The voxels at one tabulated depth of a camera, in a strip of as many columns as a line has.
 pub(super) struct Slab<'a, const L: usize> {
     pub camera: &'a AlignedCamera<L>,
     pub layout: &'a ViewLayout,
-    pub images: &'a LitImages,
+    pub images: &'a LitImages<'a>,
     pub depth: usize,
     pub first_column: usize,
     /// Voxels of the grid along the columns and across the rows.
@@ -27,46 +33,91 @@ pub(super) struct Slab<'a, const L: usize> {
 }
 
 impl<const L: usize> Slab<'_, L> {
-    /// The lines of possible and of seen voxels.
-    pub fn judge(&self, forgiven: usize) -> [Vec<Line>; 2] {
-        let end = self.columns.min(self.first_column + LINE_VOXELS);
+    /// The lines of possible and of seen voxels, in words of 64.
+    pub fn judge<const W: usize>(&self, forgiven: usize) -> [Vec<Line<W>>; 2] {
+        let columns = self.column_maps();
+        let inside = line_of(self.columns - self.first_column);
+        let mut dark = DarkCounts::new(self.rows, inside, forgiven);
+        let mut seen = vec![[0; W]; self.rows];
+        let mut first_view = 0;
+        let mut group = ViewGroup::default();
+        for views in self.layout.views.chunk_by(|a, b| a.l == b.l) {
+            let mut supports = row_supports(&self.camera.rows, (views[0].l, self.depth), self.rows);
+            let any = union(views.iter().map(|view| &columns[self.column_map_of(view)].judged));
+            for support in &supports {
+                let seen = &mut seen[support.voxel];
+                *seen = union([&*seen, &any].into_iter());
+            }
+            supports.retain(|support| dark.is_open(support.voxel));
+            let images = self.images.of_views(first_view..first_view + views.len());
+            group.light(self, &columns, images, &supports);
+            count_dark(&mut group, &supports, &mut dark);
+            first_view += views.len();
+        }
+        [dark.within(), seen]
+    }
+
+    /// The maps of all view indices along the columns.
+    fn column_maps<const W: usize>(&self) -> Vec<ColumnMap<W>> {
+        let strip = self.first_column..self.columns.min(self.first_column + 64 * W);
         let lenses = self.layout.window.columns.len();
         let reach = self.layout.columns.reach;
-        let column_maps: Vec<ColumnMap> = (-reach..=reach)
-            .map(|k| {
-                column_map(&self.camera.columns, (k, self.depth), self.first_column..end, lenses)
-            })
-            .collect();
-        let reach = self.layout.rows.reach;
-        let row_maps: Vec<RowMap> = (-reach..=reach)
-            .map(|l| row_map(&self.camera.rows, (l, self.depth), self.rows))
-            .collect();
-        let mut dark = DarkCounts::new(self.rows, forgiven);
-        let mut seen = vec![Line::default(); self.rows];
-        let mut lit_rows = vec![Line::default(); self.images.rows];
-        for (n, view) in self.layout.views.iter().enumerate() {
-            let columns = &column_maps[(view.k + self.layout.columns.reach) as usize];
-            let rows = &row_maps[(view.l + self.layout.rows.reach) as usize];
-            for row in rows.reached.clone() {
-                lit_rows[row] = columns.light(self.images.row(n, row));
-            }
-            for support in &rows.supports {
-                let seen = &mut seen[support.voxel];
-                (0..seen.len()).for_each(|word| seen[word] |= columns.judged[word]);
-            }
-            count_dark(&lit_rows, &columns.judged, rows, &mut dark);
-        }
-        let mut possible = dark.within();
-        let inside = line_of(end - self.first_column);
-        for line in &mut possible {
-            (0..line.len()).for_each(|word| line[word] &= inside[word]);
-        }
-        [possible, seen]
+        let map = |k| column_map(&self.camera.columns, (k, self.depth), strip.clone(), lenses);
+        (-reach..=reach).map(map).collect()
+    }
+
+    fn column_map_of(&self, view: &View) -> usize {
+        (view.k + self.layout.columns.reach) as usize
     }
 }
 
+/// What the asked views of one index along the rows see.
+#[derive(Default)]
+struct ViewGroup<const W: usize> {
+    /// Per view the voxels that it sees well enough to judge.
+    judged: Vec<Line<W>>,
+    /// The first row of microlenses in `lit`.
+    first_row: usize,
+    /// Per row of microlenses, per view: the voxels that the row's lit pixels may come from.
+    lit: Vec<Line<W>>,
+    /// Per view: the voxels that it finds dark. Working memory.
+    dark: Vec<Line<W>>,
+}
+
+impl<const W: usize> ViewGroup<W> {
+    /// Carries the rows of all supports in these images onto the voxels.
+    fn light<const L: usize>(
+        &mut self,
+        slab: &Slab<'_, L>,
+        columns: &[ColumnMap<W>],
+        images: Range<usize>,
+        supports: &[RowSupport],
+    ) {
+        self.first_row = supports.iter().map(|support| support.start).min().unwrap_or(0);
+        let end = supports.iter().map(|support| support.end).max().unwrap_or(0);
+        self.judged.clear();
+        self.lit.clear();
+        self.lit.resize((end - self.first_row) * images.len(), [0; W]);
+        // A view's map fits into the nearest cache, those of all views do not.
+        for (n, image) in images.clone().enumerate() {
+            let view = &slab.layout.views[slab.images.views[image]];
+            let columns = &columns[slab.column_map_of(view)];
+            self.judged.push(columns.judged);
+            let of_view = self.lit.iter_mut().skip(n).step_by(images.len());
+            for (row, lit) in (self.first_row..end).zip(of_view) {
+                *lit = columns.light(slab.images.row(image, row));
+            }
+        }
+        self.dark.resize(images.len(), [0; W]);
+    }
+}
+
+fn union<'a, const W: usize>(lines: impl Iterator<Item = &'a Line<W>>) -> Line<W> {
+    lines.fold([0; W], |union, line| std::array::from_fn(|word| union[word] | line[word]))
+}
+
 /// A line whose first voxels are set.
-fn line_of(voxels: usize) -> Line {
+fn line_of<const W: usize>(voxels: usize) -> Line<W> {
     std::array::from_fn(|word| match voxels.saturating_sub(64 * word) {
         rest @ ..64 => (1 << rest) - 1,
         _ => u64::MAX,
@@ -75,14 +126,23 @@ fn line_of(voxels: usize) -> Line {
 
 /// Counts the judged voxels that find no lit row in their support.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn count_dark(lit_rows: &[Line], judged: &Line, rows: &RowMap, dark: &mut DarkCounts) {
-    for support in &rows.supports {
-        let mut line = *judged;
-        for lit in &lit_rows[support.start..support.end] {
-            for word in 0..line.len() {
-                line[word] &= !lit[word];
+fn count_dark<const W: usize>(
+    group: &mut ViewGroup<W>,
+    supports: &[RowSupport],
+    counts: &mut DarkCounts<W>,
+) {
+    let ViewGroup { judged, first_row, lit, dark } = group;
+    let views = judged.len();
+    for support in supports {
+        dark.copy_from_slice(judged);
+        for row in support.start..support.end {
+            let lit = &lit[(row - *first_row) * views..][..views];
+            for view in 0..views {
+                for word in 0..W {
+                    dark[view][word] &= !lit[view][word];
+                }
             }
         }
-        dark.count(support.voxel, line);
+        counts.count(support.voxel, dark);
     }
 }
