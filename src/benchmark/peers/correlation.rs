@@ -160,7 +160,7 @@ pub fn time_correlation(
     let (interrogation, assembly_seconds) = timed(|| interrogation(grid, &settings));
     let (field, cost) = repeated(repeats, || {
         let [a, b] = case.volumes.each_ref().map(|volume| cloud(volume, grid));
-        interrogation.measure(&a, &b, dt_s)
+        interrogation.measure_by_windows(&a, &b, dt_s)
     });
     let row = Row::own(
         case_name(folder),

@@ -20,8 +20,8 @@ use super::{
         differences::{Layout, Penalty},
         lattice::Lattice,
     },
-    samples::{Samples, add_diagonal, add_transposed, values_at},
-    spline::{Spline, Taps},
+    samples::{Samples, add_diagonal, add_transposed, cells_at, values_at},
+    spline::{Spline, Taps, places},
     variance::Waves,
 };
 
@@ -35,15 +35,13 @@ const SHARPER: f64 = 4.0;
 /// A third difference of a regular flow that is not told from zero, in voxels.
 const RESOLUTION_VOX: f64 = 3e-3;
 
-/// The correlation saw the same particles: where there are many, its variance counts so many times.
+/// The correlation saw the same particles: where their own variance is much smaller, its variance
+/// counts so many times.
 const KNOWN_ALREADY: f64 = 25.0;
-
-/// So many particles about a node are half way from none to many in this sense.
-const HALF_WAY: f64 = 8.0;
 
 /// A field's error over what the scatter of its particles says: errors of reconstruction reach over
 /// several particles (`tests/hard_cases/coverage.rs`).
-const SHARED: f64 = 1.25;
+const SHARED: f64 = 1.5;
 
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 8 };
@@ -92,29 +90,30 @@ impl Fit {
             .into_par_iter()
             .map(|c| self.adjusted(c, &spline.coefficients[c], samples))
             .collect();
-        for (c, (coefficients, weights)) in adjusted.into_iter().enumerate() {
+        for (c, (coefficients, density)) in adjusted.into_iter().enumerate() {
             spline.coefficients[c] = coefficients;
-            self.densities[c] = samples.density(&weights);
+            self.densities[c] = density;
         }
     }
 
-    /// New coefficients of component `c`, and the weights that the samples have in them.
+    /// New coefficients of component `c`, and what the samples weigh in them, per cell.
     fn adjusted(&self, c: usize, start: &[f64], samples: &Samples) -> (Vec<f64>, Vec<f64>) {
         let measured = samples.displacements(c);
         let mut coefficients = start.to_vec();
-        let mut weights = Vec::new();
+        let mut density = Vec::new();
         for _ in 0..REWEIGHTS {
             let values = values_at(self.layout, samples.taps(), &coefficients);
             let residual: Vec<f64> = measured.iter().zip(values).map(|(m, v)| m - v).collect();
-            weights = samples.weights(&residual);
+            let weights = samples.weights(&residual);
+            density = samples.density(&weights);
             coefficients = self.solved(
                 c,
                 coefficients,
                 [samples.taps(), &self.on_nodes],
-                [(&measured, &weights), (&self.vectors[c], &self.certainty(c))],
+                [(&measured, &weights), (&self.vectors[c], &self.certainty(c, &density))],
             );
         }
-        (coefficients, weights)
+        (coefficients, density)
     }
 
     /// Solution of (Σ BᵀWB + ΔᵀPΔ) c = Σ BᵀW y for two kinds of samples with their `taps`, values y
@@ -148,15 +147,21 @@ impl Fit {
         solve(apply, &diagonal, &right, start, UNTIL)
     }
 
-    /// 1/u² of the correlation's vectors: little beside many particles, all there is without any.
-    fn certainty(&self, c: usize) -> Vec<f64> {
-        let times = |n: f64| 1.0 + (KNOWN_ALREADY - 1.0) * n / (n + HALF_WAY);
-        self.variance[c].iter().zip(&self.counts).map(|(v, &n)| 1.0 / (v * times(n))).collect()
+    /// 1/u² of the correlation's vectors: little beside particles that know better, all there is
+    /// without any. `density` is what these weigh per cell.
+    fn certainty(&self, c: usize, density: &[f64]) -> Vec<f64> {
+        let certainty = |(variance, density): (&f64, &f64)| {
+            // The particles' own variance is 1 over what they weigh in the eight cells about a node.
+            let share = variance * 8.0 * density / (variance * 8.0 * density + 1.0);
+            1.0 / (variance * (1.0 + (KNOWN_ALREADY - 1.0) * share))
+        };
+        self.variance[c].iter().zip(density).map(certainty).collect()
     }
 
     /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels.
     pub fn uncertainty_vox(&self) -> Vec<[f32; 3]> {
-        let certainty: [Vec<f64>; 3] = std::array::from_fn(|c| self.certainty(c));
+        let certainty: [Vec<f64>; 3] =
+            std::array::from_fn(|c| self.certainty(c, &self.densities[c]));
         let waves = Waves::new();
         (0..self.on_nodes.len())
             .into_par_iter()
@@ -164,16 +169,21 @@ impl Fit {
                 std::array::from_fn(|c| {
                     let (density, stiffness) = (self.densities[c][n], self.stiffness_at(c, n));
                     let variance = waves.variance(density, certainty[c][n], stiffness);
+                    let variance = variance * few(variance * self.mean_weight(c, n));
                     (SHARED * variance.sqrt()).max(RESOLUTION_VOX) as f32
                 })
             })
             .collect()
     }
 
+    /// What a particle about node `n` weighs in component `c`.
+    fn mean_weight(&self, c: usize, n: usize) -> f64 {
+        self.densities[c][n] * cells_at(self.nodes, n) / self.counts[n].max(1.0)
+    }
+
     /// 1/τ² along x, y, z about node `n`.
     fn stiffness_at(&self, c: usize, n: usize) -> [f64; 3] {
-        let [nx, ny, _] = self.nodes;
-        let place = [n % nx, n / nx % ny, n / (nx * ny)];
+        let place = places(self.nodes, n);
         std::array::from_fn(|along| {
             // A difference has its middle one and a half coefficients after its start; a node's own
             // coefficient is the one after its number.
@@ -185,6 +195,14 @@ impl Fit {
             self.penalties[c].stiffness[along][start.sum::<usize>()]
         })
     }
+}
+
+/// How much larger a variance is whose scatter is known from as few particles as share the weight:
+/// Student's distribution with n − 1 degrees of freedom has (n − 1)/(n − 3) times the sample's
+/// variance (JCGM 101, 6.4.9.2). `share` is 1/n.
+fn few(share: f64) -> f64 {
+    let n = 1.0 / share.clamp(1e-9, 0.2);
+    (n - 1.0) / (n - 3.0)
 }
 
 /// 1/τ² for every component of a field, whose variance on the `nodes` of its lattice was `variance`:

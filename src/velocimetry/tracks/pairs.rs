@@ -6,7 +6,7 @@ use super::{particles::Neighbours, spline::Spline};
 
 /// A particle may be so far from where the field expects it, in voxels: some standard deviations of a
 /// reconstructed particle's place, and less than the distance to its neighbours.
-const REACH_VOX: f32 = 0.7;
+pub const PAIR_REACH_VOX: f32 = 0.7;
 
 /// A particle seen in both frames.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +25,7 @@ pub fn pairs(field: &Spline, [a, b]: [&[[f32; 3]]; 2]) -> Vec<Pair> {
     };
     let (middle_a, middle_b) = (moved(a, 1.0), moved(b, -1.0));
     let (near_a, near_b) =
-        (Neighbours::new(&middle_a, REACH_VOX), Neighbours::new(&middle_b, REACH_VOX));
+        (Neighbours::new(&middle_a, PAIR_REACH_VOX), Neighbours::new(&middle_b, PAIR_REACH_VOX));
     (0..a.len())
         .into_par_iter()
         .filter_map(|n| {

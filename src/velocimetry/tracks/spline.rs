@@ -164,7 +164,7 @@ fn basis(u: f32) -> [f32; 4] {
 }
 
 /// Place of a lattice's node `n` along x, y, z.
-fn places(nodes: [usize; 3], n: usize) -> [usize; 3] {
+pub fn places(nodes: [usize; 3], n: usize) -> [usize; 3] {
     [n % nodes[0], n / nodes[0] % nodes[1], n / (nodes[0] * nodes[1])]
 }
 
