@@ -26,7 +26,7 @@ use super::{
 };
 
 /// Times the weights are taken anew in a round.
-const REWEIGHTS: usize = 3;
+const REWEIGHTS: usize = 2;
 
 /// A third difference may be so many times as large, squared, as they are about its place: those of
 /// the field before, by which it is judged, are smoothed.
@@ -44,7 +44,7 @@ const KNOWN_ALREADY: f64 = 25.0;
 const SHARED: f64 = 1.5;
 
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
-const UNTIL: Until = Until { tolerance: 0.1, steps: 8 };
+const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
 
 /// The equations of all three components.
 pub struct Fit {

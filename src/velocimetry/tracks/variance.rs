@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 /// Wave numbers along an axis, between 0 and π per node.
-const COUNT: usize = 6;
+const COUNT: usize = 4;
 
 /// What one wave number k (per node) contributes along an axis.
 #[derive(Debug, Clone, Copy)]
