@@ -41,7 +41,7 @@ const KNOWN_ALREADY: f64 = 25.0;
 
 /// A field's error over what the scatter of its particles says: errors of reconstruction reach over
 /// several particles (`tests/hard_cases/coverage.rs`).
-const SHARED: f64 = 1.5;
+const SHARED: f64 = 1.25;
 
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
