@@ -32,10 +32,6 @@ const REWEIGHTS: usize = 2;
 /// the field before, by which it is judged, are smoothed.
 const SHARPER: f64 = 4.0;
 
-/// ... and by so much of the correlation's variance: what is known to be uncertain is not stiff. More
-/// of it lets noise into quiet water (ring vortex at 1.6 ppm: 0.11 voxel in w with all of it).
-const UNCERTAIN: f64 = 0.1;
-
 /// A third difference of a regular flow that is not told from zero, in voxels.
 const RESOLUTION_VOX: f64 = 3e-3;
 
@@ -48,7 +44,7 @@ const KNOWN_ALREADY: f64 = 25.0;
 const SHARED: f64 = 1.25;
 
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
-const UNTIL: Until = Until { tolerance: 0.05, steps: 10 };
+const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
 
 /// The equations of all three components.
 pub struct Fit {
@@ -218,8 +214,7 @@ fn penalties(spline: &Spline, nodes: [usize; 3], variance: &[Vec<f64>; 3]) -> [P
             let squares = layout.roughness(axis, &spline.coefficients[c]);
             let stiffness = |(n, square): (usize, f64)| {
                 let uncertain = variance[c][node_in_the_middle(layout, nodes, axis, n)];
-                let most =
-                    SHARPER * square + UNCERTAIN * uncertain + RESOLUTION_VOX * RESOLUTION_VOX;
+                let most = SHARPER * square + uncertain + RESOLUTION_VOX * RESOLUTION_VOX;
                 if layout.starts(axis, n) { 1.0 / most } else { 0.0 }
             };
             squares.into_iter().enumerate().map(stiffness).collect()

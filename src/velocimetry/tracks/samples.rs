@@ -107,12 +107,14 @@ pub fn cells_at(nodes: [usize; 3], n: usize) -> f64 {
 }
 
 /// The variance behind a scatter of variance `seen` among pairs that are no further apart than their
-/// reach: the closer that is to the scatter of anything at all within reach, the less it says.
+/// reach: the closer that is to the scatter of anything at all within reach, the less it says. The
+/// fourth power is chosen, not derived: with the second, cameras 10 degrees apart are measured half
+/// as well in depth as by windows alone.
 fn beyond_reach(seen: f64) -> f64 {
     /// Standard deviation by the median of |x| of places all over a sphere, in radii.
     const ANYTHING: f64 = 0.515;
     let limit = (ANYTHING * f64::from(PAIR_REACH_VOX)).powi(2);
-    seen / (1.0 - seen / limit).max(0.05)
+    seen / (1.0 - seen / limit).max(0.05).powi(4)
 }
 
 /// The lower median; 0 of nothing.
