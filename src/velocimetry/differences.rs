@@ -22,6 +22,12 @@ impl Layout {
         self.nodes.iter().product()
     }
 
+    /// Place of node `n` along x, y, z.
+    pub fn place(self, n: usize) -> [usize; 3] {
+        let [nx, ny, _] = self.nodes;
+        [n % nx, n / nx % ny, n / (nx * ny)]
+    }
+
     /// Nodes in memory from one to the next along `axis`.
     pub fn stride(self, axis: usize) -> usize {
         self.nodes[..axis].iter().product()

@@ -1,6 +1,6 @@
 //! A vector field on the nodes of a regular lattice, and its value anywhere.
 
-use super::peak::Peak;
+use super::{differences::Layout, peak::Peak};
 
 /// Vectors on a regular lattice in voxel coordinates, stored z, y, x.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,9 +27,9 @@ impl Lattice {
 
     /// The nodes of this lattice with the values of `field` at their positions.
     pub fn sampling(mut self, field: impl Fn([f32; 3]) -> [f32; 3]) -> Self {
-        let [nx, ny, _] = self.nodes;
+        let layout = Layout { nodes: self.nodes };
         for (index, value) in self.values.iter_mut().enumerate() {
-            let node = [index % nx, index / nx % ny, index / (nx * ny)];
+            let node = layout.place(index);
             let place = |axis: usize| self.first_vox[axis] + self.step_vox * node[axis] as f32;
             *value = field(std::array::from_fn(place));
         }

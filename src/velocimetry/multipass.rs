@@ -12,6 +12,7 @@ use super::{
     cloud::PointCloud,
     correlation::Frames,
     derived::curl_and_divergence,
+    differences::Layout,
     judge::{Judge, ROOM, Vector},
     lags::Lags,
     lattice::Lattice,
@@ -187,7 +188,7 @@ impl Interrogation {
     /// Standard uncertainty of every vector along x, y, z, in voxels, where the frames agree well
     /// enough to tell.
     fn uncertainties(&self, frames: &Rendered, peaks: &[Option<Peak>]) -> Vec<Option<[f32; 3]>> {
-        let [nx, ny, _] = self.windows.nodes;
+        let windows = Layout { nodes: self.windows.nodes };
         let images = frames.images.each_ref().map(|light| Image {
             light,
             cells: frames.raster.cells,
@@ -199,7 +200,7 @@ impl Interrogation {
             .enumerate()
             .map_init(Cutouts::default, |cutouts, (n, peak)| {
                 let Peak { shift, lag, .. } = peak.as_ref()?;
-                let node = [n % nx, n / nx % ny, n / (nx * ny)];
+                let node = windows.place(n);
                 // Windows stand at the middle of the cells they compare.
                 let corner = std::array::from_fn(|axis| {
                     (node[axis] * self.windows.step + border) as i64 - lag[axis].div_euclid(2)

@@ -2,6 +2,8 @@
 
 use rayon::prelude::*;
 
+use super::differences::Layout;
+
 /// Fewer neighbours than this say nothing about a vector.
 const LEAST_NEIGHBOURS: usize = 4;
 
@@ -108,8 +110,7 @@ impl Candidates<'_> {
     }
 
     fn place(&self, index: usize) -> [usize; 3] {
-        let [nx, ny, _] = self.nodes;
-        [index % nx, index / nx % ny, index / (nx * ny)]
+        Layout { nodes: self.nodes }.place(index)
     }
 }
 
@@ -173,7 +174,8 @@ fn median_residual(values: impl Iterator<Item = f32>) -> f32 {
     median(&mut values)
 }
 
-fn median(values: &mut [f32]) -> f32 {
+/// Median of at least one value, whose order is lost: the mean of the middle two of an even number.
+pub fn median(values: &mut [f32]) -> f32 {
     let middle = values.len() / 2;
     let (below, &mut upper, _) = values.select_nth_unstable_by(middle, f32::total_cmp);
     if below.len() < middle || !values.len().is_multiple_of(2) {

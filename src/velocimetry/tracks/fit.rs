@@ -21,7 +21,7 @@ use super::{
         lattice::Lattice,
     },
     samples::{Samples, add_diagonal, add_transposed, cells_at, values_at},
-    spline::{Spline, Taps, places},
+    spline::{Spline, Taps},
     variance::Waves,
 };
 
@@ -183,7 +183,7 @@ impl Fit {
 
     /// 1/τ² along x, y, z about node `n`.
     fn stiffness_at(&self, c: usize, n: usize) -> [f64; 3] {
-        let place = places(self.nodes, n);
+        let place = Layout { nodes: self.nodes }.place(n);
         std::array::from_fn(|along| {
             // A difference has its middle one and a half coefficients after its start; a node's own
             // coefficient is the one after its number.

@@ -1,12 +1,13 @@
 //! Single particles, followed from frame to frame: what correlation leaves unsaid.
 //!
-//! A correlation peak is the mean of a window, in which light that reconstruction has put in the wrong place
-//! counts as any other. Once it is known to a fraction of a voxel where the light goes, most particles of one frame
-//! can be told in the other, and each is a measurement of its own, at its own place. The
-//! field that follows most of them (`fit`) resolves more than a window and is not drawn aside by
-//! the few that are wrong.
+//! A correlation peak is the mean of a window, in which light that reconstruction has put in the
+//! wrong place counts as any other. Once it is known to a fraction of a voxel where the light goes,
+//! most particles of one frame can be told in the other, and each is a measurement of its own, at its
+//! own place. The field that follows most of them (`fit`) resolves more than a window and is not drawn
+//! aside by the few that are wrong.
 
 mod fit;
+mod neighbours;
 mod pairs;
 mod particles;
 mod samples;

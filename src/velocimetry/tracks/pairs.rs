@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{particles::Neighbours, spline::Spline};
+use super::{neighbours::Neighbours, spline::Spline};
 
 /// A particle may be so far from where the field expects it, in voxels: some standard deviations of a
 /// reconstructed particle's place, and less than the distance to its neighbours.

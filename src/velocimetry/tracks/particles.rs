@@ -2,7 +2,10 @@
 
 use rayon::prelude::*;
 
-use super::super::cloud::PointCloud;
+use super::{
+    super::{cloud::PointCloud, validate::median},
+    neighbours::Neighbours,
+};
 
 /// Light nearer than this to the brightest place of a knot belongs to it, in voxels.
 const REACH_VOX: f32 = 0.8;
@@ -49,7 +52,10 @@ pub fn particles(cloud: &PointCloud) -> Vec<[f32; 3]> {
     for _ in 0..ROUNDS {
         (knots, light) = centres(cloud, &knots);
     }
-    let least = LEAST_LIGHT * median(&light);
+    if light.is_empty() {
+        return knots;
+    }
+    let least = LEAST_LIGHT * median(&mut light.clone());
     knots.into_iter().zip(light).filter(|(_, light)| *light > least).map(|(at, _)| at).collect()
 }
 
@@ -80,109 +86,4 @@ fn centres(cloud: &PointCloud, knots: &[[f32; 3]]) -> (Vec<[f32; 3]>, Vec<f32>) 
         _ => knots[n],
     };
     ((0..knots.len()).map(centre).collect(), lights)
-}
-
-fn median(values: &[f32]) -> f32 {
-    let mut values = values.to_vec();
-    let middle = values.len() / 2;
-    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f32::total_cmp).1 }
-}
-
-/// Points sorted into cells, so that those near a place are found quickly.
-pub struct Neighbours<'a> {
-    points: &'a [[f32; 3]],
-    reach: f32,
-    first: [f32; 3],
-    cells: [usize; 3],
-    /// Where the points of each cell begin in `order`, and where the last ones end.
-    starts: Vec<u32>,
-    order: Vec<u32>,
-}
-
-impl<'a> Neighbours<'a> {
-    /// Sorts points for searches within `reach`.
-    pub fn new(points: &'a [[f32; 3]], reach: f32) -> Self {
-        let bound = |pick: fn(f32, f32) -> f32, start: f32| -> [f32; 3] {
-            std::array::from_fn(|axis| points.iter().map(|p| p[axis]).fold(start, pick))
-        };
-        let (low, high) = (bound(f32::min, f32::INFINITY), bound(f32::max, f32::NEG_INFINITY));
-        let cells = if points.is_empty() {
-            [0; 3]
-        } else {
-            std::array::from_fn(|axis| ((high[axis] - low[axis]) / reach) as usize + 1)
-        };
-        let mut neighbours =
-            Self { points, reach, first: low, cells, starts: Vec::new(), order: Vec::new() };
-        neighbours.sort();
-        neighbours
-    }
-
-    /// Counting sort by cell; points of a cell stay in their order.
-    fn sort(&mut self) {
-        let count = self.cells.iter().product::<usize>();
-        let cell_of: Vec<usize> = self.points.iter().map(|&at| self.cell_of(at)).collect();
-        let mut ends = vec![0u32; count + 1];
-        for &cell in &cell_of {
-            ends[cell + 1] += 1;
-        }
-        for cell in 0..count {
-            ends[cell + 1] += ends[cell];
-        }
-        self.starts = ends.clone();
-        self.order = vec![0; self.points.len()];
-        for (point, cell) in (0u32..).zip(cell_of) {
-            self.order[ends[cell] as usize] = point;
-            ends[cell] += 1;
-        }
-    }
-
-    fn cell_of(&self, at: [f32; 3]) -> usize {
-        let place = |axis: usize| {
-            (((at[axis] - self.first[axis]) / self.reach) as usize).min(self.cells[axis] - 1)
-        };
-        (place(2) * self.cells[1] + place(1)) * self.cells[0] + place(0)
-    }
-
-    /// Calls `found` with every point within reach of `at` and the square of its distance.
-    pub fn visit(&self, at: [f32; 3], mut found: impl FnMut(usize, f32)) {
-        if self.points.is_empty() {
-            return;
-        }
-        let range = |axis: usize| {
-            let place = ((at[axis] - self.first[axis]) / self.reach).floor() as i64;
-            let last = self.cells[axis] as i64;
-            (place - 1).clamp(0, last) as usize..(place + 2).clamp(0, last) as usize
-        };
-        let along = range(0);
-        if along.is_empty() {
-            return;
-        }
-        for z in range(2) {
-            for y in range(1) {
-                let row = (z * self.cells[1] + y) * self.cells[0];
-                let cells = self.starts[row + along.start]..self.starts[row + along.end];
-                for &point in &self.order[cells.start as usize..cells.end as usize] {
-                    let other = self.points[point as usize];
-                    let square: f32 = (0..3).map(|axis| (other[axis] - at[axis]).powi(2)).sum();
-                    if square <= self.reach * self.reach {
-                        found(point as usize, square);
-                    }
-                }
-            }
-        }
-    }
-
-    /// The nearest point within reach; the first of several.
-    pub fn nearest(&self, at: [f32; 3]) -> Option<usize> {
-        let mut best: Option<(usize, f32)> = None;
-        self.visit(at, |point, square| {
-            let better = best.is_none_or(|(held, nearest)| {
-                square < nearest || (square == nearest && point < held)
-            });
-            if better {
-                best = Some((point, square));
-            }
-        });
-        best.map(|(point, _)| point)
-    }
 }

@@ -5,7 +5,7 @@ use multiversion::multiversion;
 use super::{
     super::differences::Layout,
     pairs::{PAIR_REACH_VOX, Pair},
-    spline::{Spline, Taps, places},
+    spline::{Spline, Taps},
 };
 
 /// Degrees of freedom of the distribution of particles' errors.
@@ -103,7 +103,7 @@ impl<'a> Samples<'a> {
 /// Cells that meet at node `n`: eight, but fewer on faces.
 pub fn cells_at(nodes: [usize; 3], n: usize) -> f64 {
     let at = |(place, nodes)| if place == 0 || place + 1 == nodes { 1.0 } else { 2.0 };
-    places(nodes, n).into_iter().zip(nodes).map(at).product()
+    Layout { nodes }.place(n).into_iter().zip(nodes).map(at).product()
 }
 
 /// The variance behind a scatter of variance `seen` among pairs that are no further apart than their

@@ -97,7 +97,7 @@ impl Taps {
         let centre = index_within(layout, nodes, n);
         let first = centre - (0..3).map(|axis| layout.stride(axis)).sum::<usize>();
         // The last cell's end has its four taps one node before, so that they stay inside.
-        let place = places(nodes, n);
+        let place = Layout { nodes }.place(n);
         let (mut start, mut weights) = (first, [basis(0.0); 3]);
         for axis in 0..3 {
             if place[axis] + 1 == nodes[axis] {
@@ -163,14 +163,9 @@ fn basis(u: f32) -> [f32; 4] {
     [side(v), middle(u), middle(v), side(u)]
 }
 
-/// Place of a lattice's node `n` along x, y, z.
-pub fn places(nodes: [usize; 3], n: usize) -> [usize; 3] {
-    [n % nodes[0], n / nodes[0] % nodes[1], n / (nodes[0] * nodes[1])]
-}
-
 /// Index of the coefficient on node `n` of a lattice.
 fn index_within(layout: Layout, nodes: [usize; 3], n: usize) -> usize {
-    let place = places(nodes, n);
+    let place = Layout { nodes }.place(n);
     (0..3).map(|axis| (place[axis] + 1) * layout.stride(axis)).sum()
 }
 

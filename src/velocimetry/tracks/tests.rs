@@ -3,8 +3,9 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{
+    super::differences::{Layout, Penalty},
+    neighbours::Neighbours,
     pairs::Pair,
-    particles::Neighbours,
     samples::{add_transposed, values_at},
     spline::Taps,
     variance::Waves,
@@ -62,7 +63,7 @@ fn largest_difference(a: &Lattice, b: &Lattice) -> f32 {
 /// The largest error against [`flow`] on nodes that are not on the lattice's faces.
 fn largest_inner_error(found: &Lattice) -> f32 {
     let inner = |n: usize| {
-        let place = [n % 7, n / 7 % 6, n / 42];
+        let place = Layout { nodes: NODES }.place(n);
         (0..3).all(|axis| place[axis] > 0 && place[axis] + 1 < NODES[axis])
     };
     let expected = lattice(flow).values;
@@ -88,7 +89,7 @@ fn a_spline_has_the_values_of_its_lattice_on_the_nodes_and_follows_it_between() 
 fn a_place_on_a_node_has_the_nodes_own_taps() {
     let spline = Spline::through(&lattice(flow));
     for n in 0..NODES.iter().product() {
-        let place = [n % 7, n / 7 % 6, n / 42].map(|i| 3.0 + STEP * i as f32);
+        let place = Layout { nodes: NODES }.place(n).map(|i| 3.0 + STEP * i as f32);
         let [a, b] = [spline.taps(place), Taps::of_node(spline.layout, NODES, n)]
             .map(|taps| spline.of(&taps));
         assert!((0..3).all(|c| (a[c] - b[c]).abs() < 1e-6), "{n}: {a:?} {b:?}");
@@ -176,6 +177,13 @@ fn no_light_leaves_the_correlations_field() {
     assert!(settled.uncertainty_vox.iter().flatten().all(|u| u.is_finite() && *u > 0.0));
 }
 
+/// Particles in `frames` of [`flow`] lead from a field of that uncertainty to the true one.
+fn assert_is_put_right(start: &Lattice, uncertainty_vox: f32, frames: [&PointCloud; 2]) {
+    let settled = follow(start, &vec![[uncertainty_vox; 3]; start.values.len()], frames);
+    let error = largest_inner_error(&settled.field);
+    assert!(error < 0.02, "{error}");
+}
+
 /// The correlation's field is off by several tenths of a voxel; particles at a realistic density put it
 /// right.
 #[test]
@@ -186,9 +194,7 @@ fn a_field_off_by_tenths_of_a_voxel_is_put_right_by_its_particles() {
         let [u, v, w] = flow(at);
         [u + 0.2 * (0.1 * at[1]).sin(), v - 0.15, w + 0.1]
     });
-    let settled = follow(&off, &vec![[0.1; 3]; off.values.len()], [&a, &b]);
-    let error = largest_inner_error(&settled.field);
-    assert!(error < 0.02, "{error}");
+    assert_is_put_right(&off, 0.1, [&a, &b]);
 }
 
 /// A third of the particles of frame b is somewhere else: lost, and new ones in their place.
@@ -201,9 +207,7 @@ fn wrong_particles_do_not_draw_the_field_aside() {
         b.position_vox[n] = at;
     }
     let start = lattice(|at| flow(at).map(|v| v + 0.05));
-    let settled = follow(&start, &vec![[0.05; 3]; start.values.len()], [&a, &b]);
-    let error = largest_inner_error(&settled.field);
-    assert!(error < 0.02, "{error}");
+    assert_is_put_right(&start, 0.05, [&a, &b]);
 }
 
 /// The homogeneous formula against the inverse of the whole matrix, in the middle of a lattice with
@@ -219,7 +223,7 @@ fn the_variance_is_the_inverse_matrix_s() {
             .into_iter()
             .chain(
                 (0..NODES.iter().product())
-                    .map(|n| [n % 7, n / 7 % 6, n / 42].map(|i| 3.0 + STEP * i as f32)),
+                    .map(|n| Layout { nodes: NODES }.place(n).map(|i| 3.0 + STEP * i as f32)),
             )
             .map(|at| spline.taps(at))
             .collect();
@@ -237,10 +241,7 @@ fn the_variance_is_the_inverse_matrix_s() {
                 let stiff = move |n| if layout.starts(axis, n) { stiffness } else { 0.0 };
                 (0..count).map(stiff).collect()
             };
-            let penalty = crate::velocimetry::differences::Penalty {
-                layout,
-                stiffness: std::array::from_fn(starts),
-            };
+            let penalty = Penalty { layout, stiffness: std::array::from_fn(starts) };
             let mut forces = vec![0.0; count];
             penalty.add_forces(&unit, &mut forces);
             for (row, force) in forces.into_iter().enumerate() {
