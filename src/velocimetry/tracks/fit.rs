@@ -22,7 +22,7 @@ use super::{
     },
     samples::{Samples, add_diagonal, add_transposed, cells_at, values_at},
     spline::{Spline, Taps},
-    variance::Waves,
+    variance::{Waves, near_faces},
 };
 
 /// Times the weights are taken anew in a round.
@@ -41,7 +41,7 @@ const KNOWN_ALREADY: f64 = 25.0;
 
 /// A field's error over what the scatter of its particles says: errors of reconstruction reach over
 /// several particles (`tests/hard_cases/coverage.rs`).
-const SHARED: f64 = 1.25;
+const SHARED: f64 = 1.15;
 
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
@@ -104,7 +104,7 @@ impl Fit {
         for _ in 0..REWEIGHTS {
             let values = values_at(self.layout, samples.taps(), &coefficients);
             let residual: Vec<f64> = measured.iter().zip(values).map(|(m, v)| m - v).collect();
-            let weights = samples.weights(&residual);
+            let weights = samples.weights(c, &residual);
             density = samples.density(&weights);
             coefficients = self.solved(
                 c,
@@ -163,12 +163,14 @@ impl Fit {
         let certainty: [Vec<f64>; 3] =
             std::array::from_fn(|c| self.certainty(c, &self.densities[c]));
         let waves = Waves::new();
+        let layout = Layout { nodes: self.nodes };
         (0..self.on_nodes.len())
             .into_par_iter()
             .map(|n| {
+                let near_faces = near_faces(self.nodes, layout.place(n));
                 std::array::from_fn(|c| {
                     let (density, stiffness) = (self.densities[c][n], self.stiffness_at(c, n));
-                    let variance = waves.variance(density, certainty[c][n], stiffness);
+                    let variance = near_faces * waves.variance(density, certainty[c][n], stiffness);
                     let variance = variance * few(variance * self.mean_weight(c, n));
                     (SHARED * variance.sqrt()).max(RESOLUTION_VOX) as f32
                 })

@@ -84,14 +84,15 @@ impl<'a> Neighbours<'a> {
         }
     }
 
-    /// The nearest point within reach; the first of several.
-    pub fn nearest(&self, at: [f32; 3]) -> Option<usize> {
+    /// The nearest point within `reach`, which is at most the reach of all searches; the first of
+    /// several.
+    pub fn nearest(&self, at: [f32; 3], reach: f32) -> Option<usize> {
         let mut best: Option<(usize, f32)> = None;
         self.visit(at, |point, square| {
             let better = best.is_none_or(|(held, nearest)| {
                 square < nearest || (square == nearest && point < held)
             });
-            if better {
+            if better && square <= reach * reach {
                 best = Some((point, square));
             }
         });

@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::{neighbours::Neighbours, spline::Spline};
+use super::{neighbours::Neighbours, particles::Particle, spline::Spline};
 
-/// A particle may be so far from where the field expects it, in voxels: some standard deviations of a
-/// reconstructed particle's place, and less than the distance to its neighbours.
-pub const PAIR_REACH_VOX: f32 = 0.7;
+/// Farthest that a particle is looked for from where the field expects it, in voxels: about as far as
+/// its neighbours are at 1 ppm.
+pub const FARTHEST_VOX: f32 = 1.2;
 
 /// A particle seen in both frames.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,26 +15,36 @@ pub struct Pair {
     pub middle_vox: [f32; 3],
     /// From frame a to frame b, in voxels.
     pub displacement_vox: [f32; 3],
+    /// Variance of its light's place along x, y, z: the mean of both frames.
+    pub spread_vox2: [f32; 3],
+    /// Its light in the frame where that is less.
+    pub light: f32,
 }
 
 /// The particles of frames a and b that are each other's nearest once both frames are moved to the
-/// middle of the pair along `field`; in the order of frame a.
-pub fn pairs(field: &Spline, [a, b]: [&[[f32; 3]]; 2]) -> Vec<Pair> {
-    let moved = |particles: &[[f32; 3]], sign: f32| -> Vec<[f32; 3]> {
-        particles.par_iter().map(|&at| field.middle_of_path(at, sign)).collect()
+/// middle of the pair along `field`, no further apart than `reach_vox`, which is at most
+/// [`FARTHEST_VOX`]; in the order of frame a.
+pub fn pairs(field: &Spline, [a, b]: [&[Particle]; 2], reach_vox: f32) -> Vec<Pair> {
+    let moved = |particles: &[Particle], sign: f32| -> Vec<[f32; 3]> {
+        particles.par_iter().map(|p| field.middle_of_path(p.at_vox, sign)).collect()
     };
     let (middle_a, middle_b) = (moved(a, 1.0), moved(b, -1.0));
-    let (near_a, near_b) =
-        (Neighbours::new(&middle_a, PAIR_REACH_VOX), Neighbours::new(&middle_b, PAIR_REACH_VOX));
+    let near_a = Neighbours::new(&middle_a, FARTHEST_VOX);
+    let near_b = Neighbours::new(&middle_b, FARTHEST_VOX);
     (0..a.len())
         .into_par_iter()
         .filter_map(|n| {
-            let other = near_b.nearest(middle_a[n])?;
-            let mutual = near_a.nearest(middle_b[other]) == Some(n);
-            let middle = |axis: usize| (middle_a[n][axis] + middle_b[other][axis]) / 2.0;
+            let other = near_b.nearest(middle_a[n], reach_vox)?;
+            let mutual = near_a.nearest(middle_b[other], reach_vox) == Some(n);
+            let (from, to) = (&a[n], &b[other]);
+            let mean = |one: &[f32; 3], two: &[f32; 3]| {
+                std::array::from_fn(|axis| (one[axis] + two[axis]) / 2.0)
+            };
             let pair = Pair {
-                middle_vox: std::array::from_fn(middle),
-                displacement_vox: std::array::from_fn(|axis| b[other][axis] - a[n][axis]),
+                middle_vox: mean(&middle_a[n], &middle_b[other]),
+                displacement_vox: std::array::from_fn(|axis| to.at_vox[axis] - from.at_vox[axis]),
+                spread_vox2: mean(&from.spread_vox2, &to.spread_vox2),
+                light: from.light.min(to.light),
             };
             (mutual && field.contains(pair.middle_vox)).then_some(pair)
         })

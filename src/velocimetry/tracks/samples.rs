@@ -4,12 +4,12 @@ use multiversion::multiversion;
 
 use super::{
     super::differences::Layout,
-    pairs::{PAIR_REACH_VOX, Pair},
+    pairs::Pair,
     spline::{Spline, Taps},
 };
 
 /// Degrees of freedom of the distribution of particles' errors.
-const FREEDOM: f64 = 3.0;
+const FREEDOM: f64 = 2.0;
 
 /// Least standard deviation of a particle's displacement, in voxels: what single precision and the
 /// path's midpoint rule resolve.
@@ -17,6 +17,16 @@ const LEAST_SCALE_VOX: f64 = 2e-3;
 
 /// The scale about a node is that of its own particles and of so many that are like all others.
 const COMMON_PARTICLES: f64 = 10.0;
+
+/// The light of a particle by itself is no wider than this along any axis, as a standard deviation in
+/// voxels; two that overlap are.
+const SINGLE_SPREAD_VOX: f64 = 0.15;
+
+/// Light as wide as this along an axis does not tell where in it a particle is.
+const BLURRED_SPREAD_VOX: f64 = 0.25;
+
+/// A particle with so much of the median particle's light is half as well known by reason of it.
+const FAINT: f64 = 0.7;
 
 /// Particles seen in both frames, and where they are.
 pub struct Samples<'a> {
@@ -26,6 +36,10 @@ pub struct Samples<'a> {
     nearest_node: Vec<usize>,
     /// Those in the cells that meet at each node.
     around: Vec<Vec<u32>>,
+    /// Variance of each along x, y, z over that of a bright particle by itself.
+    doubt: Vec<[f64; 3]>,
+    /// Variance about each node over that of particles whose light is compact along x, y, z.
+    blur: Vec<[f64; 3]>,
 }
 
 impl<'a> Samples<'a> {
@@ -46,7 +60,8 @@ impl<'a> Samples<'a> {
                 around[index(node)].push(number);
             }
         }
-        Self { nodes, pairs, taps, nearest_node, around }
+        let (doubt, blur) = (doubts(pairs), blurs(pairs, &around));
+        Self { nodes, pairs, taps, nearest_node, around, doubt, blur }
     }
 
     /// How many particles are in the cells that meet at each node.
@@ -64,31 +79,31 @@ impl<'a> Samples<'a> {
         self.pairs.iter().map(|pair| f64::from(pair.displacement_vox[c])).collect()
     }
 
-    /// Weights that make least squares follow most particles, for what a field leaves of their
-    /// displacements: (ν + 1)/(ν + r²/s²)/s², s² the variance about the node nearest to each.
-    pub fn weights(&self, residual: &[f64]) -> Vec<f64> {
-        let square = self.scale_squares(residual);
-        let weight = |(r, &node): (&f64, &usize)| {
-            (FREEDOM + 1.0) / (FREEDOM + r * r / square[node]) / square[node]
+    /// Weights that make least squares follow most particles, for what a field leaves of component
+    /// `c` of their displacements: (ν + 1)/(ν + r²/s²)/s², s² the variance of each.
+    pub fn weights(&self, c: usize, residual: &[f64]) -> Vec<f64> {
+        let scaled: Vec<f64> =
+            residual.iter().zip(&self.doubt).map(|(r, doubt)| r.abs() / doubt[c].sqrt()).collect();
+        let common = median(scaled.iter().copied()).powi(2);
+        let about: Vec<f64> = (0..self.around.len())
+            .map(|node| self.variance_about(node, c, &scaled, common))
+            .collect();
+        let weight = |n: usize| {
+            let square = about[self.nearest_node[n]] * self.doubt[n][c];
+            (FREEDOM + 1.0) / (FREEDOM + residual[n] * residual[n] / square) / square
         };
-        residual.iter().zip(&self.nearest_node).map(weight).collect()
+        (0..residual.len()).map(weight).collect()
     }
 
-    /// Variance of the particles about each node, by the median of what is left of them.
-    fn scale_squares(&self, residual: &[f64]) -> Vec<f64> {
+    /// Variance about a node of component `c` of a bright particle by itself, by the median of what is
+    /// left of those there, in `scaled`, and of all, whose square is `common`.
+    fn variance_about(&self, node: usize, c: usize, scaled: &[f64], common: f64) -> f64 {
         /// Median of |r| of a normal distribution, in standard deviations.
         const MEDIAN: f64 = 0.6745;
-        let common = median(residual.iter().map(|r| r.abs())).powi(2);
-        self.around
-            .iter()
-            .map(|near| {
-                let count = near.len() as f64;
-                let own = median(near.iter().map(|&n| residual[n as usize].abs())).powi(2);
-                let sum = count * own + COMMON_PARTICLES * common;
-                let seen = sum / (count + COMMON_PARTICLES) / (MEDIAN * MEDIAN);
-                beyond_reach(seen).max(LEAST_SCALE_VOX * LEAST_SCALE_VOX)
-            })
-            .collect()
+        let near = &self.around[node];
+        let own = median(near.iter().map(|&n| scaled[n as usize])).powi(2);
+        let seen = among_common(near.len(), own, common) / (MEDIAN * MEDIAN);
+        (seen * self.blur[node][c]).max(LEAST_SCALE_VOX * LEAST_SCALE_VOX)
     }
 
     /// Weight per cell about every node.
@@ -106,22 +121,60 @@ pub fn cells_at(nodes: [usize; 3], n: usize) -> f64 {
     Layout { nodes }.place(n).into_iter().zip(nodes).map(at).product()
 }
 
-/// The variance behind a scatter of variance `seen` among pairs that are no further apart than their
-/// reach: the closer that is to the scatter of anything at all within reach, the less it says. The
-/// fourth power is chosen, not derived: with the second, cameras 10 degrees apart are measured half
-/// as well in depth as by windows alone.
-fn beyond_reach(seen: f64) -> f64 {
-    /// Standard deviation by the median of |x| of places all over a sphere, in radii.
-    const ANYTHING: f64 = 0.515;
-    let limit = (ANYTHING * f64::from(PAIR_REACH_VOX)).powi(2);
-    seen / (1.0 - seen / limit).max(0.05).powi(4)
+/// What is so of the `count` particles about a node, tied to what is so of all.
+fn among_common(count: usize, own: f64, common: f64) -> f64 {
+    let count = count as f64;
+    (count * own + COMMON_PARTICLES * common) / (count + COMMON_PARTICLES)
+}
+
+/// Variance of particles along x, y, z over that of a bright particle by itself. Light that is wide is
+/// that of two, whose mixture differs from frame to frame; faint light is what reconstruction has
+/// left over elsewhere.
+fn doubts(pairs: &[Pair]) -> Vec<[f64; 3]> {
+    let typical = median(pairs.iter().map(|pair| f64::from(pair.light)));
+    let doubt = |pair: &Pair| {
+        let faint = FAINT * typical / f64::from(pair.light);
+        pair.spread_vox2.map(|spread| {
+            let wide = f64::from(spread) / (SINGLE_SPREAD_VOX * SINGLE_SPREAD_VOX);
+            (1.0 + faint * faint) * (1.0 + wide.powi(3))
+        })
+    };
+    pairs.iter().map(doubt).collect()
+}
+
+/// How much larger the variance of all particles about each node is along an axis on which even
+/// compact light, that of the quarter which is narrowest, is wide: where cameras leave depth open, its
+/// centre is that of what they enclose, in both frames, and hardly follows the particle.
+fn blurs(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
+    let mut blurs = vec![[1.0; 3]; around.len()];
+    for c in 0..3 {
+        let spread = |n: usize| f64::from(pairs[n].spread_vox2[c]);
+        let common = lower_quartile((0..pairs.len()).map(spread));
+        for (blur, near) in blurs.iter_mut().zip(around) {
+            let own = lower_quartile(near.iter().map(|&n| spread(n as usize)));
+            let seen = among_common(near.len(), own, common);
+            let told = 1.0 - seen / (BLURRED_SPREAD_VOX * BLURRED_SPREAD_VOX);
+            blur[c] = told.max(0.05).powi(-3);
+        }
+    }
+    blurs
 }
 
 /// The lower median; 0 of nothing.
 fn median(values: impl Iterator<Item = f64>) -> f64 {
+    quantile(values, 2)
+}
+
+/// The lower quartile; 0 of nothing.
+fn lower_quartile(values: impl Iterator<Item = f64>) -> f64 {
+    quantile(values, 4)
+}
+
+/// The value below which one part of so many lies; 0 of nothing.
+fn quantile(values: impl Iterator<Item = f64>, parts: usize) -> f64 {
     let mut values: Vec<f64> = values.collect();
-    let Some(middle) = values.len().checked_sub(1).map(|last| last / 2) else { return 0.0 };
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+    let Some(place) = values.len().checked_sub(1).map(|last| last / parts) else { return 0.0 };
+    *values.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
 /// Values of a spline at all `taps`: B c.

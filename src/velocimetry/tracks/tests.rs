@@ -6,9 +6,10 @@ use super::{
     super::differences::{Layout, Penalty},
     neighbours::Neighbours,
     pairs::Pair,
+    particles::Particle,
     samples::{add_transposed, values_at},
     spline::Taps,
-    variance::Waves,
+    variance::{Waves, near_faces},
     *,
 };
 
@@ -128,9 +129,9 @@ fn neighbours_are_those_that_a_search_through_all_finds() {
         assert_eq!(found, expected);
         let by_distance =
             |&a: &usize, &b: &usize| square(points[a], at).total_cmp(&square(points[b], at));
-        assert_eq!(near.nearest(at), expected.into_iter().min_by(by_distance));
+        assert_eq!(near.nearest(at, 3.0), expected.into_iter().min_by(by_distance));
     }
-    assert_eq!(Neighbours::new(&[], 1.0).nearest([0.0; 3]), None);
+    assert_eq!(Neighbours::new(&[], 1.0).nearest([0.0; 3], 1.0), None);
 }
 
 /// Knots of points of different light about known centres, far enough apart, and a few dim points
@@ -158,7 +159,7 @@ fn particles_are_the_centres_of_knots_of_light() {
     let found = particles(&cloud);
     assert_eq!(found.len(), centres.len());
     for centre in centres {
-        let nearest = |at: &&[f32; 3]| (0..3).all(|c| (at[c] - centre[c]).abs() < 1e-4);
+        let nearest = |p: &&Particle| (0..3).all(|c| (p.at_vox[c] - centre[c]).abs() < 1e-4);
         assert!(found.iter().find(nearest).is_some(), "{centre:?}");
     }
 }
@@ -210,8 +211,8 @@ fn wrong_particles_do_not_draw_the_field_aside() {
     assert_is_put_right(&start, 0.05, [&a, &b]);
 }
 
-/// The homogeneous formula against the inverse of the whole matrix, in the middle of a lattice with
-/// many samples at random places.
+/// The homogeneous formula against the inverse of the whole matrix, in the middle and near the faces of
+/// a lattice with many samples at random places.
 #[test]
 fn the_variance_is_the_inverse_matrix_s() {
     let mut random = random();
@@ -248,17 +249,21 @@ fn the_variance_is_the_inverse_matrix_s() {
                 matrix[(row, column)] += force;
             }
         }
-        let middle = (2 * 6 + 3) * 7 + 3;
-        let mut node = vec![0.0; count];
-        Taps::of_node(layout, NODES, middle).scatter(layout, 1.0, &mut node);
-        let node = DVector::from_vec(node);
-        let solved = matrix.cholesky().unwrap().solve(&node);
-        let expected = node.dot(&solved).sqrt();
-        let found = Waves::new().variance(per_cell, 1.0, [stiffness; 3]).sqrt();
-        assert!(
-            (found / expected - 1.0).abs() < 0.15,
-            "{per_cell} {stiffness}: {found} {expected}"
-        );
+        let inverse = matrix.cholesky().unwrap();
+        for place in [[3, 3, 2], [1, 3, 2], [3, 4, 2], [1, 1, 2], [0, 3, 2]] {
+            let number = (place[2] * NODES[1] + place[1]) * NODES[0] + place[0];
+            let mut node = vec![0.0; count];
+            Taps::of_node(layout, NODES, number).scatter(layout, 1.0, &mut node);
+            let node = DVector::from_vec(node);
+            let expected = node.dot(&inverse.solve(&node)).sqrt();
+            let variance = Waves::new().variance(per_cell, 1.0, [stiffness; 3]);
+            let found = (near_faces(NODES, place) * variance).sqrt();
+            println!("{per_cell} {stiffness} {place:?}: {found:.3}, exactly {expected:.3}");
+            assert!(
+                (found / expected - 1.0).abs() < 0.15,
+                "{per_cell} {stiffness} {place:?}: {found} {expected}"
+            );
+        }
     }
 }
 
@@ -267,7 +272,8 @@ fn pairs_are_each_others_nearest() {
     let spline = Spline::through(&lattice(|_| [1.0, 0.0, 0.0]));
     let a = [[10.0, 10.0, 10.0], [20.0, 20.0, 20.0], [20.3, 20.0, 20.0], [12.0, 30.0, 30.0]];
     let b = [[21.0, 20.0, 20.1], [11.1, 10.0, 10.0], [14.0, 30.0, 30.0]];
-    let found = pairs(&spline, [&a, &b]);
+    let compact = |at_vox| Particle { at_vox, spread_vox2: [0.0; 3], light: 1.0 };
+    let found = pairs(&spline, [&a.map(compact), &b.map(compact)], 0.7);
     let places: Vec<[f32; 3]> = found.iter().map(|Pair { middle_vox, .. }| *middle_vox).collect();
     assert_eq!(found.len(), 2, "{places:?}");
     assert!((found[0].displacement_vox[0] - 1.1).abs() < 1e-5);
