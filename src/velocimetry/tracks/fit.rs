@@ -43,6 +43,10 @@ const KNOWN_ALREADY: f64 = 25.0;
 /// several particles (`tests/hard_cases/coverage.rs`).
 const SHARED: f64 = 1.15;
 
+/// Where light is blurred, all of it is off together by so much for every time that its standard
+/// deviation is larger, in voxels (`tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
+const TOGETHER_VOX: f64 = 0.01;
+
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
 
@@ -60,6 +64,8 @@ pub struct Fit {
     /// Particles about each node, and what they weigh per cell.
     counts: Vec<f64>,
     densities: [Vec<f64>; 3],
+    /// See [`Samples::blurs`].
+    blurs: Vec<[f64; 3]>,
 }
 
 impl Fit {
@@ -79,6 +85,7 @@ impl Fit {
             variance,
             counts: vec![0.0; count],
             densities: std::array::from_fn(|_| vec![0.0; count]),
+            blurs: vec![[1.0; 3]; count],
         }
     }
 
@@ -86,6 +93,7 @@ impl Fit {
     pub fn adjust(&mut self, spline: &mut Spline, samples: &Samples) {
         self.penalties = penalties(spline, self.nodes, &self.variance);
         self.counts = samples.counts();
+        self.blurs = samples.blurs().to_vec();
         let adjusted: Vec<(Vec<f64>, Vec<f64>)> = (0..3usize)
             .into_par_iter()
             .map(|c| self.adjusted(c, &spline.coefficients[c], samples))
@@ -172,7 +180,9 @@ impl Fit {
                     let (density, stiffness) = (self.densities[c][n], self.stiffness_at(c, n));
                     let variance = near_faces * waves.variance(density, certainty[c][n], stiffness);
                     let variance = variance * few(variance * self.mean_weight(c, n));
-                    (SHARED * variance.sqrt()).max(RESOLUTION_VOX) as f32
+                    let together = TOGETHER_VOX * (self.blurs[n][c].sqrt() - 1.0);
+                    let uncertainty = (SHARED * variance.sqrt()).hypot(together);
+                    uncertainty.max(RESOLUTION_VOX) as f32
                 })
             })
             .collect()

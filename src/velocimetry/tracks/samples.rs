@@ -37,9 +37,9 @@ pub struct Samples<'a> {
     /// Those in the cells that meet at each node.
     around: Vec<Vec<u32>>,
     /// Variance of each along x, y, z over that of a bright particle by itself.
-    doubt: Vec<[f64; 3]>,
-    /// Variance about each node over that of particles whose light is compact along x, y, z.
-    blur: Vec<[f64; 3]>,
+    doubts: Vec<[f64; 3]>,
+    /// See [`Self::blurs`].
+    blurs: Vec<[f64; 3]>,
 }
 
 impl<'a> Samples<'a> {
@@ -60,13 +60,18 @@ impl<'a> Samples<'a> {
                 around[index(node)].push(number);
             }
         }
-        let (doubt, blur) = (doubts(pairs), blurs(pairs, &around));
-        Self { nodes, pairs, taps, nearest_node, around, doubt, blur }
+        let (doubts, blurs) = (doubts(pairs), blurs(pairs, &around));
+        Self { nodes, pairs, taps, nearest_node, around, doubts, blurs }
     }
 
     /// How many particles are in the cells that meet at each node.
     pub fn counts(&self) -> Vec<f64> {
         self.around.iter().map(|near| near.len() as f64).collect()
+    }
+
+    /// Variance about each node over that of particles whose light is compact along x, y, z.
+    pub fn blurs(&self) -> &[[f64; 3]] {
+        &self.blurs
     }
 
     /// What makes a field at each particle's place.
@@ -83,13 +88,13 @@ impl<'a> Samples<'a> {
     /// `c` of their displacements: (ν + 1)/(ν + r²/s²)/s², s² the variance of each.
     pub fn weights(&self, c: usize, residual: &[f64]) -> Vec<f64> {
         let scaled: Vec<f64> =
-            residual.iter().zip(&self.doubt).map(|(r, doubt)| r.abs() / doubt[c].sqrt()).collect();
+            residual.iter().zip(&self.doubts).map(|(r, doubt)| r.abs() / doubt[c].sqrt()).collect();
         let common = median(scaled.iter().copied()).powi(2);
         let about: Vec<f64> = (0..self.around.len())
             .map(|node| self.variance_about(node, c, &scaled, common))
             .collect();
         let weight = |n: usize| {
-            let square = about[self.nearest_node[n]] * self.doubt[n][c];
+            let square = about[self.nearest_node[n]] * self.doubts[n][c];
             (FREEDOM + 1.0) / (FREEDOM + residual[n] * residual[n] / square) / square
         };
         (0..residual.len()).map(weight).collect()
@@ -103,7 +108,7 @@ impl<'a> Samples<'a> {
         let near = &self.around[node];
         let own = median(near.iter().map(|&n| scaled[n as usize])).powi(2);
         let seen = among_common(near.len(), own, common) / (MEDIAN * MEDIAN);
-        (seen * self.blur[node][c]).max(LEAST_SCALE_VOX * LEAST_SCALE_VOX)
+        (seen * self.blurs[node][c]).max(LEAST_SCALE_VOX * LEAST_SCALE_VOX)
     }
 
     /// Weight per cell about every node.
@@ -154,7 +159,7 @@ fn blurs(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
             let own = lower_quartile(near.iter().map(|&n| spread(n as usize)));
             let seen = among_common(near.len(), own, common);
             let told = 1.0 - seen / (BLURRED_SPREAD_VOX * BLURRED_SPREAD_VOX);
-            blur[c] = told.max(0.05).powi(-3);
+            blur[c] = told.max(0.1).powi(-3);
         }
     }
     blurs
