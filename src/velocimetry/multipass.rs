@@ -218,7 +218,8 @@ impl Interrogation {
     }
 
     /// Moves the last pass's vectors to the likeliest field behind them, and from there to the one
-    /// that the particles of `frames` follow; what is invalid stays so.
+    /// that the particles of `frames` follow; what is invalid stays so, and what was replaced is measured
+    /// where they are enough.
     fn settle(&self, vectors: &mut [Vector], frames: Option<[&PointCloud; 2]>) {
         let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
         let measured = Lattice {
@@ -226,16 +227,21 @@ impl Interrogation {
             ..self.windows.at_rest()
         };
         let likeliest = measured.likeliest(&uncertainty_vox);
-        let Settled { field, uncertainty_vox } = match frames {
+        let settled = match frames {
             Some(frames) => follow(&likeliest, &uncertainty_vox, frames),
-            None => Settled { field: likeliest, uncertainty_vox },
+            None => {
+                let by_particles = vec![false; vectors.len()];
+                Settled { field: likeliest, uncertainty_vox, by_particles }
+            }
         };
-        for ((vector, value), uncertainty_vox) in
-            vectors.iter_mut().zip(field.values).zip(uncertainty_vox)
-        {
-            if vector.status != VectorStatus::Invalid {
-                vector.displacement_vox = value;
-                vector.uncertainty_vox = uncertainty_vox;
+        for (n, vector) in vectors.iter_mut().enumerate() {
+            if vector.status == VectorStatus::Invalid {
+                continue;
+            }
+            vector.displacement_vox = settled.field.values[n];
+            vector.uncertainty_vox = settled.uncertainty_vox[n];
+            if settled.by_particles[n] {
+                vector.status = VectorStatus::Valid;
             }
         }
     }

@@ -52,6 +52,8 @@ pub struct Settled {
     pub field: Lattice,
     /// Along x, y, z, for every node; greater than zero.
     pub uncertainty_vox: Vec<[f32; 3]>,
+    /// Nodes whose vector particles alone would give as well.
+    pub by_particles: Vec<bool>,
 }
 
 /// The field that the particles of both frames follow, near the correlation's `field`, whose
@@ -65,19 +67,19 @@ pub fn follow(field: &Lattice, uncertainty_vox: &[[f32; 3]], frames: [&PointClou
         let pairs = pairs(&spline, [&a, &b], reach_vox);
         let samples = Samples::new(field.nodes, &spline, &pairs);
         fit.adjust(&mut spline, &samples);
-        spline.on_nodes(field)
+        (spline.on_nodes(field), samples.agree(&spline, reach_vox))
     };
-    let mut before = step(FARTHEST_VOX);
+    let (mut before, _) = step(FARTHEST_VOX);
     for _ in 1..FAR_ROUNDS {
-        let now = step(FARTHEST_VOX);
+        let (now, _) = step(FARTHEST_VOX);
         let settled = has_settled(&before, &now);
         before = now;
         if settled {
             break;
         }
     }
-    let field = step(NEAREST_VOX);
-    Settled { uncertainty_vox: fit.uncertainty_vox(), field }
+    let (field, by_particles) = step(NEAREST_VOX);
+    Settled { uncertainty_vox: fit.uncertainty_vox(), field, by_particles }
 }
 
 /// Whether a field is that of the round before but for what is left to its uncertainty.

@@ -28,6 +28,18 @@ const BLURRED_SPREAD_VOX: f64 = 0.25;
 /// A particle with so much of the median particle's light is half as well known by reason of it.
 const FAINT: f64 = 0.7;
 
+/// A particle is clear whose variance is less than so many times that of a bright one by itself.
+const CLEAR: f64 = 5.0;
+
+/// So many clear particles about a node measure the vector there by themselves,
+const ENOUGH_PARTICLES: usize = 10;
+
+/// if half of them are closer to the field than this part of what half of anything is.
+const CLOSER: f64 = 0.75;
+
+/// Median of |x| of places all over a sphere, in radii.
+const ANYTHING: f64 = 0.347;
+
 /// Particles seen in both frames, and where they are.
 pub struct Samples<'a> {
     nodes: [usize; 3],
@@ -109,6 +121,23 @@ impl<'a> Samples<'a> {
         let own = median(near.iter().map(|&n| scaled[n as usize])).powi(2);
         let seen = among_common(near.len(), own, common) / (MEDIAN * MEDIAN);
         (seen * self.blurs[node][c]).max(LEAST_SCALE_VOX * LEAST_SCALE_VOX)
+    }
+
+    /// Whether enough clear particles about each node follow the field `spline` more closely than
+    /// anything would that is found within `reach_vox` of it.
+    pub fn agree(&self, spline: &Spline, reach_vox: f32) -> Vec<bool> {
+        let missed = |(taps, pair): (&Taps, &Pair)| -> [f64; 3] {
+            let value = spline.of(taps);
+            std::array::from_fn(|c| (f64::from(pair.displacement_vox[c]) - value[c]).abs())
+        };
+        let missed: Vec<[f64; 3]> = self.taps.iter().zip(self.pairs).map(missed).collect();
+        let most = CLOSER * ANYTHING * f64::from(reach_vox);
+        let follow = |near: &Vec<u32>, c: usize| {
+            let clear = near.iter().map(|&n| n as usize).filter(|&n| self.doubts[n][c] < CLEAR);
+            let missed: Vec<f64> = clear.map(|n| missed[n][c]).collect();
+            missed.len() >= ENOUGH_PARTICLES && median(missed.into_iter()) <= most
+        };
+        self.around.iter().map(|near| (0..3).all(|c| follow(near, c))).collect()
     }
 
     /// Weight per cell about every node.

@@ -211,6 +211,50 @@ fn wrong_particles_do_not_draw_the_field_aside() {
     assert_is_put_right(&start, 0.05, [&a, &b]);
 }
 
+/// Light along z that cameras too close to each other leave: it is where their lines of sight enclose
+/// it, in both frames, wherever in it the particle is.
+#[test]
+fn light_that_is_wide_along_an_axis_is_not_followed_along_it() {
+    let middles = places(&mut random(), 900);
+    let sheared = |[_, _, z]: [f32; 3]| [0.3 + 0.01 * z, 0.0, 0.4];
+    let [a, b] = frames(&middles, |at| [sheared(at)[0], 0.0, 0.0]).map(|cloud| {
+        let lines = cloud
+            .position_vox
+            .into_iter()
+            .flat_map(|[x, y, z]| (-3..=3).map(move |n| [x, y, z + 0.2 * n as f32]));
+        let position_vox: Vec<[f32; 3]> = lines.collect();
+        PointCloud { light: vec![1.0; position_vox.len()], position_vox, grain_vox: 0.2 }
+    });
+    let correlated = lattice(|at| {
+        let [u, v, w] = sheared(at);
+        [u + 0.1, v, w]
+    });
+    let uncertainty_vox = vec![[0.1; 3]; correlated.values.len()];
+    let found = follow(&correlated, &uncertainty_vox, [&a, &b]).field;
+    let expected = lattice(sheared).values;
+    let mean_error = |c: usize| {
+        let errors = found.values.iter().zip(&expected).map(|(f, e)| f[c] - e[c]);
+        errors.sum::<f32>() / found.values.len() as f32
+    };
+    assert!(mean_error(0).abs() < 0.02, "across: {}", mean_error(0));
+    assert!(mean_error(2).abs() < 0.02, "along: {}", mean_error(2));
+}
+
+/// Frames of one flow, and frames that have nothing to do with each other.
+#[test]
+fn particles_measure_where_they_move_together_and_nowhere_else() {
+    let mut random = random();
+    let start = lattice(flow);
+    let uncertainty_vox = vec![[0.1; 3]; start.values.len()];
+    let middles = places(&mut random, 2000);
+    let [a, b] = frames(&middles, flow);
+    let together = follow(&start, &uncertainty_vox, [&a, &b]).by_particles;
+    assert!(together.iter().filter(|&&by| by).count() > together.len() / 2);
+    let [_, other] = frames(&places(&mut random, 2000), flow);
+    let apart = follow(&start, &uncertainty_vox, [&a, &other]).by_particles;
+    assert!(!apart.contains(&true));
+}
+
 /// The homogeneous formula against the inverse of the whole matrix, in the middle and near the faces of
 /// a lattice with many samples at random places.
 #[test]
