@@ -38,9 +38,7 @@ const SETTLED_VOX: f32 = 0.015;
 /// drawn from two or more along each axis.
 const COARSEST_GRAIN_VOX: f32 = 0.5;
 
-/// Whether the light of `cloud` is fine enough for single particles to be followed. Error on an eighth
-/// of the bench at 0.5 ppm, OS-MART with voxels of the configured edge: 0.075 voxel by windows, 0.084
-/// with particles; OS-SART, three passes: 0.11 and 0.13.
+/// Whether the light of `cloud` is fine enough for single particles to be followed.
 pub fn is_fine(cloud: &PointCloud) -> bool {
     cloud.grain_vox <= COARSEST_GRAIN_VOX
 }
