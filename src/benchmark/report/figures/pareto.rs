@@ -26,9 +26,9 @@ pub fn error_seconds(report: &Report) -> Option<Section> {
         panels,
         caption: "Every method on the same images; mean over the seeds. A method on the grey \
                   front is beaten by no other in both time and error. The floor is the error of \
-                  correlating the true particles through the same windows: no reconstruction can \
-                  be expected below it. Seconds are those of one pair in a running program: \
-                  decoding, two reconstructions, correlation."
+                  correlating the true particles through the same windows; only what follows single \
+                  particles as well can be below it. Seconds are those of one pair in a \
+                  running program: decoding, two reconstructions, correlation."
             .to_owned(),
         compared: Vec::new(),
     })
