@@ -41,7 +41,7 @@ impl VectorGrid {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum VectorStatus {
-    /// Measured, and in line with its neighbours.
+    /// Measured, and in line with its neighbours or with the particles about it.
     Valid,
     /// Measured value discarded; the stored one is interpolated from valid neighbours.
     Replaced,

@@ -218,8 +218,8 @@ impl Interrogation {
     }
 
     /// Moves the last pass's vectors to the likeliest field behind them, and from there to the one
-    /// that the particles of `frames` follow; what is invalid stays so, and what was replaced is measured
-    /// where they are enough.
+    /// that the particles of `frames` follow. What was replaced is valid where particles measure it; what
+    /// is invalid stays so.
     fn settle(&self, vectors: &mut [Vector], frames: Option<[&PointCloud; 2]>) {
         let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
         let measured = Lattice {

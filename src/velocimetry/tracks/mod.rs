@@ -27,7 +27,8 @@ use super::{cloud::PointCloud, lattice::Lattice};
 /// deviations of a reconstructed particle's place, and less than the distance to its neighbours.
 const NEAREST_VOX: f32 = 0.6;
 
-/// Rounds in which particles are looked for far from where the field of the round before expects them.
+/// Most rounds in which particles are looked for far from where the field of the round before expects
+/// them.
 const FAR_ROUNDS: usize = 5;
 
 /// The field is settled when no more than a twentieth of its components move further than this, in
@@ -50,7 +51,7 @@ pub struct Settled {
     pub field: Lattice,
     /// Along x, y, z, for every node; greater than zero.
     pub uncertainty_vox: Vec<[f32; 3]>,
-    /// Nodes whose vector particles alone would give as well.
+    /// Nodes about which particles by themselves measure the vector.
     pub by_particles: Vec<bool>,
 }
 
@@ -61,23 +62,23 @@ pub fn follow(field: &Lattice, uncertainty_vox: &[[f32; 3]], frames: [&PointClou
     let (a, b) = rayon::join(|| particles(a), || particles(b));
     let mut spline = Spline::through(field);
     let mut fit = Fit::new(field, uncertainty_vox, &spline);
-    let mut step = |reach_vox: f32| {
-        let pairs = pairs(&spline, [&a, &b], reach_vox);
+    for _ in 0..FAR_ROUNDS {
+        let before = spline.on_nodes(field);
+        let pairs = pairs(&spline, [&a, &b], FARTHEST_VOX);
         let samples = Samples::new(field.nodes, &spline, &pairs);
         fit.adjust(&mut spline, &samples);
-        (spline.on_nodes(field), samples.agree(&spline, reach_vox))
-    };
-    let (mut before, _) = step(FARTHEST_VOX);
-    for _ in 1..FAR_ROUNDS {
-        let (now, _) = step(FARTHEST_VOX);
-        let settled = has_settled(&before, &now);
-        before = now;
-        if settled {
+        if has_settled(&before, &spline.on_nodes(field)) {
             break;
         }
     }
-    let (field, by_particles) = step(NEAREST_VOX);
-    Settled { uncertainty_vox: fit.uncertainty_vox(), field, by_particles }
+    let pairs = pairs(&spline, [&a, &b], NEAREST_VOX);
+    let samples = Samples::new(field.nodes, &spline, &pairs);
+    fit.adjust(&mut spline, &samples);
+    Settled {
+        field: spline.on_nodes(field),
+        uncertainty_vox: fit.uncertainty_vox(),
+        by_particles: samples.agree(&spline, NEAREST_VOX),
+    }
 }
 
 /// Whether a field is that of the round before but for what is left to its uncertainty.
