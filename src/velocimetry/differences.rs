@@ -28,6 +28,11 @@ impl Layout {
         [n % nx, n / nx % ny, n / (nx * ny)]
     }
 
+    /// Number of the node at a place: the inverse of [`Self::place`].
+    pub fn number(self, [x, y, z]: [usize; 3]) -> usize {
+        (z * self.nodes[1] + y) * self.nodes[0] + x
+    }
+
     /// Nodes in memory from one to the next along `axis`.
     pub fn stride(self, axis: usize) -> usize {
         self.nodes[..axis].iter().product()

@@ -203,8 +203,8 @@ impl Fit {
                 true => place[axis].min(self.layout.nodes[axis].saturating_sub(4)),
                 false => place[axis] + 1,
             };
-            let start = (0..3).map(|axis| coefficient(axis) * self.layout.stride(axis));
-            self.penalties[c].stiffness[along][start.sum::<usize>()]
+            let start = self.layout.number(std::array::from_fn(coefficient));
+            self.penalties[c].stiffness[along][start]
         })
     }
 }
@@ -242,5 +242,5 @@ fn node_in_the_middle(layout: Layout, nodes: [usize; 3], axis: usize, n: usize) 
         let middle = if along == axis { coefficient + 1 } else { coefficient };
         middle.saturating_sub(1).min(nodes[along] - 1)
     };
-    (node(2) * nodes[1] + node(1)) * nodes[0] + node(0)
+    Layout { nodes }.number(std::array::from_fn(node))
 }

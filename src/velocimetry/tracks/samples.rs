@@ -59,17 +59,17 @@ impl<'a> Samples<'a> {
     pub fn new(nodes: [usize; 3], spline: &Spline, pairs: &'a [Pair]) -> Self {
         let taps = pairs.iter().map(|pair| spline.taps(pair.middle_vox)).collect();
         let mut around = vec![Vec::new(); nodes.iter().product()];
-        let index = |place: [usize; 3]| (place[2] * nodes[1] + place[1]) * nodes[0] + place[0];
+        let layout = Layout { nodes };
         let mut nearest_node = Vec::with_capacity(pairs.len());
         for (number, pair) in (0u32..).zip(pairs) {
             let at = spline.node_coordinates(pair.middle_vox);
             let among = |count: usize, t: f32| (t.max(0.0) as usize).min(count - 1);
             let nearest = std::array::from_fn(|axis| among(nodes[axis], at[axis] + 0.5));
-            nearest_node.push(index(nearest));
+            nearest_node.push(layout.number(nearest));
             let cell: [usize; 3] = std::array::from_fn(|axis| among(nodes[axis] - 1, at[axis]));
             for corner in 0..8 {
                 let node = std::array::from_fn(|axis| cell[axis] + (corner >> axis & 1));
-                around[index(node)].push(number);
+                around[layout.number(node)].push(number);
             }
         }
         let (doubts, blurs) = (doubts(pairs), blurs(pairs, &around));

@@ -165,8 +165,7 @@ fn basis(u: f32) -> [f32; 4] {
 
 /// Index of the coefficient on node `n` of a lattice.
 fn index_within(layout: Layout, nodes: [usize; 3], n: usize) -> usize {
-    let place = Layout { nodes }.place(n);
-    (0..3).map(|axis| (place[axis] + 1) * layout.stride(axis)).sum()
+    layout.number(Layout { nodes }.place(n).map(|along| along + 1))
 }
 
 /// Turns the values on the inner nodes of every row along `axis` into the coefficients of the

@@ -295,7 +295,7 @@ fn the_variance_is_the_inverse_matrix_s() {
         }
         let inverse = matrix.cholesky().unwrap();
         for place in [[3, 3, 2], [1, 3, 2], [3, 4, 2], [1, 1, 2], [0, 3, 2]] {
-            let number = (place[2] * NODES[1] + place[1]) * NODES[0] + place[0];
+            let number = Layout { nodes: NODES }.number(place);
             let mut node = vec![0.0; count];
             Taps::of_node(layout, NODES, number).scatter(layout, 1.0, &mut node);
             let node = DVector::from_vec(node);
