@@ -1,5 +1,7 @@
 //! The displacement that a correlation volume shows.
 
+use std::ops::Range;
+
 use super::lags::Lags;
 
 /// The highest correlation peak.
@@ -20,15 +22,13 @@ const PEAK_RADIUS: i64 = 2;
 /// `None` when nothing correlates, or more at the border of the lags than inside: something higher
 /// may lie beyond it.
 pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
-    let (edge, inner) = (lags.edge(), lags.reach as i64 - 1);
-    let within = |index: usize, place: [i64; 3], radius: i64| {
-        let s = lags.components(index);
-        (0..3).all(|axis| (s[axis] - place[axis]).abs() <= radius)
-    };
+    let edge = lags.edge();
     let mut best: Option<(usize, f32)> = None;
-    for (index, &value) in correlation.iter().enumerate() {
-        if value > best.map_or(0.0, |(_, height)| height) && within(index, [0; 3], inner) {
-            best = Some((index, value));
+    for line in Line::all(lags).filter(|line| line.within([0; 3], lags.reach as i64 - 1)) {
+        for (index, &value) in line.range().zip(&correlation[line.range()]).skip(1).take(edge - 2) {
+            if value > best.map_or(0.0, |(_, height)| height) {
+                best = Some((index, value));
+            }
         }
     }
     let (index, height) = best?;
@@ -40,17 +40,52 @@ pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
     if sides.as_flattened().iter().any(|&side| side > height) {
         return None;
     }
-    let mut second = 0.0f32;
-    for (other, &value) in correlation.iter().enumerate() {
-        if value > second && !within(other, lag, PEAK_RADIUS) {
-            second = value;
+    let second = Line::all(lags).fold(0.0, |highest_yet, line| {
+        let values = &correlation[line.range()];
+        if !line.within(lag, PEAK_RADIUS) {
+            return highest(values, highest_yet);
         }
-    }
+        let own = [lag[0] - PEAK_RADIUS, lag[0] + PEAK_RADIUS + 1]
+            .map(|end| (end + lags.reach as i64).clamp(0, edge as i64) as usize);
+        highest(&values[own[1]..], highest(&values[..own[0]], highest_yet))
+    });
     let shift = std::array::from_fn(|axis| {
         let [below, above] = sides[axis];
         lag[axis] as f32 + three_point_gaussian(below, height, above)
     });
     Some(Peak { shift, lag, ratio: (height / second.max(height * 1e-3)).min(1e3) })
+}
+
+/// Lags that differ along x only.
+struct Line {
+    first: usize,
+    length: usize,
+    /// Their components along y and z.
+    across: [i64; 2],
+}
+
+impl Line {
+    fn all(lags: Lags) -> impl Iterator<Item = Self> {
+        let length = lags.edge();
+        (0..length * length).map(move |line| {
+            let across = [line % length, line / length].map(|c| c as i64 - lags.reach as i64);
+            Self { first: line * length, length, across }
+        })
+    }
+
+    fn range(&self) -> Range<usize> {
+        self.first..self.first + self.length
+    }
+
+    /// Whether y and z are within `radius` of `lag`.
+    fn within(&self, lag: [i64; 3], radius: i64) -> bool {
+        self.across.iter().zip(&lag[1..]).all(|(own, lag)| (own - lag).abs() <= radius)
+    }
+}
+
+/// The highest of some values, at least `least`.
+fn highest(values: &[f32], least: f32) -> f32 {
+    values.iter().fold(least, |most, &value| if value > most { value } else { most })
 }
 
 /// Offset of the top of a Gaussian through three equidistant samples, −0.5 to 0.5. A parabola
@@ -85,6 +120,43 @@ mod tests {
             (-((x - centre).powi(2) + y * y + z * z) / 2.0).exp()
         };
         highest_peak(lags, &(0..lags.count()).map(at).collect::<Vec<f32>>())
+    }
+
+    /// The definition, lag by lag: place and height of the highest inside, and the next highest.
+    fn by_definition(lags: Lags, correlation: &[f32]) -> Option<([i64; 3], f32)> {
+        let apart = |index: usize, place: [i64; 3]| {
+            lags.components(index).iter().zip(place).map(|(s, p)| (s - p).abs()).max().unwrap()
+        };
+        let inside = (0..lags.count()).filter(|&n| apart(n, [0; 3]) < lags.reach as i64);
+        let best = inside.max_by(|&a, &b| correlation[a].total_cmp(&correlation[b])).unwrap();
+        let lag = lags.components(best);
+        let others = (0..lags.count()).filter(|&n| apart(n, lag) > PEAK_RADIUS);
+        let second = others.map(|n| correlation[n]).fold(0.0, f32::max);
+        (correlation[best] > 0.0).then_some((lag, correlation[best] / second.max(1e-30)))
+    }
+
+    #[test]
+    fn peaks_and_their_ratios_are_those_of_the_definition() {
+        use rand::{RngExt, SeedableRng};
+        let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(11);
+        let mut found = 0;
+        for reach in [1, 2, 3, 4, 5] {
+            let lags = Lags { reach };
+            for _ in 0..40 {
+                let noise: Vec<f32> =
+                    (0..lags.count()).map(|_| random.random_range(-0.2..0.5)).collect();
+                let mut correlation = noise;
+                let top = random.random_range(0..lags.count());
+                correlation[top] = 1.0;
+                if let Some(peak) = highest_peak(lags, &correlation) {
+                    let (lag, ratio) = by_definition(lags, &correlation).unwrap();
+                    assert_eq!(peak.lag, lag);
+                    assert!((peak.ratio / ratio.min(1e3) - 1.0).abs() < 1e-5);
+                    found += 1;
+                }
+            }
+        }
+        assert!(found > 40, "{found}");
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Which vectors disagree with their neighbours, and what to put in their place.
 
+mod lanes;
+
 use rayon::prelude::*;
 
 use super::differences::Layout;
@@ -31,8 +33,9 @@ impl Candidates<'_> {
     pub fn passing(&self, threshold: f64, epsilon_vox: f64) -> Vec<bool> {
         let all: Vec<usize> = (0..self.values.len()).collect();
         let test = |nodes: &[usize], trusted: &[bool]| -> Vec<bool> {
-            let passes = |&n: &usize| self.passes(n, trusted, threshold, epsilon_vox);
-            nodes.par_iter().map(passes).collect()
+            let judged = |some: &[usize]| self.judged(some, trusted, threshold, epsilon_vox);
+            let all: Vec<_> = nodes.par_chunks(lanes::LANES).map(judged).collect();
+            all.into_iter().flatten().take(nodes.len()).collect()
         };
         let once = test(&all, self.present);
         // Those whose neighbours all passed would be judged as before.
@@ -47,18 +50,31 @@ impl Candidates<'_> {
         pass
     }
 
-    fn passes(&self, index: usize, trusted: &[bool], threshold: f64, epsilon_vox: f64) -> bool {
-        self.present[index] && {
-            let near = self.neighbours(index, trusted);
-            let level = carried_to_centre(&near);
-            near.len() < LEAST_NEIGHBOURS
-                || (0..3).all(|c| {
-                    let spread = median_residual(near.iter().map(|n| n.value[c]));
-                    let mut around: Vec<f32> = level.iter().map(|v| v[c]).collect();
-                    let residual = (self.values[index][c] - median(&mut around)).abs();
-                    f64::from(residual) <= threshold * (f64::from(spread) + epsilon_vox)
-                })
+    /// The test of up to as many vectors as there are lanes.
+    fn judged(
+        &self,
+        some: &[usize],
+        trusted: &[bool],
+        threshold: f64,
+        epsilon_vox: f64,
+    ) -> [bool; lanes::LANES] {
+        let mut around: lanes::Around = [[[f32::INFINITY; lanes::LANES]; 27]; 3];
+        let mut own = [[0.0; lanes::LANES]; 3];
+        for (lane, &index) in some.iter().enumerate() {
+            for (own, value) in own.iter_mut().zip(self.values[index]) {
+                own[lane] = value;
+            }
+            for Neighbour { offset, value } in self.neighbours(index, trusted) {
+                for (around, value) in around.iter_mut().zip(value) {
+                    around[cube_index(offset)][lane] = value;
+                }
+            }
         }
+        let mut pass = lanes::judge(&around, &own, threshold, epsilon_vox, LEAST_NEIGHBOURS);
+        for (pass, &index) in pass.iter_mut().zip(some) {
+            *pass &= self.present[index];
+        }
+        pass
     }
 
     /// What the trusted neighbours of a vector say it should be: the mean of their values, each
@@ -164,16 +180,6 @@ fn carried_to_centre(near: &[Neighbour]) -> Vec<[f32; 3]> {
     near.iter().map(carried).collect()
 }
 
-/// Median distance of values from their median.
-fn median_residual(values: impl Iterator<Item = f32>) -> f32 {
-    let mut values: Vec<f32> = values.collect();
-    let middle = median(&mut values);
-    for value in &mut values {
-        *value = (*value - middle).abs();
-    }
-    median(&mut values)
-}
-
 /// Median of at least one value, whose order is lost: the mean of the middle two of an even number.
 pub fn median(values: &mut [f32]) -> f32 {
     let middle = values.len() / 2;
@@ -198,6 +204,61 @@ mod tests {
             let n = sorted.len();
             let expected = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2.0;
             prop_assert_eq!(median(&mut values), expected);
+        }
+    }
+
+    impl Candidates<'_> {
+        /// The definition, vector by vector.
+        fn passes(&self, index: usize, trusted: &[bool], threshold: f64, epsilon_vox: f64) -> bool {
+            self.present[index] && {
+                let near = self.neighbours(index, trusted);
+                let level = carried_to_centre(&near);
+                near.len() < LEAST_NEIGHBOURS
+                    || (0..3).all(|c| {
+                        let spread = median_residual(near.iter().map(|n| n.value[c]));
+                        let mut around: Vec<f32> = level.iter().map(|v| v[c]).collect();
+                        let residual = (self.values[index][c] - median(&mut around)).abs();
+                        f64::from(residual) <= threshold * (f64::from(spread) + epsilon_vox)
+                    })
+            }
+        }
+    }
+
+    /// Median distance of values from their median.
+    fn median_residual(values: impl Iterator<Item = f32>) -> f32 {
+        let mut values: Vec<f32> = values.collect();
+        let middle = median(&mut values);
+        for value in &mut values {
+            *value = (*value - middle).abs();
+        }
+        median(&mut values)
+    }
+
+    #[test]
+    fn lanes_judge_as_the_definition_does() {
+        use rand::{RngExt, SeedableRng};
+        let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(7);
+        let nodes = [5, 4, 7];
+        for missing in [0.0, 0.2, 0.7] {
+            let noise = |random: &mut rand_pcg::Pcg64Mcg| random.random_range(-0.4..0.4);
+            let values: Vec<[f32; 3]> = (0..140)
+                .map(|n| {
+                    let shear = (n / 20) as f32 * 0.5;
+                    [shear + noise(&mut random), noise(&mut random), noise(&mut random)]
+                })
+                .collect();
+            let present: Vec<bool> = (0..140).map(|_| !random.random_bool(missing)).collect();
+            let field = Candidates { nodes, values: &values, present: &present };
+            let all: Vec<usize> = (0..140).collect();
+            let lanes: Vec<bool> = all
+                .chunks(lanes::LANES)
+                .flat_map(|some| field.judged(some, &present, 1.5, 0.1))
+                .take(140)
+                .collect();
+            let each: Vec<bool> =
+                all.iter().map(|&n| field.passes(n, &present, 1.5, 0.1)).collect();
+            assert_eq!(lanes, each);
+            assert!(lanes.contains(&true) && lanes.contains(&false));
         }
     }
 
