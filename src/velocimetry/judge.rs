@@ -1,12 +1,10 @@
 //! Which measured vectors are trusted, and what stands in for the others.
 
 use super::{
-    VectorStatus, VelocimetrySettings, field::unknown_vox, lattice::Lattice, peak::Peak,
-    validate::Candidates,
+    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField, derived::curl_and_divergence,
+    field::unknown_vox, lattice::Lattice, peak::Peak, settings::ROOM, validate::Candidates,
 };
-
-/// Displacements are looked for, and believed, up to this many times the largest expected.
-pub const ROOM: f64 = 1.25;
+use crate::model::VolumeGrid;
 
 /// Uncertainty of what stands in for a vector on the way, in voxels: next to any vector that was
 /// measured, little.
@@ -21,6 +19,31 @@ pub struct Vector {
     pub uncertainty_vox: [f32; 3],
     /// What it is worth.
     pub status: VectorStatus,
+}
+
+/// The field that `vectors` on `grid` make, in voxels of `volume`, with the height of every correlation
+/// peak over the next highest.
+pub fn field_of(
+    grid: VectorGrid,
+    volume: &VolumeGrid,
+    dt_s: f64,
+    vectors: &[Vector],
+    peak_ratios: &[f32],
+) -> VelocityField {
+    let displacement_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.displacement_vox).collect();
+    let spacing_vox = grid.spacing_mm / volume.voxel_mm;
+    let (vorticity, divergence) = curl_and_divergence(grid.vectors, &displacement_vox, spacing_vox);
+    VelocityField {
+        grid,
+        uncertainty_vox: vectors.iter().map(|v| v.uncertainty_vox).collect(),
+        status: vectors.iter().map(|v| v.status).collect(),
+        peak_ratio: peak_ratios.to_vec(),
+        displacement_vox,
+        vorticity,
+        divergence,
+        voxel_mm: volume.voxel_mm,
+        dt_s,
+    }
 }
 
 /// Judges the vectors of one pass.

@@ -15,6 +15,9 @@ pub struct Lattice {
     pub values: Vec<[f32; 3]>,
 }
 
+/// Steps in which paths through a field are found: each leaves a share of the displacement's gradient.
+const PATH_STEPS: usize = 2;
+
 impl Lattice {
     /// Adds the shift of each node's peak, where there is one, found on cells of `cell_vox` voxels.
     pub fn add(&mut self, peaks: &[Option<Peak>], cell_vox: f32) {
@@ -23,6 +26,12 @@ impl Lattice {
                 *value += shift * cell_vox;
             }
         }
+    }
+
+    /// Whether the nodes lie where those of `other` do.
+    pub fn is_over(&self, other: &Self) -> bool {
+        let place = |lattice: &Self| (lattice.nodes, lattice.first_vox, lattice.step_vox);
+        place(self) == place(other)
     }
 
     /// The nodes of this lattice with the values of `field` at their positions.
@@ -62,13 +71,38 @@ impl Lattice {
         })
     }
 
+    /// This displacement, whose vectors stand where frame a has the light, with vectors where it is in
+    /// the middle of the pair; along the same curved paths as [`Self::half_paths`].
+    pub fn carried_to_middle(&self) -> Self {
+        let mut middle = self.clone();
+        for _ in 0..PATH_STEPS {
+            middle = self.clone().sampling(|at| {
+                let there = middle.at(at);
+                let halfway = middle.at(std::array::from_fn(|c| at[c] - there[c] / 4.0));
+                self.at(std::array::from_fn(|c| at[c] - halfway[c] / 2.0))
+            });
+        }
+        middle
+    }
+
+    /// The vector of the node nearest to a position.
+    pub fn nearest(&self, position_vox: [f32; 3]) -> [f32; 3] {
+        let node = std::array::from_fn(|axis| {
+            let place = (position_vox[axis] - self.first_vox[axis]) / self.step_vox;
+            // The cast takes what is below zero to zero.
+            (place.round() as usize).min(self.nodes[axis] - 1)
+        });
+        self.values[Layout { nodes: self.nodes }.number(node)]
+    }
+
     /// The field at a position: cubic convolution (Keys 1981) between the nodes, linear outside.
     #[inline(always)]
     pub fn at(&self, position_vox: [f32; 3]) -> [f32; 3] {
-        let taps: [([usize; 4], [f32; 4]); 3] = std::array::from_fn(|axis| {
+        let along = |axis: usize| -> Taps {
             let t = (position_vox[axis] - self.first_vox[axis]) / self.step_vox;
             axis_taps(t, self.nodes[axis])
-        });
+        };
+        let taps = [along(0), along(1), along(2)];
         let [nx, ny, _] = self.nodes;
         let mut sum = [0.0; 3];
         for (&k, wz) in taps[2].0.iter().zip(taps[2].1) {
@@ -89,10 +123,13 @@ impl Lattice {
     }
 }
 
+/// Four nodes along an axis and their weights.
+pub type Taps = ([usize; 4], [f32; 4]);
+
 /// Four nodes and their weights at node coordinate `t`. A node beyond an end is replaced by the
 /// linear extrapolation of the two nodes at that end.
 #[inline(always)]
-fn axis_taps(t: f32, count: usize) -> ([usize; 4], [f32; 4]) {
+pub fn axis_taps(t: f32, count: usize) -> Taps {
     if count == 1 {
         return ([0; 4], [1.0, 0.0, 0.0, 0.0]);
     }

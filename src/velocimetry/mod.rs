@@ -20,6 +20,7 @@ mod smoothing;
 mod tracks;
 mod uncertainty;
 mod validate;
+mod volumes;
 mod windows;
 
 pub use cloud::PointCloud;
@@ -29,3 +30,4 @@ pub use floor::correlation_error_vox;
 pub use multipass::Interrogation;
 pub use result::{PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;
+pub use volumes::VolumeInterrogation;

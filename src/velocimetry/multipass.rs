@@ -11,13 +11,13 @@ use super::{
     VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
     cloud::PointCloud,
     correlation::Frames,
-    derived::curl_and_divergence,
     differences::Layout,
-    judge::{Judge, ROOM, Vector},
+    judge::{Judge, Vector, field_of},
     lags::Lags,
     lattice::Lattice,
     peak::{Peak, highest_peak},
     raster::{Image, Raster},
+    settings::Sizes,
     tracks::{Settled, follow, is_fine},
     uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
@@ -72,10 +72,7 @@ impl Interrogation {
     /// Windows on `grid`; light up to `margin` voxels outside it is used where it is known.
     /// Windows larger than the volume shrink to it.
     pub fn new(grid: &VolumeGrid, margin: usize, settings: &VelocimetrySettings) -> Self {
-        let smallest = grid.voxels.into_iter().min().unwrap_or(1);
-        let voxels = |mm: f64| ((mm / grid.voxel_mm).round() as usize).clamp(2, smallest.max(2));
-        let window = voxels(settings.window_mm);
-        let step = ((window as f64 * (1.0 - settings.overlap)).round() as usize).max(1);
+        let Sizes { window, step, search, reach } = settings.in_voxels(grid);
         let nodes = grid.voxels.map(|n| n.saturating_sub(window) / step + 1);
         let centre = margin as f32 + (window as f32 - 1.0) / 2.0;
         let windows = Windows {
@@ -85,12 +82,7 @@ impl Interrogation {
             cell_vox: 1.0,
             first_vox: [centre - (GUARD * step) as f32; 3],
         };
-        let wanted = settings
-            .first_window_mm
-            .map_or_else(|| (4.0 * settings.max_displacement_vox).ceil() as usize, voxels)
-            .max(window);
-        let reach = (settings.max_displacement_vox * ROOM).min(wanted as f64 / 2.0);
-        let (search, search_lags) = search_windows(&windows, wanted, reach);
+        let (search, search_lags) = search_windows(&windows, search, reach);
         let (grid, settings) = (grid.clone(), settings.clone());
         Self { grid, margin, settings, nodes, search, search_lags, windows }
     }
@@ -256,21 +248,10 @@ impl Interrogation {
                 kept.extend(row + GUARD..row + GUARD + nx);
             }
         }
-        let displacement_vox: Vec<[f32; 3]> =
-            kept.iter().map(|&n| vectors[n].displacement_vox).collect();
-        let (vorticity, divergence) =
-            curl_and_divergence(self.nodes, &displacement_vox, self.windows.step as f64);
-        VelocityField {
-            grid: self.vector_grid(),
-            uncertainty_vox: kept.iter().map(|&n| vectors[n].uncertainty_vox).collect(),
-            status: kept.iter().map(|&n| vectors[n].status).collect(),
-            peak_ratio: kept.iter().map(|&n| peaks[n].map_or(0.0, |peak| peak.ratio)).collect(),
-            displacement_vox,
-            vorticity,
-            divergence,
-            voxel_mm: self.grid.voxel_mm,
-            dt_s,
-        }
+        let vectors: Vec<Vector> = kept.iter().map(|&n| vectors[n]).collect();
+        let ratios: Vec<f32> =
+            kept.iter().map(|&n| peaks[n].map_or(0.0, |peak| peak.ratio)).collect();
+        field_of(self.vector_grid(), &self.grid, dt_s, &vectors, &ratios)
     }
 }
 

@@ -15,6 +15,34 @@ pub struct Peak {
     pub ratio: f32,
 }
 
+/// The top of the Gaussian through the nearest lags (reach 1), at most a lag away from none along each
+/// axis: of a peak that has been centred but for a rest. `None` where they do not fall away from a
+/// top. With no other to be compared
+/// with, its ratio is [`ALONE`].
+pub fn nearest_peak(correlation: &[f32]) -> Option<Peak> {
+    const MIDDLE: usize = 13;
+    let height = correlation[MIDDLE];
+    let mut shift = [0.0; 3];
+    for (shift, stride) in shift.iter_mut().zip([1, 3, 9]) {
+        let (below, above) = (correlation[MIDDLE - stride], correlation[MIDDLE + stride]);
+        if height.min(below).min(above) <= 0.0 {
+            return None;
+        }
+        let curvature = 2.0 * height.ln() - below.ln() - above.ln();
+        if f64::from(curvature) <= LEAST_CURVATURE {
+            return None;
+        }
+        *shift = ((above.ln() - below.ln()) / (2.0 * curvature)).clamp(-1.0, 1.0);
+    }
+    Some(Peak { shift, lag: [0; 3], ratio: ALONE })
+}
+
+/// A correlation flatter than this about its peak has none.
+pub const LEAST_CURVATURE: f64 = 1e-3;
+
+/// Ratio of a peak beside which there is no other, and of any that is higher still.
+const ALONE: f32 = 1e3;
+
 /// Cells around the highest peak that belong to it.
 const PEAK_RADIUS: i64 = 2;
 
@@ -53,7 +81,7 @@ pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
         let [below, above] = sides[axis];
         lag[axis] as f32 + three_point_gaussian(below, height, above)
     });
-    Some(Peak { shift, lag, ratio: (height / second.max(height * 1e-3)).min(1e3) })
+    Some(Peak { shift, lag, ratio: (height / second.max(height / ALONE)).min(ALONE) })
 }
 
 /// Lags that differ along x only.
@@ -151,7 +179,7 @@ mod tests {
                 if let Some(peak) = highest_peak(lags, &correlation) {
                     let (lag, ratio) = by_definition(lags, &correlation).unwrap();
                     assert_eq!(peak.lag, lag);
-                    assert!((peak.ratio / ratio.min(1e3) - 1.0).abs() < 1e-5);
+                    assert!((peak.ratio / ratio.min(ALONE) - 1.0).abs() < 1e-5);
                     found += 1;
                 }
             }
@@ -168,6 +196,27 @@ mod tests {
         for beyond in [2.6, 3.0, 4.5] {
             assert_eq!(peak_at(lags, beyond), None, "{beyond}");
         }
+    }
+
+    #[test]
+    fn the_nearest_lags_find_a_top_up_to_a_lag_away() {
+        let lags = Lags { reach: 1 };
+        let at = |centre: [f32; 3], index| {
+            let s = lags.components(index).map(|c| c as f32);
+            let square: f32 = (0..3).map(|c| (s[c] - centre[c]).powi(2)).sum();
+            (-square / 1.7).exp()
+        };
+        for centre in [[0.0, 0.1, -0.4], [0.7, -0.9, 0.2]] {
+            let correlation: Vec<f32> = (0..27).map(|n| at(centre, n)).collect();
+            let shift = nearest_peak(&correlation).unwrap().shift;
+            assert!(shift.iter().zip(centre).all(|(s, c)| (s - c).abs() < 1e-4), "{shift:?}");
+        }
+        let beyond: Vec<f32> = (0..27).map(|n| at([2.5, 0.0, 0.0], n)).collect();
+        assert_eq!(nearest_peak(&beyond).unwrap().shift[0], 1.0);
+        assert_eq!(nearest_peak(&[1.0; 27]), None);
+        assert_eq!(nearest_peak(&[0.0; 27]), None);
+        let valley: Vec<f32> = (0..27).map(|n| 1.0 / at([0.0; 3], n)).collect();
+        assert_eq!(nearest_peak(&valley), None);
     }
 
     #[test]

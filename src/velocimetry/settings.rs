@@ -3,6 +3,11 @@
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
+use crate::model::VolumeGrid;
+
+/// Displacements are looked for, and believed, up to this many times the largest expected.
+pub const ROOM: f64 = 1.25;
+
 /// How volumes are correlated.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
@@ -45,6 +50,38 @@ pub struct VelocimetrySettings {
     /// Largest standard uncertainty of a component of a vector that is trusted, in voxels.
     #[garde(range(min = 0.001, max = 100.0))]
     pub largest_uncertainty_vox: f64,
+}
+
+/// Sizes in voxels of a grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    /// Edge of the final windows.
+    pub window: usize,
+    /// From one of them to the next.
+    pub step: usize,
+    /// Edge of the search's windows, at least.
+    pub search: usize,
+    /// The largest displacement that is looked for, along an axis.
+    pub reach: f64,
+}
+
+impl VelocimetrySettings {
+    /// The sizes on `grid`; windows larger than the volume shrink to it.
+    pub fn in_voxels(&self, grid: &VolumeGrid) -> Sizes {
+        let smallest = grid.voxels.into_iter().min().unwrap_or(1);
+        let voxels = |mm: f64| ((mm / grid.voxel_mm).round() as usize).clamp(2, smallest.max(2));
+        let window = voxels(self.window_mm);
+        let search = self
+            .first_window_mm
+            .map_or_else(|| (4.0 * self.max_displacement_vox).ceil() as usize, voxels)
+            .max(window);
+        Sizes {
+            window,
+            step: ((window as f64 * (1.0 - self.overlap)).round() as usize).max(1),
+            search,
+            reach: (self.max_displacement_vox * ROOM).min(search as f64 / 2.0),
+        }
+    }
 }
 
 impl Default for VelocimetrySettings {

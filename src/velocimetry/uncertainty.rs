@@ -13,7 +13,7 @@
 
 mod cells;
 
-use super::raster::Image;
+use super::{peak::LEAST_CURVATURE, raster::Image};
 pub use cells::Cutouts;
 use cells::{COMMON, Cells};
 
@@ -119,10 +119,7 @@ impl PeakStatistics {
 }
 
 /// More particles than this are not told from infinitely many.
-const MOST_PARTICLES: f32 = 1000.0;
-
-/// A correlation flatter than this about its peak has none.
-const LEAST_CURVATURE: f64 = 1e-3;
+pub const MOST_PARTICLES: f32 = 1000.0;
 
 /// Variance of the sum of correlated contributions: each times the sum of itself and its
 /// neighbours, beyond which they are independent. Never less than if all were.

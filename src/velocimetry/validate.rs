@@ -39,10 +39,11 @@ impl Candidates<'_> {
         };
         let once = test(&all, self.present);
         // Those whose neighbours all passed would be judged as before.
-        let again: Vec<usize> = all
-            .into_iter()
-            .filter(|&n| self.around(n).into_iter().any(|near| !once[near]))
-            .collect();
+        let mut beside_failed = vec![false; all.len()];
+        for n in (0..all.len()).filter(|&n| !once[n]) {
+            self.for_each_near(n, |_, other| beside_failed[other] = true);
+        }
+        let again: Vec<usize> = all.into_iter().filter(|&n| beside_failed[n]).collect();
         let mut pass = once.clone();
         for (&n, verdict) in again.iter().zip(test(&again, &once)) {
             pass[n] = verdict;
@@ -64,11 +65,13 @@ impl Candidates<'_> {
             for (own, value) in own.iter_mut().zip(self.values[index]) {
                 own[lane] = value;
             }
-            for Neighbour { offset, value } in self.neighbours(index, trusted) {
-                for (around, value) in around.iter_mut().zip(value) {
-                    around[cube_index(offset)][lane] = value;
+            self.for_each_near(index, |place, other| {
+                if trusted[other] {
+                    for (around, value) in around.iter_mut().zip(self.values[other]) {
+                        around[place][lane] = value;
+                    }
                 }
-            }
+            });
         }
         let mut pass = lanes::judge(&around, &own, threshold, epsilon_vox, LEAST_NEIGHBOURS);
         for (pass, &index) in pass.iter_mut().zip(some) {
@@ -112,17 +115,27 @@ impl Candidates<'_> {
 
     /// The up to 26 nodes around one.
     fn around(&self, index: usize) -> Vec<usize> {
+        let mut near = Vec::with_capacity(26);
+        self.for_each_near(index, |_, other| near.push(other));
+        near
+    }
+
+    /// Visits the up to 26 nodes around one: their places in the cube about it (see [`cube_index`])
+    /// and their numbers.
+    fn for_each_near(&self, index: usize, mut visit: impl FnMut(usize, usize)) {
         let [nx, ny, nz] = self.nodes;
         let [i, j, k] = self.place(index);
         let around = |c: usize, n: usize| c.saturating_sub(1)..(c + 2).min(n);
-        let mut near = Vec::with_capacity(27);
         for z in around(k, nz) {
             for y in around(j, ny) {
-                near.extend(around(i, nx).map(|x| (z * ny + y) * nx + x));
+                for x in around(i, nx) {
+                    let other = (z * ny + y) * nx + x;
+                    if other != index {
+                        visit(((z + 1 - k) * 3 + y + 1 - j) * 3 + x + 1 - i, other);
+                    }
+                }
             }
         }
-        near.retain(|&other| other != index);
-        near
     }
 
     fn place(&self, index: usize) -> [usize; 3] {

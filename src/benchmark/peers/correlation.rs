@@ -15,8 +15,8 @@ use crate::{
     lightfield::ImagePair,
     model::VolumeGrid,
     pipeline::{Measurement, Processor},
-    reconstruction::{DenseVolume, SparseVolume},
-    velocimetry::{Interrogation, PointCloud, VelocimetrySettings, VelocityField},
+    reconstruction::DenseVolume,
+    velocimetry::{PointCloud, VelocimetrySettings, VelocityField, VolumeInterrogation},
 };
 
 /// Both frames as dense volumes on one grid, and the true displacement in every window.
@@ -84,7 +84,7 @@ impl CorrelationCase {
         velocimetry: &VelocimetrySettings,
     ) -> Self {
         let grid = &volumes[0].grid;
-        let interrogation = interrogation(grid, velocimetry);
+        let interrogation = VolumeInterrogation::new(grid, velocimetry);
         let vectors = interrogation.vector_grid();
         let [_, edge_vox] = interrogation.windows_vox();
         let step_vox = (vectors.spacing_mm / grid.voxel_mm).round() as usize;
@@ -157,11 +157,9 @@ pub fn time_correlation(
 ) -> Result<Row, PeersError> {
     let case = CorrelationCase::read(folder, grid)?;
     let settings = with_passes(velocimetry, passes);
-    let (interrogation, assembly_seconds) = timed(|| interrogation(grid, &settings));
-    let (field, cost) = repeated(repeats, || {
-        let [a, b] = case.volumes.each_ref().map(|volume| cloud(volume, grid));
-        interrogation.measure_by_windows(&a, &b, dt_s)
-    });
+    let (interrogation, assembly_seconds) = timed(|| VolumeInterrogation::new(grid, &settings));
+    let [a, b] = &case.volumes;
+    let (field, cost) = repeated(repeats, || interrogation.measure(a, b, dt_s));
     let row = Row::own(
         case_name(folder),
         if passes == 1 { "single pass".to_owned() } else { format!("{passes} passes") },
@@ -176,21 +174,9 @@ pub fn time_correlation(
     })
 }
 
-/// The light outside the volume is not known to the peers, so it is not used here either.
-fn interrogation(grid: &VolumeGrid, settings: &VelocimetrySettings) -> Interrogation {
-    Interrogation::new(grid, 0, settings)
-}
-
 /// A single pass has no larger windows before it.
 fn with_passes(settings: &VelocimetrySettings, passes: usize) -> VelocimetrySettings {
     let first_window_mm =
         if passes == 1 { Some(settings.window_mm) } else { settings.first_window_mm };
     VelocimetrySettings { passes, first_window_mm, ..settings.clone() }
-}
-
-/// The lit voxels of a dense volume.
-fn cloud(volume: &DenseVolume, grid: &VolumeGrid) -> PointCloud {
-    let lit = volume.intensity.iter().zip(0u32..).filter(|(light, _)| **light > 0.0);
-    let (intensity, voxels) = lit.map(|(&light, voxel)| (light, voxel)).unzip();
-    PointCloud::from_volume(&SparseVolume { grid: volume.grid.clone(), voxels, intensity }, grid)
 }

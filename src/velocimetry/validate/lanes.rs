@@ -7,7 +7,7 @@
 use multiversion::multiversion;
 
 /// Vectors that are judged at a time.
-pub const LANES: usize = 8;
+pub const LANES: usize = 16;
 
 /// One number per vector.
 type Lane = [f32; LANES];

@@ -1,0 +1,180 @@
+//! Correlation of whole volumes, voxel by voxel.
+//!
+//! A reconstruction of ours is nearly empty and keeps finer voxels than its windows need: its light is
+//! moved point by point ([`super::Interrogation`]). Volumes from elsewhere come as arrays, and most of
+//! their voxels may be lit: then looking up where the light of every voxel went costs less than
+//! moving it.
+//!
+//! A search on coarse cells, passes on cells of two voxels, and one on voxels. Frame b is looked up
+//! along the displacement known so far, so that vectors stand where frame a has their light until
+//! the end, when they are carried to the middle of the pair.
+
+mod bricks;
+mod cells;
+mod correlation;
+mod expansion;
+mod light;
+mod profile;
+mod stage;
+mod statistics;
+mod warp;
+
+use super::{
+    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
+    judge::{Judge, Vector, field_of},
+    lags::Lags,
+    lattice::Lattice,
+    peak::Peak,
+};
+use crate::{model::VolumeGrid, reconstruction::DenseVolume};
+use light::Light;
+use profile::Profile;
+use stage::Stage;
+
+/// Interrogation windows on whole volumes.
+pub struct VolumeInterrogation {
+    grid: VolumeGrid,
+    settings: VelocimetrySettings,
+    search: Stage,
+    coarse: Stage,
+    fine: Stage,
+}
+
+/// The search looks this many cells far: its cells are as coarse as that asks for.
+const SEARCH_REACH: f64 = 3.0;
+
+/// Edge of the cells of the passes between the search and the last one, in voxels.
+const COARSE_VOX: usize = 2;
+
+/// Lags of a pass that corrects what the one before has left: less than a cell.
+const NEAREST: Lags = Lags { reach: 1 };
+
+/// Standard uncertainty of vectors found on coarse cells, in cells, as far as a predictor needs it.
+const COARSE_UNCERTAINTY: f32 = 0.05;
+
+/// What is left of a vector's uncertainty once its neighbours have had their say. Without it, intervals
+/// hold 86 and 99 % on true particles, 89 and 99 % on reconstructions of noisy images, 81 and 97 % on
+/// a vortex ring, instead of 68 and 95 %.
+const SMOOTHED: f32 = 0.7;
+
+impl VolumeInterrogation {
+    /// Windows on `grid`. Windows larger than the volume shrink to it.
+    pub fn new(grid: &VolumeGrid, settings: &VelocimetrySettings) -> Self {
+        let sizes = settings.in_voxels(grid);
+        let search_cell = (sizes.reach / SEARCH_REACH).ceil().max(1.0) as usize;
+        let search_lags = Lags { reach: (sizes.reach / search_cell as f64).ceil() as usize + 1 };
+        let search = Stage::new(
+            grid,
+            search_cell,
+            [sizes.search, sizes.search / 2],
+            Profile::uniform,
+            search_lags,
+        );
+        let [coarse, fine] = [COARSE_VOX, 1].map(|cell| {
+            Stage::new(grid, cell, [sizes.window, sizes.step], Profile::peaked, NEAREST)
+        });
+        Self { grid: grid.clone(), settings: settings.clone(), search, coarse, fine }
+    }
+
+    /// Where the vectors will be.
+    pub fn vector_grid(&self) -> VectorGrid {
+        let windows = &self.fine.windows;
+        VectorGrid {
+            vectors: windows.nodes,
+            first_mm: std::array::from_fn(|axis| {
+                self.grid.coordinate_mm(axis, f64::from(windows.first_vox[axis]))
+            }),
+            spacing_mm: windows.step as f64 * self.grid.voxel_mm,
+        }
+    }
+
+    /// Edges of the first and the final windows, in voxels.
+    pub fn windows_vox(&self) -> [usize; 2] {
+        [&self.search, &self.fine].map(|stage| stage.windows.edge * stage.cell_vox())
+    }
+
+    /// The displacement from `a` to `b`, both on the grid of this, over `dt_s` seconds.
+    ///
+    /// # Panics
+    /// When a volume does not have the grid's voxels.
+    pub fn measure(&self, a: &DenseVolume, b: &DenseVolume, dt_s: f64) -> VelocityField {
+        for volume in [a, b] {
+            assert_eq!(volume.grid.voxels, self.grid.voxels, "one grid for volumes and windows");
+            assert_eq!(volume.intensity.len(), volume.grid.len(), "one number per voxel");
+        }
+        let Stage { windows, profile, lags } = &self.fine;
+        let level = |volume| Light::without_mean(volume, windows, profile, lags.border());
+        let (a, b) = rayon::join(|| level(a), || level(b));
+        let (mut field, ratios) = self.searched([&a, &b]);
+        if self.settings.passes > 2 {
+            let binned = |light: &Light| light.binned(COARSE_VOX, NEAREST.border());
+            let (a, b) = rayon::join(|| binned(&a), || binned(&b));
+            for _ in 2..self.settings.passes {
+                let (known, moved) = self.coarse.look_along(&field, &b);
+                let found = self.coarse.correct(known, [&a, &moved]);
+                field = self.predictor(&self.coarse, &found.field, &found.peaks);
+            }
+        }
+        self.last([&a, &b], &field, &ratios, dt_s)
+    }
+
+    /// What the search finds, and the height of every window's peak over the next.
+    fn searched(&self, frames: [&Light; 2]) -> (Lattice, Lattice) {
+        let stage = &self.search;
+        let [a, b] = frames.map(|light| light.binned(stage.cell_vox(), stage.lags.border()));
+        let found = stage.search([&a, &b]);
+        let ratio = |peak: &Option<Peak>| [peak.map_or(0.0, |peak| peak.ratio), 0.0, 0.0];
+        let ratios =
+            Lattice { values: found.peaks.iter().map(ratio).collect(), ..stage.windows.at_rest() };
+        (self.predictor(stage, &found.field, &found.peaks), ratios)
+    }
+
+    /// The likeliest field behind the vectors of a stage on coarse cells.
+    fn predictor(&self, stage: &Stage, field: &Lattice, peaks: &[Option<Peak>]) -> Lattice {
+        let uncertainty_vox = COARSE_UNCERTAINTY * stage.windows.cell_vox;
+        let known = vec![Some([uncertainty_vox; 3]); peaks.len()];
+        Judge { settings: &self.settings, field, peaks }.predictor(&known)
+    }
+
+    /// The pass on voxels, and what it gives.
+    fn last(
+        &self,
+        [a, b]: [&Light; 2],
+        field: &Lattice,
+        ratios: &Lattice,
+        dt_s: f64,
+    ) -> VelocityField {
+        let (known, moved) = self.fine.look_along(field, b);
+        let found = self.fine.correct(known, [a, &moved]);
+        let least = self.settings.least_correlation;
+        let uncertainty_vox = self.fine.uncertainties([a, &moved], &found.peaks, least);
+        let judge = Judge { settings: &self.settings, field: &found.field, peaks: &found.peaks };
+        let mut vectors = judge.vectors(&uncertainty_vox);
+        self.settle(&mut vectors);
+        // The nearest lags see one peak only; how it compares with others the search knows.
+        let of_search = self.fine.windows.at_rest().sampling(|at| ratios.nearest(at));
+        let peaks = found.peaks.iter().zip(&of_search.values);
+        let ratios: Vec<f32> = peaks.map(|(peak, ratio)| peak.map_or(0.0, |_| ratio[0])).collect();
+        field_of(self.vector_grid(), &self.grid, dt_s, &vectors, &ratios)
+    }
+
+    /// Moves vectors to the likeliest field behind them, as it is in the middle of the pair. What is
+    /// invalid stays so.
+    fn settle(&self, vectors: &mut [Vector]) {
+        let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
+        let measured = Lattice {
+            values: vectors.iter().map(|v| v.displacement_vox).collect(),
+            ..self.fine.windows.at_rest()
+        };
+        let settled = measured.likeliest(&uncertainty_vox).carried_to_middle();
+        for (vector, displacement_vox) in vectors.iter_mut().zip(settled.values) {
+            if vector.status != VectorStatus::Invalid {
+                vector.displacement_vox = displacement_vox;
+                vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHED * sigma);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

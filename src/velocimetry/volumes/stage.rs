@@ -1,0 +1,120 @@
+//! One pass over whole volumes: its windows, cells and lags.
+
+use super::{
+    correlation::Correlation, light::Light, profile::Profile, statistics::statistics_at_rest,
+    warp::looked_up,
+};
+use crate::{
+    model::VolumeGrid,
+    velocimetry::{
+        lags::Lags,
+        lattice::Lattice,
+        peak::{Peak, highest_peak, nearest_peak},
+        uncertainty::PeakStatistics,
+        windows::Windows,
+    },
+};
+
+/// Windows on cells of whole voxels, from the volume's corner on, and the lags that are tried.
+#[derive(Debug, Clone)]
+pub struct Stage {
+    /// The windows.
+    pub windows: Windows,
+    /// How they weigh their cells.
+    pub profile: Profile,
+    /// The lags.
+    pub lags: Lags,
+}
+
+/// What a pass finds.
+pub struct Found {
+    /// The displacement at every window, as it is after the pass.
+    pub field: Lattice,
+    /// The correlation peak of every window, where there is one.
+    pub peaks: Vec<Option<Peak>>,
+}
+
+/// Smaller windows, in cells, hold no peak.
+const LEAST_EDGE: usize = 4;
+
+impl Stage {
+    /// Windows of about `edge_vox` voxels, `step_vox` apart, on cells of `cell_vox` voxels.
+    pub fn new(
+        grid: &VolumeGrid,
+        cell_vox: usize,
+        [edge_vox, step_vox]: [usize; 2],
+        profile: impl Fn(usize) -> Profile,
+        lags: Lags,
+    ) -> Self {
+        let cells = grid.voxels.map(|n| (n / cell_vox).max(1));
+        let smallest = cells.into_iter().min().unwrap_or(1);
+        let in_cells = |voxels: usize| (voxels as f64 / cell_vox as f64).round() as usize;
+        let edge = in_cells(edge_vox).max(LEAST_EDGE).min(smallest);
+        let step = in_cells(step_vox).clamp(1, edge);
+        let centre = cell_vox as f32 * edge as f32 / 2.0 - 0.5;
+        let windows = Windows {
+            nodes: cells.map(|n| (n - edge) / step + 1),
+            edge,
+            step,
+            cell_vox: cell_vox as f32,
+            first_vox: [centre; 3],
+        };
+        Self { windows, profile: profile(edge), lags }
+    }
+
+    /// Edge of a cell, in voxels.
+    pub fn cell_vox(&self) -> usize {
+        self.windows.cell_vox as usize
+    }
+
+    /// Correlates two frames as they are.
+    pub fn search(&self, frames: [&Light; 2]) -> Found {
+        self.found(self.windows.at_rest(), frames, |values| highest_peak(self.lags, values))
+    }
+
+    /// Frame b looked up along `field`, and the field itself on this stage's windows.
+    pub fn look_along(&self, field: &Lattice, b: &Light) -> (Lattice, Light) {
+        let own = self.windows.at_rest();
+        let known =
+            if own.is_over(field) { field.clone() } else { own.sampling(|at| field.at(at)) };
+        let moved = looked_up(b, &known, self.lags.border());
+        (known, moved)
+    }
+
+    /// Corrects the field along which frame b was looked up, by the lags next to none.
+    pub fn correct(&self, known: Lattice, frames: [&Light; 2]) -> Found {
+        self.found(known, frames, nearest_peak)
+    }
+
+    /// Standard uncertainty of every vector that [`Self::correct`] has found along x, y, z, in cells,
+    /// where the correlation coefficient of the frames is at least `least_correlation`.
+    pub fn uncertainties(
+        &self,
+        frames: [&Light; 2],
+        peaks: &[Option<Peak>],
+        least_correlation: f64,
+    ) -> Vec<Option<[f32; 3]>> {
+        let of_window = |(peak, statistics): (&Option<Peak>, Option<PeakStatistics>)| {
+            let (peak, statistics) = (peak.as_ref()?, statistics?);
+            let agree = f64::from(statistics.coefficient) >= least_correlation;
+            agree.then(|| statistics.uncertainty_vox(peak.shift))?
+        };
+        peaks
+            .iter()
+            .zip(statistics_at_rest(frames, &self.windows, &self.profile))
+            .map(of_window)
+            .collect()
+    }
+
+    fn found(
+        &self,
+        mut field: Lattice,
+        frames: [&Light; 2],
+        peak: impl Fn(&[f32]) -> Option<Peak> + Sync,
+    ) -> Found {
+        let peaks =
+            Correlation::new(&self.windows, &self.profile, self.lags, frames).of_windows(peak);
+        field.add(&peaks, self.windows.cell_vox);
+        Found { field, peaks }
+    }
+}

@@ -1,0 +1,93 @@
+//! Peak statistics of all windows at once, by sums that overlapping windows share.
+//!
+//! What a cell adds to a window's asymmetry is A − m Y: its own asymmetry A and symmetric part Y, and
+//! the window's m = ΣA/ΣY (see [`PeakStatistics`]). Sums over blocks of cells and their squares then
+//! come from ΣA, ΣY, ΣA², ΣAY and ΣY², in which m does not occur: they are summed once, whatever the
+//! overlap.
+
+use std::cmp::Ordering;
+
+use super::{
+    cells::{
+        BLOCK, CELL, COMMON, COMMON_SQUARES, Cells, ENERGY, MIXED, SQUARES, SUMS, SYMMETRIC,
+        SYMMETRIC_SQUARES,
+    },
+    light::Light,
+    profile::{Profile, Span},
+};
+use crate::velocimetry::{
+    peak::LEAST_CURVATURE,
+    uncertainty::{MOST_PARTICLES, PeakStatistics},
+    windows::Windows,
+};
+
+/// Statistics of every window's peak at no lag; `None` where there is none. Both frames without mean,
+/// alike in their cells, with a border.
+pub fn statistics_at_rest(
+    frames: [&Light; 2],
+    windows: &Windows,
+    profile: &Profile,
+) -> Vec<Option<PeakStatistics>> {
+    let products = Cells::products(frames);
+    let spans = spans_in_cells(&profile.spans(windows), products.counts);
+    let squared = spans.each_ref().map(|of_axis| of_axis.iter().map(Span::squared).collect());
+    let sums = products.rows().box_sums(&spans);
+    let squares = products.squares().rows().box_sums(&squared);
+    let chance = share_of_a_block(profile);
+    let windows = sums.as_chunks().0.iter().zip(squares.as_chunks().0);
+    windows.map(|(sums, squares)| of_window(sums, squares, chance)).collect()
+}
+
+/// The formulas of [`PeakStatistics::of`], for a window of which a share `chance` is taken for one
+/// particle by chance.
+fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Option<PeakStatistics> {
+    let (sums, squares) = (sums.map(f64::from), squares.map(f64::from));
+    let common = sums[COMMON];
+    let mut variance_vox2 = [0.0; 3];
+    for (axis, variance) in variance_vox2.iter_mut().enumerate() {
+        let (asymmetry, symmetric) = (sums[axis], sums[SYMMETRIC + axis]);
+        let [above, below] = [symmetric + asymmetry, symmetric - asymmetry].map(|s| s / 2.0);
+        if common.min(above).min(below).partial_cmp(&0.0)? != Ordering::Greater {
+            return None;
+        }
+        let curvature = 2.0 * common.ln() - above.ln() - below.ln();
+        if curvature <= LEAST_CURVATURE {
+            return None;
+        }
+        let (mean, scale) = (asymmetry / symmetric, 1.0 / (symmetric * curvature));
+        let [aa, ay, yy] = [0, MIXED, SYMMETRIC_SQUARES].map(|first| squares[first + axis]);
+        let spread = (aa - 2.0 * mean * ay + mean * mean * yy).max(0.0) * scale * scale;
+        *variance = (spread / (1.0 - chance).max(0.1)) as f32;
+    }
+    let clustered = squares[COMMON_SQUARES].max(squares[COMMON_SQUARES + 1]);
+    let share = clustered / (common * common) - chance;
+    Some(PeakStatistics {
+        variance_vox2,
+        particles: 1.0 / (share as f32).max(1.0 / MOST_PARTICLES),
+        coefficient: (common / (sums[ENERGY] * sums[ENERGY + 1]).sqrt()) as f32,
+    })
+}
+
+/// The mean share of a window that lies in a block with one of its cells.
+fn share_of_a_block(profile: &Profile) -> f64 {
+    let squares: f32 = profile.weights().iter().map(|weight| weight * weight).sum();
+    let along = (BLOCK * CELL) as f32 * squares / profile.sum().powi(2);
+    f64::from(along.min(1.0)).powi(3)
+}
+
+/// Windows along every axis, in cells: a cell that is half inside has half the weight.
+fn spans_in_cells(spans: &[Vec<Span>; 3], counts: [usize; 3]) -> [Vec<Span>; 3] {
+    std::array::from_fn(|axis| {
+        let in_cells = |span: &Span| {
+            let end = (span.first + span.weights.len()).div_ceil(CELL).min(counts[axis]);
+            let first = (span.first / CELL).min(end);
+            let weight = |cell: usize| {
+                let parts = cell * CELL..(cell + 1) * CELL;
+                let inside = parts.filter_map(|at| span.weights.get(at.checked_sub(span.first)?));
+                inside.sum::<f32>() / CELL as f32
+            };
+            Span { first, weights: (first..end).map(weight).collect() }
+        };
+        spans[axis].iter().map(in_cells).collect()
+    })
+}

@@ -1,0 +1,161 @@
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::*;
+use crate::velocimetry::PointCloud;
+
+const GRID: VolumeGrid = VolumeGrid { voxels: [80, 64, 56], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+
+/// Particles of many brightnesses, rendered before and after `flow` (voxels, of the place in the middle)
+/// has moved them.
+fn pair(seed: u64, flow: impl Fn([f64; 3]) -> [f64; 3]) -> [DenseVolume; 2] {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let particles: Vec<([f64; 3], f64)> = (0..3500)
+        .map(|_| {
+            let at = GRID.voxels.map(|n| random.random_range(-4.0..n as f64 + 4.0));
+            (at, random.random_range(0.5..1.5))
+        })
+        .collect();
+    [-0.5, 0.5].map(|half| {
+        let moved: Vec<([f64; 3], f64)> = particles
+            .iter()
+            .map(|&(middle, light)| {
+                // A quarter of the way by the flow in the middle, from there by what it is there.
+                let start = flow(middle);
+                let on_path = std::array::from_fn(|c| middle[c] + half * start[c] / 2.0);
+                let whole = flow(on_path);
+                let at =
+                    std::array::from_fn(|c| GRID.coordinate_mm(c, middle[c] + half * whole[c]));
+                (at, light)
+            })
+            .collect();
+        let intensity = PointCloud::from_particles(&moved, &GRID).render(&GRID);
+        DenseVolume { grid: GRID, intensity }
+    })
+}
+
+fn settings() -> VelocimetrySettings {
+    VelocimetrySettings { passes: 4, ..VelocimetrySettings::default() }
+}
+
+fn measured(pair: &[DenseVolume; 2]) -> VelocityField {
+    VolumeInterrogation::new(&GRID, &settings()).measure(&pair[0], &pair[1], 1e-4)
+}
+
+/// Errors of all components, with their standard uncertainty.
+fn errors(field: &VelocityField, flow: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<[f64; 2]> {
+    (0..field.grid.len())
+        .flat_map(|n| {
+            let at = field.grid.position_mm(n);
+            let truth = flow(std::array::from_fn(|c| GRID.index_of(c, at[c])));
+            let (found, sigma) = (field.displacement_vox[n], field.uncertainty_vox[n]);
+            (0..3).map(move |c| [(f64::from(found[c]) - truth[c]).abs(), f64::from(sigma[c])])
+        })
+        .collect()
+}
+
+fn mean_error(errors: &[[f64; 2]]) -> f64 {
+    errors.iter().map(|[error, _]| error).sum::<f64>() / errors.len() as f64
+}
+
+/// A smooth flow in all directions, up to 4 voxels.
+fn waves([x, y, z]: [f64; 3]) -> [f64; 3] {
+    let wave = |t: f64| 2.0 * (t * std::f64::consts::TAU / 100.0).sin();
+    [wave(z) + wave(y + 25.0), wave(x) + wave(z + 25.0), wave(y) + wave(x + 25.0)]
+}
+
+#[test]
+fn even_displacements_are_found_to_some_hundredths_of_a_voxel() {
+    for shift in [[0.0; 3], [0.5, -0.5, 0.25], [5.7, -3.2, 1.4]] {
+        let field = measured(&pair(1, |_| shift));
+        let errors = errors(&field, |_| shift);
+        let valid = field.status.iter().filter(|status| **status == VectorStatus::Valid).count();
+        // Next to a face much of what moves by six voxels is seen once.
+        assert!(valid as f64 > 0.97 * field.grid.len() as f64, "{shift:?}: {valid} valid");
+        assert!(mean_error(&errors) < 0.03, "{shift:?}: {}", mean_error(&errors));
+    }
+}
+
+#[test]
+fn a_smooth_flow_is_found_in_the_middle_of_the_pair() {
+    let errors = errors(&measured(&pair(2, waves)), waves);
+    assert!(mean_error(&errors) < 0.05, "{}", mean_error(&errors));
+}
+
+#[test]
+fn frames_that_change_places_turn_the_field_round() {
+    let [a, b] = pair(3, waves);
+    let [there, back] = [measured(&[a.clone(), b.clone()]), measured(&[b, a])];
+    let apart = there.displacement_vox.iter().flatten().zip(back.displacement_vox.iter().flatten());
+    let mean = apart.map(|(there, back)| (there + back).abs()).sum::<f32>()
+        / (3 * there.grid.len()) as f32;
+    assert!(mean < 0.06, "{mean}");
+}
+
+#[test]
+fn intervals_hold_what_they_say() {
+    let mut all = Vec::new();
+    for seed in 4..8 {
+        all.extend(errors(&measured(&pair(seed, waves)), waves));
+    }
+    let within = |k: f64| {
+        all.iter().filter(|[error, sigma]| *error <= k * sigma).count() as f64 / all.len() as f64
+    };
+    println!("{:.3} within one, {:.3} within two", within(1.0), within(1.96));
+    assert!((within(1.0) - 0.68).abs() < 0.08 && (within(1.96) - 0.95).abs() < 0.08);
+}
+
+#[test]
+fn threads_change_nothing() {
+    let pair = pair(9, waves);
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| measured(&pair))
+    };
+    assert_eq!(with(1), with(3));
+}
+
+#[test]
+fn noise_alone_gives_no_valid_vector_and_darkness_none_at_all() {
+    let mut random = Pcg64Mcg::seed_from_u64(10);
+    let mut noise = || DenseVolume {
+        grid: GRID,
+        intensity: (0..GRID.len()).map(|_| random.random()).collect(),
+    };
+    let field = measured(&[noise(), noise()]);
+    let valid = field.status.iter().filter(|status| **status == VectorStatus::Valid).count();
+    assert_eq!(valid, 0, "of {}", field.grid.len());
+    assert!(field.displacement_vox.as_flattened().iter().all(|v| v.is_finite()));
+    let dark = DenseVolume { grid: GRID, intensity: vec![0.0; GRID.len()] };
+    for light in [0.0, 3.0] {
+        let even = DenseVolume { grid: GRID, intensity: vec![light; GRID.len()] };
+        let field = measured(&[dark.clone(), even]);
+        assert!(field.status.iter().all(|status| *status == VectorStatus::Invalid));
+        assert!(field.displacement_vox.iter().all(|v| *v == [0.0; 3]));
+    }
+}
+
+#[test]
+fn volumes_smaller_than_a_window_are_measured_in_one() {
+    let grid = VolumeGrid { voxels: [12, 9, 10], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+    let mut random = Pcg64Mcg::seed_from_u64(12);
+    let particles: Vec<([f64; 3], f64)> = (0..30)
+        .map(|_| (grid.voxels.map(|n| random.random_range(1.0..n as f64 - 2.0)), 1.0))
+        .collect();
+    let volumes = [0.0, 0.3].map(|shift| {
+        let moved: Vec<([f64; 3], f64)> = particles
+            .iter()
+            .map(|(at, light)| {
+                (std::array::from_fn(|c| grid.coordinate_mm(c, at[c] + shift)), *light)
+            })
+            .collect();
+        DenseVolume {
+            grid: grid.clone(),
+            intensity: PointCloud::from_particles(&moved, &grid).render(&grid),
+        }
+    });
+    let interrogation = VolumeInterrogation::new(&grid, &settings());
+    let field = interrogation.measure(&volumes[0], &volumes[1], 1e-4);
+    assert!(!field.grid.is_empty());
+    assert!(field.displacement_vox.as_flattened().iter().all(|v| v.is_finite()));
+}
