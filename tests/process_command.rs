@@ -154,6 +154,43 @@ fn the_model_that_the_scene_chose_is_said_and_stored() {
 }
 
 #[test]
+fn stored_volumes_are_correlated_again() {
+    let root = tempfile::tempdir().unwrap();
+    let (config, out) = (small_configuration(), root.path().join("out"));
+    assert!(simulate(&config, &root.path().join("pairs"), 1, 5).success);
+    let done = process(&out, &["--save-volumes".into(), root.path().join("pairs")]);
+    assert!(done.success, "{}", done.stderr);
+    let volumes = out.join("shot_0000/volumes.nc");
+    let again = root.path().join("again");
+    let correlate = |config: &Path, volumes: &Path| {
+        let paths = [config, again.as_path(), volumes].map(Path::as_os_str);
+        let [config, out, volumes] = paths;
+        lfpiv(["correlate".as_ref(), "--config".as_ref(), config, "--out".as_ref(), out, volumes])
+    };
+    // Voxels are coarser than those that `process` has correlated: larger windows.
+    let wide = changed_configuration(root.path(), "window_mm = 0.8", "window_mm = 1.2");
+    let done = correlate(&wide, &volumes);
+    assert!(done.success, "{}", done.stderr);
+    assert!(done.stdout.contains("vectors, "), "{}", done.stdout);
+    assert!(again.join("velocity.vti").is_file());
+    let file = netcdf::open(again.join("velocity.nc")).unwrap();
+    let values = |name: &str| -> Vec<f64> { file.variable(name).unwrap().get_values(..).unwrap() };
+    let valid = values("valid");
+    assert!(valid.iter().sum::<f64>() > 0.8 * valid.len() as f64, "{valid:?}");
+    for (name, truth) in [("u", 1.0), ("v", -0.5), ("w", 0.25)] {
+        let errors = values(name).into_iter().zip(&valid).filter(|(_, valid)| **valid == 1.0);
+        let mean = errors.map(|(v, _)| (v - truth).abs()).sum::<f64>() / valid.iter().sum::<f64>();
+        // Windows hold some twenty particles; one voxel is 1 m/s.
+        assert!(mean < 0.3, "{name}: {mean}");
+    }
+    let other =
+        changed_configuration(root.path(), "voxels = [24, 20, 16]", "voxels = [24, 20, 18]");
+    let done = correlate(&other, &volumes);
+    assert!(!done.success);
+    assert!(done.stderr.contains("along z are not the configured ones"), "{}", done.stderr);
+}
+
+#[test]
 fn a_folder_without_pairs_says_what_a_pair_is() {
     let root = tempfile::tempdir().unwrap();
     let done = process(&root.path().join("out"), &[root.path().to_path_buf()]);

@@ -37,7 +37,7 @@ def reconstruction(name: str, turns: int = 3) -> Case:
 
 
 def correlation(name: str, *options: str) -> Case:
-    own = [["correlate", "--passes", passes] for passes in ("1", "3")]
+    own = [["correlate", "--passes", passes] for passes in ("3", "4")]
     return Case(name, ["export-volumes", *options], own, [["openpiv_correlation.py"]], turns=3)
 
 

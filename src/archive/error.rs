@@ -40,6 +40,17 @@ pub enum ArchiveError {
         /// The library's reason.
         reason: netcdf::Error,
     },
+    /// Volumes that cannot be taken from a file.
+    #[error(
+        "cannot take volumes from {}: {reason}; it needs variables a and b over z, y, x, on the \
+         voxels of [volume]", path.display()
+    )]
+    UnreadableVolumes {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
     /// An image of the pair is not there.
     #[error(
         "{} is missing: with {cameras} configured a pair folder needs {needed}; \

@@ -4,7 +4,8 @@
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
 //! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files).
 //! - [`raw_log`]: everything that a run recorded, durable and lossless.
-//! - [`write_velocity`], [`write_volumes`]: the files of one processed pair.
+//! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
+//!   volumes of any program.
 //!
 //! NetCDF files appear under their final name only when they are whole: they are written as
 //! `NAME.part`, closed, fsynced and renamed. A `.part` file is the rest of a run that was killed.
@@ -35,4 +36,4 @@ pub use raw_log::{
 pub use store::ResultStore;
 pub use stored::{StoredResults, stored_vectors};
 pub use velocity_file::write_velocity;
-pub use volume_file::write_volumes;
+pub use volume_file::{read_volumes, write_volumes};

@@ -1,6 +1,5 @@
-//! The command line: `lfpiv check | timing | simulate | process | run | replay | export |
-//! compare |
-//! sim-bench | devices | doctor | bench | peers`.
+//! The command line: `lfpiv check | timing | simulate | process | correlate | run | replay |
+//! compare | export | sim-bench | devices | doctor | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
@@ -8,6 +7,7 @@
 mod bench;
 mod check;
 mod compare;
+mod correlate;
 pub mod daemon;
 mod demo_table;
 mod devices;
@@ -45,6 +45,7 @@ use clap::{Parser, Subcommand};
 pub use bench::BenchArgs;
 pub use check::CheckArgs;
 pub use compare::CompareArgs;
+pub use correlate::CorrelateArgs;
 pub use doctor::DoctorArgs;
 pub use export::ExportArgs;
 pub use peers::PeersCommand;
@@ -73,6 +74,8 @@ enum Command {
     Simulate(SimulateArgs),
     /// Measure recorded image pairs.
     Process(ProcessArgs),
+    /// Measure two volumes that are reconstructed already.
+    Correlate(CorrelateArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
     /// Play a recorded run again, through the same pipeline.
@@ -103,6 +106,7 @@ pub fn main() -> ExitCode {
         Command::Timing(args) => timing::timing(&args),
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Process(args) => process::process(&args),
+        Command::Correlate(args) => correlate::correlate(&args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay_run(&args),
         Command::Compare(args) => compare::compare_runs(&args),

@@ -38,9 +38,9 @@ pub enum PeersCommand {
     Correlate {
         #[command(flatten)]
         time: TimeArgs,
-        /// Correlation passes; 1 takes windows of the final size only.
-        #[arg(long, value_name = "N", default_value_t = 1)]
-        passes: usize,
+        /// Correlation passes instead of the configured ones.
+        #[arg(long, value_name = "N")]
+        passes: Option<usize>,
     },
 }
 
@@ -81,10 +81,11 @@ pub fn peers(command: &PeersCommand) -> anyhow::Result<()> {
         }
         PeersCommand::Correlate { time, passes } => {
             let config = case_config(&time.case)?;
-            let dt_s = config.bench_geometry().dt_s;
-            let (grid, settings) = (&config.volume, &config.velocimetry);
+            let mut settings = config.velocimetry.clone();
+            settings.passes = passes.unwrap_or(settings.passes);
+            let dt_s = config.measurement().dt_s;
             let repeats = time.repeats;
-            print_row(&time_correlation(&time.case, grid, settings, dt_s, *passes, repeats)?)
+            print_row(&time_correlation(&time.case, &config.volume, &settings, dt_s, repeats)?)
         }
     }
 }

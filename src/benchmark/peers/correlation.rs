@@ -144,25 +144,23 @@ impl CorrelationCase {
     }
 }
 
-/// Times the correlation of the case in `folder`, from dense volumes to vectors, in one pass over
-/// windows of the final size or, with `passes` above 1, as configured. The seconds are the median
-/// of `repeats` runs.
+/// Times the correlation of the case in `folder`, from dense volumes to vectors. The seconds are the
+/// median of `repeats` runs.
 pub fn time_correlation(
     folder: &Path,
     grid: &VolumeGrid,
     velocimetry: &VelocimetrySettings,
     dt_s: f64,
-    passes: usize,
     repeats: usize,
 ) -> Result<Row, PeersError> {
     let case = CorrelationCase::read(folder, grid)?;
-    let settings = with_passes(velocimetry, passes);
-    let (interrogation, assembly_seconds) = timed(|| VolumeInterrogation::new(grid, &settings));
+    let passes = velocimetry.passes;
+    let (interrogation, assembly_seconds) = timed(|| VolumeInterrogation::new(grid, velocimetry));
     let [a, b] = &case.volumes;
     let (field, cost) = repeated(repeats, || interrogation.measure(a, b, dt_s));
     let row = Row::own(
         case_name(folder),
-        if passes == 1 { "single pass".to_owned() } else { format!("{passes} passes") },
+        format!("{passes} passes"),
         (assembly_seconds, cost),
         "volumes to vectors",
     );
@@ -172,11 +170,4 @@ pub fn time_correlation(
         mean_abs_error_vox: Some(case.mean_abs_error_vox(&field)),
         ..row
     })
-}
-
-/// A single pass has no larger windows before it.
-fn with_passes(settings: &VelocimetrySettings, passes: usize) -> VelocimetrySettings {
-    let first_window_mm =
-        if passes == 1 { Some(settings.window_mm) } else { settings.first_window_mm };
-    VelocimetrySettings { passes, first_window_mm, ..settings.clone() }
 }

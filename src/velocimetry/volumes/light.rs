@@ -20,6 +20,9 @@ pub struct Light {
     values: Vec<f32>,
 }
 
+/// The cubic B-spline at no distance from its middle, and at one.
+const SPLINE: [f32; 2] = [2.0 / 3.0, 1.0 / 6.0];
+
 impl Light {
     /// Room after the last value for kernels that read whole lanes.
     const SPARE: usize = 32;
@@ -78,6 +81,40 @@ impl Light {
         binned
     }
 
+    /// The light as a sum of cubic B-splines one cell wide: what looking up along no displacement finds
+    /// in the cells.
+    pub fn splined(&self) -> Self {
+        let [nx, ny, nz] = self.cells;
+        let mut splined = Self::dark(self.cells, self.cell_vox, self.border);
+        let taps = |n: usize, count: usize| {
+            let beside = n.saturating_sub(1)..(n + 2).min(count);
+            beside.map(move |other| (other, SPLINE[n.abs_diff(other)]))
+        };
+        let border = self.border;
+        let [row, _] = self.strides();
+        splined.each_stored_plane(|to, stored| {
+            let Some(z) = stored.checked_sub(border).filter(|&z| z < nz) else { return };
+            let mut along_z = vec![0.0; nx * ny];
+            for (z, weight) in taps(z, nz) {
+                for (y, sums) in along_z.chunks_exact_mut(nx).enumerate() {
+                    add_scaled(sums, weight, self.row([y, z]));
+                }
+            }
+            let mut along_y = vec![0.0; nx];
+            for y in 0..ny {
+                along_y.fill(0.0);
+                for (y, weight) in taps(y, ny) {
+                    add_scaled(&mut along_y, weight, &along_z[y * nx..]);
+                }
+                let to = &mut to[(y + border) * row + border..][..nx];
+                add_scaled(to, SPLINE[0], &along_y);
+                add_scaled(&mut to[1..], SPLINE[1], &along_y);
+                add_scaled(to, SPLINE[1], &along_y[1..]);
+            }
+        });
+        splined
+    }
+
     /// Values from one row, and from one plane, to the next.
     pub fn strides(&self) -> [usize; 2] {
         let row = self.cells[0] + 2 * self.border;
@@ -133,7 +170,7 @@ pub mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    use super::*;
+    use super::{super::warp::looked_up, *};
     use crate::model::VolumeGrid;
 
     /// Random light, the border included.
@@ -162,6 +199,19 @@ pub mod tests {
         }
         let sum = |light: &Light| light.stored().iter().sum::<f32>();
         assert!((sum(&binned) - expected.iter().sum::<f32>()).abs() < 1e-3, "a dark border");
+    }
+
+    #[test]
+    fn splined_light_is_what_looking_up_at_rest_finds() {
+        let light = random_light([9, 7, 8], 1, 5);
+        let windows =
+            Windows { nodes: [2; 3], edge: 4, step: 3, cell_vox: 1.0, first_vox: [1.5; 3] };
+        let (splined, found) = (light.splined(), looked_up(&light, &windows.at_rest(), 1));
+        for (z, y) in (0..8).flat_map(|z| (0..7).map(move |y| (z, y))) {
+            for (a, b) in splined.row([y, z]).iter().zip(found.row([y, z])) {
+                assert!((a - b).abs() < 1e-5, "{a} {b}");
+            }
+        }
     }
 
     #[test]

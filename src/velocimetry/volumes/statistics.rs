@@ -60,10 +60,11 @@ fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Optio
         *variance = (spread / (1.0 - chance).max(0.1)) as f32;
     }
     let clustered = squares[COMMON_SQUARES].max(squares[COMMON_SQUARES + 1]);
-    let share = clustered / (common * common) - chance;
+    // Of n equal particles each has its share, and shares a block with others by chance.
+    let of_one = (clustered / (common * common) - chance) / (1.0 - chance).max(0.1);
     Some(PeakStatistics {
         variance_vox2,
-        particles: 1.0 / (share as f32).max(1.0 / MOST_PARTICLES),
+        particles: 1.0 / (of_one as f32).max(1.0 / MOST_PARTICLES),
         coefficient: (common / (sums[ENERGY] * sums[ENERGY + 1]).sqrt()) as f32,
     })
 }

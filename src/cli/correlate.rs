@@ -1,0 +1,77 @@
+//! `lfpiv correlate`: two volumes that are there already to velocity.
+
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Instant,
+};
+
+use anyhow::Context;
+
+use super::output::{count, print};
+use crate::{
+    archive::{read_volumes, write_velocity, write_vti},
+    config::ConfigFile,
+    lightfield::RawLevel,
+    model::ModelChoice,
+    velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField, VolumeInterrogation},
+};
+
+/// Arguments of `lfpiv correlate`.
+#[derive(Debug, clap::Args)]
+pub struct CorrelateArgs {
+    /// Configuration file (TOML): where the volume is, the windows, and the time between frames.
+    #[arg(long, value_name = "FILE")]
+    pub config: PathBuf,
+    /// Folder for the result.
+    #[arg(long, value_name = "OUT")]
+    pub out: PathBuf,
+    /// NetCDF file with frames a and b over z, y, x: as `process --save-volumes` writes them, or from
+    /// any other reconstruction.
+    #[arg(value_name = "VOLUMES")]
+    pub volumes: PathBuf,
+}
+
+/// Measures the displacement between the frames of a file.
+pub fn correlate(args: &CorrelateArgs) -> anyhow::Result<()> {
+    let ConfigFile { config, text, .. } = ConfigFile::load(&args.config)?;
+    let [a, b] = read_volumes(&args.volumes, &config.volume)?;
+    let interrogation = VolumeInterrogation::new(&config.volume, &config.velocimetry);
+    let started = Instant::now();
+    let field = interrogation.measure(&a, &b, config.measurement().dt_s);
+    let seconds =
+        StageSeconds { correlate_s: started.elapsed().as_secs_f64(), ..Default::default() };
+    let line = summary(&field, seconds.correlate_s);
+    store(&args.out, &text, field, seconds)?;
+    print(&line)
+}
+
+fn summary(field: &VelocityField, seconds: f64) -> String {
+    let valid = field.status.iter().filter(|status| **status == VectorStatus::Valid).count();
+    format!(
+        "{}, {:.1} % valid; correlated in {seconds:.2} s",
+        count(field.grid.len(), "vector"),
+        100.0 * valid as f64 / field.grid.len().max(1) as f64,
+    )
+}
+
+fn store(
+    folder: &Path,
+    configuration: &str,
+    field: VelocityField,
+    seconds: StageSeconds,
+) -> anyhow::Result<()> {
+    std::fs::create_dir_all(folder)
+        .with_context(|| format!("cannot create {}", folder.display()))?;
+    write_vti(&folder.join("velocity.vti"), &field)?;
+    let result = PairResult {
+        field,
+        seconds,
+        warnings: Vec::new(),
+        raw: RawLevel::NotKept,
+        // Whatever made the volumes, no model of ours.
+        model: Arc::new(ModelChoice::default()),
+        light: None,
+    };
+    Ok(write_velocity(&folder.join("velocity.nc"), configuration, 0, &result)?)
+}
