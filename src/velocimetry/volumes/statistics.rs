@@ -21,13 +21,16 @@ use crate::velocimetry::{
     windows::Windows,
 };
 
-/// Statistics of every window's peak at no lag; `None` where there is none. Both frames without mean,
-/// alike in their cells, with a border.
+/// Statistics of every window's peak at no lag; `None` where there is none, and in volumes too flat to
+/// tell. Both frames without mean, alike in their cells, with a border.
 pub fn statistics_at_rest(
     frames: [&Light; 2],
     windows: &Windows,
     profile: &Profile,
 ) -> Vec<Option<PeakStatistics>> {
+    if frames[0].cells.iter().any(|&n| n < CELL) {
+        return vec![None; windows.nodes.iter().product()];
+    }
     let products = Cells::products(frames);
     let spans = spans_in_cells(&profile.spans(windows), products.counts);
     let squared = spans.each_ref().map(|of_axis| of_axis.iter().map(Span::squared).collect());
