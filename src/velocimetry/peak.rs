@@ -21,24 +21,26 @@ pub struct Peak {
 /// with, its ratio is [`ALONE`].
 pub fn nearest_peak(correlation: &[f32]) -> Option<Peak> {
     const MIDDLE: usize = 13;
-    let height = correlation[MIDDLE];
     let mut shift = [0.0; 3];
     for (shift, stride) in shift.iter_mut().zip([1, 3, 9]) {
-        let (below, above) = (correlation[MIDDLE - stride], correlation[MIDDLE + stride]);
-        if height.min(below).min(above) <= 0.0 {
-            return None;
-        }
-        let curvature = 2.0 * height.ln() - below.ln() - above.ln();
-        if f64::from(curvature) <= LEAST_CURVATURE {
-            return None;
-        }
-        *shift = ((above.ln() - below.ln()) / (2.0 * curvature)).clamp(-1.0, 1.0);
+        let [below, height, above] =
+            [MIDDLE - stride, MIDDLE, MIDDLE + stride].map(|lag| f64::from(correlation[lag]));
+        let curvature = log_curvature(below, height, above)?;
+        *shift = ((above.ln() - below.ln()) / (2.0 * curvature)).clamp(-1.0, 1.0) as f32;
     }
     Some(Peak { shift, lag: [0; 3], ratio: ALONE })
 }
 
+/// Curvature of the logarithm of a peak through three equidistant samples, downwards; `None` where one
+/// of them has no logarithm, or they make no peak.
+pub fn log_curvature(below: f64, at: f64, above: f64) -> Option<f64> {
+    let positive = [below, at, above].iter().all(|&value| value > 0.0);
+    let curvature = positive.then(|| 2.0 * at.ln() - below.ln() - above.ln())?;
+    (curvature > LEAST_CURVATURE).then_some(curvature)
+}
+
 /// A correlation flatter than this about its peak has none.
-pub const LEAST_CURVATURE: f64 = 1e-3;
+const LEAST_CURVATURE: f64 = 1e-3;
 
 /// Ratio of a peak beside which there is no other, and of any that is higher still.
 const ALONE: f32 = 1e3;

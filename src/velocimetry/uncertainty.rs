@@ -13,7 +13,7 @@
 
 mod cells;
 
-use super::{peak::LEAST_CURVATURE, raster::Image};
+use super::{peak::log_curvature, raster::Image};
 pub use cells::Cutouts;
 use cells::{COMMON, Cells};
 
@@ -86,14 +86,7 @@ impl PeakStatistics {
             // C(1) and C(-1), with as many pairs of voxels as C(0).
             let weight = cells.pairs[0] / cells.pairs[1 + axis].max(1.0);
             let sides = [symmetric + asymmetry, symmetric - asymmetry].map(|s| weight * s / 2.0);
-            let [above, below] = sides;
-            if common.min(above).min(below).partial_cmp(&0.0)? != std::cmp::Ordering::Greater {
-                return None;
-            }
-            let curvature = 2.0 * common.ln() - above.ln() - below.ln();
-            if curvature <= LEAST_CURVATURE {
-                return None;
-            }
+            let curvature = log_curvature(sides[1], common, sides[0])?;
             // The shift is (ln C(1) - ln C(-1)) / 2 curvature, to first order the asymmetry over
             // the symmetric part and the curvature.
             let (mean, scale) = (asymmetry / symmetric, 1.0 / (symmetric * curvature));

@@ -5,8 +5,6 @@
 //! come from ΣA, ΣY, ΣA², ΣAY and ΣY², in which m does not occur: they are summed once, whatever the
 //! overlap.
 
-use std::cmp::Ordering;
-
 use super::{
     cells::{
         BLOCK, CELL, COMMON, COMMON_SQUARES, Cells, ENERGY, MIXED, SQUARES, SUMS, SYMMETRIC,
@@ -16,7 +14,7 @@ use super::{
     profile::{Profile, Span},
 };
 use crate::velocimetry::{
-    peak::LEAST_CURVATURE,
+    peak::log_curvature,
     uncertainty::{MOST_PARTICLES, PeakStatistics},
     windows::Windows,
 };
@@ -50,13 +48,7 @@ fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Optio
     for (axis, variance) in variance_vox2.iter_mut().enumerate() {
         let (asymmetry, symmetric) = (sums[axis], sums[SYMMETRIC + axis]);
         let [above, below] = [symmetric + asymmetry, symmetric - asymmetry].map(|s| s / 2.0);
-        if common.min(above).min(below).partial_cmp(&0.0)? != Ordering::Greater {
-            return None;
-        }
-        let curvature = 2.0 * common.ln() - above.ln() - below.ln();
-        if curvature <= LEAST_CURVATURE {
-            return None;
-        }
+        let curvature = log_curvature(below, common, above)?;
         let (mean, scale) = (asymmetry / symmetric, 1.0 / (symmetric * curvature));
         let [aa, ay, yy] = [0, MIXED, SYMMETRIC_SQUARES].map(|first| squares[first + axis]);
         let spread = (aa - 2.0 * mean * ay + mean * mean * yy).max(0.0) * scale * scale;
