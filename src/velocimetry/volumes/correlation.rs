@@ -99,8 +99,8 @@ impl<'a> Correlation<'a> {
     }
 }
 
-/// For every pair of offsets: `columns[lag][x] = Σ a(offset_a + x) b(offset_b + x)` over `counts` rows
-/// and planes that lie `strides` apart.
+/// For every pair of offsets: `columns[lag][x] = Σ a(offset_a + x) b(offset_b + x)` over `rows` that lie
+/// `row` apart, in `planes` that lie `plane` apart.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn multiply_columns(
     [a, b]: [&[f32]; 2],
