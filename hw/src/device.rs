@@ -89,6 +89,13 @@ pub trait Synchroniser: Send {
     fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError>;
     /// The unit's state, read from the unit and never remembered.
     fn state(&mut self) -> Result<SynchroniserState, DeviceError>;
+    /// Looks after what has to be seen at any time: lamps that follow an external trigger fire as
+    /// fast as it does. Whoever owns the unit calls this every [`WATCH_INTERVAL`] while nothing
+    /// else is asked of it. Where the source is too fast the unit is made safe, read back, and
+    /// this is an error. Does nothing, and sends nothing, where there is nothing to see.
+    fn watch(&mut self) -> Result<(), DeviceError> {
+        Ok(())
+    }
     /// Q-switches off, then lamps off, then cameras off, verified by read-back. Idempotent.
     fn make_safe(&mut self) -> Result<(), DeviceError>;
     /// Ends firing and lets the lamps go cold; `program` comes before the next `arm`.
@@ -101,6 +108,9 @@ pub trait Synchroniser: Send {
         true
     }
 }
+
+/// How often [`Synchroniser::watch`] is called.
+pub const WATCH_INTERVAL: Duration = Duration::from_millis(500);
 
 /// What the synchroniser is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

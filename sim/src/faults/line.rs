@@ -1,6 +1,10 @@
 //! A serial line that loses, delays and garbles.
 
-use std::{collections::VecDeque, io, time::Duration};
+use std::{
+    collections::VecDeque,
+    io,
+    time::{Duration, Instant},
+};
 
 use lfpiv_hw::synchroniser::line::Line;
 use rand::{RngExt, seq::IndexedRandom};
@@ -177,5 +181,13 @@ impl<L: Line> Line for FaultyLine<L> {
     fn set_baud_rate(&mut self, baud_rate: u32) -> io::Result<()> {
         self.check_cable()?;
         self.line.set_baud_rate(baud_rate)
+    }
+
+    fn now(&self) -> Instant {
+        self.line.now()
+    }
+
+    fn pause(&self, time: Duration) {
+        self.line.pause(time);
     }
 }

@@ -11,4 +11,6 @@ mod firing;
 mod killed;
 mod olt_sync;
 mod safe_state;
+mod simulated_time;
 mod trigger_source;
+mod watched_source;

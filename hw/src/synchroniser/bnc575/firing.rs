@@ -1,6 +1,6 @@
 //! Lamps alone, then bounded bursts.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::{
     Bnc575, Burst, LampRun,
@@ -27,7 +27,8 @@ impl Bnc575 {
             let running = self.run_lamps(&schedule);
             running.map_err(|error| self.failed(error))?;
         }
-        let source_left = self.source.as_ref().map_or(Duration::ZERO, SourceRate::wait);
+        let now = self.link.now();
+        let source_left = self.source.as_ref().map_or(Duration::ZERO, |source| source.wait(now));
         Ok(self.warm_up_left().max(source_left))
     }
 
@@ -46,15 +47,15 @@ impl Bnc575 {
         }
         self.lamps_seen();
         if let (Some(source), None) = (&schedule.external_trigger, &self.source) {
-            let count = self.link.query_count(Parameter::TriggerCount)?;
-            self.source = Some(SourceRate::new(source.max_rate_hz, count));
+            let first = self.link.read_triggers()?;
+            self.source = Some(SourceRate::new(source.max_rate_hz, first));
         }
         Ok(())
     }
 
     /// Lamps are started. After too long a pause their warm-up begins again.
     fn lamps_started(&mut self) {
-        let now = Instant::now();
+        let now = self.link.now();
         let since = match self.lamps {
             Some(run) if now.saturating_duration_since(run.last_seen) <= LAMPS_STAY_WARM => {
                 run.since
@@ -66,14 +67,17 @@ impl Bnc575 {
 
     /// T0 is read as running. Nobody but this driver starts it, so it has been all along.
     fn lamps_seen(&mut self) {
+        let now = self.link.now();
         if let Some(run) = &mut self.lamps {
-            run.last_seen = Instant::now();
+            run.last_seen = now;
         }
     }
 
     fn warm_up_left(&self) -> Duration {
-        let warm = self.lamps.filter(|run| run.last_seen.elapsed() <= LAMPS_STAY_WARM);
-        self.warm_up.saturating_sub(warm.map_or(Duration::ZERO, |run| run.since.elapsed()))
+        let now = self.link.now();
+        let since = |moment| now.saturating_duration_since(moment);
+        let warm = self.lamps.filter(|run| since(run.last_seen) <= LAMPS_STAY_WARM);
+        self.warm_up.saturating_sub(warm.map_or(Duration::ZERO, |run| since(run.since)))
     }
 
     pub(super) fn start_burst(&mut self, shots: u64) -> Result<(), DeviceError> {
@@ -97,10 +101,10 @@ impl Bnc575 {
             )));
         }
         self.confirm_source()?;
-        self.run_burst(&schedule, shots).map_err(|error| self.failed(error))
+        self.run_burst(shots).map_err(|error| self.failed(error))
     }
 
-    fn run_burst(&mut self, schedule: &PulseSchedule, shots: u64) -> Result<(), LinkError> {
+    fn run_burst(&mut self, shots: u64) -> Result<(), LinkError> {
         // Everything stands still before a Q-switch is enabled.
         self.link.set(Parameter::Running, Value::Switch(false))?;
         for output in self.bounded_outputs() {
@@ -115,14 +119,9 @@ impl Bnc575 {
         }
         let count_before = self.link.query_count(Parameter::TriggerCount)?;
         // Known before it is started: if the reply is lost, the burst may be running.
-        self.burst = Some(Burst { shots, count_before, started: Instant::now() });
+        self.burst = Some(Burst { shots, count_before, started: self.link.now() });
         self.link.command(Command::Set(Parameter::Running, Value::Switch(true)))?;
         self.lamps_started();
-        if schedule.external_trigger.is_some()
-            && let Some(source) = &mut self.source
-        {
-            source.restart(count_before);
-        }
         Ok(())
     }
 
@@ -181,9 +180,6 @@ impl Bnc575 {
     pub(super) fn shots_of_burst(&mut self) -> Result<u64, LinkError> {
         let Some(burst) = self.burst else { return Ok(0) };
         let count = self.link.query_count(Parameter::TriggerCount)?;
-        if let Some(source) = &mut self.source {
-            source.note(count);
-        }
         // A counter below its start has been set back at the start of the burst.
         Ok(count.checked_sub(burst.count_before).unwrap_or(count).min(burst.shots))
     }
@@ -192,10 +188,11 @@ impl Bnc575 {
     fn end_burst(&mut self, given: u64) {
         let Some(burst) = self.burst.take() else { return };
         self.given += given;
+        let now = self.link.now();
         if let (Some(run), Some(schedule)) = (&mut self.lamps, &self.programmed) {
             let lasted_s = given as f64 * schedule.period_us * 1e-6;
             let last_shot = burst.started + Duration::from_secs_f64(lasted_s);
-            run.last_seen = run.last_seen.max(last_shot.min(Instant::now()));
+            run.last_seen = run.last_seen.max(last_shot.min(now));
         }
     }
 

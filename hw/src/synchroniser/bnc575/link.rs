@@ -1,10 +1,13 @@
 //! Typed commands over the line: every reply checked, every value read back.
 
+use std::time::Instant;
+
 use thiserror::Error;
 
 use super::{
     command::{Command, Parameter, Value, count_of, switch},
     reply::{Refusal, Reply},
+    source::Reading,
     unit::is_identity,
 };
 use crate::{
@@ -59,6 +62,11 @@ impl Link {
         &mut self.dialogue
     }
 
+    /// The time on the line's clock.
+    pub fn now(&self) -> Instant {
+        self.dialogue.now()
+    }
+
     /// Asks who the unit is. Its answer cannot be mistaken for any other, so it brings the
     /// dialogue in step.
     pub fn identify(&mut self) -> Result<String, LinkError> {
@@ -96,6 +104,12 @@ impl Link {
     /// The value of a counter.
     pub fn query_count(&mut self, parameter: Parameter) -> Result<u64, LinkError> {
         Ok(count_of(&self.query(parameter)?).unwrap_or_default())
+    }
+
+    /// The count of triggers, and between which moments the unit read it.
+    pub fn read_triggers(&mut self) -> Result<Reading, LinkError> {
+        let count = self.query_count(Parameter::TriggerCount)?;
+        Ok(Reading { asked: self.dialogue.last_sent(), answered: self.now(), count })
     }
 
     /// Sends a command once and checks its `ok`. It is not repeated: a repeated start would fire

@@ -174,6 +174,10 @@ impl Synchroniser for Bnc575 {
         .and_then(|state| self.watch_source().map(|()| state))
     }
 
+    fn watch(&mut self) -> Result<(), DeviceError> {
+        self.watch_source()
+    }
+
     fn make_safe(&mut self) -> Result<(), DeviceError> {
         self.reach_safe_state()
     }

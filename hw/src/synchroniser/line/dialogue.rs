@@ -41,20 +41,34 @@ pub struct Dialogue {
     /// Whether the unit repeats commands; unknown before the first reply.
     echo: Option<bool>,
     out_of_step: bool,
+    /// When the last command was sent.
+    sent: Instant,
 }
 
 impl Dialogue {
     /// Leaves `pacing` between a reply and the next command, and waits `reply_timeout` for replies.
     pub fn new(line: Box<dyn Line>, pacing: Duration, reply_timeout: Duration) -> Self {
+        let now = line.now();
         Self {
             line,
             pacing,
             reply_timeout,
-            free_from: Instant::now(),
+            free_from: now,
             partial: Vec::new(),
             echo: None,
             out_of_step: false,
+            sent: now,
         }
+    }
+
+    /// The time on the line's clock.
+    pub fn now(&self) -> Instant {
+        self.line.now()
+    }
+
+    /// When the last command was sent, after its pacing.
+    pub fn last_sent(&self) -> Instant {
+        self.sent
     }
 
     /// The port, for messages.
@@ -80,10 +94,11 @@ impl Dialogue {
 
     /// Sends a command without waiting for its reply, which leaves the dialogue out of step.
     pub fn send(&mut self, command: &str) -> Result<(), LineError> {
-        std::thread::sleep(self.free_from.saturating_duration_since(Instant::now()));
+        self.line.pause(self.free_from.saturating_duration_since(self.now()));
         self.discard_stale()?;
+        self.sent = self.now();
         let sent = self.line.send(format!("{command}\r\n").as_bytes());
-        self.free_from = Instant::now() + self.pacing;
+        self.free_from = self.now() + self.pacing;
         self.out_of_step = true;
         sent.map_err(|source| self.lost(source))
     }
@@ -100,7 +115,7 @@ impl Dialogue {
     ) -> Result<String, LineError> {
         let was_out_of_step = self.out_of_step;
         self.send(command)?;
-        let deadline = Instant::now() + self.reply_timeout;
+        let deadline = self.now() + self.reply_timeout;
         let mut echoed = false;
         let mut heard = Vec::new();
         while let Some(text) = self.next_line(deadline)? {
@@ -109,7 +124,7 @@ impl Dialogue {
             } else if accept(&text) {
                 self.note_echo(echoed);
                 self.out_of_step = was_out_of_step;
-                self.free_from = Instant::now() + self.pacing;
+                self.free_from = self.now() + self.pacing;
                 return Ok(text);
             } else {
                 tracing::warn!(port = self.port(), command, stray = text, "stray line");
@@ -176,7 +191,7 @@ impl Dialogue {
                 }
                 continue;
             }
-            let left = deadline.saturating_duration_since(Instant::now());
+            let left = deadline.saturating_duration_since(self.now());
             let bytes = self.line.receive(left).map_err(|source| self.lost(source))?;
             if bytes.is_empty() && left.is_zero() {
                 return Ok(None);

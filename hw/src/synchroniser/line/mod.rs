@@ -8,7 +8,10 @@ mod dialogue;
 mod serial;
 mod transcript;
 
-use std::{io, time::Duration};
+use std::{
+    io, thread,
+    time::{Duration, Instant},
+};
 
 pub use dialogue::{Dialogue, LineError};
 pub use serial::SerialLine;
@@ -24,6 +27,14 @@ pub trait Line: Send {
     fn receive(&mut self, at_most: Duration) -> io::Result<Vec<u8>>;
     /// Changes the speed of the port, in baud.
     fn set_baud_rate(&mut self, baud_rate: u32) -> io::Result<()>;
+    /// The time by which replies are late: the host's. A simulated line may have a clock of its own.
+    fn now(&self) -> Instant {
+        Instant::now()
+    }
+    /// Lets time pass.
+    fn pause(&self, time: Duration) {
+        thread::sleep(time);
+    }
 }
 
 impl<L: Line + ?Sized> Line for Box<L> {
@@ -41,5 +52,12 @@ impl<L: Line + ?Sized> Line for Box<L> {
 
     fn set_baud_rate(&mut self, baud_rate: u32) -> io::Result<()> {
         (**self).set_baud_rate(baud_rate)
+    }
+    fn now(&self) -> Instant {
+        (**self).now()
+    }
+
+    fn pause(&self, time: Duration) {
+        (**self).pause(time);
     }
 }

@@ -4,7 +4,7 @@ use std::{
     fmt,
     io::{self, Write},
     sync::{Arc, Mutex, PoisonError},
-    time::{Duration, SystemTime, UNIX_EPOCH},
+    time::{Duration, Instant, SystemTime, UNIX_EPOCH},
 };
 
 use serde::{Deserialize, Serialize};
@@ -148,5 +148,13 @@ impl<L: Line> Line for Recorded<L> {
 
     fn set_baud_rate(&mut self, baud_rate: u32) -> io::Result<()> {
         self.line.set_baud_rate(baud_rate)
+    }
+
+    fn now(&self) -> Instant {
+        self.line.now()
+    }
+
+    fn pause(&self, time: Duration) {
+        self.line.pause(time);
     }
 }
