@@ -39,6 +39,7 @@ impl Run {
             while !self.all_connected() {
                 tokio::select! {
                     () = self.stop.cancelled() => return Ok(false),
+                    error = self.synchroniser.fault() => return Err(error),
                     () = self.heartbeat.turn() => {}
                     event = self.events.recv() => self.handle(event).await?,
                     request = self.control.next() => self.obey(request).await?,
@@ -73,6 +74,7 @@ impl Run {
             let left = noticed_by.saturating_duration_since(Instant::now());
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(true),
+                error = self.synchroniser.fault() => return Err(error),
                 () = self.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event).await?,
                 request = self.control.next() => self.obey(request).await?,

@@ -13,8 +13,6 @@ use super::{
 const TICK: Duration = Duration::from_millis(20);
 /// Triggers without a frame after which a camera counts as silent and firing ends.
 const SILENT_TRIGGERS: u64 = 5;
-/// How often the rate of an external trigger is looked at.
-const EXTERNAL_TRIGGER_LOOK: Duration = Duration::from_secs(1);
 /// How much longer than planned a burst may take.
 const BURST_GRACE: Duration = Duration::from_secs(2);
 /// How long frames on their way are waited for once the run is being stopped.
@@ -24,6 +22,7 @@ impl Run {
     /// Shots of the next burst, armed and ready to be fired; `None` when the run is over.
     pub(super) async fn next_burst(&mut self) -> Result<Option<u64>, AcquisitionError> {
         loop {
+            self.note_serial().await?;
             if !self.await_cameras().await? || self.stop.is_cancelled() {
                 return Ok(None);
             }
@@ -99,6 +98,7 @@ impl Run {
         tokio::select! {
             biased;
             () = stop.cancelled() => Ok(0),
+            error = self.synchroniser.fault() => Err(error),
             room = self.queue.room(least) => match room {
                 Ok(room) => Ok(room as u64),
                 Err(Closed) => Err(AcquisitionError::QueueClosed),
@@ -116,7 +116,6 @@ impl Run {
         self.fire(shots).await?;
         let planned_end = self.time + self.planned_duration(shots);
         let (mut ended, mut stop_by) = (false, None);
-        let mut looked = Instant::now();
         let mut tick = tokio::time::interval(TICK);
         let stop = self.stop.clone();
         while !ended || self.pairing.open_triggers() > 0 {
@@ -125,6 +124,7 @@ impl Run {
                 event = self.events.recv() => self.handle(event).await?,
                 _ = tick.tick() => self.look_at_the_time().await?,
                 request = self.control.next() => self.obey(request).await?,
+                error = self.synchroniser.fault() => return Err(error),
                 () = stop.cancelled(), if stop_by.is_none() => {
                     self.make_safe().await?;
                     self.note(Entry::Stopping { at_ns: self.at_ns() }).await?;
@@ -134,7 +134,6 @@ impl Run {
             if !self.broken_off && !self.all_connected() {
                 self.break_off().await?;
             }
-            self.watch_external_trigger(&mut looked).await?;
             let all_ruled = self.pairing.open_triggers() == 0;
             let scripted = self.bursts.as_ref().is_some_and(|script| script.burst_is_over());
             let over = self.time >= planned_end
@@ -170,20 +169,6 @@ impl Run {
         if self.events.is_empty() { self.time_passes(now).await } else { Ok(()) }
     }
 
-    /// A source of triggers that is too fast is seen by looking only; the driver ends firing then.
-    async fn watch_external_trigger(
-        &mut self,
-        looked: &mut Instant,
-    ) -> Result<(), AcquisitionError> {
-        if self.settings.schedule.external_trigger.is_some()
-            && looked.elapsed() >= EXTERNAL_TRIGGER_LOOK
-        {
-            self.synchroniser.call(|unit| unit.state()).await?;
-            *looked = Instant::now();
-        }
-        Ok(())
-    }
-
     /// Lets the lamps warm up, if they need to; false when the run is stopped meanwhile, or when
     /// something else is asked of it.
     async fn wait_until_armed(&mut self) -> Result<bool, AcquisitionError> {
@@ -196,6 +181,7 @@ impl Run {
                 // Whoever wants the laser safe is heard before it is ready.
                 biased;
                 () = stop.cancelled() => return Ok(false),
+                error = self.synchroniser.fault() => return Err(error),
                 request = self.control.next() => self.obey(request).await?,
                 event = self.events.recv() => self.handle(event).await?,
                 () = &mut armed => break,

@@ -3,7 +3,7 @@
 use std::{sync::Arc, thread::JoinHandle, time::Duration};
 
 use lfpiv_hw::{
-    device::{Camera, Synchroniser, SynchroniserState},
+    device::{Camera, Synchroniser},
     synchroniser::line,
 };
 use parking_lot::Mutex;
@@ -12,12 +12,13 @@ use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::{
     AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, Heartbeat, HostClock,
-    Journal, Ledger, Mode, RunClock, ShotSender,
+    Journal, Ledger, Mode, RunClock, ShotSender, SynchroniserThread,
     absence::Presence,
     control::control,
-    devices::{CameraEvent, SynchroniserThread, join, spawn_camera},
+    devices::{CameraEvent, join, spawn_camera},
     journal::Entry,
     pairing::{FrameCounters, Pairing, PairingSettings},
+    synchroniser::SynchroniserCalls,
 };
 
 /// The instruments, opened and idle.
@@ -53,6 +54,9 @@ pub struct AcquisitionLinks {
     pub control: ControlInbox,
     /// Beats while the run loop turns.
     pub heartbeat: Heartbeat,
+    /// Owns the synchroniser's thread. Whoever keeps a clone outside the task of [`acquire`] can
+    /// wait for the safe state whatever becomes of the task.
+    pub synchroniser: SynchroniserThread,
     /// Ends the run.
     pub stop: CancellationToken,
 }
@@ -70,6 +74,7 @@ impl AcquisitionLinks {
             bursts: None,
             control,
             heartbeat: Heartbeat::default(),
+            synchroniser: SynchroniserThread::default(),
             stop,
         }
     }
@@ -90,41 +95,6 @@ pub struct AcquisitionReport {
 const EVENT_QUEUE: usize = 8;
 /// How far a frame interval may be off, in ns: a camera's timestamps are good to some µs.
 const FRAME_INTERVAL_TOLERANCE_NS: u64 = 20_000;
-
-/// Makes the synchroniser safe and reads it back: the first thing a run does, before anything
-/// that takes time. What an earlier run left behind must not fire while tables are built.
-///
-/// # Errors
-///
-/// [`AcquisitionError::NotSafe`].
-pub async fn secure(bench: Bench) -> Result<Bench, AcquisitionError> {
-    let Bench { cameras, mut synchroniser, transcript } = bench;
-    let secured = tokio::task::spawn_blocking(move || {
-        let made = synchroniser.make_safe();
-        let state = synchroniser.state();
-        (synchroniser, made, state)
-    });
-    let (synchroniser, made, state) = secured.await.map_err(|error| not_safe(error.to_string()))?;
-    confirm_safe(made, state)?;
-    Ok(Bench { cameras, synchroniser, transcript })
-}
-
-/// Safe is what is read back as safe; an error on the way there is not.
-fn confirm_safe<E: std::fmt::Display>(
-    made: Result<(), E>,
-    state: Result<SynchroniserState, E>,
-) -> Result<(), AcquisitionError> {
-    match (made, state) {
-        (Ok(()), Ok(SynchroniserState::Safe)) => Ok(()),
-        (Err(error), _) | (_, Err(error)) => Err(not_safe(error.to_string())),
-        (Ok(()), Ok(state)) => Err(not_safe(format!("it reads back {state:?}"))),
-    }
-}
-
-fn not_safe(reason: String) -> AcquisitionError {
-    tracing::error!(reason, "state unknown: use the hardware interlock");
-    AcquisitionError::NotSafe { reason, before: None }
-}
 
 /// Takes shots until `settings.shots` triggers are given or the run is stopped, and sends them,
 /// paired, into the queue. What becomes of each trigger is written to the ledger, and everything
@@ -168,7 +138,8 @@ pub(super) struct Run {
     pub(super) transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
     pub(super) heartbeat: Heartbeat,
     pub(super) stop: CancellationToken,
-    pub(super) synchroniser: SynchroniserThread,
+    pub(super) synchroniser: SynchroniserCalls,
+    synchroniser_thread: SynchroniserThread,
     /// Not started yet: the laser is disabled before anything else is touched.
     idle_cameras: Vec<Box<dyn Camera>>,
     cameras: Vec<JoinHandle<()>>,
@@ -208,13 +179,22 @@ impl Run {
         links: AcquisitionLinks,
     ) -> Result<Self, AcquisitionError> {
         let count = bench.cameras.len();
+        let AcquisitionLinks {
+            ledger,
+            queue,
+            journal,
+            clock,
+            bursts,
+            control,
+            heartbeat,
+            synchroniser: synchroniser_thread,
+            stop,
+        } = links;
         // First of all: from here on the unit is made safe whatever happens.
-        let synchroniser = SynchroniserThread::spawn(bench.synchroniser)?;
+        let synchroniser = synchroniser_thread.start(bench.synchroniser)?;
         let stop_cameras = CancellationToken::new();
         let (sender, events) = mpsc::channel(EVENT_QUEUE);
         let pairing = Pairing::new(pairing_settings(&settings, count));
-        let AcquisitionLinks { ledger, queue, journal, clock, bursts, control, heartbeat, stop } =
-            links;
         control.state.lock().dt_us = settings.schedule.dt_us;
         Ok(Self {
             settings,
@@ -229,6 +209,7 @@ impl Run {
             heartbeat,
             stop,
             synchroniser,
+            synchroniser_thread,
             idle_cameras: bench.cameras,
             cameras: Vec::new(),
             _stop_on_drop: stop_cameras.clone().drop_guard(),
@@ -322,9 +303,9 @@ impl Run {
         let ruled = self.apply(rulings).await;
         let error = error.map(ToString::to_string);
         let noted = self.note(Entry::Ended { at_ns: self.at_ns(), error }).await;
-        self.synchroniser.close().await;
+        let left = self.synchroniser_thread.join().await;
         self.heartbeat.rest();
-        safe.and(ruled).and(noted.map(|_| ()))?;
+        safe.and(left).and(ruled).and(noted.map(|_| ()))?;
         Ok(AcquisitionReport {
             synchroniser: self.identity,
             triggers: self.fired,
@@ -335,9 +316,7 @@ impl Run {
     /// Safe, and read back. The schedule has to be programmed anew after this.
     pub(super) async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
         (self.is_programmed, self.is_armed) = (false, false);
-        let made = self.synchroniser.call(|unit| unit.make_safe()).await;
-        let state = self.synchroniser.call(|unit| unit.state()).await;
-        confirm_safe(made, state)
+        self.synchroniser.make_safe().await
     }
 }
 

@@ -1,15 +1,16 @@
-//! A thread per device: device calls block, and nothing else may wait for them.
+//! A thread per camera: device calls block, and nothing else may wait for them. The synchroniser
+//! has one, too ([`super::synchroniser`]).
 
 use std::{
     any::Any,
     panic::{AssertUnwindSafe, catch_unwind},
-    sync::{Arc, mpsc as std_mpsc},
+    sync::Arc,
     thread::JoinHandle,
     time::Duration,
 };
 
-use lfpiv_hw::device::{Camera, DeviceError, Frame, StreamStatistics, Synchroniser};
-use tokio::sync::{mpsc, oneshot};
+use lfpiv_hw::device::{Camera, DeviceError, Frame, StreamStatistics};
+use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
 
 use super::{AcquisitionError, RunClock};
@@ -90,7 +91,7 @@ fn stream_event(index: usize, camera: &dyn Camera, connected: bool, at: Duration
 }
 
 /// A driver's panic must not leave the laser on or a thread silently dead.
-fn guarded<T>(
+pub(super) fn guarded<T>(
     device: &str,
     call: impl FnOnce() -> Result<T, DeviceError>,
 ) -> Result<T, DeviceError> {
@@ -109,66 +110,6 @@ pub fn panic_message(panic: &(dyn Any + Send)) -> String {
         .or_else(|| panic.downcast_ref::<String>().cloned())
         .unwrap_or_else(|| "no message".to_owned())
 }
-
-type Command = Box<dyn FnOnce(&mut dyn Synchroniser) + Send>;
-
-/// The synchroniser on its thread. When the last handle goes, whatever the reason, the thread
-/// brings the unit to its safe state before it ends.
-#[derive(Debug)]
-pub(super) struct SynchroniserThread {
-    commands: Option<std_mpsc::Sender<Command>>,
-    thread: Option<JoinHandle<()>>,
-}
-
-impl SynchroniserThread {
-    pub fn spawn(mut synchroniser: Box<dyn Synchroniser>) -> Result<Self, AcquisitionError> {
-        let (commands, inbox) = std_mpsc::channel::<Command>();
-        let run = move || {
-            for command in inbox {
-                command(synchroniser.as_mut());
-            }
-            if let Err(error) = guarded(SYNCHRONISER, || synchroniser.make_safe()) {
-                tracing::error!(%error, "state unknown: use the hardware interlock");
-            }
-        };
-        let thread = std::thread::Builder::new()
-            .name(SYNCHRONISER.to_owned())
-            .spawn(run)
-            .map_err(|source| AcquisitionError::Thread { device: SYNCHRONISER.into(), source })?;
-        Ok(Self { commands: Some(commands), thread: Some(thread) })
-    }
-
-    /// Runs one call on the synchroniser's thread and waits for its answer.
-    pub async fn call<T: Send + 'static>(
-        &self,
-        call: impl FnOnce(&mut dyn Synchroniser) -> Result<T, DeviceError> + Send + 'static,
-    ) -> Result<T, AcquisitionError> {
-        let (answer, answered) = oneshot::channel();
-        let command: Command = Box::new(move |synchroniser| {
-            // Nobody waits for the answer when the run is being torn down.
-            let _ = answer.send(guarded(SYNCHRONISER, || call(synchroniser)));
-        });
-        let sent = self.commands.as_ref().is_some_and(|commands| commands.send(command).is_ok());
-        let gone = || DeviceError::Lost {
-            device: SYNCHRONISER.to_owned(),
-            detail: "its thread has ended".to_owned(),
-        };
-        if !sent {
-            return Err(gone().into());
-        }
-        Ok(answered.await.map_err(|_| gone())??)
-    }
-
-    /// Lets the thread end, safe state first, and waits for it.
-    pub async fn close(mut self) {
-        drop(self.commands.take());
-        if let Some(thread) = self.thread.take() {
-            join(thread).await;
-        }
-    }
-}
-
-const SYNCHRONISER: &str = "synchroniser";
 
 /// Waits for a thread without blocking the runtime.
 pub(super) async fn join(thread: JoinHandle<()>) {

@@ -5,7 +5,8 @@
 //! listens and waits; [`pairing`] decides, as a state machine without clocks or devices, which
 //! frames belong together; the [`Ledger`] accounts for every trigger.
 //!
-//! On every way out, errors and panics included, the synchroniser is made safe first.
+//! On every way out, errors and panics included, the synchroniser is made safe first. Its thread is
+//! owned outside the task of the run loop ([`SynchroniserThread`]), and waited for.
 
 mod absence;
 mod burst;
@@ -27,10 +28,11 @@ mod requests;
 mod rulings;
 mod settings;
 mod shot;
+mod synchroniser;
 
 pub use clock::{HostClock, RunClock};
 pub use control::{Command, Control, ControlInbox, ControlState, Mode, Planner, Refusal, control};
-pub use controller::{AcquisitionLinks, AcquisitionReport, Bench, acquire, secure};
+pub use controller::{AcquisitionLinks, AcquisitionReport, Bench, acquire};
 pub use devices::panic_message;
 pub use error::AcquisitionError;
 pub use heartbeat::Heartbeat;
@@ -40,3 +42,4 @@ pub use outcome::{Account, Outcome, OutcomeCounts};
 pub use queue::{Closed, ShotReceiver, ShotSender, shot_queue};
 pub use settings::{AcquisitionSettings, BurstScript, MAX_BURST, OverloadPolicy, ScriptedBurst};
 pub use shot::Shot;
+pub use synchroniser::{SynchroniserThread, secure};

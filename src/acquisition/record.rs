@@ -85,7 +85,7 @@ impl Run {
     }
 
     /// Bytes that went over the synchroniser's line since.
-    async fn note_serial(&mut self) -> Result<(), AcquisitionError> {
+    pub(super) async fn note_serial(&mut self) -> Result<(), AcquisitionError> {
         while let Some(Ok(bytes)) = self.transcript.as_mut().map(|transcript| transcript.try_recv())
         {
             let line::Entry { host_time_ns, direction, bytes } = bytes;

@@ -97,6 +97,7 @@ impl Run {
         let stop = self.stop.clone();
         tokio::select! {
             () = stop.cancelled() => Ok(()),
+            error = self.synchroniser.fault() => Err(error),
             () = self.heartbeat.turn() => Ok(()),
             event = self.events.recv() => self.handle(event).await,
             request = self.control.next() => self.obey(request).await,

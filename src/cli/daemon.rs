@@ -38,7 +38,8 @@ use crate::{
     acquisition::{
         AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench,
         BurstScript, ControlInbox, Heartbeat, HostClock, Ledger, Mode, OverloadPolicy, Planner,
-        RunClock, ShotReceiver, acquire, control, panic_message, secure, shot_queue,
+        RunClock, ShotReceiver, SynchroniserThread, acquire, control, panic_message, secure,
+        shot_queue,
     },
     archive::{RawLogSettings, ResultStore},
     config::ConfigFile,
@@ -120,6 +121,7 @@ pub struct Daemon {
     recording: Recording,
     inbox: ControlInbox,
     script: Option<RunScript>,
+    synchroniser: SynchroniserThread,
     listener: TcpListener,
     address: SocketAddr,
     protection: Protection,
@@ -178,6 +180,7 @@ impl Daemon {
             recording,
             inbox,
             script: None,
+            synchroniser: SynchroniserThread::default(),
             listener,
             address,
             protection,
@@ -205,6 +208,11 @@ impl Daemon {
     /// The run follows a script.
     pub fn follow(&mut self, script: RunScript) {
         self.script = Some(script);
+    }
+
+    /// The thread of the run's synchroniser belongs to `owner`, too.
+    pub fn share_synchroniser(&mut self, owner: SynchroniserThread) {
+        self.synchroniser = owner;
     }
 
     /// Runs to the end. `processor` builds the tables, slowly, on a thread of its own;
@@ -253,6 +261,7 @@ impl Daemon {
                 control: self.inbox,
                 heartbeat,
                 clock,
+                synchroniser: self.synchroniser.clone(),
                 ..AcquisitionLinks::new(self.ledger.clone(), sender, stop)
             };
             let links = match self.script {
@@ -262,7 +271,7 @@ impl Daemon {
                 None => links,
             };
             let acquiring = acquire(bench, self.acquisition, links);
-            take_and_process(acquiring, pool, receiver, &self.state).await
+            take_and_process(acquiring, &self.synchroniser, pool, receiver, &self.state).await
         };
         let worked = service.accompany(work).await;
         let recording = self.recording;
@@ -299,6 +308,7 @@ async fn end_server(mut server: JoinHandle<()>) {
 /// Acquisition and pool side by side until both have ended.
 async fn take_and_process<P, E>(
     acquiring: impl Future<Output = Result<AcquisitionReport, AcquisitionError>> + Send + 'static,
+    synchroniser: &SynchroniserThread,
     pool: Pool<P>,
     queue: ShotReceiver,
     state: &ApiState,
@@ -309,6 +319,11 @@ where
 {
     let pool = tokio::spawn(pool.run(queue));
     let acquired = unpanicked(tokio::spawn(acquiring)).await;
+    // A run loop that panicked has not waited for its laser.
+    let acquired = match (acquired, synchroniser.join().await) {
+        (Err(panic), Err(not_safe)) => Err(panic.context(not_safe)),
+        (acquired, _) => acquired,
+    };
     state.set_phase(Phase::Stopping);
     let processed = unpanicked(pool).await;
     let report = acquired?.context("acquisition ended before its time")?;

@@ -20,7 +20,7 @@ use super::{
 };
 use crate::{
     acquisition::{
-        Bench, Mode, OverloadPolicy,
+        Bench, Mode, OverloadPolicy, SynchroniserThread,
         replay::{Replay, Speed, replay},
     },
     config::{Config, ConfigFile},
@@ -63,7 +63,10 @@ pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
 }
 
 async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Result<PathBuf> {
-    let stop = stop_on_signals("the last results may be left as .part files")?;
+    let stop = stop_on_signals(
+        &SynchroniserThread::default(),
+        "the last results may be left as .part files",
+    )?;
     let acquired = stop.child_token();
     let Replay { description, bench, clock, bursts, longest_burst } =
         replay(&args.run, args.speed, acquired.clone())?;

@@ -16,7 +16,7 @@ use super::{
     stop::stop_on_signals,
 };
 use crate::{
-    acquisition::{Bench, Mode, OverloadPolicy},
+    acquisition::{Bench, Mode, OverloadPolicy, SynchroniserThread},
     config::{Config, ConfigFile},
     pipeline::{Observer, Stage},
 };
@@ -52,6 +52,8 @@ pub fn run(args: RunArgs) -> anyhow::Result<()> {
     };
     let bench = open_bench(&file.config, args.shots)
         .with_context(|| format!("{} cannot be run", args.config.display()))?;
+    // It outlives the runtime and its tasks: whatever becomes of them, the laser is waited for.
+    let synchroniser = SynchroniserThread::default();
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
@@ -66,7 +68,8 @@ pub fn run(args: RunArgs) -> anyhow::Result<()> {
         remote_arming: args.remote_arming,
         ..DaemonPlan::new(file, args.shots, overload)
     };
-    runtime.block_on(run_bench(plan, bench, truth.map(|scene| scene.flow)))
+    let run = run_bench(plan, bench, truth.map(|scene| scene.flow), &synchroniser);
+    runtime.block_on(run)
 }
 
 /// The instruments that the configuration names, or the simulated bench.
@@ -90,12 +93,18 @@ fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Benc
     Ok(Bench::new(bench.cameras, bench.synchroniser))
 }
 
-async fn run_bench(plan: DaemonPlan, bench: Bench, truth: Option<Flow>) -> anyhow::Result<()> {
+async fn run_bench(
+    plan: DaemonPlan,
+    bench: Bench,
+    truth: Option<Flow>,
+    synchroniser: &SynchroniserThread,
+) -> anyhow::Result<()> {
     let shots = plan.shots;
     let config = plan.file.config.clone();
     let has_instruments = plan.file.config.instruments.is_some();
-    let stop = stop_on_signals("the last results may be left as .part files")?;
-    let daemon = Daemon::prepare(plan).await?;
+    let stop = stop_on_signals(synchroniser, "the last results may be left as .part files")?;
+    let mut daemon = Daemon::prepare(plan).await?;
+    daemon.share_synchroniser(synchroniser.clone());
     print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
 

@@ -111,6 +111,52 @@ fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
     });
 }
 
+/// A second SIGTERM, in the middle of the commands that make the laser safe: the process ends at
+/// once, but not before the last of them is read back.
+#[test]
+fn a_daemon_that_is_told_twice_ends_after_the_read_back() {
+    in_private_network("killed::a_daemon_that_is_told_twice_ends_after_the_read_back", || {
+        let folder = tempfile::tempdir().unwrap();
+        let (instruments, config) = instruments(folder.path());
+        let transcript = folder.path().join("serial.log");
+        let paced = format!("pacing_ms = 60\ntranscript = {transcript:?}");
+        let text = fs::read_to_string(&config).unwrap().replacen("pacing_ms = 0", &paced, 1);
+        fs::write(&config, text).unwrap();
+        let mut daemon = daemon(&config, None);
+        wait_for_pulses(&instruments, 10, &mut daemon);
+
+        let terminate =
+            || Command::new("kill").arg(daemon.id().to_string()).status().unwrap().success();
+        let heard = || fs::read_to_string(&transcript).unwrap();
+        let orders = |text: &str| text.matches(&off(2)).count();
+        let before = orders(&heard());
+        assert!(terminate());
+        let told = Instant::now();
+        while orders(&heard()) == before {
+            assert!(told.elapsed() < LONG, "{}", heard());
+            thread::sleep(Duration::from_millis(5));
+        }
+        assert!(terminate());
+        assert_eq!(daemon.wait().unwrap().code(), Some(130));
+
+        let text = heard();
+        let last = &text[text.rfind(&off(2)).unwrap()..];
+        for output in [2, 4, 1, 3, 5, 6, 7, 8, 0] {
+            let read_back = format!("> :PULSE{output}:STATE?\\r\\n");
+            let asked = last.find(&read_back);
+            let answer = asked.and_then(|at| last[at..].lines().nth(1));
+            assert!(answer.is_some_and(|line| line.ends_with("< 0\\r\\n")), "{output}: {last}");
+        }
+        let unit = instruments.unit();
+        assert!(!unit.is_running() && (1..=8).all(|channel| !unit.is_enabled(channel)));
+    });
+}
+
+/// An order as the transcript has it.
+fn off(output: u8) -> String {
+    format!(":PULSE{output}:STATE OFF")
+}
+
 /// A SIGKILLed daemon leaves at most one burst of Q-switch pulses behind; the next one makes
 /// contact with unit and cameras, which believe in their old controller, and measures.
 #[test]

@@ -23,7 +23,10 @@ use super::{
     SimBenchArgs,
     sent_record::SentRecord,
 };
-use crate::config::{Config, ConfigFile};
+use crate::{
+    acquisition::SynchroniserThread,
+    config::{Config, ConfigFile},
+};
 
 /// How often frames that were sent are listed.
 const LISTING: Duration = Duration::from_millis(100);
@@ -108,7 +111,7 @@ async fn list_what_is_sent(
     bench: &WireBench,
     mut record: Option<SentRecord>,
 ) -> anyhow::Result<()> {
-    let stop = stop_on_signals("what is on the wires is lost")?;
+    let stop = stop_on_signals(&SynchroniserThread::default(), "what is on the wires is lost")?;
     while !stop.is_cancelled() {
         tokio::select! {
             () = stop.cancelled() => {}

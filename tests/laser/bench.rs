@@ -1,0 +1,284 @@
+//! A pulse generator, cameras at its output, and a run on them.
+
+use std::{
+    collections::VecDeque,
+    num::NonZeroU64,
+    path::Path,
+    sync::{Arc, mpsc},
+    time::{Duration, Instant},
+};
+
+use lfpiv::{
+    acquisition::{
+        AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Control,
+        Journal, Ledger, Mode, OverloadPolicy, ShotReceiver, SynchroniserThread, acquire, control,
+        shot_queue,
+    },
+    archive::{RawLog, RawLogSettings},
+};
+use lfpiv_hw::{
+    PulseSchedule, RawImage, TimingSettings,
+    device::{Camera, DeviceError, Frame, FrameStatus, StreamStatistics},
+    synchroniser::{
+        SynchroniserDriver, SynchroniserSettings,
+        line::{Recorded, SerialLine, Transcript},
+        open_on,
+    },
+    timing::{ExternalTrigger, TriggerEdge, TriggerSource},
+};
+use lfpiv_sim::wire::{
+    pty::Served,
+    pulse_generator::{PulseGenerator, PulseGeneratorOptions},
+};
+use parking_lot::Mutex;
+use tokio::{sync::Notify, task::JoinHandle};
+use tokio_util::sync::CancellationToken;
+
+/// Longest wait for anything that is sure to come, on a loaded machine.
+pub const PATIENCE: Duration = Duration::from_secs(60);
+/// So slow that a process which does not wait would end among the commands.
+const PACING_MS: u64 = 20;
+/// Outputs of the unit in the order in which they are switched off; 0 is T0.
+const OUTPUTS: [u8; 9] = [2, 4, 1, 3, 5, 6, 7, 8, 0];
+const CAMERAS: usize = 2;
+const CAMERA_OUTPUT: u8 = 5;
+
+/// A quick laser and quick cameras, warm after `warm_up_s`.
+pub fn timing(warm_up_s: f64) -> TimingSettings {
+    TimingSettings {
+        laser_rate_limit_hz: 100.0,
+        readout_us: 2000.0,
+        lamp_warm_up_s: warm_up_s,
+        ..TimingSettings::default()
+    }
+}
+
+/// Triggers from outside, declared to come 20 times a second at most.
+pub fn external(warm_up_s: f64) -> TimingSettings {
+    let source = ExternalTrigger { max_rate_hz: 20.0, edge: TriggerEdge::Rising, level_v: 2.5 };
+    TimingSettings {
+        trigger: TriggerSource::External,
+        external_trigger: Some(source),
+        ..timing(warm_up_s)
+    }
+}
+
+/// A unit that is switched on, whose lamps go on after a burst.
+pub struct Laser {
+    pub served: Served<PulseGenerator>,
+    pub transcript: Transcript,
+    triggers: Mutex<Vec<mpsc::Receiver<u64>>>,
+}
+
+impl Laser {
+    pub fn start() -> Self {
+        let (senders, triggers): (Vec<_>, Vec<_>) = (0..CAMERAS).map(|_| mpsc::channel()).unzip();
+        let options = PulseGeneratorOptions { drops_off_after_burst: false, ..Default::default() };
+        let observer = move |period: lfpiv_sim::wire::PeriodOutputs| {
+            if period.pulses.iter().any(|pulse| pulse.channel == CAMERA_OUTPUT) {
+                // A camera whose run is over takes no more.
+                senders.iter().for_each(|camera| _ = camera.send(period.t0_ns));
+            }
+        };
+        let served = Served::start(PulseGenerator::new(options), Box::new(observer)).unwrap();
+        Self { served, transcript: Transcript::kept(), triggers: Mutex::new(triggers) }
+    }
+
+    /// Driver and cameras, connected.
+    pub fn connect(&self, timing: &TimingSettings, frame_interval: Duration) -> Bench {
+        let settings = SynchroniserSettings {
+            pacing_ms: PACING_MS,
+            reply_timeout_ms: 5000,
+            ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, self.served.path())
+        };
+        let line = SerialLine::open(&settings.port, settings.baud_rates()[0]).unwrap();
+        let line = Recorded::new(line, self.transcript.clone());
+        let synchroniser = open_on(Box::new(line), &settings, timing).unwrap();
+        let triggers = std::mem::take(&mut *self.triggers.lock());
+        let cameras = triggers.into_iter().map(|triggers| {
+            Box::new(TriggeredCamera {
+                triggers,
+                frame_interval_ns: frame_interval.as_nanos() as u64,
+                exposed: VecDeque::new(),
+                frames: 0,
+            }) as Box<dyn Camera>
+        });
+        Bench::new(cameras.collect(), synchroniser)
+    }
+
+    /// Pulses of the lamp and of the Q-switch of head 1.
+    pub fn pulses(&self) -> [u64; 2] {
+        let unit = self.served.unit();
+        [unit.pulses(1), unit.pulses(2)]
+    }
+
+    /// Commands sent so far.
+    pub fn sent(&self) -> usize {
+        self.transcript.sent_lines().len()
+    }
+
+    /// The last orders on the line switched everything off, the most dangerous first, and every
+    /// output was read back after that; and it is so.
+    pub fn assert_safe(&self) {
+        let sent = self.transcript.sent_lines();
+        let first = format!(":PULSE{}:STATE OFF", OUTPUTS[0]);
+        let last_order = sent.iter().rposition(|line| *line == first).unwrap();
+        let mut expected: Vec<String> =
+            OUTPUTS.iter().map(|output| format!(":PULSE{output}:STATE OFF")).collect();
+        expected.push("*IDN?".to_owned());
+        expected.extend(OUTPUTS.iter().map(|output| format!(":PULSE{output}:STATE?")));
+        let after = &sent[last_order..];
+        assert!(after.starts_with(&expected), "{after:?}");
+        assert!(after[expected.len()..].iter().all(|line| line.contains('?')), "{after:?}");
+        let unit = self.served.unit();
+        assert!(!unit.is_running() && (1..=8).all(|channel| !unit.is_enabled(channel)));
+    }
+}
+
+/// Gives two frames for each pulse of its output.
+struct TriggeredCamera {
+    triggers: mpsc::Receiver<u64>,
+    frame_interval_ns: u64,
+    exposed: VecDeque<Frame>,
+    frames: u64,
+}
+
+impl Camera for TriggeredCamera {
+    fn name(&self) -> &str {
+        "triggered camera"
+    }
+
+    fn start(&mut self) -> Result<(), DeviceError> {
+        Ok(())
+    }
+
+    fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError> {
+        if let Some(frame) = self.exposed.pop_front() {
+            return Ok(Some(frame));
+        }
+        let Ok(t0_ns) = self.triggers.recv_timeout(timeout) else { return Ok(None) };
+        for exposure in 0..2 {
+            let timestamp_ns = t0_ns + exposure * self.frame_interval_ns;
+            self.exposed.push_back(Frame {
+                image: RawImage::new(2, 2, vec![0; 4]).unwrap(),
+                frame_id: self.frames,
+                device_timestamp_ns: timestamp_ns,
+                host_timestamp_ns: timestamp_ns,
+                status: FrameStatus::Complete,
+            });
+            self.frames += 1;
+        }
+        Ok(self.exposed.pop_front())
+    }
+
+    fn stop(&mut self) -> Result<(), DeviceError> {
+        Ok(())
+    }
+
+    fn statistics(&self) -> StreamStatistics {
+        StreamStatistics { completed: self.frames, ..StreamStatistics::default() }
+    }
+}
+
+/// How a run is begun.
+pub struct Plan {
+    pub timing: TimingSettings,
+    pub mode: Mode,
+    pub overload: OverloadPolicy,
+    pub journal: Journal,
+}
+
+impl Plan {
+    pub fn firing(timing: TimingSettings) -> Self {
+        Self {
+            timing,
+            mode: Mode::Firing,
+            overload: OverloadPolicy::Shed,
+            journal: Journal::none(),
+        }
+    }
+
+    pub fn armed(timing: TimingSettings) -> Self {
+        Self { mode: Mode::Armed, ..Self::firing(timing) }
+    }
+}
+
+/// A record on a disk that has no room; it is written until the writer is dropped.
+pub fn without_room(folder: &Path) -> (Journal, impl Drop) {
+    struct Writer(Option<lfpiv::archive::RawLogWriter>);
+    impl Drop for Writer {
+        fn drop(&mut self) {
+            self.0.take().unwrap().close().unwrap();
+        }
+    }
+    let settings = RawLogSettings { reserve_mb: 1 << 40, ..RawLogSettings::default() };
+    let (log, writer) = RawLog::create(&folder.join("raw"), b"{}", &settings).unwrap();
+    (Journal::new(log), Writer(Some(writer)))
+}
+
+type Ended = Result<AcquisitionReport, AcquisitionError>;
+
+/// A run under way, on a task of its own.
+pub struct Run {
+    pub control: Control,
+    pub stop: CancellationToken,
+    pub synchroniser: SynchroniserThread,
+    panic: Arc<Notify>,
+    task: JoinHandle<Ended>,
+    /// Nobody takes shots from it.
+    _shots: ShotReceiver,
+}
+
+impl Run {
+    /// Its synchroniser's thread belongs to the test, too.
+    pub fn start(laser: &Laser, plan: Plan) -> Self {
+        let synchroniser = SynchroniserThread::default();
+        let (rate_hz, overload) = (15.0, plan.overload);
+        let settings = AcquisitionSettings {
+            schedule: PulseSchedule::plan(&plan.timing, 100.0, rate_hz).unwrap(),
+            shots: None::<NonZeroU64>,
+            overload,
+            patience: PATIENCE,
+        };
+        let bench = laser.connect(&plan.timing, settings.frame_interval());
+        let (sender, shots) = shot_queue(2);
+        let stop = CancellationToken::new();
+        let (control, inbox) = control(plan.mode, 100.0, Box::new(|_| Err("fixed".to_owned())));
+        let ledger = Arc::new(Mutex::new(Ledger::new(CAMERAS)));
+        let links = AcquisitionLinks {
+            control: inbox,
+            journal: plan.journal,
+            synchroniser: synchroniser.clone(),
+            ..AcquisitionLinks::new(ledger, sender, stop.clone())
+        };
+        let panic = Arc::new(Notify::new());
+        let told = panic.clone();
+        let task = tokio::spawn(async move {
+            tokio::select! {
+                ended = acquire(bench, settings, links) => ended,
+                () = told.notified() => panic!("injected"),
+            }
+        });
+        Self { control, stop, synchroniser, panic, task, _shots: shots }
+    }
+
+    pub async fn until(&self, what: &str, reached: impl Fn() -> bool) {
+        let begun = Instant::now();
+        while !reached() {
+            assert!(begun.elapsed() < PATIENCE, "{what}: not within {PATIENCE:?}");
+            assert!(!self.task.is_finished(), "{what}: the run is over");
+            tokio::time::sleep(Duration::from_millis(2)).await;
+        }
+    }
+
+    /// The task panics wherever it is.
+    pub async fn panic(self) -> SynchroniserThread {
+        self.panic.notify_one();
+        assert!(self.task.await.unwrap_err().is_panic());
+        self.synchroniser
+    }
+
+    pub async fn end(self) -> Ended {
+        tokio::time::timeout(PATIENCE, self.task).await.expect("the run ends").unwrap()
+    }
+}
