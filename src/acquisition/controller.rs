@@ -153,8 +153,6 @@ pub(super) struct Run {
     /// The time of what was seen last.
     pub(super) time: Duration,
     pub(super) last_frame: Duration,
-    /// Memory of the largest frame so far, in bytes.
-    pub(super) frame_bytes: u64,
     pub(super) fired: u64,
     /// The unit's count when it was programmed; `None` from a unit that does not count.
     pub(super) first_count: Option<u64>,
@@ -220,7 +218,6 @@ impl Run {
             identity: String::new(),
             time: Duration::ZERO,
             last_frame: Duration::ZERO,
-            frame_bytes: 0,
             fired: 0,
             first_count: None,
             given_before: 0,

@@ -18,7 +18,7 @@ impl Run {
         let mut reasons = Vec::new();
         if let Some(log) = self.journal.log() {
             let frames = shots * FRAMES_PER_SHOT * self.presence.len() as u64;
-            if let Err(error) = log.reserve(frames * self.frame_bytes) {
+            if let Err(error) = log.reserve(frames * self.settings.frame_bytes) {
                 reasons.push(error.to_string());
             }
         }

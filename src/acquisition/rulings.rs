@@ -21,7 +21,6 @@ impl Run {
                 self.time_passes(arrived).await?;
                 self.presence[camera].silent = 0;
                 self.last_frame = self.time;
-                self.frame_bytes = self.frame_bytes.max(2 * frame.image.counts().len() as u64);
                 self.ledger.lock().streamed(camera, statistics);
                 let (at_ns, head) = (self.at_ns(), FrameHead::from(&frame));
                 let entry = Entry::Frame { at_ns, camera, frame: head, statistics };

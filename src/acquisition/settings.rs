@@ -26,6 +26,8 @@ pub struct AcquisitionSettings {
     pub overload: OverloadPolicy,
     /// How long a frame that is due is waited for.
     pub patience: Duration,
+    /// Memory of one frame: room for each of a burst must be on the disk before it is fired.
+    pub frame_bytes: u64,
 }
 
 impl AcquisitionSettings {

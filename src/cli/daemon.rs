@@ -21,7 +21,7 @@ use std::{
 };
 
 use anyhow::{Context, anyhow};
-use lfpiv_hw::PulseSchedule;
+use lfpiv_hw::{PulseSchedule, Sensor};
 use parking_lot::Mutex;
 use tokio::{net::TcpListener, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
@@ -96,8 +96,14 @@ impl DaemonPlan {
             patience: instruments.map_or(SIMULATED_PATIENCE, |instruments| {
                 Duration::from_secs_f64(instruments.frame_patience_s)
             }),
+            frame_bytes: frame_bytes(&self.file.config.optics.sensor),
         })
     }
+}
+
+/// Memory of an image of the sensor.
+pub(super) fn frame_bytes(sensor: &Sensor) -> u64 {
+    (sensor.columns * sensor.rows * size_of::<u16>()) as u64
 }
 
 /// What decides times and bursts of a run that is played again.

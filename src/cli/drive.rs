@@ -15,7 +15,7 @@ use lfpiv_sim::{
 use parking_lot::Mutex;
 use tokio_util::sync::CancellationToken;
 
-use super::instruments::open;
+use super::{daemon::frame_bytes, instruments::open};
 use crate::{
     acquisition::{
         AcquisitionLinks, AcquisitionSettings, Bench, Ledger, Outcome, OverloadPolicy, acquire,
@@ -57,6 +57,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
         shots: Some(shots),
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs_f64(named.frame_patience_s),
+        frame_bytes: frame_bytes(&config.optics.sensor),
     };
     let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;

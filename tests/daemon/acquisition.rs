@@ -45,6 +45,7 @@ pub fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
         overload,
         // Longer than a loaded machine takes to render a frame.
         patience: Duration::from_secs(2),
+        frame_bytes: 2 * 92 * 92,
     }
 }
 

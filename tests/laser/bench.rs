@@ -239,6 +239,7 @@ impl Run {
             shots: None::<NonZeroU64>,
             overload,
             patience: PATIENCE,
+            frame_bytes: 8,
         };
         let bench = laser.connect(&plan.timing, settings.frame_interval());
         let (sender, shots) = shot_queue(2);

@@ -160,6 +160,7 @@ pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot))
         shots: NonZeroU64::new(shots),
         overload: OverloadPolicy::Wait,
         patience: Duration::from_secs(10),
+        frame_bytes: 2 * SIZE.pixels() as u64,
     };
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().expect("tokio");
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));

@@ -52,6 +52,13 @@ fn a_disk_that_fills_up_loses_nothing_that_was_acknowledged() {
 }
 
 #[test]
+fn even_the_first_shot_waits_for_room() {
+    if let Some(passed) = in_namespace("disk::half_of_the_first_shot") {
+        assert!(passed);
+    }
+}
+
+#[test]
 #[ignore = "the half of a_disk_that_fills_up_... that runs in a namespace"]
 fn half_of_a_disk_that_fills_up() {
     let root = tempfile::tempdir().expect("a folder");
@@ -89,6 +96,26 @@ struct Daemon {
 }
 
 impl Daemon {
+    fn start(root: &Path, config: &Path, shots: &str) -> Self {
+        let log = root.join("log");
+        let child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+            .args(["run", "--shots", shots, "--config"])
+            .arg(config)
+            .stdout(Stdio::null())
+            .stderr(fs::File::create(&log).expect("a file"))
+            .spawn()
+            .expect("the binary starts");
+        Self { child, log }
+    }
+
+    fn wait_for_the_end(&mut self) {
+        let began = Instant::now();
+        while self.child.try_wait().expect("its state").is_none() {
+            assert!(began.elapsed() < PATIENCE, "{}", self.log());
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
     fn log(&self) -> String {
         fs::read_to_string(&self.log).expect("its log")
     }
@@ -116,25 +143,37 @@ fn half_of_a_full_disk() {
     let ballast = root.path().join("results/ballast");
     fs::write(&ballast, vec![1; 25 << 20]).expect("room for ballast");
     let config = configuration(root.path(), "[raw_log]\nreserve_mb = 2\nsync_ms = 5\n");
-    let log = root.path().join("log");
-    let child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
-        .args(["run", "--shots", "80", "--config"])
-        .arg(&config)
-        .stdout(Stdio::null())
-        .stderr(fs::File::create(&log).expect("a file"))
-        .spawn()
-        .expect("the binary starts");
-    let mut daemon = Daemon { child, log };
+    let mut daemon = Daemon::start(root.path(), &config, "80");
     daemon.wait_for("nothing is fired");
     assert!(daemon.log().contains("make room"), "{}", daemon.log());
     fs::remove_file(&ballast).expect("the ballast");
-    let began = Instant::now();
-    while daemon.child.try_wait().expect("its state").is_none() {
-        assert!(began.elapsed() < PATIENCE, "{}", daemon.log());
-        std::thread::sleep(Duration::from_millis(20));
-    }
-    let run = fs::read_dir(root.path().join("results")).expect("results").next();
-    let run = run.expect("a run").expect("a folder").path();
-    let shots = images(&run);
+    daemon.wait_for_the_end();
+    let shots = images(&run_in(root.path()));
     assert_eq!(shots.len(), 80, "{}", daemon.log());
+}
+
+fn run_in(root: &Path) -> PathBuf {
+    let run = fs::read_dir(root.join("results")).expect("results").next();
+    run.expect("a run").expect("a folder").path()
+}
+
+/// The size of a frame is known from the configuration, before there has been one.
+#[test]
+#[ignore = "the half of even_the_first_shot_waits_for_room that runs in a namespace"]
+fn half_of_the_first_shot() {
+    // Two cameras, two exposures, 240 x 240 pixels of two bytes: 0.46 MB a shot. Free are 0.3 MB
+    // more than the reserve, of which the run's small files take some.
+    const DISK: usize = 24 << 20;
+    const FREE: usize = 4_300_000;
+    let root = tempfile::tempdir().expect("a folder");
+    mount_small_disk(&root.path().join("results"), 24);
+    let ballast = root.path().join("results/ballast");
+    fs::write(&ballast, vec![1; DISK - FREE]).expect("room for ballast");
+    let config = configuration(root.path(), "[raw_log]\nreserve_mb = 4\nsync_ms = 5\n");
+    let mut daemon = Daemon::start(root.path(), &config, "1");
+    daemon.wait_for("nothing is fired");
+    assert!(daemon.log().contains("1 MB of images"), "{}", daemon.log());
+    fs::remove_file(&ballast).expect("the ballast");
+    daemon.wait_for_the_end();
+    assert_eq!(images(&run_in(root.path())).len(), 1, "{}", daemon.log());
 }
