@@ -37,7 +37,7 @@ use tokio_util::sync::CancellationToken;
 /// Longest wait for anything that is sure to come, on a loaded machine.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 /// So slow that a process which does not wait would end among the commands.
-const PACING_MS: u64 = 20;
+const PACING_MS: u64 = 10;
 /// Outputs of the unit in the order in which they are switched off; 0 is T0.
 const OUTPUTS: [u8; 9] = [2, 4, 1, 3, 5, 6, 7, 8, 0];
 const CAMERAS: usize = 2;

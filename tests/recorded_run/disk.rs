@@ -141,15 +141,15 @@ fn half_of_a_full_disk() {
     let root = tempfile::tempdir().expect("a folder");
     mount_small_disk(&root.path().join("results"), 40);
     let ballast = root.path().join("results/ballast");
-    fs::write(&ballast, vec![1; 25 << 20]).expect("room for ballast");
+    fs::write(&ballast, vec![1; 35 << 20]).expect("room for ballast");
     let config = configuration(root.path(), "[raw_log]\nreserve_mb = 2\nsync_ms = 5\n");
-    let mut daemon = Daemon::start(root.path(), &config, "80");
+    let mut daemon = Daemon::start(root.path(), &config, "20");
     daemon.wait_for("nothing is fired");
     assert!(daemon.log().contains("make room"), "{}", daemon.log());
     fs::remove_file(&ballast).expect("the ballast");
     daemon.wait_for_the_end();
     let shots = images(&run_in(root.path()));
-    assert_eq!(shots.len(), 80, "{}", daemon.log());
+    assert_eq!(shots.len(), 20, "{}", daemon.log());
 }
 
 fn run_in(root: &Path) -> PathBuf {
