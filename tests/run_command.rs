@@ -171,7 +171,8 @@ fn a_schedule_that_the_laser_cannot_follow_is_refused() {
     let config = changed_configuration(root.path(), "rate_hz = 10.0", "rate_hz = 15.0");
     let done = lfpiv(["run".as_ref(), "--config".as_ref(), config.as_os_str()]);
     assert!(!done.success);
-    assert!(done.stderr.contains("cannot be timed"), "{}", done.stderr);
+    let said = "shot.rate_hz = 15.0: laser rate = 15 Hz: allowed: at most 10 Hz";
+    assert!(done.stderr.contains(said), "{}", done.stderr);
     assert!(!root.path().join("results").exists());
 }
 

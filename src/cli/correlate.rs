@@ -11,7 +11,7 @@ use anyhow::Context;
 use super::output::{count, print};
 use crate::{
     archive::{read_volumes, write_velocity, write_vti},
-    config::ConfigFile,
+    config::{ConfigFile, Purpose},
     lightfield::RawLevel,
     model::ModelChoice,
     velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField, VolumeInterrogation},
@@ -34,7 +34,7 @@ pub struct CorrelateArgs {
 
 /// Measures the displacement between the frames of a file.
 pub fn correlate(args: &CorrelateArgs) -> anyhow::Result<()> {
-    let ConfigFile { config, text, .. } = ConfigFile::load(&args.config)?;
+    let ConfigFile { config, text, .. } = ConfigFile::load_for(Purpose::Volumes, &args.config)?;
     let [a, b] = read_volumes(&args.volumes, &config.volume)?;
     let interrogation = VolumeInterrogation::new(&config.volume, &config.velocimetry);
     let started = Instant::now();

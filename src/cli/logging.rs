@@ -35,7 +35,8 @@ pub fn complain(error: &anyhow::Error) {
     eprintln!("{priority}error: {error:#}");
 }
 
-fn is_journal() -> bool {
+/// Whether standard error is the system's journal.
+pub fn is_journal() -> bool {
     let named = std::env::var("JOURNAL_STREAM").ok();
     named.is_some_and(|named| is_stream(&named, io::stderr().as_fd()))
 }

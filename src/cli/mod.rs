@@ -15,6 +15,7 @@ mod doctor;
 #[cfg(feature = "aravis")]
 mod drive;
 mod export;
+mod finding;
 mod instruments;
 mod ledger_file;
 mod logging;

@@ -1,6 +1,11 @@
 //! `lfpiv run`: the daemon on the command line.
 
-use std::{num::NonZeroU64, path::PathBuf, sync::Arc};
+use std::{
+    io::{self, IsTerminal},
+    num::NonZeroU64,
+    path::PathBuf,
+    sync::Arc,
+};
 
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
@@ -11,14 +16,15 @@ use super::{
     daemon::{Daemon, DaemonPlan, DaemonReport},
     demo_table::{Row, stream_table, table},
     instruments,
-    output::{print, progress_bar},
+    logging::is_journal,
+    output::{count, print, progress_bar},
     run_processor::run_processor,
     stop::stop_on_signals,
 };
 use crate::{
-    acquisition::{Bench, Mode, OverloadPolicy, SynchroniserThread},
-    config::{Config, ConfigFile},
-    pipeline::{Observer, Stage},
+    acquisition::{Account, Bench, Mode, Outcome, OverloadPolicy, SynchroniserThread},
+    config::{Config, ConfigFile, Purpose},
+    pipeline::{Observer, ShotRecord, Stage},
 };
 
 /// Arguments of `lfpiv run`.
@@ -45,7 +51,7 @@ pub struct RunArgs {
 
 /// Runs the bench until its shots are done or it is told to stop by Ctrl-C or SIGTERM.
 pub fn run(args: RunArgs) -> anyhow::Result<()> {
-    let file = ConfigFile::load(&args.config)?;
+    let file = ConfigFile::load_for(Purpose::Bench, &args.config)?;
     let truth = match &args.truth {
         Some(path) => ConfigFile::load(path)?.config.simulation,
         None => file.config.simulation.clone(),
@@ -102,6 +108,7 @@ async fn run_bench(
     let shots = plan.shots;
     let config = plan.file.config.clone();
     let has_instruments = plan.file.config.instruments.is_some();
+    let keeps_images = config.raw_log.keep;
     let stop = stop_on_signals(synchroniser, "the last results may be left as .part files")?;
     let mut daemon = Daemon::prepare(plan).await?;
     daemon.share_synchroniser(synchroniser.clone());
@@ -110,7 +117,8 @@ async fn run_bench(
 
     let rows = Arc::new(Mutex::new(Vec::new()));
     let bar = shots.map(|shots| progress_bar(shots.get() as usize, "shots"));
-    let observer = observer(truth, shots.is_some().then(|| rows.clone()), bar.clone());
+    let kept = shots.is_some().then(|| rows.clone());
+    let observer = observer(truth, kept, bar.clone(), tells_shots(shots));
     let processor = move || {
         let processor = run_processor(&config)?;
         Ok(move |pair: &_| processor.process_with_light(pair))
@@ -128,15 +136,26 @@ async fn run_bench(
         print(&stream_table(report.ledger.streams()))?;
     }
     print(&format!("results are in {}", report.folder.display()))?;
+    if let Some(shed) = shed(&report, keeps_images) {
+        print(&shed)?;
+    }
     complain(&report, &rows, stop.is_cancelled())
 }
 
-/// Collects a table row and moves the bar for every shot that leaves the pool. Only a bounded
-/// run keeps rows.
+/// Whether every shot gets a line when it is measured: where nobody sees a bar, but not in the
+/// system's journal, which has the log.
+fn tells_shots(shots: Option<NonZeroU64>) -> bool {
+    let shows_bar = shots.is_some() && io::stdout().is_terminal();
+    !shows_bar && !is_journal()
+}
+
+/// Collects a table row, moves the bar and says what came of it for every shot that leaves the
+/// pool. Only a bounded run keeps rows.
 fn observer(
     truth: Option<Flow>,
     rows: Option<Arc<Mutex<Vec<Row>>>>,
     bar: Option<ProgressBar>,
+    tells: bool,
 ) -> Observer {
     Box::new(move |record, result| {
         let bar = bar.clone().unwrap_or_else(ProgressBar::hidden);
@@ -144,11 +163,43 @@ fn observer(
             for warning in &record.warnings {
                 tracing::warn!(shot = record.shot, "{warning}");
             }
+            if tells && let Err(error) = print(&shot_line(record)) {
+                tracing::warn!("{error:#}");
+            }
         });
         if let Some(rows) = &rows {
             rows.lock().push(Row::new(record, result, truth.as_ref()));
         }
         bar.inc(1);
+    })
+}
+
+/// What came of a shot.
+fn shot_line(record: &ShotRecord) -> String {
+    let shot = record.shot;
+    match (record.stage, record.vectors, record.seconds) {
+        (Stage::Done, Some(vectors), Some(seconds)) => format!(
+            "shot {shot}: {}, {:.1} % valid, measured in {:.2} s",
+            count(vectors, "vector"),
+            100.0 * record.valid_share.unwrap_or(0.0),
+            seconds.decode_s + seconds.reconstruct_s + seconds.correlate_s
+        ),
+        // Why, says the log.
+        (Stage::WriteFailed, ..) => format!("shot {shot}: measured, but not written"),
+        _ => format!("shot {shot}: no result"),
+    }
+}
+
+/// What was taken but not measured, and how to measure it; nothing where there is nothing.
+fn shed(report: &DaemonReport, keeps_images: bool) -> Option<String> {
+    let shed = |account: &Account| account.outcomes.of(Outcome::Shed);
+    let shots = report.ledger.accounts().iter().map(shed).max().filter(|&shots| shots > 0)?;
+    let of = report.acquisition.triggers;
+    let folder = report.folder.display();
+    Some(if keeps_images {
+        format!("{shots} of {of} shots were not measured yet: lfpiv process {folder}")
+    } else {
+        format!("{shots} of {of} shots were not measured, and their images not kept (raw_log.keep)")
     })
 }
 

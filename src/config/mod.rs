@@ -4,14 +4,13 @@
 
 mod instruments;
 mod location;
+mod misfit;
 mod problem;
 mod range;
 mod server;
+mod shipped;
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use garde::Validate;
 use lfpiv_hw::{Optics, Pose, TimingSettings};
@@ -28,8 +27,10 @@ use crate::{
 };
 
 pub use instruments::InstrumentSettings;
+pub use misfit::Purpose;
 pub use problem::{ConfigError, Problem};
 pub use server::{ServerSettings, TlsSettings};
+pub use shipped::read_or_shipped;
 
 /// A configuration and the text it was read from, which is stored with the results.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,14 +44,23 @@ pub struct ConfigFile {
 }
 
 impl ConfigFile {
-    /// Reads and checks a configuration file.
+    /// Reads a configuration file to measure images with it.
     ///
     /// # Errors
     /// [`ConfigError`]: the file cannot be read, or what is wrong in it, line by line.
     pub fn load(path: &Path) -> Result<Self, ConfigError> {
-        let text = fs::read_to_string(path)
+        Self::load_for(Purpose::Images, path)
+    }
+
+    /// Reads a configuration file and checks that its parts fit together for `purpose`.
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub fn load_for(purpose: Purpose, path: &Path) -> Result<Self, ConfigError> {
+        let text = read_or_shipped(path)
             .map_err(|reason| ConfigError::Unreadable { path: path.into(), reason })?;
-        let config = Config::parse(&path.display().to_string(), &text)?;
+        let config = problem::read(&path.display().to_string(), &text, Some(purpose))
+            .map_err(|problems| ConfigError::Invalid { problems })?;
         Ok(Self { path: path.into(), text, config })
     }
 }
@@ -196,12 +206,13 @@ fn simulation_or_instruments(
 }
 
 impl Config {
-    /// Reads and checks the text of a configuration; `file` is only named in the messages.
+    /// Reads the text of a configuration and checks every value's range, not whether the parts fit
+    /// together: that of a recorded run stays readable. `file` is only named in the messages.
     ///
     /// # Errors
     /// [`ConfigError::Invalid`] with everything that is wrong.
     pub fn parse(file: &str, text: &str) -> Result<Self, ConfigError> {
-        problem::read(file, text).map_err(|problems| ConfigError::Invalid { problems })
+        problem::read(file, text, None).map_err(|problems| ConfigError::Invalid { problems })
     }
 
     /// The bench as the simulator sees it.

@@ -9,6 +9,7 @@ use toml::{Table, Value, de::DeTable};
 use super::{
     Config,
     location::{Entry, KeyPath, Step, entries, line_and_column},
+    misfit::{Purpose, misfits},
     range::{allowed_range, is_bound},
 };
 
@@ -61,8 +62,13 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Reads and checks a configuration; `file` is only named in the messages.
-pub(super) fn read(file: &str, text: &str) -> Result<Config, Vec<Problem>> {
+/// Reads and checks a configuration, with a purpose whether its parts fit together, too; `file` is
+/// only named in the messages.
+pub(super) fn read(
+    file: &str,
+    text: &str,
+    purpose: Option<Purpose>,
+) -> Result<Config, Vec<Problem>> {
     let syntax = |error: toml::de::Error| {
         let byte = error.span().map_or(0, |span| span.start);
         vec![problem(file, text, byte, String::new(), format!("not TOML: {}", error.message()))]
@@ -87,6 +93,12 @@ pub(super) fn read(file: &str, text: &str) -> Result<Config, Vec<Problem>> {
             if !not_finite.iter().any(|entry| path.contains(&entry.path)) {
                 problems.push(reader.rule_problem(&path, error.message()));
             }
+        }
+    }
+    // Values out of their ranges say nothing about the whole.
+    if let (true, Some(purpose)) = (problems.is_empty(), purpose) {
+        for misfit in misfits(&config, purpose) {
+            problems.push(reader.rule_problem(&KeyPath::parse(misfit.key), &misfit.message));
         }
     }
     problems.sort_by_key(|problem| (problem.line, problem.column));

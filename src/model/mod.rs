@@ -16,6 +16,7 @@ mod grid;
 mod parts;
 mod quadrature;
 mod settings;
+mod sight;
 mod tables;
 mod thin_lens;
 mod weights;
@@ -34,6 +35,7 @@ pub use grid::VolumeGrid;
 pub use parts::{Blur, ModelParts};
 pub use quadrature::QuadratureWeights;
 pub use settings::{ModelMode, ModelSettings, Switch, mode_or_table};
+pub use sight::{Sight, degrees_apart};
 pub use thin_lens::{ThinLensModel, thin_lens_model, thin_lens_model_of};
 pub use weights::{TableWeights, Weight, WeightSource};
 

@@ -85,6 +85,17 @@ pub struct ReconstructionSettings {
     pub footprint: Footprint,
 }
 
+/// SART's passes by default. The paper takes 400 and more; these show the method at a bearable
+/// cost.
+const SART_PASSES: usize = 20;
+
+impl ReconstructionSettings {
+    /// Passes of SART and its kin.
+    pub fn sart_passes(&self) -> usize {
+        self.passes.unwrap_or(SART_PASSES)
+    }
+}
+
 impl Default for ReconstructionSettings {
     fn default() -> Self {
         Self {

@@ -19,10 +19,6 @@ use crate::{
     },
 };
 
-/// SART's passes by default. The paper takes 400 and more; these show the method at a bearable
-/// cost.
-const SART_PASSES: usize = 20;
-
 /// Ordered subsets per camera by default: the paper's memory falls to 1/12.
 const SUBSETS_PER_CAMERA: usize = 12;
 
@@ -221,7 +217,7 @@ impl Reconstructor {
     fn sart_options(&self) -> SartOptions {
         SartOptions {
             relaxation: self.settings.relaxation.unwrap_or(1.0) as f32,
-            passes: self.settings.passes.unwrap_or(SART_PASSES),
+            passes: self.settings.sart_passes(),
             subsets: self.balanced(),
         }
     }

@@ -17,7 +17,7 @@ const LEAST_FILES: u64 = 256;
 
 /// Everything about the machine that needs no configuration, though one sharpens it.
 pub fn examine(need: Option<&Need>) -> Vec<Finding> {
-    let available = fs::read_to_string("/proc/meminfo").ok().and_then(|text| available(&text));
+    let available = free_memory_bytes();
     let governor = fs::read_to_string("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
     vec![
         processor(cores(), &instruction_sets()),
@@ -62,6 +62,11 @@ fn instruction_sets() -> Vec<&'static str> {
     #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
     let sets: [(&str, bool); 0] = [];
     sets.into_iter().filter(|(_, there)| *there).map(|(name, _)| name).collect()
+}
+
+/// Memory that programs may still have, in bytes, where the system tells.
+pub fn free_memory_bytes() -> Option<f64> {
+    fs::read_to_string("/proc/meminfo").ok().and_then(|text| available(&text))
 }
 
 /// `MemAvailable` of /proc/meminfo, in bytes.

@@ -4,9 +4,8 @@
 mod clock;
 mod disk;
 mod endpoint;
-mod finding;
-mod machine;
-mod need;
+pub mod machine;
+pub mod need;
 mod network;
 mod routes;
 mod serial;
@@ -15,10 +14,12 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 
-use super::output::{count, print};
-use crate::config::ConfigFile;
-pub use finding::{Finding, Verdict};
-use need::Need;
+use super::{
+    finding::{self, Finding, Verdict},
+    output::{count, print},
+};
+use crate::config::{ConfigFile, Purpose};
+pub use need::Need;
 
 /// Arguments of `lfpiv doctor`.
 #[derive(Debug, clap::Args)]
@@ -34,7 +35,8 @@ pub struct DoctorArgs {
 
 /// Looks at everything and says what to do; an error only where there is a problem.
 pub fn doctor(args: &DoctorArgs) -> anyhow::Result<()> {
-    let file = args.config.as_deref().map(ConfigFile::load).transpose()?;
+    let file = args.config.as_deref();
+    let file = file.map(|path| ConfigFile::load_for(Purpose::Bench, path)).transpose()?;
     let findings = examine(file.as_ref());
     let text = if args.json { json(&findings)? } else { finding::report(&findings) };
     print(&text)?;

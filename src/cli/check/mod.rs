@@ -1,12 +1,15 @@
 //! `lfpiv check`: is the configuration right, and what will be done with it?
 
+mod advice;
+mod sample;
+
 use std::{fmt::Write, path::PathBuf};
 
 use anyhow::Context;
 
-use super::output::print;
+use super::{finding, output::print};
 use crate::{
-    config::{Config, ConfigFile},
+    config::{Config, ConfigFile, Purpose},
     model::VolumeGrid,
     pipeline::Processor,
 };
@@ -17,15 +20,27 @@ pub struct CheckArgs {
     /// Configuration file (TOML).
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
+    /// Leave out the expected seconds: no piece of the volume is simulated and measured for them.
+    #[arg(long)]
+    pub quick: bool,
 }
 
-/// Validates a configuration, sets the measurement up and prints what it will do.
+/// Validates a configuration, sets the measurement up and prints what it will do, and what could be
+/// better.
 pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
-    let file = ConfigFile::load(&args.config)?;
+    let file = ConfigFile::load_for(Purpose::Bench, &args.config)?;
     let processor = Processor::new(file.config.measurement())
         .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
     let (path, plan) = (args.config.display(), processor.plan());
-    print(&format!("{path} is valid.\n\n{}\n{plan}", summary(&file.config)))
+    print(&format!("{path} is valid.\n\n{}\n{plan}", summary(&file.config)))?;
+    // The tables of the whole volume are no longer needed, and may be large.
+    drop(processor);
+    let mut findings = advice::of_configuration(&file.config);
+    findings.push(advice::memory(&file.config, &plan));
+    if !args.quick {
+        findings.push(advice::time(&file.config, &sample::expected(&file.config, &plan)));
+    }
+    print(&finding::report(&findings))
 }
 
 /// What is known from the configuration alone, one line per subject.

@@ -1,0 +1,226 @@
+//! What could be better about a bench, seen from its configuration.
+
+use super::{
+    super::{
+        doctor::{
+            machine::free_memory_bytes,
+            need::{Need, cores, mb},
+        },
+        finding::Finding,
+    },
+    sample::{ASSUMED_PPM, Expected, aligned, total},
+};
+use crate::{
+    config::Config,
+    model::{Sight, degrees_apart},
+    pipeline::Plan,
+};
+
+/// Share of the volume that all cameras should see.
+const GOOD_COMMON_VIEW: f64 = 0.9;
+
+/// Cameras nearer to each other (or to facing each other) leave depth to the light field alone.
+const GOOD_DEGREES_APART: f64 = 45.0;
+
+/// Diameter of the pupil's image behind a microlens over the pitch: below the first, pixels stay
+/// dark, above the second, neighbours overlap.
+const GOOD_FILL: [f64; 2] = [0.8, 1.05];
+
+/// Particles that a window should hold: with five pairs a displacement is found in 95 of 100 windows
+/// (Keane and Adrian 1992).
+const GOOD_PARTICLES: f64 = 5.0;
+
+/// What needs no measurement.
+pub fn of_configuration(config: &Config) -> Vec<Finding> {
+    let mut findings = vec![view(config)];
+    findings.extend(directions(config));
+    findings.push(f_numbers(config));
+    findings.push(particles(config));
+    findings
+}
+
+fn view(config: &Config) -> Finding {
+    const CHECK: &str = "view";
+    let seen = Sight::new(&config.optics, &config.camera, &config.volume);
+    let each = (1..).zip(&seen.each);
+    let each: Vec<String> = each
+        .map(|(camera, share)| format!("camera {camera} sees {:.0} %", 100.0 * share))
+        .collect();
+    let found = match config.camera.len() {
+        1 => format!("{} of the volume", each.join(", ")),
+        _ => {
+            format!("{} of the volume, {:.0} % seen by both", each.join(", "), 100.0 * seen.common)
+        }
+    };
+    let finding = if seen.common < GOOD_COMMON_VIEW {
+        let todo = "vectors outside the common view will be invalid: make [volume] smaller";
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    finding.with("common_share", seen.common)
+}
+
+/// How the cameras stand to each other and to the grid.
+fn directions(config: &Config) -> Vec<Finding> {
+    const CHECK: &str = "directions";
+    let straight = aligned(&config.camera);
+    let turned: Vec<String> = (1..)
+        .zip(config.camera.iter().zip(&straight))
+        .filter(|(_, (camera, straight))| camera != straight)
+        .map(|(number, _)| format!("camera {number}"))
+        .collect();
+    let along = if turned.is_empty() {
+        Finding::ok(CHECK, "all cameras look along axes of the volume")
+    } else {
+        Finding::advice(
+            CHECK,
+            format!("{} looks along none of the volume's axes", turned.join(" and ")),
+            "a pair takes many times longer and tables many times the memory (see time and memory \
+             below): stand the cameras along x, y or z of the volume where the bench allows it",
+        )
+    };
+    let [one, other] = config.camera.as_slice() else {
+        let found = "one camera";
+        let todo = "depth comes from its views alone, ten times coarser than the rest: use two";
+        return vec![along, Finding::advice("angle", found, todo)];
+    };
+    let degrees = degrees_apart(&config.optics, [one, other], &config.volume);
+    let found = format!("{degrees:.0} degrees between the cameras");
+    let angle = if degrees.min(180.0 - degrees) < GOOD_DEGREES_APART {
+        let todo = "depth is measured worse than the rest: 90 degrees are best";
+        Finding::advice("angle", found, todo)
+    } else {
+        Finding::ok("angle", found)
+    };
+    vec![along, angle.with("degrees", degrees)]
+}
+
+fn f_numbers(config: &Config) -> Finding {
+    const CHECK: &str = "f-numbers";
+    let optics = &config.optics;
+    let lens = optics.image_distance_mm() / optics.pupil_diameter_mm();
+    let microlens = optics.microlens.focal_length_mm / optics.microlens.pitch_mm;
+    let fill = microlens / lens;
+    let found = format!("microlenses f/{microlens:.1} behind a lens that works at f/{lens:.1}");
+    let finding = if fill < GOOD_FILL[0] {
+        let todo = format!(
+            "micro-images fill {:.0} % of their pixels: stop the main lens less down, to f/{:.1} \
+             (optics.f_number), or use microlenses of f/{lens:.1}",
+            100.0 * fill * fill,
+            optics.f_number * fill
+        );
+        Finding::advice(CHECK, found, todo)
+    } else if fill > GOOD_FILL[1] {
+        let todo = format!(
+            "micro-images overlap, and their light is taken for that of neighbours: stop the main \
+             lens down to f/{:.1} (optics.f_number)",
+            optics.f_number * fill
+        );
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    finding.with("fill", fill)
+}
+
+fn particles(config: &Config) -> Finding {
+    const CHECK: &str = "particles";
+    let bench = config.bench_geometry();
+    let window_mm =
+        config.velocimetry.in_voxels(&config.volume).window as f64 * config.volume.voxel_mm;
+    // Seeding counts particles over the volume's x and y, as [simulation] does.
+    let per_mm3 = 1.0 / bench.object_pitch_mm().powi(2) / bench.volume.extents_mm()[2];
+    let per_window = per_mm3 * window_mm.powi(3);
+    let least_ppm = GOOD_PARTICLES / per_window;
+    let (ppm, known) = match &config.simulation {
+        Some(scene) => (scene.ppm, "seeding"),
+        None => (ASSUMED_PPM, "an assumed seeding"),
+    };
+    let number = ppm * per_window;
+    let found = format!("{number:.1} in a window at {known} of {ppm} per microlens");
+    let finding = if number < GOOD_PARTICLES {
+        let todo = format!(
+            "{GOOD_PARTICLES} or more make most windows valid: seed with {least_ppm:.2} per \
+             microlens, or set velocimetry.window_mm to {:.1}",
+            window_mm * (GOOD_PARTICLES / number.max(1e-9)).cbrt()
+        );
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    finding.with("per_window", number)
+}
+
+/// Memory for a pair that is measured while others wait.
+pub fn memory(config: &Config, plan: &Plan) -> Finding {
+    const CHECK: &str = "memory";
+    let waiting = Need::of(config).waiting_bytes();
+    let pair = (plan.image_bytes + plan.view_bytes + plan.table_bytes) as f64;
+    let needed = pair + waiting;
+    let found = format!(
+        "{} for tables and a pair, {} for the images of pairs that wait at {} shots/s",
+        mb(pair),
+        mb(waiting),
+        config.shot.rate_hz
+    );
+    let finding = match free_memory_bytes() {
+        Some(free) if free < needed => {
+            let found = format!("{found}; {} free", mb(free));
+            let todo = "end other programs, lower pipeline.queue, or make the volume smaller";
+            Finding::advice(CHECK, found, todo)
+        }
+        Some(free) => Finding::ok(CHECK, format!("{found}; {} free", mb(free))),
+        None => Finding::ok(CHECK, found),
+    };
+    finding.with("needed_mb", needed / 1e6)
+}
+
+/// Seconds of a pair against the rate of shots.
+pub fn time(config: &Config, expected: &anyhow::Result<Expected>) -> Finding {
+    const CHECK: &str = "time";
+    let Expected { seconds, slower } = match expected {
+        Ok(expected) => expected,
+        Err(error) => {
+            let found = format!("unknown: {error:#}");
+            return Finding::advice(CHECK, found, "correct [simulation], or measure a pair");
+        }
+    };
+    let pair_s = total(seconds);
+    let assumed = match config.simulation {
+        Some(_) => String::new(),
+        None => format!(", with {ASSUMED_PPM} particles per microlens"),
+    };
+    let longer = slower.map_or(String::new(), |factor| {
+        format!("; {factor:.0} times longer than with cameras along the volume's axes")
+    });
+    let found =
+        format!("about {} per pair on {} cores{assumed}{longer}", in_words(pair_s), cores());
+    let load = pair_s * config.shot.rate_hz;
+    let finding = if load > 1.0 {
+        let todo = format!(
+            "{} shots/s come in, about {} are measured meanwhile; a run keeps the images of the \
+             others, and `lfpiv process RUN` measures them afterwards",
+            config.shot.rate_hz,
+            in_digits(1.0 / pair_s)
+        );
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    finding.with("pair_s", pair_s)
+}
+
+fn in_words(seconds: f64) -> String {
+    format!("{} s", in_digits(seconds))
+}
+
+/// Two digits are what an estimate is worth.
+fn in_digits(value: f64) -> String {
+    match value {
+        10.0.. => format!("{value:.0}"),
+        1.0..10.0 => format!("{value:.1}"),
+        0.1..1.0 => format!("{value:.2}"),
+        _ => format!("{value:.3}"),
+    }
+}

@@ -1,0 +1,320 @@
+//! How long a pair will take here, measured on a piece of the volume.
+//!
+//! The work in a pair follows from how many voxels its light leaves possible, and that from seeding,
+//! depths, noise and solver together. No formula says it well, so a piece of the volume is simulated
+//! and measured as any pair is, on this machine as busy as it is, and its seconds are scaled.
+//!
+//! The piece is a slab across an axis that every camera sees from the side: depths, and so the
+//! widths of shadows and the share of false voxels, are those of the whole volume. Where a camera
+//! looks along no axis of the grid, the solver takes a slower path (`model::VoxelwiseBlocks`), and a
+//! slab of it would take minutes: the cameras are turned to the nearest axes for the slab, and the
+//! slower path is held against the faster one on a small cube. SART visits every voxel in every
+//! pass, so one pass over a cube says all.
+
+use anyhow::Context;
+use lfpiv_hw::Pose;
+use lfpiv_sim::Scene;
+use nalgebra::Vector3;
+
+use crate::{
+    config::Config,
+    lightfield::ImageSettings,
+    model::VolumeGrid,
+    pipeline::{ImagePair, Plan, Processor, StageSeconds},
+    reconstruction::Solver,
+};
+
+/// Particles per microlens where the configuration has no scene that says it.
+pub const ASSUMED_PPM: f64 = 0.5;
+
+/// Edge of a cube, in voxels: wide enough that work and not the start of threads is measured.
+const CUBE_VOX: usize = 16;
+
+/// A slab is at least so thick, in voxels.
+const LEAST_SLAB_VOX: usize = 16;
+
+/// Pieces measured in less than this are measured twice: the first pair finds cold caches.
+const SHORT_S: f64 = 1.0;
+
+/// A direction along an axis of the grid, within the rounding that the model allows.
+const ALONG: f64 = 1.0 - 1e-9;
+
+/// What a pair is expected to take.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expected {
+    /// Per stage, for the whole volume.
+    pub seconds: StageSeconds,
+    /// How many times longer the reconstruction takes than with cameras along the grid's axes,
+    /// where they are not.
+    pub slower: Option<f64>,
+}
+
+/// The seconds that a pair of `config`'s bench will take on this machine; `plan` is that of the whole
+/// volume.
+///
+/// # Errors
+/// A scene or a piece of the volume that cannot be simulated or measured.
+pub fn expected(config: &Config, plan: &Plan) -> anyhow::Result<Expected> {
+    expected_by(config, &|piece| measure(piece, plan))
+}
+
+/// [`expected`], with what a piece takes as `measure` tells it.
+fn expected_by(
+    config: &Config,
+    measure: &dyn Fn(&Config) -> anyhow::Result<StageSeconds>,
+) -> anyhow::Result<Expected> {
+    let sart = matches!(config.reconstruction.solver, Solver::Sart | Solver::OsSart);
+    let aligned = aligned(&config.camera);
+    let oblique = aligned != config.camera && !sart;
+    let piece = if sart { one_pass(cube(config)) } else { slab(config, aligned.clone()) };
+    let measured = measure(&piece).context("a piece of the volume cannot be measured")?;
+    let voxels = larger(config, &piece);
+    let passes = if sart { config.reconstruction.sart_passes() as f64 } else { 1.0 };
+    let slower = if oblique {
+        let cube = cube(config);
+        let straight = Config { camera: aligned, ..cube.clone() };
+        let of = |piece| anyhow::Ok(measure(piece)?.reconstruct_s.max(1e-6));
+        Some((of(&cube)? / of(&straight)?).max(1.0))
+    } else {
+        None
+    };
+    let seconds = StageSeconds {
+        decode_s: measured.decode_s,
+        reconstruct_s: measured.reconstruct_s * voxels * passes * slower.unwrap_or(1.0),
+        correlate_s: measured.correlate_s * voxels,
+    };
+    Ok(Expected { seconds, slower })
+}
+
+/// Seconds of a pair of this piece. Decoding is scaled to the views of the whole volume.
+fn measure(piece: &Config, whole: &Plan) -> anyhow::Result<StageSeconds> {
+    let (bench, scene) = (piece.bench_geometry(), scene(piece));
+    scene.check(&bench)?;
+    let pair = ImagePair { cameras: scene.shot(&bench, scene.seed, 0).images };
+    let processor = Processor::new(piece.measurement())?;
+    let mut seconds = processor.process(&pair)?.seconds;
+    if total(&seconds) < SHORT_S {
+        let again = processor.process(&pair)?.seconds;
+        seconds = if total(&again) < total(&seconds) { again } else { seconds };
+    }
+    seconds.decode_s *= whole.view_bytes as f64 / processor.plan().view_bytes.max(1) as f64;
+    Ok(seconds)
+}
+
+/// Seconds of all stages.
+pub fn total(seconds: &StageSeconds) -> f64 {
+    seconds.decode_s + seconds.reconstruct_s + seconds.correlate_s
+}
+
+fn scene(config: &Config) -> Scene {
+    let assumed = || Scene { ppm: ASSUMED_PPM, ..Scene::default() };
+    config.simulation.clone().unwrap_or_else(assumed)
+}
+
+/// How many times larger the volume is than its piece. Around both are voxels that light may be in:
+/// half of the margin is counted.
+fn larger(config: &Config, piece: &Config) -> f64 {
+    let margin = config.velocimetry.max_displacement_vox / 2.0 + 1.0;
+    let along = |axis: usize| {
+        let [whole, part] = [config, piece].map(|c| c.volume.voxels[axis] as f64 + margin);
+        whole / part
+    };
+    (0..3).map(along).product()
+}
+
+/// A slab across the longest axis that no camera looks along, seeded as densely as the whole.
+fn slab(config: &Config, camera: Vec<Pose>) -> Config {
+    let from_the_side = |axis: &usize| camera.iter().all(|pose| pose.axis[*axis].abs() < 0.5);
+    let across = (0..3).filter(from_the_side).max_by_key(|&axis| config.volume.voxels[axis]);
+    let search = config.velocimetry.in_voxels(&config.volume).search;
+    let mut most = config.volume.voxels;
+    if let Some(axis) = across {
+        most[axis] = search.max(LEAST_SLAB_VOX);
+    }
+    let mut slab = cut(config, most);
+    slab.camera = camera;
+    // Seeding counts particles per area of the volume's x and y: a thinner z has fewer.
+    let thinner = slab.volume.voxels[2] as f64 / config.volume.voxels[2] as f64;
+    let scene = scene(config);
+    let sheet_mm = scene.sheet_mm.map(|mut sheet| {
+        if let Some(axis) = across {
+            sheet[axis] = sheet[axis].min(most[axis] as f64 * config.volume.voxel_mm);
+        }
+        sheet
+    });
+    slab.simulation = Some(Scene { ppm: scene.ppm * thinner, sheet_mm, ..scene });
+    slab
+}
+
+/// A cube in the volume's middle with as many particles under a microlens.
+fn cube(config: &Config) -> Config {
+    let mut cube = cut(config, [CUBE_VOX; 3]);
+    cube.simulation = Some(Scene { sheet_mm: None, ..scene(config) });
+    cube
+}
+
+fn one_pass(mut piece: Config) -> Config {
+    piece.reconstruction.passes = Some(1);
+    piece
+}
+
+/// The configuration for a part of its volume, at most so many voxels long. What is known about
+/// images holds for those of the bench, not for simulated ones.
+fn cut(config: &Config, most: [usize; 3]) -> Config {
+    let VolumeGrid { voxels, .. } = config.volume;
+    let voxels = std::array::from_fn(|axis| voxels[axis].min(most[axis]));
+    Config {
+        volume: VolumeGrid { voxels, ..config.volume.clone() },
+        image: ImageSettings::default(),
+        ..config.clone()
+    }
+}
+
+/// The cameras, each turned to the axes of the grid that it looks along most nearly; no two along
+/// the same axis.
+pub fn aligned(cameras: &[Pose]) -> Vec<Pose> {
+    let is_aligned = |pose: &Pose| {
+        [pose.right, pose.up, pose.axis].iter().all(|direction| direction.amax() >= ALONG)
+    };
+    if cameras.iter().all(is_aligned) {
+        return cameras.to_vec();
+    }
+    let mut taken = Vec::new();
+    let turned = cameras.iter().map(|pose| {
+        let axis = nearest(&pose.axis, &taken);
+        taken.push(axis.iamax());
+        let right = nearest(&pose.right, &[axis.iamax()]);
+        Pose { right, up: axis.cross(&right), axis, origin_mm: pose.origin_mm }
+    });
+    turned.collect()
+}
+
+/// The axis nearest to a direction, without these.
+fn nearest(direction: &Vector3<f64>, without: &[usize]) -> Vector3<f64> {
+    let free = (0..3).filter(|axis| !without.contains(axis));
+    let length = |axis: &usize| direction[*axis].abs();
+    let axis = free.max_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or(0);
+    let mut along = Vector3::zeros();
+    along[axis] = if direction[axis] < 0.0 { -1.0 } else { 1.0 };
+    along
+}
+
+#[cfg(test)]
+mod tests {
+    use lfpiv_sim::FrameOfPair;
+
+    use super::*;
+    use crate::{
+        lightfield::{PhotometricZones, ViewLayout},
+        reconstruction::{Reconstructor, ViewLevels},
+        test_bench,
+    };
+
+    /// The second camera of the bench, turned about x until it looks `degrees` beside the first.
+    fn cameras(degrees: f64) -> Vec<Pose> {
+        let mut poses = test_bench::poses();
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        poses[1].axis = Vector3::new(0.0, sin, cos);
+        poses[1].up = Vector3::new(0.0, cos, -sin);
+        poses
+    }
+
+    fn small() -> Config {
+        let text = include_str!("../../../tests/data/small.toml");
+        Config::parse("small", text).unwrap()
+    }
+
+    #[test]
+    fn cameras_are_turned_to_the_nearest_free_axes() {
+        let turned = aligned(&cameras(60.0));
+        assert_eq!(turned, test_bench::poses());
+        // Nearer to the first camera's axis, which is taken.
+        assert_eq!(aligned(&cameras(20.0))[1].axis, Vector3::y());
+        for pose in aligned(&cameras(20.0)) {
+            assert_eq!(pose.right.cross(&pose.up), pose.axis);
+        }
+        assert_eq!(aligned(&test_bench::poses()), test_bench::poses());
+    }
+
+    /// Views times active voxels, summed over the passes: what the solver's time goes with, whatever
+    /// the machine does besides.
+    fn work(config: &Config) -> anyhow::Result<StageSeconds> {
+        let (optics, scene) = (&config.optics, scene(config));
+        let bench = config.bench_geometry();
+        let reconstructor =
+            Reconstructor::new(optics, &config.camera, &config.volume, &config.reconstruction)?;
+        let layouts = reconstructor.layouts();
+        let truth = scene.truth(&bench, scene.seed, 0);
+        let decode = |(camera, layout): (usize, &ViewLayout)| {
+            let light = scene.light(&bench, &truth, camera, FrameOfPair::A);
+            let image = scene.sensor.expose(&light, &[1, 0, camera as u64, 0]);
+            let zones = PhotometricZones::new(optics, &layout.columns, &layout.rows);
+            let levels = zones.levels(&image, &config.image);
+            let views = layout.decode_above_black(&image, &levels);
+            let levels = ViewLevels::of(&views, levels.noise_counts);
+            (views, levels)
+        };
+        let (views, levels): (Vec<_>, Vec<_>) = layouts.iter().enumerate().map(decode).unzip();
+        let solved = reconstructor.reconstruct(&views, &levels);
+        let per_pass: usize = layouts.iter().map(|layout| layout.views.len()).sum();
+        let active: usize = solved.passes.iter().map(|pass| pass.active_voxels).sum();
+        let reconstruct_s = (per_pass * active) as f64;
+        Ok(StageSeconds { reconstruct_s, ..StageSeconds::default() })
+    }
+
+    /// The work in a long volume follows from that in a slab of it, at light seeding and at heavy.
+    #[test]
+    fn the_work_in_a_slab_tells_that_in_the_volume() {
+        let mut config = small();
+        config.optics.microlens.columns = 81;
+        config.optics.sensor.columns = 1480;
+        config.volume.voxels = [64, 20, 16];
+        for ppm in [0.2, 1.0] {
+            config.simulation.as_mut().unwrap().ppm = ppm;
+            let whole = work(&config).unwrap().reconstruct_s;
+            let expected = expected_by(&config, &work).unwrap();
+            let ratio = expected.seconds.reconstruct_s / whole;
+            assert!((0.5..2.0).contains(&ratio), "{ppm} per microlens: {ratio}");
+            assert_eq!(expected.slower, None);
+        }
+    }
+
+    #[test]
+    fn cameras_beside_the_axes_take_as_much_longer_as_a_cube_of_them_does() {
+        let mut config = small();
+        config.camera = cameras(60.0);
+        let measure = |piece: &Config| {
+            let oblique = piece.camera == config.camera;
+            let reconstruct_s = if oblique { 12.0 } else { 0.5 };
+            Ok(StageSeconds { reconstruct_s, correlate_s: 0.25, ..StageSeconds::default() })
+        };
+        let expected = expected_by(&config, &measure).unwrap();
+        assert_eq!(expected.slower, Some(24.0));
+        let longer = larger(&config, &slab(&config, aligned(&config.camera)));
+        assert_eq!(expected.seconds.reconstruct_s, 12.0 * longer);
+        assert_eq!(expected.seconds.correlate_s, 0.25 * longer);
+    }
+
+    #[test]
+    fn a_slab_keeps_depths_and_density() {
+        let mut config = small();
+        config.volume.voxels = [100, 20, 16];
+        let piece = slab(&config, config.camera.clone());
+        assert_eq!(piece.volume.voxels, [16, 20, 16]);
+        assert_eq!(piece.simulation.as_ref().unwrap().ppm, scene(&config).ppm);
+        assert!((larger(&config, &piece) - 102.0 / 18.0).abs() < 1e-12);
+        // Cameras along x and y: the slab lies across z, with fewer particles under a microlens.
+        config.volume.voxels = [20, 20, 64];
+        let x = Pose {
+            right: -Vector3::z(),
+            up: Vector3::y(),
+            axis: Vector3::x(),
+            origin_mm: Vector3::zeros(),
+        };
+        let y = config.camera[1].clone();
+        let piece = slab(&config, vec![x, y]);
+        assert_eq!(piece.volume.voxels, [20, 20, 16]);
+        let thinner = piece.simulation.unwrap().ppm / scene(&config).ppm;
+        assert!((thinner - 0.25).abs() < 1e-12);
+    }
+}
