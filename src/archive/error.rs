@@ -64,6 +64,17 @@ pub enum ArchiveError {
         /// All files that should be there.
         needed: String,
     },
+    /// Two files with names of one image.
+    #[error(
+        "{} and {} are both named as the same image: remove one of them", first.display(),
+        second.display()
+    )]
+    TwoImages {
+        /// A file that may be meant.
+        first: PathBuf,
+        /// Another one.
+        second: PathBuf,
+    },
     /// The file is damaged or no TIFF.
     #[error(
         "cannot read {}: {reason}; the file is damaged, truncated or not a TIFF: \

@@ -18,13 +18,15 @@ pub fn image_names(index: usize) -> [String; 2] {
 
 /// Reads the images of the first `cameras` cameras from a pair folder.
 ///
-/// Every image must have `size` pixels. Images are read side by side. Images of further cameras in the folder are ignored.
+/// Every image must have `size` pixels. Images are read side by side. Images of further cameras in
+/// the folder are ignored. Other programs end names in `.tiff` or write them in capitals: that is
+/// all the same.
 pub fn read_pair(
     folder: &Path,
     cameras: usize,
     size: ImageSize,
 ) -> Result<ImagePair, ArchiveError> {
-    let read = |name: String| read_image(&folder.join(name), cameras, size);
+    let read = |name: String| read_image(folder, &name, cameras, size);
     let of_camera = |index: usize| {
         let [a, b] = image_names(index);
         rayon::join(|| read(a), || read(b))
@@ -35,21 +37,50 @@ pub fn read_pair(
     Ok(ImagePair { cameras })
 }
 
-fn read_image(path: &Path, cameras: usize, size: ImageSize) -> Result<RawImage, ArchiveError> {
-    if !path.exists() {
-        return Err(ArchiveError::MissingImage {
-            path: path.into(),
-            cameras: if cameras == 1 { "1 camera".into() } else { format!("{cameras} cameras") },
-            needed: (0..cameras).flat_map(image_names).collect::<Vec<_>>().join(", "),
-        });
-    }
-    let image = read_grey_tiff(path)?;
+fn read_image(
+    folder: &Path,
+    name: &str,
+    cameras: usize,
+    size: ImageSize,
+) -> Result<RawImage, ArchiveError> {
+    let path = match files_of(folder, name).as_slice() {
+        [] => {
+            return Err(ArchiveError::MissingImage {
+                path: folder.join(name),
+                cameras: if cameras == 1 {
+                    "1 camera".into()
+                } else {
+                    format!("{cameras} cameras")
+                },
+                needed: (0..cameras).flat_map(image_names).collect::<Vec<_>>().join(", "),
+            });
+        }
+        [path] => path.clone(),
+        [first, second, ..] => {
+            let [first, second] = [first, second].map(|path| path.to_owned());
+            return Err(ArchiveError::TwoImages { first, second });
+        }
+    };
+    let image = read_grey_tiff(&path)?;
     let found = grey_tiff::size_of(&image);
     if found == size {
         Ok(image)
     } else {
-        Err(ArchiveError::WrongSize { path: path.into(), found, expected: size })
+        Err(ArchiveError::WrongSize { path, found, expected: size })
     }
+}
+
+/// The files that may be meant by a name such as `cam1_a.tif`, sorted: in small letters or in
+/// capitals, with `.tif` or `.tiff`.
+fn files_of(folder: &Path, name: &str) -> Vec<PathBuf> {
+    let meant = |path: &PathBuf| {
+        let found = path.file_name().map(|found| found.to_string_lossy().to_ascii_lowercase());
+        found.is_some_and(|found| found == name || found == format!("{name}f")) && path.is_file()
+    };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(meant).collect();
+    files.sort();
+    files
 }
 
 /// Writes a pair folder, creating it if need be.
@@ -87,7 +118,7 @@ pub fn find_pair_folders(folder: &Path) -> Result<Vec<PathBuf>, ArchiveError> {
 }
 
 fn holds_images(folder: &Path) -> bool {
-    (0..2).flat_map(image_names).any(|name| folder.join(name).is_file())
+    (0..2).flat_map(image_names).any(|name| !files_of(folder, &name).is_empty())
 }
 
 #[cfg(test)]
@@ -122,6 +153,22 @@ mod tests {
         let message = failure(root.path(), 2);
         assert!(message.contains("cam2_a.tif is missing"), "{message}");
         assert!(message.contains("cam1_a.tif, cam1_b.tif, cam2_a.tif, cam2_b.tif"), "{message}");
+    }
+
+    #[test]
+    fn images_are_found_whatever_program_named_them() {
+        let root = tempfile::tempdir().unwrap();
+        write_pair(root.path(), &pair(2), FileDepth::Eight).unwrap();
+        let names = ["cam1_a.tiff", "cam1_b.TIF", "CAM2_A.TIFF", "cam2_b.tif"];
+        for (from, to) in (0..2).flat_map(image_names).zip(names) {
+            fs::rename(root.path().join(from), root.path().join(to)).unwrap();
+        }
+        assert_eq!(read_pair(root.path(), 2, SIZE).unwrap().cameras, pair(2).cameras);
+        assert_eq!(find_pair_folders(root.path()).unwrap(), [root.path()]);
+        // Which of two is meant, nobody can know.
+        fs::copy(root.path().join("cam1_a.tiff"), root.path().join("cam1_a.tif")).unwrap();
+        let message = failure(root.path(), 2);
+        assert!(message.contains("cam1_a.tif ") && message.contains("cam1_a.tiff"), "{message}");
     }
 
     #[test]

@@ -1,12 +1,12 @@
 //! From a declared case to configurations that can be simulated and measured.
 
-use std::{fs, path::Path};
+use std::path::Path;
 
 use lfpiv_sim::{BenchGeometry, Flow, Placement, Scene};
 use toml::{Table, Value};
 
 use super::{BenchmarkError, Case, Method, Row, suite::AS_CONFIGURED};
-use crate::config::Config;
+use crate::config::{Config, read_or_shipped};
 
 /// A case at one seeding density with so many cameras.
 #[derive(Debug, Clone)]
@@ -47,7 +47,7 @@ impl Case {
     /// The configuration file with the case's changes, checked as any configuration is.
     fn configuration(&self, folder: &Path) -> Result<Config, BenchmarkError> {
         let path = folder.join(&self.config);
-        let text = fs::read_to_string(&path)
+        let text = read_or_shipped(&path)
             .map_err(|reason| BenchmarkError::Unreadable { path: path.clone(), reason })?;
         let malformed = |reason: String| BenchmarkError::Malformed { path: path.clone(), reason };
         let mut table: Table =

@@ -1,14 +1,14 @@
 //! What is to be measured: the declaration of methods and cases.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use super::BenchmarkError;
-use crate::reconstruction::{ReconstructionSettings, Solver};
+use crate::{
+    config::read_or_shipped,
+    reconstruction::{ReconstructionSettings, Solver},
+};
 
 /// The method that is a case's own `[reconstruction]` table, whatever it says.
 pub const AS_CONFIGURED: &str = "configured";
@@ -192,7 +192,7 @@ impl Suite {
     /// # Errors
     /// The file cannot be read or understood, or a case names a method that is not declared.
     pub fn load(path: &Path) -> Result<Self, BenchmarkError> {
-        let text = fs::read_to_string(path)
+        let text = read_or_shipped(path)
             .map_err(|reason| BenchmarkError::Unreadable { path: path.into(), reason })?;
         let mut suite: Self = toml::from_str(&text).map_err(|error| BenchmarkError::Malformed {
             path: path.into(),

@@ -91,8 +91,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     if failures.is_empty() {
         return Ok(());
     }
-    let listed = failures.iter().map(|failure| format!("\n  {failure}")).collect::<String>();
-    bail!("{} could not be measured:{listed}", count(failures.len(), "pair folder"))
+    bail!("{} could not be measured, see above", count(failures.len(), "pair folder"))
 }
 
 /// A run has its configuration and its place for results.

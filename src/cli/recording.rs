@@ -72,6 +72,25 @@ pub(super) fn tell_unfinished(results_dir: &Path) {
     }
 }
 
+/// Refuses a run that is being written: what is there is not yet all.
+///
+/// # Errors
+/// Another program has the run.
+pub(super) fn refuse_running(run: &Path) -> anyhow::Result<()> {
+    // Read only: a run on a disk that cannot be written may be looked at.
+    let Ok(lock) = File::open(run.join(LOCK)) else { return Ok(()) };
+    match lock.try_lock_shared() {
+        Err(TryLockError::WouldBlock) => bail!(
+            "{} is running: another lfpiv writes it; wait until it has ended, or stop it",
+            run.display()
+        ),
+        _ => Ok(()),
+    }
+}
+
+/// What a program that writes a run locks, in the run's folder.
+const LOCK: &str = "lock";
+
 /// One program at a time works on a run. The operating system lets go of the lock with the
 /// process, however it ends.
 pub(super) struct RunLock(#[expect(dead_code, reason = "held, not used")] File);
@@ -80,7 +99,7 @@ impl RunLock {
     /// # Errors
     /// Another program has the run.
     pub fn take(run: &Path) -> anyhow::Result<Self> {
-        let path = run.join("lock");
+        let path = run.join(LOCK);
         let file = File::options()
             .create(true)
             .append(true)
@@ -89,7 +108,7 @@ impl RunLock {
         match file.try_lock() {
             Ok(()) => Ok(Self(file)),
             Err(TryLockError::WouldBlock) => bail!(
-                "{} is being written by another lfpiv: wait until it has ended, or stop it",
+                "{} is running: another lfpiv writes it; wait until it has ended, or stop it",
                 run.display()
             ),
             Err(TryLockError::Error(error)) => {

@@ -15,6 +15,7 @@ use super::{
     compare::{Results, compare},
     daemon::{Daemon, DaemonPlan, RunScript},
     output::print,
+    recording::refuse_running,
     run_processor::run_processor,
     stop::stop_on_signals,
 };
@@ -49,6 +50,7 @@ pub struct ReplayArgs {
 /// Plays the run; without faults its results and its ledger are compared with the recorded ones.
 pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
     let faults = args.faults.as_deref().map(read_faults).transpose()?;
+    refuse_running(&args.run)?;
     let recorded = Results::read(&args.run)?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
