@@ -136,6 +136,11 @@ fn a_bounded_run_measures_the_flow_that_was_simulated() {
         assert!(number(1) > 0.0 && number(2) > 50.0, "vectors and valid share: {row:?}");
         assert!((4..7).all(|column| number(column) < 0.3), "errors: {row:?}");
     }
+    // Nobody sees a bar: every shot is told as it comes.
+    for shot in 0..3 {
+        let told = |line: &str| line.starts_with(&format!("shot {shot}: ")) && line.contains(" s");
+        assert!(done.stdout.lines().any(told), "{}", done.stdout);
+    }
     let folder = done.stdout.lines().find_map(|line| line.strip_prefix("results are in "));
     let folder = Path::new(folder.expect("where the results are"));
     for name in ["velocity_000000.nc", "velocity.vti.series", "shot_000002.vti", "ledger.json"] {

@@ -85,7 +85,8 @@ fn simulating_without_a_scene_says_what_to_add() {
 #[test]
 fn check_prints_what_will_be_done() {
     let config = small_configuration();
-    let done = lfpiv(["check".as_ref(), "--config".as_ref(), config.as_os_str()]);
+    let done =
+        lfpiv(["check".as_ref(), "--quick".as_ref(), "--config".as_ref(), config.as_os_str()]);
     assert!(done.success, "{}", done.stderr);
     for expected in ["is valid", "24 x 20 x 16 voxels of 0.1 mm", "41 x 41 microlenses", "MB"] {
         assert!(done.stdout.contains(expected), "{expected}: {}", done.stdout);
@@ -96,7 +97,8 @@ fn check_prints_what_will_be_done() {
 fn check_refuses_a_wrong_file_with_its_place_and_an_exit_code() {
     let root = tempfile::tempdir().unwrap();
     let config = changed_configuration(root.path(), "voxel_mm = 0.1", "voxel_mm = nan");
-    let done = lfpiv(["check".as_ref(), "--config".as_ref(), config.as_os_str()]);
+    let done =
+        lfpiv(["check".as_ref(), "--quick".as_ref(), "--config".as_ref(), config.as_os_str()]);
     assert!(!done.success);
     assert!(done.stdout.is_empty(), "{}", done.stdout);
     let expected = ": volume.voxel_mm = nan: allowed 0.001 to 10";

@@ -15,6 +15,7 @@ use anyhow::Context;
 use lfpiv_hw::Pose;
 use lfpiv_sim::Scene;
 use nalgebra::Vector3;
+use tracing::subscriber::NoSubscriber;
 
 use crate::{
     config::Config,
@@ -55,7 +56,10 @@ pub struct Expected {
 /// # Errors
 /// A scene or a piece of the volume that cannot be simulated or measured.
 pub fn expected(config: &Config, plan: &Plan) -> anyhow::Result<Expected> {
-    expected_by(config, &|piece| measure(piece, plan))
+    // What is logged about a piece is not about the bench.
+    tracing::subscriber::with_default(NoSubscriber::default(), || {
+        expected_by(config, &|piece| measure(piece, plan))
+    })
 }
 
 /// [`expected`], with what a piece takes as `measure` tells it.

@@ -76,7 +76,10 @@ pub enum FakeCameraError {
     #[error("fake camera {serial}: its description cannot be written to a temporary file")]
     Description { serial: String, source: io::Error },
     /// Aravis did not start it.
-    #[error("fake camera {serial}: Aravis did not start it at {address}; ARV_DEBUG=all says why")]
+    #[error(
+        "fake camera {serial}: Aravis did not start it at {address}: is the address this machine's \
+         (`ip addr add {address}/8 dev lo`)? ARV_DEBUG=all says more"
+    )]
     NotStarted { serial: String, address: Ipv4Addr },
     /// A picture that is not the sensor's.
     #[error(
