@@ -105,6 +105,11 @@ impl Optics {
         self.microlens.pitch_mm * self.micro_image_magnification()
     }
 
+    /// Pitch of the microlenses seen in the plane in focus, in mm.
+    pub fn object_pitch_mm(&self) -> f64 {
+        self.microlens.pitch_mm * self.object_distance_mm / self.image_distance_mm()
+    }
+
     /// Width on the pupil that one pixel sees through its microlens, p s_i / f_m, in mm.
     pub fn pupil_cell_mm(&self) -> f64 {
         self.pixel_pitch_mm() * self.image_distance_mm() / self.microlens.focal_length_mm

@@ -12,6 +12,7 @@
 
 mod durable;
 mod error;
+mod fit_variables;
 mod grey_tiff;
 mod netcdf_file;
 mod pair_folder;

@@ -76,6 +76,20 @@ impl NetCdfFile {
         self.with(|file| file.add_unlimited_dimension(name).map(|_| ()))
     }
 
+    /// Adds a dimension of fixed length.
+    pub fn add_dimension(&mut self, name: &str, length: usize) -> Result<(), ArchiveError> {
+        self.with(|file| file.add_dimension(name, length).map(|_| ()))
+    }
+
+    /// Says which value of a variable stands for a missing one; must come before its values.
+    pub fn put_fill_value<T: NcTypeDescriptor>(
+        &mut self,
+        name: &str,
+        value: T,
+    ) -> Result<(), ArchiveError> {
+        self.with(|file| required(file, name)?.set_fill_value(value))
+    }
+
     /// Adds a described variable.
     pub fn add<T: NcTypeDescriptor>(
         &mut self,

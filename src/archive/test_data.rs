@@ -28,6 +28,7 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
         warnings: Vec::new(),
         raw: Default::default(),
         model: Default::default(),
+        fit: None,
         light: None,
     }
 }

@@ -10,7 +10,7 @@ use std::{
 };
 
 use super::{
-    ArchiveError,
+    ArchiveError, fit_variables,
     netcdf_file::{Described, NetCdfFile},
 };
 use crate::model::ModelChoice;
@@ -127,7 +127,7 @@ impl VelocityFile {
         let mut file = NetCdfFile::create(path, "Velocity fields", configuration)?;
         file.add_attribute("model", &like.model.to_string())?;
         file.add_attribute("model_choice", &like.model.to_json())?;
-        let (model, like) = (like.model.clone(), &like.field);
+        let (model, fit, like) = (like.model.clone(), &like.fit, &like.field);
         file.add_record_dimension("shot")?;
         file.add_axes([0, 1, 2].map(|axis| like.grid.axis_mm(axis)))?;
         file.add::<i64>(&SHOT, &["shot"])?;
@@ -145,6 +145,9 @@ impl VelocityFile {
         }
         for (described, _) in &SECONDS {
             file.add::<f64>(described, &["shot"])?;
+        }
+        if let Some(fit) = fit {
+            fit_variables::define(&mut file, fit)?;
         }
         Ok(Self { file, grid: like.grid.clone(), dt_s: like.dt_s, model, shots: 0 })
     }
@@ -179,6 +182,9 @@ impl VelocityFile {
         }
         for (described, value_of) in &SECONDS {
             self.file.put_record(described.name, record, &[value_of(&result.seconds)])?;
+        }
+        if let Some(fit) = &result.fit {
+            fit_variables::put(&mut self.file, record, fit)?;
         }
         // Last: a record that could not be written whole has no number, and counts as none.
         self.file.put_record(SHOT.name, record, &[shot as i64])?;

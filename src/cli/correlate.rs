@@ -71,6 +71,7 @@ fn store(
         raw: RawLevel::NotKept,
         // Whatever made the volumes, no model of ours.
         model: Arc::new(ModelChoice::default()),
+        fit: None,
         light: None,
     };
     Ok(write_velocity(&folder.join("velocity.nc"), configuration, 0, &result)?)

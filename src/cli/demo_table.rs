@@ -143,6 +143,7 @@ mod tests {
             warnings: Vec::new(),
             raw: Default::default(),
             model: Default::default(),
+            fit: None,
             light: None,
         }
     }

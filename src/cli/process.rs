@@ -254,10 +254,11 @@ fn name_of(folder: &Path) -> String {
 fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<()> {
     let seconds = &result.seconds;
     let line = format!(
-        "{}: {}, {:.1} % valid; decoded in {:.2} s, reconstructed in {:.2} s, correlated in {:.2} s -> {}",
+        "{}: {}, {:.1} % valid{}; decoded in {:.2} s, reconstructed in {:.2} s, correlated in {:.2} s -> {}",
         job.name,
         count(result.field.grid.len(), "vector"),
         100.0 * result.field.valid_share(),
+        result.fit.as_ref().map_or(String::new(), |fit| format!(", model fit {}", fit.verdict)),
         seconds.decode_s,
         seconds.reconstruct_s,
         seconds.correlate_s,

@@ -2,6 +2,7 @@
 
 mod background;
 mod layout;
+mod micro_images;
 mod pair;
 mod photometry;
 mod sampling;
@@ -10,6 +11,7 @@ mod settings;
 
 pub use background::{Condensation, StationaryLight};
 pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
+pub use micro_images::MicroImages;
 pub use pair::{ImagePair, RawLevel};
 pub use photometry::{LightLevels, PhotometricZones};
 pub use sampling::{AxisSampling, Sample};

@@ -14,7 +14,7 @@ use super::{
     EventKind, EventLog, Gallery, PairResult, StageSeconds,
     latency::{Latencies, LatencyQuantiles},
 };
-use crate::{acquisition::Heartbeat, model::ModelChoice};
+use crate::{acquisition::Heartbeat, model::ModelChoice, reconstruction::ModelFit};
 
 /// Results kept in memory; older ones are on disk only.
 pub const RESULTS_IN_MEMORY: usize = 32;
@@ -46,6 +46,8 @@ pub struct ShotRecord {
     pub message: Option<String>,
     /// What the reader of the result should know, suspect pairing included.
     pub warnings: Vec<String>,
+    /// Whether its images are of the configured bench; absent without a result.
+    pub fit: Option<ModelFit>,
     /// Number of vectors; absent without a result.
     pub vectors: Option<usize>,
     /// Share of vectors measured and accepted, 0 to 1; absent without a result.
@@ -56,13 +58,14 @@ pub struct ShotRecord {
 
 impl ShotRecord {
     fn new(shot: u64, stage: Stage, message: Option<String>) -> Self {
-        let (warnings, vectors, valid_share, seconds) = (Vec::new(), None, None, None);
-        Self { shot, stage, message, warnings, vectors, valid_share, seconds }
+        let (warnings, fit, vectors, valid_share, seconds) = (Vec::new(), None, None, None, None);
+        Self { shot, stage, message, warnings, fit, vectors, valid_share, seconds }
     }
 
     fn of_result(shot: u64, stage: Stage, message: Option<String>, result: &PairResult) -> Self {
         Self {
             warnings: result.warnings.clone(),
+            fit: result.fit.clone(),
             vectors: Some(result.field.grid.len()),
             valid_share: Some(result.field.valid_share()),
             seconds: Some(result.seconds),

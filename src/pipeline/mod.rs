@@ -7,6 +7,7 @@ mod fitted;
 mod frame;
 mod gallery;
 mod latency;
+mod model_fit;
 mod part_errors;
 mod plan;
 mod pool;

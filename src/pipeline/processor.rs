@@ -14,9 +14,12 @@ use crate::{
         ImagePair, PairResult, StageSeconds,
         fitted::Models,
         frame::{Correction, Frame},
+        model_fit,
         plan::Plan,
     },
-    reconstruction::{DenseVolume, FrameLight, ReconstructionSettings, SparseVolume},
+    reconstruction::{
+        DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
+    },
     velocimetry::{Interrogation, PointCloud, VelocimetrySettings},
 };
 
@@ -181,32 +184,43 @@ impl Processor {
         let decode = |frame| Frame::decode(pair, frame, layouts, &correction);
         let (a, b) = rayon::join(|| decode(0), || decode(1));
         let decode_s = started.elapsed().as_secs_f64();
+        let micro_images = model_fit::micro_images(&self.measurement, pair);
+        let identical: Vec<usize> = model_fit::identical_frames(pair).collect();
         drop(handed);
 
         let started = Instant::now();
         let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
         let (solved_a, solved_b) = rayon::join(|| solve(&a), || solve(&b));
-        let (volume_a, volume_b) = (solved_a.volume, solved_b.volume);
         let reconstruct_s = started.elapsed().as_secs_f64();
 
         let started = Instant::now();
         let grid = self.interrogation.cloud_grid();
         let cloud = |volume| PointCloud::from_volume(volume, &grid);
-        let mut field =
-            self.interrogation.measure(&cloud(&volume_a), &cloud(&volume_b), self.measurement.dt_s);
+        let mut field = self.interrogation.measure(
+            &cloud(&solved_a.volume),
+            &cloud(&solved_b.volume),
+            self.measurement.dt_s,
+        );
         let correlate_s = started.elapsed().as_secs_f64();
 
-        let lit = a.lit && b.lit;
-        let mut warnings: Vec<String> = a.warnings.into_iter().chain(b.warnings).collect();
-        if !lit {
-            field.invalidate(self.measurement.velocimetry.max_displacement_vox);
-        } else if volume_a.voxels.is_empty() || volume_b.voxels.is_empty() {
-            warnings.push(
-                "no voxel is lit in all views: check the camera poses and that both cameras see \
-                 the same volume"
-                    .to_owned(),
-            );
+        let fit = model_fit::Judged {
+            measurement: &self.measurement,
+            fitted,
+            frames: [&a, &b],
+            solved: [&solved_a, &solved_b],
+            field: &field,
+            micro_images,
         }
+        .fit();
+        if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
+            field.invalidate(self.measurement.velocimetry.max_displacement_vox);
+        }
+        tracing::debug!(
+            "model fit {}: {}",
+            fit.verdict,
+            fit.numbers(self.measurement.optics.object_pitch_mm())
+        );
+        let warnings = self.warnings(&fit, [&a, &b], &identical);
         let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s };
         Ok((
             PairResult {
@@ -216,9 +230,26 @@ impl Processor {
                 raw: RawLevel::NotKept,
                 model: fitted.choice.clone(),
                 light: None,
+                fit: Some(fit),
             },
-            [volume_a, volume_b],
+            [solved_a.volume, solved_b.volume],
         ))
+    }
+
+    /// What the reader should know about a pair, the worst first.
+    fn warnings(&self, fit: &ModelFit, frames: [&Frame; 2], identical: &[usize]) -> Vec<String> {
+        let lit = frames.iter().all(|frame| frame.lit);
+        let mut warnings = Vec::new();
+        if lit || fit.cameras.iter().any(|camera| camera.micro_image_offset_px.is_some()) {
+            warnings.extend(fit.warning(self.measurement.optics.object_pitch_mm()));
+        }
+        if lit || warnings.is_empty() {
+            warnings.extend(frames.iter().flat_map(|frame| frame.warnings.iter().cloned()));
+        }
+        warnings.extend(identical.iter().map(|camera| {
+            format!("camera {camera}: frames a and b are the same image; is one file there twice?")
+        }));
+        warnings
     }
 
     fn check(&self, pair: &ImagePair) -> Result<(), ProcessError> {

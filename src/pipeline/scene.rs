@@ -24,8 +24,7 @@ pub(super) fn measure_scene(
     let mean = |of_camera: &dyn Fn(usize) -> f64| {
         (0..cameras.len()).map(of_camera).sum::<f64>() / cameras.len() as f64
     };
-    let object_pitch_mm =
-        optics.microlens.pitch_mm * optics.object_distance_mm / optics.image_distance_mm();
+    let object_pitch_mm = optics.object_pitch_mm();
     let per_mm3 =
         |n: usize| seeding[n].ppm / object_pitch_mm.powi(2) / (depths[n][1] - depths[n][0]);
     let particles_per_mm3 = mean(&per_mm3);

@@ -21,6 +21,7 @@ pub(super) fn result() -> PairResult {
         warnings: Vec::new(),
         raw: Default::default(),
         model: Default::default(),
+        fit: None,
         light: None,
     }
 }

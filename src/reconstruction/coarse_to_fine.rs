@@ -5,10 +5,13 @@
 
 use std::time::Instant;
 
+use rayon::prelude::*;
+
 use super::{
     BlockVolume, PassReport, ReconstructionSettings, SparseVolume,
     levels::{ViewLevels, dark_below},
     os_mart::{OsMart, Settled},
+    probes::{ProjectedView, probes},
 };
 use crate::{
     lightfield::{ViewLayout, ViewStack},
@@ -77,7 +80,7 @@ impl CoarseToFine<'_> {
         views: &[ViewStack],
         levels: &[ViewLevels],
         note: &mut dyn FnMut(&PassReport),
-    ) -> SparseVolume {
+    ) -> (SparseVolume, Vec<ProjectedView>) {
         let coarsest = models[0].as_ref();
         let lit = coarsest.lit(views, &darkness(coarsest.layouts(), levels));
         let mut volume = BlockVolume::evenly(coarsest.grid(), lit);
@@ -102,7 +105,22 @@ impl CoarseToFine<'_> {
                 note(&PassReport { pass: done, residual, active_voxels, seconds });
             }
         }
-        volume.into_voxels()
+        let projected = self.projected(models[models.len() - 1].as_ref(), &volume);
+        (volume.into_voxels(), projected)
+    }
+
+    /// What the model makes of the volume in the views that it is judged by.
+    fn projected(&self, model: &dyn BlockModel, volume: &BlockVolume) -> Vec<ProjectedView> {
+        let projector = model.projector(&volume.blocks);
+        probes(model.layouts())
+            .into_par_iter()
+            .map(|id| {
+                let mut image = vec![0.0; model.image_len(id.camera)];
+                projector.project(id, &volume.light, &mut image);
+                image.truncate(model.layouts()[id.camera].window.len());
+                ProjectedView { id, image }
+            })
+            .collect()
     }
 
     /// What to do on grid `level` of `levels`, coarse to fine.

@@ -7,7 +7,9 @@ use super::{
     coarse_to_fine::CoarseToFine,
     hull::photo_hull,
     levels::{ViewLevels, dark_below},
-    pr_sart, sart,
+    pr_sart,
+    probes::{ProjectedView, projected},
+    sart,
     settings::Footprint,
     subsets::{alternating_views, balanced_subsets},
 };
@@ -35,6 +37,9 @@ pub struct Reconstruction {
     /// is that of the volume after the pass; that of OS-MART is what the pass itself met, each
     /// view's before its own correction.
     pub passes: Vec<PassReport>,
+    /// What the model makes of the volume in some views of every camera, to be held against the
+    /// images.
+    pub projected: Vec<ProjectedView>,
 }
 
 /// Models on one or more grids, coarse to fine, and the solver to run on them.
@@ -165,7 +170,7 @@ impl Reconstructor {
         let on_grid = self.on_grid(views, levels);
         let mut passes = Vec::new();
         let mut note = |report: &PassReport| passes.push(*report);
-        let volume = match &self.models {
+        let (volume, projected) = match &self.models {
             Models::Blocks(models) => match on_grid {
                 Some(reconstruction) => return reconstruction,
                 None => self.coarse_to_fine().reconstruct(models, views, levels, &mut note),
@@ -175,7 +180,9 @@ impl Reconstructor {
                     Some(points) if on_grid.is_some() => points,
                     _ => filled,
                 };
-                self.voxelwise(model.as_ref(), views, levels, &mut note)
+                let volume = self.voxelwise(model.as_ref(), views, levels, &mut note);
+                let projected = projected(model.as_ref(), &volume);
+                (volume, projected)
             }
         };
         for report in &passes {
@@ -187,7 +194,7 @@ impl Reconstructor {
                 "solver pass"
             );
         }
-        Reconstruction { volume, passes }
+        Reconstruction { volume, passes, projected }
     }
 
     /// The solvers that work on the volume's own voxels.
@@ -247,11 +254,12 @@ impl Reconstructor {
         let mut passes = Vec::new();
         let mut note = |report: &PassReport| passes.push(*report);
         let models = std::slice::from_ref(points);
-        let volume = self.coarse_to_fine().reconstruct(models, views, levels, &mut note);
+        let (volume, projected) =
+            self.coarse_to_fine().reconstruct(models, views, levels, &mut note);
         let unexplained = unexplained_share(passes.last()?.residual, views, levels);
         let explained = unexplained <= ON_GRID_UNEXPLAINED;
         tracing::debug!(unexplained, explained, "points on voxel centres");
-        explained.then_some(Reconstruction { volume, passes })
+        explained.then_some(Reconstruction { volume, passes, projected })
     }
 }
 

@@ -18,6 +18,7 @@ use super::{
 };
 use crate::{
     pipeline::{Lookup, PairResult, RESULTS_IN_MEMORY, StageSeconds},
+    reconstruction::ModelFit,
     velocimetry::VectorStatus,
 };
 
@@ -63,6 +64,8 @@ pub(super) struct ResultView<'a> {
     grid: GridView,
     valid_share: f64,
     warnings: &'a [String],
+    /// Whether the images are of the configured bench; absent without images.
+    model_fit: Option<&'a ModelFit>,
     seconds: StageSeconds,
     velocity_m_s: Vec<[f32; 3]>,
     velocity_uncertainty_m_s: Vec<[f32; 3]>,
@@ -91,6 +94,7 @@ impl<'a> ResultView<'a> {
             },
             valid_share: field.valid_share(),
             warnings: &result.warnings,
+            model_fit: result.fit.as_ref(),
             seconds: result.seconds,
             velocity_m_s: scaled(&field.displacement_vox, speed),
             velocity_uncertainty_m_s: scaled(&field.uncertainty_vox, speed),

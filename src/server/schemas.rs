@@ -15,6 +15,7 @@ use crate::{
     acquisition::{Account, ControlState, Mode, Outcome, OutcomeCounts},
     lightfield::RawLevel,
     pipeline::{LatencyQuantiles, StageSeconds, Watermarks},
+    reconstruction::{FitVerdict, ModelFit},
     velocimetry::VectorStatus,
 };
 
@@ -145,3 +146,46 @@ schema!(
         "Whether a vector is measured, stood in for, or none."
     )
 );
+
+schema!(
+    FitVerdict,
+    "FitVerdict",
+    words(
+        &["good", "doubtful", "poor"],
+        "How well the configured bench explains the images; under poor no vector is valid."
+    )
+);
+
+impl PartialSchema for ModelFit {
+    fn schema() -> RefOr<Schema> {
+        let number = || ObjectBuilder::new().schema_type(SchemaType::Type(Type::Number));
+        let or_null = || {
+            let types = SchemaType::Array(vec![Type::Number, Type::Null]);
+            ObjectBuilder::new().schema_type(types)
+        };
+        let camera = ObjectBuilder::new()
+            .property("unexplained", number())
+            .required("unexplained")
+            .property("micro_image_offset_px", or_null())
+            .required("micro_image_offset_px");
+        let text = ObjectBuilder::new().schema_type(SchemaType::Type(Type::String));
+        numbers(Type::Number, &["valid_share"], "Whether the images are of the configured bench.")
+            .property("verdict", Ref::from_schema_name("FitVerdict"))
+            .required("verdict")
+            .property("cameras", utoipa::openapi::ArrayBuilder::new().items(camera))
+            .required("cameras")
+            .property("camera_agreement", or_null())
+            .required("camera_agreement")
+            .property("camera_disparity_mm", or_null())
+            .required("camera_disparity_mm")
+            .property("causes", utoipa::openapi::ArrayBuilder::new().items(text))
+            .required("causes")
+            .into()
+    }
+}
+
+impl ToSchema for ModelFit {
+    fn schemas(schemas: &mut Vec<(String, RefOr<Schema>)>) {
+        schemas.push(("FitVerdict".to_owned(), FitVerdict::schema()));
+    }
+}

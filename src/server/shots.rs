@@ -12,6 +12,7 @@ use crate::{
     acquisition::{Outcome, TriggerEntry},
     lightfield::RawLevel,
     pipeline::{ShotRecord, Stage, StageSeconds},
+    reconstruction::ModelFit,
 };
 
 /// Shots listed unless asked otherwise.
@@ -72,6 +73,8 @@ pub(super) struct ShotView {
     suspect: Vec<String>,
     message: Option<String>,
     warnings: Vec<String>,
+    /// Whether its images are of the configured bench; absent without a result.
+    model_fit: Option<ModelFit>,
     vectors: Option<usize>,
     valid_share: Option<f64>,
     seconds: Option<StageSeconds>,
@@ -92,6 +95,7 @@ impl ShotView {
             suspect: entry.suspect.clone(),
             message: record.as_ref().and_then(|record| record.message.clone()),
             warnings: record.as_ref().map(|record| record.warnings.clone()).unwrap_or_default(),
+            model_fit: record.as_ref().and_then(|record| record.fit.clone()),
             vectors: record.as_ref().and_then(|record| record.vectors),
             valid_share: record.as_ref().and_then(|record| record.valid_share),
             seconds: record.as_ref().and_then(|record| record.seconds),

@@ -9,6 +9,7 @@ use crate::{
     acquisition::{Account, ControlState, Outcome},
     model::ModelChoice,
     pipeline::{LatencyQuantiles, Watermarks},
+    reconstruction::ModelFit,
 };
 
 /// The run at a glance.
@@ -35,6 +36,9 @@ pub(super) struct Status {
     /// The parts of the model and why; absent before the first result.
     #[schema(value_type = Option<Object>)]
     model_choice: Option<ModelChoice>,
+    /// Whether the last measured shot's images are of the configured bench; absent before the first
+    /// result.
+    model_fit: Option<ModelFit>,
     solver: String,
     configuration: ConfigurationSummary,
     results_dir: String,
@@ -137,6 +141,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
         latency: state.board.latency(),
         control: state.control(),
         model: info.model.clone(),
+        model_fit: state.board.latest().and_then(|(_, result)| result.fit.clone()),
         model_choice: state.board.model().map(|model| (*model).clone()),
         solver: info.solver.clone(),
         configuration: info.configuration.clone(),

@@ -30,4 +30,5 @@ pub use floor::correlation_error_vox;
 pub use multipass::Interrogation;
 pub use result::{PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;
+pub use tracks::{Particle, particles};
 pub use volumes::VolumeInterrogation;

@@ -5,7 +5,11 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::VelocityField;
-use crate::{lightfield::RawLevel, model::ModelChoice, reconstruction::FrameLight};
+use crate::{
+    lightfield::RawLevel,
+    model::ModelChoice,
+    reconstruction::{FrameLight, ModelFit},
+};
 
 /// Wall-clock seconds spent in each stage of one pair.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -31,6 +35,9 @@ pub struct PairResult {
     pub raw: RawLevel,
     /// The forward model behind it, and why it is this one.
     pub model: Arc<ModelChoice>,
+    /// How well the configured bench explains the images. Under a poor fit no vector is valid.
+    /// Absent where vectors were made from volumes, without images.
+    pub fit: Option<ModelFit>,
     /// The light of frames a and b on the configured grid, where it was asked for.
     pub light: Option<[FrameLight; 2]>,
 }

@@ -185,6 +185,7 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
         warnings: Vec::new(),
         raw: Default::default(),
         model: Default::default(),
+        fit: None,
         light: None,
     }
 }

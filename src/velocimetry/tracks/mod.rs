@@ -14,10 +14,10 @@ mod samples;
 mod spline;
 mod variance;
 
+pub use self::particles::{Particle, particles};
 use self::{
     fit::Fit,
     pairs::{FARTHEST_VOX, pairs},
-    particles::particles,
     samples::Samples,
     spline::Spline,
 };

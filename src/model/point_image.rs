@@ -1,0 +1,195 @@
+//! The image of a point of light, and how it changes when the point moves.
+//!
+//! The footprint is the same as the tables', for any place instead of a table's nodes: a product of
+//! a share along the columns, a share along the rows, and the open share of the pupil cell
+//! ([`super::footprint`]).
+
+use lfpiv_hw::{CameraPoint, Optics, Pose};
+
+use super::{
+    ModelError, ModelParts, VolumeGrid, camera::CameraView, footprint::RayMap, tables::AxisGeometry,
+};
+use crate::lightfield::ViewLayout;
+
+/// Microlenses along one axis that a point's light is looked for on.
+const REACH: usize = 6;
+
+/// Step of the central differences, as a share of the microlens pitch.
+const DIFFERENCE_PITCHES: f64 = 0.1;
+
+/// How one camera images points.
+pub struct PointImager<'a> {
+    optics: &'a Optics,
+    layout: &'a ViewLayout,
+    axes: [AxisGeometry<'a>; 2],
+}
+
+/// A pixel of a view that a point lights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LitPixel {
+    /// Position in the view, row-major over the microlens window.
+    pub at: usize,
+    /// Share of the point's light.
+    pub weight: f64,
+    /// Its derivatives by the camera coordinates ξ, η and depth, per mm.
+    pub gradient: [f64; 3],
+}
+
+/// Shares on consecutive microlenses, and their derivatives by lateral position and depth.
+struct Shares {
+    first: i64,
+    value: [f64; REACH],
+    by_lateral: [f64; REACH],
+    by_depth: [f64; REACH],
+}
+
+impl<'a> PointImager<'a> {
+    /// The imager of camera `camera` (counted from 0) for sources of edge `footprint_mm` in the volume
+    /// of `grid`. Errors when the camera does not see the volume.
+    pub fn new(
+        optics: &'a Optics,
+        pose: &Pose,
+        camera: usize,
+        grid: &VolumeGrid,
+        layout: &'a ViewLayout,
+        footprint_mm: f64,
+        parts: &ModelParts,
+    ) -> Result<Self, ModelError> {
+        let view = CameraView::new(optics, pose, grid, camera)?;
+        let axes = view.geometries(optics, &layout.columns, &layout.rows, footprint_mm, parts);
+        Ok(Self { optics, layout, axes })
+    }
+
+    /// Calls `visit` with every pixel of view number `view` that a point at `point` lights.
+    pub fn image(&self, view: usize, point: &CameraPoint, mut visit: impl FnMut(LitPixel)) {
+        let seen = &self.layout.views[view];
+        let columns = self.shares(0, seen.k, point.xi_mm, point.depth_mm);
+        let rows = self.shares(1, seen.l, point.eta_mm, point.depth_mm);
+        let window = &self.layout.window;
+        for (j, row) in (rows.first..).take(REACH).enumerate() {
+            if row < window.rows.start as i64 || row >= window.rows.end as i64 {
+                continue;
+            }
+            for (i, column) in (columns.first..).take(REACH).enumerate() {
+                if column < window.columns.start as i64 || column >= window.columns.end as i64 {
+                    continue;
+                }
+                let gradient = [
+                    columns.by_lateral[i] * rows.value[j],
+                    columns.value[i] * rows.by_lateral[j],
+                    columns.by_depth[i] * rows.value[j] + columns.value[i] * rows.by_depth[j],
+                ];
+                let weight = columns.value[i] * rows.value[j];
+                if weight == 0.0 && gradient == [0.0; 3] {
+                    continue;
+                }
+                let at = (row as usize - window.rows.start) * window.columns.len()
+                    + (column as usize - window.columns.start);
+                let open = seen.coverage.as_ref().map_or(1.0, |coverage| f64::from(coverage[at]));
+                let gradient = gradient.map(|slope| slope * open);
+                visit(LitPixel { at, weight: weight * open, gradient });
+            }
+        }
+    }
+
+    fn shares(&self, axis: usize, k: i32, lateral_mm: f64, depth_mm: f64) -> Shares {
+        let geometry = &self.axes[axis];
+        let step = DIFFERENCE_PITCHES * self.optics.microlens.pitch_mm;
+        let map = |depth_mm| RayMap::at_depth(self.optics, depth_mm);
+        let first = geometry.first_reached(&geometry.shadow_of(map(depth_mm), k, lateral_mm)) - 1;
+        let shares = |lateral_mm: f64, depth_mm: f64| -> [f64; REACH] {
+            let shadow = geometry.shadow_of(map(depth_mm), k, lateral_mm);
+            std::array::from_fn(|n| match usize::try_from(first + n as i64) {
+                Ok(microlens) => geometry.share(&shadow, microlens),
+                Err(_) => 0.0,
+            })
+        };
+        let slope = |high: [f64; REACH], low: [f64; REACH]| {
+            std::array::from_fn(|n| (high[n] - low[n]) / (2.0 * step))
+        };
+        Shares {
+            first,
+            value: shares(lateral_mm, depth_mm),
+            by_lateral: slope(
+                shares(lateral_mm + step, depth_mm),
+                shares(lateral_mm - step, depth_mm),
+            ),
+            by_depth: slope(
+                shares(lateral_mm, depth_mm + step),
+                shares(lateral_mm, depth_mm - step),
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point3;
+
+    use super::*;
+    use crate::{
+        model::{ViewId, thin_lens_model},
+        test_bench,
+    };
+
+    fn grid() -> VolumeGrid {
+        VolumeGrid { voxels: [5, 5, 5], voxel_mm: 0.1, centre_mm: [2.0, -1.5, 2.5] }
+    }
+
+    fn image(imager: &PointImager<'_>, view: usize, point: &CameraPoint) -> Vec<LitPixel> {
+        let mut pixels = Vec::new();
+        imager.image(view, point, |pixel| pixels.push(pixel));
+        pixels
+    }
+
+    #[test]
+    fn a_source_as_large_as_a_voxel_has_the_image_that_the_tables_give_the_voxel() {
+        let (optics, poses, grid) = (test_bench::optics(), test_bench::poses(), grid());
+        let model = thin_lens_model(&optics, &poses, &grid, grid.voxel_mm).unwrap();
+        let voxel = [3, 1, 2];
+        let projector = model.projector(&[grid.linear(voxel) as u32]);
+        for (camera, pose) in poses.iter().enumerate() {
+            let layout = &model.layouts()[camera];
+            let parts = ModelParts::default();
+            let imager =
+                PointImager::new(&optics, pose, camera, &grid, layout, grid.voxel_mm, &parts);
+            let point = pose.to_camera(&grid.centre_of(voxel));
+            for view in (0..layout.views.len()).step_by(7) {
+                let mut of_tables = vec![0.0; layout.window.len()];
+                projector.project(ViewId { camera, view }, &[1.0], &mut of_tables);
+                let mut of_point = vec![0.0; layout.window.len()];
+                for pixel in image(imager.as_ref().unwrap(), view, &point) {
+                    of_point[pixel.at] = pixel.weight as f32;
+                }
+                for (table, point) in of_tables.iter().zip(&of_point) {
+                    // The tables share a depth node between neighbouring voxels.
+                    assert!((table - point).abs() < 0.02, "{camera} {view}: {table} {point}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_small_step_changes_the_image_by_its_gradient() {
+        let (optics, poses, grid) = (test_bench::optics(), test_bench::poses(), grid());
+        let model = thin_lens_model(&optics, &poses, &grid, 0.05).unwrap();
+        let layout = &model.layouts()[0];
+        let parts = ModelParts::default();
+        let imager = PointImager::new(&optics, &poses[0], 0, &grid, layout, 0.05, &parts).unwrap();
+        let place = poses[0].to_camera(&Point3::new(2.013, -1.47, 2.52));
+        for view in (0..layout.views.len()).step_by(11) {
+            let gradients = image(&imager, view, &place);
+            let step = DIFFERENCE_PITCHES * optics.microlens.pitch_mm;
+            let weight = |point: &CameraPoint, at: usize| -> f64 {
+                image(&imager, view, point).iter().find(|p| p.at == at).map_or(0.0, |p| p.weight)
+            };
+            for pixel in gradients {
+                let [high, low] = [step, -step].map(|step| {
+                    weight(&CameraPoint { xi_mm: place.xi_mm + step, ..place }, pixel.at)
+                });
+                let expected = (high - low) / (2.0 * step);
+                assert!((pixel.gradient[0] - expected).abs() < 1e-9, "{pixel:?} {expected}");
+            }
+        }
+    }
+}

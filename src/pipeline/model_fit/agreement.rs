@@ -1,0 +1,205 @@
+//! Whether both cameras see the same particles: their light along the direction that both see.
+//!
+//! Two cameras share the direction e = axis₁ × axis₂. Through the middle of the pupil a particle is
+//! seen at the same place along e by both, whatever its depth. Particles are random, so the light
+//! along e is as good as a fingerprint of the shot: it agrees only between cameras that looked at the
+//! same particles from where the configuration says.
+
+use lfpiv_hw::{Optics, Pose};
+use nalgebra::Vector3;
+
+use crate::{
+    lightfield::{ViewLayout, ViewStack},
+    reconstruction::ViewLevels,
+};
+
+/// Cameras whose axes are closer than this angle's sine share no direction that depth does not blur.
+const LEAST_SINE: f64 = 0.3;
+
+/// Views whose pupil cell is nearer than this to the middle of the pupil along e, in cells.
+const MIDDLE_CELLS: f64 = 0.75;
+
+/// A pixel counts at most this many times a particle's light: hot pixels are brighter.
+const BRIGHTEST_PARTICLES: f64 = 4.0;
+
+/// Bins of the moving average that is taken off: seeding and the laser's profile are wider.
+const SMOOTHED_BINS: usize = 9;
+
+/// Fewer common bins than this say nothing.
+const LEAST_BINS: usize = 24;
+
+/// A bin that fewer pixels than this share is empty.
+const LEAST_WEIGHT: f64 = 0.5;
+
+/// Farthest shift of one camera against the other that is looked for, in bins.
+const FARTHEST_BINS: usize = 12;
+
+/// Light along a direction: one bin per microlens pitch in the volume.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    bins: Vec<Option<f64>>,
+}
+
+/// How two cameras' profiles compare.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Agreement {
+    /// Correlation as configured.
+    pub direct: f64,
+    /// Correlation with the second camera mirrored along the shared direction.
+    pub mirrored: f64,
+    /// Highest correlation within the search, and the shift of the second camera that gives it, in
+    /// mm.
+    pub best: f64,
+    pub best_shift_mm: f64,
+    /// Bins behind these numbers.
+    pub bins: usize,
+}
+
+/// The direction that both cameras see, if they see one.
+pub fn shared_direction(poses: &[Pose]) -> Option<Vector3<f64>> {
+    let [first, second] = poses else { return None };
+    let cross = first.axis.cross(&second.axis);
+    (cross.norm() >= LEAST_SINE).then(|| cross.normalize())
+}
+
+/// A camera's light along `direction`, in bins of `bin_mm` from -`half_mm` to `half_mm` about `middle`
+/// (a world point).
+pub fn profile(
+    optics: &Optics,
+    pose: &Pose,
+    layout: &ViewLayout,
+    views: &ViewStack,
+    levels: &ViewLevels,
+    (direction, middle, half_mm, bin_mm): (&Vector3<f64>, &Vector3<f64>, f64, f64),
+) -> Profile {
+    let (along_right, along_up) = (direction.dot(&pose.right), direction.dot(&pose.up));
+    let count = (2.0 * half_mm / bin_mm).ceil() as usize;
+    let (mut sums, mut weights) = (vec![0.0; count], vec![0.0; count]);
+    let brightest = (BRIGHTEST_PARTICLES * levels.particle_counts) as f32;
+    let from_middle_mm = (pose.origin_mm - middle).dot(direction);
+    let scale = -optics.object_distance_mm / optics.image_distance_mm();
+    for (n, view) in layout.views.iter().enumerate() {
+        let pupil_cells = f64::from(view.k) * along_right + f64::from(view.l) * along_up;
+        if pupil_cells.abs() > MIDDLE_CELLS || view.is_cut() {
+            continue;
+        }
+        let mut values = views.view(n).iter();
+        for j in layout.window.rows.clone() {
+            let row_mm = optics.microlens.row_centre_mm(j) * along_up;
+            for i in layout.window.columns.clone() {
+                let Some(&value) = values.next() else { break };
+                let on_array_mm = optics.microlens.column_centre_mm(i) * along_right + row_mm;
+                let place = from_middle_mm + scale * on_array_mm;
+                // Shared between the two nearest bins: microlenses may stand on the bins' edges.
+                let at = (place + half_mm) / bin_mm - 0.5;
+                for (bin, share) in [(at.floor(), 1.0 - at.fract()), (at.floor() + 1.0, at.fract())]
+                {
+                    if at >= 0.0 && bin < count as f64 {
+                        sums[bin as usize] += share * f64::from(value.min(brightest));
+                        weights[bin as usize] += share;
+                    }
+                }
+            }
+        }
+    }
+    let bins = sums
+        .iter()
+        .zip(&weights)
+        .map(|(sum, &weight)| (weight > LEAST_WEIGHT).then(|| sum / weight));
+    Profile { bins: bins.collect() }
+}
+
+impl Profile {
+    /// The profile less its moving average; `None` where bins of the average are missing.
+    fn detail(&self) -> Vec<Option<f64>> {
+        let half = SMOOTHED_BINS / 2;
+        (0..self.bins.len())
+            .map(|n| {
+                let around = self.bins.get(n.checked_sub(half)?..=n + half)?;
+                let sum: f64 = around.iter().copied().sum::<Option<f64>>()?;
+                Some(self.bins[n]? - sum / SMOOTHED_BINS as f64)
+            })
+            .collect()
+    }
+
+    /// How `self` and the second camera's profile compare. `None` with too few common bins.
+    pub fn compare(&self, second: &Self, bin_mm: f64) -> Option<Agreement> {
+        let (first, second) = (self.detail(), second.detail());
+        let mirrored: Vec<Option<f64>> = second.iter().rev().copied().collect();
+        let direct = correlation(&first, &second, 0)?;
+        let reach = FARTHEST_BINS as i64;
+        let shifted = (-reach..=reach)
+            .filter_map(|shift| Some((correlation(&first, &second, shift)?, shift)))
+            .max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Agreement {
+            direct,
+            mirrored: correlation(&first, &mirrored, 0)?,
+            best: shifted.0,
+            best_shift_mm: shifted.1 as f64 * bin_mm,
+            bins: first.iter().zip(&second).filter(|(a, b)| a.is_some() && b.is_some()).count(),
+        })
+    }
+}
+
+/// Correlation coefficient of first[n] and second[n + shift] over the bins that both have.
+fn correlation(first: &[Option<f64>], second: &[Option<f64>], shift: i64) -> Option<f64> {
+    let pairs: Vec<(f64, f64)> = first
+        .iter()
+        .enumerate()
+        .filter_map(|(n, &a)| {
+            let other = usize::try_from(n as i64 + shift).ok()?;
+            Some((a?, (*second.get(other)?)?))
+        })
+        .collect();
+    if pairs.len() < LEAST_BINS {
+        return None;
+    }
+    let n = pairs.len() as f64;
+    let (a, b) = pairs.iter().fold((0.0, 0.0), |(a, b), pair| (a + pair.0, b + pair.1));
+    let (a, b) = (a / n, b / n);
+    let (aa, bb, ab) = pairs.iter().fold((0.0, 0.0, 0.0), |(aa, bb, ab), pair| {
+        let (da, db) = (pair.0 - a, pair.1 - b);
+        (aa + da * da, bb + db * db, ab + da * db)
+    });
+    (aa > 0.0 && bb > 0.0).then(|| ab / (aa * bb).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    fn random(seed: u64) -> Profile {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let ramp = |n: usize| 100.0 + n as f64;
+        Profile { bins: (0..100).map(|n| Some(ramp(n) + 30.0 * random.random::<f64>())).collect() }
+    }
+
+    #[test]
+    fn a_profile_agrees_with_itself_mirrored_or_shifted_and_with_no_other() {
+        let profile = random(1);
+        let same = profile.compare(&profile, 0.1).unwrap();
+        assert!(same.direct > 0.999 && same.mirrored < 0.4, "{same:?}");
+        let mirrored = Profile { bins: profile.bins.iter().rev().copied().collect() };
+        let compared = profile.compare(&mirrored, 0.1).unwrap();
+        assert!(compared.mirrored > 0.999 && compared.direct < 0.4, "{compared:?}");
+        let mut shifted = profile.clone();
+        shifted.bins.rotate_right(5);
+        let compared = profile.compare(&shifted, 0.1).unwrap();
+        assert!(
+            compared.best > 0.95 && (compared.best_shift_mm - 0.5).abs() < 1e-9,
+            "{compared:?}"
+        );
+        let other = profile.compare(&random(2), 0.1).unwrap();
+        assert!(other.direct < 0.4 && other.mirrored < 0.4 && other.best < 0.5, "{other:?}");
+    }
+
+    #[test]
+    fn a_profile_without_light_is_not_compared() {
+        let dark = Profile { bins: vec![Some(0.0); 100] };
+        assert_eq!(dark.compare(&random(1), 0.1), None);
+        let short = Profile { bins: vec![Some(1.0); 10] };
+        assert_eq!(short.compare(&short, 0.1), None);
+    }
+}

@@ -1,0 +1,288 @@
+//! From evidence to a verdict and to words.
+//!
+//! Thresholds are in units of what they spoil: pixels of a micro-image, parts of the light's own
+//! standard deviation, microlens pitches in the volume. `docs/model-fit.md` lists them with what right
+//! and wrong benches show.
+
+use super::{agreement::Agreement, disparity::Disparity};
+use crate::{lightfield::MicroImages, pipeline::Measurement, reconstruction::FitVerdict};
+
+/// Micro-images further than this from their places, in parts of their pitch, take light from wrong
+/// views; further than the second, from wrong microlenses.
+const MISPLACED_PITCHES: f64 = 0.06;
+const LOST_PITCHES: f64 = 0.15;
+
+/// A shift this near to half a pitch, in pitches, is a wrong number of microlenses.
+const HALF_PITCH_TOLERANCE: f64 = 0.12;
+
+/// Residual over the light's standard deviation. Right benches: 0.18 to 0.28.
+const MUCH_UNEXPLAINED: f64 = 0.3;
+const MOST_UNEXPLAINED: f64 = 0.5;
+
+/// Correlation of the cameras' light along the shared direction. Right benches: 0.65 to 0.95; other
+/// shots: -0.3 to 0.5. Over few bins chance reaches further, so it counts by itself only when it is low
+/// and over many.
+const LEAST_AGREEMENT: f64 = 0.5;
+const CLEAR_AGREEMENT: f64 = 0.65;
+const NO_AGREEMENT: f64 = 0.35;
+const MANY_BINS: usize = 60;
+
+/// Distance between the cameras' places of a particle, in microlens pitches seen in the volume, and in
+/// what chance makes of it. Right benches: 0.03 to 0.18.
+const FAR_APART_PITCHES: f64 = 0.22;
+const FAR_APART_NOISE: f64 = 3.0;
+
+/// A part of a bench error that makes up this share of all of it is named.
+const NAMED_SHARE: f64 = 0.4;
+
+/// Share of the windows with particles that give valid vectors.
+const FEW_VALID: f64 = 0.3;
+const HARDLY_VALID: f64 = 0.15;
+
+/// What is known about a pair's fit.
+pub struct Evidence<'a> {
+    pub measurement: &'a Measurement,
+    /// Whether every camera sees light in both frames.
+    pub lit: bool,
+    /// Whether the residual says something about the bench.
+    pub residual_counts: bool,
+    pub micro_images: &'a [Option<MicroImages>],
+    pub unexplained: Vec<f64>,
+    pub agreement: Option<Agreement>,
+    pub disparity: Option<Disparity>,
+    /// Of the windows with particles, where there are enough of them.
+    pub valid_share: Option<f64>,
+}
+
+impl Evidence<'_> {
+    /// Whether a camera's residual is above `limit` and tells of the bench.
+    fn is_unexplained(&self, limit: f64) -> bool {
+        self.residual_counts && self.unexplained.iter().any(|&unexplained| unexplained > limit)
+    }
+}
+
+/// The verdict, and what may be wrong, the likeliest first: the worst of all findings, and the causes
+/// of the first, which explains those after it.
+pub fn judge(evidence: &Evidence<'_>) -> (FitVerdict, Vec<String>) {
+    let looks = [misplaced_micro_images, different_particles, apart, unexplained, no_vectors];
+    let findings: Vec<Finding> = looks
+        .iter()
+        .map(|look| look(evidence))
+        .filter(|(verdict, _)| *verdict != FitVerdict::Good)
+        .collect();
+    let worst = findings.iter().map(|(verdict, _)| *verdict).max().unwrap_or_default();
+    (worst, findings.into_iter().next().map(|(_, causes)| causes).unwrap_or_default())
+}
+
+type Finding = (FitVerdict, Vec<String>);
+
+fn good() -> Finding {
+    (FitVerdict::Good, Vec::new())
+}
+
+/// Where the micro-images stand decides which pixel belongs to which view: nothing else can be judged
+/// before.
+fn misplaced_micro_images(evidence: &Evidence<'_>) -> Finding {
+    let optics = &evidence.measurement.optics;
+    let pitch_px = optics.micro_image_pitch_mm() / optics.pixel_pitch_mm();
+    let (mut verdict, mut causes) = good();
+    for (n, found) in evidence.micro_images.iter().enumerate() {
+        let Some(found) = found else { continue };
+        let worst = found.farthest_px[0].max(found.farthest_px[1]) / pitch_px;
+        if worst <= MISPLACED_PITCHES {
+            continue;
+        }
+        verdict = verdict.max(match worst > LOST_PITCHES {
+            true => FitVerdict::Poor,
+            false => FitVerdict::Doubtful,
+        });
+        causes.extend(micro_image_causes(evidence, n + 1, found, pitch_px));
+    }
+    if verdict == FitVerdict::Good && !evidence.lit {
+        let causes = ["laser", "seeding", "lens cap"].map(str::to_owned).to_vec();
+        return (FitVerdict::Poor, causes);
+    }
+    (verdict, causes)
+}
+
+fn micro_image_causes(
+    evidence: &Evidence<'_>,
+    camera: usize,
+    found: &MicroImages,
+    pitch_px: f64,
+) -> Vec<String> {
+    let optics = &evidence.measurement.optics;
+    let lens = &optics.microlens;
+    let half_px = [optics.sensor.columns, optics.sensor.rows].map(|pixels| pixels as f64 / 2.0);
+    let mut ranked: Vec<(f64, String)> = Vec::new();
+    for (axis, (name, count)) in
+        [("columns", lens.columns), ("rows", lens.rows)].into_iter().enumerate()
+    {
+        let shift_px = found.offset_px[axis];
+        let in_pitches = shift_px.abs() / pitch_px;
+        if (in_pitches - 0.5).abs() < HALF_PITCH_TOLERANCE {
+            ranked.push((
+                shift_px.abs(),
+                format!(
+                    "camera {camera}: [optics.microlens] {name} = {count} is wrong by an odd number: \
+                     the micro-images stand half a pitch ({:.1} pixels) beside their places",
+                    shift_px.abs()
+                ),
+            ));
+        } else {
+            ranked.push((
+                shift_px.abs(),
+                format!(
+                    "camera {camera}: the microlens array, or the sensor's window, is shifted by \
+                     {shift_px:.1} pixels along the {name}"
+                ),
+            ));
+        }
+    }
+    let excess = (found.pitch_excess[0] + found.pitch_excess[1]) / 2.0;
+    ranked.push((
+        excess.abs() * half_px[0],
+        format!(
+            "camera {camera}: [optics.microlens] pitch_mm = {} instead of {:.5} (or \
+             [optics.sensor] pixel_pitch_um = {} instead of {:.4}): the micro-images' pitch is \
+             {:+.2} % off",
+            lens.pitch_mm,
+            lens.pitch_mm * (1.0 + excess),
+            optics.sensor.pixel_pitch_um,
+            optics.sensor.pixel_pitch_um / (1.0 + excess),
+            100.0 * excess
+        ),
+    ));
+    let turned = (found.turned_rad[0] + found.turned_rad[1]) / 2.0;
+    ranked.push((
+        turned.abs() * half_px[0],
+        format!(
+            "camera {camera}: the microlens array is turned by {:.2} degrees on the sensor",
+            turned.to_degrees()
+        ),
+    ));
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let least_px = MISPLACED_PITCHES * pitch_px / 2.0;
+    let named = ranked.iter().filter(|(px, _)| *px > least_px).count().max(1);
+    ranked.into_iter().take(named.min(2)).map(|(_, cause)| cause).collect()
+}
+
+const OTHER_SHOT: &str = "the images of camera 1 and camera 2 are of different shots: paired by hand, \
+                          or not triggered together";
+const WRONG_POSE: &str =
+    "a [[camera]] is not where the configuration says, or the cameras are exchanged";
+const MIRRORED: &str = "camera 2 (or camera 1) is mirrored, or upside down: right, up and axis of its \
+                        [[camera]] are not those of its images";
+const MIRRORED_ACROSS: &str = "camera 2 (or camera 1) is mirrored along the direction that only it \
+                               sees, or the cameras are exchanged";
+const WRONG_OPTICS: &str =
+    "[optics] is not that of the cameras: object_distance_mm, focal_length_mm, f_number";
+const THICK_SHEET: &str = "particles outside [volume] are lit: the light sheet is thicker";
+
+/// Both cameras must have looked at the same particles.
+fn different_particles(evidence: &Evidence<'_>) -> Finding {
+    let Some(agreement) = &evidence.agreement else { return good() };
+    let both = agreement.direct < LEAST_AGREEMENT && evidence.is_unexplained(MUCH_UNEXPLAINED);
+    let alone = agreement.direct < NO_AGREEMENT && agreement.bins >= MANY_BINS;
+    let verdict = match (both, alone) {
+        (true, _) => FitVerdict::Poor,
+        (_, true) => FitVerdict::Doubtful,
+        _ => return good(),
+    };
+    let mut causes = Vec::new();
+    if agreement.mirrored >= LEAST_AGREEMENT {
+        causes.extend([MIRRORED, OTHER_SHOT, WRONG_POSE].map(str::to_owned));
+    } else if agreement.best >= CLEAR_AGREEMENT {
+        causes.push(format!(
+            "camera 2 stands {:.2} mm beside its configured place along the direction that both \
+             cameras see",
+            agreement.best_shift_mm
+        ));
+        causes.extend([WRONG_POSE, OTHER_SHOT].map(str::to_owned));
+    } else {
+        causes.extend([OTHER_SHOT, WRONG_POSE, MIRRORED].map(str::to_owned));
+    }
+    (verdict, causes)
+}
+
+/// The cameras must put the particles at the same places.
+fn apart(evidence: &Evidence<'_>) -> Finding {
+    let Some(found) = &evidence.disparity else { return good() };
+    let measurement = evidence.measurement;
+    let pitch_mm = measurement.optics.object_pitch_mm();
+    let far_mm = (FAR_APART_PITCHES * pitch_mm).max(FAR_APART_NOISE * found.noise_mm);
+    if found.rms_mm < far_mm || evidence.is_unexplained(MOST_UNEXPLAINED) {
+        return good();
+    }
+    let p = &found.parameters;
+    let origin = measurement.cameras[1].origin_mm;
+    let shift = format!(
+        "camera 2 stands {:.2} mm from its configured place, as camera 1 sees it: origin_mm = \
+         [{:.2}, {:.2}, {:.2}] would fit",
+        p[0].hypot(p[1]).hypot(p[2]),
+        origin[0] + p[0],
+        origin[1] + p[1],
+        origin[2] + p[2]
+    );
+    let rotation = format!(
+        "camera 2 is turned by {:.2}, {:.2}, {:.2} degrees about x, y, z against its configured \
+         directions, as camera 1 sees it",
+        p[3].to_degrees(),
+        p[4].to_degrees(),
+        p[5].to_degrees()
+    );
+    let distance = format!(
+        "[optics] object_distance_mm = {} is wrong: {:.1} would fit (or focal_length_mm, or the \
+         magnification)",
+        measurement.optics.object_distance_mm,
+        measurement.optics.object_distance_mm + p[6]
+    );
+    let mut ranked: Vec<(f64, String)> =
+        found.parts_mm.into_iter().zip([shift, rotation, distance]).collect();
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let named = ranked.iter().filter(|(part, _)| *part > NAMED_SHARE * found.rms_mm).count().max(1);
+    let causes = ranked.into_iter().take(named).map(|(_, cause)| cause).collect();
+    (FitVerdict::Doubtful, causes)
+}
+
+/// Light that the model cannot explain though the micro-images are in place and the cameras' light
+/// along the shared direction does not disagree.
+fn unexplained(evidence: &Evidence<'_>) -> Finding {
+    if !evidence.is_unexplained(MUCH_UNEXPLAINED) {
+        return good();
+    }
+    let verdict = match evidence.is_unexplained(MOST_UNEXPLAINED) {
+        true => FitVerdict::Poor,
+        false => FitVerdict::Doubtful,
+    };
+    let causes: &[&str] = match &evidence.agreement {
+        None => &[WRONG_OPTICS, WRONG_POSE, THICK_SHEET],
+        Some(agreement) if agreement.direct < CLEAR_AGREEMENT => {
+            &[OTHER_SHOT, MIRRORED_ACROSS, WRONG_POSE, WRONG_OPTICS, THICK_SHEET]
+        }
+        Some(_) => &[MIRRORED_ACROSS, WRONG_POSE, WRONG_OPTICS, THICK_SHEET],
+    };
+    (verdict, causes.iter().map(|&cause| cause.to_owned()).collect())
+}
+
+/// Windows full of particles must give vectors.
+fn no_vectors(evidence: &Evidence<'_>) -> Finding {
+    let Some(valid_share) = evidence.valid_share else { return good() };
+    if valid_share >= FEW_VALID {
+        return good();
+    }
+    let verdict = match valid_share < HARDLY_VALID {
+        true => FitVerdict::Poor,
+        false => FitVerdict::Doubtful,
+    };
+    let most_vox = evidence.measurement.velocimetry.max_displacement_vox;
+    let causes = vec![
+        "frames a and b are of different shots, or of different cameras".to_owned(),
+        format!(
+            "particles move further than max_displacement_vox = {most_vox}: shorten [shot] dt_us \
+             or raise it"
+        ),
+        "particles leave the light sheet between the pulses".to_owned(),
+    ];
+    (verdict, causes)
+}

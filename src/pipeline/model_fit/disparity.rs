@@ -1,0 +1,223 @@
+//! How far apart the two cameras put the same particles.
+//!
+//! The residual images about a reconstructed particle say to each camera by itself where it would
+//! rather have the particle: a Gauss–Newton step with this camera's pixels alone. The steps of both
+//! cameras differ at random for a right bench and in a pattern for a wrong one. A bench error
+//! ([`ConfiguredBench`]) is fitted to the difference, every particle weighed by what its images
+//! determine: this is volume self-calibration (Wieneke, Experiments in Fluids 45, 2008) on the
+//! particles of one frame.
+
+use lfpiv_hw::{CameraPoint, Pose};
+use nalgebra::{Matrix3, Matrix4, Point3, SMatrix, SVector, Vector3, Vector4};
+use rayon::prelude::*;
+
+use super::bench_error::{ConfiguredBench, PARAMETERS, Sensitivity};
+use crate::{lightfield::ViewStack, model::PointImager, reconstruction::ProjectedView};
+
+/// Fewer particles than this do not determine a bench error.
+const LEAST_PARTICLES: usize = 40;
+
+/// Rounds of reweighting.
+const ROUNDS: usize = 6;
+
+/// Squared distance, in variances, at which a particle counts half: most that are taken for one and
+/// are two, or none, lie further out (Cauchy weights).
+const HALF_WEIGHT: f64 = 9.0;
+
+/// Median of the sum of squares of three standard normal variables.
+const MEDIAN_OF_THREE_SQUARES: f64 = 2.366;
+
+/// Standard deviation of what is known of a bench before the images, as displacement in mm per
+/// parameter: only directions that the images leave open notice it.
+const PRIOR_MM: f64 = 1.0;
+
+/// A matrix with all its information below this, per mm², is that of no image.
+const LEAST_INFORMATION: f64 = 1e-6;
+
+/// A particle of the reconstruction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Source {
+    /// Its place, in mm.
+    pub at_mm: Point3<f64>,
+    /// Its light in an open view, in counts.
+    pub counts: f64,
+}
+
+/// What one camera's residual says about a particle's place: N δ = g for a step δ in mm in the world
+/// frame, and the pixels it says it with.
+#[derive(Debug, Clone, Copy)]
+pub struct Pull {
+    information: Matrix3<f64>,
+    force: Vector3<f64>,
+    misfit: f64,
+    pixels: usize,
+}
+
+/// A bench error that explains the difference between the cameras.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Disparity {
+    /// By which the real bench differs from the configured one; see [`ConfiguredBench`].
+    pub parameters: [f64; PARAMETERS],
+    /// Distance between the cameras' places of the particles, root mean square, in mm.
+    pub rms_mm: f64,
+    /// What chance alone would make of it, in mm.
+    pub noise_mm: f64,
+    /// The parts of it by shift, rotation and object distance, in mm.
+    pub parts_mm: [f64; 3],
+}
+
+/// The pull of one camera on each particle.
+pub fn pulls(
+    imager: &PointImager<'_>,
+    pose: &Pose,
+    views: &ViewStack,
+    projected: &[&ProjectedView],
+    sources: &[Source],
+) -> Vec<Pull> {
+    let to_camera =
+        Matrix3::from_rows(&[pose.right.transpose(), pose.up.transpose(), pose.axis.transpose()]);
+    let pull = |source: &Source| {
+        let point: CameraPoint = pose.to_camera(&source.at_mm);
+        let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
+        let (mut misfit, mut pixels) = (0.0, 0);
+        for view in projected {
+            let measured = views.view(view.id.view);
+            imager.image(view.id.view, &point, |pixel| {
+                let residual = f64::from(measured[pixel.at] - view.image[pixel.at]);
+                let [x, y, z] = pixel.gradient.map(|slope| slope * source.counts);
+                let row = Vector4::new(x, y, z, pixel.weight);
+                normal += row * row.transpose();
+                right += row * residual;
+                misfit += residual * residual;
+                pixels += 1;
+            });
+        }
+        let (information, force) = without_light(&normal, &right);
+        Pull {
+            information: to_camera.transpose() * information * to_camera,
+            force: to_camera.transpose() * force,
+            misfit,
+            pixels,
+        }
+    };
+    sources.par_iter().map(pull).collect()
+}
+
+/// The equations for the place alone, with the particle's light free (Schur complement).
+fn without_light(normal: &Matrix4<f64>, right: &Vector4<f64>) -> (Matrix3<f64>, Vector3<f64>) {
+    let mut information = normal.fixed_view::<3, 3>(0, 0).into_owned();
+    let mut force = right.fixed_rows::<3>(0).into_owned();
+    if normal[(3, 3)] > 0.0 {
+        let light = normal.fixed_view::<3, 1>(0, 3).into_owned();
+        information -= light * light.transpose() / normal[(3, 3)];
+        force -= light * (right[3] / normal[(3, 3)]);
+    }
+    (information, force)
+}
+
+/// One particle's equations K d = f for the difference d between the cameras' places, in mm.
+struct Equation {
+    information: Matrix3<f64>,
+    force: Vector3<f64>,
+    sensitivity: Sensitivity,
+}
+
+impl Equation {
+    /// From both cameras' pulls: the particle's own place is free, so informations add up in parallel,
+    /// K = N₂ − N₂ (N₁ + N₂)⁻¹ N₂ and f = g₂ − N₂ (N₁ + N₂)⁻¹ (g₁ + g₂).
+    fn new(
+        [first, second]: [&Pull; 2],
+        variances: [f64; 2],
+        sensitivity: Sensitivity,
+    ) -> Option<Self> {
+        let [n1, n2] = [first.information / variances[0], second.information / variances[1]];
+        let [g1, g2] = [first.force / variances[0], second.force / variances[1]];
+        let both = (n1 + n2 + Matrix3::identity() * LEAST_INFORMATION).try_inverse()?;
+        let information = n2 - n2 * both * n2;
+        Some(Self { information, force: g2 - n2 * both * (g1 + g2), sensitivity })
+    }
+
+    /// Squared distance of the particle from the bench error `parameters`, in variances.
+    fn distance(&self, parameters: &SVector<f64, PARAMETERS>) -> f64 {
+        let miss = self.force - self.information * (self.sensitivity * parameters);
+        let inverse = (self.information + Matrix3::identity() * LEAST_INFORMATION).try_inverse();
+        inverse.map_or(0.0, |inverse| miss.dot(&(inverse * miss)).max(0.0))
+    }
+}
+
+/// The bench error behind the pulls of both cameras on `sources`. `None` with too few particles.
+pub fn disparity(
+    bench: &ConfiguredBench<'_>,
+    sources: &[Source],
+    [first, second]: [&[Pull]; 2],
+) -> Option<Disparity> {
+    let variances = [first, second].map(variance);
+    if sources.len() < LEAST_PARTICLES || variances.iter().any(|&variance| variance <= 0.0) {
+        return None;
+    }
+    let equations: Vec<Equation> = sources
+        .iter()
+        .zip(first.iter().zip(second))
+        .filter_map(|(source, (first, second))| {
+            Equation::new([first, second], variances, bench.sensitivity(&source.at_mm))
+        })
+        .collect();
+    let mut parameters = SVector::<f64, PARAMETERS>::zeros();
+    let mut covariance = SMatrix::<f64, PARAMETERS, PARAMETERS>::zeros();
+    for _ in 0..ROUNDS {
+        let mut normal = SMatrix::<f64, PARAMETERS, PARAMETERS>::zeros();
+        let mut right = SVector::<f64, PARAMETERS>::zeros();
+        let mut prior = SVector::<f64, PARAMETERS>::zeros();
+        for equation in &equations {
+            let weight = HALF_WEIGHT / (HALF_WEIGHT + equation.distance(&parameters));
+            let transposed = equation.sensitivity.transpose() * weight;
+            normal += transposed * equation.information * equation.sensitivity;
+            right += transposed * equation.force;
+            for n in 0..PARAMETERS {
+                prior[n] += equation.sensitivity.column(n).norm_squared() / equations.len() as f64;
+            }
+        }
+        for n in 0..PARAMETERS {
+            normal[(n, n)] += prior[n] / (PRIOR_MM * PRIOR_MM);
+        }
+        let factors = normal.cholesky()?;
+        parameters = factors.solve(&right);
+        covariance = factors.inverse();
+    }
+    let scatter = median_distance(&equations, &parameters) / MEDIAN_OF_THREE_SQUARES;
+    let noise: f64 = equations
+        .iter()
+        .map(|e| (e.sensitivity * covariance * e.sensitivity.transpose()).trace())
+        .sum();
+    let rms = |range: std::ops::Range<usize>| {
+        let part = SVector::<f64, PARAMETERS>::from_fn(|n, _| {
+            if range.contains(&n) { parameters[n] } else { 0.0 }
+        });
+        let sum: f64 = equations.iter().map(|e| (e.sensitivity * part).norm_squared()).sum();
+        (sum / equations.len().max(1) as f64).sqrt()
+    };
+    Some(Disparity {
+        parameters: std::array::from_fn(|n| parameters[n]),
+        rms_mm: rms(0..PARAMETERS),
+        noise_mm: (scatter * noise / equations.len().max(1) as f64).sqrt(),
+        parts_mm: [rms(0..3), rms(3..6), rms(6..PARAMETERS)],
+    })
+}
+
+/// Median squared distance of the particles from a bench error, in variances.
+fn median_distance(equations: &[Equation], parameters: &SVector<f64, PARAMETERS>) -> f64 {
+    let mut distances: Vec<f64> = equations.iter().map(|e| e.distance(parameters)).collect();
+    let middle = distances.len() / 2;
+    match distances.is_empty() {
+        true => 0.0,
+        false => *distances.select_nth_unstable_by(middle, f64::total_cmp).1,
+    }
+}
+
+/// Variance of a pixel's residual about the particles of one camera, in counts².
+fn variance(pulls: &[Pull]) -> f64 {
+    let (misfit, pixels) = pulls
+        .iter()
+        .fold((0.0, 0usize), |(misfit, pixels), p| (misfit + p.misfit, pixels + p.pixels));
+    misfit / pixels.max(1) as f64
+}

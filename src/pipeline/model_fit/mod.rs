@@ -1,0 +1,207 @@
+//! How well the configured bench explains a pair's images, and what may be wrong when it does not.
+//!
+//! Five questions, each answered from the images of this pair alone:
+//!
+//! 1. Do the micro-images stand where the optics put them? ([`MicroImages`])
+//! 2. Does the reconstruction explain each camera's light? ([`unexplained`])
+//! 3. Do both cameras see the same particles? ([`agreement`])
+//! 4. Do they put them at the same places? ([`disparity`])
+//! 5. Do the windows that hold particles give vectors?
+//!
+//! [`causes`] turns the answers into a verdict and words.
+
+mod agreement;
+mod bench_error;
+mod causes;
+mod disparity;
+mod sources;
+mod unexplained;
+
+use lfpiv_hw::RawImage;
+use nalgebra::Vector3;
+
+use self::{
+    agreement::{Agreement, profile, shared_direction},
+    bench_error::ConfiguredBench,
+    causes::{Evidence, judge},
+    disparity::{Disparity, disparity, pulls},
+    sources::{lit_windows, sources},
+    unexplained::unexplained,
+};
+use super::{ImagePair, Measurement, fitted::Fitted, frame::Frame};
+use crate::{
+    lightfield::MicroImages,
+    model::PointImager,
+    reconstruction::{CameraFit, Footprint, ModelFit, ProjectedView, Reconstruction, Solver},
+    velocimetry::{VectorStatus, VelocityField},
+};
+
+/// Edge of the light source that stands for a reconstructed particle, in microlens pitches seen in the
+/// volume: about as wide as OS-MART leaves a point on quarter voxels.
+const SOURCE_PITCHES: f64 = 0.5;
+
+/// The largest part of a microlens pitch that voxels may be long for the residual to say more
+/// about the bench than about the voxels.
+const FINE_VOXEL_PITCHES: f64 = 0.3;
+
+/// Bins of the light along the shared direction that the ends of the volume spoil.
+const END_BINS: f64 = 6.0;
+
+/// What a pair's fit is judged from.
+pub(super) struct Judged<'a> {
+    pub measurement: &'a Measurement,
+    pub fitted: &'a Fitted,
+    /// Frames a and b.
+    pub frames: [&'a Frame; 2],
+    pub solved: [&'a Reconstruction; 2],
+    pub field: &'a VelocityField,
+    /// Where each camera's micro-images stand, in frame a.
+    pub micro_images: Vec<Option<MicroImages>>,
+}
+
+/// Where the micro-images of frame a stand, per camera.
+pub(super) fn micro_images(
+    measurement: &Measurement,
+    pair: &ImagePair,
+) -> Vec<Option<MicroImages>> {
+    pair.cameras.iter().map(|[a, _]| MicroImages::find(&measurement.optics, a)).collect()
+}
+
+/// Cameras, counted from 1, whose frames a and b are the same image.
+pub(super) fn identical_frames(pair: &ImagePair) -> impl Iterator<Item = usize> {
+    let same = |[a, b]: &[RawImage; 2]| a == b;
+    pair.cameras.iter().enumerate().filter(move |(_, frames)| same(frames)).map(|(n, _)| n + 1)
+}
+
+impl Judged<'_> {
+    /// The fit of this pair, with a verdict.
+    pub fn fit(self) -> ModelFit {
+        let lit = self.frames.iter().all(|frame| frame.lit);
+        let unexplained =
+            (0..self.measurement.cameras.len()).map(|c| self.unexplained(c)).collect();
+        let agreement = if lit { self.agreement() } else { None };
+        let evidence = Evidence {
+            measurement: self.measurement,
+            lit,
+            residual_counts: self.residual_is_of_the_bench(),
+            micro_images: &self.micro_images,
+            unexplained,
+            agreement,
+            disparity: if lit { self.disparity() } else { None },
+            valid_share: self.valid_share(),
+        };
+        let (verdict, causes) = judge(&evidence);
+        let offset = |found: &Option<MicroImages>| {
+            found.map(|found| found.farthest_px[0].max(found.farthest_px[1]))
+        };
+        ModelFit {
+            verdict,
+            cameras: evidence
+                .unexplained
+                .iter()
+                .zip(&self.micro_images)
+                .map(|(&unexplained, found)| CameraFit {
+                    unexplained,
+                    micro_image_offset_px: offset(found),
+                })
+                .collect(),
+            camera_agreement: evidence.agreement.map(|agreement| agreement.direct),
+            camera_disparity_mm: evidence.disparity.map(|disparity| disparity.rms_mm),
+            valid_share: evidence.valid_share.unwrap_or(0.0),
+            causes,
+        }
+    }
+
+    /// Whether what is left unexplained tells of the bench: OS-MART on voxels that a particle's light
+    /// does not notice, or on the particles' own places.
+    fn residual_is_of_the_bench(&self) -> bool {
+        let Measurement { optics, volume, reconstruction, .. } = self.measurement;
+        let pitch_mm = optics.object_pitch_mm();
+        let voxel_mm = volume.voxel_mm / self.fitted.choice.refinement.max(1) as f64;
+        reconstruction.solver == Solver::OsMart
+            && reconstruction.footprint == Footprint::Voxel
+            && voxel_mm <= FINE_VOXEL_PITCHES * pitch_mm
+    }
+
+    fn projected(&self, frame: usize, camera: usize) -> Vec<&ProjectedView> {
+        self.solved[frame].projected.iter().filter(|view| view.id.camera == camera).collect()
+    }
+
+    /// The worse of both frames.
+    fn unexplained(&self, camera: usize) -> f64 {
+        let layout = &self.fitted.reconstructor.layouts()[camera];
+        (0..2)
+            .map(|n| {
+                let frame = self.frames[n];
+                let (views, levels) = (&frame.views[camera], &frame.levels[camera]);
+                unexplained(views, layout, levels, &self.projected(n, camera))
+            })
+            .fold(0.0, f64::max)
+    }
+
+    /// The worse of both frames.
+    fn agreement(&self) -> Option<Agreement> {
+        let Measurement { optics, cameras, volume, .. } = self.measurement;
+        let direction = shared_direction(cameras)?;
+        let layouts = self.fitted.reconstructor.layouts();
+        let middle = Vector3::from(volume.centre_mm);
+        let half_mm = (0..3)
+            .map(|a| direction[a].abs() * volume.voxels[a] as f64 * volume.voxel_mm / 2.0)
+            .sum::<f64>();
+        let bin_mm = optics.object_pitch_mm();
+        // At the volume's ends the light of all cameras falls alike.
+        let half_mm = half_mm - END_BINS * bin_mm;
+        let compared = self.frames.iter().map(|frame| {
+            let [first, second] = [0, 1].map(|c| {
+                let along = (&direction, &middle, half_mm, bin_mm);
+                profile(optics, &cameras[c], &layouts[c], &frame.views[c], &frame.levels[c], along)
+            });
+            first.compare(&second, bin_mm)
+        });
+        let worse = |a: Agreement, b: Agreement| if b.direct < a.direct { b } else { a };
+        compared.collect::<Option<Vec<_>>>()?.into_iter().reduce(worse)
+    }
+
+    /// Of frame a.
+    fn disparity(&self) -> Option<Disparity> {
+        let Measurement { optics, cameras, volume, .. } = self.measurement;
+        let [first, second] = &cameras[..] else { return None };
+        let solved = self.solved[0];
+        let sources = sources(&solved.volume, volume);
+        let source_mm = SOURCE_PITCHES * optics.object_pitch_mm();
+        let parts = &self.fitted.choice.model;
+        let layouts = self.fitted.reconstructor.layouts();
+        let of_camera = |c: usize| {
+            let pose = &cameras[c];
+            let imager = PointImager::new(
+                optics,
+                pose,
+                c,
+                &solved.volume.grid,
+                &layouts[c],
+                source_mm,
+                parts,
+            )
+            .ok()?;
+            Some(pulls(&imager, pose, &self.frames[0].views[c], &self.projected(0, c), &sources))
+        };
+        let bench = ConfiguredBench {
+            optics,
+            poses: [first, second],
+            middle: Vector3::from(volume.centre_mm),
+        };
+        disparity(&bench, &sources, [&of_camera(0)?, &of_camera(1)?])
+    }
+
+    /// Share of the windows with particles whose vectors are valid; `None` where hardly a window holds
+    /// any.
+    fn valid_share(&self) -> Option<f64> {
+        let particle_counts =
+            self.frames[0].levels.iter().map(|level| level.particle_counts).fold(0.0, f64::max);
+        let window_mm = self.measurement.velocimetry.window_mm;
+        let lit =
+            lit_windows(&self.solved[0].volume, &self.field.grid, window_mm, particle_counts)?;
+        let valid = |n: &&usize| self.field.status[**n] == VectorStatus::Valid;
+        Some(lit.iter().filter(valid).count() as f64 / lit.len() as f64)
+    }
+}
