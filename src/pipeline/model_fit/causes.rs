@@ -32,6 +32,9 @@ const MANY_BINS: usize = 60;
 const FAR_APART_PITCHES: f64 = 0.22;
 const FAR_APART_NOISE: f64 = 3.0;
 
+/// Above this many times chance a bench error is probable, if something else is wrong as well.
+const PROBABLE_NOISE: f64 = 2.0;
+
 /// A part of a bench error that makes up this share of all of it is named.
 const NAMED_SHARE: f64 = 0.4;
 
@@ -208,12 +211,16 @@ fn different_particles(evidence: &Evidence<'_>) -> Finding {
 /// The cameras must put the particles at the same places.
 fn apart(evidence: &Evidence<'_>) -> Finding {
     let Some(found) = &evidence.disparity else { return good() };
-    let measurement = evidence.measurement;
-    let pitch_mm = measurement.optics.object_pitch_mm();
+    let pitch_mm = evidence.measurement.optics.object_pitch_mm();
     let far_mm = (FAR_APART_PITCHES * pitch_mm).max(FAR_APART_NOISE * found.noise_mm);
     if found.rms_mm < far_mm || evidence.is_unexplained(MOST_UNEXPLAINED) {
         return good();
     }
+    (FitVerdict::Doubtful, bench_error_causes(evidence.measurement, found))
+}
+
+/// The parts of a bench error in words, the largest first.
+fn bench_error_causes(measurement: &Measurement, found: &Disparity) -> Vec<String> {
     let p = &found.parameters;
     let origin = measurement.cameras[1].origin_mm;
     let shift = format!(
@@ -241,8 +248,7 @@ fn apart(evidence: &Evidence<'_>) -> Finding {
         found.parts_mm.into_iter().zip([shift, rotation, distance]).collect();
     ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
     let named = ranked.iter().filter(|(part, _)| *part > NAMED_SHARE * found.rms_mm).count().max(1);
-    let causes = ranked.into_iter().take(named).map(|(_, cause)| cause).collect();
-    (FitVerdict::Doubtful, causes)
+    ranked.into_iter().take(named).map(|(_, cause)| cause).collect()
 }
 
 /// Light that the model cannot explain though the micro-images are in place and the cameras' light
@@ -262,7 +268,21 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
         }
         Some(_) => &[MIRRORED_ACROSS, WRONG_POSE, WRONG_OPTICS, THICK_SHEET],
     };
-    (verdict, causes.iter().map(|&cause| cause.to_owned()).collect())
+    // A bench error that chance hardly makes is the better guess than any of these.
+    let probable = |found: &&Disparity| found.rms_mm > PROBABLE_NOISE * found.noise_mm;
+    let fitted = evidence.disparity.as_ref().filter(probable);
+    let fitted = fitted.map(|found| bench_error_causes(evidence.measurement, found));
+    let others = causes.iter().map(|&cause| cause.to_owned());
+    (
+        verdict,
+        fitted
+            .filter(|_| verdict == FitVerdict::Doubtful)
+            .into_iter()
+            .flatten()
+            .take(1)
+            .chain(others)
+            .collect(),
+    )
 }
 
 /// Windows full of particles must give vectors.
