@@ -8,9 +8,9 @@ use crate::{
     model::{ForwardModel, ViewId},
 };
 
-/// Views of a camera that a reconstruction is judged by: a tenth of the bench's, one more
+/// Views of a camera that a reconstruction is judged by: a sixth of the bench's, one more
 /// projection of which costs a few hundredths of the reconstruction.
-const PROBES_PER_CAMERA: usize = 24;
+const PROBES_PER_CAMERA: usize = 40;
 
 /// What the model makes of a volume in one view.
 #[derive(Debug, Clone, PartialEq)]
