@@ -17,7 +17,7 @@ use lfpiv::{
     pipeline::{ImagePair, ProcessError, Processor, SetupError},
     velocimetry::{PairResult, VectorStatus},
 };
-use lfpiv_hw::RawImage;
+use lfpiv_hw::{CameraName, RawImage};
 use lfpiv_sim::{Scene, SimulatedShot};
 use support::{mean_error_vox, process, simulate, small_bench, small_configuration};
 
@@ -85,14 +85,14 @@ fn assert_invalid(name: &str, result: &PairResult, expected: &[&str]) {
 
 #[test]
 fn all_zero_images_give_a_result_marked_invalid() {
-    let expected = ["camera 1, frame a: no particle above the noise", "camera 2, frame b: no part"];
+    let expected = ["cam1, frame a: no particle above the noise", "cam2, frame b: no part"];
     assert_invalid("all zero", &measured(&uniform_pair(0)), &expected);
 }
 
 #[test]
 fn all_saturated_images_give_a_result_marked_invalid() {
     let saturated = "100 % of the lit pixels are saturated at 4095 counts";
-    let expected = [&format!("camera 1, frame a: {saturated}"), "camera 2, frame b: 100 %"];
+    let expected = [&format!("cam1, frame a: {saturated}"), "cam2, frame b: 100 %"];
     assert_invalid("all saturated", &measured(&uniform_pair(FULL_COUNTS)), &expected);
 }
 
@@ -104,7 +104,7 @@ fn partly_saturated_images_are_measured_with_a_warning_that_names_them() {
     pair.cameras[1][1] = bright.images[1][1].clone();
     let result = measured(&pair);
     let [warning] = result.warnings.as_slice() else { panic!("{:?}", result.warnings) };
-    assert!(warning.starts_with("camera 2, frame b: "), "{warning}");
+    assert!(warning.starts_with("cam2, frame b: "), "{warning}");
     assert!(warning.contains("% of the lit pixels are saturated at 4095 counts"), "{warning}");
     assert!(result.field.valid_share() > 0.9, "{}", result.field.valid_share());
 }
@@ -147,7 +147,7 @@ fn no_particles_but_noise_and_stray_light_give_a_result_marked_invalid() {
         let images = shot(|scene| stray(scene, electrons, offset), seed).images;
         let name = format!("seed {seed}, {electrons} electrons, offset {offset}");
         let result = measured(&ImagePair { cameras: images });
-        assert_invalid(&name, &result, &["camera 1, frame a: no particle above the noise"]);
+        assert_invalid(&name, &result, &["cam1, frame a: no particle above the noise"]);
     }
 }
 
@@ -166,7 +166,7 @@ fn light_through_the_aperture_without_particles_gives_a_result_marked_invalid() 
         7,
     );
     let result = measured(&ImagePair { cameras: dense.images });
-    assert_invalid("stray light", &result, &["camera 1, frame a: no particle above the noise"]);
+    assert_invalid("stray light", &result, &["cam1, frame a: no particle above the noise"]);
 }
 
 #[test]
@@ -194,8 +194,11 @@ fn images_of_the_wrong_size_or_number_are_errors() {
     let mut wrong_size = uniform_pair(64);
     wrong_size.cameras[1][0] = RawImage::new(700, 748, vec![64; 700 * 748]).unwrap();
     let error = processor.process(&wrong_size).unwrap_err();
-    assert!(matches!(error, ProcessError::ImageSize { camera: 2, frame: 'a', columns: 700, .. }));
-    assert!(error.to_string().contains("camera 2, frame a: the image has 700 x 748"), "{error}");
+    assert!(matches!(
+        error,
+        ProcessError::ImageSize { camera: CameraName(1), frame: 'a', columns: 700, .. }
+    ));
+    assert!(error.to_string().contains("cam2, frame a: the image has 700 x 748"), "{error}");
     for cameras in [0, 1, 3] {
         let images = uniform_pair(64).cameras[0].clone();
         let pair = ImagePair { cameras: vec![images; cameras] };
@@ -218,7 +221,7 @@ fn the_command_stores_an_invalid_result_and_says_why() {
     let out = root.path().join("out");
     let done = process(&out, &[folder]);
     assert!(done.success, "{}", done.stderr);
-    assert!(done.stderr.contains("camera 2, frame a: no particle above"), "{}", done.stderr);
+    assert!(done.stderr.contains("cam2, frame a: no particle above"), "{}", done.stderr);
     assert!(done.stdout.contains("0.0 % valid"), "{}", done.stdout);
     let file = netcdf::open(out.join("shot_0000/velocity.nc")).unwrap();
     let valid: Vec<i32> = file.variable("valid").unwrap().get_values(..).unwrap();

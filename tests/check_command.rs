@@ -83,7 +83,7 @@ fn a_camera_that_sees_what_the_other_sees_is_refused() {
     );
     let said = refusal(Purpose::Images, "bench", &[same]);
     assert!(
-        said.contains("camera[1].axis = [0.0, 0.0, 1.0]: camera 2 looks from where camera 1 does"),
+        said.contains("camera[1].axis = [0.0, 0.0, 1.0]: cam2 looks from where cam1 does"),
         "{said}"
     );
 }
@@ -164,7 +164,7 @@ fn what_could_be_better_is_advice() {
         (
             "up = [0.0, 0.0, -1.0]\naxis = [0.0, 1.0, 0.0]",
             &oblique,
-            "camera 2 looks along none of the volume's axes",
+            "cam2 looks along none of the volume's axes",
         ),
         ("window_mm = 0.8", "window_mm = 0.4", "-> 5 or more make most windows valid"),
     ] {

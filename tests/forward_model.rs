@@ -11,7 +11,7 @@ use lfpiv::{
         thin_lens_model,
     },
 };
-use lfpiv_hw::{MicrolensArray, Optics, Pose, Sensor};
+use lfpiv_hw::{CameraName, MicrolensArray, Optics, Pose, Sensor};
 use lfpiv_sim::imaging::{ElectronImage, PointSource, RaySettings, RayTracer};
 use nalgebra::Vector3;
 
@@ -283,22 +283,22 @@ fn a_bench_that_cannot_see_the_volume_is_refused() {
     let grid = |voxels, centre_mm| VolumeGrid { voxels, voxel_mm: 0.1, centre_mm };
     // Camera 1 sees x and y, camera 2 x and z: 6 mm along z leaves camera 2's 9.7 mm of height.
     let beside = grid([10; 3], [0.0, 0.0, 6.0]);
-    assert_eq!(refusal(&beside, 0.1), ModelError::VolumeOutOfView { camera: 2 });
+    assert_eq!(refusal(&beside, 0.1), ModelError::VolumeOutOfView { camera: CameraName(1) });
     let beside = grid([10; 3], [0.0, 6.0, 0.0]);
-    assert_eq!(refusal(&beside, 0.1), ModelError::VolumeOutOfView { camera: 1 });
+    assert_eq!(refusal(&beside, 0.1), ModelError::VolumeOutOfView { camera: CameraName(0) });
     let near = refusal(&grid([10, 10, 200], [0.0, 0.0, 95.0]), 0.1);
     assert!(
-        matches!(near, ModelError::TooDeep { camera: 1, depth_mm, .. } if depth_mm > 100.0),
+        matches!(near, ModelError::TooDeep { camera: CameraName(0), depth_mm, .. } if depth_mm > 100.0),
         "{near:?}"
     );
     // Deep along y, where camera 2 looks; camera 1 sees only the middle, in focus.
     let deep = refusal(&grid([10, 400, 10], [0.0; 3]), 0.3);
     assert!(
-        matches!(deep, ModelError::FootprintTooWide { camera: 2, most: 4, pitches, .. } if pitches > 4.0),
+        matches!(deep, ModelError::FootprintTooWide { camera: CameraName(1), most: 4, pitches, .. } if pitches > 4.0),
         "{deep:?}"
     );
     let wide = refusal(&grid([10; 3], [0.0; 3]), 0.5);
-    assert!(matches!(wide, ModelError::FootprintTooWide { camera: 1, .. }), "{wide:?}");
+    assert!(matches!(wide, ModelError::FootprintTooWide { camera: CameraName(0), .. }), "{wide:?}");
     for footprint_mm in [-0.1, f64::NAN, f64::INFINITY] {
         let refused = refusal(&grid([10; 3], [0.0; 3]), footprint_mm);
         assert!(matches!(refused, ModelError::FootprintOutOfRange { .. }), "{refused:?}");

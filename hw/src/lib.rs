@@ -5,6 +5,7 @@
 //! for the unit that times them. The simulated devices live in `lfpiv-sim`; neither this crate nor
 //! that one knows how a volume is reconstructed.
 
+mod camera_name;
 pub mod check;
 pub mod device;
 pub mod frame;
@@ -14,6 +15,7 @@ pub mod pose;
 pub mod synchroniser;
 pub mod timing;
 
+pub use camera_name::CameraName;
 pub use frame::{ImagePool, RawImage, RecordedCamera};
 pub use optics::{MicrolensArray, Optics, Sensor};
 pub use pose::{CameraPoint, Pose};

@@ -5,7 +5,10 @@ use std::{
     time::{Duration, Instant, SystemTime, UNIX_EPOCH},
 };
 
-use lfpiv_hw::device::{Camera, DeviceError, Frame, FrameStatus, StreamStatistics};
+use lfpiv_hw::{
+    CameraName,
+    device::{Camera, DeviceError, Frame, FrameStatus, StreamStatistics},
+};
 
 use crate::{
     bench::{BenchState, RenderedShot, SharedBench, Stream},
@@ -43,7 +46,7 @@ enum Next {
 
 impl SimulatedCamera {
     pub(crate) fn new(index: usize, bench: Arc<SharedBench>) -> Self {
-        let name = format!("cam{}", index + 1);
+        let name = CameraName(index).to_string();
         Self { index, name, bench, last: StreamStatistics::default() }
     }
 

@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use lfpiv_hw::CameraName;
+
 use super::{AcquisitionError, controller::Run};
 
 /// Whether a camera is there, as far as is known.
@@ -60,7 +62,7 @@ impl Run {
             if std::mem::take(&mut camera.returned) {
                 camera.silent = 0;
                 self.pairing.camera_returned(index);
-                tracing::info!(camera = index, "is back; firing goes on");
+                tracing::info!(camera = %CameraName(index), "is back; firing goes on");
             }
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use lfpiv_hw::device::SynchroniserState;
+use lfpiv_hw::{CameraName, device::SynchroniserState};
 
 use super::{
     AcquisitionError, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence,
@@ -240,6 +240,7 @@ impl Run {
         if self.has_vanished(camera).await? {
             return Ok(());
         }
-        Err(AcquisitionError::Silent { camera, triggers: self.presence[camera].silent })
+        let triggers = self.presence[camera].silent;
+        Err(AcquisitionError::Silent { camera: CameraName(camera), triggers })
     }
 }

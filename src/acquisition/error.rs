@@ -1,6 +1,6 @@
 //! Why acquisition ended.
 
-use lfpiv_hw::device::DeviceError;
+use lfpiv_hw::{CameraName, device::DeviceError};
 use thiserror::Error;
 
 use std::sync::Arc;
@@ -20,10 +20,10 @@ pub enum AcquisitionError {
     Thread { device: String, source: std::io::Error },
     /// A camera answers, but sends no frames.
     #[error(
-        "camera {camera} sent no frame for the last {triggers} triggers: check its trigger cable \
+        "{camera} sent no frame for the last {triggers} triggers: check its trigger cable \
          and the synchroniser's camera channel"
     )]
-    Silent { camera: usize, triggers: u64 },
+    Silent { camera: CameraName, triggers: u64 },
     /// The unit accepted a burst and gave none of it.
     #[error(
         "the synchroniser gave none of the {shots} triggers asked for: check its interlock and its \

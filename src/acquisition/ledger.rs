@@ -12,7 +12,7 @@
 
 use std::collections::BTreeMap;
 
-use lfpiv_hw::device::StreamStatistics;
+use lfpiv_hw::{CameraName, device::StreamStatistics};
 use serde::Serialize;
 use thiserror::Error;
 
@@ -47,8 +47,8 @@ impl TriggerEntry {
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum LedgerError {
     /// Settled before, or never entered.
-    #[error("trigger {trigger}, camera {camera}: not open, cannot end as {}", outcome.name())]
-    NotOpen { trigger: u64, camera: usize, outcome: Outcome },
+    #[error("trigger {trigger}, {camera}: not open, cannot end as {}", outcome.name())]
+    NotOpen { trigger: u64, camera: CameraName, outcome: Outcome },
     /// Entered before.
     #[error("trigger {trigger} is entered already")]
     Entered { trigger: u64 },
@@ -128,7 +128,7 @@ impl Ledger {
         camera: usize,
         outcome: Outcome,
     ) -> Result<(), LedgerError> {
-        let refused = LedgerError::NotOpen { trigger, camera, outcome };
+        let refused = LedgerError::NotOpen { trigger, camera: CameraName(camera), outcome };
         let slot = self.entries.get_mut(&trigger).and_then(|entry| entry.cameras.get_mut(camera));
         match slot {
             Some(slot @ None) => *slot = Some(outcome),
@@ -145,6 +145,7 @@ impl Ledger {
         let entry = self.entries.get(&trigger);
         let settled = entry.map_or(Some(0), |entry| entry.cameras.iter().position(Option::is_some));
         if let Some(camera) = settled {
+            let camera = CameraName(camera);
             return Err(LedgerError::NotOpen { trigger, camera, outcome });
         }
         (0..self.accounts.len()).try_for_each(|camera| self.settle(trigger, camera, outcome))
@@ -239,7 +240,7 @@ mod tests {
         let again = ledger.settle(0, 1, Outcome::Complete).unwrap_err();
         assert_eq!(
             again,
-            LedgerError::NotOpen { trigger: 0, camera: 1, outcome: Outcome::Complete }
+            LedgerError::NotOpen { trigger: 0, camera: CameraName(1), outcome: Outcome::Complete }
         );
         assert_eq!((ledger.accounts()[0].open, ledger.accounts()[1].open), (1, 0));
         assert_eq!(ledger.accounts()[1].outcomes.of(Outcome::Late), 1);

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use lfpiv_hw::CameraName;
+
 use super::{
     AcquisitionError, LedgerError, Outcome, Shot,
     controller::Run,
@@ -40,7 +42,7 @@ impl Run {
             }
             Some(CameraEvent::Started { camera, notices_absence_within }) => {
                 self.presence[camera].notices_absence_within = notices_absence_within;
-                tracing::debug!(camera, "waits for triggers");
+                tracing::debug!(camera = %CameraName(camera), "waits for triggers");
                 Ok(())
             }
             Some(CameraEvent::Failed { error }) => Err(error.into()),
@@ -86,10 +88,11 @@ impl Run {
         outcome: Outcome,
     ) -> Result<(), AcquisitionError> {
         // What is shed was nobody's fault, and there may be many at the end of a run.
+        let name = CameraName(camera);
         if outcome == Outcome::Shed {
-            tracing::debug!(trigger, camera, "shed");
+            tracing::debug!(trigger, camera = %name, "shed");
         } else {
-            tracing::warn!(trigger, camera, outcome = outcome.name(), "shot lost");
+            tracing::warn!(trigger, camera = %name, outcome = outcome.name(), "shot lost");
         }
         note(self.ledger.lock().settle(trigger, camera, outcome));
         self.note(Entry::Settled { trigger, camera, outcome }).await.map(|_| ())

@@ -18,8 +18,8 @@ pub struct Shot {
     /// Evidence that disagrees with the pairing, in words; empty for a shot in order. A suspect
     /// shot is kept and marked, and whoever reads its result must see the mark.
     pub suspect: Vec<String>,
-    /// How far the timestamp of each camera's frame a is off its fitted clock, in ns: of camera 0
-    /// against the triggers of the burst, of every other camera against camera 0. 0 for a clock
+    /// How far the timestamp of each camera's frame a is off its fitted clock, in ns: of the first
+    /// against the triggers of the burst, of every other camera against the first. 0 for a clock
     /// that begins with this shot.
     pub residuals_ns: Vec<i64>,
 }

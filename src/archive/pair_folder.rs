@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use lfpiv_hw::RawImage;
+use lfpiv_hw::{CameraName, RawImage};
 use rayon::prelude::*;
 
 use super::{ArchiveError, FileDepth, ImageSize, grey_tiff, read_grey_tiff, write_grey_tiff};
@@ -13,7 +13,7 @@ use crate::lightfield::ImagePair;
 
 /// File names of frames a and b of camera `index` (from 0): `cam1_a.tif`, `cam1_b.tif`.
 pub fn image_names(index: usize) -> [String; 2] {
-    ["a", "b"].map(|frame| format!("cam{}_{frame}.tif", index + 1))
+    ["a", "b"].map(|frame| format!("{}_{frame}.tif", CameraName(index)))
 }
 
 /// Reads the images of the first `cameras` cameras from a pair folder.

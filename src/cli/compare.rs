@@ -7,6 +7,7 @@ use std::{
 };
 
 use anyhow::{Context, bail};
+use lfpiv_hw::CameraName;
 use serde_json::Value;
 
 use super::{
@@ -98,7 +99,7 @@ fn ledger_differences(then: &Results, now: &Results) -> Vec<String> {
         then.iter().filter_map(move |(name, before)| {
             let after = now.get(name).copied().unwrap_or_default();
             (after != *before)
-                .then(|| format!("camera {}: {name} {before} then, {after} now", camera + 1))
+                .then(|| format!("{}: {name} {before} then, {after} now", CameraName(camera)))
         })
     });
     lines.collect()

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use lfpiv_hw::device::StreamStatistics;
+use lfpiv_hw::{CameraName, device::StreamStatistics};
 use lfpiv_sim::Flow;
 
 use crate::{
@@ -110,9 +110,9 @@ pub fn stream_table(streams: &[StreamStatistics]) -> String {
         // Writing to a String does not fail.
         let _ = write!(
             text,
-            "\ncam{:<4}  {completed:>9} {failed:>7} {underruns:>9}  {resent:>8} {missing:>8}  \
+            "\n{:<7}  {completed:>9} {failed:>7} {underruns:>9}  {resent:>8} {missing:>8}  \
              {reconnects:>10}",
-            index + 1
+            CameraName(index)
         );
     }
     text

@@ -4,7 +4,7 @@ use std::{fs, path::Path};
 
 use anyhow::Context;
 use lfpiv_hw::{
-    RecordedCamera,
+    CameraName, RecordedCamera,
     device::Camera,
     gige::{self, CameraSettings, ImageSize},
     synchroniser::{self, line::Transcript},
@@ -41,9 +41,9 @@ fn open_camera(
     size: ImageSize,
     record: Option<&Path>,
 ) -> anyhow::Result<Box<dyn Camera>> {
-    let name = format!("cam{}", index + 1);
-    let camera = gige::open(&name, settings, size)
-        .with_context(|| format!("camera {} cannot be used", index + 1))?;
+    let name = CameraName(index).to_string();
+    let camera =
+        gige::open(&name, settings, size).with_context(|| format!("{name} cannot be used"))?;
     let Some(folder) = record else { return Ok(camera) };
     let path = folder.join(format!("{name}.csv"));
     let recorded = fs::create_dir_all(folder).and_then(|()| RecordedCamera::new(camera, &path));

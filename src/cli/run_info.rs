@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use lfpiv_hw::CameraName;
+
 use super::{daemon::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
@@ -23,7 +25,7 @@ pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
         configuration: ConfigurationSummary {
             file: plan.file.path.clone(),
             simulated: config.simulation.is_some(),
-            cameras: (1..=config.camera.len()).map(|number| format!("cam{number}")).collect(),
+            cameras: (0..config.camera.len()).map(|index| CameraName(index).to_string()).collect(),
             voxels_xyz: config.volume.voxels,
             voxel_mm: config.volume.voxel_mm,
             window_mm: config.velocimetry.window_mm,

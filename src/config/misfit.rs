@@ -1,7 +1,10 @@
 //! Whether the parts of a configuration fit together: every value may be in its range, and the whole
 //! still describe nothing that can be measured.
 
-use lfpiv_hw::timing::{PulseSchedule, Violation};
+use lfpiv_hw::{
+    CameraName,
+    timing::{PulseSchedule, Violation},
+};
 
 use super::Config;
 use crate::model::{Sight, VolumeGrid, degrees_apart};
@@ -84,9 +87,9 @@ fn common_view(config: &Config) -> Option<Misfit> {
         true => ("volume.centre_mm", "move [volume], or correct the poses of the cameras"),
         false => ("volume.voxels", "make [volume] smaller, or correct optics and poses"),
     };
-    let each: Vec<String> = (1..)
+    let each: Vec<String> = (0..)
         .zip(&seen.each)
-        .map(|(camera, share)| format!("camera {camera} sees {:.0} %", 100.0 * share))
+        .map(|(camera, share)| format!("{} sees {:.0} %", CameraName(camera), 100.0 * share))
         .collect();
     let each = each.join(", ");
     let message = match config.camera.len() {
@@ -108,8 +111,10 @@ fn same_camera(config: &Config) -> Option<Misfit> {
         Misfit::new(
             "camera[1].axis",
             format!(
-                "camera 2 looks from where camera 1 does, {degrees:.2} degrees apart, allowed: \
-                 {LEAST_DEGREES_APART} or more; give camera 2 its own pose, or leave it out"
+                "{} looks from where {} does, {degrees:.2} degrees apart, allowed: \
+                 {LEAST_DEGREES_APART} or more; give it its own pose, or leave it out",
+                CameraName(1),
+                CameraName(0)
             ),
         )
     })

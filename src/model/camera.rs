@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use lfpiv_hw::{Optics, Pose};
+use lfpiv_hw::{CameraName, Optics, Pose};
 use nalgebra::Vector3;
 
 use super::{
@@ -135,7 +135,7 @@ impl CameraView {
         let eta = axis(&pose.up, OBLIQUE_LATERAL_NODES_PER_VOXEL, 1);
         let shared_depth = (depth_node_step_mm(optics) / grid.voxel_mm).floor().max(1.0) as usize;
         let depth = axis(&pose.axis, OBLIQUE_DEPTH_NODES_PER_VOXEL, shared_depth);
-        let camera = camera + 1;
+        let camera = CameraName(camera);
         let (_, nearest_mm) = depth.range_mm;
         let limit_mm = optics.object_distance_mm - optics.focal_length_mm;
         if nearest_mm >= limit_mm {

@@ -24,6 +24,7 @@ mod weights;
 
 use std::ops::Range;
 
+use lfpiv_hw::CameraName;
 use thiserror::Error;
 
 pub use blocks::{
@@ -97,23 +98,23 @@ pub trait Projector: Send + Sync {
 pub enum ModelError {
     /// No part of the volume is imaged.
     #[error(
-        "camera {camera} does not see the volume: its image lies wholly outside the microlens \
-         array; move [volume] or correct the pose of camera {camera}"
+        "{camera} does not see the volume: its image lies wholly outside the microlens \
+         array; move [volume] or correct the pose of {camera}"
     )]
-    VolumeOutOfView { camera: usize },
+    VolumeOutOfView { camera: CameraName },
     /// The volume reaches the lens or lies behind it.
     #[error(
-        "camera {camera}: the volume reaches to a depth of {depth_mm:.1} mm, allowed: less than \
+        "{camera}: the volume reaches to a depth of {depth_mm:.1} mm, allowed: less than \
          {limit_mm:.1} mm (object distance minus focal length); make [volume] smaller"
     )]
-    TooDeep { camera: usize, depth_mm: f64, limit_mm: f64 },
+    TooDeep { camera: CameraName, depth_mm: f64, limit_mm: f64 },
     /// A voxel's shadow is wider than the tables hold.
     #[error(
-        "camera {camera}: a voxel's light, {footprint_mm} mm wide, reaches over {pitches:.2} \
+        "{camera}: a voxel's light, {footprint_mm} mm wide, reaches over {pitches:.2} \
          microlens pitches at its deepest, allowed: {most}; use smaller voxels or a shallower \
          volume"
     )]
-    FootprintTooWide { camera: usize, footprint_mm: f64, pitches: f64, most: usize },
+    FootprintTooWide { camera: CameraName, footprint_mm: f64, pitches: f64, most: usize },
     /// The light source that a voxel stands for has no size.
     #[error("a voxel's light of edge {footprint_mm} mm, allowed: a finite length of 0 or more")]
     FootprintOutOfRange { footprint_mm: f64 },

@@ -2,7 +2,7 @@
 
 mod projector;
 
-use lfpiv_hw::{Optics, Pose};
+use lfpiv_hw::{CameraName, Optics, Pose};
 
 use super::{
     ForwardModel, ModelError, ModelParts, Projector, ViewId, VolumeGrid,
@@ -96,7 +96,7 @@ fn taps_needed(
             let fits = |&taps: &usize| axis.most_lost(taps).0 <= MOST_LOST_SHARE;
             let taps =
                 (needed..=MOST_TAPS).find(fits).ok_or_else(|| ModelError::FootprintTooWide {
-                    camera: camera + 1,
+                    camera: CameraName(camera),
                     footprint_mm,
                     pitches: axis.most_lost(MOST_TAPS).1,
                     most: MOST_TAPS - 1,

@@ -1,6 +1,6 @@
 //! One frame of all cameras, cut into views.
 
-use lfpiv_hw::RawImage;
+use lfpiv_hw::{CameraName, RawImage};
 
 use crate::{
     lightfield::{
@@ -63,7 +63,7 @@ impl Frame {
             };
             let levels = correction.zones.levels(image, &settings);
             let views = layout.decode_above_black(image, &levels);
-            let name = format!("camera {}, frame {}", camera + 1, ['a', 'b'][frame]);
+            let name = format!("{}, frame {}", CameraName(camera), ['a', 'b'][frame]);
             decoded.judge(&name, &levels);
             decoded.levels.push(ViewLevels::of(&views, levels.noise_counts));
             decoded.views.push(views);

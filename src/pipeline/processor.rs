@@ -2,7 +2,7 @@
 
 use std::{borrow::Borrow, time::Instant};
 
-use lfpiv_hw::{Optics, Pose, RawImage};
+use lfpiv_hw::{CameraName, Optics, Pose, RawImage};
 use thiserror::Error;
 
 use crate::{
@@ -60,12 +60,12 @@ pub enum ProcessError {
     CameraCount { expected: usize, found: usize },
     /// An image that does not match the sensor.
     #[error(
-        "camera {camera}, frame {frame}: the image has {columns} x {rows} pixels, the configured \
+        "{camera}, frame {frame}: the image has {columns} x {rows} pixels, the configured \
          sensor {expected_columns} x {expected_rows}; correct [optics.sensor] or use images of \
          this camera"
     )]
     ImageSize {
-        camera: usize,
+        camera: CameraName,
         frame: char,
         columns: usize,
         rows: usize,
@@ -262,7 +262,7 @@ impl Processor {
             for (image, frame) in frames.iter().zip(['a', 'b']) {
                 if (image.columns(), image.rows()) != (sensor.columns, sensor.rows) {
                     return Err(ProcessError::ImageSize {
-                        camera: camera + 1,
+                        camera: CameraName(camera),
                         frame,
                         columns: image.columns(),
                         rows: image.rows(),

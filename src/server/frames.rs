@@ -1,7 +1,7 @@
 //! `/api/v1/shots/{shot}/frames`: raw frames to look at.
 
 use axum::{extract::State, http::HeaderMap, response::Response};
-use lfpiv_hw::RawImage;
+use lfpiv_hw::{CameraName, RawImage};
 use serde::Deserialize;
 use utoipa::IntoParams;
 
@@ -47,7 +47,7 @@ pub(super) struct WidthQuery {
 #[utoipa::path(get, path = "/api/v1/shots/{shot}/frames/{camera}/{image}", tag = "shots",
     params(
         ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
-        ("camera" = usize, Path, minimum = 1, description = "Camera, from 1."),
+        ("camera" = usize, Path, minimum = 1, description = "Camera: 1 or cam1 for the first."),
         ("image" = inline(FrameImage), Path, description = "Frame a or b."),
         WidthQuery),
     responses(
@@ -97,15 +97,12 @@ pub(super) enum FrameImage {
 }
 
 fn camera_index(text: &str, cameras: usize) -> Result<usize, ApiError> {
-    let number: usize = text.parse().map_err(|_| {
-        ApiError::bad_request(format!("'{text}' is no camera: give an integer from 1"))
-    })?;
-    match number.checked_sub(1).filter(|camera| *camera < cameras) {
-        Some(camera) => Ok(camera),
-        None => {
-            Err(ApiError::not_found(format!("there is no camera {number}, but 1 to {cameras}")))
-        }
+    let name: CameraName = text.parse().map_err(ApiError::bad_request)?;
+    if name.0 < cameras {
+        return Ok(name.0);
     }
+    let last = CameraName(cameras.saturating_sub(1));
+    Err(ApiError::not_found(format!("there is no {name}, but {} to {last}", CameraName(0))))
 }
 
 fn none_yet() -> ApiError {

@@ -6,7 +6,7 @@ use lfpiv::acquisition::{
     AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Ledger, Outcome,
     OverloadPolicy, Shot, acquire, shot_queue,
 };
-use lfpiv_hw::{PulseSchedule, TimingSettings};
+use lfpiv_hw::{CameraName, PulseSchedule, TimingSettings};
 use parking_lot::Mutex;
 use tokio_util::sync::CancellationToken;
 
@@ -161,7 +161,10 @@ async fn a_silent_camera_ends_the_firing() {
     let patience = Duration::from_millis(700);
     let settings = AcquisitionSettings { patience, ..settings(50, OverloadPolicy::Shed) };
     let taken = take(settings, &tricks, 50, CancellationToken::new(), |_| {}).await;
-    assert!(matches!(taken.ended, Err(AcquisitionError::Silent { camera: 1, triggers: 5 })));
+    assert!(matches!(
+        taken.ended,
+        Err(AcquisitionError::Silent { camera: CameraName(1), triggers: 5 })
+    ));
     assert_eq!(taken.ledger.accounts()[1].outcomes.of(Outcome::MissedTrigger), 5);
     assert_eq!(taken.ledger.accounts()[0].outcomes.of(Outcome::Unpaired), 5);
     taken.assert_safe_end();

@@ -6,7 +6,10 @@ use lfpiv::acquisition::{
     AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Ledger, Outcome,
     OverloadPolicy, Shot, acquire, shot_queue,
 };
-use lfpiv_hw::device::{Camera, DeviceError, Frame, StreamStatistics};
+use lfpiv_hw::{
+    CameraName,
+    device::{Camera, DeviceError, Frame, StreamStatistics},
+};
 use lfpiv_sim::faults::{
     CameraFaults, ClockJump, FaultRecord, FaultSettings, FaultyCamera, FrameFault, FrameShares,
 };
@@ -281,7 +284,8 @@ async fn missed_triggers_shift_no_other_shot() {
 
 #[tokio::test]
 async fn a_drifting_clock_is_followed() {
-    let drift = CameraFaults { clock_drift_ppm: 100.0, only: Some(vec![1]), ..only(none()) };
+    let drift =
+        CameraFaults { clock_drift_ppm: 100.0, only: Some(vec![CameraName(1)]), ..only(none()) };
     let taken = take(drift).await;
     taken.assert_whole();
     taken.assert_lost([&[], &[]], Outcome::Complete);
@@ -292,7 +296,11 @@ async fn a_drifting_clock_is_followed() {
 async fn a_clock_that_jumps_makes_suspects_until_it_is_known_again() {
     for jump_ns in [37_000_000, -37_000_000, -3_000_000_000] {
         let jump = ClockJump { frame: 90, jump_ns };
-        let faults = CameraFaults { clock_jumps: vec![jump], only: Some(vec![1]), ..only(none()) };
+        let faults = CameraFaults {
+            clock_jumps: vec![jump],
+            only: Some(vec![CameraName(1)]),
+            ..only(none())
+        };
         let taken = take(faults).await;
         taken.assert_whole();
         taken.assert_lost([&[], &[]], Outcome::Complete);
@@ -338,8 +346,11 @@ async fn all_faults_together_break_no_law() {
 
 #[tokio::test]
 async fn a_camera_that_is_disconnected_ends_the_run_safely() {
-    let faults =
-        CameraFaults { disconnect_after: Some(60), only: Some(vec![1]), ..CameraFaults::default() };
+    let faults = CameraFaults {
+        disconnect_after: Some(60),
+        only: Some(vec![CameraName(1)]),
+        ..CameraFaults::default()
+    };
     let taken = take(faults).await;
     taken.assert_in_order();
     let error = taken.ended.as_ref().unwrap_err().to_string();

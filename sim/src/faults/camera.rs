@@ -5,7 +5,10 @@ mod device_clock;
 
 use std::{collections::VecDeque, time::Duration};
 
-use lfpiv_hw::device::{Camera, DeviceError, Frame, FrameStatus, StreamStatistics};
+use lfpiv_hw::{
+    CameraName,
+    device::{Camera, DeviceError, Frame, FrameStatus, StreamStatistics},
+};
 use rand::Rng;
 
 use self::device_clock::DeviceClock;
@@ -92,7 +95,8 @@ impl<C: Camera> FaultyCamera<C> {
         settings: &FaultSettings,
         clock: impl Clock + 'static,
     ) -> Self {
-        let spared = settings.camera.only.as_ref().is_some_and(|only| !only.contains(&index));
+        let spared =
+            settings.camera.only.as_ref().is_some_and(|only| !only.contains(&CameraName(index)));
         let faults = if spared { CameraFaults::default() } else { settings.camera.clone() };
         Self {
             device_clock: DeviceClock::new(faults.clock_drift_ppm),

@@ -7,7 +7,7 @@
 //! late_ms = 250
 //! clock_drift_ppm = 100.0
 //! clock_jumps = [{ frame = 140, jump_ns = 31_000_000 }]
-//! only = [1]                  # camera 0 is left alone
+//! only = ["cam2"]             # cam1 is left alone
 //!
 //! [camera.shares]             # of all frames
 //! dropped = 0.02
@@ -19,7 +19,7 @@
 //! ```
 
 use garde::Validate;
-use lfpiv_hw::check::finite;
+use lfpiv_hw::{CameraName, check::finite};
 use serde::{Deserialize, Serialize};
 
 use super::{FrameFault, LineFault};
@@ -62,9 +62,9 @@ pub struct CameraFaults {
     /// Jumps of the camera's clock.
     #[garde(dive)]
     pub clock_jumps: Vec<ClockJump>,
-    /// Only these cameras are disturbed, counted from 0; all of them when absent.
+    /// Only these cameras are disturbed; all of them when absent.
     #[garde(skip)]
-    pub only: Option<Vec<usize>>,
+    pub only: Option<Vec<CameraName>>,
     /// After so many frames the connection is lost for good.
     #[garde(skip)]
     pub disconnect_after: Option<u64>,

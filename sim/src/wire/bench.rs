@@ -16,7 +16,7 @@ use std::{
     thread::{self, JoinHandle},
 };
 
-use lfpiv_hw::{RawImage, gige::ImageSize, synchroniser::ChannelMap};
+use lfpiv_hw::{CameraName, RawImage, gige::ImageSize, synchroniser::ChannelMap};
 use thiserror::Error;
 
 use super::{
@@ -149,7 +149,7 @@ impl WireBench {
             let faults = FrameFaults::new(index, &options.faults);
             frame_faults.push(faults.record());
             let run = move || expose_all(index, &camera, faults, &triggered, &sent);
-            threads.push(spawn(format!("fake camera {}", index + 1), run)?);
+            threads.push(spawn(format!("fake {}", CameraName(index)), run)?);
         }
         let optics = OpticalBench::new(wiring(cameras.len()), settings.laser(), settings.camera());
         let run = move || take_pictures(optics, pictures.as_ref(), &arriving, &triggers);
@@ -308,13 +308,13 @@ fn expose(
     frame: SentFrame,
     sent: &Mutex<Vec<SentFrame>>,
 ) {
-    let (number, shot) = (frame.camera + 1, frame.shot);
+    let (name, shot) = (CameraName(frame.camera), frame.shot);
     match camera.expose(Arc::new(image), frame.device_timestamp_ns) {
         Ok(Exposed::Yes) => sent.lock().unwrap_or_else(PoisonError::into_inner).push(frame),
         Ok(Exposed::No(reason)) => {
-            tracing::debug!(camera = number, shot, ?reason, "the camera ignored a trigger");
+            tracing::debug!(camera = %name, shot, ?reason, "the camera ignored a trigger");
         }
-        Err(error) => tracing::error!(camera = number, shot, %error, "no picture"),
+        Err(error) => tracing::error!(camera = %name, shot, %error, "no picture"),
     }
 }
 

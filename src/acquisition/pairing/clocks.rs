@@ -1,5 +1,5 @@
-//! The cameras' clocks, fitted: camera 0 against the triggers of a burst, every other camera
-//! against camera 0.
+//! The cameras' clocks, fitted: cam1 against the triggers of a burst, every other camera
+//! against cam1.
 //!
 //! The trigger grid begins anew with every burst, after a pause of any length, at a rate that
 //! stays. The cameras' clocks run on through the pauses, so that their difference tells which
@@ -7,6 +7,8 @@
 //! is known of their rates.
 
 use std::time::Duration;
+
+use lfpiv_hw::CameraName;
 
 use super::{
     clock_fit::{ClockFit, Exactness, Residual},
@@ -26,10 +28,10 @@ pub(super) struct Comparison {
 #[derive(Debug)]
 pub(super) struct Clocks {
     exactness: Exactness,
-    /// Camera 0 against the triggers of the burst that begins with `burst_first`.
+    /// The first camera against the triggers of the burst that begins with `burst_first`.
     trigger_grid: ClockFit,
     burst_first: u64,
-    /// Cameras 1 and on against camera 0.
+    /// The other cameras against the first.
     differences: Vec<ClockFit>,
     /// Whether those differences are known.
     compared: bool,
@@ -76,7 +78,7 @@ impl Clocks {
         self.forget_differences();
     }
 
-    /// Timestamp of `camera` less what its clock should have shown when camera 0 showed `first_ns`;
+    /// Timestamp of `camera` less what its clock should have shown when the first camera showed `first_ns`;
     /// `None` while that is not known.
     pub fn difference_ns(&self, camera: usize, first_ns: i128, timestamp_ns: i128) -> Option<i128> {
         if camera == 0 {
@@ -178,9 +180,11 @@ impl Comparison {
         let ns = residual.ns.clamp(i64::MIN.into(), i64::MAX.into());
         self.residuals_ns.push(ns as i64);
         if residual.is_far_out() {
-            let against = if camera == 0 { "the triggers" } else { "camera 0" };
+            let name = CameraName(camera);
+            let first = CameraName(0).to_string();
+            let against = if camera == 0 { "the triggers" } else { &first };
             self.suspect.push(format!(
-                "camera {camera}: timestamp is {} us off its clock's line against {against}, up to \
+                "{name}: timestamp is {} us off its clock's line against {against}, up to \
                  {:.0} us are usual",
                 residual.ns / 1000,
                 residual.limit_ns / 1000.0

@@ -2,7 +2,7 @@
 
 use std::{ops::Range, time::Duration};
 
-use lfpiv_hw::device::Frame;
+use lfpiv_hw::{CameraName, device::Frame};
 
 use super::{OpenTrigger, Outcome, Pairing, Ruling, Shot, Slot};
 
@@ -29,7 +29,8 @@ impl Pairing {
             self.counters.duplicate += 1;
             return false;
         }
-        slot.disagreement.extend(disagreement.map(|words| format!("camera {camera}: {words}")));
+        slot.disagreement
+            .extend(disagreement.map(|words| format!("{}: {words}", CameraName(camera))));
         true
     }
 
@@ -156,7 +157,8 @@ impl Pairing {
         let wrong = cameras.iter().enumerate().filter_map(|(camera, [a, b])| {
             let found = i128::from(b.device_timestamp_ns) - i128::from(a.device_timestamp_ns);
             ((found - expected).abs() > tolerance).then(|| {
-                format!("camera {camera}: frame b came {found} ns after frame a, not {expected}")
+                let name = CameraName(camera);
+                format!("{name}: frame b came {found} ns after frame a, not {expected}")
             })
         });
         wrong.collect()

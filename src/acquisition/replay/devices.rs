@@ -3,6 +3,7 @@
 use std::{sync::Arc, time::Duration};
 
 use lfpiv_hw::{
+    CameraName,
     device::{Camera, DeviceError, Frame, StreamStatistics, Synchroniser, SynchroniserState},
     timing::PulseSchedule,
 };
@@ -23,7 +24,7 @@ pub(super) struct ReplayCamera {
 impl ReplayCamera {
     pub fn new(index: usize, script: Arc<Script>) -> Self {
         Self {
-            name: format!("cam{}", index + 1),
+            name: CameraName(index).to_string(),
             index,
             script,
             is_playing: false,

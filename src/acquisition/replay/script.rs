@@ -10,7 +10,7 @@ use std::{
 };
 
 use lfpiv_hw::{
-    RawImage,
+    CameraName, RawImage,
     device::{DeviceError, Frame, StreamStatistics},
     timing::PulseSchedule,
 };
@@ -290,7 +290,7 @@ impl Script {
 
     fn image(&self, camera: usize, place: Position) -> Result<RawImage, DeviceError> {
         self.recorded.image(place).map_err(|error| DeviceError::Lost {
-            device: format!("recorded camera {}", camera + 1),
+            device: format!("recorded {}", CameraName(camera)),
             detail: error.to_string(),
         })
     }

@@ -1,5 +1,7 @@
 //! What could be better about a bench, seen from its configuration.
 
+use lfpiv_hw::CameraName;
+
 use super::{
     super::{
         doctor::{
@@ -42,9 +44,9 @@ pub fn of_configuration(config: &Config) -> Vec<Finding> {
 fn view(config: &Config) -> Finding {
     const CHECK: &str = "view";
     let seen = Sight::new(&config.optics, &config.camera, &config.volume);
-    let each = (1..).zip(&seen.each);
+    let each = (0..).zip(&seen.each);
     let each: Vec<String> = each
-        .map(|(camera, share)| format!("camera {camera} sees {:.0} %", 100.0 * share))
+        .map(|(camera, share)| format!("{} sees {:.0} %", CameraName(camera), 100.0 * share))
         .collect();
     let found = match config.camera.len() {
         1 => format!("{} of the volume", each.join(", ")),
@@ -65,10 +67,10 @@ fn view(config: &Config) -> Finding {
 fn directions(config: &Config) -> Vec<Finding> {
     const CHECK: &str = "directions";
     let straight = aligned(&config.camera);
-    let turned: Vec<String> = (1..)
+    let turned: Vec<String> = (0..)
         .zip(config.camera.iter().zip(&straight))
         .filter(|(_, (camera, straight))| camera != straight)
-        .map(|(number, _)| format!("camera {number}"))
+        .map(|(camera, _)| CameraName(camera).to_string())
         .collect();
     let along = if turned.is_empty() {
         Finding::ok(CHECK, "all cameras look along axes of the volume")
@@ -194,25 +196,21 @@ pub fn time(config: &Config, expected: &anyhow::Result<Expected>) -> Finding {
     let longer = slower.map_or(String::new(), |factor| {
         format!("; {factor:.0} times longer than with cameras along the volume's axes")
     });
-    let found =
-        format!("about {} per pair on {} cores{assumed}{longer}", in_words(pair_s), cores());
+    let digits = in_digits(pair_s);
+    let found = format!("about {digits} s per pair on {} cores{assumed}{longer}", cores());
     let load = pair_s * config.shot.rate_hz;
     let finding = if load > 1.0 {
         let todo = format!(
-            "{} shots/s come in, about {} are measured meanwhile; a run keeps the images of the \
+            "at {} shots/s about one in {:.0} is measured meanwhile; a run keeps the images of the \
              others, and `lfpiv process RUN` measures them afterwards",
             config.shot.rate_hz,
-            in_digits(1.0 / pair_s)
+            load.ceil()
         );
         Finding::advice(CHECK, found, todo)
     } else {
         Finding::ok(CHECK, found)
     };
     finding.with("pair_s", pair_s)
-}
-
-fn in_words(seconds: f64) -> String {
-    format!("{} s", in_digits(seconds))
 }
 
 /// Two digits are what an estimate is worth.

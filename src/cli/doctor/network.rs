@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, fs, net::Ipv4Addr};
 
-use lfpiv_hw::gige::CameraSettings;
+use lfpiv_hw::{CameraName, gige::CameraSettings};
 
 use super::{
     Finding, Need,
@@ -80,7 +80,7 @@ fn receive_buffer(limit: Option<u32>, wanted: u32, unlimited: bool) -> Finding {
 fn no_route(camera: usize, ip: Ipv4Addr) -> Finding {
     Finding::problem(
         "network",
-        format!("camera {}: no interface leads to {ip}", camera + 1),
+        format!("{}: no interface leads to {ip}", CameraName(camera)),
         format!("give the interface that the camera is plugged into an address beside {ip}"),
     )
 }
@@ -88,7 +88,7 @@ fn no_route(camera: usize, ip: Ipv4Addr) -> Finding {
 fn found_by_serial(camera: usize) -> Finding {
     Finding::advice(
         "network",
-        format!("camera {} is configured by its serial number", camera + 1),
+        format!("{} is configured by its serial number", CameraName(camera)),
         "lfpiv devices shows its address; with instruments.camera.ip its interface is looked at",
     )
 }

@@ -7,6 +7,7 @@ use std::{
 };
 
 use anyhow::Context;
+use lfpiv_hw::CameraName;
 use lfpiv_sim::wire::bench::SentFrame;
 
 /// A list that is written as frames go out.
@@ -27,9 +28,9 @@ impl SentRecord {
     }
 
     pub fn list(&mut self, frame: &SentFrame) -> io::Result<()> {
-        let camera = frame.camera + 1;
+        let camera = CameraName(frame.camera);
         let (shot, exposure) = (frame.shot, frame.exposure);
         let (timestamp_ns, crc32) = (frame.device_timestamp_ns, frame.crc32);
-        writeln!(self.0, "cam{camera},{shot},{exposure},{timestamp_ns},{crc32:08x}")
+        writeln!(self.0, "{camera},{shot},{exposure},{timestamp_ns},{crc32:08x}")
     }
 }

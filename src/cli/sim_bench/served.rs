@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, fmt::Debug, path::Path, sync::Arc, time::Duration};
 
 use anyhow::{Context, bail};
-use lfpiv_hw::gige::ImageSize;
+use lfpiv_hw::{CameraName, gige::ImageSize};
 use lfpiv_sim::{
     faults::Injected,
     wire::{
@@ -134,8 +134,8 @@ fn summary(report: &WireReport) -> String {
     let cameras = report.frames.iter().zip(&report.frame_faults).enumerate();
     let frames = cameras.map(|(index, (frames, faults))| {
         format!(
-            "\ncamera {}: {} exposures, {} frames sent, {} lost, {} ignored{}",
-            index + 1,
+            "\n{}: {} exposures, {} frames sent, {} lost, {} ignored{}",
+            CameraName(index),
             frames.exposures,
             frames.sent,
             frames.lost,
