@@ -121,9 +121,9 @@ fn one_dark_camera_is_named_and_its_pair_marked_invalid() {
             };
             pair.cameras[dark] = unlit.cameras[dark].clone();
             let result = measured(&pair);
-            let name = format!("camera {}, frame a: no particle", dark + 1);
+            let name = format!("cam{}, frame a: no particle", dark + 1);
             assert_invalid("one dark camera", &result, &[&name]);
-            let other = format!("camera {}", 2 - dark);
+            let other = format!("cam{}", 2 - dark);
             assert!(result.warnings.iter().all(|w| !w.contains(&other)), "{:?}", result.warnings);
         }
     }
@@ -183,7 +183,7 @@ fn a_volume_that_no_camera_sees_is_refused_with_the_cameras_name() {
     for (centre_mm, camera) in [([30.0, 0.0, 0.0], 1), ([0.0, 20.0, 0.0], 1), ([0.0, 0.0, 20.0], 2)]
     {
         let message = refused(centre_mm);
-        let expected = format!("camera {camera} does not see the volume");
+        let expected = format!("cam{camera} does not see the volume");
         assert!(message.contains(&expected), "{centre_mm:?}: {message}");
     }
 }
