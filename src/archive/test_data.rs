@@ -20,6 +20,7 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
             peak_ratio: numbers(0.5),
             vorticity: triples(0.001),
             divergence: numbers(0.002),
+            has_gradient: (0..grid.len()).map(|index| index % 3 != 2).collect(),
             voxel_mm: 0.1,
             dt_s: 1e-4,
             grid,

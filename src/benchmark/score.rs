@@ -2,7 +2,7 @@
 
 use lfpiv_sim::Flow;
 
-use crate::velocimetry::{VectorStatus, VelocityField, curl_and_divergence};
+use crate::velocimetry::{Gradients, VectorStatus, VelocityField, curl_and_divergence};
 
 /// Errors up to this count as measured (paper, Fig. 18), in voxels.
 const WITHIN_VOX: f64 = 0.3;
@@ -69,12 +69,14 @@ pub fn true_field(field: &VelocityField, flow: &Flow) -> VelocityField {
         })
         .collect();
     let step_vox = field.grid.spacing_mm / field.voxel_mm;
-    let (vorticity, divergence) =
-        curl_and_divergence(field.grid.vectors, &displacement_vox, step_vox);
+    let everywhere = vec![true; field.grid.len()];
+    let Gradients { vorticity, divergence, known } =
+        curl_and_divergence(field.grid.vectors, &displacement_vox, &everywhere, step_vox);
     VelocityField {
         displacement_vox,
         vorticity,
         divergence,
+        has_gradient: known,
         status: vec![VectorStatus::Valid; field.grid.len()],
         ..field.clone()
     }

@@ -136,6 +136,7 @@ mod tests {
                 peak_ratio: vec![2.0; 2],
                 vorticity: vec![[0.0; 3]; 2],
                 divergence: vec![0.0; 2],
+                has_gradient: vec![true, false],
                 voxel_mm: 0.1,
                 dt_s: 1e-4,
             },

@@ -14,6 +14,7 @@ pub(super) fn result() -> PairResult {
             peak_ratio: vec![2.0],
             vorticity: vec![[0.0; 3]],
             divergence: vec![0.0],
+            has_gradient: vec![true],
             voxel_mm: 0.1,
             dt_s: 1e-4,
         },

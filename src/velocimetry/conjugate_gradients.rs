@@ -10,8 +10,10 @@ pub struct Until {
 }
 
 /// Solves A x = `right` from `start` by conjugate gradients with A's diagonal as preconditioner
-/// (Hestenes and Stiefel, J. Res. Natl. Bur. Stand. 49, 1952). `apply` gives A x; every entry of
-/// `diagonal` must be greater than zero.
+/// (Hestenes and Stiefel, J. Res. Natl. Bur. Stand. 49, 1952). `apply` gives A x.
+///
+/// A may be singular where `right` lies in its range: what no equation determines keeps the values of
+/// `start`. An unknown that is in no equation has 0 on the `diagonal`.
 pub fn solve(
     apply: impl Fn(&[f64]) -> Vec<f64>,
     diagonal: &[f64],
@@ -22,7 +24,8 @@ pub fn solve(
     let mut value = start;
     let mut residual: Vec<f64> = right.iter().zip(apply(&value)).map(|(r, a)| r - a).collect();
     let scaled = |residual: &[f64]| -> Vec<f64> {
-        residual.iter().zip(diagonal).map(|(r, d)| r / d).collect()
+        let scale = |(r, d): (&f64, &f64)| if *d > 0.0 { r / d } else { 0.0 };
+        residual.iter().zip(diagonal).map(scale).collect()
     };
     let mut step = scaled(&residual);
     let mut square = dot(&residual, &step);

@@ -1,75 +1,120 @@
 //! Vorticity and divergence of a vector field on a lattice.
 
+/// Derivatives of a vector field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gradients {
+    /// Its curl; zero where it is not known.
+    pub vorticity: Vec<[f32; 3]>,
+    /// Its divergence; zero where it is not known.
+    pub divergence: Vec<f32>,
+    /// Whether both are known.
+    pub known: Vec<bool>,
+}
+
 /// Curl and divergence of `values` (lattice of `nodes`, stored z, y, x), in value units per node
-/// distance `step`: central differences inside, one-sided at the faces, zero along an axis with a
-/// single node.
+/// distance `step`: central differences between neighbours that have a value, one-sided where only one
+/// has, zero along an axis with a single node. Known where the vector itself has a value and, along
+/// every axis, a neighbour has one.
 pub fn curl_and_divergence(
     nodes: [usize; 3],
     values: &[[f32; 3]],
+    has_value: &[bool],
     step: f64,
-) -> (Vec<[f32; 3]>, Vec<f32>) {
-    (0..values.len())
+) -> Gradients {
+    let found: Vec<Option<([f32; 3], f32)>> = (0..values.len())
         .map(|index| {
+            if !has_value[index] {
+                return None;
+            }
+            let along = |axis| derivative(nodes, values, has_value, index, axis, step);
             // gradient[a][c]: derivative of component c along axis a
-            let gradient: [[f64; 3]; 3] =
-                std::array::from_fn(|axis| derivative(nodes, values, index, axis, step));
+            let gradient = [along(0)?, along(1)?, along(2)?];
             let curl = [
                 gradient[1][2] - gradient[2][1],
                 gradient[2][0] - gradient[0][2],
                 gradient[0][1] - gradient[1][0],
             ];
             let divergence = gradient[0][0] + gradient[1][1] + gradient[2][2];
-            (curl.map(|c| c as f32), divergence as f32)
+            Some((curl.map(|c| c as f32), divergence as f32))
         })
-        .unzip()
+        .collect();
+    let known = found.iter().map(Option::is_some).collect();
+    let (vorticity, divergence) = found.into_iter().map(Option::unwrap_or_default).unzip();
+    Gradients { vorticity, divergence, known }
 }
 
 fn derivative(
     nodes: [usize; 3],
     values: &[[f32; 3]],
+    has_value: &[bool],
     index: usize,
     axis: usize,
     step: f64,
-) -> [f64; 3] {
+) -> Option<[f64; 3]> {
+    if nodes[axis] == 1 {
+        return Some([0.0; 3]);
+    }
     let stride = [1, nodes[0], nodes[0] * nodes[1]][axis];
     let place = index / stride % nodes[axis];
-    let below = place.min(1);
-    let above = (nodes[axis] - 1 - place).min(1);
+    let below = usize::from(place > 0 && has_value[index - stride]);
+    let above = usize::from(place + 1 < nodes[axis] && has_value[index + stride]);
     if below + above == 0 {
-        return [0.0; 3];
+        return None;
     }
     let (low, high) = (values[index - below * stride], values[index + above * stride]);
     let distance = (below + above) as f64 * step;
-    std::array::from_fn(|c| f64::from(high[c] - low[c]) / distance)
+    Some(std::array::from_fn(|c| f64::from(high[c] - low[c]) / distance))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// A solid rotation of 0.1 per voxel about z, on nodes 8 voxels apart.
+    fn rotation() -> Vec<[f32; 3]> {
+        let place = |n: i32| [n % 4, n / 4 % 5].map(|i| 0.8 * i as f32);
+        (0..60).map(|n| place(n)).map(|[x, y]| [-y, x, 0.0]).collect()
+    }
+
+    fn of_rotation(values: &[[f32; 3]], has_value: &[bool]) -> Gradients {
+        curl_and_divergence([4, 5, 3], values, has_value, 8.0)
+    }
+
+    fn is_rotation(found: &Gradients, n: usize) -> bool {
+        let [x, y, z] = found.vorticity[n];
+        x.abs() < 1e-6
+            && y.abs() < 1e-6
+            && (z - 0.2).abs() < 1e-5
+            && found.divergence[n].abs() < 1e-6
+    }
+
     #[test]
     fn solid_rotation_has_twice_its_rate_as_vorticity_and_no_divergence() {
-        let nodes = [4, 5, 3];
-        let (rate, step) = (0.1, 8.0);
-        let mut values = Vec::new();
-        for _ in 0..3 {
-            for j in 0..5 {
-                for i in 0..4 {
-                    let (x, y) = (f64::from(i) * step, f64::from(j) * step);
-                    values.push([(-rate * y) as f32, (rate * x) as f32, 0.0]);
-                }
-            }
+        let found = of_rotation(&rotation(), &[true; 60]);
+        assert!((0..60).all(|n| found.known[n] && is_rotation(&found, n)));
+    }
+
+    #[test]
+    fn vectors_without_value_are_in_no_difference() {
+        let mut values = rotation();
+        // The layers x = 0 and 1 have none, nor has a hole on the face x = 3.
+        let has_value: Vec<bool> = (0..60).map(|n| n % 4 >= 2 && n != 31).collect();
+        for (value, _) in values.iter_mut().zip(&has_value).filter(|(_, has)| !**has) {
+            *value = [0.0; 3];
         }
-        let (curl, divergence) = curl_and_divergence(nodes, &values, step);
-        for (c, d) in curl.iter().zip(&divergence) {
-            assert!(c[0].abs() < 1e-6 && c[1].abs() < 1e-6 && (c[2] - 0.2).abs() < 1e-5);
-            assert!(d.abs() < 1e-6);
+        let found = of_rotation(&values, &has_value);
+        for n in 0..60 {
+            // Beside the hole along x there is no other neighbour.
+            assert_eq!(found.known[n], has_value[n] && n != 30, "{n}");
+            assert!(!found.known[n] || is_rotation(&found, n), "{n}");
+            assert!(found.known[n] || (found.vorticity[n], found.divergence[n]) == ([0.0; 3], 0.0));
         }
     }
 
     #[test]
     fn a_single_layer_has_finite_derivatives() {
-        let (curl, divergence) = curl_and_divergence([1, 1, 1], &[[1.0, 2.0, 3.0]], 1.0);
-        assert_eq!((curl[0], divergence[0]), ([0.0; 3], 0.0));
+        let found = curl_and_divergence([1, 1, 1], &[[1.0, 2.0, 3.0]], &[true], 1.0);
+        assert_eq!((found.vorticity[0], found.divergence[0]), ([0.0; 3], 0.0));
+        assert!(found.known[0]);
     }
 }

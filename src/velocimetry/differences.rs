@@ -48,6 +48,13 @@ impl Layout {
         n / self.stride(axis) % self.nodes[axis] + 3 < self.nodes[axis]
     }
 
+    /// How many of the four nodes of the third difference along `axis` that starts at node `n` are not
+    /// `known`.
+    fn gaps(self, axis: usize, n: usize, known: &[bool]) -> usize {
+        let s = self.stride(axis);
+        (0..4).filter(|k| !known[n + k * s]).count()
+    }
+
     /// Third differences along `axis` that start at the nodes; where none fits, one that runs on
     /// into other rows and means nothing, and none for the last nodes.
     fn third_differences(self, axis: usize, value: &[f64]) -> Vec<f64> {
@@ -74,16 +81,19 @@ impl Layout {
     }
 
     /// Mean square of the third difference along `axis` about each node, with the whole lattice's
-    /// as one more of those around: how rough the field is there. 0 where none starts.
-    pub fn roughness(self, axis: usize, value: &[f64]) -> Vec<f64> {
+    /// as one more of those around: how rough the field is there, from `known` values only. 0 where
+    /// none starts.
+    pub fn roughness(self, axis: usize, value: &[f64], known: &[bool]) -> Vec<f64> {
         let starts: Vec<bool> = (0..value.len()).map(|n| self.starts(axis, n)).collect();
+        let measured: Vec<bool> =
+            (0..value.len()).map(|n| starts[n] && self.gaps(axis, n, known) == 0).collect();
         let mut squares = vec![0.0; value.len()];
         for (n, difference) in self.third_differences(axis, value).into_iter().enumerate() {
-            if starts[n] {
+            if measured[n] {
                 squares[n] = difference * difference;
             }
         }
-        let mut counts: Vec<f64> = starts.iter().map(|&s| f64::from(u8::from(s))).collect();
+        let mut counts: Vec<f64> = measured.iter().map(|&m| f64::from(u8::from(m))).collect();
         let mean = squares.iter().sum::<f64>() / counts.iter().sum::<f64>().max(1.0);
         self.sums_around(&mut squares);
         self.sums_around(&mut counts);
@@ -94,6 +104,22 @@ impl Layout {
 }
 
 impl Penalty {
+    /// Lets every third difference go that touches more than one node which is not `known`.
+    ///
+    /// Unknown nodes would otherwise tie the known ones to how smoothly the field could go on beyond them,
+    /// which nobody has measured. A difference with one unknown node bridges a hole; where nothing lies
+    /// beyond, it says what the node would be and nothing of the others.
+    pub fn release(&mut self, known: &[bool]) {
+        let layout = self.layout;
+        for (axis, stiffness) in self.stiffness.iter_mut().enumerate() {
+            for (n, stiffness) in stiffness.iter_mut().enumerate() {
+                if layout.starts(axis, n) && layout.gaps(axis, n, known) > 1 {
+                    *stiffness = 0.0;
+                }
+            }
+        }
+    }
+
     /// Adds Δᵀ p Δ of `value` to `sum`.
     pub fn add_forces(&self, value: &[f64], sum: &mut [f64]) {
         for axis in self.layout.long_axes() {

@@ -65,10 +65,13 @@ pub struct VelocityField {
     pub status: Vec<VectorStatus>,
     /// Highest over second highest correlation peak; 0 where there is no peak.
     pub peak_ratio: Vec<f32>,
-    /// Curl of the displacement, in voxel per voxel.
+    /// Curl of the displacement, in voxel per voxel; zero where it is not known.
     pub vorticity: Vec<[f32; 3]>,
-    /// Divergence of the displacement, in voxel per voxel.
+    /// Divergence of the displacement, in voxel per voxel; zero where it is not known.
     pub divergence: Vec<f32>,
+    /// Whether vorticity and divergence are known: the vector and, along every axis, a neighbour of it are
+    /// not invalid.
+    pub has_gradient: Vec<bool>,
     /// Edge length of a voxel, in mm.
     pub voxel_mm: f64,
     /// Time between the frames, in s.
@@ -90,6 +93,26 @@ impl VelocityField {
         self.peak_ratio.fill(0.0);
         self.vorticity.fill([0.0; 3]);
         self.divergence.fill(0.0);
+        self.has_gradient.fill(false);
+    }
+
+    /// `values`, one per vector, where the vector has a value, and NaN where it is invalid: for files and
+    /// answers, at whose edge a missing value is said so.
+    pub fn or_nan(&self, values: &[[f32; 3]]) -> impl Iterator<Item = [f32; 3]> {
+        let missing = self.status.iter().map(|status| *status == VectorStatus::Invalid);
+        values.iter().zip(missing).map(|(v, missing)| if missing { [f32::NAN; 3] } else { *v })
+    }
+
+    /// Vorticity where it is known, and NaN where not.
+    pub fn vorticity_or_nan(&self) -> impl Iterator<Item = [f32; 3]> {
+        let known = self.vorticity.iter().zip(&self.has_gradient);
+        known.map(|(v, known)| if *known { *v } else { [f32::NAN; 3] })
+    }
+
+    /// Divergence where it is known, and NaN where not.
+    pub fn divergence_or_nan(&self) -> impl Iterator<Item = f32> {
+        let known = self.divergence.iter().zip(&self.has_gradient);
+        known.map(|(d, known)| if *known { *d } else { f32::NAN })
     }
 
     /// Share of the vectors that were measured and accepted, 0 to 1.

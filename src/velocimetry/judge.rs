@@ -1,14 +1,15 @@
 //! Which measured vectors are trusted, and what stands in for the others.
 
 use super::{
-    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField, derived::curl_and_divergence,
-    field::unknown_vox, lattice::Lattice, peak::Peak, settings::ROOM, validate::Candidates,
+    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
+    derived::{Gradients, curl_and_divergence},
+    field::unknown_vox,
+    lattice::Lattice,
+    peak::Peak,
+    settings::ROOM,
+    validate::Candidates,
 };
 use crate::model::VolumeGrid;
-
-/// Uncertainty of what stands in for a vector on the way, in voxels: next to any vector that was
-/// measured, little.
-const STAND_IN_VOX: f32 = 1.0;
 
 /// A vector as it is reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +33,9 @@ pub fn field_of(
 ) -> VelocityField {
     let displacement_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.displacement_vox).collect();
     let spacing_vox = grid.spacing_mm / volume.voxel_mm;
-    let (vorticity, divergence) = curl_and_divergence(grid.vectors, &displacement_vox, spacing_vox);
+    let has_value: Vec<bool> = vectors.iter().map(|v| v.status != VectorStatus::Invalid).collect();
+    let Gradients { vorticity, divergence, known } =
+        curl_and_divergence(grid.vectors, &displacement_vox, &has_value, spacing_vox);
     VelocityField {
         grid,
         uncertainty_vox: vectors.iter().map(|v| v.uncertainty_vox).collect(),
@@ -41,9 +44,21 @@ pub fn field_of(
         displacement_vox,
         vorticity,
         divergence,
+        has_gradient: known,
         voxel_mm: volume.voxel_mm,
         dt_s,
     }
+}
+
+/// The likeliest field behind the last pass's vectors, on the lattice `at_rest`, and the uncertainty of
+/// those that were measured: what stands in for others is no measurement.
+pub fn settled(vectors: &[Vector], at_rest: Lattice) -> (Lattice, Vec<Option<[f32; 3]>>) {
+    let measured = |v: &Vector| (v.status == VectorStatus::Valid).then_some(v.uncertainty_vox);
+    let uncertainty_vox: Vec<Option<[f32; 3]>> = vectors.iter().map(measured).collect();
+    let has_value: Vec<bool> = vectors.iter().map(|v| v.status != VectorStatus::Invalid).collect();
+    let values = vectors.iter().map(|v| v.displacement_vox).collect();
+    let field = Lattice { values, ..at_rest }.filled(&has_value);
+    (field.likeliest(&uncertainty_vox), uncertainty_vox)
 }
 
 /// Judges the vectors of one pass.
@@ -64,32 +79,30 @@ impl Judge<'_> {
     }
 
     /// The field for the next pass: the likeliest one behind vectors whose standard uncertainty is
-    /// `uncertainty_vox` where that is known, and [`STAND_IN_VOX`] where it is not.
+    /// `uncertainty_vox`. Those for which it is not known, and those that others stand in for, weigh
+    /// nothing: they follow from the vectors about, or stay where these do not say.
     pub fn predictor(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Lattice {
         let (field, pass) = self.stood_in();
-        let uncertainty_vox: Vec<[f32; 3]> = uncertainty_vox
-            .iter()
-            .zip(pass)
-            .map(|(known, pass)| known.filter(|_| pass).unwrap_or([STAND_IN_VOX; 3]))
-            .collect();
-        field.likeliest(&uncertainty_vox)
+        let known = uncertainty_vox.iter().zip(pass);
+        let known: Vec<Option<[f32; 3]>> = known.map(|(own, pass)| own.filter(|_| pass)).collect();
+        field.likeliest(&known)
     }
 
-    /// The field as [`Self::in_line`] gives it, and whether each vector is its own.
+    /// The vectors' own values, what neighbours say in their place, or where these say nothing either, how
+    /// the field goes on; and whether each is its own.
     fn stood_in(&self) -> (Lattice, Vec<bool>) {
         let found: Vec<bool> = self.peaks.iter().map(Option::is_some).collect();
         let candidates = self.candidates(&found);
         let pass = self.passing(&candidates);
-        let values = (0..pass.len())
+        let values: Vec<Option<[f32; 3]>> = (0..pass.len())
             .map(|n| {
-                if pass[n] {
-                    self.field.values[n]
-                } else {
-                    candidates.interpolated(n, &pass).map_or([0.0; 3], |stand_in| stand_in.value)
-                }
+                let stand_in = || candidates.interpolated(n, &pass).map(|stand_in| stand_in.value);
+                if pass[n] { Some(self.field.values[n]) } else { stand_in() }
             })
             .collect();
-        (Lattice { values, ..*self.field }, pass)
+        let known: Vec<bool> = values.iter().map(Option::is_some).collect();
+        let values = values.into_iter().map(Option::unwrap_or_default).collect();
+        (Lattice { values, ..*self.field }.filled(&known), pass)
     }
 
     /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is

@@ -6,6 +6,7 @@ mod correlation;
 mod derived;
 mod differences;
 mod field;
+mod fill;
 mod floor;
 mod judge;
 mod kernel;
@@ -17,6 +18,8 @@ mod raster;
 mod result;
 mod settings;
 mod smoothing;
+#[cfg(test)]
+mod test_data;
 mod tracks;
 mod uncertainty;
 mod validate;
@@ -24,7 +27,7 @@ mod volumes;
 mod windows;
 
 pub use cloud::PointCloud;
-pub use derived::curl_and_divergence;
+pub use derived::{Gradients, curl_and_divergence};
 pub use field::{VectorGrid, VectorStatus, VelocityField};
 pub use floor::correlation_error_vox;
 pub use multipass::Interrogation;

@@ -12,7 +12,7 @@ use super::{
     cloud::PointCloud,
     correlation::Frames,
     differences::Layout,
-    judge::{Judge, Vector, field_of},
+    judge::{Judge, Vector, field_of, settled},
     lags::Lags,
     lattice::Lattice,
     peak::{Peak, highest_peak},
@@ -213,17 +213,12 @@ impl Interrogation {
     /// that the particles of `frames` follow. What was replaced is valid where particles measure it; what
     /// is invalid stays so.
     fn settle(&self, vectors: &mut [Vector], frames: Option<[&PointCloud; 2]>) {
-        let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
-        let measured = Lattice {
-            values: vectors.iter().map(|v| v.displacement_vox).collect(),
-            ..self.windows.at_rest()
-        };
-        let likeliest = measured.likeliest(&uncertainty_vox);
+        let (field, uncertainty_vox) = settled(vectors, self.windows.at_rest());
         let settled = match frames {
-            Some(frames) => follow(&likeliest, &uncertainty_vox, frames),
+            Some(frames) => follow(&field, &uncertainty_vox, frames),
             None => {
                 let by_particles = vec![false; vectors.len()];
-                Settled { field: likeliest, uncertainty_vox, by_particles }
+                Settled { field, uncertainty_vox, by_particles }
             }
         };
         for (n, vector) in vectors.iter_mut().enumerate() {
@@ -231,9 +226,13 @@ impl Interrogation {
                 continue;
             }
             vector.displacement_vox = settled.field.values[n];
-            vector.uncertainty_vox = settled.uncertainty_vox[n];
             if settled.by_particles[n] {
                 vector.status = VectorStatus::Valid;
+            }
+            if let (VectorStatus::Valid, Some(uncertainty_vox)) =
+                (vector.status, settled.uncertainty_vox[n])
+            {
+                vector.uncertainty_vox = uncertainty_vox;
             }
         }
     }
@@ -274,3 +273,6 @@ fn search_windows(windows: &Windows, edge_vox: usize, reach_vox: f64) -> (Window
     let search = Windows { nodes, edge, step, cell_vox: cell as f32, first_vox };
     (search, Lags { reach: (reach_vox / cell as f64).ceil() as usize + 1 })
 }
+
+#[cfg(test)]
+mod tests;

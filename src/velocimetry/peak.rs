@@ -70,20 +70,39 @@ pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
     if sides.as_flattened().iter().any(|&side| side > height) {
         return None;
     }
-    let second = Line::all(lags).fold(0.0, |highest_yet, line| {
+    let shift = std::array::from_fn(|axis| {
+        let [below, above] = sides[axis];
+        lag[axis] as f32 + three_point_gaussian(below, height, above)
+    });
+    Some(Peak { shift, lag, ratio: over(height, next_highest(lags, correlation, lag)) })
+}
+
+/// Height of the peak at most a lag away from none over the highest beside it: less than 1 where another
+/// is higher, 0 where nothing correlates there.
+pub fn ratio_at_rest(lags: Lags, correlation: &[f32]) -> f32 {
+    let own = Line::all(lags).filter(|line| line.within([0; 3], 1)).fold(0.0, |most, line| {
+        let middle = line.first + lags.reach;
+        highest(&correlation[middle - 1..=middle + 1], most)
+    });
+    over(own, next_highest(lags, correlation, [0; 3]))
+}
+
+/// How many times as high a peak is as the next one; at most [`ALONE`].
+fn over(height: f32, next: f32) -> f32 {
+    if height > 0.0 { (height / next.max(height / ALONE)).min(ALONE) } else { 0.0 }
+}
+
+/// The highest value that does not belong to the peak at `lag`; 0 where all are negative.
+fn next_highest(lags: Lags, correlation: &[f32], lag: [i64; 3]) -> f32 {
+    Line::all(lags).fold(0.0, |highest_yet, line| {
         let values = &correlation[line.range()];
         if !line.within(lag, PEAK_RADIUS) {
             return highest(values, highest_yet);
         }
         let own = [lag[0] - PEAK_RADIUS, lag[0] + PEAK_RADIUS + 1]
-            .map(|end| (end + lags.reach as i64).clamp(0, edge as i64) as usize);
+            .map(|end| (end + lags.reach as i64).clamp(0, line.length as i64) as usize);
         highest(&values[own[1]..], highest(&values[..own[0]], highest_yet))
-    });
-    let shift = std::array::from_fn(|axis| {
-        let [below, above] = sides[axis];
-        lag[axis] as f32 + three_point_gaussian(below, height, above)
-    });
-    Some(Peak { shift, lag, ratio: (height / second.max(height / ALONE)).min(ALONE) })
+    })
 }
 
 /// Lags that differ along x only.
@@ -187,6 +206,21 @@ mod tests {
             }
         }
         assert!(found > 40, "{found}");
+    }
+
+    #[test]
+    fn a_peak_at_rest_is_compared_with_those_beside_it() {
+        let lags = Lags { reach: 3 };
+        let mut correlation = vec![0.1; lags.count()];
+        let place =
+            |wanted: [i64; 3]| (0..lags.count()).find(|&n| lags.components(n) == wanted).unwrap();
+        correlation[place([1, 0, -1])] = 0.6;
+        correlation[place([0, 2, 0])] = 0.5;
+        correlation[place([-3, 0, 1])] = 0.2;
+        assert!((ratio_at_rest(lags, &correlation) - 3.0).abs() < 1e-6);
+        correlation[place([0, 3, 3])] = 1.2;
+        assert!((ratio_at_rest(lags, &correlation) - 0.5).abs() < 1e-6);
+        assert_eq!(ratio_at_rest(lags, &vec![-1.0; lags.count()]), 0.0);
     }
 
     #[test]

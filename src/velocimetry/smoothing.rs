@@ -12,6 +12,9 @@
 //! Fluids 50, 2011), with two changes: weights are measured uncertainties, and τ is taken from the
 //! vectors about each place, so that a vortex core is smoothed less than the water around it. Fields
 //! up to second order pass unchanged, at the faces of the volume as inside.
+//!
+//! A node without a vector has no certainty, and what lies beyond the last vectors says nothing of
+//! them ([`Penalty::release`]): they come out as if the volume ended there.
 
 use rayon::prelude::*;
 
@@ -40,7 +43,7 @@ const UNTIL: Until = Until { tolerance: 1e-3, steps: 20 };
 
 /// One component's equations (S + Σ Δᵀ P Δ) d = S y.
 struct Equations {
-    /// 1/σ² of each node, with what windows cannot see.
+    /// 1/σ² of each node, with what windows cannot see; 0 where there is no vector.
     certainty: Vec<f64>,
     /// 1/τ² of every third difference.
     penalty: Penalty,
@@ -48,15 +51,16 @@ struct Equations {
 
 impl Lattice {
     /// The likeliest field, if the standard uncertainty of each vector is `uncertainty_vox` (greater
-    /// than zero).
-    pub fn likeliest(&self, uncertainty_vox: &[[f32; 3]]) -> Self {
+    /// than zero), `None` where nothing was measured. There the field follows from the vectors about, or
+    /// where these do not say, stays as it is.
+    pub fn likeliest(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Self {
         let layout = Layout { nodes: self.nodes };
         let components: Vec<Vec<f64>> = (0..3usize)
             .into_par_iter()
             .map(|c| {
                 let value: Vec<f64> = self.values.iter().map(|v| f64::from(v[c])).collect();
-                let variance: Vec<f64> =
-                    uncertainty_vox.iter().map(|u| f64::from(u[c]).powi(2)).collect();
+                let square = |u: &Option<[f32; 3]>| u.map(|u| f64::from(u[c]).powi(2));
+                let variance: Vec<Option<f64>> = uncertainty_vox.iter().map(square).collect();
                 Equations::new(layout, &value, &variance).solve(value)
             })
             .collect();
@@ -68,16 +72,19 @@ impl Lattice {
 }
 
 impl Equations {
-    fn new(layout: Layout, value: &[f64], variance: &[f64]) -> Self {
+    fn new(layout: Layout, value: &[f64], variance: &[Option<f64>]) -> Self {
+        let known: Vec<bool> = variance.iter().map(Option::is_some).collect();
         let squares: [Vec<f64>; 3] =
-            std::array::from_fn(|axis| expected_squares(layout, axis, value, variance));
+            std::array::from_fn(|axis| expected_squares(layout, axis, value, variance, &known));
         let all = squares.iter().flatten().filter(|&&t| t > 0.0);
         let (sum, count) = all.fold((0.0, 0usize), |(sum, count), t| (sum + t, count + 1));
         let unseen = UNSEEN * UNSEEN * sum / count.max(1) as f64;
         let stiffness = squares
             .map(|of_axis| of_axis.iter().map(|&t| if t > 0.0 { 1.0 / t } else { 0.0 }).collect());
-        let certainty = variance.iter().map(|v| 1.0 / (v + unseen)).collect();
-        Self { certainty, penalty: Penalty { layout, stiffness } }
+        let certainty = variance.iter().map(|v| v.map_or(0.0, |v| 1.0 / (v + unseen))).collect();
+        let mut penalty = Penalty { layout, stiffness };
+        penalty.release(&known);
+        Self { certainty, penalty }
     }
 
     /// The left-hand side applied to `value`.
@@ -101,17 +108,28 @@ impl Equations {
 }
 
 /// Mean square τ² of the third difference along `axis` to expect from each node, in voxel²; 0 where
-/// none starts.
+/// none starts, and where it touches no vector.
 ///
 /// The roughness around, and what the vectors' uncertainty alone would give: the differences of
 /// vectors that are smoothed already say too little, and a flow may be as rough as its vectors are
 /// uncertain.
-fn expected_squares(layout: Layout, axis: usize, value: &[f64], variance: &[f64]) -> Vec<f64> {
+fn expected_squares(
+    layout: Layout,
+    axis: usize,
+    value: &[f64],
+    variance: &[Option<f64>],
+    known: &[bool],
+) -> Vec<f64> {
     let s = layout.stride(axis);
-    let mut squares = layout.roughness(axis, value);
+    let mut squares = layout.roughness(axis, value, known);
     for n in (0..value.len()).filter(|&n| layout.starts(axis, n)) {
-        let noise = (0..4).map(|k| variance[n + k * s]).sum::<f64>() / 4.0;
-        squares[n] += NOISE_GAIN * noise + RESOLUTION_VOX.powi(2);
+        let touched = (0..4).filter_map(|k| variance[n + k * s]);
+        let (sum, count) = touched.fold((0.0, 0.0), |(sum, count), v| (sum + v, count + 1.0));
+        if count == 0.0 {
+            squares[n] = 0.0;
+        } else {
+            squares[n] += NOISE_GAIN * sum / count + RESOLUTION_VOX.powi(2);
+        }
     }
     squares
 }

@@ -178,6 +178,7 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
             peak_ratio: vec![2.5, 0.0],
             vorticity: vec![[0.01, 0.0, -0.01], [0.0; 3]],
             divergence: vec![0.02, 0.0],
+            has_gradient: vec![true, false],
             voxel_mm: 0.1,
             dt_s: 1e-4,
         },

@@ -56,7 +56,10 @@ pub struct Fit {
     nodes: [usize; 3],
     /// What makes a field on the nodes.
     on_nodes: Vec<Taps>,
-    /// Per component: the correlation's vectors and their variance, in voxel and voxel².
+    /// Whether the correlation has a vector on each node.
+    has_vector: Vec<bool>,
+    /// Per component: the correlation's vectors and their variance, in voxel and voxel². Where there is
+    /// none, the mean of the others' variance.
     vectors: [Vec<f64>; 3],
     variance: [Vec<f64>; 3],
     /// 1/τ² of the coefficients' third differences.
@@ -69,20 +72,21 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Equations near the correlation's `field` with standard uncertainty `uncertainty_vox`, whose
-    /// spline is `spline`.
-    pub fn new(field: &Lattice, uncertainty_vox: &[[f32; 3]], spline: &Spline) -> Self {
-        let (layout, nodes, count) = (spline.layout, field.nodes, field.values.len());
-        let component = |of: &[[f32; 3]], c: usize| of.iter().map(|v| f64::from(v[c])).collect();
-        let uncertainty: [Vec<f64>; 3] = std::array::from_fn(|c| component(uncertainty_vox, c));
-        let variance = uncertainty.map(|u| u.iter().map(|u| u * u).collect());
+    /// Equations near the correlation's `field` with standard uncertainty `uncertainty_vox`, `None` where
+    /// there is no vector, for splines whose coefficients lie in `layout`.
+    pub fn new(field: &Lattice, uncertainty_vox: &[Option<[f32; 3]>], layout: Layout) -> Self {
+        let (nodes, count) = (field.nodes, field.values.len());
+        let unknown = Penalty { layout, stiffness: [0; 3].map(|_| vec![0.0; layout.len()]) };
         Self {
             layout,
             nodes,
             on_nodes: (0..count).map(|n| Taps::of_node(layout, nodes, n)).collect(),
-            vectors: std::array::from_fn(|c| component(&field.values, c)),
-            penalties: penalties(spline, nodes, &variance),
-            variance,
+            has_vector: uncertainty_vox.iter().map(Option::is_some).collect(),
+            vectors: std::array::from_fn(|c| {
+                field.values.iter().map(|v| f64::from(v[c])).collect()
+            }),
+            variance: std::array::from_fn(|c| variances(uncertainty_vox, c)),
+            penalties: [unknown.clone(), unknown.clone(), unknown],
             counts: vec![0.0; count],
             densities: std::array::from_fn(|_| vec![0.0; count]),
             blurs: vec![[1.0; 3]; count],
@@ -91,7 +95,7 @@ impl Fit {
 
     /// Moves `spline` to the field that `samples` follow, which may be a little rougher.
     pub fn adjust(&mut self, spline: &mut Spline, samples: &Samples) {
-        self.penalties = penalties(spline, self.nodes, &self.variance);
+        self.penalties = self.penalties(spline, &self.measured(samples));
         self.counts = samples.counts();
         self.blurs = samples.blurs().to_vec();
         let adjusted: Vec<(Vec<f64>, Vec<f64>)> = (0..3usize)
@@ -156,18 +160,55 @@ impl Fit {
     }
 
     /// 1/u² of the correlation's vectors: little beside particles that know better, all there is
-    /// without any. `density` is what these weigh per cell.
+    /// without any, 0 where there is no vector. `density` is what particles weigh per cell.
     fn certainty(&self, c: usize, density: &[f64]) -> Vec<f64> {
-        let certainty = |(variance, density): (&f64, &f64)| {
+        let certainty = |n: usize| {
+            if !self.has_vector[n] {
+                return 0.0;
+            }
             // The particles' own variance is 1 over what they weigh in the eight cells about a node.
+            let (variance, density) = (self.variance[c][n], density[n]);
             let share = variance * 8.0 * density / (variance * 8.0 * density + 1.0);
             1.0 / (variance * (1.0 + (KNOWN_ALREADY - 1.0) * share))
         };
-        self.variance[c].iter().zip(density).map(certainty).collect()
+        (0..density.len()).map(certainty).collect()
     }
 
-    /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels.
-    pub fn uncertainty_vox(&self) -> Vec<[f32; 3]> {
+    /// Whether a vector or a particle says anything of each coefficient.
+    fn measured(&self, samples: &Samples) -> Vec<bool> {
+        let mut weight = vec![0.0; self.layout.len()];
+        let particles = vec![1.0; samples.taps().len()];
+        let vectors: Vec<f64> =
+            self.has_vector.iter().map(|&has| f64::from(u8::from(has))).collect();
+        add_diagonal(self.layout, samples.taps(), &particles, &mut weight);
+        add_diagonal(self.layout, &self.on_nodes, &vectors, &mut weight);
+        weight.into_iter().map(|weight| weight > 0.0).collect()
+    }
+
+    /// 1/τ² for every component of a field: a flow may be as rough as it is uncertain. What lies beyond
+    /// the coefficients that were `measured` ties none of them.
+    fn penalties(&self, spline: &Spline, measured: &[bool]) -> [Penalty; 3] {
+        let layout = self.layout;
+        std::array::from_fn(|c| {
+            let stiffness = std::array::from_fn(|axis| {
+                let squares = layout.roughness(axis, &spline.coefficients[c], measured);
+                let stiffness = |(n, square): (usize, f64)| {
+                    let middle = node_in_the_middle(layout, self.nodes, axis, n);
+                    let uncertain = self.variance[c][middle];
+                    let most = SHARPER * square + uncertain + RESOLUTION_VOX * RESOLUTION_VOX;
+                    if layout.starts(axis, n) { 1.0 / most } else { 0.0 }
+                };
+                squares.into_iter().enumerate().map(stiffness).collect()
+            });
+            let mut penalty = Penalty { layout, stiffness };
+            penalty.release(measured);
+            penalty
+        })
+    }
+
+    /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels; `None` where neither a
+    /// vector nor a particle says anything.
+    pub fn uncertainty_vox(&self) -> Vec<Option<[f32; 3]>> {
         let certainty: [Vec<f64>; 3] =
             std::array::from_fn(|c| self.certainty(c, &self.densities[c]));
         let waves = Waves::new();
@@ -175,15 +216,18 @@ impl Fit {
         (0..self.on_nodes.len())
             .into_par_iter()
             .map(|n| {
+                if !self.has_vector[n] && self.counts[n] == 0.0 {
+                    return None;
+                }
                 let near_faces = near_faces(self.nodes, layout.place(n));
-                std::array::from_fn(|c| {
+                Some(std::array::from_fn(|c| {
                     let (density, stiffness) = (self.densities[c][n], self.stiffness_at(c, n));
                     let variance = near_faces * waves.variance(density, certainty[c][n], stiffness);
                     let variance = variance * few(variance * self.mean_weight(c, n));
                     let together = TOGETHER_VOX * (self.blurs[n][c].sqrt() - 1.0);
                     let uncertainty = (SHARED * variance.sqrt()).hypot(together);
                     uncertainty.max(RESOLUTION_VOX) as f32
-                })
+                }))
             })
             .collect()
     }
@@ -217,22 +261,12 @@ fn few(share: f64) -> f64 {
     (n - 1.0) / (n - 3.0)
 }
 
-/// 1/τ² for every component of a field, whose variance on the `nodes` of its lattice was `variance`:
-/// a flow may be as rough as it is uncertain.
-fn penalties(spline: &Spline, nodes: [usize; 3], variance: &[Vec<f64>; 3]) -> [Penalty; 3] {
-    let layout = spline.layout;
-    std::array::from_fn(|c| {
-        let stiffness = std::array::from_fn(|axis| {
-            let squares = layout.roughness(axis, &spline.coefficients[c]);
-            let stiffness = |(n, square): (usize, f64)| {
-                let uncertain = variance[c][node_in_the_middle(layout, nodes, axis, n)];
-                let most = SHARPER * square + uncertain + RESOLUTION_VOX * RESOLUTION_VOX;
-                if layout.starts(axis, n) { 1.0 / most } else { 0.0 }
-            };
-            squares.into_iter().enumerate().map(stiffness).collect()
-        });
-        Penalty { layout, stiffness }
-    })
+/// Variance of component `c` of every vector; where there is none, the mean of the others'.
+fn variances(uncertainty_vox: &[Option<[f32; 3]>], c: usize) -> Vec<f64> {
+    let square = |u: &Option<[f32; 3]>| u.map(|u| f64::from(u[c]).powi(2));
+    let known: Vec<f64> = uncertainty_vox.iter().filter_map(square).collect();
+    let mean = known.iter().sum::<f64>() / known.len().max(1) as f64;
+    uncertainty_vox.iter().map(|u| square(u).unwrap_or(mean)).collect()
 }
 
 /// The node nearest to the middle of the third difference along `axis` that starts at coefficient `n`.

@@ -49,19 +49,25 @@ pub fn is_fine(cloud: &PointCloud) -> bool {
 pub struct Settled {
     /// The vectors.
     pub field: Lattice,
-    /// Along x, y, z, for every node; greater than zero.
-    pub uncertainty_vox: Vec<[f32; 3]>,
+    /// Along x, y, z, for every node; greater than zero. `None` where neither a vector nor a particle
+    /// says anything.
+    pub uncertainty_vox: Vec<Option<[f32; 3]>>,
     /// Nodes about which particles by themselves measure the vector.
     pub by_particles: Vec<bool>,
 }
 
 /// The field that the particles of both frames follow, near the correlation's `field`, whose
-/// standard uncertainty is `uncertainty_vox`. At least three nodes along every axis.
-pub fn follow(field: &Lattice, uncertainty_vox: &[[f32; 3]], frames: [&PointCloud; 2]) -> Settled {
+/// standard uncertainty is `uncertainty_vox`, `None` where it has measured nothing. At least three nodes
+/// along every axis.
+pub fn follow(
+    field: &Lattice,
+    uncertainty_vox: &[Option<[f32; 3]>],
+    frames: [&PointCloud; 2],
+) -> Settled {
     let [a, b] = frames;
     let (a, b) = rayon::join(|| particles(a), || particles(b));
     let mut spline = Spline::through(field);
-    let mut fit = Fit::new(field, uncertainty_vox, &spline);
+    let mut fit = Fit::new(field, uncertainty_vox, spline.layout);
     for _ in 0..FAR_ROUNDS {
         let before = spline.on_nodes(field);
         let pairs = pairs(&spline, [&a, &b], FARTHEST_VOX);

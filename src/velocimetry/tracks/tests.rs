@@ -168,19 +168,22 @@ fn particles_are_the_centres_of_knots_of_light() {
 fn no_light_leaves_the_correlations_field() {
     let field = lattice(flow);
     let dark = PointCloud { position_vox: vec![], light: vec![], grain_vox: 0.25 };
-    let uncertainty_vox = vec![[0.1, 0.2, 0.05]; field.values.len()];
+    let given_vox = [0.1, 0.2, 0.05];
+    let uncertainty_vox = vec![Some(given_vox); field.values.len()];
     let settled = follow(&field, &uncertainty_vox, [&dark, &dark]);
     for (settled, correlated) in settled.field.values.iter().zip(&field.values) {
         for c in 0..3 {
-            assert!((settled[c] - correlated[c]).abs() < uncertainty_vox[0][c]);
+            assert!((settled[c] - correlated[c]).abs() < given_vox[c]);
         }
     }
-    assert!(settled.uncertainty_vox.iter().flatten().all(|u| u.is_finite() && *u > 0.0));
+    let good =
+        |u: &Option<[f32; 3]>| u.is_some_and(|u| u.iter().all(|u| u.is_finite() && *u > 0.0));
+    assert!(settled.uncertainty_vox.iter().all(good));
 }
 
 /// Particles in `frames` of [`flow`] lead from a field of that uncertainty to the true one.
 fn assert_is_put_right(start: &Lattice, uncertainty_vox: f32, frames: [&PointCloud; 2]) {
-    let settled = follow(start, &vec![[uncertainty_vox; 3]; start.values.len()], frames);
+    let settled = follow(start, &vec![Some([uncertainty_vox; 3]); start.values.len()], frames);
     let error = largest_inner_error(&settled.field);
     assert!(error < 0.02, "{error}");
 }
@@ -229,7 +232,7 @@ fn light_that_is_wide_along_an_axis_is_not_followed_along_it() {
         let [u, v, w] = sheared(at);
         [u + 0.1, v, w]
     });
-    let uncertainty_vox = vec![[0.1; 3]; correlated.values.len()];
+    let uncertainty_vox = vec![Some([0.1; 3]); correlated.values.len()];
     let found = follow(&correlated, &uncertainty_vox, [&a, &b]).field;
     let expected = lattice(sheared).values;
     let mean_error = |c: usize| {
@@ -245,7 +248,7 @@ fn light_that_is_wide_along_an_axis_is_not_followed_along_it() {
 fn particles_measure_where_they_move_together_and_nowhere_else() {
     let mut random = random();
     let start = lattice(flow);
-    let uncertainty_vox = vec![[0.1; 3]; start.values.len()];
+    let uncertainty_vox = vec![Some([0.1; 3]); start.values.len()];
     let middles = places(&mut random, 2000);
     let [a, b] = frames(&middles, flow);
     let together = follow(&start, &uncertainty_vox, [&a, &b]).by_particles;

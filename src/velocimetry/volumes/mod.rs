@@ -21,7 +21,7 @@ mod warp;
 
 use super::{
     VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
-    judge::{Judge, Vector, field_of},
+    judge::{Judge, Vector, field_of, settled},
     lags::Lags,
     lattice::Lattice,
     peak::Peak,
@@ -38,6 +38,8 @@ pub struct VolumeInterrogation {
     search: Stage,
     coarse: Stage,
     fine: Stage,
+    /// The search's windows with the lags [`BESIDE`].
+    beside: Stage,
 }
 
 /// The search looks this many cells far: its cells are as coarse as that asks for.
@@ -52,6 +54,10 @@ const COARSE_WINDOW: usize = 8;
 
 /// Lags of a pass that corrects what the one before has left: less than a cell.
 const NEAREST: Lags = Lags { reach: 1 };
+
+/// Lags of the search's cells at which peaks are looked for beside the one that was followed: the next
+/// beyond those that belong to it.
+const BESIDE: Lags = Lags { reach: 3 };
 
 /// Standard uncertainty of vectors found on coarse cells, in cells, as far as a predictor needs it.
 const COARSE_UNCERTAINTY: f32 = 0.05;
@@ -78,7 +84,8 @@ impl VolumeInterrogation {
         let [coarse, fine] = [if coarse { COARSE_VOX } else { 1 }, 1].map(|cell| {
             Stage::new(grid, cell, [sizes.window, sizes.step], Profile::peaked, NEAREST)
         });
-        Self { grid: grid.clone(), settings: settings.clone(), search, coarse, fine }
+        let beside = Stage { lags: BESIDE, ..search.clone() };
+        Self { grid: grid.clone(), settings: settings.clone(), search, coarse, fine, beside }
     }
 
     /// Where the vectors will be.
@@ -110,7 +117,7 @@ impl VolumeInterrogation {
         let Stage { windows, profile, lags } = &self.fine;
         let level = |volume| Light::without_mean(volume, windows, profile, lags.border());
         let (a, b) = rayon::join(|| level(a), || level(b));
-        let (mut field, ratios) = self.searched([&a, &b]);
+        let mut field = self.searched([&a, &b]);
         if self.settings.passes > 2 {
             let binned = |light: &Light| light.binned(self.coarse.cell_vox(), NEAREST.border());
             let (a, b) = rayon::join(|| binned(&a).splined(), || binned(&b));
@@ -120,18 +127,15 @@ impl VolumeInterrogation {
                 field = self.predictor(&self.coarse, &found.field, &found.peaks);
             }
         }
-        self.last([&a.splined(), &b], &field, &ratios, dt_s)
+        self.last([&a.splined(), &b], &field, dt_s)
     }
 
-    /// What the search finds, and the height of every window's peak over the next.
-    fn searched(&self, frames: [&Light; 2]) -> (Lattice, Lattice) {
+    /// What the search finds.
+    fn searched(&self, frames: [&Light; 2]) -> Lattice {
         let stage = &self.search;
         let [a, b] = frames.map(|light| light.binned(stage.cell_vox(), stage.lags.border()));
         let found = stage.search([&a, &b]);
-        let ratio = |peak: &Option<Peak>| [peak.map_or(0.0, |peak| peak.ratio), 0.0, 0.0];
-        let ratios =
-            Lattice { values: found.peaks.iter().map(ratio).collect(), ..stage.windows.at_rest() };
-        (self.predictor(stage, &found.field, &found.peaks), ratios)
+        self.predictor(stage, &found.field, &found.peaks)
     }
 
     /// The likeliest field behind the vectors of a stage on coarse cells.
@@ -142,37 +146,41 @@ impl VolumeInterrogation {
     }
 
     /// The pass on voxels, and what it gives.
-    fn last(
-        &self,
-        [a, b]: [&Light; 2],
-        field: &Lattice,
-        ratios: &Lattice,
-        dt_s: f64,
-    ) -> VelocityField {
+    fn last(&self, [a, b]: [&Light; 2], field: &Lattice, dt_s: f64) -> VelocityField {
         let (known, moved) = self.fine.look_along(field, b);
-        let found = self.fine.correct(known, [a, &moved]);
+        let mut found = self.fine.correct(known, [a, &moved]);
+        let ratios = self.peak_ratios([a, &moved]);
+        for (peak, ratio) in found.peaks.iter_mut().zip(&ratios) {
+            if let Some(peak) = peak {
+                peak.ratio = *ratio;
+            }
+        }
         let least = self.settings.least_correlation;
         let uncertainty_vox = self.fine.uncertainties([a, &moved], &found.peaks, least);
         let judge = Judge { settings: &self.settings, field: &found.field, peaks: &found.peaks };
         let mut vectors = judge.vectors(&uncertainty_vox);
         self.settle(&mut vectors);
-        // The nearest lags see one peak only; how it compares with others the search knows.
-        let of_search = self.fine.windows.at_rest().sampling(|at| ratios.nearest(at));
-        let peaks = found.peaks.iter().zip(&of_search.values);
-        let ratios: Vec<f32> = peaks.map(|(peak, ratio)| peak.map_or(0.0, |_| ratio[0])).collect();
+        let ratios: Vec<f32> =
+            found.peaks.iter().map(|peak| peak.map_or(0.0, |peak| peak.ratio)).collect();
         field_of(self.vector_grid(), &self.grid, dt_s, &vectors, &ratios)
+    }
+
+    /// How high the peak of every window is over the next. The lags of the last pass see one peak only:
+    /// others are looked for with the search's windows and cells, in the frames as they are then.
+    fn peak_ratios(&self, frames: [&Light; 2]) -> Vec<f32> {
+        let stage = &self.beside;
+        let [a, b] = frames.map(|light| light.binned(stage.cell_vox(), stage.lags.border()));
+        let of_search = stage.ratios([&a, &b]);
+        let nearest = self.fine.windows.at_rest().sampling(|at| of_search.nearest(at));
+        nearest.values.iter().map(|ratio| ratio[0]).collect()
     }
 
     /// Moves vectors to the likeliest field behind them, as it is in the middle of the pair. What is
     /// invalid stays so.
     fn settle(&self, vectors: &mut [Vector]) {
-        let uncertainty_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.uncertainty_vox).collect();
-        let measured = Lattice {
-            values: vectors.iter().map(|v| v.displacement_vox).collect(),
-            ..self.fine.windows.at_rest()
-        };
-        let settled = measured.likeliest(&uncertainty_vox).carried_to_middle();
-        for (vector, displacement_vox) in vectors.iter_mut().zip(settled.values) {
+        let (field, _) = settled(vectors, self.fine.windows.at_rest());
+        let middle = field.carried_to_middle();
+        for (vector, displacement_vox) in vectors.iter_mut().zip(middle.values) {
             if vector.status != VectorStatus::Invalid {
                 vector.displacement_vox = displacement_vox;
                 vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHED * sigma);

@@ -9,7 +9,7 @@ use crate::{
     velocimetry::{
         lags::Lags,
         lattice::Lattice,
-        peak::{Peak, highest_peak, nearest_peak},
+        peak::{Peak, highest_peak, nearest_peak, ratio_at_rest},
         uncertainty::PeakStatistics,
         windows::Windows,
     },
@@ -84,6 +84,15 @@ impl Stage {
     /// Corrects the field along which frame b was looked up, by the lags next to none.
     pub fn correct(&self, known: Lattice, frames: [&Light; 2]) -> Found {
         self.found(known, frames, nearest_peak)
+    }
+
+    /// How high the peak at rest of every window is over those beside it (x component; see
+    /// [`ratio_at_rest`]), for frames without displacement.
+    pub fn ratios(&self, frames: [&Light; 2]) -> Lattice {
+        let ratio = |values: &[f32]| [ratio_at_rest(self.lags, values), 0.0, 0.0];
+        let values =
+            Correlation::new(&self.windows, &self.profile, self.lags, frames).of_windows(ratio);
+        Lattice { values, ..self.windows.at_rest() }
     }
 
     /// Standard uncertainty of every vector that [`Self::correct`] has found along x, y, z, in cells,

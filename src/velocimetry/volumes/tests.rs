@@ -2,35 +2,22 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::velocimetry::PointCloud;
+use crate::velocimetry::{
+    PointCloud,
+    test_data::{DarkThird, Particles, error_vox, frames, waves},
+};
 
 const GRID: VolumeGrid = VolumeGrid { voxels: [80, 64, 56], voxel_mm: 0.1, centre_mm: [0.0; 3] };
 
-/// Particles of many brightnesses, rendered before and after `flow` (voxels, of the place in the middle)
-/// has moved them.
+/// Particles rendered before and after `flow` (voxels, of the place in the middle) has moved them.
 fn pair(seed: u64, flow: impl Fn([f64; 3]) -> [f64; 3]) -> [DenseVolume; 2] {
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let particles: Vec<([f64; 3], f64)> = (0..3500)
-        .map(|_| {
-            let at = GRID.voxels.map(|n| random.random_range(-4.0..n as f64 + 4.0));
-            (at, random.random_range(0.5..1.5))
-        })
-        .collect();
-    [-0.5, 0.5].map(|half| {
-        let moved: Vec<([f64; 3], f64)> = particles
-            .iter()
-            .map(|&(middle, light)| {
-                // A quarter of the way by the flow in the middle, from there by what it is there.
-                let start = flow(middle);
-                let on_path = std::array::from_fn(|c| middle[c] + half * start[c] / 2.0);
-                let whole = flow(on_path);
-                let at =
-                    std::array::from_fn(|c| GRID.coordinate_mm(c, middle[c] + half * whole[c]));
-                (at, light)
-            })
-            .collect();
-        let intensity = PointCloud::from_particles(&moved, &GRID).render(&GRID);
-        DenseVolume { grid: GRID, intensity }
+    rendered(&GRID, &frames(seed, &GRID, 3500, flow))
+}
+
+fn rendered(grid: &VolumeGrid, frames: &[Particles; 2]) -> [DenseVolume; 2] {
+    frames.each_ref().map(|particles| {
+        let intensity = PointCloud::from_particles(particles, grid).render(grid);
+        DenseVolume { grid: grid.clone(), intensity }
     })
 }
 
@@ -46,22 +33,14 @@ fn measured(pair: &[DenseVolume; 2]) -> VelocityField {
 fn errors(field: &VelocityField, flow: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<[f64; 2]> {
     (0..field.grid.len())
         .flat_map(|n| {
-            let at = field.grid.position_mm(n);
-            let truth = flow(std::array::from_fn(|c| GRID.index_of(c, at[c])));
-            let (found, sigma) = (field.displacement_vox[n], field.uncertainty_vox[n]);
-            (0..3).map(move |c| [(f64::from(found[c]) - truth[c]).abs(), f64::from(sigma[c])])
+            let (error, sigma) = (error_vox(field, &GRID, &flow, n), field.uncertainty_vox[n]);
+            (0..3).map(move |c| [error[c].abs(), f64::from(sigma[c])])
         })
         .collect()
 }
 
 fn mean_error(errors: &[[f64; 2]]) -> f64 {
     errors.iter().map(|[error, _]| error).sum::<f64>() / errors.len() as f64
-}
-
-/// A smooth flow in all directions, up to 4 voxels.
-fn waves([x, y, z]: [f64; 3]) -> [f64; 3] {
-    let wave = |t: f64| 2.0 * (t * std::f64::consts::TAU / 100.0).sin();
-    [wave(z) + wave(y + 25.0), wave(x) + wave(z + 25.0), wave(y) + wave(x + 25.0)]
 }
 
 #[test]
@@ -164,4 +143,36 @@ fn any_volume_is_measured_in_windows_that_fit() {
         assert!(field.displacement_vox.as_flattened().iter().all(|v| v.is_finite()));
         assert!(field.uncertainty_vox.as_flattened().iter().all(|v| v.is_finite()));
     }
+}
+
+#[test]
+fn a_dark_third_costs_the_vectors_in_the_light_nothing() {
+    let volume = DarkThird::new();
+    let frames = volume.frames(1);
+    let [whole, ended] = [&volume.whole, &volume.ended].map(|grid| {
+        let [a, b] = rendered(grid, &frames);
+        VolumeInterrogation::new(grid, &settings()).measure(&a, &b, 1e-4)
+    });
+    volume.assert_same_error(&whole, &ended);
+}
+
+#[test]
+fn a_peak_that_is_hardly_the_highest_is_not_trusted() {
+    let volumes = pair(13, waves);
+    let valid = |least_peak_ratio: f64| {
+        let settings = VelocimetrySettings { least_peak_ratio, ..settings() };
+        VolumeInterrogation::new(&GRID, &settings).measure(&volumes[0], &volumes[1], 1e-4)
+    };
+    let field = valid(1.0);
+    let mut ratios = field.peak_ratio.clone();
+    assert!(ratios.iter().all(|ratio| (0.0..100.0).contains(ratio)), "{ratios:?}");
+    ratios.sort_by(f32::total_cmp);
+    let typical = f64::from(ratios[ratios.len() / 2]);
+    let asked = valid(typical);
+    for (n, status) in asked.status.iter().enumerate() {
+        let below = f64::from(asked.peak_ratio[n]) < typical;
+        assert!(!below || *status != VectorStatus::Valid, "{n}: {}", asked.peak_ratio[n]);
+    }
+    let share = [field.valid_share(), asked.valid_share()];
+    assert!(share[0] > 0.97 && (0.3..0.7).contains(&share[1]), "{share:?}");
 }
