@@ -29,7 +29,7 @@ pub use durable::replace as write_replacing;
 pub use error::ArchiveError;
 pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
-pub use paraview::{VtiSeries, write_vti};
+pub use paraview::{VtiSeries, VtiSource, write_vti};
 pub use raw_log::{
     AppendError, Position, RawLog, RawLogError, RawLogReader, RawLogSettings, RawLogWriter, Record,
     Watermarks, recover,

@@ -52,16 +52,13 @@ impl NetCdfFile {
         &self.path
     }
 
-    /// Adds the dimensions x, y, z with their coordinates in mm (`axes_mm` in this order).
+    /// Adds the dimensions x, y, z with their coordinates in mm (`axes_mm` in this order). They have no
+    /// attribute `axis`: CF means longitude, latitude and height by it.
     pub fn add_axes(&mut self, axes_mm: [Vec<f64>; 3]) -> Result<(), ArchiveError> {
         for (name, coordinates) in ["x", "y", "z"].into_iter().zip(axes_mm) {
             self.with(|file| file.add_dimension(name, coordinates.len()).map(|_| ()))?;
             self.add::<f64>(&axis(name), &[name])?;
-            self.with(|file| {
-                let mut variable = required(file, name)?;
-                variable.put_attribute("axis", name.to_uppercase().as_str())?;
-                variable.put_values(&coordinates, ..)
-            })?;
+            self.put(name, &coordinates)?;
         }
         Ok(())
     }
@@ -102,6 +99,17 @@ impl NetCdfFile {
             variable.put_attribute("long_name", described.long_name)?;
             Ok(())
         })
+    }
+
+    /// Adds a described variable whose numbers may be missing: its fill value is NaN, which stays what it
+    /// is for a reader who does not know of fill values.
+    pub fn add_with_gaps(
+        &mut self,
+        described: &Described,
+        dimensions: &[&str],
+    ) -> Result<(), ArchiveError> {
+        self.add::<f32>(described, dimensions)?;
+        self.with(|file| required(file, described.name)?.set_fill_value(f32::NAN))
     }
 
     /// Adds a variable of 0 and 1 as signed bytes with the meaning of both values.

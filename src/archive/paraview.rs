@@ -11,6 +11,20 @@ use serde::Serialize;
 use super::{ArchiveError, durable::replace};
 use crate::velocimetry::{VectorStatus, VelocityField};
 
+/// VTK's mark of a point that filters and pictures leave out (`vtkDataSetAttributes::HIDDENPOINT`).
+const HIDDEN_POINT: u8 = 2;
+
+/// Where a file for ParaView comes from.
+#[derive(Debug, Clone, Copy)]
+pub struct VtiSource<'a> {
+    /// Shot number.
+    pub shot: u64,
+    /// UTC of its trigger in seconds since 1970, where that is known.
+    pub utc_s: Option<f64>,
+    /// The configuration's TOML text.
+    pub configuration: &'a str,
+}
+
 /// One array of the file: name, VTK type, components, little-endian bytes.
 struct Array {
     name: &'static str,
@@ -30,19 +44,26 @@ impl Array {
         Self { name, vtk_type: "Float32", components: 1, bytes }
     }
 
-    fn flags(name: &'static str, values: impl Iterator<Item = bool>) -> Self {
-        Self { name, vtk_type: "UInt8", components: 1, bytes: values.map(u8::from).collect() }
+    fn flags(name: &'static str, values: impl Iterator<Item = u8>) -> Self {
+        Self { name, vtk_type: "UInt8", components: 1, bytes: values.collect() }
     }
 }
 
-/// Writes one velocity field for ParaView: vectors at the points of an ImageData, lengths in mm.
+/// Writes one velocity field for ParaView: vectors at the points of an ImageData, in SI units, places in
+/// metres as velocities in metres per second.
 ///
 /// Point arrays: `velocity` and its standard uncertainty `velocity_uncertainty` (m/s),
-/// `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`, `replaced`.
-pub fn write_vti(path: &Path, field: &VelocityField) -> Result<(), ArchiveError> {
+/// `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`, `replaced`; `vtkGhostType` hides
+/// invalid vectors, whose numbers are NaN. Field data: `shot`, `dt_s`, `TimeValue` (s since 1970, UTC)
+/// where it is known, `source` and `configuration`.
+pub fn write_vti(
+    path: &Path,
+    source: &VtiSource,
+    field: &VelocityField,
+) -> Result<(), ArchiveError> {
     let arrays = arrays_of(field);
     replace(path, |writer| {
-        write_header(writer, field, &arrays)?;
+        write_header(writer, source, field, &arrays)?;
         for array in &arrays {
             writer.write_all(&(array.bytes.len() as u64).to_le_bytes())?;
             writer.write_all(&array.bytes)?;
@@ -51,44 +72,49 @@ pub fn write_vti(path: &Path, field: &VelocityField) -> Result<(), ArchiveError>
     })
 }
 
-fn arrays_of(field: &VelocityField) -> [Array; 7] {
+fn arrays_of(field: &VelocityField) -> [Array; 8] {
     let to_velocity = field.metres_per_second_per_voxel() as f32;
     let to_rate = (1.0 / field.dt_s) as f32;
-    let scaled = |values: &[[f32; 3]], factor: f32| -> Vec<[f32; 3]> {
-        values.iter().map(|vector| vector.map(|component| component * factor)).collect()
+    let scaled = |factor: f32| move |vector: [f32; 3]| vector.map(|component| component * factor);
+    let mark = |wanted: VectorStatus, mark: u8| {
+        field.status.iter().map(move |status| if *status == wanted { mark } else { 0 })
     };
-    let is = |wanted: VectorStatus| field.status.iter().map(move |status| *status == wanted);
+    let displacement = || field.or_nan(&field.displacement_vox);
+    let uncertainty = field.or_nan(&field.uncertainty_vox);
     [
-        Array::vectors("velocity", scaled(&field.displacement_vox, to_velocity).into_iter()),
-        Array::vectors(
-            "velocity_uncertainty",
-            scaled(&field.uncertainty_vox, to_velocity).into_iter(),
-        ),
-        Array::vectors("displacement_vox", field.displacement_vox.iter().copied()),
-        Array::vectors("vorticity_per_s", scaled(&field.vorticity, to_rate).into_iter()),
+        Array::vectors("velocity", displacement().map(scaled(to_velocity))),
+        Array::vectors("velocity_uncertainty", uncertainty.map(scaled(to_velocity))),
+        Array::vectors("displacement_vox", displacement()),
+        Array::vectors("vorticity_per_s", field.vorticity_or_nan().map(scaled(to_rate))),
         Array::scalars("peak_ratio", &field.peak_ratio),
-        Array::flags("valid", is(VectorStatus::Valid)),
-        Array::flags("replaced", is(VectorStatus::Replaced)),
+        Array::flags("valid", mark(VectorStatus::Valid, 1)),
+        Array::flags("replaced", mark(VectorStatus::Replaced, 1)),
+        Array::flags("vtkGhostType", mark(VectorStatus::Invalid, HIDDEN_POINT)),
     ]
 }
 
 fn write_header(
     writer: &mut impl Write,
+    source: &VtiSource,
     field: &VelocityField,
     arrays: &[Array],
 ) -> io::Result<()> {
     let [nx, ny, nz] = field.grid.vectors.map(|n| n.saturating_sub(1));
-    let [x, y, z] = field.grid.first_mm;
-    let spacing = field.grid.spacing_mm;
+    let [x, y, z] = field.grid.first_mm.map(|mm| mm * 1e-3);
+    let spacing = field.grid.spacing_mm * 1e-3;
     let extent = format!("0 {nx} 0 {ny} 0 {nz}");
     write!(
         writer,
         r#"<?xml version="1.0"?>
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <ImageData WholeExtent="{extent}" Origin="{x} {y} {z}" Spacing="{spacing} {spacing} {spacing}">
-<Piece Extent="{extent}">
-<PointData Vectors="velocity" Scalars="valid">
 "#
+    )?;
+    write_field_data(writer, source, field.dt_s)?;
+    writeln!(
+        writer,
+        r#"<Piece Extent="{extent}">
+<PointData Vectors="velocity" Scalars="valid">"#
     )?;
     let mut offset = 0;
     for Array { name, vtk_type, components, bytes } in arrays {
@@ -100,6 +126,41 @@ fn write_header(
     }
     // The underscore marks the first byte of the data.
     write!(writer, "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_")
+}
+
+/// What belongs to the whole field: its time, where it is known, and where it comes from.
+fn write_field_data(writer: &mut impl Write, source: &VtiSource, dt_s: f64) -> io::Result<()> {
+    let VtiSource { shot, utc_s, configuration } = source;
+    writeln!(writer, "<FieldData>")?;
+    if let Some(utc_s) = utc_s {
+        write_number(writer, "TimeValue", "Float64", utc_s)?;
+    }
+    write_number(writer, "dt_s", "Float64", dt_s)?;
+    write_number(writer, "shot", "UInt64", shot)?;
+    write_text(writer, "source", concat!("lfpiv ", env!("CARGO_PKG_VERSION")))?;
+    write_text(writer, "configuration", configuration)?;
+    writeln!(writer, "</FieldData>")
+}
+
+fn write_number(
+    writer: &mut impl Write,
+    name: &str,
+    vtk_type: &str,
+    number: impl std::fmt::Display,
+) -> io::Result<()> {
+    writeln!(
+        writer,
+        r#"<DataArray type="{vtk_type}" Name="{name}" NumberOfTuples="1" format="ascii">{number}</DataArray>"#
+    )
+}
+
+/// VTK writes a text as the numbers of its bytes, ended by zero.
+fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()> {
+    write!(writer, r#"<Array type="String" Name="{name}" NumberOfTuples="1" format="ascii">"#)?;
+    for byte in text.bytes() {
+        write!(writer, "{byte} ")?;
+    }
+    writeln!(writer, "0</Array>")
 }
 
 /// A list of `.vti` files that ParaView opens as one animation: the `.vti.series` file.
@@ -155,12 +216,15 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("shot.vti");
         let field = result([4, 3, 2]).field;
-        write_vti(&path, &field).unwrap();
+        let source = VtiSource { shot: 7, utc_s: Some(12.5), configuration: "[a]" };
+        write_vti(&path, &source, &field).unwrap();
         let bytes = std::fs::read(&path).unwrap();
         let marker = b"<AppendedData encoding=\"raw\">\n_";
         let data = bytes.windows(marker.len()).position(|w| w == marker).unwrap() + marker.len();
         let header = std::str::from_utf8(&bytes[..data]).unwrap();
-        assert!(header.contains(r#"WholeExtent="0 3 0 2 0 1""#));
+        assert!(header.contains(r#"WholeExtent="0 3 0 2 0 1" Origin="-0.001 -0.002 -0.003""#));
+        assert!(header.contains(r#"Name="TimeValue" NumberOfTuples="1" format="ascii">12.5<"#));
+        assert!(header.contains(r#"format="ascii">91 97 93 0</Array>"#), "{header}");
         let line = header.lines().find(|l| l.contains("\"peak_ratio\"")).unwrap();
         let offset: usize =
             line.split("offset=\"").nth(1).unwrap().trim_end_matches("\"/>").parse().unwrap();

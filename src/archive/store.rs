@@ -18,7 +18,7 @@ use std::{
 use super::{
     ArchiveError,
     durable::{create_folder, replace},
-    paraview::{VtiSeries, write_vti},
+    paraview::{VtiSeries, VtiSource, write_vti},
     stored::StoredResults,
     velocity_file::VelocityFile,
 };
@@ -142,7 +142,8 @@ impl ResultStore {
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
         let name = vti_name(shot);
-        write_vti(&self.folder.join(&name), &result.field)?;
+        let source = VtiSource { shot, utc_s: None, configuration: &self.configuration };
+        write_vti(&self.folder.join(&name), &source, &result.field)?;
         self.series.push(name, shot);
         if self.series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
     }

@@ -1,8 +1,9 @@
 //! Velocity fields as NetCDF-4/CF, one record per shot.
 //!
-//! Dimensions `shot, z, y, x`. Nothing is NaN: an invalid vector is zero with `valid` = 0, a
-//! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1. Each velocity
-//! component names its standard uncertainty, which every vector has, as an ancillary variable.
+//! Dimensions `shot, z, y, x`. An invalid vector has the fill value, NaN, in velocity and uncertainty; a
+//! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1. Vorticity and
+//! divergence have it where the field has no gradient. Each velocity component names its standard
+//! uncertainty as an ancillary variable.
 
 use std::{
     path::{Path, PathBuf},
@@ -56,10 +57,10 @@ const FIELDS: [(Described, PerVector); 11] = [
         },
         |f, i| f.peak_ratio[i],
     ),
-    (rate("vorticity_x", "vorticity about x"), |f, i| per_second(f, f.vorticity[i][0])),
-    (rate("vorticity_y", "vorticity about y"), |f, i| per_second(f, f.vorticity[i][1])),
-    (rate("vorticity_z", "vorticity about z"), |f, i| per_second(f, f.vorticity[i][2])),
-    (rate("divergence", "divergence of the velocity"), |f, i| per_second(f, f.divergence[i])),
+    (rate("vorticity_x", "vorticity about x"), |f, i| per_second(f, i, f.vorticity[i][0])),
+    (rate("vorticity_y", "vorticity about y"), |f, i| per_second(f, i, f.vorticity[i][1])),
+    (rate("vorticity_z", "vorticity about z"), |f, i| per_second(f, i, f.vorticity[i][2])),
+    (rate("divergence", "divergence of the velocity"), |f, i| per_second(f, i, f.divergence[i])),
 ];
 
 const SECONDS: [(Described, PerStage); 3] = [
@@ -81,18 +82,27 @@ const fn seconds(name: &'static str, long_name: &'static str) -> Described {
 }
 
 fn velocity_of(field: &VelocityField, index: usize, component: usize) -> f32 {
-    let displacement_vox = f64::from(field.displacement_vox[index][component]);
-    (displacement_vox * field.metres_per_second_per_voxel()) as f32
+    in_metres_per_second(field, index, field.displacement_vox[index][component])
 }
 
 fn uncertainty_of(field: &VelocityField, index: usize, component: usize) -> f32 {
-    let uncertainty_vox = f64::from(field.uncertainty_vox[index][component]);
-    (uncertainty_vox * field.metres_per_second_per_voxel()) as f32
+    in_metres_per_second(field, index, field.uncertainty_vox[index][component])
 }
 
-/// Voxel per voxel and pair to s⁻¹.
-fn per_second(field: &VelocityField, gradient: f32) -> f32 {
-    (f64::from(gradient) / field.dt_s) as f32
+/// Voxel per pair to m/s, for vector `index`; NaN where it has no value.
+fn in_metres_per_second(field: &VelocityField, index: usize, number_vox: f32) -> f32 {
+    match field.status[index] {
+        VectorStatus::Invalid => f32::NAN,
+        _ => (f64::from(number_vox) * field.metres_per_second_per_voxel()) as f32,
+    }
+}
+
+/// Voxel per voxel and pair to s⁻¹, about vector `index`; NaN where it has no gradient.
+fn per_second(field: &VelocityField, index: usize, gradient: f32) -> f32 {
+    match field.has_gradient[index] {
+        true => (f64::from(gradient) / field.dt_s) as f32,
+        false => f32::NAN,
+    }
 }
 
 /// Writes the result of one pair as a file of one shot, replacing an older one.
@@ -135,7 +145,7 @@ impl VelocityFile {
         file.add::<f64>(&DT, &[])?;
         file.put("dt", &[like.dt_s])?;
         for (described, _) in &FIELDS {
-            file.add::<f32>(described, &VECTORS)?;
+            file.add_with_gaps(described, &VECTORS)?;
         }
         file.add_flag(&VALID, &VECTORS, "not_measured measured")?;
         file.add_flag(&REPLACED, &VECTORS, "as_measured interpolated")?;
@@ -225,16 +235,23 @@ mod tests {
         // One voxel of 0.1 mm in 100 us is 1 m/s.
         let expected: Vec<f64> =
             result.field.displacement_vox.iter().map(|d| f64::from(d[1])).collect();
-        for (found, expected) in floats("v").iter().zip(expected) {
-            assert!((found - expected).abs() < 1e-6, "{found} {expected}");
+        for (n, (found, expected)) in floats("v").iter().zip(expected).enumerate() {
+            // Every third is invalid.
+            let missing = found.is_nan() && n % 3 == 2;
+            assert!(missing || (found - expected).abs() < 1e-6, "{n}: {found} {expected}");
         }
-        let uncertainty = f64::from(result.field.uncertainty_vox[5][1]);
-        assert!((floats("v_uncertainty")[5] - uncertainty).abs() < 1e-6);
+        for name in ["u", "w_uncertainty", "vorticity_y", "divergence"] {
+            assert!(floats(name)[2].is_nan(), "{name}");
+            let fill = file.variable(name).unwrap().fill_value::<f32>().unwrap();
+            assert!(fill.is_some_and(f32::is_nan), "{name}");
+        }
+        let uncertainty = f64::from(result.field.uncertainty_vox[4][1]);
+        assert!((floats("v_uncertainty")[4] - uncertainty).abs() < 1e-6);
         let beside = file.variable("v").unwrap().attribute_value("ancillary_variables");
         let beside = String::try_from(beside.unwrap().unwrap()).unwrap();
         assert_eq!(beside, "v_uncertainty valid replaced peak_ratio");
-        let spin = f64::from(result.field.vorticity[5][2]) / 1e-4;
-        assert!((floats("vorticity_z")[5] - spin).abs() < 1e-3 * spin.abs());
+        let spin = f64::from(result.field.vorticity[4][2]) / 1e-4;
+        assert!((floats("vorticity_z")[4] - spin).abs() < 1e-3 * spin.abs());
         assert_eq!(floats("valid")[..3], [1.0, 0.0, 0.0]);
         assert_eq!(floats("replaced")[..3], [0.0, 1.0, 0.0]);
         assert_eq!(floats("correlate_seconds"), [3.0]);

@@ -10,7 +10,7 @@ use anyhow::Context;
 
 use super::output::{count, print};
 use crate::{
-    archive::{read_volumes, write_velocity, write_vti},
+    archive::{VtiSource, read_volumes, write_velocity, write_vti},
     config::{ConfigFile, Purpose},
     lightfield::RawLevel,
     model::ModelChoice,
@@ -63,7 +63,8 @@ fn store(
 ) -> anyhow::Result<()> {
     std::fs::create_dir_all(folder)
         .with_context(|| format!("cannot create {}", folder.display()))?;
-    write_vti(&folder.join("velocity.vti"), &field)?;
+    let source = VtiSource { shot: 0, utc_s: None, configuration };
+    write_vti(&folder.join("velocity.vti"), &source, &field)?;
     let result = PairResult {
         field,
         seconds,

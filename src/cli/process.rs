@@ -15,7 +15,10 @@ use super::{
     solver::{solver_by_name, solver_name},
 };
 use crate::{
-    archive::{VtiSeries, find_pair_folders, read_pair, write_velocity, write_volumes, write_vti},
+    archive::{
+        VtiSeries, VtiSource, find_pair_folders, read_pair, write_velocity, write_volumes,
+        write_vti,
+    },
     config::{Config, ConfigFile},
     lightfield::{Background, ImagePair},
     pipeline::{PairResult, Processor},
@@ -197,7 +200,8 @@ impl Run {
         std::fs::create_dir_all(folder)
             .with_context(|| format!("cannot create {}", folder.display()))?;
         write_velocity(&folder.join("velocity.nc"), &self.file.text, 0, result)?;
-        write_vti(&folder.join("velocity.vti"), &result.field)?;
+        let source = VtiSource { shot: 0, utc_s: None, configuration: &self.file.text };
+        write_vti(&folder.join("velocity.vti"), &source, &result.field)?;
         Ok(())
     }
 }

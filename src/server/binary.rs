@@ -4,7 +4,7 @@
 //!
 //! | offset | type | content |
 //! |---|---|---|
-//! | 0 | 8 bytes | magic `LFPIVVF1` |
+//! | 0 | 8 bytes | magic `LFPIVVF2` |
 //! | 8 | u64 | shot number |
 //! | 16 | 3 × u32 | vector counts nx, ny, nz |
 //! | 28 | u32 | offset of the arrays: 80 |
@@ -17,8 +17,9 @@
 //! | 80 + 16n | n × u8 | 0 valid, 1 replaced, 2 invalid |
 //! | 80 + 17n, rounded up to a multiple of 4 | 3n × f32 | standard uncertainty x, y, z, in voxels |
 //!
-//! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Velocity in m/s is displacement times
-//! voxel edge / 1000 / time between the frames.
+//! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Displacement and uncertainty of an invalid
+//! vector are NaN; in version 1 they were zero and the largest to expect. Velocity in m/s is displacement
+//! times voxel edge / 1000 / time between the frames.
 //!
 //! A volume:
 //!
@@ -42,7 +43,7 @@ use crate::{
 /// The media type to ask for.
 pub const MEDIA_TYPE: &str = "application/octet-stream";
 /// The first bytes of a field; the last of them is the version of the layout.
-pub const MAGIC: &[u8; 8] = b"LFPIVVF1";
+pub const MAGIC: &[u8; 8] = b"LFPIVVF2";
 /// The first bytes of a volume; the last of them is the version of the layout.
 pub const VOLUME_MAGIC: &[u8; 8] = b"LFPIVVO1";
 /// Where the arrays begin.
@@ -69,18 +70,20 @@ pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
     for number in grid.first_mm.into_iter().chain([grid.spacing_mm, field.voxel_mm, field.dt_s]) {
         bytes.extend_from_slice(&number.to_le_bytes());
     }
-    for number in field.displacement_vox.iter().flatten().chain(&field.peak_ratio) {
-        bytes.extend_from_slice(&number.to_le_bytes());
-    }
+    let with_value = |vectors: &[[f32; 3]], bytes: &mut Vec<u8>| {
+        for vector in field.or_nan(vectors) {
+            bytes.extend(vector.into_iter().flat_map(f32::to_le_bytes));
+        }
+    };
+    with_value(&field.displacement_vox, &mut bytes);
+    bytes.extend(field.peak_ratio.iter().flat_map(|ratio| ratio.to_le_bytes()));
     bytes.extend(field.status.iter().map(|status| match status {
         VectorStatus::Valid => 0,
         VectorStatus::Replaced => 1,
         VectorStatus::Invalid => 2,
     }));
     bytes.resize(bytes.len().next_multiple_of(4), 0);
-    for number in field.uncertainty_vox.iter().flatten() {
-        bytes.extend_from_slice(&number.to_le_bytes());
-    }
+    with_value(&field.uncertainty_vox, &mut bytes);
     bytes
 }
 

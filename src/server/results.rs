@@ -54,7 +54,8 @@ pub(super) struct GridView {
     order: &'static str,
 }
 
-/// A result as JSON: one element per vector in every array.
+/// A result as JSON: one element per vector in every array; null where a vector is invalid, and where its
+/// derivatives are not known.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Result)]
 pub(super) struct ResultView<'a> {
@@ -67,14 +68,14 @@ pub(super) struct ResultView<'a> {
     /// Whether the images are of the configured bench; absent without images.
     model_fit: Option<&'a ModelFit>,
     seconds: StageSeconds,
-    velocity_m_s: Vec<[f32; 3]>,
-    velocity_uncertainty_m_s: Vec<[f32; 3]>,
-    displacement_vox: &'a [[f32; 3]],
-    uncertainty_vox: &'a [[f32; 3]],
+    velocity_m_s: Vec<[Option<f32>; 3]>,
+    velocity_uncertainty_m_s: Vec<[Option<f32>; 3]>,
+    displacement_vox: Vec<[Option<f32>; 3]>,
+    uncertainty_vox: Vec<[Option<f32>; 3]>,
     status: &'a [VectorStatus],
     peak_ratio: &'a [f32],
-    vorticity_per_s: Vec<[f32; 3]>,
-    divergence_per_s: Vec<f32>,
+    vorticity_per_s: Vec<[Option<f32>; 3]>,
+    divergence_per_s: Vec<Option<f32>>,
 }
 
 impl<'a> ResultView<'a> {
@@ -96,20 +97,25 @@ impl<'a> ResultView<'a> {
             warnings: &result.warnings,
             model_fit: result.fit.as_ref(),
             seconds: result.seconds,
-            velocity_m_s: scaled(&field.displacement_vox, speed),
-            velocity_uncertainty_m_s: scaled(&field.uncertainty_vox, speed),
-            displacement_vox: &field.displacement_vox,
-            uncertainty_vox: &field.uncertainty_vox,
+            velocity_m_s: scaled(field.or_nan(&field.displacement_vox), speed),
+            velocity_uncertainty_m_s: scaled(field.or_nan(&field.uncertainty_vox), speed),
+            displacement_vox: scaled(field.or_nan(&field.displacement_vox), 1.0),
+            uncertainty_vox: scaled(field.or_nan(&field.uncertainty_vox), 1.0),
             status: &field.status,
             peak_ratio: &field.peak_ratio,
-            vorticity_per_s: scaled(&field.vorticity, rate),
-            divergence_per_s: field.divergence.iter().map(|d| d * rate).collect(),
+            vorticity_per_s: scaled(field.vorticity_or_nan(), rate),
+            divergence_per_s: field.divergence_or_nan().map(|d| known(d * rate)).collect(),
         }
     }
 }
 
-fn scaled(vectors: &[[f32; 3]], factor: f32) -> Vec<[f32; 3]> {
-    vectors.iter().map(|vector| vector.map(|component| component * factor)).collect()
+fn scaled(vectors: impl Iterator<Item = [f32; 3]>, factor: f32) -> Vec<[Option<f32>; 3]> {
+    vectors.map(|vector| vector.map(|component| known(component * factor))).collect()
+}
+
+/// What is no number is not known.
+fn known(number: f32) -> Option<f32> {
+    (!number.is_nan()).then_some(number)
 }
 
 /// A result: JSON, or bytes with `format=binary` or `Accept: application/octet-stream`; see

@@ -87,7 +87,11 @@ async fn a_result_is_json_or_bytes() {
     assert_eq!(latest["velocity_m_s"][0], serde_json::json!([1.0, -2.0, 0.5]));
     assert_eq!(latest["uncertainty_vox"][0], serde_json::json!([0.25, 0.5, 0.125]));
     assert_eq!(latest["status"], serde_json::json!(["valid", "invalid"]));
-    assert_eq!(latest["divergence_per_s"][0], 200.0);
+    assert_eq!(latest["divergence_per_s"], serde_json::json!([200.0, null]));
+    let none = serde_json::json!([null, null, null]);
+    for name in ["velocity_m_s", "displacement_vox", "uncertainty_vox", "vorticity_per_s"] {
+        assert_eq!(latest[name][1], none, "{name} of an invalid vector");
+    }
 
     let path = format!("/api/v1/results/{last}");
     let by_query = server.get(&format!("{path}?format=binary")).await;
@@ -104,14 +108,16 @@ fn check_layout(bytes: &[u8], shot: u64) {
     let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     let f32_at = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     let f64_at = |at: usize| f64::from_le_bytes(bytes[at..at + 8].try_into().unwrap());
-    assert_eq!(&bytes[..8], b"LFPIVVF1");
+    assert_eq!(&bytes[..8], b"LFPIVVF2");
     assert_eq!(u64::from_le_bytes(bytes[8..16].try_into().unwrap()), shot);
     assert_eq!([16, 20, 24, 28].map(u32_at), [2, 1, 1, 80]);
     assert_eq!([32, 40, 48, 56, 64, 72].map(f64_at), [0.1, 0.2, 0.3, 0.8, 0.1, 1e-4]);
-    assert_eq!([80, 84, 88, 92].map(f32_at), [1.0, -2.0, 0.5, 0.0]);
+    assert_eq!([80, 84, 88].map(f32_at), [1.0, -2.0, 0.5]);
     assert_eq!([104, 108].map(f32_at), [2.5, 0.0]);
     assert_eq!(bytes[112..116], [0, 2, 0, 0]);
-    assert_eq!([116, 120, 124, 128].map(f32_at), [0.25, 0.5, 0.125, 1.0]);
+    assert_eq!([116, 120, 124].map(f32_at), [0.25, 0.5, 0.125]);
+    // The second vector is invalid.
+    assert!([92, 96, 100, 128, 132, 136].map(f32_at).iter().all(|value| value.is_nan()));
     assert_eq!(bytes.len(), 116 + 6 * 4);
 }
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray
+from conftest import CONFIG, lfpiv
 
 UNITS = {
     "u": "m s-1",
@@ -34,6 +35,17 @@ def volumes(measured):
         yield dataset
 
 
+@pytest.fixture(scope="module")
+def half_dark(measured, tmp_path_factory):
+    """A shot whose volumes have light on one side only, correlated again."""
+    folder = tmp_path_factory.mktemp("half_dark")
+    with xarray.open_dataset(measured.file(0, "volumes.nc")) as volumes:
+        volumes.where(volumes["x"] < 0, 0.0).to_netcdf(folder / "volumes.nc")
+    lfpiv("correlate", "--config", CONFIG, "--out", folder / "out", folder / "volumes.nc")
+    with xarray.open_dataset(folder / "out" / "velocity.nc") as dataset:
+        yield dataset
+
+
 def test_every_variable_has_its_dimensions_and_units(velocity):
     for name, units in UNITS.items():
         assert velocity[name].dims == ("shot", "z", "y", "x"), name
@@ -58,9 +70,29 @@ def test_windows_lie_in_the_volume_half_a_window_apart(velocity):
         np.testing.assert_allclose(np.diff(centres_mm), 0.4, rtol=1e-6)
 
 
-def test_nothing_is_nan_and_flags_are_zero_or_one(velocity):
-    for name in UNITS:
-        assert np.isfinite(velocity[name].values).all(), name
+def test_what_is_missing_is_nan_and_nothing_else(velocity):
+    has_value = (velocity["valid"] + velocity["replaced"]).values == 1
+    for name in [f"{c}{kind}" for c in "uvw" for kind in ["", "_uncertainty"]]:
+        assert np.isnan(velocity[name].encoding["_FillValue"]), name
+        np.testing.assert_array_equal(np.isfinite(velocity[name].values), has_value, name)
+    known = np.isfinite(velocity["divergence"].values)
+    for axis in "xyz":
+        spin = velocity[f"vorticity_{axis}"].values
+        np.testing.assert_array_equal(np.isfinite(spin), known, axis)
+    assert not (known & ~has_value).any()
+    assert np.isfinite(velocity["peak_ratio"].values).all()
+
+
+def test_a_mean_leaves_out_what_is_missing(half_dark):
+    for name in "uvw":
+        values = half_dark[name].values
+        missing = np.isnan(values)
+        assert 0.2 < missing.mean() < 0.8, name
+        expected = values[~missing].mean()
+        np.testing.assert_allclose(float(half_dark[name].mean()), expected, rtol=1e-5)
+
+
+def test_flags_are_zero_or_one(velocity):
     for name in ["valid", "replaced"]:
         assert np.issubdtype(velocity[name].dtype, np.integer), name
         assert set(np.unique(velocity[name])) <= {0, 1}, name

@@ -24,8 +24,8 @@ def test_points_are_the_window_centres(both):
     image, dataset = both
     assert image.dimensions == tuple(dataset.sizes[axis] for axis in "xyz")
     for column, axis in enumerate("xyz"):
-        centres = flat(dataset[axis].broadcast_like(dataset["u"]))
-        np.testing.assert_allclose(image.points[:, column], centres, atol=1e-6)
+        centres_mm = flat(dataset[axis].broadcast_like(dataset["u"]))
+        np.testing.assert_allclose(1e3 * image.points[:, column], centres_mm, atol=1e-6)
 
 
 def test_vectors_and_flags_are_those_of_the_netcdf_file(both):
@@ -34,7 +34,7 @@ def test_vectors_and_flags_are_those_of_the_netcdf_file(both):
         speeds = flat(dataset[name])
         np.testing.assert_allclose(image["velocity"][:, column], speeds, rtol=1e-5, atol=1e-7)
         doubt = flat(dataset[f"{name}_uncertainty"])
-        assert (doubt > 0).all()
+        assert (doubt[np.isfinite(doubt)] > 0).all()
         found = image["velocity_uncertainty"][:, column]
         np.testing.assert_allclose(found, doubt, rtol=1e-5)
         # Voxels of 0.1 mm, 100 us: 1 m/s is one voxel.
@@ -44,6 +44,20 @@ def test_vectors_and_flags_are_those_of_the_netcdf_file(both):
         np.testing.assert_allclose(image["vorticity_per_s"][:, column], spin, rtol=1e-4, atol=1e-3)
     for name in ["valid", "replaced", "peak_ratio"]:
         np.testing.assert_array_equal(image[name], flat(dataset[name]))
+
+
+def test_invalid_vectors_are_hidden_and_nan(both):
+    image, dataset = both
+    invalid = flat(dataset["valid"] + dataset["replaced"]) == 0
+    np.testing.assert_array_equal(image["vtkGhostType"] != 0, invalid)
+    np.testing.assert_array_equal(np.isnan(image["velocity"]).all(axis=1), invalid)
+
+
+def test_the_file_says_where_it_comes_from(both, configuration):
+    image, dataset = both
+    assert image.field_data["dt_s"][0] == float(dataset["dt"])
+    assert image.field_data["source"][0] == dataset.attrs["source"]
+    assert image.field_data["configuration"][0] == configuration
 
 
 def test_the_series_opens_every_shot(measured):
