@@ -4,7 +4,7 @@
 //! serial) and the simulated bench implement the same two traits, and nothing above them knows
 //! which one it drives.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -85,6 +85,11 @@ pub trait Synchroniser: Send {
     /// Fires one bounded burst of `shots` periods. Returns once the unit has accepted it; refused
     /// while a burst is running.
     fn fire(&mut self, shots: u64) -> Result<(), DeviceError>;
+    /// When the burst that was fired last had not begun yet: just before the command that starts
+    /// it. `None` from a unit that does not say; then the call of `fire` is all that is known.
+    fn started_after(&self) -> Option<Instant> {
+        None
+    }
     /// Shots given since `program`, counted by the unit; `None` from a unit that does not count.
     fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError>;
     /// The unit's state, read from the unit and never remembered.

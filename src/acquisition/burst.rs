@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use lfpiv_hw::{CameraName, device::SynchroniserState};
 
 use super::{
-    AcquisitionError, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence,
+    AcquisitionError, BurstStart, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence,
     controller::Run, journal::Entry, rulings::note,
 };
 
@@ -206,7 +206,28 @@ impl Run {
         if self.broken_off || !self.is_programmed || self.stop.is_cancelled() {
             return Ok(());
         }
-        self.synchroniser.call(move |unit| unit.fire(shots)).await
+        let started = self.synchroniser.call(move |unit| {
+            unit.fire(shots)?;
+            Ok(unit.started_after())
+        });
+        let started_after = started.await?;
+        let start = self.burst_start(started_after);
+        self.note(Entry::BurstStarted { first, start }).await?;
+        self.ledger.lock().timed_from(first, |trigger| self.times.expected(trigger));
+        Ok(())
+    }
+
+    /// How the burst that was just accepted began, and what UTC is. One that is played again began
+    /// as it did then.
+    fn burst_start(&self, started_after: Option<Instant>) -> BurstStart {
+        let fired = BurstStart { not_before_ns: self.at_ns(), clock: None };
+        if let Some(script) = &self.bursts {
+            return script.burst_start().unwrap_or(fired);
+        }
+        let now = self.clock.now();
+        let since = started_after.map_or(Duration::MAX, |after| after.elapsed());
+        let not_before = now.saturating_sub(since).max(self.time);
+        BurstStart { not_before_ns: not_before.as_nanos() as u64, clock: self.clock.pair() }
     }
 
     /// A period more than the triggers need: the last one's frames must be read out.

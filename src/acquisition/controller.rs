@@ -19,6 +19,7 @@ use super::{
     journal::Entry,
     pairing::{FrameCounters, Pairing, PairingSettings},
     synchroniser::SynchroniserCalls,
+    trigger_times::TriggerTimes,
 };
 
 /// The instruments, opened and idle.
@@ -149,6 +150,7 @@ pub(super) struct Run {
     event_sender: Option<mpsc::Sender<CameraEvent>>,
     pub(super) events: mpsc::Receiver<CameraEvent>,
     pub(super) pairing: Pairing,
+    pub(super) times: TriggerTimes,
     pub(super) identity: String,
     /// The time of what was seen last.
     pub(super) time: Duration,
@@ -215,6 +217,7 @@ impl Run {
             event_sender: Some(sender),
             events,
             pairing,
+            times: TriggerTimes::default(),
             identity: String::new(),
             time: Duration::ZERO,
             last_frame: Duration::ZERO,

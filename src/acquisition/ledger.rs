@@ -17,12 +17,15 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::{Account, Outcome};
+use crate::lightfield::ShotTime;
 
 /// What the ledger remembers of one trigger.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct TriggerEntry {
     /// Trigger number since the synchroniser was programmed, from 0. It is the shot's number.
     pub trigger: u64,
+    /// When it was given; from the schedule alone until its frames are paired.
+    pub time: Option<ShotTime>,
     /// Whether the shot was paired and handed on.
     pub queued: bool,
     /// Evidence that disagrees with the pairing; empty for a shot in order.
@@ -87,8 +90,8 @@ impl Ledger {
             return Err(LedgerError::Entered { trigger });
         }
         let cameras = vec![None; self.accounts.len()];
-        self.entries
-            .insert(trigger, TriggerEntry { trigger, queued: false, suspect: Vec::new(), cameras });
+        let (time, queued, suspect) = (None, false, Vec::new());
+        self.entries.insert(trigger, TriggerEntry { trigger, time, queued, suspect, cameras });
         for account in &mut self.accounts {
             account.triggers += 1;
             account.open += 1;
@@ -118,6 +121,20 @@ impl Ledger {
         if let Some(entry) = self.entries.get_mut(&trigger) {
             entry.queued = true;
             entry.suspect = suspect.to_vec();
+        }
+    }
+
+    /// Notes when a trigger was given, as far as that is known.
+    pub fn timed(&mut self, trigger: u64, time: Option<ShotTime>) {
+        if let Some(entry) = self.entries.get_mut(&trigger) {
+            entry.time = time.or(entry.time);
+        }
+    }
+
+    /// Notes when the triggers from `first` on are expected.
+    pub fn timed_from(&mut self, first: u64, expected: impl Fn(u64) -> Option<ShotTime>) {
+        for (trigger, entry) in self.entries.range_mut(first..) {
+            entry.time = expected(*trigger).or(entry.time);
         }
     }
 

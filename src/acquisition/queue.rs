@@ -128,7 +128,7 @@ mod tests {
     fn shot(trigger: u64) -> Shot {
         let (cameras, suspect, residuals_ns) = (Vec::new(), Vec::new(), Vec::new());
         let due = std::time::Duration::ZERO;
-        Shot { trigger, cameras, due, dt_us: 100.0, suspect, residuals_ns }
+        Shot { trigger, cameras, time: None, due, dt_us: 100.0, suspect, residuals_ns }
     }
 
     #[tokio::test]

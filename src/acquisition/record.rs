@@ -40,6 +40,7 @@ impl Run {
         entry: &Entry,
         image: Option<&RawImage>,
     ) -> Result<Option<u64>, AcquisitionError> {
+        self.times.see(entry);
         if self.log_failed {
             return Ok(None);
         }

@@ -98,9 +98,15 @@ impl Run {
         self.note(Entry::Settled { trigger, camera, outcome }).await.map(|_| ())
     }
 
-    async fn send_on(&mut self, shot: Shot) -> Result<(), AcquisitionError> {
+    async fn send_on(&mut self, mut shot: Shot) -> Result<(), AcquisitionError> {
         let trigger = shot.trigger;
-        self.ledger.lock().queued(trigger, &shot.suspect);
+        let received_ns = shot.cameras.iter().map(|[a, _]| a.host_timestamp_ns);
+        shot.time = self.times.of_shot(trigger, received_ns);
+        {
+            let mut ledger = self.ledger.lock();
+            ledger.queued(trigger, &shot.suspect);
+            ledger.timed(trigger, shot.time);
+        }
         let entry = Entry::Shot {
             trigger,
             frames: shot.cameras.iter().map(|ab| ab.each_ref().map(FrameKey::from)).collect(),

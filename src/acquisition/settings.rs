@@ -4,6 +4,8 @@ use std::{num::NonZeroU64, sync::Arc, time::Duration};
 
 use lfpiv_hw::timing::PulseSchedule;
 
+use super::BurstStart;
+
 /// What happens when shots come faster than they are processed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OverloadPolicy {
@@ -57,6 +59,8 @@ pub const MAX_BURST: Duration = Duration::from_secs(5);
 pub trait BurstScript: Send + Sync {
     /// What the run loop should do when it has nothing else to do.
     fn next(&self) -> ScriptedBurst;
+    /// How the burst that was fired last began then; `None` where the record does not say.
+    fn burst_start(&self) -> Option<BurstStart>;
     /// Whether the burst that runs was over by now, for whatever reason.
     fn burst_is_over(&self) -> bool;
 }

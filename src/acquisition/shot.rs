@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use lfpiv_hw::device::Frame;
 
+use crate::lightfield::ShotTime;
+
 /// The paired frames of one trigger.
 #[derive(Debug, Clone)]
 pub struct Shot {
@@ -11,6 +13,8 @@ pub struct Shot {
     pub trigger: u64,
     /// Exposures 1 and 2 of each camera, in the order of the configuration's cameras.
     pub cameras: Vec<[Frame; 2]>,
+    /// When the trigger was given, as far as that is known.
+    pub time: Option<ShotTime>,
     /// When the trigger was due, by the run's clock.
     pub due: Duration,
     /// Time between the light pulses, in µs.

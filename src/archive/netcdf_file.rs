@@ -20,6 +20,9 @@ pub(super) struct Described {
     pub long_name: &'static str,
 }
 
+/// Stands for a number that is not known: the library's own, outside of every range.
+pub(super) const FILL_F64: f64 = 9.969_209_968_386_869e36;
+
 /// A NetCDF-4 file being written under its `.part` name.
 pub(super) struct NetCdfFile {
     path: PathBuf,
@@ -110,6 +113,16 @@ impl NetCdfFile {
     ) -> Result<(), ArchiveError> {
         self.add::<f32>(described, dimensions)?;
         self.with(|file| required(file, described.name)?.set_fill_value(f32::NAN))
+    }
+
+    /// Adds a described variable whose value may be unknown, and is [`FILL_F64`] then.
+    pub fn add_with_fill(
+        &mut self,
+        described: &Described,
+        dimensions: &[&str],
+    ) -> Result<(), ArchiveError> {
+        self.add::<f64>(described, dimensions)?;
+        self.with(|file| required(file, described.name)?.set_fill_value(FILL_F64))
     }
 
     /// Adds a variable of 0 and 1 as signed bytes with the meaning of both values.

@@ -2,6 +2,7 @@
 //! `.vti.series` that lists them.
 
 use std::{
+    collections::BTreeMap,
     io::{self, Write},
     path::Path,
 };
@@ -164,30 +165,39 @@ fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()>
 }
 
 /// A list of `.vti` files that ParaView opens as one animation: the `.vti.series` file.
-#[derive(Debug, Serialize)]
+///
+/// ParaView's time is UTC in seconds since 1970, or, where not every shot has a time, the shot's
+/// number.
+#[derive(Debug, Default)]
 pub struct VtiSeries {
-    #[serde(rename = "file-series-version")]
-    version: &'static str,
-    files: Vec<SeriesEntry>,
+    files: BTreeMap<u64, ListedFile>,
 }
 
-#[derive(Debug, Serialize)]
-struct SeriesEntry {
+#[derive(Debug)]
+struct ListedFile {
     name: String,
-    /// ParaView's time; here the shot number.
+    utc_s: Option<f64>,
+}
+
+/// The file as ParaView reads it.
+#[derive(Serialize)]
+struct SeriesFile<'a> {
+    #[serde(rename = "file-series-version")]
+    version: &'static str,
+    files: Vec<SeriesEntry<'a>>,
+}
+
+#[derive(Serialize)]
+struct SeriesEntry<'a> {
+    name: &'a str,
     time: f64,
 }
 
-impl Default for VtiSeries {
-    fn default() -> Self {
-        Self { version: "1.0", files: Vec::new() }
-    }
-}
-
 impl VtiSeries {
-    /// Adds a file; `name` is its path seen from the series file.
-    pub fn push(&mut self, name: String, shot: u64) {
-        self.files.push(SeriesEntry { name, time: shot as f64 });
+    /// Adds the file of a shot; `name` is its path seen from the series file, `utc_s` the shot's
+    /// time where it is known.
+    pub fn push(&mut self, name: String, shot: u64, utc_s: Option<f64>) {
+        self.files.insert(shot, ListedFile { name, utc_s });
     }
 
     /// Files in it.
@@ -202,7 +212,15 @@ impl VtiSeries {
 
     /// Writes the list, replacing an older one.
     pub fn write(&self, path: &Path) -> Result<(), ArchiveError> {
-        replace(path, |writer| serde_json::to_writer_pretty(writer, self).map_err(io::Error::from))
+        let timed = self.files.values().all(|file| file.utc_s.is_some());
+        let files = self.files.iter().map(|(shot, ListedFile { name, utc_s })| SeriesEntry {
+            name,
+            time: utc_s.filter(|_| timed).unwrap_or(*shot as f64),
+        });
+        let series = SeriesFile { version: "1.0", files: files.collect() };
+        replace(path, |writer| {
+            serde_json::to_writer_pretty(writer, &series).map_err(io::Error::from)
+        })
     }
 }
 
@@ -238,12 +256,20 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("velocity.vti.series");
         let mut series = VtiSeries::default();
-        series.push("shot_000003.vti".into(), 3);
-        series.write(&path).unwrap();
-        let read: serde_json::Value =
-            serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
-        assert_eq!(read["file-series-version"], "1.0");
-        assert_eq!(read["files"][0]["name"], "shot_000003.vti");
-        assert_eq!(read["files"][0]["time"], 3.0);
+        let read = |series: &VtiSeries| -> serde_json::Value {
+            series.write(&path).unwrap();
+            serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap()
+        };
+        series.push("shot_000003.vti".into(), 3, Some(1_700_000_000.5));
+        series.push("shot_000002.vti".into(), 2, Some(1_700_000_000.25));
+        let timed = read(&series);
+        assert_eq!(timed["file-series-version"], "1.0");
+        assert_eq!(timed["files"][0]["name"], "shot_000002.vti");
+        assert_eq!(timed["files"][1]["time"], 1_700_000_000.5);
+        // A number beside a date would be half a century earlier.
+        series.push("shot_000004.vti".into(), 4, None);
+        let times = read(&series)["files"].as_array().unwrap().clone();
+        let times: Vec<_> = times.iter().map(|file| file["time"].as_f64().unwrap()).collect();
+        assert_eq!(times, [2.0, 3.0, 4.0]);
     }
 }

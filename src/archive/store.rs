@@ -94,7 +94,7 @@ impl ResultStore {
         for shot in &stored.shots {
             let name = vti_name(*shot);
             if folder.join(&name).exists() {
-                series.push(name, *shot);
+                series.push(name, *shot, stored.times_s.get(shot).copied());
             }
         }
         let (folder, configuration) = (folder.into(), configuration.into());
@@ -142,9 +142,10 @@ impl ResultStore {
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
         let name = vti_name(shot);
-        let source = VtiSource { shot, utc_s: None, configuration: &self.configuration };
+        let utc_s = result.time.map(|time| time.utc_s());
+        let source = VtiSource { shot, utc_s, configuration: &self.configuration };
         write_vti(&self.folder.join(&name), &source, &result.field)?;
-        self.series.push(name, shot);
+        self.series.push(name, shot, utc_s);
         if self.series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
     }
 

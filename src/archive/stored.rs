@@ -6,13 +6,15 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::ArchiveError;
+use super::{ArchiveError, netcdf_file::FILL_F64};
 
 /// What lies in a run's folder. Only sealed segments count: their results are whole.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct StoredResults {
     /// Shots with a stored result.
     pub shots: BTreeSet<u64>,
+    /// UTC of those whose time is known, in seconds since 1970.
+    pub times_s: BTreeMap<u64, f64>,
     /// Results in all; more than the shots if one were there twice.
     pub records: usize,
     /// The shot whose result was stored first, which decided the forward model.
@@ -35,6 +37,7 @@ impl StoredResults {
             if sealed.is_some() && (oldest.is_none() || sealed < oldest) {
                 (oldest, stored.first) = (sealed, shots.first().copied());
             }
+            stored.times_s.extend(times_in(&path)?);
             stored.records += shots.len();
             stored.shots.extend(shots);
         }
@@ -105,6 +108,18 @@ fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
     Ok(records.into_iter().filter_map(|shot| u64::try_from(shot).ok()).collect())
 }
 
+/// The times of the shots of a segment, as far as they are known; earlier versions stored none.
+fn times_in(path: &Path) -> Result<Vec<(u64, f64)>, ArchiveError> {
+    let read = || -> Result<Vec<f64>, netcdf::Error> {
+        let file = netcdf::open(path)?;
+        file.variable("time").map_or(Ok(Vec::new()), |time| time.get_values(..))
+    };
+    let times_s = read().map_err(unreadable(path))?;
+    let records = records_of(path)?.into_iter().zip(times_s);
+    let known = records.filter(|(_, time_s)| *time_s < FILL_F64);
+    Ok(known.filter_map(|(shot, time_s)| Some((u64::try_from(shot).ok()?, time_s))).collect())
+}
+
 /// Shot numbers as they are in the file: below zero where a record was not written whole.
 fn records_of(path: &Path) -> Result<Vec<i64>, ArchiveError> {
     let read = || -> Result<Vec<i64>, netcdf::Error> {
@@ -139,7 +154,9 @@ mod tests {
         let stored = StoredResults::find(root.path()).unwrap();
         assert_eq!(stored.shots, BTreeSet::from([3, 4, 5]));
         assert!(stored.unreadable.is_empty());
+        assert_eq!(stored.times_s, BTreeMap::from([3, 4, 5].map(|shot| (shot, 1_700_000_000.25))));
         let series = fs::read_to_string(root.path().join("velocity.vti.series")).unwrap();
         assert_eq!(series.matches("shot_0000").count(), 3, "{series}");
+        assert_eq!(series.matches("1700000000.25").count(), 3, "{series}");
     }
 }

@@ -1,6 +1,9 @@
 //! A made-up result for the tests of this room.
 
-use crate::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
+use crate::{
+    lightfield::ShotTime,
+    velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
+};
 
 /// A result whose every number can be told from the others; voxels of 0.1 mm, dt 100 µs.
 pub(super) fn result(vectors: [usize; 3]) -> PairResult {
@@ -27,6 +30,11 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
         },
         seconds: StageSeconds { decode_s: 1.0, reconstruct_s: 2.0, correlate_s: 3.0 },
         warnings: Vec::new(),
+        time: Some(ShotTime {
+            utc_ns: 1_700_000_000_250_000_000,
+            uncertainty_ns: 1_500_000,
+            clock_synchronised: true,
+        }),
         raw: Default::default(),
         model: Default::default(),
         fit: None,

@@ -4,6 +4,9 @@
 //! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1. Vorticity and
 //! divergence have it where the field has no gradient. Each velocity component names its standard
 //! uncertainty as an ancillary variable.
+//!
+//! `time` is when the trigger of a shot was given (CF, UTC), with its standard uncertainty; both
+//! have their fill value where images came without a time.
 
 use std::{
     path::{Path, PathBuf},
@@ -12,10 +15,13 @@ use std::{
 
 use super::{
     ArchiveError, fit_variables,
-    netcdf_file::{Described, NetCdfFile},
+    netcdf_file::{Described, FILL_F64, NetCdfFile},
 };
-use crate::model::ModelChoice;
-use crate::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
+use crate::{
+    lightfield::ShotTime,
+    model::ModelChoice,
+    velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
+};
 
 /// Meanings of `raw_level`, in the order of [`RawLevel`](crate::lightfield::RawLevel).
 const RAW_LEVELS: &str = "not_kept lost acquired written synced";
@@ -28,6 +34,19 @@ type PerStage = fn(&StageSeconds) -> f64;
 
 const SHOT: Described =
     Described { name: "shot", units: "1", long_name: "shot number within the run" };
+const TIME: Described = Described {
+    name: "time",
+    units: "seconds since 1970-01-01T00:00:00Z",
+    long_name: "UTC of the shot's trigger, T0 of the pulse schedule",
+};
+const TIME_UNCERTAINTY: Described =
+    Described { name: "time_uncertainty", units: "s", long_name: "standard uncertainty of time" };
+const CLOCK: Described = Described {
+    name: "time_clock",
+    units: "1",
+    long_name: "whether the clock behind time was known to be synchronised; where it was not, the \
+                error of that clock is not in time_uncertainty",
+};
 const DT: Described = Described { name: "dt", units: "s", long_name: "time between the frames" };
 const RAW_LEVEL: Described = Described {
     name: "raw_level",
@@ -105,6 +124,16 @@ fn per_second(field: &VelocityField, index: usize, gradient: f32) -> f32 {
     }
 }
 
+fn add_time(file: &mut NetCdfFile) -> Result<(), ArchiveError> {
+    file.add_with_fill(&TIME, &["shot"])?;
+    file.add_with_fill(&TIME_UNCERTAINTY, &["shot"])?;
+    file.add_flag(&CLOCK, &["shot"], "not_known_to_be_synchronised synchronised")?;
+    file.put_text(TIME.name, "standard_name", "time")?;
+    file.put_text(TIME.name, "calendar", "standard")?;
+    let beside = format!("{} {}", TIME_UNCERTAINTY.name, CLOCK.name);
+    file.put_text(TIME.name, "ancillary_variables", &beside)
+}
+
 /// Writes the result of one pair as a file of one shot, replacing an older one.
 pub fn write_velocity(
     path: &Path,
@@ -137,10 +166,11 @@ impl VelocityFile {
         let mut file = NetCdfFile::create(path, "Velocity fields", configuration)?;
         file.add_attribute("model", &like.model.to_string())?;
         file.add_attribute("model_choice", &like.model.to_json())?;
-        let (model, fit, like) = (like.model.clone(), &like.fit, &like.field);
+        let (model, fit, time, like) = (like.model.clone(), &like.fit, like.time, &like.field);
         file.add_record_dimension("shot")?;
         file.add_axes([0, 1, 2].map(|axis| like.grid.axis_mm(axis)))?;
         file.add::<i64>(&SHOT, &["shot"])?;
+        add_time(&mut file)?;
         file.add_flag(&RAW_LEVEL, &["shot"], RAW_LEVELS)?;
         file.add::<f64>(&DT, &[])?;
         file.put("dt", &[like.dt_s])?;
@@ -152,6 +182,12 @@ impl VelocityFile {
         for component in ["u", "v", "w"] {
             let beside = format!("{component}_uncertainty valid replaced peak_ratio");
             file.put_text(component, "ancillary_variables", &beside)?;
+        }
+        if time.is_some() {
+            // An auxiliary coordinate that is not known would make its data count as missing.
+            for (described, _) in &FIELDS {
+                file.put_text(described.name, "coordinates", TIME.name)?;
+            }
         }
         for (described, _) in &SECONDS {
             file.add::<f64>(described, &["shot"])?;
@@ -179,6 +215,7 @@ impl VelocityFile {
             return Err(ArchiveError::GridChanged { shot, path: self.file.path().into() });
         }
         let record = self.shots;
+        self.put_time(record, result.time)?;
         self.file.put_record("raw_level", record, &[result.raw as i8])?;
         for (described, value_of) in &FIELDS {
             let values: Vec<f32> = (0..self.grid.len()).map(|i| value_of(field, i)).collect();
@@ -200,6 +237,15 @@ impl VelocityFile {
         self.file.put_record(SHOT.name, record, &[shot as i64])?;
         self.shots += 1;
         Ok(())
+    }
+
+    fn put_time(&mut self, record: usize, time: Option<ShotTime>) -> Result<(), ArchiveError> {
+        let or_fill = |number: Option<f64>| [number.unwrap_or(FILL_F64)];
+        let synchronised = time.is_some_and(|time| time.clock_synchronised);
+        self.file.put_record(TIME.name, record, &or_fill(time.map(|time| time.utc_s())))?;
+        let uncertainty_s = time.map(|time| time.uncertainty_s());
+        self.file.put_record(TIME_UNCERTAINTY.name, record, &or_fill(uncertainty_s))?;
+        self.file.put_record(CLOCK.name, record, &[i8::from(synchronised)])
     }
 
     /// Gives the file up.
@@ -256,6 +302,33 @@ mod tests {
         assert_eq!(floats("replaced")[..3], [0.0, 1.0, 0.0]);
         assert_eq!(floats("correlate_seconds"), [3.0]);
         assert_eq!(floats("x"), result.field.grid.axis_mm(0));
+    }
+
+    #[test]
+    fn a_shot_has_its_time_and_one_without_has_the_fill_value() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("velocity.nc");
+        let timed = result([4, 3, 2]);
+        let mut file = VelocityFile::create(&path, "", &timed).unwrap();
+        file.append(0, &timed).unwrap();
+        file.append(1, &PairResult { time: None, ..timed.clone() }).unwrap();
+        file.seal().unwrap();
+
+        let file = netcdf::open(&path).unwrap();
+        let variable = |name: &str| file.variable(name).unwrap();
+        let values = |name: &str| variable(name).get_values::<f64, _>(..).unwrap();
+        let text = |name: &str, attribute: &str| {
+            let value = variable(name).attribute_value(attribute).unwrap().unwrap();
+            String::try_from(value).unwrap()
+        };
+        assert_eq!(values("time"), [1_700_000_000.25, FILL_F64]);
+        assert_eq!(values("time_uncertainty"), [0.0015, FILL_F64]);
+        assert_eq!(values("time_clock"), [1.0, 0.0]);
+        assert_eq!(text("time", "units"), "seconds since 1970-01-01T00:00:00Z");
+        assert_eq!(text("time", "standard_name"), "time");
+        assert_eq!(text("time", "ancillary_variables"), "time_uncertainty time_clock");
+        assert_eq!(text("v", "coordinates"), "time");
+        assert_eq!(variable("time").fill_value::<f64>().unwrap(), Some(FILL_F64));
     }
 
     #[test]

@@ -69,6 +69,7 @@ fn store(
         field,
         seconds,
         warnings: Vec::new(),
+        time: None,
         raw: RawLevel::NotKept,
         // Whatever made the volumes, no model of ours.
         model: Arc::new(ModelChoice::default()),

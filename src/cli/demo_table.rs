@@ -142,6 +142,7 @@ mod tests {
             },
             seconds: StageSeconds { decode_s: 0.25, reconstruct_s: 1.5, correlate_s: 0.75 },
             warnings: Vec::new(),
+            time: None,
             raw: Default::default(),
             model: Default::default(),
             fit: None,

@@ -76,7 +76,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         match run.measure(job, read_already.take()) {
             Ok(result) => {
                 measured += 1;
-                series.push(format!("{}/velocity.vti", job.name), number);
+                series.push(format!("{}/velocity.vti", job.name), number, None);
                 report(&bar, job, &result)?;
             }
             Err(error) => {

@@ -140,6 +140,7 @@ fn measure_one(
 ) -> anyhow::Result<PairResult> {
     let mut result = processor.process(recorded.pair(shot)?)?;
     result.field.dt_s = shot.dt_us * 1e-6;
+    result.time = shot.time;
     result.raw = RawLevel::Synced;
     let words = shot.suspect.iter().map(|words| format!("suspect pairing: {words}"));
     result.warnings.extend(words);

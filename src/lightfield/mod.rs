@@ -8,6 +8,7 @@ mod photometry;
 mod sampling;
 mod seeding;
 mod settings;
+mod shot_time;
 
 pub use background::{Condensation, StationaryLight};
 pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
@@ -17,3 +18,4 @@ pub use photometry::{LightLevels, PhotometricZones};
 pub use sampling::{AxisSampling, Sample};
 pub use seeding::Seeding;
 pub use settings::{Background, ImageSettings};
+pub use shot_time::ShotTime;

@@ -152,12 +152,13 @@ where
         let results = self.results.clone();
         let links = self.links.clone();
         self.threads.spawn(move || {
-            let Shot { trigger, cameras, due, dt_us, suspect, .. } = shot;
+            let Shot { trigger, cameras, time, due, dt_us, suspect, .. } = shot;
             links.board.processing(trigger);
             let cameras = cameras.into_iter().map(|frames| frames.map(|frame| frame.image));
             let pair = ImagePair { cameras: cameras.collect() };
             links.board.gallery().show_frames(trigger, &pair);
             let result = process_guarded(process.as_ref(), &pair, dt_us, suspect);
+            let result = result.map(|result| PairResult { time, ..result });
             let finished = Finished { shot: trigger, due, result, worker };
             if let Err(std_mpsc::SendError(lost)) = results.send(finished) {
                 links.write_failed(lost, "the writer of results has ended");

@@ -53,7 +53,8 @@ fn shot(trigger: u64) -> Shot {
     };
     let cameras = vec![[frame(), frame()]];
     let (due, dt_us) = (Duration::ZERO, 100.0);
-    Shot { trigger, cameras, due, dt_us, suspect: Vec::new(), residuals_ns: vec![0] }
+    let (time, suspect, residuals_ns) = (None, Vec::new(), vec![0]);
+    Shot { trigger, cameras, time, due, dt_us, suspect, residuals_ns }
 }
 
 fn number(pair: &ImagePair) -> u16 {

@@ -227,6 +227,7 @@ impl Processor {
                 field,
                 seconds,
                 warnings,
+                time: None,
                 raw: RawLevel::NotKept,
                 model: fitted.choice.clone(),
                 light: None,

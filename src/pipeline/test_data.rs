@@ -20,6 +20,7 @@ pub(super) fn result() -> PairResult {
         },
         seconds: StageSeconds::default(),
         warnings: Vec::new(),
+        time: None,
         raw: Default::default(),
         model: Default::default(),
         fit: None,

@@ -17,6 +17,7 @@ use super::{
     shots::ShotState,
 };
 use crate::{
+    lightfield::ShotTime,
     pipeline::{Lookup, PairResult, RESULTS_IN_MEMORY, StageSeconds},
     reconstruction::ModelFit,
     velocimetry::VectorStatus,
@@ -60,6 +61,8 @@ pub(super) struct GridView {
 #[schema(as = Result)]
 pub(super) struct ResultView<'a> {
     shot: u64,
+    /// When its trigger was given; `null` where that is not known.
+    time: Option<ShotTime>,
     dt_s: f64,
     voxel_mm: f64,
     grid: GridView,
@@ -85,6 +88,7 @@ impl<'a> ResultView<'a> {
         let rate = (1.0 / field.dt_s) as f32;
         Self {
             shot,
+            time: result.time,
             dt_s: field.dt_s,
             voxel_mm: field.voxel_mm,
             grid: GridView {

@@ -13,7 +13,7 @@ use utoipa::{
 
 use crate::{
     acquisition::{Account, ControlState, Mode, Outcome, OutcomeCounts},
-    lightfield::RawLevel,
+    lightfield::{RawLevel, ShotTime},
     pipeline::{LatencyQuantiles, StageSeconds, Watermarks},
     reconstruction::{FitVerdict, ModelFit},
     velocimetry::VectorStatus,
@@ -126,6 +126,26 @@ schema!(
         "How safe the raw images are: nowhere, lost, in memory, with the system, on the disk."
     )
 );
+
+impl PartialSchema for ShotTime {
+    fn schema() -> RefOr<Schema> {
+        let kind = |of: Type| ObjectBuilder::new().schema_type(SchemaType::Type(of));
+        let about = "When the trigger was given: UTC (RFC 3339) by the host's clock, its standard \
+                     uncertainty, and whether that clock was known to be synchronised.";
+        numbers(Type::Number, &["uncertainty_s"], about)
+            .property("utc", kind(Type::String))
+            .required("utc")
+            .property("clock_synchronised", kind(Type::Boolean))
+            .required("clock_synchronised")
+            .into()
+    }
+}
+
+impl ToSchema for ShotTime {
+    fn name() -> Cow<'static, str> {
+        Cow::Borrowed("ShotTime")
+    }
+}
 
 schema!(
     LatencyQuantiles,

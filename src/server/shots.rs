@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     acquisition::{Outcome, TriggerEntry},
-    lightfield::RawLevel,
+    lightfield::{RawLevel, ShotTime},
     pipeline::{ShotRecord, Stage, StageSeconds},
     reconstruction::ModelFit,
 };
@@ -66,6 +66,8 @@ pub(super) struct CameraOutcome {
 pub(super) struct ShotView {
     shot: u64,
     state: ShotState,
+    /// When its trigger was given; `null` where that is not known.
+    time: Option<ShotTime>,
     cameras: Vec<CameraOutcome>,
     /// How safe its raw images are.
     raw: RawLevel,
@@ -90,6 +92,7 @@ impl ShotView {
         Self {
             shot: entry.trigger,
             state: ShotState::of(entry, record.as_ref()),
+            time: entry.time,
             cameras: cameras.collect(),
             raw: state.journal.level(entry.trigger),
             suspect: entry.suspect.clone(),

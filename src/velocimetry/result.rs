@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::VelocityField;
 use crate::{
-    lightfield::RawLevel,
+    lightfield::{RawLevel, ShotTime},
     model::ModelChoice,
     reconstruction::{FrameLight, ModelFit},
 };
@@ -31,6 +31,8 @@ pub struct PairResult {
     pub seconds: StageSeconds,
     /// What the reader should know: saturation, a dark camera, an empty volume.
     pub warnings: Vec<String>,
+    /// When its trigger was given; absent for images that come without a time.
+    pub time: Option<ShotTime>,
     /// How safe its raw images were when the result was stored.
     pub raw: RawLevel,
     /// The forward model behind it, and why it is this one.

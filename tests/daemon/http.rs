@@ -2,6 +2,7 @@
 
 use lfpiv::{
     acquisition::{Ledger, Outcome},
+    lightfield::ShotTime,
     pipeline::{Board, ImagePair, RESULTS_IN_MEMORY},
     server::Phase,
 };
@@ -32,6 +33,9 @@ pub async fn busy_server() -> (Server, u64) {
     ledger.queued(done + 3, &["camera 1: frame b came late".to_owned()]);
     board.processing(done + 3);
     ledger.queued(done + 4, &[]);
+    let utc_ns = 1_700_000_000_250_000_000;
+    let time = ShotTime { utc_ns, uncertainty_ns: 1_500_000, clock_synchronised: true };
+    ledger.timed(done + 4, Some(time));
     (Server::start(ledger, board).await, done)
 }
 
@@ -74,6 +78,12 @@ async fn shots_are_listed_newest_first_and_found_by_number() {
     assert_eq!(failed["message"], "camera 2 is dark");
     let suspect = server.get(&format!("/api/v1/shots/{}", done + 3)).await.json();
     assert_eq!(suspect["suspect"][0], "camera 1: frame b came late");
+    assert_eq!(suspect["time"], Value::Null);
+    let timed = server.get(&format!("/api/v1/shots/{}", done + 4)).await.json();
+    let time = serde_json::json!({
+        "utc": "2023-11-14T22:13:20.25Z", "uncertainty_s": 0.0015, "clock_synchronised": true
+    });
+    assert_eq!(timed["time"], time);
 }
 
 #[tokio::test]

@@ -12,6 +12,7 @@ use lfpiv::{
         shot_queue,
     },
     archive::{RawLog, RawLogSettings},
+    lightfield::ShotTime,
 };
 use lfpiv_hw::device::Camera;
 use lfpiv_sim::faults::{CameraFaults, FaultSettings, FaultyCamera, FrameShares};
@@ -59,6 +60,10 @@ async fn take(
 
 fn outcomes(ledger: &Ledger) -> Vec<(u64, Vec<Option<Outcome>>)> {
     ledger.entries().map(|entry| (entry.trigger, entry.cameras.clone())).collect()
+}
+
+fn times(ledger: &Ledger) -> Vec<(u64, Option<ShotTime>)> {
+    ledger.entries().map(|entry| (entry.trigger, entry.time)).collect()
 }
 
 async fn record(run: &Path, faults: &FaultSettings) -> (AcquisitionReport, Ledger) {
@@ -118,10 +123,12 @@ async fn every_trigger_ends_as_it_did() {
         let faults = FaultSettings { seed, camera: camera.clone(), ..FaultSettings::default() };
         let root = tempfile::tempdir().unwrap();
         let (report, ledger) = record(root.path(), &faults).await;
+        assert!(times(&ledger).iter().all(|(_, time)| time.is_some()));
         // A pool that is slow, and one that is not: the replay's clock must not care.
         for pool in [Duration::ZERO, Duration::from_millis(60)] {
             let (again, replayed) = play(root.path(), pool).await;
             assert_eq!(outcomes(&replayed), outcomes(&ledger), "seed {seed}, {pool:?}");
+            assert_eq!(times(&replayed), times(&ledger), "seed {seed}, {pool:?}");
             assert_eq!((again.triggers, again.frames), (report.triggers, report.frames));
         }
         let accounts = ledger.accounts().iter();

@@ -108,6 +108,16 @@ def test_the_simulated_flow_is_measured(velocity, measured):
         assert abs(np.median(velocity[name].values[valid]) - speed) < 0.15, name
 
 
+def test_an_imported_pair_has_a_time_that_is_missing(velocity):
+    assert velocity["time"].dims == ("shot",)
+    assert np.issubdtype(velocity["time"].dtype, np.datetime64)
+    assert np.isnat(velocity["time"].values).all()
+    assert np.isnan(velocity["time_uncertainty"].values).all()
+    assert velocity["time"].attrs["standard_name"] == "time"
+    # A coordinate that is missing would take its data with it.
+    assert "time" not in velocity["u"].coords
+
+
 def test_the_file_says_how_it_was_made(velocity, configuration):
     assert velocity.attrs["Conventions"].startswith("CF-")
     assert velocity.attrs["configuration"] == configuration

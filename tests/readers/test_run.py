@@ -1,6 +1,9 @@
 """What `lfpiv run` leaves behind: sealed NetCDF segments, a file per shot, the configuration."""
 
 import json
+import time
+from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,11 +24,38 @@ def configuration(tmp_path_factory):
     return path
 
 
+@dataclass(frozen=True)
+class Run:
+    """A run's folder, and when it was under way."""
+
+    folder: Path
+    began: np.datetime64
+    ended: np.datetime64
+
+
 @pytest.fixture(scope="module")
-def folder(configuration):
+def run(configuration):
+    began = np.datetime64(time.time_ns(), "ns")
     lfpiv("run", "--config", configuration, "--shots", SHOTS)
+    ended = np.datetime64(time.time_ns(), "ns")
     [series] = (configuration.parent / "results").rglob("velocity.vti.series")
-    return series.parent
+    return Run(series.parent, began, ended)
+
+
+@pytest.fixture(scope="module")
+def folder(run):
+    return run.folder
+
+
+@pytest.fixture
+def times(folder):
+    """The time of each shot, from all segments."""
+    found = {}
+    for path in folder.glob("velocity_*.nc"):
+        with xarray.open_dataset(path) as segment:
+            shots = segment["shot"].values.tolist()
+            found.update(zip(shots, segment["time"].values, strict=True))
+    return found
 
 
 def test_all_shots_are_in_sealed_segments(folder, configuration):
@@ -48,8 +78,33 @@ def test_the_series_names_the_shots_of_the_segments(folder):
         with xarray.open_dataset(path) as segment:
             for shot in segment["shot"].values.tolist():
                 speeds[shot] = segment["u"].sel(shot=shot).values.ravel()
-    assert sorted(entry["time"] for entry in listed) == sorted(speeds)
+    assert len(listed) == len(speeds) == SHOTS
     for entry in listed:
         image = pyvista.read(folder / entry["name"])
-        expected = speeds[entry["time"]]
+        expected = speeds[int(entry["name"].removeprefix("shot_").removesuffix(".vti"))]
         np.testing.assert_allclose(image["velocity"][:, 0], expected, rtol=1e-5, atol=1e-7)
+
+
+def test_every_shot_was_taken_during_the_run(folder, run, times):
+    assert sorted(times) == list(range(SHOTS))
+    ordered = [times[shot] for shot in sorted(times)]
+    assert ordered == sorted(ordered)
+    assert run.began < ordered[0] and ordered[-1] < run.ended
+    for path in folder.glob("velocity_*.nc"):
+        with xarray.open_dataset(path) as segment:
+            assert (segment["time_uncertainty"] > 0).all()
+            assert (segment["time_uncertainty"] < (run.ended - run.began) / np.timedelta64(1, "s")).all()
+            assert "time" in segment["u"].coords
+            assert segment["u"].swap_dims(shot="time").sel(time=segment["time"]).notnull().any()
+
+
+def test_the_series_has_the_times_of_the_shots(folder, times):
+    listed = json.loads((folder / "velocity.vti.series").read_text())["files"]
+    for shot, entry in enumerate(listed):
+        seconds = (times[shot] - np.datetime64(0, "s")) / np.timedelta64(1, "s")
+        assert abs(entry["time"] - seconds) < 1e-6
+
+
+def test_the_ledger_has_the_time_of_what_went_wrong(folder):
+    ledger = json.loads((folder / "ledger.json").read_text())
+    assert all("time" in entry for entry in ledger["exceptions"])

@@ -29,6 +29,10 @@ fn what_was_shed_is_measured_later() {
     let after = StoredResults::find(&folder).unwrap();
     assert_eq!(after.shots, recorded);
     assert_eq!(after.records, recorded.len());
+    // Shots in order were taken in order, whenever they were measured.
+    assert_eq!(after.times_s.len(), recorded.len());
+    let times_s: Vec<f64> = after.times_s.values().copied().collect();
+    assert!(times_s.is_sorted_by(|a, b| a < b), "{times_s:?}");
     let ledger = fs::read(folder.join("ledger.json")).unwrap();
     let ledger: serde_json::Value = serde_json::from_slice(&ledger).unwrap();
     let later = ledger["processed_later"].as_array().unwrap().len();

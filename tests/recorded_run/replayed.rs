@@ -1,6 +1,8 @@
 //! A recorded run played again: the same vectors, bit for bit, and the same ledger.
 
-use std::fs;
+use std::{fs, path::Path};
+
+use lfpiv::archive::StoredResults;
 
 use crate::bench::{configuration, finished_run, images, lfpiv, text};
 
@@ -17,6 +19,10 @@ fn a_replay_gives_the_same_vectors_and_the_same_ledger() {
         assert!(output.status.success(), "{said}{}", text(&output.stderr));
         assert!(said.contains("30 shots held against"), "{said}");
         assert!(said.contains("0 different") && said.contains("ledgers are the same"), "{said}");
+        let again = said.lines().find_map(|line| line.strip_prefix("results are in ")).unwrap();
+        let times_s = |run: &Path| StoredResults::find(run).unwrap().times_s;
+        assert_eq!(times_s(Path::new(again)), times_s(&run));
+        assert_eq!(times_s(&run).len(), 30);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Entry, Placed, RecordedRun, RecordedRunError};
+use super::{Entry, Placed, RecordedRun, RecordedRunError, recorded::ShotFinder};
 use crate::acquisition::{Ledger, LedgerError, Outcome};
 
 /// The ledger of a recorded run, every trigger settled; `measured` are the shots with a stored
@@ -13,8 +13,9 @@ use crate::acquisition::{Ledger, LedgerError, Outcome};
 /// The entries contradict each other.
 pub fn ledger(recorded: &RecordedRun, measured: &BTreeSet<u64>) -> Result<Ledger, LedgerError> {
     let mut ledger = Ledger::new(recorded.description().cameras);
+    let mut finder = ShotFinder::default();
     for placed in recorded.entries() {
-        take(&mut ledger, placed)?;
+        take(&mut ledger, &mut finder, placed)?;
     }
     let open: Vec<(u64, bool)> = ledger
         .entries()
@@ -30,22 +31,36 @@ pub fn ledger(recorded: &RecordedRun, measured: &BTreeSet<u64>) -> Result<Ledger
     Ok(ledger)
 }
 
-fn take(ledger: &mut Ledger, placed: Result<Placed, RecordedRunError>) -> Result<(), LedgerError> {
-    match placed.map(|placed| placed.entry) {
-        Ok(Entry::Fired { first, shots, .. }) => {
-            (first..first + shots).try_for_each(|trigger| ledger.enter(trigger))
+fn take(
+    ledger: &mut Ledger,
+    finder: &mut ShotFinder,
+    placed: Result<Placed, RecordedRunError>,
+) -> Result<(), LedgerError> {
+    let Ok(placed) = placed else { return Ok(()) };
+    match &placed.entry {
+        Entry::Fired { first, shots, .. } => {
+            (*first..first + shots).try_for_each(|trigger| ledger.enter(trigger))?;
         }
-        Ok(Entry::Withdrawn { trigger }) => ledger.withdraw(trigger),
-        Ok(Entry::Settled { trigger, camera, outcome }) => ledger.settle(trigger, camera, outcome),
-        Ok(Entry::Shed { trigger }) => ledger.settle_all(trigger, Outcome::Shed),
-        Ok(Entry::Shot { trigger, suspect, .. }) => {
-            ledger.queued(trigger, &suspect);
-            Ok(())
+        Entry::Withdrawn { trigger } => ledger.withdraw(*trigger)?,
+        Entry::Settled { trigger, camera, outcome } => {
+            ledger.settle(*trigger, *camera, *outcome)?;
         }
-        Ok(Entry::Frame { camera, statistics, .. } | Entry::Stream { camera, statistics, .. }) => {
-            ledger.streamed(camera, statistics);
-            Ok(())
+        Entry::Shed { trigger } => ledger.settle_all(*trigger, Outcome::Shed)?,
+        Entry::Shot { trigger, suspect, .. } => ledger.queued(*trigger, suspect),
+        Entry::Frame { camera, statistics, .. } | Entry::Stream { camera, statistics, .. } => {
+            ledger.streamed(*camera, *statistics);
         }
-        _ => Ok(()),
+        _ => {}
     }
+    let started = match placed.entry {
+        Entry::BurstStarted { first, .. } => Some(first),
+        _ => None,
+    };
+    if let Some(Ok(shot)) = finder.take(placed) {
+        ledger.timed(shot.trigger, shot.time);
+    }
+    if let Some(first) = started {
+        ledger.timed_from(first, |trigger| finder.times().expected(trigger));
+    }
+    Ok(())
 }

@@ -7,10 +7,11 @@ use lfpiv_hw::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::acquisition::Outcome;
+use crate::acquisition::{BurstStart, Outcome};
 
-/// Version of the entries; a reader refuses a later one.
-pub const JOURNAL_VERSION: u32 = 1;
+/// Version of the entries; a reader refuses a later one. Since version 2 there is
+/// [`Entry::BurstStarted`].
+pub const JOURNAL_VERSION: u32 = 2;
 
 /// The raw log's description: what a reader must know before the first entry.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -35,6 +36,8 @@ pub enum Entry {
     Programmed { at_ns: u64, identity: String, schedule: PulseSchedule },
     /// A burst of triggers `first` to `first + shots - 1` begins.
     Fired { at_ns: u64, first: u64, shots: u64 },
+    /// The unit has accepted the burst that begins with trigger `first`.
+    BurstStarted { first: u64, start: BurstStart },
     /// The unit no longer fires; it has given so many triggers since the run began.
     BurstEnded { at_ns: u64, given: u64 },
     /// The image of this record, as it came, damaged or not.

@@ -10,8 +10,9 @@ use thiserror::Error;
 
 use super::{Description, Entry, FrameKey, JOURNAL_VERSION};
 use crate::{
+    acquisition::trigger_times::TriggerTimes,
     archive::{Position, RawLogError, RawLogReader},
-    lightfield::ImagePair,
+    lightfield::{ImagePair, ShotTime},
 };
 
 /// Where a run's raw log lies in its folder.
@@ -66,6 +67,8 @@ pub struct RecordedShot {
     pub dt_us: f64,
     /// Evidence that disagrees with the pairing.
     pub suspect: Vec<String>,
+    /// When its trigger was given.
+    pub time: Option<ShotTime>,
 }
 
 /// The end of a run.
@@ -171,17 +174,20 @@ impl RecordedRun {
 /// Finds the shots in a record, entry by entry.
 #[derive(Debug, Default)]
 pub(super) struct ShotFinder {
-    /// Frames of no shot so far.
-    frames: HashMap<(usize, FrameKey), Position>,
+    /// Frames of no shot so far, and their host times in ns.
+    frames: HashMap<(usize, FrameKey), (Position, u64)>,
+    times: TriggerTimes,
 }
 
 impl ShotFinder {
     /// The shot that this entry completes; its number where a frame of it is not in the record.
     pub fn take(&mut self, placed: Placed) -> Option<Result<RecordedShot, u64>> {
+        self.times.see(&placed.entry);
         match placed.entry {
             Entry::Frame { camera, frame, .. } => {
                 // Of a frame that came twice, the first was used.
-                self.frames.entry((camera, frame.key())).or_insert(placed.position);
+                let found = (placed.position, frame.host_timestamp_ns);
+                self.frames.entry((camera, frame.key())).or_insert(found);
                 None
             }
             Entry::Shot { trigger, frames: keys, suspect, dt_us, .. } => {
@@ -190,10 +196,18 @@ impl ShotFinder {
                     Some([a?, b?])
                 };
                 let found: Option<Vec<_>> = keys.iter().enumerate().map(&mut find).collect();
-                let shot = |frames| RecordedShot { trigger, frames, dt_us, suspect };
-                Some(found.map(shot).ok_or(trigger))
+                let Some(frames) = found else { return Some(Err(trigger)) };
+                let received_ns = frames.iter().map(|[(_, received_ns), _]| *received_ns);
+                let time = self.times.of_shot(trigger, received_ns);
+                let frames = frames.iter().map(|ab| ab.map(|(position, _)| position)).collect();
+                Some(Ok(RecordedShot { trigger, frames, dt_us, suspect, time }))
             }
             _ => None,
         }
+    }
+
+    /// When the triggers seen so far were given.
+    pub fn times(&self) -> &TriggerTimes {
+        &self.times
     }
 }

@@ -146,7 +146,9 @@ impl Pairing {
         self.counters.paired += 2 * cameras.len() as u64;
         let residuals_ns = compared.residuals_ns;
         let dt_us = self.settings.dt_us;
-        let shot = Shot { trigger, cameras, due: open.due, dt_us, suspect, residuals_ns };
+        // Pairing is without clocks: whoever has them adds the time.
+        let (time, due) = (None, open.due);
+        let shot = Shot { trigger, cameras, time, due, dt_us, suspect, residuals_ns };
         rulings.push(Ruling::Paired(shot));
     }
 

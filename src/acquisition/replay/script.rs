@@ -20,7 +20,7 @@ use tokio_util::sync::CancellationToken;
 use super::clock::ReplayClock;
 use crate::{
     acquisition::{
-        BurstScript, ScriptedBurst,
+        BurstScript, BurstStart, ScriptedBurst,
         journal::{Entry, FrameHead, Placed, RecordedRun, RecordedRunError},
     },
     archive::Position,
@@ -62,6 +62,7 @@ enum Step {
         at_ns: u64,
         shots: u64,
         schedule: Arc<PulseSchedule>,
+        start: Option<BurstStart>,
     },
     BurstEnded {
         at_ns: u64,
@@ -82,7 +83,7 @@ impl Step {
             }
             Entry::Fired { at_ns, shots, .. } => {
                 let schedule = schedule.clone()?;
-                Some(Self::Fired { at_ns, shots, schedule })
+                Some(Self::Fired { at_ns, shots, schedule, start: None })
             }
             Entry::BurstEnded { at_ns, given } => Some(Self::BurstEnded { at_ns, given }),
             Entry::Frame { at_ns, camera, frame: head, statistics } => {
@@ -127,6 +128,8 @@ struct State {
     given: u64,
     /// Triggers that it was asked for.
     fired: u64,
+    /// How the burst that was fired last began.
+    start: Option<BurstStart>,
 }
 
 /// What a camera gets from its turn.
@@ -153,9 +156,16 @@ impl Script {
         let mut steps = Vec::new();
         let mut schedule = None;
         for placed in recorded.entries() {
-            steps.extend(Step::of(placed?, &mut schedule));
+            let placed = placed?;
+            if let Entry::BurstStarted { start: then, .. } = placed.entry {
+                if let Some(Step::Fired { start, .. }) = last_fired(&mut steps) {
+                    *start = Some(then);
+                }
+                continue;
+            }
+            steps.extend(Step::of(placed, &mut schedule));
         }
-        let state = State { next: 0, moved: Instant::now(), given: 0, fired: 0 };
+        let state = State { next: 0, moved: Instant::now(), given: 0, fired: 0, start: None };
         Ok(Self {
             recorded,
             steps,
@@ -242,7 +252,8 @@ impl Script {
     pub fn fire(&self, shots: u64) -> Result<(), String> {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
-            Some(Step::Fired { shots: recorded, .. }) if *recorded == shots => {
+            Some(Step::Fired { shots: recorded, start, .. }) if *recorded == shots => {
+                state.start = *start;
                 state.fired += shots;
                 self.advance(&mut state);
                 Ok(())
@@ -300,7 +311,7 @@ impl BurstScript for Script {
     fn next(&self) -> ScriptedBurst {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
-            Some(Step::Fired { shots, schedule, at_ns }) => {
+            Some(Step::Fired { shots, schedule, at_ns, .. }) => {
                 // The run loop is here: it may have to wait for room, and time must not pass for it.
                 state.moved = Instant::now();
                 if !self.is_due(&self.steps[state.next]) {
@@ -314,6 +325,10 @@ impl BurstScript for Script {
         }
     }
 
+    fn burst_start(&self) -> Option<BurstStart> {
+        self.state.lock().start
+    }
+
     fn burst_is_over(&self) -> bool {
         let state = self.state.lock();
         match self.steps.get(state.next) {
@@ -322,6 +337,10 @@ impl BurstScript for Script {
             None => true,
         }
     }
+}
+
+fn last_fired(steps: &mut [Step]) -> Option<&mut Step> {
+    steps.iter_mut().rev().find(|step| matches!(step, Step::Fired { .. }))
 }
 
 fn frame(head: FrameHead, image: RawImage) -> Frame {

@@ -1,8 +1,9 @@
 //! Is the clock synchronised? Host times stand in results and logs.
 
-use std::{io, mem::MaybeUninit, path::Path};
+use std::{io, path::Path};
 
 use super::Finding;
+use crate::acquisition::{KernelClock, kernel_clock};
 
 const CHECK: &str = "clock";
 /// Made by systemd-timesyncd once it has set the clock.
@@ -11,36 +12,6 @@ const TIMESYNCD_MARK: &str = "/run/systemd/timesync/synchronized";
 /// What the kernel says of its clock, and systemd where the kernel is not allowed to.
 pub fn examine() -> Finding {
     judge(kernel_clock(), Path::new(TIMESYNCD_MARK).exists())
-}
-
-/// The kernel's opinion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct KernelClock {
-    synchronised: bool,
-    /// Largest error believed possible.
-    max_error_us: i64,
-}
-
-/// Asks the kernel; changes nothing.
-///
-/// # Errors
-/// The kernel does not allow the question, as some containers do not.
-fn kernel_clock() -> io::Result<KernelClock> {
-    let (state, answer) = adjtimex()?;
-    let synchronised = state != libc::TIME_ERROR && answer.status & libc::STA_UNSYNC == 0;
-    #[allow(clippy::useless_conversion)] // 32 bits on some machines.
-    let max_error_us = i64::from(answer.maxerror);
-    Ok(KernelClock { synchronised, max_error_us })
-}
-
-#[expect(unsafe_code)]
-fn adjtimex() -> io::Result<(i32, libc::timex)> {
-    let mut answer = MaybeUninit::<libc::timex>::zeroed();
-    // SAFETY: the pointer is to memory of a whole `timex`, which lives until the call returns and
-    // of which all zeros is a valid value: `modes` 0 asks and sets nothing. The kernel writes no
-    // further than that.
-    let (state, answer) = unsafe { (libc::adjtimex(answer.as_mut_ptr()), answer.assume_init()) };
-    if state < 0 { Err(io::Error::last_os_error()) } else { Ok((state, answer)) }
 }
 
 fn judge(kernel: io::Result<KernelClock>, timesyncd: bool) -> Finding {
@@ -61,21 +32,6 @@ fn judge(kernel: io::Result<KernelClock>, timesyncd: bool) -> Finding {
 mod tests {
     use super::*;
     use crate::cli::doctor::Verdict;
-
-    /// The kernel is asked for real; asking twice shows that asking changes nothing.
-    #[test]
-    fn the_kernel_answers_or_refuses() {
-        match (kernel_clock(), kernel_clock()) {
-            (Ok(first), Ok(second)) => {
-                assert!(first.max_error_us >= 0);
-                assert_eq!(first.synchronised, second.synchronised);
-            }
-            (first, _) => {
-                let error = first.unwrap_err();
-                assert_eq!(error.kind(), io::ErrorKind::PermissionDenied, "{error}");
-            }
-        }
-    }
 
     #[test]
     fn either_witness_is_enough() {

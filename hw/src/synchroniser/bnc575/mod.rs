@@ -156,6 +156,10 @@ impl Synchroniser for Bnc575 {
         self.start_burst(shots)
     }
 
+    fn started_after(&self) -> Option<Instant> {
+        self.burst.map(|burst| burst.started)
+    }
+
     fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError> {
         let running = self.shots_of_burst().map_err(|error| self.failed(error))?;
         Ok(Some(self.given + running))

@@ -46,6 +46,8 @@ pub struct OltSync {
     host_timed_bursts: bool,
     programmed: Option<PulseSchedule>,
     lamps_since: Option<Instant>,
+    /// Just before the last burst was started.
+    started_after: Option<Instant>,
 }
 
 /// The unit's end of the dialogue, shared with the thread that ends a burst.
@@ -96,6 +98,7 @@ impl OltSync {
             host_timed_bursts: settings.host_timed_bursts,
             programmed: None,
             lamps_since: None,
+            started_after: None,
         })
     }
 
@@ -229,7 +232,12 @@ impl Synchroniser for OltSync {
         if self.warm_up.is_zero() {
             self.lamps_since = Some(Instant::now());
         }
+        self.started_after = Some(Instant::now());
         self.unit().start(Running::Burst)
+    }
+
+    fn started_after(&self) -> Option<Instant> {
+        self.started_after
     }
 
     fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError> {
