@@ -12,7 +12,7 @@ use serde_json::Value;
 const SUITE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/smoke.toml");
 
 /// Headings of the page that must be there when every measurement was made.
-const SECTIONS: [&str; 19] = [
+const SECTIONS: [&str; 20] = [
     "reached",
     "error-seconds",
     "quality-seconds",
@@ -29,6 +29,7 @@ const SECTIONS: [&str; 19] = [
     "process",
     "growth",
     "beside",
+    "imperfect",
     "peers",
     "methods",
     "rows",

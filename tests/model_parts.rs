@@ -12,7 +12,7 @@ use lfpiv::{
     pipeline::{ImagePair, PairResult, Processor},
 };
 use lfpiv_sim::{Flow, Truth, flow::Abc};
-use support::{mean_error_vox, shipped, true_particles_field};
+use support::{mean_error_vox, shipped, true_particles};
 
 fn flow() -> Flow {
     Flow::Abc(Abc { wavelength_mm: 10.0, amplitude_m_s: 2.0, coefficients: [1.0; 3] })
@@ -52,7 +52,7 @@ fn error_vox(result: &PairResult) -> f64 {
 
 /// The same for the true particles.
 fn floor_vox(config: &Config, truth: &Truth) -> f64 {
-    let field = true_particles_field(config, truth);
+    let field = true_particles(config, truth).by_windows;
     mean_error_vox(&field, &flow()).iter().sum::<f64>() / 3.0
 }
 

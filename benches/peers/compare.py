@@ -1,6 +1,6 @@
 """This program beside its peers on the same data in the same run: `make bench-peers`.
 
-Every case is exported once; then this program, on one thread and on all, and the peers take turns,
+Every case is made once; then this program, on one thread and on all, and the peers take turns,
 each in a process of its own. Writes `peers.json` (one row per method, seconds as medians) and
 prints the rows and the ratios. Peers may use as many threads as they like; a row says how many
 worked.
@@ -18,6 +18,8 @@ from table import ratios_table, rows_table
 from verdict import median_rows
 
 HERE = Path(__file__).parent
+# Stands for the program, whose place the command line tells.
+LFPIV = "lfpiv"
 
 
 @dataclass
@@ -25,25 +27,40 @@ class Case:
     """What is exported, and what is run on it."""
 
     name: str
-    export: list[str]
+    make: list[str | Path]
     own: list[list[str]]
     peers: list[list[str]]
     turns: int
 
 
+# What SART is asked for on active voxels, where a sweep takes little; on the full volume as SART is.
+SART_SETTINGS = [
+    [],
+    ["--relaxation", "0.5"],
+    ["--relaxation", "0.25"],
+    ["--relaxation", "0.1"],
+    ["--order", "sequential"],
+    ["--signed"],
+]
+
+
 def reconstruction(name: str, turns: int = 3) -> Case:
-    sart = ["astra_sart.py"]
-    return Case(name, ["export-views"], [["reconstruct"]], [sart, [*sart, "--active"]], turns)
+    own = [["reconstruct", "--passes", passes] for passes in ("1", "2", "4", "8")]
+    sart = [["astra_sart.py"], ["astra_sart.py", "--relaxation", "0.25"]]
+    sart += [["astra_sart.py", "--active", *settings] for settings in SART_SETTINGS]
+    return Case(name, [LFPIV, "peers", "export-views"], own, sart, turns)
 
 
-def correlation(name: str, *options: str) -> Case:
+def correlation(name: str, *make: str | Path) -> Case:
     own = [["correlate", "--passes", passes] for passes in ("3", "4")]
-    return Case(name, ["export-volumes", *options], own, [["openpiv_correlation.py"]], turns=3)
+    openpiv = [["openpiv_correlation.py"], ["openpiv_correlation.py", "--extended"]]
+    return Case(name, list(make), own, openpiv, turns=3)
 
 
 CASES = [
-    correlation("ring"),
-    correlation("abc", "--reconstructed"),
+    correlation("gaussian", sys.executable, HERE / "gaussian_volumes.py"),
+    correlation("ring", LFPIV, "peers", "export-volumes"),
+    correlation("abc", LFPIV, "peers", "export-volumes", "--reconstructed"),
     reconstruction("paper-50"),
     reconstruction("few-views"),
     reconstruction("paper-100", turns=1),  # minutes a turn
@@ -57,10 +74,11 @@ class Bench:
         self.lfpiv = lfpiv
         self.folder = folder
 
-    def export(self, case: Case) -> None:
+    def make(self, case: Case) -> None:
         config = HERE / "cases" / f"{case.name}.toml"
         where = ["--config", config, "--out", self.folder / case.name]
-        subprocess.run([self.lfpiv, "peers", *case.export, *where], check=True)
+        command = [self.lfpiv if word == LFPIV else word for word in case.make]
+        subprocess.run([*command, *where], check=True)
 
     def rows(self, case: Case) -> list[dict]:
         """One turn of all programs."""
@@ -70,16 +88,16 @@ class Bench:
             for threads in sorted({1, os.cpu_count() or 1}):
                 environment = os.environ | {"RAYON_NUM_THREADS": str(threads)}
                 command = [self.lfpiv, "peers", work[0], folder, "--repeats", "1", *work[1:]]
-                rows.append(row_of(command, environment))
+                rows += rows_of(command, environment)
         for script, *options in case.peers:
-            rows.append(row_of([sys.executable, HERE / script, folder, *options], os.environ))
+            rows += rows_of([sys.executable, HERE / script, folder, *options], os.environ)
         return rows
 
 
-def row_of(command: list, environment: dict) -> dict:
-    """The row that a command prints."""
+def rows_of(command: list, environment: dict) -> list[dict]:
+    """The rows that a command prints."""
     done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True, check=True)
-    return json.loads(done.stdout)
+    return [json.loads(line) for line in done.stdout.splitlines()]
 
 
 def main() -> None:
@@ -98,7 +116,7 @@ def main() -> None:
     rows = []
     for case in CASES:
         if not arguments.cases or case.name in arguments.cases:
-            bench.export(case)
+            bench.make(case)
             turns = arguments.turns or case.turns
             print(f"{case.name}: {turns} turn(s)", file=sys.stderr)
             rows += median_rows([bench.rows(case) for _ in range(turns)])

@@ -14,6 +14,9 @@ class Cost:
     seconds: float
     cpu_seconds: float
 
+    def __add__(self, more: "Cost") -> "Cost":
+        return Cost(self.seconds + more.seconds, self.cpu_seconds + more.cpu_seconds)
+
     @property
     def threads(self) -> int:
         """Threads that worked at a time, as seen from outside."""

@@ -5,7 +5,18 @@ from verdict import Ratio, mean_error, ratios
 
 def rows_table(rows: list[dict]) -> str:
     """Every row with its seconds, its Q or error, and its memory."""
-    head = ["case", "program", "method", "threads", "seconds", "assembly s", "Q", "error vox", "MB"]
+    head = [
+        "case",
+        "program",
+        "method",
+        "passes",
+        "threads",
+        "seconds",
+        "assembly s",
+        "Q",
+        "error vox",
+        "MB",
+    ]
     return aligned(head, [row_cells(row) for row in rows])
 
 
@@ -14,6 +25,7 @@ def row_cells(row: dict) -> list[str]:
         row["case"],
         f"{row['peer']} {row['version']}",
         row["method"],
+        str(row.get("iterations", "")),
         str(row["threads"]),
         f"{row['seconds']:.3f}",
         f"{row['assembly_seconds']:.2f}",
@@ -36,7 +48,8 @@ def ratios_table(rows: list[dict]) -> str:
 def ratio_cells(ratio: Ratio) -> list[str]:
     own, peer = ratio.own, ratio.peer
     reached = (
-        f"Q {own['q']:.3f}, peer {peer['q']:.3f}"
+        f"Q {own['q']:.3f}, {own['iterations']} passes; "
+        f"peer {peer['q']:.3f}, {peer['iterations']} sweeps, {peer['seconds']:.2f} s"
         if "q" in peer
         else f"error {mean_error(own) / mean_error(peer):.2f} of the peer's"
     )

@@ -8,15 +8,14 @@ OWN = "lfpiv"
 
 SECONDS = ("seconds", "cpu_seconds", "assembly_seconds")
 
-# Of a peer's method, how often faster this program has to be.
-FASTER = {
-    ("ASTRA", "SART, full volume"): 15.0,
-    ("ASTRA", "SART, active voxels"): 4.0,
-    ("OpenPIV", "single pass"): 10.0,
-}
+# How often faster this program has to be than a peer's methods that begin like this.
+FASTER = {"SART, full volume": 15.0, "SART, active voxels": 4.0, "single pass": 10.0}
 
 # The share of a peer's error that is allowed.
 ERROR_SHARE = 0.5
+
+# How near to its best Q a peer counts as arrived: the last hundredth may take most of the sweeps.
+ARRIVED = 0.99
 
 
 def median_rows(turns: list[list[dict]]) -> list[dict]:
@@ -56,7 +55,7 @@ class Ratio:
 
     @property
     def needed(self) -> float:
-        return FASTER[self.peer["peer"], self.peer["method"]]
+        return FASTER[kind(self.peer)]
 
     @property
     def good_enough(self) -> bool:
@@ -75,10 +74,49 @@ class Ratio:
         return f"short of {' and '.join(short)}" if short else "reached"
 
 
+def kind(row: dict) -> str:
+    """What a peer's method is, whatever its settings."""
+    return next(kind for kind in FASTER if row["method"].startswith(kind))
+
+
 def ratios(rows: list[dict]) -> Iterator[Ratio]:
-    """Every peer's row with each of this program's on the same case."""
-    for peer in rows:
-        if peer["peer"] != OWN:
-            for own in rows:
-                if own["peer"] == OWN and own["case"] == peer["case"]:
-                    yield Ratio(own, peer)
+    """Every peer at its best on a case, with each of this program's rows that it is held against.
+
+    A peer that repeats has a curve, Q against seconds, for each of its settings. It stands there
+    where it is nearly as good as it gets, over all of them, the soonest. Of this program's passes
+    those count that are as good, the soonest on as many threads.
+    """
+    for peer in standing(rows):
+        own = [row for row in rows if row["peer"] == OWN and row["case"] == peer["case"]]
+        if "q" in peer:
+            own = soonest_as_good(own, peer["q"])
+        for row in own:
+            yield Ratio(row, peer)
+
+
+def standing(rows: list[dict]) -> Iterator[dict]:
+    """The peers' rows that ratios are given for."""
+    peers = [row for row in rows if row["peer"] != OWN]
+    for row in peers:
+        if "q" not in row:
+            yield row
+    curves = {(row["case"], kind(row)): [] for row in peers if "q" in row}
+    for row in peers:
+        if "q" in row:
+            curves[row["case"], kind(row)].append(row)
+    for curve in curves.values():
+        best = max(row["q"] for row in curve)
+        arrived = [row for row in curve if row["q"] >= ARRIVED * best]
+        yield min(arrived, key=lambda row: row["cpu_seconds"])
+
+
+def soonest_as_good(own: list[dict], q: float) -> list[dict]:
+    """For every number of threads the fastest row with at least this Q; the best where none has."""
+    rows = []
+    for threads in sorted({row["threads"] for row in own}):
+        same = [row for row in own if row["threads"] == threads]
+        good = [row for row in same if row["q"] >= q]
+        rows.append(
+            min(good, key=lambda row: row["seconds"]) if good else max(same, key=lambda r: r["q"])
+        )
+    return rows

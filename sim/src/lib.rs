@@ -1,8 +1,11 @@
 //! A bench that is not there: known flows, particles that follow them, and the light-field images
 //! two cameras would take, by ray tracing.
 //!
-//! It depends on the description of the bench (`lfpiv-hw`) alone and shares no code with the
-//! reconstruction, whose accuracy it is there to judge.
+//! It depends on the description of the bench (`lfpiv-hw`) alone. That is all it shares with the
+//! reconstruction, whose accuracy it is there to judge: the optics' numbers, the poses, and the
+//! conventions of axes, rows and columns. Rays are traced here and weights are computed there: a fault
+//! of either shows when they are compared. A fault in what both are told does not show, such as a
+//! lens that is not thin or a convention that a real bench does not follow.
 
 pub mod bench;
 mod camera;
@@ -24,6 +27,6 @@ pub use bench::{SimulatedBench, connect};
 pub use flow::Flow;
 pub use geometry::{BenchGeometry, Volume};
 pub use particles::{FrameOfPair, Particle, Placement};
-pub use scene::{LightPulse, Scene, SceneError, SimulatedShot, Truth};
+pub use scene::{LightPulse, Lighting, Scene, SceneError, SimulatedShot, Truth};
 pub use sensor::SensorSettings;
 pub use triggers::{LEAD, Pacing};

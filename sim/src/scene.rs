@@ -1,9 +1,11 @@
 //! What is in front of the simulated cameras: the `[simulation]` table of the configuration.
 
+mod lighting;
 mod pulses;
 
 use garde::Validate;
-use lfpiv_hw::{RawImage, check::finite};
+use lfpiv_hw::{Pose, RawImage, check::finite};
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -15,6 +17,7 @@ use crate::{
     sensor::SensorSettings,
 };
 
+pub use lighting::Lighting;
 pub use pulses::LightPulse;
 
 /// Most particles of a shot: ten million take minutes and about a gigabyte.
@@ -52,10 +55,18 @@ pub struct Scene {
     /// Seed of a run that names none.
     #[garde(skip)]
     pub seed: u64,
+    /// How far each camera stands beside its pose (x, y, z of the world), in mm, in the order of the
+    /// cameras: an error of calibration, of which a reconstruction knows nothing. Cameras that are
+    /// not listed stand where their poses say.
+    #[garde(inner(inner(custom(finite), range(min = -10.0, max = 10.0))))]
+    pub camera_shift_mm: Vec<[f64; 3]>,
     /// Photo-electrons that the mean particle releases per exposure if no ray is lost. In focus
     /// they spread over about 256 pixels of the bench's cameras.
     #[garde(custom(finite), range(min = 0.0, max = 1e9))]
     pub particle_photoelectrons: f64,
+    /// How this light differs between frames and between cameras.
+    #[garde(dive)]
+    pub lighting: Lighting,
     /// Rays per particle and frame, rounded up to a square number.
     #[garde(range(min = 1, max = 4_000_000))]
     pub rays_per_particle: usize,
@@ -81,7 +92,9 @@ impl Default for Scene {
             intensity_spread: 0.2,
             sheet_mm: None,
             seed: 1,
+            camera_shift_mm: Vec::new(),
             particle_photoelectrons: 100_000.0,
+            lighting: Lighting::default(),
             rays_per_particle: 4096,
             diffraction: false,
             wavelength_nm: 532.0,
@@ -167,9 +180,16 @@ impl Scene {
         let Some(pose) = bench.poses.get(camera) else {
             return ElectronImage::dark(&bench.optics);
         };
-        let sources = self.sources(&truth.particles, frame);
-        RayTracer::new(&bench.optics, pose, &self.rays())
-            .trace(&sources, &stream_key(truth, camera, frame))
+        let key = stream_key(truth, camera, frame);
+        let sources = self.sources(&truth.particles, frame, key);
+        let pose = self.standing(pose, camera);
+        RayTracer::new(&bench.optics, &pose, &self.rays()).trace(&sources, &key)
+    }
+
+    /// Where a camera really stands.
+    fn standing(&self, pose: &Pose, camera: usize) -> Pose {
+        let shift_mm = self.camera_shift_mm.get(camera).copied().unwrap_or_default();
+        Pose { origin_mm: pose.origin_mm + Vector3::from(shift_mm), ..pose.clone() }
     }
 
     fn rays(&self) -> RaySettings {
@@ -188,13 +208,23 @@ impl Scene {
         }
     }
 
-    fn sources(&self, particles: &[Particle], frame: FrameOfPair) -> Vec<PointSource> {
-        let lit = particles.iter().enumerate().filter_map(|(id, particle)| {
-            let electrons = particle.intensity * self.particle_photoelectrons;
+    fn sources(
+        &self,
+        particles: &[Particle],
+        frame: FrameOfPair,
+        exposure: [u64; 4],
+    ) -> Vec<PointSource> {
+        let lit = particles.iter().zip(0..).filter_map(|(particle, id)| {
+            let electrons = self.electrons(particle, id, exposure);
             let position_mm = particle.lit_mm(frame)?;
-            Some(PointSource { id: id as u64, position_mm, electrons })
+            Some(PointSource { id, position_mm, electrons })
         });
         lit.collect()
+    }
+
+    /// What a particle releases in the exposure `[seed, shot, camera, frame]` if no ray is lost.
+    fn electrons(&self, particle: &Particle, id: u64, exposure: [u64; 4]) -> f64 {
+        particle.intensity * self.particle_photoelectrons * self.lighting.factor(exposure, id)
     }
 }
 

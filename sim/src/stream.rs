@@ -13,6 +13,8 @@ pub(crate) enum Purpose {
     Diffraction = 5,
     CameraFaults = 6,
     LineFaults = 7,
+    FrameLight = 8,
+    CameraLight = 9,
 }
 
 /// A generator of its own for every (purpose, key).

@@ -44,8 +44,12 @@ impl Case {
         Ok(settings)
     }
 
-    /// The configuration file with the case's changes, checked as any configuration is.
-    fn configuration(&self, folder: &Path) -> Result<Config, BenchmarkError> {
+    /// The configuration file, relative to the suite's `folder`, with the case's changes, checked as
+    /// any configuration is.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no configuration with these changes.
+    pub fn configuration(&self, folder: &Path) -> Result<Config, BenchmarkError> {
         let path = folder.join(&self.config);
         let text = read_or_shipped(&path)
             .map_err(|reason| BenchmarkError::Unreadable { path: path.clone(), reason })?;

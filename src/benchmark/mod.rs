@@ -33,4 +33,4 @@ pub use record::{Curve, MeasuredField, Projection, Record};
 pub use row::Row;
 pub use runner::{RunOptions, run};
 pub use stream::Streamed;
-pub use suite::{Bar, Case, Figure, Measure, Method, Suite};
+pub use suite::{Bar, Case, Claim, Figure, Measure, Method, Suite};

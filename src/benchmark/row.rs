@@ -71,22 +71,33 @@ pub struct Row {
     pub error_y_vox: Option<f64>,
     /// Along z.
     pub error_z_vox: Option<f64>,
-    /// The floor: mean |error| of the true particles through the same correlation, along x. Single
-    /// particles are not followed in it: where they are exact, that leaves next to nothing, and says
-    /// nothing about windows.
-    pub floor_x_vox: Option<f64>,
+    /// True particles, windows only: mean |error| along x when the true particles are correlated by
+    /// the same windows and passes, and single ones are not followed. Measured images can be below it
+    /// where single particles are followed in them.
+    pub true_windows_x_vox: Option<f64>,
     /// Along y.
-    pub floor_y_vox: Option<f64>,
+    pub true_windows_y_vox: Option<f64>,
     /// Along z.
-    pub floor_z_vox: Option<f64>,
-    /// Mean |error| of all components when the true particles are correlated and followed.
-    pub followed_floor_vox: Option<f64>,
+    pub true_windows_z_vox: Option<f64>,
+    /// True particles, followed: mean |error| along x when single ones are followed after the windows,
+    /// as in the images. What is above it comes from images and reconstruction. Absent where the
+    /// configuration follows none.
+    pub true_followed_x_vox: Option<f64>,
+    /// Along y.
+    pub true_followed_y_vox: Option<f64>,
+    /// Along z.
+    pub true_followed_z_vox: Option<f64>,
     /// Share of the x components within 0.3 voxels; those of invalid vectors count as misses.
     pub within_x: Option<f64>,
     /// Of the y components.
     pub within_y: Option<f64>,
     /// Of the z components.
     pub within_z: Option<f64>,
+    /// Share of the valid vectors' components within one stated standard uncertainty of the truth;
+    /// 68 % where uncertainties are right.
+    pub covered_68: Option<f64>,
+    /// Within 1.96; 95 % where they are right.
+    pub covered_95: Option<f64>,
     /// Full width at half maximum along z, in mm.
     pub fwhm_mm: Option<f64>,
     /// Mean |error| of the intensity-weighted centroid along z, in mm.
@@ -133,9 +144,14 @@ impl Row {
         Some([self.error_x_vox?, self.error_y_vox?, self.error_z_vox?])
     }
 
-    /// The floor along x, y, z, in voxels.
-    pub fn floor_vox(&self) -> Option<[f64; 3]> {
-        Some([self.floor_x_vox?, self.floor_y_vox?, self.floor_z_vox?])
+    /// True particles, windows only, along x, y, z, in voxels.
+    pub fn true_windows_vox(&self) -> Option<[f64; 3]> {
+        Some([self.true_windows_x_vox?, self.true_windows_y_vox?, self.true_windows_z_vox?])
+    }
+
+    /// True particles, followed, along x, y, z, in voxels.
+    pub fn true_followed_vox(&self) -> Option<[f64; 3]> {
+        Some([self.true_followed_x_vox?, self.true_followed_y_vox?, self.true_followed_z_vox?])
     }
 
     /// Shares within 0.3 voxels along x, y, z.
@@ -147,8 +163,14 @@ impl Row {
         (self.error_x_vox, self.error_y_vox, self.error_z_vox) = (Some(x), Some(y), Some(z));
     }
 
-    pub(super) fn set_floor(&mut self, [x, y, z]: [f64; 3]) {
-        (self.floor_x_vox, self.floor_y_vox, self.floor_z_vox) = (Some(x), Some(y), Some(z));
+    pub(super) fn set_true_windows(&mut self, errors_vox: [f64; 3]) {
+        let [x, y, z] = errors_vox.map(Some);
+        (self.true_windows_x_vox, self.true_windows_y_vox, self.true_windows_z_vox) = (x, y, z);
+    }
+
+    pub(super) fn set_true_followed(&mut self, errors_vox: [f64; 3]) {
+        let [x, y, z] = errors_vox.map(Some);
+        (self.true_followed_x_vox, self.true_followed_y_vox, self.true_followed_z_vox) = (x, y, z);
     }
 
     pub(super) fn set_within(&mut self, [x, y, z]: [f64; 3]) {

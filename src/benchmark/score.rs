@@ -17,6 +17,9 @@ pub struct Score {
     pub mean_vox: [f64; 3],
     /// Share of the components within 0.3 voxels; those of invalid vectors count as misses.
     pub within: [f64; 3],
+    /// Shares of the valid vectors' components within one and within 1.96 stated standard
+    /// uncertainties of the truth; 0 without valid vectors.
+    pub covered: [f64; 2],
     /// |error| along x, y, z, ascending, in voxels.
     sorted_vox: [Vec<f64>; 3],
 }
@@ -26,8 +29,12 @@ impl Score {
     pub fn of(field: &VelocityField, flow: &Flow) -> Self {
         let truth = true_field(field, flow);
         let count = field.grid.len().max(1) as f64;
-        let mut score =
-            Self { mean_vox: [0.0; 3], within: [0.0; 3], sorted_vox: Default::default() };
+        let mut score = Self {
+            mean_vox: [0.0; 3],
+            within: [0.0; 3],
+            covered: [1.0, 1.96].map(|widths| covered(field, &truth, widths)),
+            sorted_vox: Default::default(),
+        };
         for axis in 0..3 {
             let error = |n: usize| {
                 let (got, wanted) =
@@ -58,6 +65,21 @@ impl Score {
             })
             .collect()
     }
+}
+
+/// Share of the valid vectors' components within so many standard uncertainties of the truth.
+fn covered(field: &VelocityField, truth: &VelocityField, widths: f64) -> f64 {
+    let (mut hits, mut all) = (0usize, 0usize);
+    for n in (0..field.grid.len()).filter(|&n| field.status[n] == VectorStatus::Valid) {
+        let errors = field.displacement_vox[n].iter().zip(&truth.displacement_vox[n]);
+        let uncertainties = field.uncertainty_vox[n].iter().map(|&u| widths * f64::from(u));
+        let hit = errors
+            .zip(uncertainties)
+            .filter(|((got, want), u)| f64::from((*got - *want).abs()) <= *u);
+        hits += hit.count();
+        all += 3;
+    }
+    hits as f64 / all.max(1) as f64
 }
 
 /// The analytic solution at a field's places.

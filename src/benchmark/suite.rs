@@ -86,6 +86,30 @@ pub struct Case {
     /// Bars that this case is held against.
     #[serde(default)]
     pub bars: Vec<Bar>,
+    /// What README says of this case.
+    #[serde(rename = "claim", default)]
+    pub claims: Vec<Claim>,
+}
+
+/// What README says of a case with two cameras at one seeding density, the case's first method. The
+/// report holds what it measures against it, and the tests what they do: see [`Claim::MARGIN`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Claim {
+    /// Particles per microlens.
+    pub ppm: f64,
+    /// Mean |error| along x, y, z, in voxels.
+    pub error_vox: [f64; 3],
+    /// The same of the true particles, windows only.
+    pub true_windows_vox: [f64; 3],
+    /// The same of the true particles, followed.
+    pub true_followed_vox: [f64; 3],
+}
+
+impl Claim {
+    /// How many times the claimed error may be measured: mean errors scatter by a tenth from scene to
+    /// scene.
+    pub const MARGIN: f64 = 1.3;
 }
 
 /// Random places of single particles.
@@ -102,7 +126,8 @@ pub struct RandomPlaces {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
-    /// Four images to vectors, in this process: error beside the floor, seconds by stage.
+    /// Four images to vectors, in this process: error beside that of the true particles, seconds by
+    /// stage.
     Velocity,
     /// One frame to a volume: Q and seconds of the solver, its start counted.
     Volume,
@@ -144,6 +169,8 @@ pub enum Figure {
     Growth,
     /// What each part of the forward model costs and buys: the first such case has all of them.
     ModelParts,
+    /// What a bench that is not as drawn costs: the first such case is the bench as drawn.
+    ImperfectBench,
 }
 
 /// A demand on the program, each with its row in the report's first table.
@@ -156,8 +183,8 @@ pub enum Bar {
     /// The same at 0.3 ppm.
     #[serde(rename = "process-0.3-ppm")]
     Process03Ppm,
-    /// The floor: error of correlating the true particles.
-    Floor,
+    /// Error of the true particles by windows alone.
+    TrueParticles,
     /// OS-SART against SART at Q = 0.75.
     Acceleration,
     /// The fast solver against OS-SART at its final Q.
@@ -247,6 +274,12 @@ impl Suite {
 
     fn method(&self, name: &str) -> Option<&Method> {
         self.methods.iter().find(|declared| declared.name == name)
+    }
+
+    /// What README says of a case.
+    pub fn claim(&self, case: &str, ppm: f64) -> Option<&Claim> {
+        let case = self.cases.iter().find(|declared| declared.name == case)?;
+        case.claims.iter().find(|claim| claim.ppm == ppm)
     }
 
     /// The cases that a figure shows.

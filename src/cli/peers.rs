@@ -33,7 +33,13 @@ pub enum PeersCommand {
         reconstructed: bool,
     },
     /// Time the configured solver on exported views and print the row as JSON.
-    Reconstruct(TimeArgs),
+    Reconstruct {
+        #[command(flatten)]
+        time: TimeArgs,
+        /// Passes over all views instead of the configured ones.
+        #[arg(long, value_name = "N")]
+        passes: Option<usize>,
+    },
     /// Time the correlation of exported volumes and print the row as JSON.
     Correlate {
         #[command(flatten)]
@@ -73,11 +79,12 @@ pub fn peers(command: &PeersCommand) -> anyhow::Result<()> {
         PeersCommand::ExportVolumes { export, reconstructed } => {
             export_volumes(export, *reconstructed)
         }
-        PeersCommand::Reconstruct(time) => {
+        PeersCommand::Reconstruct { time, passes } => {
             let config = case_config(&time.case)?;
             let (bench, grid) = (config.bench_geometry(), &config.volume);
-            let settings = &config.reconstruction;
-            print_row(&time_reconstruction(&time.case, &bench, grid, settings, time.repeats)?)
+            let mut settings = config.reconstruction.clone();
+            settings.passes = passes.or(settings.passes);
+            print_row(&time_reconstruction(&time.case, &bench, grid, &settings, time.repeats)?)
         }
         PeersCommand::Correlate { time, passes } => {
             let config = case_config(&time.case)?;

@@ -123,7 +123,11 @@ pub struct Config {
     pub instruments: Option<InstrumentSettings>,
     /// The simulated bench; without it a run needs instruments.
     #[serde(default)]
-    #[garde(custom(simulation_or_instruments(&self.instruments)), dive)]
+    #[garde(
+        custom(simulation_or_instruments(&self.instruments)),
+        custom(no_more_than_cameras(&self.camera)),
+        dive
+    )]
     pub simulation: Option<Scene>,
     /// The wires at whose ends `lfpiv sim-bench` puts simulated instruments.
     #[serde(default)]
@@ -202,6 +206,25 @@ fn simulation_or_instruments(
              use",
         )),
         _ => Ok(()),
+    }
+}
+
+fn no_more_than_cameras(
+    cameras: &[Pose],
+) -> impl FnOnce(&Option<Scene>, &()) -> garde::Result + '_ {
+    move |simulation, _| {
+        let Some(scene) = simulation else { return Ok(()) };
+        let listed = [
+            ("camera_shift_mm", scene.camera_shift_mm.len()),
+            ("lighting.camera_light", scene.lighting.camera_light.len()),
+        ];
+        match listed.into_iter().find(|(_, count)| *count > cameras.len()) {
+            Some((key, count)) => Err(garde::Error::new(format!(
+                "{key} lists {count} for {} [[camera]] tables; allowed: at most one for each",
+                cameras.len()
+            ))),
+            None => Ok(()),
+        }
     }
 }
 

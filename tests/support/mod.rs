@@ -74,9 +74,16 @@ pub fn mean_error_vox(field: &VelocityField, flow: &Flow) -> [f64; 3] {
     })
 }
 
-/// The field that the true particles give through the configured windows alone: the floor that a
-/// reconstruction is measured against.
-pub fn true_particles_field(config: &Config, truth: &Truth) -> VelocityField {
+/// The fields that the true particles give: what images and reconstruction add to.
+pub struct TrueParticles {
+    /// By the configured windows alone.
+    pub by_windows: VelocityField,
+    /// As configured, where single particles are followed.
+    pub followed: VelocityField,
+}
+
+/// The true particles measured without images.
+pub fn true_particles(config: &Config, truth: &Truth) -> TrueParticles {
     let settings = &config.velocimetry;
     let margin = (settings.max_displacement_vox / 2.0).ceil() as usize + 1;
     let interrogation = Interrogation::new(&config.volume, margin, settings);
@@ -86,7 +93,10 @@ pub fn true_particles_field(config: &Config, truth: &Truth) -> VelocityField {
         PointCloud::from_particles(&lit.collect::<Vec<_>>(), &grid)
     };
     let [a, b] = [FrameOfPair::A, FrameOfPair::B].map(cloud);
-    interrogation.measure_by_windows(&a, &b, truth.dt_s)
+    TrueParticles {
+        by_windows: interrogation.measure_by_windows(&a, &b, truth.dt_s),
+        followed: interrogation.measure(&a, &b, truth.dt_s),
+    }
 }
 
 /// The text of the small bench's configuration with one piece replaced, as a file in `folder`.

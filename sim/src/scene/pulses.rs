@@ -39,7 +39,7 @@ impl Scene {
                 [FrameOfPair::A, FrameOfPair::B].map(|frame| {
                     let pulses = light.get(camera).map_or(&[][..], |l| &l[frame as usize]);
                     let key = stream_key(&truth, camera, frame);
-                    let light = self.light_of_pulses(bench, &particles, camera, pulses, &key);
+                    let light = self.light_of_pulses(bench, &particles, camera, pulses, key);
                     self.sensor.expose(&light, &key)
                 })
             })
@@ -65,13 +65,14 @@ impl Scene {
         particles: &[Particle],
         camera: usize,
         pulses: &[LightPulse],
-        key: &[u64],
+        key: [u64; 4],
     ) -> ElectronImage {
-        let tracer = RayTracer::new(&bench.optics, &bench.poses[camera], &self.rays());
+        let pose = self.standing(&bench.poses[camera], camera);
+        let tracer = RayTracer::new(&bench.optics, &pose, &self.rays());
         let mut images = pulses
             .iter()
             .filter(|pulse| pulse.energy > 0.0)
-            .map(|pulse| tracer.trace(&self.lit_by(bench, particles, pulse), key));
+            .map(|pulse| tracer.trace(&self.lit_by(bench, particles, pulse, key), &key));
         let mut sum = images.next().unwrap_or_else(|| ElectronImage::dark(&bench.optics));
         images.for_each(|image| sum.add(&image));
         sum
@@ -82,12 +83,13 @@ impl Scene {
         bench: &BenchGeometry,
         particles: &[Particle],
         pulse: &LightPulse,
+        exposure: [u64; 4],
     ) -> Vec<PointSource> {
         let seeding = self.seeding();
-        let lit = particles.iter().enumerate().filter_map(|(id, particle)| {
+        let lit = particles.iter().zip(0..).filter_map(|(particle, id)| {
             let position_mm = seeding.lit_mm(particle, &bench.volume, &self.flow, pulse.at_s)?;
-            let electrons = particle.intensity * self.particle_photoelectrons * pulse.energy;
-            Some(PointSource { id: id as u64, position_mm, electrons })
+            let electrons = self.electrons(particle, id, exposure) * pulse.energy;
+            Some(PointSource { id, position_mm, electrons })
         });
         lit.collect()
     }
@@ -96,7 +98,7 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Flow, SensorSettings, flow::Abc, test_bench};
+    use crate::{Flow, SensorSettings, flow::Abc, scene::Lighting, test_bench};
 
     fn scene() -> Scene {
         let flow =
@@ -120,10 +122,13 @@ mod tests {
     fn the_planned_pulses_give_the_planned_shot_bit_for_bit() {
         let bench = test_bench::small();
         let half_s = bench.dt_s / 2.0;
-        for (seed, shot) in [(1, 0), (7, 3)] {
+        let lighting = Lighting { pulse_energy: [1.0, 0.7], frame_spread: 0.2, ..scene().lighting };
+        let uneven =
+            Scene { camera_shift_mm: vec![[0.0; 3], [0.03, 0.0, 0.0]], lighting, ..scene() };
+        for (scene, seed, shot) in [(scene(), 1, 0), (scene(), 7, 3), (uneven, 1, 0)] {
             let light = lit([pulse(-half_s, 1.0), pulse(half_s, 1.0)]);
-            let rendered = scene().exposures(&bench, seed, shot, &light);
-            assert_eq!(rendered, scene().shot(&bench, seed, shot));
+            let rendered = scene.exposures(&bench, seed, shot, &light);
+            assert_eq!(rendered, scene.shot(&bench, seed, shot));
         }
     }
 

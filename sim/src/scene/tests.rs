@@ -55,6 +55,44 @@ fn a_particle_that_left_the_sheet_is_dark_in_the_second_frame() {
     assert_eq!(scene.light(&bench, &truth, 0, FrameOfPair::B).total(), 0.0);
 }
 
+/// A camera that stands 0.03 mm further along x sees every particle as much further back: the image
+/// of the particles moved by as much the other way, with the bench as drawn.
+#[test]
+fn a_camera_beside_its_pose_sees_the_world_moved_the_other_way() {
+    let bench = test_bench::small();
+    let shift_mm = 0.03;
+    let shifted = Scene { camera_shift_mm: vec![[0.0; 3], [shift_mm, 0.0, 0.0]], ..scene() };
+    let truth = scene().truth(&bench, 1, 0);
+    let mut moved = truth.clone();
+    for particle in &mut moved.particles {
+        particle.a_mm[0] -= shift_mm;
+    }
+    let seen = |scene: &Scene, truth, camera| scene.light(&bench, truth, camera, FrameOfPair::A);
+    assert_eq!(seen(&shifted, &truth, 0), seen(&scene(), &truth, 0));
+    let (there, here) = (seen(&shifted, &truth, 1), seen(&scene(), &moved, 1));
+    // The two sums differ in their last bit, which moves hardly a ray across a pixel's edge.
+    let difference: f64 =
+        there.electrons().iter().zip(here.electrons()).map(|(a, b)| f64::from((a - b).abs())).sum();
+    assert!(difference < 1e-3 * here.total(), "{difference} of {}", here.total());
+    assert_ne!(there, seen(&scene(), &truth, 1));
+}
+
+#[test]
+fn the_second_pulse_and_the_second_camera_may_be_dimmer() {
+    let bench = test_bench::small();
+    let lighting =
+        Lighting { pulse_energy: [1.0, 0.6], camera_light: vec![1.0, 0.5], ..Lighting::default() };
+    let uneven = Scene { lighting, ..scene() };
+    let truth = scene().truth(&bench, 1, 0);
+    for (camera, frame, share) in
+        [(0, FrameOfPair::A, 1.0), (0, FrameOfPair::B, 0.6), (1, FrameOfPair::B, 0.3)]
+    {
+        let total = |scene: &Scene| scene.light(&bench, &truth, camera, frame).total();
+        let got = total(&uneven) / total(&scene());
+        assert!((got - share).abs() < 1e-4, "{got} instead of {share}");
+    }
+}
+
 #[test]
 fn an_empty_scene_and_an_unknown_camera_are_dark() {
     let bench = test_bench::small();
@@ -87,7 +125,16 @@ fn the_table_has_defaults_and_refuses_unknown_keys_and_bad_values() {
     assert_eq!(scene.sensor.bits, 8);
     assert!(read("ppn = 1.0").is_err());
     assert!(read("[sensor]\nbit = 8").is_err());
-    for bad in ["ppm = nan", "ppm = -1.0", "sheet_mm = [1.0, 0.0, 1.0]", "rays_per_particle = 0"] {
+    assert!(read("[lighting]\npulse_energies = [1.0, 1.0]").is_err());
+    for bad in [
+        "ppm = nan",
+        "ppm = -1.0",
+        "sheet_mm = [1.0, 0.0, 1.0]",
+        "rays_per_particle = 0",
+        "camera_shift_mm = [[0.0, 11.0, 0.0]]",
+        "lighting = { pulse_energy = [1.0, -1.0] }",
+        "lighting = { camera_spread = 2.0 }",
+    ] {
         let key = bad.split(' ').next().unwrap();
         assert!(read(bad).unwrap().validate().unwrap_err().to_string().contains(key), "{bad}");
     }

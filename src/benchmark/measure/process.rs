@@ -9,8 +9,8 @@ use crate::{
     pipeline::Processor,
 };
 
-/// Runs `lfpiv process` on every seed's pair; the median of the repeats counts. Errors beside the
-/// floor are those of the same pair measured in this process, bit for bit the same.
+/// Runs `lfpiv process` on every seed's pair; the median of the repeats counts. Errors are
+/// those of the same pair measured in this process, bit for bit the same.
 pub(super) fn measure(
     setting: &Setting,
     methods: &[Option<&Method>],

@@ -1,4 +1,4 @@
-//! Four images to vectors: error beside the floor, seconds by stage.
+//! Four images to vectors: error beside that of the true particles, seconds by stage.
 
 use lfpiv_sim::{FrameOfPair, Truth};
 
@@ -67,13 +67,16 @@ pub(super) fn measured(
     let [a, b] =
         [FrameOfPair::A, FrameOfPair::B].map(|frame| true_cloud(&shot.truth, frame, windows));
     let dt_s = shot.truth.dt_s;
-    let floor = Score::of(&windows.measure_by_windows(&a, &b, dt_s), flow);
-    let followed = Score::of(&windows.measure(&a, &b, dt_s), flow);
+    let by_windows = Score::of(&windows.measure_by_windows(&a, &b, dt_s), flow);
     let result = processor.process(&shot.pair)?;
     let score = Score::of(&result.field, flow);
     let mut row = setting.row(method, shot.seed);
-    fill(&mut row, &result, &score, &floor);
-    row.followed_floor_vox = Some(followed.mean_vox.iter().sum::<f64>() / 3.0);
+    fill(&mut row, &result, &score);
+    row.set_true_windows(by_windows.mean_vox);
+    if setting.config.velocimetry.follow_particles {
+        let followed = Score::of(&windows.measure(&a, &b, dt_s), flow);
+        row.set_true_followed(followed.mean_vox);
+    }
     Ok(Measured { row, field: result.field, score })
 }
 
@@ -106,7 +109,7 @@ fn keep_field(setting: &Setting, measured: &Measured, findings: &mut Findings) {
     findings.fields.push(kept(Some(row.method.clone()), measured.field.clone()));
 }
 
-fn fill(row: &mut Row, result: &PairResult, score: &Score, floor: &Score) {
+fn fill(row: &mut Row, result: &PairResult, score: &Score) {
     let seconds = &result.seconds;
     row.decode_s = Some(seconds.decode_s);
     row.reconstruct_s = Some(seconds.reconstruct_s);
@@ -117,5 +120,5 @@ fn fill(row: &mut Row, result: &PairResult, score: &Score, floor: &Score) {
     row.valid_share = Some(result.field.valid_share());
     row.set_error(score.mean_vox);
     row.set_within(score.within);
-    row.set_floor(floor.mean_vox);
+    (row.covered_68, row.covered_95) = (Some(score.covered[0]), Some(score.covered[1]));
 }

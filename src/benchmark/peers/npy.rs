@@ -98,18 +98,17 @@ pub fn write_array<T: Element>(
     writer.finish(shape)
 }
 
-/// Reads an array that [`NpyWriter`] has written.
+/// Reads an array of numbers in C order, as [`NpyWriter`] and NumPy write it (format version 1).
 ///
 /// # Errors
 /// The file cannot be read, or holds another type or another number of elements than `shape`.
 pub fn read_array<T: Element>(path: &Path, shape: &[usize]) -> Result<Vec<T>, PeersError> {
     let bytes = fs::read(path).map_err(PeersError::io("read", path))?;
     let wrong = |reason: String| PeersError::WrongArray { path: path.to_owned(), reason };
-    let expected = header::<T>(shape);
-    let Some((found, data)) = bytes.split_at_checked(HEADER_BYTES) else {
-        return Err(wrong(format!("{} bytes only", bytes.len())));
+    let Some((found, data)) = description(&bytes) else {
+        return Err(wrong(format!("{} bytes without NumPy's header", bytes.len())));
     };
-    if found != expected {
+    if found != without_spaces(&array_description::<T>(shape)) {
         return Err(wrong(format!("not {shape:?} of {}", T::DESCRIPTION)));
     }
     let elements: usize = shape.iter().product();
@@ -119,12 +118,27 @@ pub fn read_array<T: Element>(path: &Path, shape: &[usize]) -> Result<Vec<T>, Pe
     Ok(data.chunks_exact(T::BYTES).map(T::get).collect())
 }
 
-fn header<T: Element>(shape: &[usize]) -> Vec<u8> {
+/// An array file's description without its spaces, and its data.
+fn description(bytes: &[u8]) -> Option<(String, &[u8])> {
+    let rest = bytes.strip_prefix(MAGIC)?;
+    let (length, rest) = rest.split_first_chunk()?;
+    let (text, data) = rest.split_at_checked(u16::from_le_bytes(*length).into())?;
+    Some((without_spaces(std::str::from_utf8(text).ok()?), data))
+}
+
+/// NumPy and this program put spaces, and a comma after the last length, in different places.
+fn without_spaces(description: &str) -> String {
+    let dense: String = description.chars().filter(|c| !c.is_whitespace()).collect();
+    dense.replace(",)", ")")
+}
+
+fn array_description<T: Element>(shape: &[usize]) -> String {
     let lengths: String = shape.iter().map(|n| format!("{n},")).collect();
-    let text = format!(
-        "{{'descr': '{}', 'fortran_order': False, 'shape': ({lengths}), }}",
-        T::DESCRIPTION
-    );
+    format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({lengths}), }}", T::DESCRIPTION)
+}
+
+fn header<T: Element>(shape: &[usize]) -> Vec<u8> {
+    let text = array_description::<T>(shape);
     let room = HEADER_BYTES - MAGIC.len() - size_of::<u16>();
     let mut header = MAGIC.to_vec();
     header.extend((room as u16).to_le_bytes());
@@ -156,6 +170,20 @@ mod tests {
         let text = std::str::from_utf8(&header[10..]).unwrap();
         assert_eq!(text.trim_end(), "{'descr': '<u8', 'fortran_order': False, 'shape': (7,), }");
         assert!(text.ends_with('\n'));
+    }
+
+    /// As `numpy.save` writes float32 of shape (1, 2): with spaces, without a last comma.
+    #[test]
+    fn an_array_that_numpy_wrote_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.npy");
+        let text = "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2), }";
+        let mut bytes = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
+        bytes.extend(format!("{text:<117}\n").bytes());
+        bytes.extend([1.5f32, -2.0].iter().flat_map(|value| value.to_le_bytes()));
+        fs::write(&path, bytes).unwrap();
+        assert_eq!(read_array::<f32>(&path, &[1, 2]).unwrap(), [1.5, -2.0]);
+        assert!(read_array::<f32>(&path, &[2, 1]).is_err());
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::benchmark::Row;
 pub type Column = (&'static str, fn(&Report, &Row) -> String);
 
 /// The columns of the page; the CSV file has all there are.
-pub const COLUMNS: [Column; 19] = [
+pub const COLUMNS: [Column; 20] = [
     ("case", |_, row| row.case.clone()),
     ("method", |report, row| report.label(row)),
     ("ppm", |_, row| known(row.ppm)),
@@ -22,8 +22,9 @@ pub const COLUMNS: [Column; 19] = [
     ("× kernel", |_, row| value(row.kernel_ratio)),
     ("Q", |_, row| value(row.q)),
     ("error x, y, z / voxel", |_, row| three(row.error_vox())),
-    ("floor x, y, z / voxel", |_, row| three(row.floor_vox())),
-    ("floor, particles followed", |_, row| value(row.followed_floor_vox)),
+    ("true particles, windows only", |_, row| three(row.true_windows_vox())),
+    ("true particles, followed", |_, row| three(row.true_followed_vox())),
+    ("valid / %", |_, row| value(row.valid_share.map(|share| 100.0 * share))),
     ("FWHM / mm", |_, row| value(row.fwhm_mm)),
     ("peak / MB", |_, row| value(row.peak_mb)),
     ("threads", |_, row| row.threads.to_string()),

@@ -52,7 +52,8 @@ impl Page {
              <p class=\"facts\">{}, {} logical processors, {} threads. lfpiv {}. {}.<br>\n\
              Reference kernel: {} s for {:.1}·10⁹ multiply-adds and {:.1} GB of memory traffic on \
              these threads.<br>\n\
-             Images are simulated by ray tracing, which shares no code with the reconstruction. \
+             Images are simulated by ray tracing. What that shares with the reconstruction is the \
+             description of the bench: optics, poses and conventions. \
              Paper: Zhu, Xu, Hossain and Khoo, Physics of Fluids 35, 2023.</p>\n",
             escaped(&stamp.machine),
             stamp.cores,
@@ -97,16 +98,19 @@ impl Page {
             let _ = writeln!(
                 self.0,
                 "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"{class}\">{verdict}</td></tr>",
-                escaped(reached.work),
-                escaped(reached.bar),
+                escaped(&reached.work),
+                escaped(&reached.bar),
                 escaped(&reached.measured),
             );
         }
         self.add(
-            "</table></div>\n<p class=\"note\">The floor is the error of correlating the true \
-             particles through the same windows and passes, without following single particles, and no more than 0.068 voxel at \
-             1 ppm and 0.095 at 0.3 ppm. Where several methods were measured, up to \
-             three are named, the nearest to the bar first.</p>\n",
+            "</table></div>\n<p class=\"note\">True particles, windows only: the error of \
+             correlating the true particles through the same windows and passes, without following \
+             single ones; in bars no more than 0.068 voxel at 1 ppm and 0.095 at 0.3 ppm. True \
+             particles, followed: the error when single ones are followed afterwards, as they are in \
+             the images; a bar is never set against it, and the difference to it is what images and \
+             reconstruction add. Where several methods were measured, up to three are named, the \
+             nearest to the bar first.</p>\n",
         );
     }
 

@@ -76,14 +76,28 @@ pub fn median(rows: &[&Row], figure: impl Fn(&Row) -> Option<f64>) -> Option<f64
     values.get(values.len() / 2).copied()
 }
 
+/// Mean of what rows have of a figure along x, y, z, each component by itself.
+pub fn mean_of_components(
+    rows: &[&Row],
+    figure: impl Fn(&Row) -> Option<[f64; 3]>,
+) -> Option<[f64; 3]> {
+    let component = |axis: usize| mean(rows, |row| figure(row).map(|figures| figures[axis]));
+    Some([component(0)?, component(1)?, component(2)?])
+}
+
 /// Mean of the three components' mean errors, in voxels.
 pub fn mean_error(row: &Row) -> Option<f64> {
     row.error_vox().map(|error| error.iter().sum::<f64>() / 3.0)
 }
 
-/// Mean of the three components' floors, in voxels.
-pub fn mean_floor(row: &Row) -> Option<f64> {
-    row.floor_vox().map(|floor| floor.iter().sum::<f64>() / 3.0)
+/// The same of the true particles, windows only.
+pub fn mean_true_windows(row: &Row) -> Option<f64> {
+    row.true_windows_vox().map(|error| error.iter().sum::<f64>() / 3.0)
+}
+
+/// The same of the true particles, followed.
+pub fn mean_true_followed(row: &Row) -> Option<f64> {
+    row.true_followed_vox().map(|error| error.iter().sum::<f64>() / 3.0)
 }
 
 /// "one camera", "two cameras".

@@ -15,6 +15,12 @@ use crate::benchmark::{
 const COMPONENTS: [(&str, usize, &str); 2] =
     [("v", 1, "cdf_y(error_vox)"), ("w", 2, "cdf_z(error_vox)")];
 
+/// What is drawn beside the images: a name for the legend, and the figures along x, y, z.
+const TRUE_PARTICLES: [(&str, fn(&Row) -> Option<[f64; 3]>); 2] = [
+    ("true particles, windows only", Row::true_windows_vox),
+    ("true particles, followed", Row::true_followed_vox),
+];
+
 /// Mean error of v and w against seeding density.
 pub fn error_ppm(report: &Report) -> Option<Section> {
     let rows = report.shown_in(Figure::ErrorPpm);
@@ -23,17 +29,20 @@ pub fn error_ppm(report: &Report) -> Option<Section> {
         .into_iter()
         .filter_map(|(name, axis, _)| {
             let error = |row: &Row| row.error_vox().map(|error| error[axis]);
-            let floor = |row: &Row| row.floor_vox().map(|floor| floor[axis]);
             let groups = grouped(&rows, by_volume, |row| Some(row.ppm), error);
-            let floors = grouped(&rows, by_volume, |row| Some(row.ppm), floor);
             let mut series: Vec<Series> = groups
                 .iter()
                 .map(|group| {
                     Series::new(label(report, group.row), Style::Dots, group.points.clone())
                 })
                 .collect();
-            let floor = floors.first()?;
-            series.push(Series::new("floor", Style::Reference, floor.points.clone()));
+            for (name, figures) in TRUE_PARTICLES {
+                let figure = |row: &Row| figures(row).map(|error| error[axis]);
+                if let Some(group) = grouped(&rows, by_volume, |row| Some(row.ppm), figure).first()
+                {
+                    series.push(Series::new(name, Style::Reference, group.points.clone()));
+                }
+            }
             for group in &groups {
                 let most = group.points.iter().map(|point| point[1]).fold(0.0, f64::max);
                 let paper = match (group.row.cameras, name) {

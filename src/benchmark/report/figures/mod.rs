@@ -4,10 +4,12 @@ pub mod convergence;
 mod displacement;
 mod elongation;
 pub mod growth;
+mod imperfect;
 mod loopback;
 mod memory;
 mod model_parts;
 mod pareto;
+mod peers;
 mod projection;
 mod quality;
 mod vortex;
@@ -31,7 +33,8 @@ pub fn sections(report: &Report) -> Vec<Section> {
         memory::matrices,
         growth::whole_process,
         growth::growth,
-        pareto::beside_peers,
+        peers::beside,
+        imperfect::imperfect_bench,
         model_parts::model_parts,
         loopback::streams,
     ]

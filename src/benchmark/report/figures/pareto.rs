@@ -7,16 +7,26 @@ use crate::benchmark::{
         chart::{Axis, Chart, Series, Style},
         section::{Panel, Section},
         svg::number,
-        tables::{by_case, grouped, mean, mean_error, mean_floor, pareto_front},
+        tables::{
+            by_case, grouped, mean, mean_error, mean_true_followed, mean_true_windows, pareto_front,
+        },
     },
 };
+
+/// What is drawn beside the methods: a name for the legend, and the figure.
+const TRUE_PARTICLES: [(&str, fn(&Row) -> Option<f64>); 2] = [
+    ("true particles, windows only", mean_true_windows),
+    ("true particles, followed", mean_true_followed),
+];
 
 /// Displacement error against the seconds of a pair.
 pub fn error_seconds(report: &Report) -> Option<Section> {
     let panels = panels(report, Figure::ErrorSeconds, mean_error, |rows| {
         let mut lines = Vec::new();
-        if let Some(floor) = mean(rows, mean_floor) {
-            lines.push((format!("floor {}", number(floor)), floor));
+        for (name, figure) in TRUE_PARTICLES {
+            if let Some(error) = mean(rows, figure) {
+                lines.push((format!("{name}: {}", number(error)), error));
+            }
         }
         ("mean |error| of the three components, voxels", lines)
     });
@@ -25,10 +35,11 @@ pub fn error_seconds(report: &Report) -> Option<Section> {
         title: "Error against seconds",
         panels,
         caption: "Every method on the same images; mean over the seeds. A method on the grey \
-                  front is beaten by no other in both time and error. The floor is the error of \
-                  correlating the true particles through the same windows; only what follows single \
-                  particles as well can be below it. Seconds are those of one pair in a \
-                  running program: decoding, two reconstructions, correlation."
+                  front is beaten by no other in both time and error. True particles by windows \
+                  alone leave more than images in which single particles are followed; true \
+                  particles that are followed, too, are what images and reconstruction add to. \
+                  Seconds are those of one pair in a running program: decoding, two \
+                  reconstructions, correlation."
             .to_owned(),
         compared: Vec::new(),
     })
@@ -49,31 +60,6 @@ pub fn quality_seconds(report: &Report) -> Option<Section> {
         caption: "What the quality factor lacks to 1 against the time of one reconstruction, its \
                   start counted; particles on voxel centres as in the paper. Lower is better on \
                   both axes."
-            .to_owned(),
-        compared: Vec::new(),
-    })
-}
-
-/// Other programs and this one in the peers' run: Q, or displacement error, against seconds.
-pub fn beside_peers(report: &Report) -> Option<Section> {
-    let mut cases: Vec<&str> = report.peers.iter().map(|row| row.case.as_str()).collect();
-    cases.dedup();
-    let panels: Vec<Panel> = cases
-        .into_iter()
-        .filter_map(|case| {
-            let rows: Vec<&Row> = report.peers.iter().filter(|row| row.case == case).collect();
-            let svg = chart(report, &rows, |row| row.q.map(|q| 1.0 - q), "1 − Q", &[])
-                .or_else(|| chart(report, &rows, mean_error, "mean |error|, voxels", &[]))?;
-            Some(Panel::wide(case, svg))
-        })
-        .collect();
-    (!panels.is_empty()).then(|| Section {
-        id: "beside",
-        title: "Beside other programs",
-        panels,
-        caption: "ASTRA's SART and OpenPIV's 3-D correlation on the same views and the same \
-                  volumes as this program, in a run of their own; where a program ran on several \
-                  numbers of threads, the mean is drawn. Matrix assembly is not in the seconds."
             .to_owned(),
         compared: Vec::new(),
     })

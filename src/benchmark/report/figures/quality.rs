@@ -60,8 +60,7 @@ pub fn quality_ppm(report: &Report) -> Option<Section> {
         id: "quality-ppm",
         title: "Q against seeding density (paper, Fig. 12)",
         panels: vec![Panel::wide("", chart.svg("Q against particles per microlens"))],
-        caption: "Particles on voxel centres, no noise, as in the paper; images by ray tracing, \
-                  which shares no code with the reconstruction."
+        caption: "Particles on voxel centres, no noise, as in the paper; images by ray tracing."
             .to_owned(),
         compared,
     })

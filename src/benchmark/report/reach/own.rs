@@ -1,29 +1,49 @@
-//! Bars on our own figures: error beside the floor, seconds, memory, width.
+//! Bars on our own figures: error beside that of the true particles, seconds, memory, width.
 
 use super::{
     super::{
         Report,
         figures::growth::voxels,
         svg::number,
-        tables::{mean, median},
+        tables::{mean, mean_of_components, median},
     },
-    Candidate, FLOOR_1_PPM_VOX, at_most, candidates,
+    Candidate, WINDOWS_1_PPM_VOX, at_most, candidates,
 };
 use crate::benchmark::{Bar, Row};
 
-/// The largest component's error over its floor, each a mean over the seeds.
-fn times_floor(rows: &[&Row], components: &[usize], known_vox: f64) -> Option<f64> {
+/// The largest component's error over that of the true particles, each a mean over the seeds.
+fn times(
+    rows: &[&Row],
+    components: &[usize],
+    true_particles_vox: impl Fn(&Row) -> Option<[f64; 3]>,
+    known_vox: f64,
+) -> Option<f64> {
     components
         .iter()
         .map(|&axis| {
             let error = mean(rows, |row| row.error_vox().map(|error| error[axis]))?;
-            let floor = mean(rows, |row| row.floor_vox().map(|floor| floor[axis]))?;
-            Some(error / floor.min(known_vox))
+            let least = mean(rows, |row| true_particles_vox(row).map(|error| error[axis]))?;
+            Some(error / least.min(known_vox))
         })
         .try_fold(0.0, |largest: f64, times| Some(largest.max(times?)))
 }
 
-/// Seconds of the whole process, and error over the floor, together.
+/// The same in words, beside the true particles by windows (against which bars are set) and followed;
+/// and the first of the two.
+fn beside_true_particles(
+    rows: &[&Row],
+    components: &[usize],
+    known_vox: f64,
+) -> Option<(String, f64)> {
+    let windows = times(rows, components, Row::true_windows_vox, known_vox)?;
+    let mut text = format!("{} × the true particles, windows only", number(windows));
+    if let Some(followed) = times(rows, components, Row::true_followed_vox, f64::INFINITY) {
+        text += &format!(" ({} × followed)", number(followed));
+    }
+    Some((text, windows))
+}
+
+/// Seconds of the whole process, and error over that of the true particles, together.
 pub(super) fn process(
     report: &Report,
     bar: Bar,
@@ -34,24 +54,22 @@ pub(super) fn process(
     candidates(report, bar, |rows| {
         let seconds = median(rows, |row| row.seconds)?;
         let ratio = median(rows, |row| row.kernel_ratio)?;
-        let times = times_floor(rows, &[0, 1, 2], known_vox)?;
-        let measured = format!(
-            "{} s ({} × the reference kernel) at {} × the floor",
-            number(seconds),
-            number(ratio),
-            number(times)
-        );
+        let (beside, times) = beside_true_particles(rows, &[0, 1, 2], known_vox)?;
+        let measured =
+            format!("{} s ({} × the reference kernel) at {beside}", number(seconds), number(ratio));
         Some(at_most(measured, &[(seconds, most_s), (times, most)]))
     })
 }
 
-/// The worst component of the floor.
-pub(super) fn floor(report: &Report) -> Vec<Candidate> {
-    candidates(report, Bar::Floor, |rows| {
-        let component = |axis: usize| mean(rows, |row| row.floor_vox().map(|floor| floor[axis]));
-        let floor = [component(0)?, component(1)?, component(2)?];
-        let most = floor.into_iter().fold(0.0, f64::max);
-        let measured = format!("{} voxel", floor.map(number).join(", "));
+/// The worst component of the true particles by windows alone.
+pub(super) fn true_particles(report: &Report) -> Vec<Candidate> {
+    candidates(report, Bar::TrueParticles, |rows| {
+        let windows = mean_of_components(rows, Row::true_windows_vox)?;
+        let most = windows.into_iter().fold(0.0, f64::max);
+        let mut measured = format!("{} voxel", windows.map(number).join(", "));
+        if let Some(followed) = mean_of_components(rows, Row::true_followed_vox) {
+            measured += &format!(" (followed: {})", followed.map(number).join(", "));
+        }
         Some(at_most(measured, &[(most, 0.04)]))
     })
 }
@@ -93,11 +111,9 @@ pub(super) fn growth(report: &Report) -> Vec<Candidate> {
 /// σ of v and w, alone and over the floor.
 pub(super) fn ring_error(report: &Report) -> Vec<Candidate> {
     candidates(report, Bar::Ring1Ppm, |rows| {
-        let component = |axis: usize| mean(rows, |row| row.error_vox().map(|error| error[axis]));
-        let (v, w) = (component(1)?, component(2)?);
-        let times = times_floor(rows, &[1, 2], FLOOR_1_PPM_VOX)?;
-        let measured =
-            format!("{} and {} voxel, {} × the floor", number(v), number(w), number(times));
+        let [_, v, w] = mean_of_components(rows, Row::error_vox)?;
+        let (beside, times) = beside_true_particles(rows, &[1, 2], WINDOWS_1_PPM_VOX)?;
+        let measured = format!("{} and {} voxel, {beside}", number(v), number(w));
         Some(at_most(measured, &[(v.max(w), 0.06), (times, 1.15)]))
     })
 }
@@ -105,8 +121,7 @@ pub(super) fn ring_error(report: &Report) -> Vec<Candidate> {
 /// Shares of v and w within 0.3 voxels.
 pub(super) fn ring_within(report: &Report) -> Vec<Candidate> {
     candidates(report, Bar::Ring16Ppm, |rows| {
-        let component = |axis: usize| mean(rows, |row| row.within().map(|within| within[axis]));
-        let (v, w) = (component(1)?, component(2)?);
+        let [_, v, w] = mean_of_components(rows, Row::within)?;
         let measured = format!("{:.2} % and {:.2} %", 100.0 * v, 100.0 * w);
         Some(at_most(measured, &[(0.99, v), (0.99, w)]))
     })
