@@ -32,7 +32,7 @@ fn pooled(found: &[Measured], rms: impl Fn(&Measured) -> f64) -> f64 {
 /// Share of 95 % intervals that hold at least with cameras at this angle, as README states it.
 fn least_covered(angle_deg: f64) -> f64 {
     match angle_deg {
-        30.0.. => 0.8,
+        45.0.. => 0.8,
         20.0.. => 0.7,
         _ => 0.5,
     }
