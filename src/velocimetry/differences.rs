@@ -55,6 +55,11 @@ impl Layout {
         (0..4).filter(|k| !known[n + k * s]).count()
     }
 
+    /// Nodes at which a third difference along `axis` starts that touches `known` nodes only.
+    pub fn within(self, axis: usize, known: &[bool]) -> impl Iterator<Item = usize> {
+        (0..known.len()).filter(move |&n| self.starts(axis, n) && self.gaps(axis, n, known) == 0)
+    }
+
     /// Third differences along `axis` that start at the nodes; where none fits, one that runs on
     /// into other rows and means nothing, and none for the last nodes.
     fn third_differences(self, axis: usize, value: &[f64]) -> Vec<f64> {
@@ -85,15 +90,11 @@ impl Layout {
     /// none starts.
     pub fn roughness(self, axis: usize, value: &[f64], known: &[bool]) -> Vec<f64> {
         let starts: Vec<bool> = (0..value.len()).map(|n| self.starts(axis, n)).collect();
-        let measured: Vec<bool> =
-            (0..value.len()).map(|n| starts[n] && self.gaps(axis, n, known) == 0).collect();
-        let mut squares = vec![0.0; value.len()];
-        for (n, difference) in self.third_differences(axis, value).into_iter().enumerate() {
-            if measured[n] {
-                squares[n] = difference * difference;
-            }
+        let (mut squares, mut counts) = (vec![0.0; value.len()], vec![0.0; value.len()]);
+        let differences = self.third_differences(axis, value);
+        for n in self.within(axis, known) {
+            (squares[n], counts[n]) = (differences[n] * differences[n], 1.0);
         }
-        let mut counts: Vec<f64> = measured.iter().map(|&m| f64::from(u8::from(m))).collect();
         let mean = squares.iter().sum::<f64>() / counts.iter().sum::<f64>().max(1.0);
         self.sums_around(&mut squares);
         self.sums_around(&mut counts);

@@ -11,6 +11,10 @@ use super::{
 };
 use crate::model::VolumeGrid;
 
+/// Uncertainty of what stands in for a vector on the way, in voxels: next to any vector that was
+/// measured, little.
+const STAND_IN_VOX: f32 = 1.0;
+
 /// A vector as it is reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vector {
@@ -58,7 +62,19 @@ pub fn settled(vectors: &[Vector], at_rest: Lattice) -> (Lattice, Vec<Option<[f3
     let has_value: Vec<bool> = vectors.iter().map(|v| v.status != VectorStatus::Invalid).collect();
     let values = vectors.iter().map(|v| v.displacement_vox).collect();
     let field = Lattice { values, ..at_rest }.filled(&has_value);
-    (field.likeliest(&uncertainty_vox), uncertainty_vox)
+    let measured: Vec<bool> = uncertainty_vox.iter().map(Option::is_some).collect();
+    (field.likeliest(&uncertainty_vox, &measured), uncertainty_vox)
+}
+
+/// The vectors of a pass on the way.
+struct StoodIn {
+    /// Their own values, what neighbours say in their place, or where these say nothing either, how the
+    /// field goes on.
+    field: Lattice,
+    /// Whether a vector is its own.
+    pass: Vec<bool>,
+    /// Whether it or a neighbour says anything.
+    known: Vec<bool>,
 }
 
 /// Judges the vectors of one pass.
@@ -75,22 +91,24 @@ pub struct Judge<'a> {
 impl Judge<'_> {
     /// The field with neighbours standing in for vectors that disagree with them.
     pub fn in_line(&self) -> Lattice {
-        self.stood_in().0
+        self.stood_in().field
     }
 
     /// The field for the next pass: the likeliest one behind vectors whose standard uncertainty is
-    /// `uncertainty_vox`. Those for which it is not known, and those that others stand in for, weigh
-    /// nothing: they follow from the vectors about, or stay where these do not say.
+    /// `uncertainty_vox` where that is known, and [`STAND_IN_VOX`] where it is not. Where nothing was
+    /// found, not even by neighbours, it goes on from where something was.
     pub fn predictor(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Lattice {
-        let (field, pass) = self.stood_in();
-        let known = uncertainty_vox.iter().zip(pass);
-        let known: Vec<Option<[f32; 3]>> = known.map(|(own, pass)| own.filter(|_| pass)).collect();
-        field.likeliest(&known)
+        let StoodIn { field, pass, known } = self.stood_in();
+        let own: Vec<Option<[f32; 3]>> =
+            uncertainty_vox.iter().zip(pass).map(|(own, pass)| own.filter(|_| pass)).collect();
+        let measured: Vec<bool> = own.iter().map(Option::is_some).collect();
+        let stand_in = |known: bool| known.then_some([STAND_IN_VOX; 3]);
+        let weighed: Vec<Option<[f32; 3]>> =
+            own.into_iter().zip(known).map(|(own, known)| own.or(stand_in(known))).collect();
+        field.likeliest(&weighed, &measured)
     }
 
-    /// The vectors' own values, what neighbours say in their place, or where these say nothing either, how
-    /// the field goes on; and whether each is its own.
-    fn stood_in(&self) -> (Lattice, Vec<bool>) {
+    fn stood_in(&self) -> StoodIn {
         let found: Vec<bool> = self.peaks.iter().map(Option::is_some).collect();
         let candidates = self.candidates(&found);
         let pass = self.passing(&candidates);
@@ -102,7 +120,7 @@ impl Judge<'_> {
             .collect();
         let known: Vec<bool> = values.iter().map(Option::is_some).collect();
         let values = values.into_iter().map(Option::unwrap_or_default).collect();
-        (Lattice { values, ..*self.field }.filled(&known), pass)
+        StoodIn { field: Lattice { values, ..*self.field }.filled(&known), pass, known }
     }
 
     /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is

@@ -53,7 +53,10 @@ impl Lattice {
     /// The likeliest field, if the standard uncertainty of each vector is `uncertainty_vox` (greater
     /// than zero), `None` where nothing was measured. There the field follows from the vectors about, or
     /// where these do not say, stays as it is.
-    pub fn likeliest(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Self {
+    ///
+    /// Only vectors that were `measured` tell how rough the flow and how large the noise is: what stands in
+    /// for others is as smooth or as far off as it happens to be.
+    pub fn likeliest(&self, uncertainty_vox: &[Option<[f32; 3]>], measured: &[bool]) -> Self {
         let layout = Layout { nodes: self.nodes };
         let components: Vec<Vec<f64>> = (0..3usize)
             .into_par_iter()
@@ -61,7 +64,7 @@ impl Lattice {
                 let value: Vec<f64> = self.values.iter().map(|v| f64::from(v[c])).collect();
                 let square = |u: &Option<[f32; 3]>| u.map(|u| f64::from(u[c]).powi(2));
                 let variance: Vec<Option<f64>> = uncertainty_vox.iter().map(square).collect();
-                Equations::new(layout, &value, &variance).solve(value)
+                Equations::new(layout, &value, &variance, measured).solve(value)
             })
             .collect();
         let values = (0..self.values.len())
@@ -72,18 +75,22 @@ impl Lattice {
 }
 
 impl Equations {
-    fn new(layout: Layout, value: &[f64], variance: &[Option<f64>]) -> Self {
-        let known: Vec<bool> = variance.iter().map(Option::is_some).collect();
+    fn new(layout: Layout, value: &[f64], variance: &[Option<f64>], measured: &[bool]) -> Self {
         let squares: [Vec<f64>; 3] =
-            std::array::from_fn(|axis| expected_squares(layout, axis, value, variance, &known));
-        let all = squares.iter().flatten().filter(|&&t| t > 0.0);
-        let (sum, count) = all.fold((0.0, 0usize), |(sum, count), t| (sum + t, count + 1));
+            std::array::from_fn(|axis| expected_squares(layout, axis, value, variance, measured));
+        let of_measured = (0..3).flat_map(|axis| {
+            let squares = &squares[axis];
+            layout.within(axis, measured).map(move |n| squares[n])
+        });
+        let (sum, count) =
+            of_measured.fold((0.0, 0usize), |(sum, count), square| (sum + square, count + 1));
         let unseen = UNSEEN * UNSEEN * sum / count.max(1) as f64;
         let stiffness = squares
             .map(|of_axis| of_axis.iter().map(|&t| if t > 0.0 { 1.0 / t } else { 0.0 }).collect());
         let certainty = variance.iter().map(|v| v.map_or(0.0, |v| 1.0 / (v + unseen))).collect();
         let mut penalty = Penalty { layout, stiffness };
-        penalty.release(&known);
+        let has_vector: Vec<bool> = variance.iter().map(Option::is_some).collect();
+        penalty.release(&has_vector);
         Self { certainty, penalty }
     }
 
@@ -118,10 +125,10 @@ fn expected_squares(
     axis: usize,
     value: &[f64],
     variance: &[Option<f64>],
-    known: &[bool],
+    measured: &[bool],
 ) -> Vec<f64> {
     let s = layout.stride(axis);
-    let mut squares = layout.roughness(axis, value, known);
+    let mut squares = layout.roughness(axis, value, measured);
     for n in (0..value.len()).filter(|&n| layout.starts(axis, n)) {
         let touched = (0..4).filter_map(|k| variance[n + k * s]);
         let (sum, count) = touched.fold((0.0, 0.0), |(sum, count), v| (sum + v, count + 1.0));
