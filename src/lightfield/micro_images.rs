@@ -3,7 +3,7 @@
 //! A micro-image is a picture of the round aperture: summed over many particles it is bright in its
 //! middle and dark at its corners, whatever the particles do. Column sums of a raw image are thus a
 //! periodic signal with the period of the micro-images, whose phase says where their middles are.
-//! The strongest period near the configured one is their pitch, and the phase at the sensor's middle
+//! The strongest period near the configured one is their pitch, and the phase in the middle of the light
 //! their offset. Phases of several bands of rows, likewise, say how far the array is turned.
 
 use lfpiv_hw::{Optics, RawImage};
@@ -26,12 +26,12 @@ const LEAST_CONTRAST: f64 = 0.05;
 pub struct MicroImages {
     /// Pitch over the configured pitch, less 1: along columns, along rows.
     pub pitch_excess: [f64; 2],
-    /// Offset of the middle of the array, modulo a pitch, in pixels to the right and upwards.
+    /// Offset of the micro-images in the middle of the light, modulo a pitch, in pixels to the right and upwards.
     pub offset_px: [f64; 2],
     /// Angle by which the array is turned on the sensor, counter-clockwise, in rad: from the columns
     /// and from the rows.
     pub turned_rad: [f64; 2],
-    /// Largest distance of a micro-image from its configured place, along columns and rows, in
+    /// Largest distance of a lit micro-image from its configured place, along columns and rows, in
     /// pixels.
     pub farthest_px: [f64; 2],
 }
@@ -42,14 +42,15 @@ struct Axis {
     place_mm: Vec<f64>,
     /// Place of the middle of each band along the other axis, in mm.
     band_mm: [f64; BANDS],
-    /// Light of each pixel along the axis in each band, less its mean, under a Hann window: the
-    /// light's slow changes would leak into the micro-images' period and move it.
+    /// Light of each pixel along the axis in each band, less its mean, which would leak into the
+    /// micro-images' period. Not under a window: its slope would weigh the sides of a particle's light
+    /// out of focus differently, and move the micro-images of a small volume by some pixels.
     bands: Vec<Vec<f64>>,
-    /// Square of the light of each band under the window, summed.
+    /// Square of the light of each band, summed.
     light_square: f64,
-    /// How far the light reaches from the middle of the sensor, in mm: as if it were uniform.
+    /// How far the light reaches from its middle, in mm: as if it were uniform.
     reach_mm: f64,
-    /// Place of the micro-image nearest to the middle of the sensor, in mm.
+    /// Configured place of a micro-image in the middle of the light, in mm.
     middle_mm: f64,
     pitch_mm: f64,
 }
@@ -129,32 +130,28 @@ impl Axis {
         bands: &[Vec<f64>],
         middle_mm: f64,
     ) -> Self {
-        let window: Vec<f64> = (0..place_mm.len())
-            .map(|n| {
-                (std::f64::consts::PI * (n as f64 + 0.5) / place_mm.len() as f64).sin().powi(2)
-            })
-            .collect();
-        let weighed = |values: &[f64], less: f64| -> Vec<f64> {
-            values.iter().zip(&window).map(|(value, weight)| (value - less) * weight).collect()
+        let less_mean = |band: &Vec<f64>| -> Vec<f64> {
+            let mean = band.iter().sum::<f64>() / band.len() as f64;
+            band.iter().map(|light| light - mean).collect()
         };
-        let mean = |band: &[f64]| band.iter().sum::<f64>() / band.len() as f64;
-        let (light, square) = bands
-            .iter()
-            .flat_map(|band| band.iter().zip(&place_mm))
-            .fold((0.0, 0.0), |(sum, square), (light, place)| {
-                (sum + light, square + light * place * place)
-            });
+        let pitch_mm = optics.micro_image_pitch_mm();
+        let moment = |power: i32| -> f64 {
+            let of_band = |band: &Vec<f64>| -> f64 {
+                band.iter().zip(&place_mm).map(|(light, place)| light * place.powi(power)).sum()
+            };
+            bands.iter().map(of_band).sum()
+        };
+        let light = moment(0).max(f64::MIN_POSITIVE);
+        let centre_mm = moment(1) / light;
         Self {
-            reach_mm: if light > 0.0 { (3.0 * square / light).sqrt() } else { 0.0 },
-            light_square: bands
-                .iter()
-                .map(|band| weighed(band, 0.0).iter().sum::<f64>().powi(2))
-                .sum(),
-            bands: bands.iter().map(|band| weighed(band, mean(band))).collect(),
+            // The micro-image nearest to the middle of the light: beyond the light nothing is known.
+            middle_mm: middle_mm + ((centre_mm - middle_mm) / pitch_mm).round() * pitch_mm,
+            reach_mm: (3.0 * (moment(2) / light - centre_mm * centre_mm).max(0.0)).sqrt(),
+            light_square: bands.iter().map(|band| band.iter().sum::<f64>().powi(2)).sum(),
+            bands: bands.iter().map(less_mean).collect(),
             band_mm: std::array::from_fn(band_mm),
-            pitch_mm: optics.micro_image_pitch_mm(),
+            pitch_mm,
             place_mm,
-            middle_mm,
         }
     }
 

@@ -185,7 +185,7 @@ impl Processor {
         let (a, b) = rayon::join(|| decode(0), || decode(1));
         let decode_s = started.elapsed().as_secs_f64();
         let micro_images = model_fit::micro_images(&self.measurement, pair);
-        let identical: Vec<usize> = model_fit::identical_frames(pair).collect();
+        let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
         drop(handed);
 
         let started = Instant::now();
@@ -238,17 +238,20 @@ impl Processor {
     }
 
     /// What the reader should know about a pair, the worst first.
-    fn warnings(&self, fit: &ModelFit, frames: [&Frame; 2], identical: &[usize]) -> Vec<String> {
-        let lit = frames.iter().all(|frame| frame.lit);
-        let mut warnings = Vec::new();
-        if lit || fit.cameras.iter().any(|camera| camera.micro_image_offset_px.is_some()) {
-            warnings.extend(fit.warning(self.measurement.optics.object_pitch_mm()));
-        }
-        if lit || warnings.is_empty() {
+    fn warnings(
+        &self,
+        fit: &ModelFit,
+        frames: [&Frame; 2],
+        identical: &[CameraName],
+    ) -> Vec<String> {
+        let mut warnings: Vec<String> =
+            fit.warning(self.measurement.optics.object_pitch_mm()).into_iter().collect();
+        // Where micro-images are misplaced, nothing that is said of dark or bright pixels is true.
+        if warnings.is_empty() || frames.iter().all(|frame| frame.lit) {
             warnings.extend(frames.iter().flat_map(|frame| frame.warnings.iter().cloned()));
         }
         warnings.extend(identical.iter().map(|camera| {
-            format!("camera {camera}: frames a and b are the same image; is one file there twice?")
+            format!("{camera}: frames a and b are the same image; is one file there twice?")
         }));
         warnings
     }

@@ -58,10 +58,10 @@ pub struct ModelFit {
 }
 
 impl ModelFit {
-    /// What a reader of the log should know; nothing for a good fit. `pitch_mm` is the microlens
+    /// What a reader of the log should know; nothing for a good fit, or where the images are dark and say so themselves. `pitch_mm` is the microlens
     /// pitch seen in the volume, to which distances are compared.
     pub fn warning(&self, pitch_mm: f64) -> Option<String> {
-        if self.verdict == FitVerdict::Good {
+        if self.verdict == FitVerdict::Good || self.causes.is_empty() {
             return None;
         }
         let causes: Vec<String> = self

@@ -97,7 +97,7 @@ pub const CASES: [Case; 14] = [
     wrong(
         "camera 2 half a voxel beside its place",
         Change::Configuration(|config| config.camera[1].origin_mm.z += 0.05),
-        "camera 2 stands",
+        "cam2 stands",
     ),
     wrong(
         "camera 2 turned by one degree",
@@ -108,7 +108,7 @@ pub const CASES: [Case; 14] = [
             camera.right = right * cos - axis * sin;
             camera.axis = axis * cos + right * sin;
         }),
-        "camera 2 is turned",
+        "cam2 is turned",
     ),
 ];
 

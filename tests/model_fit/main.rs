@@ -38,7 +38,7 @@ fn identical_frames_are_remarked() {
         frames[1] = frames[0].clone();
     }
     let result = Processor::new(config.measurement()).unwrap().process(&pair).unwrap();
-    for camera in ["camera 1", "camera 2"] {
+    for camera in ["cam1", "cam2"] {
         let said = |warning: &String| warning.starts_with(camera) && warning.contains("same image");
         assert!(result.warnings.iter().any(said), "{:?}", result.warnings);
     }

@@ -17,7 +17,7 @@ mod disparity;
 mod sources;
 mod unexplained;
 
-use lfpiv_hw::RawImage;
+use lfpiv_hw::{CameraName, RawImage};
 use nalgebra::Vector3;
 
 use self::{
@@ -67,10 +67,14 @@ pub(super) fn micro_images(
     pair.cameras.iter().map(|[a, _]| MicroImages::find(&measurement.optics, a)).collect()
 }
 
-/// Cameras, counted from 1, whose frames a and b are the same image.
-pub(super) fn identical_frames(pair: &ImagePair) -> impl Iterator<Item = usize> {
+/// Cameras whose frames a and b are the same image.
+pub(super) fn identical_frames(pair: &ImagePair) -> impl Iterator<Item = CameraName> {
     let same = |[a, b]: &[RawImage; 2]| a == b;
-    pair.cameras.iter().enumerate().filter(move |(_, frames)| same(frames)).map(|(n, _)| n + 1)
+    pair.cameras
+        .iter()
+        .enumerate()
+        .filter(move |(_, frames)| same(frames))
+        .map(|(n, _)| CameraName(n))
 }
 
 impl Judged<'_> {
