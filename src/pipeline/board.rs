@@ -104,6 +104,8 @@ pub struct Watermarks {
 
 /// What is known of a shot's result.
 #[derive(Debug, Clone)]
+// One answer at a time: its size costs nothing.
+#[allow(clippy::large_enum_variant)]
 pub enum Lookup {
     /// In memory.
     Here(Arc<PairResult>),

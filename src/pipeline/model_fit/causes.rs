@@ -11,8 +11,8 @@ use crate::{lightfield::MicroImages, pipeline::Measurement, reconstruction::FitV
 
 /// Micro-images further than this from their places, in parts of their pitch, take light from wrong
 /// views; further than the second, from wrong microlenses.
-const MISPLACED_PITCHES: f64 = 0.06;
-const LOST_PITCHES: f64 = 0.15;
+const MISPLACED_PITCHES: f64 = 0.1;
+const LOST_PITCHES: f64 = 0.2;
 
 /// A shift this near to half a pitch, in pitches, is a wrong number of microlenses.
 const HALF_PITCH_TOLERANCE: f64 = 0.12;
@@ -298,12 +298,11 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
     )
 }
 
-/// Whether vectors are missing, the cameras agree less than clearly, or a bench error is probable.
+/// Whether vectors are missing, or the cameras disagree.
 fn something_else_is_wrong(evidence: &Evidence<'_>) -> bool {
-    let disagree = |agreement: &Agreement| agreement.direct < CLEAR_AGREEMENT;
+    let disagree = |agreement: &Agreement| agreement.direct < LEAST_AGREEMENT;
     evidence.valid_share.is_some_and(|share| share < MOST_VALID)
         || evidence.agreement.as_ref().is_some_and(disagree)
-        || evidence.disparity.as_ref().is_some_and(|d| d.rms_mm > PROBABLE_NOISE * d.noise_mm)
 }
 
 /// Windows full of particles must give vectors.

@@ -80,7 +80,7 @@ fn in_some_boxes(cloud: &PointCloud, every: usize) -> PointCloud {
 
 fn in_rim(at_vox: f64) -> bool {
     let in_box = at_vox.rem_euclid(BOX_VOX);
-    in_box < RIM_VOX || in_box > BOX_VOX - RIM_VOX
+    !(RIM_VOX..=BOX_VOX - RIM_VOX).contains(&in_box)
 }
 
 /// Positions in `grid` of the windows of edge `window_mm` whose light is that of some particles. `None`

@@ -302,7 +302,7 @@ fn a_disconnected_camera_stays_lost_and_a_spared_one_is_left_alone() {
     camera.stop().unwrap();
     assert!(camera.start().unwrap_err().to_string().contains("on purpose after 4 frames"));
 
-    let spared = CameraFaults { only: Some(vec![1]), ..faults };
+    let spared = CameraFaults { only: Some(vec![lfpiv_hw::CameraName(1)]), ..faults };
     let (mut camera, clock) = faulty(9, &with(1, spared));
     assert_eq!(drain(&mut camera, &clock).len(), 9);
     assert_eq!(camera.statistics().resent, 3);

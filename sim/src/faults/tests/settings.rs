@@ -12,14 +12,14 @@ fn read(text: &str) -> Result<FaultSettings, String> {
 fn a_file_says_which_faults_and_how_often() {
     assert_eq!(read("").unwrap(), FaultSettings::default());
     let text = "seed = 3\n\
-                [camera]\nlate_ms = 250\nclock_jumps = [{ frame = 8, jump_ns = -5000 }]\nonly = [1]\n\
+                [camera]\nlate_ms = 250\nclock_jumps = [{ frame = 8, jump_ns = -5000 }]\nonly = [\"cam2\"]\n\
                 [camera.shares]\ndropped = 0.25\nlate = 0.75\n\
                 [line]\nslow_ms = 700\ncut_after = 90\n\
                 [line.shares]\nunavailable = 0.5\n";
     let settings = read(text).unwrap();
     assert_eq!((settings.seed, settings.camera.late_ms), (3, 250));
     assert_eq!(settings.camera.clock_jumps, [ClockJump { frame: 8, jump_ns: -5000 }]);
-    assert_eq!(settings.camera.only, Some(vec![1]));
+    assert_eq!(settings.camera.only, Some(vec![lfpiv_hw::CameraName(1)]));
     assert_eq!((settings.line.slow_ms, settings.line.cut_after), (700, Some(90)));
     assert_eq!(settings.line.shares.unavailable, 0.5);
     assert_eq!(read(&toml::to_string(&settings).unwrap()).unwrap(), settings);

@@ -15,8 +15,11 @@ use crate::benchmark::{
 const COMPONENTS: [(&str, usize, &str); 2] =
     [("v", 1, "cdf_y(error_vox)"), ("w", 2, "cdf_z(error_vox)")];
 
+/// Figures of a row along x, y, z.
+type FigureOf = fn(&Row) -> Option<[f64; 3]>;
+
 /// What is drawn beside the images: a name for the legend, and the figures along x, y, z.
-const TRUE_PARTICLES: [(&str, fn(&Row) -> Option<[f64; 3]>); 2] = [
+const TRUE_PARTICLES: [(&str, FigureOf); 2] = [
     ("true particles, windows only", Row::true_windows_vox),
     ("true particles, followed", Row::true_followed_vox),
 ];
@@ -27,7 +30,7 @@ pub fn error_ppm(report: &Report) -> Option<Section> {
     let mut compared = Vec::new();
     let panels: Vec<Panel> = COMPONENTS
         .into_iter()
-        .filter_map(|(name, axis, _)| {
+        .map(|(name, axis, _)| {
             let error = |row: &Row| row.error_vox().map(|error| error[axis]);
             let groups = grouped(&rows, by_volume, |row| Some(row.ppm), error);
             let mut series: Vec<Series> = groups
@@ -58,7 +61,7 @@ pub fn error_ppm(report: &Report) -> Option<Section> {
                 y: Axis::from_zero(&format!("mean |error| of {name}, voxels")),
                 series,
             };
-            Some(Panel::wide(name, chart.svg(&format!("mean error of {name} against density"))))
+            Panel::wide(name, chart.svg(&format!("mean error of {name} against density")))
         })
         .collect();
     (!panels.is_empty()).then(|| Section {

@@ -13,8 +13,11 @@ use crate::benchmark::{
     },
 };
 
+/// A figure of a row.
+type FigureOf = fn(&Row) -> Option<f64>;
+
 /// What is drawn beside the methods: a name for the legend, and the figure.
-const TRUE_PARTICLES: [(&str, fn(&Row) -> Option<f64>); 2] = [
+const TRUE_PARTICLES: [(&str, FigureOf); 2] = [
     ("true particles, windows only", mean_true_windows),
     ("true particles, followed", mean_true_followed),
 ];

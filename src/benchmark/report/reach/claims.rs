@@ -33,9 +33,9 @@ fn reached(case: &Case, claim: &Claim, rows: &[&Row]) -> Reached {
     let (verdict, words) = match measured {
         [Some(images), Some(windows), Some(followed)] => {
             let found = [images, windows, followed];
-            let pairs = found.as_flattened().iter().zip(claimed.as_flattened());
+            let mut pairs = found.as_flattened().iter().zip(claimed.as_flattened());
             let holds = |(found, claimed): (&f64, &f64)| *found <= Claim::MARGIN * claimed;
-            let verdict = if pairs.map(holds).all(|h| h) { Verdict::Met } else { Verdict::Missed };
+            let verdict = if pairs.all(holds) { Verdict::Met } else { Verdict::Missed };
             (verdict, in_words(found))
         }
         _ => (Verdict::NotMeasured, String::new()),
