@@ -73,7 +73,7 @@ mod tests {
     /// A solid rotation of 0.1 per voxel about z, on nodes 8 voxels apart.
     fn rotation() -> Vec<[f32; 3]> {
         let place = |n: i32| [n % 4, n / 4 % 5].map(|i| 0.8 * i as f32);
-        (0..60).map(|n| place(n)).map(|[x, y]| [-y, x, 0.0]).collect()
+        (0..60).map(place).map(|[x, y]| [-y, x, 0.0]).collect()
     }
 
     fn of_rotation(values: &[[f32; 3]], has_value: &[bool]) -> Gradients {
@@ -103,9 +103,9 @@ mod tests {
             *value = [0.0; 3];
         }
         let found = of_rotation(&values, &has_value);
-        for n in 0..60 {
+        for (n, &has) in has_value.iter().enumerate() {
             // Next to the hole along x and along z there is no other neighbour.
-            assert_eq!(found.known[n], has_value[n] && ![11, 30, 51].contains(&n), "{n}");
+            assert_eq!(found.known[n], has && ![11, 30, 51].contains(&n), "{n}");
             assert!(!found.known[n] || is_rotation(&found, n), "{n}");
             assert!(found.known[n] || (found.vorticity[n], found.divergence[n]) == ([0.0; 3], 0.0));
         }
