@@ -5,7 +5,9 @@ mod support;
 
 use std::{
     fs,
+    io::{BufRead, BufReader, Write},
     path::{Path, PathBuf},
+    process::{Command, Stdio},
 };
 
 use image::{DynamicImage, ImageFormat};
@@ -120,6 +122,93 @@ fn a_folder_of_pairs_is_processed_pair_by_pair() {
         entry.as_ref().unwrap().path().extension().is_some_and(|extension| extension == "part")
     });
     assert_eq!(leftovers.count(), 0);
+}
+
+/// What is told of each pair, and what ParaView is told to open.
+fn listed(out: &Path) -> Vec<String> {
+    let series = fs::read(out.join("velocity.vti.series")).expect("a series");
+    let series: Value = serde_json::from_slice(&series).expect("JSON");
+    let files = series["files"].as_array().expect("a list").iter();
+    files.map(|file| file["name"].as_str().expect("a name").to_owned()).collect()
+}
+
+#[test]
+fn results_that_are_there_are_kept_unless_told_otherwise() {
+    let root = tempfile::tempdir().unwrap();
+    let (pairs, out) = (root.path().join("pairs"), root.path().join("out"));
+    assert!(simulate(&small_configuration(), &pairs, 2, 5).success);
+    let with = |option: &str| process(&out, &[option.into(), pairs.clone()]);
+    assert!(process(&out, std::slice::from_ref(&pairs)).success);
+    let first = fs::read(out.join("shot_0000/velocity.nc")).unwrap();
+
+    let again = process(&out, std::slice::from_ref(&pairs));
+    assert!(!again.success && again.stdout.is_empty(), "{}", again.stdout);
+    for words in ["2 of 2 pairs have results already", "--resume", "--overwrite"] {
+        assert!(again.stderr.contains(words), "{}", again.stderr);
+    }
+    fs::remove_file(out.join("shot_0001/velocity.nc")).unwrap();
+    fs::remove_file(out.join("velocity.vti.series")).unwrap();
+    let resumed = with("--resume");
+    assert!(resumed.success, "{}", resumed.stderr);
+    assert!(resumed.stdout.starts_with("shot_0001: "), "{}", resumed.stdout);
+    assert_eq!(resumed.stdout.lines().count(), 1);
+    assert_eq!(listed(&out), ["shot_0000/velocity.vti", "shot_0001/velocity.vti"]);
+    assert_eq!(fs::read(out.join("shot_0000/velocity.nc")).unwrap(), first);
+
+    let other = changed_configuration(root.path(), "window_mm = 0.8", "window_mm = 1.2");
+    let paths = [other, out.clone(), pairs.clone()];
+    let [config, to, from] = paths.each_ref().map(|path| path.as_os_str());
+    let other = |option: &str| {
+        let options = ["process", option, "--config"].map(AsRef::as_ref);
+        lfpiv(options.into_iter().chain([config, "--out".as_ref(), to, from]))
+    };
+    let refused = other("--resume");
+    assert!(!refused.success);
+    assert!(refused.stderr.contains("another configuration"), "{}", refused.stderr);
+    assert_eq!(fs::read(out.join("shot_0000/velocity.nc")).unwrap(), first);
+    let replaced = other("--overwrite");
+    assert!(replaced.success && replaced.stdout.lines().count() == 2, "{}", replaced.stderr);
+    assert_ne!(fs::read(out.join("shot_0000/velocity.nc")).unwrap(), first);
+}
+
+/// The third pair's first image is a pipe: the program waits there until it has been told to stop.
+#[test]
+fn one_that_is_interrupted_says_so_and_is_resumed() {
+    let root = tempfile::tempdir().unwrap();
+    let (pairs, out) = (root.path().join("pairs"), root.path().join("out"));
+    assert!(simulate(&small_configuration(), &pairs, 4, 5).success);
+    let (held, image) = (pairs.join("shot_0002/cam1_a.tif"), root.path().join("image.tif"));
+    fs::rename(&held, &image).unwrap();
+    assert!(Command::new("mkfifo").arg(&held).status().unwrap().success());
+    let mut child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+        .args(["process", "--config"])
+        .args([&small_configuration(), Path::new("--out"), &out, &pairs])
+        .stderr(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut told = BufReader::new(child.stdout.take().unwrap()).lines().map(Result::unwrap);
+    assert!(told.next().unwrap().starts_with("shot_0000: "));
+    let interrupt = format!("kill -INT {}", child.id());
+    assert!(Command::new("sh").args(["-c", &interrupt]).status().unwrap().success());
+    let mut said = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    said.find(|line| line.contains("stopping: ")).unwrap();
+    // Opened both ways a pipe waits for nobody, and lets go whoever waits for it.
+    let mut pipe = fs::File::options().read(true).write(true).open(&held).unwrap();
+    pipe.write_all(b"no image").unwrap();
+    drop(pipe);
+    let said: String = said.collect::<Vec<_>>().join("\n");
+    assert!(!child.wait().unwrap().success());
+    assert!(said.contains("interrupted: ") && said.contains(" of 4 pairs have results"), "{said}");
+    assert!(said.contains("--resume"), "{said}");
+    let interrupted = listed(&out);
+    assert!((1..=2).contains(&interrupted.len()), "{interrupted:?}");
+
+    fs::rename(&image, &held).unwrap();
+    let resumed = process(&out, &["--resume".into(), pairs]);
+    assert!(resumed.success, "{}", resumed.stderr);
+    assert_eq!(resumed.stdout.lines().count(), 4 - interrupted.len(), "{}", resumed.stdout);
+    assert_eq!(listed(&out).len(), 4);
 }
 
 #[test]

@@ -1,6 +1,9 @@
 //! Why something could not be read from or written to disk.
 
-use std::{io, path::PathBuf};
+use std::{
+    io,
+    path::{Path, PathBuf},
+};
 
 use thiserror::Error;
 
@@ -159,6 +162,11 @@ impl ArchiveError {
     ) -> impl FnOnce(io::Error) -> Self {
         let path = path.into();
         move |reason| Self::Io { action, path, reason }
+    }
+
+    /// Adapter for `map_err`: adds the file of stored results that was to be read.
+    pub(super) fn unreadable_results(path: &Path) -> impl FnOnce(netcdf::Error) -> Self {
+        move |reason| Self::UnreadableResults { path: path.into(), reason }
     }
 
     /// Adapter for `map_err`: adds the file.

@@ -2,7 +2,8 @@
 //!
 //! - [`read_pair`], [`find_pair_folders`], [`write_pair`]: folders of grey TIFF images
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
-//! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files).
+//! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files);
+//!   [`merge_segments`] makes few files of many segments.
 //! - [`raw_log`]: everything that a run recorded, durable and lossless.
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
 //!   volumes of any program.
@@ -14,6 +15,7 @@ mod durable;
 mod error;
 mod fit_variables;
 mod grey_tiff;
+mod merge;
 mod netcdf_file;
 mod pair_folder;
 mod paraview;
@@ -28,6 +30,7 @@ mod volume_file;
 pub use durable::replace as write_replacing;
 pub use error::ArchiveError;
 pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
+pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, VtiSource, write_vti};
 pub use raw_log::{
@@ -35,6 +38,6 @@ pub use raw_log::{
     Watermarks, recover,
 };
 pub use store::ResultStore;
-pub use stored::{StoredResults, stored_vectors};
+pub use stored::{StoredResults, stored_configuration, stored_vectors};
 pub use velocity_file::write_velocity;
 pub use volume_file::{read_volumes, write_volumes};

@@ -10,6 +10,9 @@ use super::{
     durable::{part_path, seal},
 };
 
+/// The program as files name it.
+const VERSION: &str = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
+
 /// Names and meaning of one variable.
 pub(super) struct Described {
     /// NetCDF name.
@@ -36,9 +39,8 @@ impl NetCdfFile {
         let wrap = ArchiveError::netcdf(path);
         let create = || {
             let mut file = netcdf::create(part_path(path))?;
-            let version = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
-            let now = OffsetDateTime::now_utc().truncate_to_second().format(&Rfc3339);
-            let history = format!("{} written by {version}", now.unwrap_or_default());
+            let history = history_line("written");
+            let version = VERSION;
             file.add_attribute("Conventions", "CF-1.11")?;
             file.add_attribute("title", title)?;
             file.add_attribute("source", version)?;
@@ -201,6 +203,12 @@ impl NetCdfFile {
     ) -> Result<R, ArchiveError> {
         action(&mut self.file).map_err(ArchiveError::netcdf(&self.path))
     }
+}
+
+/// A line of a file's history: what was done to it now.
+pub(super) fn history_line(done: &str) -> String {
+    let now = OffsetDateTime::now_utc().truncate_to_second().format(&Rfc3339);
+    format!("{} {done} by {VERSION}", now.unwrap_or_default())
 }
 
 fn axis(name: &'static str) -> Described {

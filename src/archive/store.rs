@@ -4,9 +4,11 @@
 //! DIR/configuration.toml     the configuration of the run
 //! DIR/velocity_000000.nc     sealed segment, named by its first shot
 //! DIR/velocity_000600.nc.part  the segment being written: unreadable until sealed
-//! DIR/shot_000000.vti        one per shot, for ParaView
+//! DIR/shot_000000.vti        one per shot, for ParaView, unless switched off
 //! DIR/velocity.vti.series    the list of the above
 //! ```
+//!
+//! [`super::merge_segments`] makes few files of the segments of a run that is over.
 
 use std::{
     fs,
@@ -38,7 +40,8 @@ pub struct ResultStore {
     configuration: String,
     segment_age: Duration,
     segment: Option<Segment>,
-    series: VtiSeries,
+    /// Absent where no files for ParaView are written.
+    series: Option<VtiSeries>,
 }
 
 struct Segment {
@@ -73,7 +76,7 @@ impl ResultStore {
             configuration: configuration.into(),
             segment_age,
             segment: None,
-            series: VtiSeries::default(),
+            series: Some(VtiSeries::default()),
         })
     }
 
@@ -98,8 +101,14 @@ impl ResultStore {
             }
         }
         let (folder, configuration) = (folder.into(), configuration.into());
-        let (segment_age, segment) = (SEGMENT_AGE, None);
+        let (segment_age, segment, series) = (SEGMENT_AGE, None, Some(series));
         Ok((Self { folder, configuration, segment_age, segment, series }, stored))
+    }
+
+    /// Writes a file per shot for ParaView, as it does unless told otherwise, or none.
+    pub fn for_paraview(mut self, wanted: bool) -> Self {
+        self.series = self.series.take().filter(|_| wanted);
+        self
     }
 
     /// The folder of the run.
@@ -141,16 +150,18 @@ impl ResultStore {
     }
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+        let Some(series) = &mut self.series else { return Ok(()) };
         let name = vti_name(shot);
         let utc_s = result.time.map(|time| time.utc_s());
         let source = VtiSource { shot, utc_s, configuration: &self.configuration };
         write_vti(&self.folder.join(&name), &source, &result.field)?;
-        self.series.push(name, shot, utc_s);
-        if self.series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
+        series.push(name, shot, utc_s);
+        if series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
     }
 
     fn write_series(&self) -> Result<(), ArchiveError> {
-        self.series.write(&self.folder.join("velocity.vti.series"))
+        let Some(series) = &self.series else { return Ok(()) };
+        series.write(&self.folder.join("velocity.vti.series"))
     }
 
     /// Seals the open segment, if any, and says where it lies.
@@ -237,6 +248,15 @@ mod tests {
             ]
         );
         assert_eq!(shots_in(&folder.join("velocity_000000.nc")), [0, 2, 1]);
+    }
+
+    #[test]
+    fn files_for_paraview_can_be_switched_off() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::create(root.path(), "").unwrap().for_paraview(false);
+        store.append(0, &result([4, 3, 2])).unwrap();
+        store.close().unwrap();
+        assert_eq!(names(root.path()), ["configuration.toml", "velocity_000000.nc"]);
     }
 
     #[test]

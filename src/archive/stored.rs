@@ -6,7 +6,12 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use netcdf::AttributeValue;
+
 use super::{ArchiveError, netcdf_file::FILL_F64};
+
+/// Attribute of a merged file: the shot that was stored before its others.
+pub(super) const FIRST_STORED: &str = "first_stored_shot";
 
 /// What lies in a run's folder. Only sealed segments count: their results are whole.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -35,7 +40,7 @@ impl StoredResults {
             let shots = shots_in(&path)?;
             let sealed = fs::metadata(&path).and_then(|metadata| metadata.modified()).ok();
             if sealed.is_some() && (oldest.is_none() || sealed < oldest) {
-                (oldest, stored.first) = (sealed, shots.first().copied());
+                (oldest, stored.first) = (sealed, first_stored(&path)?);
             }
             stored.times_s.extend(times_in(&path)?);
             stored.records += shots.len();
@@ -56,7 +61,8 @@ pub fn stored_vectors(folder: &Path) -> Result<BTreeMap<u64, Vec<u32>>, ArchiveE
     for path in segments(folder, ".nc")? {
         for (record, shot) in records_of(&path)?.into_iter().enumerate() {
             let Ok(shot) = u64::try_from(shot) else { continue };
-            let bits = vectors_of(&path, record).map_err(unreadable(&path))?;
+            let bits =
+                vectors_of(&path, record).map_err(ArchiveError::unreadable_results(&path))?;
             vectors.insert(shot, bits);
         }
     }
@@ -79,7 +85,7 @@ const COMPARED: [&str; 8] =
     ["u", "v", "w", "u_uncertainty", "v_uncertainty", "w_uncertainty", "valid", "replaced"];
 
 /// Segments in the run's folder whose names end so, sorted by name.
-fn segments(folder: &Path, ending: &str) -> Result<Vec<PathBuf>, ArchiveError> {
+pub(super) fn segments(folder: &Path, ending: &str) -> Result<Vec<PathBuf>, ArchiveError> {
     let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
     let mut paths = Vec::new();
     for entry in entries {
@@ -97,15 +103,35 @@ fn missing(variable: &str) -> netcdf::Error {
     netcdf::Error::NotFound(variable.to_owned())
 }
 
-fn unreadable(path: &Path) -> impl FnOnce(netcdf::Error) -> ArchiveError {
-    move |reason| ArchiveError::UnreadableResults { path: path.into(), reason }
-}
-
 /// Shot numbers of a segment, in the order in which they were stored; a record that could not be
 /// written whole has none.
 fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
     let records = records_of(path)?;
     Ok(records.into_iter().filter_map(|shot| u64::try_from(shot).ok()).collect())
+}
+
+/// The shot of a segment that was stored before its others.
+pub(super) fn first_stored(path: &Path) -> Result<Option<u64>, ArchiveError> {
+    let read = || -> Result<_, netcdf::Error> {
+        netcdf::open(path)?.attribute(FIRST_STORED).map(|first| first.value()).transpose()
+    };
+    match read().map_err(ArchiveError::unreadable_results(path))? {
+        Some(AttributeValue::Longlong(shot)) => Ok(u64::try_from(shot).ok()),
+        _ => Ok(shots_in(path)?.first().copied()),
+    }
+}
+
+/// The configuration with which a file of results was made, TOML.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn stored_configuration(path: &Path) -> Result<String, ArchiveError> {
+    let read = || -> Result<String, netcdf::Error> {
+        let file = netcdf::open(path)?;
+        let text = file.attribute("configuration").ok_or_else(|| missing("configuration"))?;
+        String::try_from(text.value()?)
+    };
+    read().map_err(ArchiveError::unreadable_results(path))
 }
 
 /// The times of the shots of a segment, as far as they are known; earlier versions stored none.
@@ -114,18 +140,18 @@ fn times_in(path: &Path) -> Result<Vec<(u64, f64)>, ArchiveError> {
         let file = netcdf::open(path)?;
         file.variable("time").map_or(Ok(Vec::new()), |time| time.get_values(..))
     };
-    let times_s = read().map_err(unreadable(path))?;
+    let times_s = read().map_err(ArchiveError::unreadable_results(path))?;
     let records = records_of(path)?.into_iter().zip(times_s);
     let known = records.filter(|(_, time_s)| *time_s < FILL_F64);
     Ok(known.filter_map(|(shot, time_s)| Some((u64::try_from(shot).ok()?, time_s))).collect())
 }
 
 /// Shot numbers as they are in the file: below zero where a record was not written whole.
-fn records_of(path: &Path) -> Result<Vec<i64>, ArchiveError> {
+pub(super) fn records_of(path: &Path) -> Result<Vec<i64>, ArchiveError> {
     let read = || -> Result<Vec<i64>, netcdf::Error> {
         netcdf::open(path)?.variable("shot").ok_or_else(|| missing("shot"))?.get_values(..)
     };
-    read().map_err(unreadable(path))
+    read().map_err(ArchiveError::unreadable_results(path))
 }
 
 #[cfg(test)]

@@ -42,7 +42,8 @@ pub fn process(
 ) -> Result<Taken, BenchmarkError> {
     let spawn = |reason| BenchmarkError::Spawn { program: program.into(), reason };
     let mut command = Command::new(program);
-    command.arg("process").arg("--config").arg(config).arg("--out").arg(results).arg(pair);
+    command.arg("process").arg("--overwrite").arg("--config").arg(config);
+    command.arg("--out").arg(results).arg(pair);
     command.env("RUST_LOG", "error").stdout(Stdio::null()).stderr(Stdio::piped());
     let started = Instant::now();
     let mut child = command.spawn().map_err(spawn)?;

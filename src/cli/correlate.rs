@@ -42,6 +42,11 @@ pub fn correlate(args: &CorrelateArgs) -> anyhow::Result<()> {
     let seconds =
         StageSeconds { correlate_s: started.elapsed().as_secs_f64(), ..Default::default() };
     let line = summary(&field, seconds.correlate_s);
+    if config.output.paraview {
+        create(&args.out)?;
+        let source = VtiSource { shot: 0, utc_s: None, configuration: &text };
+        write_vti(&args.out.join("velocity.vti"), &source, &field)?;
+    }
     store(&args.out, &text, field, seconds)?;
     print(&line)
 }
@@ -55,16 +60,17 @@ fn summary(field: &VelocityField, seconds: f64) -> String {
     )
 }
 
+fn create(folder: &Path) -> anyhow::Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))
+}
+
 fn store(
     folder: &Path,
     configuration: &str,
     field: VelocityField,
     seconds: StageSeconds,
 ) -> anyhow::Result<()> {
-    std::fs::create_dir_all(folder)
-        .with_context(|| format!("cannot create {}", folder.display()))?;
-    let source = VtiSource { shot: 0, utc_s: None, configuration };
-    write_vti(&folder.join("velocity.vti"), &source, &field)?;
+    create(folder)?;
     let result = PairResult {
         field,
         seconds,

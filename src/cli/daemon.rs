@@ -165,7 +165,8 @@ impl Daemon {
         let address = listener.local_addr().context("the server has no address")?;
         tell_unfinished(&config.output.dir);
         let folder = create_run_folder(&config.output.dir)?;
-        let store = ResultStore::create(&folder, &plan.file.text)?;
+        let store =
+            ResultStore::create(&folder, &plan.file.text)?.for_paraview(config.output.paraview);
         let recording = Recording::begin(&folder, &plan, &acquisition)?;
         let (control, inbox) = control(plan.mode, acquisition.schedule.dt_us, plan.planner());
         let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));

@@ -22,6 +22,7 @@ mod logging;
 mod output;
 mod peers;
 mod process;
+mod process_jobs;
 mod process_run;
 #[cfg(feature = "aravis")]
 mod recorded_bench;

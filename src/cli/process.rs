@@ -1,26 +1,25 @@
 //! `lfpiv process`: recorded or imported image pairs to velocity.
 
-use std::{
-    collections::HashMap,
-    ffi::OsString,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
+use tokio::runtime::Runtime;
+use tokio_util::sync::CancellationToken;
 
 use super::{
     output::{count, print, progress_bar},
+    process_jobs::{Existing, Job, jobs, settle_existing},
     process_run::{is_run, process_run},
     solver::{solver_by_name, solver_name},
+    stop::stop_on_signals,
 };
 use crate::{
-    archive::{
-        VtiSeries, VtiSource, find_pair_folders, read_pair, write_velocity, write_volumes,
-        write_vti,
-    },
+    acquisition::SynchroniserThread,
+    archive::{VtiSeries, VtiSource, read_pair, write_velocity, write_volumes, write_vti},
     config::{Config, ConfigFile},
     lightfield::{Background, ImagePair},
+    model::ModelMode,
     pipeline::{PairResult, Processor},
     reconstruction::Solver,
 };
@@ -38,6 +37,12 @@ pub struct ProcessArgs {
     /// Write the reconstructed volumes, too.
     #[arg(long)]
     pub save_volumes: bool,
+    /// Measure the pairs that have no results in OUT yet.
+    #[arg(long, conflicts_with = "overwrite")]
+    pub resume: bool,
+    /// Remove the pairs' results that are in OUT, and measure all of them.
+    #[arg(long)]
+    pub overwrite: bool,
     /// Solver to use instead of the configuration's.
     #[arg(long, value_name = "NAME", value_parser = solver_by_name)]
     pub solver: Option<Solver>,
@@ -47,15 +52,30 @@ pub struct ProcessArgs {
     pub folders: Vec<PathBuf>,
 }
 
+impl ProcessArgs {
+    fn existing(&self) -> Existing {
+        match (self.resume, self.overwrite) {
+            (true, _) => Existing::Keep,
+            (_, true) => Existing::Replace,
+            _ => Existing::Refuse,
+        }
+    }
+}
+
+/// A pair's result for ParaView, in its folder.
+const VTI: &str = "velocity.vti";
+
 /// With fewer pairs than this, what they have in common includes particles.
 const LEAST_BACKGROUND_PAIRS: usize = 3;
 
-/// Measures every pair; a pair that fails is reported and the others are still measured.
+/// Measures every pair; a pair that fails is reported and the others are still measured. Told to
+/// stop, it ends after the pair in hand.
 pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
+    let (_signals, stop) = stop_between_shots()?;
     if let [folder] = args.folders.as_slice()
         && is_run(folder)
     {
-        return process_recorded(folder, args);
+        return process_recorded(folder, args, &stop);
     }
     let (Some(config), Some(out)) = (&args.config, &args.out) else {
         bail!(
@@ -63,42 +83,99 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
              has a folder raw) does without"
         )
     };
-    let (jobs, mut failures) = jobs(&args.folders, out);
-    let (mut run, first) = Run::prepare(args, config, jobs.first())?;
+    let file = configuration(args, config)?;
+    let (mut jobs, mut failures) = jobs(&args.folders, out);
+    settle_existing(&mut jobs, args.existing(), &file.text, args.save_volumes)?;
+    let (mut run, mut read_already) = Run::prepare(args, file, &jobs)?;
     run.learn_background(&jobs)?;
+    run.choose_model_again(&jobs);
     for failure in &failures {
         tracing::error!("{failure}");
     }
-    let bar = progress_bar(jobs.len(), "pairs");
-    let (mut series, mut measured) = (VtiSeries::default(), 0_usize);
-    let mut read_already = first;
+    let bar = progress_bar(jobs.iter().filter(|job| !job.is_done).count(), "pairs");
+    let (mut series, mut finished, mut looked) = (VtiSeries::default(), 0_usize, 0_usize);
     for (number, job) in (0..).zip(&jobs) {
-        match run.measure(job, read_already.take()) {
-            Ok(result) => {
-                measured += 1;
-                series.push(format!("{}/velocity.vti", job.name), number, None);
-                report(&bar, job, &result)?;
-            }
-            Err(error) => {
-                let failure = format!("{}: {error:#}", job.pair.display());
-                bar.suspend(|| tracing::error!("{failure}"));
-                failures.push(failure);
-            }
+        if stop.is_cancelled() {
+            break;
         }
-        bar.inc(1);
+        looked += 1;
+        if !job.is_done {
+            match run.measure(job, read_already.take()) {
+                Ok(result) => report(&bar, job, &result)?,
+                Err(error) => {
+                    let failure = format!("{}: {error:#}", job.pair.display());
+                    bar.suspend(|| tracing::error!("{failure}"));
+                    failures.push(failure);
+                    bar.inc(1);
+                    continue;
+                }
+            }
+            bar.inc(1);
+        }
+        finished += 1;
+        series.push(format!("{}/{VTI}", job.name), number, None);
     }
     bar.finish_and_clear();
-    if measured > 0 {
+    if !series.is_empty() && run.file.config.output.paraview {
         series.write(&out.join("velocity.vti.series"))?;
     }
-    if failures.is_empty() {
-        return Ok(());
+    complain(failures.len(), (looked < jobs.len()).then_some([finished, jobs.len()]))
+}
+
+/// A token that is cancelled by Ctrl-C or SIGTERM, and what listens for them: drop it last.
+fn stop_between_shots() -> anyhow::Result<(Runtime, CancellationToken)> {
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .worker_threads(1)
+        .enable_all()
+        .build()
+        .context("nothing can listen for Ctrl-C")?;
+    // There is no laser to wait for.
+    let laser = SynchroniserThread::default();
+    let words = "the results of the pair in hand are not written";
+    let listening = async { stop_on_signals(&laser, words) };
+    let stop = runtime.block_on(listening)?;
+    Ok((runtime, stop))
+}
+
+/// What failed has been told; `interrupted` are the pairs that have results, of how many.
+fn complain(failures: usize, interrupted: Option<[usize; 2]>) -> anyhow::Result<()> {
+    let failed = format!("{} could not be measured, see above", count(failures, "pair folder"));
+    match interrupted {
+        Some([finished, pairs]) => bail!(
+            "interrupted: {finished} of {} have results; the same command with --resume measures \
+             the others",
+            count(pairs, "pair")
+        ),
+        None if failures > 0 => bail!(failed),
+        None => Ok(()),
     }
-    bail!("{} could not be measured, see above", count(failures.len(), "pair folder"))
+}
+
+/// The configuration, with what the command line overrides.
+fn configuration(args: &ProcessArgs, config: &Path) -> anyhow::Result<ConfigFile> {
+    let mut file = ConfigFile::load(config)?;
+    if let Some(solver) = args.solver {
+        file.config.reconstruction.solver = solver;
+        let name = solver_name(solver);
+        let note = "# Overridden on the command line: reconstruction.solver";
+        file.text.push_str(&format!("\n{note} = \"{name}\"\n"));
+    }
+    Ok(file)
 }
 
 /// A run has its configuration and its place for results.
-fn process_recorded(folder: &Path, args: &ProcessArgs) -> anyhow::Result<()> {
+fn process_recorded(
+    folder: &Path,
+    args: &ProcessArgs,
+    stop: &CancellationToken,
+) -> anyhow::Result<()> {
+    if args.overwrite {
+        bail!(
+            "{} is a recorded run: its results are never replaced. To measure its images again, \
+             `lfpiv export` them first",
+            folder.display()
+        );
+    }
     if args.config.is_some() || args.out.is_some() || args.solver.is_some() || args.save_volumes {
         bail!(
             "{} is a recorded run: its missing results are made as it was configured, in its own \
@@ -106,7 +183,7 @@ fn process_recorded(folder: &Path, args: &ProcessArgs) -> anyhow::Result<()> {
             folder.display()
         );
     }
-    process_run(folder)
+    process_run(folder, stop)
 }
 
 /// What is the same for all pairs.
@@ -117,26 +194,34 @@ struct Run {
 }
 
 impl Run {
-    /// Builds the tables, and reads the first pair meanwhile.
+    /// Builds the tables, and reads the first pair to be measured meanwhile.
     fn prepare(
         args: &ProcessArgs,
-        config: &Path,
-        first: Option<&Job>,
+        file: ConfigFile,
+        jobs: &[Job],
     ) -> anyhow::Result<(Self, Option<anyhow::Result<ImagePair>>)> {
-        let mut file = ConfigFile::load(config)?;
-        if let Some(solver) = args.solver {
-            file.config.reconstruction.solver = solver;
-            let name = solver_name(solver);
-            let note = "# Overridden on the command line: reconstruction.solver";
-            file.text.push_str(&format!("\n{note} = \"{name}\"\n"));
-        }
+        let first = jobs.iter().find(|job| !job.is_done);
         let (processor, first) = rayon::join(
             || Processor::new(file.config.measurement()),
             || first.map(|job| read(&file.config, &job.pair)),
         );
-        let processor =
-            processor.with_context(|| format!("{} cannot be measured with", config.display()))?;
+        let processor = processor
+            .with_context(|| format!("{} cannot be measured with", file.path.display()))?;
         Ok((Self { processor, file, save_volumes: args.save_volumes }, first))
+    }
+
+    /// Where the first pair chose the forward model, and has been measured before, it chooses
+    /// again: the others are measured by the same one.
+    fn choose_model_again(&self, jobs: &[Job]) {
+        let first = jobs.iter().find(|job| job.is_done);
+        let Some(first) = first.filter(|_| self.file.config.model.mode == ModelMode::Auto) else {
+            return;
+        };
+        let chosen = self.read(&first.pair).and_then(|pair| Ok(self.processor.process(pair)?));
+        if let Err(error) = chosen {
+            let pair = first.pair.display();
+            tracing::warn!("{pair}: {error:#}; another pair decides the forward model");
+        }
     }
 
     fn read(&self, folder: &Path) -> anyhow::Result<ImagePair> {
@@ -189,70 +274,24 @@ impl Run {
         } else {
             (self.processor.process(pair)?, None)
         };
-        self.store(&job.results, &result)?;
-        if let Some(volumes) = volumes {
-            write_volumes(&job.results.join("volumes.nc"), &self.file.text, &volumes)?;
-        }
-        Ok(result)
-    }
-
-    fn store(&self, folder: &Path, result: &PairResult) -> anyhow::Result<()> {
+        let folder = &job.results;
         std::fs::create_dir_all(folder)
             .with_context(|| format!("cannot create {}", folder.display()))?;
-        write_velocity(&folder.join("velocity.nc"), &self.file.text, 0, result)?;
-        let source = VtiSource { shot: 0, utc_s: None, configuration: &self.file.text };
-        write_vti(&folder.join("velocity.vti"), &source, &result.field)?;
-        Ok(())
+        if let Some(volumes) = volumes {
+            write_volumes(&folder.join("volumes.nc"), &self.file.text, &volumes)?;
+        }
+        if self.file.config.output.paraview {
+            let source = VtiSource { shot: 0, utc_s: None, configuration: &self.file.text };
+            write_vti(&folder.join(VTI), &source, &result.field)?;
+        }
+        // Last: where this file is, the results are whole.
+        write_velocity(&folder.join("velocity.nc"), &self.file.text, 0, &result)?;
+        Ok(result)
     }
 }
 
 fn read(config: &Config, folder: &Path) -> anyhow::Result<ImagePair> {
     Ok(read_pair(folder, config.camera.len(), (&config.optics.sensor).into())?)
-}
-
-/// One pair and where its results go.
-#[derive(Debug, PartialEq)]
-struct Job {
-    pair: PathBuf,
-    name: String,
-    results: PathBuf,
-}
-
-/// The pairs below all folders given, and a message for each that cannot be one.
-fn jobs(folders: &[PathBuf], out: &Path) -> (Vec<Job>, Vec<String>) {
-    let (mut jobs, mut failures) = (Vec::new(), Vec::new());
-    let mut taken: HashMap<String, PathBuf> = HashMap::new();
-    for folder in folders {
-        let pairs = match find_pair_folders(folder) {
-            Ok(pairs) => pairs,
-            Err(error) => {
-                failures.push(error.to_string());
-                continue;
-            }
-        };
-        for pair in pairs {
-            let name = name_of(&pair);
-            if let Some(other) = taken.insert(name.clone(), pair.clone()) {
-                failures.push(format!(
-                    "{}: its results would replace those of {}: rename one of the folders or \
-                     process them with different --out",
-                    pair.display(),
-                    other.display()
-                ));
-                taken.insert(name, other);
-                continue;
-            }
-            jobs.push(Job { results: out.join(&name), pair, name });
-        }
-    }
-    (jobs, failures)
-}
-
-/// A folder's own name, for `.` and `..` too.
-fn name_of(folder: &Path) -> String {
-    let own = |path: &Path| path.file_name().map(OsString::from);
-    let name = own(folder).or_else(|| folder.canonicalize().ok().as_deref().and_then(own));
-    name.map_or_else(|| "pair".to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
 fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<()> {
@@ -274,30 +313,4 @@ fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<(
         }
         print(&line)
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn two_pairs_of_one_name_are_not_written_over_each_other() {
-        let root = tempfile::tempdir().unwrap();
-        let folders: Vec<PathBuf> =
-            ["monday/shot_0000", "tuesday/shot_0000"].map(|name| root.path().join(name)).into();
-        for folder in &folders {
-            std::fs::create_dir_all(folder).unwrap();
-            std::fs::write(folder.join("cam1_a.tif"), b"").unwrap();
-        }
-        let (jobs, failures) = jobs(&folders, Path::new("out"));
-        assert_eq!(jobs.len(), 1);
-        assert_eq!(jobs[0].results, Path::new("out/shot_0000"));
-        assert!(failures[0].contains("tuesday") && failures[0].contains("monday"), "{failures:?}");
-    }
-
-    #[test]
-    fn a_folder_given_as_a_dot_has_its_own_name() {
-        let here = std::env::current_dir().unwrap();
-        assert_eq!(name_of(Path::new(".")), here.file_name().unwrap().to_string_lossy());
-    }
 }

@@ -7,6 +7,7 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
+use tokio_util::sync::CancellationToken;
 
 use super::{
     ledger_file::{has_ledger, note_processed_later, write_recovered_ledger},
@@ -16,7 +17,7 @@ use super::{
 };
 use crate::{
     acquisition::journal::{RAW_FOLDER, RecordedRun, RecordedShot, RunIndex, ledger_of},
-    archive::{ResultStore, StoredResults, recover},
+    archive::{ResultStore, StoredResults, merge_segments, recover},
     config::Config,
     lightfield::RawLevel,
     model::ModelMode,
@@ -28,8 +29,8 @@ pub(super) fn is_run(folder: &Path) -> bool {
     folder.join(RAW_FOLDER).is_dir()
 }
 
-/// Finishes the run in `folder`.
-pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
+/// Finishes the run in `folder`; told to stop, it ends after the shot in hand.
+pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Result<()> {
     let _lock = RunLock::take(folder)?;
     let recovery = recover(&folder.join(RAW_FOLDER))?;
     for torn in recovery.segments.iter().filter_map(|segment| segment.torn.as_ref()) {
@@ -41,7 +42,9 @@ pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
         tracing::error!("{damage}");
     }
     let text = &recorded.description().configuration;
+    let config = Config::parse("the run's configuration", text)?;
     let (store, stored) = ResultStore::reopen(folder, text)?;
+    let store = store.for_paraview(config.output.paraview);
     for part in &stored.unreadable {
         tracing::warn!("{}: the run was killed before this was sealed", part.display());
     }
@@ -57,8 +60,10 @@ pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
     if missing.is_empty() {
         store.close()?;
     } else {
-        finished = measure(&recorded, &index, &stored, &missing, store)?;
+        let processor = prepare(&config, &recorded, &index, &stored)?;
+        finished = measure(&recorded, &processor, &missing, store, stop)?;
     }
+    merge_segments(folder, || !stop.is_cancelled())?;
     let measured = StoredResults::find(folder)?.shots;
     note_processed_later(folder, &measured)?;
     let (had, now) = (stored.shots.len(), measured.len());
@@ -67,6 +72,12 @@ pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
         folder.display(),
         count(index.shots.len(), "shot"),
     ))?;
+    if finished.left > 0 {
+        bail!(
+            "interrupted: {} without a result are left; the same command measures them",
+            count(finished.left, "shot")
+        );
+    }
     if finished.failed.is_empty() && index.damaged.is_empty() {
         return Ok(());
     }
@@ -82,21 +93,25 @@ pub(super) fn process_run(folder: &Path) -> anyhow::Result<()> {
 #[derive(Debug, Default)]
 struct Finished {
     failed: Vec<String>,
+    /// Shots that were not looked at.
+    left: usize,
 }
 
 fn measure(
     recorded: &RecordedRun,
-    index: &RunIndex,
-    stored: &StoredResults,
+    processor: &Processor,
     missing: &[&RecordedShot],
     mut store: ResultStore,
+    stop: &CancellationToken,
 ) -> anyhow::Result<Finished> {
-    let config = Config::parse("the run's configuration", &recorded.description().configuration)?;
-    let processor = prepare(&config, recorded, index, stored)?;
     let bar = progress_bar(missing.len(), "shots");
-    let mut finished = Finished::default();
+    let mut finished = Finished { left: missing.len(), ..Finished::default() };
     for shot in missing {
-        match measure_one(&processor, recorded, shot) {
+        if stop.is_cancelled() {
+            break;
+        }
+        finished.left -= 1;
+        match measure_one(processor, recorded, shot) {
             Ok(result) => {
                 store.append(shot.trigger, &result)?;
             }

@@ -39,5 +39,6 @@ pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
             queue: config.pipeline.queue,
         },
         results_dir: folder.to_owned(),
+        paraview: config.output.paraview,
     }
 }

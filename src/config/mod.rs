@@ -168,11 +168,13 @@ impl Default for PipelineSettings {
 pub struct OutputSettings {
     /// Folder under which every run makes its own.
     pub dir: PathBuf,
+    /// Whether every shot gets a file for ParaView (`.vti`), too.
+    pub paraview: bool,
 }
 
 impl Default for OutputSettings {
     fn default() -> Self {
-        Self { dir: PathBuf::from("results") }
+        Self { dir: PathBuf::from("results"), paraview: true }
     }
 }
 

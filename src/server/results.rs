@@ -212,10 +212,14 @@ fn on_disk(state: &ApiState, shot: u64) -> ApiError {
         "the result of shot {shot} has left the memory, which holds the last {RESULTS_IN_MEMORY}: \
          read it from disk"
     );
-    ApiError::gone(message)
+    let gone = ApiError::gone(message)
         .with("results_dir", folder.display().to_string())
-        .with("paraview_file", folder.join(format!("shot_{shot:06}.vti")).display().to_string())
-        .with("netcdf_files", folder.join("velocity_*.nc").display().to_string())
+        .with("netcdf_files", folder.join("velocity_*.nc").display().to_string());
+    if !state.info.paraview {
+        return gone;
+    }
+    let file = folder.join(format!("shot_{shot:06}.vti"));
+    gone.with("paraview_file", file.display().to_string())
 }
 
 fn not_in_pool(state: &ApiState, shot: u64) -> ApiError {

@@ -45,6 +45,8 @@ pub struct RunInfo {
     pub configuration: ConfigurationSummary,
     /// Where the results are.
     pub results_dir: PathBuf,
+    /// Whether every shot gets a file for ParaView there.
+    pub paraview: bool,
 }
 
 /// The configuration in brief.

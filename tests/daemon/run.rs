@@ -98,6 +98,18 @@ async fn a_bounded_run_waits_for_every_shot() {
 }
 
 #[tokio::test]
+async fn files_for_paraview_can_be_left_out() {
+    let root = tempfile::tempdir().unwrap();
+    let mut file = configuration(root.path());
+    file.config.output.paraview = false;
+    let plan = plan(&file, 2, OverloadPolicy::Wait);
+    let quick = |pair: &ImagePair| Ok(quick_result(pair));
+    let (ended, _) = run(plan, &[], CancellationToken::new(), quick).await;
+    let names = files(&ended.unwrap().folder);
+    assert_eq!(names[4..], ["velocity_000000.nc"], "{names:?}");
+}
+
+#[tokio::test]
 async fn an_overloaded_run_sheds_and_says_which() {
     let root = tempfile::tempdir().unwrap();
     let mut file = configuration(root.path());

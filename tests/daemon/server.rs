@@ -66,6 +66,7 @@ fn info() -> RunInfo {
             queue: 4,
         },
         results_dir: PathBuf::from("/data/run-1"),
+        paraview: true,
     }
 }
 

@@ -1,0 +1,302 @@
+//! Sealed segments of a run made into few files, sorted by shot.
+//!
+//! A run seals a segment a minute, and a slow one has a shot or two in each. Once it is over, whole
+//! segments are merged, as long as they agree in all but their shots: model, dt, vectors,
+//! configuration. A merged file has the name of its first shot and a bounded size.
+//!
+//! The merged file is sealed first, and what it was made of is removed then. Who is killed in between
+//! leaves shots that are there twice, with the same numbers: the next merge keeps one of each.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs::{self, File},
+    path::{Path, PathBuf},
+    time::SystemTime,
+};
+
+use netcdf::{
+    AttributeValue, FileMut, Variable,
+    types::{FloatType, IntType, NcVariableType},
+};
+
+use super::{
+    ArchiveError,
+    durable::{part_path, seal},
+    netcdf_file::history_line,
+    stored::{FIRST_STORED, first_stored, records_of, segments},
+};
+
+/// The dimension along which segments are put together.
+const SHOT: &str = "shot";
+/// Global attributes in which segments of one run may differ.
+const OWN_ATTRIBUTES: [&str; 2] = ["history", FIRST_STORED];
+
+/// How large a merged file may become.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bounds {
+    /// Shots: the library's memory grows with them, by some 5 kB each.
+    pub shots: usize,
+    /// Bytes of the segments in it.
+    pub bytes: u64,
+}
+
+const BOUNDS: Bounds = Bounds { shots: 10_000, bytes: 1 << 30 };
+
+/// Merges the sealed segments in a run's folder. `go_on` is asked before each file that is
+/// written; what is not merged stays as it is.
+///
+/// # Errors
+/// A segment cannot be read, or a merged file not written; the segments are all there then.
+pub fn merge_segments(folder: &Path, go_on: impl FnMut() -> bool) -> Result<(), ArchiveError> {
+    merge_within(folder, BOUNDS, go_on)
+}
+
+pub(super) fn merge_within(
+    folder: &Path,
+    bounds: Bounds,
+    mut go_on: impl FnMut() -> bool,
+) -> Result<(), ArchiveError> {
+    let mut alike: BTreeMap<String, Vec<Segment>> = BTreeMap::new();
+    for path in segments(folder, ".nc")? {
+        let segment = Segment::read(path)?;
+        alike.entry(segment.kind.clone()).or_default().push(segment);
+    }
+    for segments in alike.into_values() {
+        for group in grouped(segments, bounds) {
+            if group.iter().all(|segment| group.len() == 1 && segment.is_sorted()) {
+                continue;
+            }
+            if !go_on() {
+                return Ok(());
+            }
+            merge(folder, &group)?;
+        }
+    }
+    Ok(())
+}
+
+/// A sealed segment as far as its place in a merged file depends on it.
+#[derive(Debug)]
+struct Segment {
+    path: PathBuf,
+    /// Per record; below zero where it was not written whole.
+    shots: Vec<i64>,
+    /// Equal for segments that can be one file.
+    kind: String,
+    bytes: u64,
+    sealed: SystemTime,
+    first_stored: Option<u64>,
+}
+
+impl Segment {
+    fn read(path: PathBuf) -> Result<Self, ArchiveError> {
+        let shots = records_of(&path)?;
+        let kind = kind_of(&path).map_err(ArchiveError::unreadable_results(&path))?;
+        let first_stored = first_stored(&path)?;
+        let metadata = fs::metadata(&path).map_err(ArchiveError::io("look at", &path))?;
+        let sealed = metadata.modified().map_err(ArchiveError::io("look at", &path))?;
+        Ok(Self { shots, kind, bytes: metadata.len(), sealed, first_stored, path })
+    }
+
+    fn is_sorted(&self) -> bool {
+        self.shots.is_sorted_by(|a, b| a < b) && self.shots.first().is_none_or(|shot| *shot >= 0)
+    }
+
+    fn lowest(&self) -> i64 {
+        self.shots.iter().copied().filter(|shot| *shot >= 0).min().unwrap_or(i64::MAX)
+    }
+}
+
+/// All that a file says besides its shots: attributes, variables, and those without shots.
+fn kind_of(path: &Path) -> netcdf::Result<String> {
+    let file = netcdf::open(path)?;
+    let mut kind = String::new();
+    for attribute in file.attributes() {
+        if !OWN_ATTRIBUTES.contains(&attribute.name()) {
+            kind += &format!("{} {:?}\n", attribute.name(), attribute.value()?);
+        }
+    }
+    for variable in file.variables() {
+        let dimensions: Vec<String> = variable.dimensions().iter().map(|d| d.name()).collect();
+        kind += &format!("{} {:?} {dimensions:?}", variable.name(), variable.vartype());
+        if !has_shots(&variable) {
+            kind += &format!(" {:?}", variable.get_raw_values(..)?);
+        }
+        for attribute in variable.attributes() {
+            kind += &format!(" {} {:?}", attribute.name(), attribute.value()?);
+        }
+        kind.push('\n');
+    }
+    Ok(kind)
+}
+
+/// Whole segments in the order of their shots, as many together as the bounds allow.
+fn grouped(mut segments: Vec<Segment>, bounds: Bounds) -> Vec<Vec<Segment>> {
+    segments.sort_by_key(Segment::lowest);
+    let (mut groups, mut shots, mut bytes) = (Vec::<Vec<Segment>>::new(), 0, 0);
+    for segment in segments {
+        let fits =
+            shots + segment.shots.len() <= bounds.shots && bytes + segment.bytes <= bounds.bytes;
+        match groups.last_mut().filter(|_| fits) {
+            Some(group) => {
+                (shots, bytes) = (shots + segment.shots.len(), bytes + segment.bytes);
+                group.push(segment);
+            }
+            None => {
+                (shots, bytes) = (segment.shots.len(), segment.bytes);
+                groups.push(vec![segment]);
+            }
+        }
+    }
+    groups
+}
+
+/// Puts one file in the place of a group.
+fn merge(folder: &Path, group: &[Segment]) -> Result<(), ArchiveError> {
+    let shots: BTreeSet<i64> =
+        group.iter().flat_map(|segment| &segment.shots).copied().filter(|s| *s >= 0).collect();
+    let Some(first) = shots.first() else { return Ok(()) };
+    let named = folder.join(format!("velocity_{first:06}.nc"));
+    let is_own = |path: &Path| group.iter().any(|segment| segment.path == path);
+    // A file of this name that is none of the group has the shot, too: another model measured it.
+    let path = if is_own(&named) || !named.exists() { named } else { group[0].path.clone() };
+    let oldest = group.iter().min_by_key(|segment| segment.sealed);
+    write(&path, group, &shots, oldest.and_then(|segment| segment.first_stored))
+        .map_err(ArchiveError::netcdf(&path))?;
+    if let Some(oldest) = oldest {
+        let part = part_path(&path);
+        File::options()
+            .append(true)
+            .open(&part)
+            .and_then(|file| file.set_modified(oldest.sealed))
+            .map_err(ArchiveError::io("set the time of", part))?;
+    }
+    seal(&path)?;
+    for merged in group.iter().map(|segment| &segment.path).filter(|merged| **merged != path) {
+        fs::remove_file(merged).map_err(ArchiveError::io("remove", merged))?;
+    }
+    Ok(())
+}
+
+/// Writes the shots of a group in their order.
+fn write(
+    path: &Path,
+    group: &[Segment],
+    shots: &BTreeSet<i64>,
+    first_stored: Option<u64>,
+) -> netcdf::Result<()> {
+    let mut merged = netcdf::create(part_path(path))?;
+    define(&mut merged, &group[0].path, group.len(), first_stored)?;
+    let places: BTreeMap<i64, usize> = shots.iter().copied().zip(0..).collect();
+    let mut open = places.clone();
+    for segment in group {
+        // Of a shot that is there twice, the first one is taken.
+        let records = segment.shots.iter().enumerate();
+        let taken: Vec<(usize, usize)> =
+            records.filter_map(|(record, shot)| Some((record, open.remove(shot)?))).collect();
+        copy_records(&mut merged, &segment.path, &taken)?;
+    }
+    merged.close()
+}
+
+/// Dimensions, variables and attributes as in `like`, and the values that belong to no shot.
+fn define(
+    merged: &mut FileMut,
+    like: &Path,
+    segments: usize,
+    first_stored: Option<u64>,
+) -> netcdf::Result<()> {
+    let like = netcdf::open(like)?;
+    for attribute in like.attributes() {
+        match (attribute.name(), attribute.value()?) {
+            ("history", AttributeValue::Str(history)) => {
+                let line = history_line(&format!("{segments} segments merged"));
+                merged.add_attribute("history", format!("{line}\n{history}"))?;
+            }
+            (FIRST_STORED, _) => {}
+            (name, value) => {
+                merged.add_attribute(name, value)?;
+            }
+        }
+    }
+    if let Some(shot) = first_stored {
+        merged.add_attribute(FIRST_STORED, shot as i64)?;
+    }
+    for dimension in like.dimensions() {
+        if dimension.is_unlimited() {
+            merged.add_unlimited_dimension(&dimension.name())?;
+        } else {
+            merged.add_dimension(&dimension.name(), dimension.len())?;
+        }
+    }
+    for variable in like.variables() {
+        let dimensions: Vec<String> = variable.dimensions().iter().map(|d| d.name()).collect();
+        let dimensions: Vec<&str> = dimensions.iter().map(String::as_str).collect();
+        let kind = variable.vartype();
+        let mut copy = merged.add_variable_with_type(&variable.name(), &dimensions, &kind)?;
+        for attribute in variable.attributes() {
+            copy.put_attribute(attribute.name(), attribute.value()?)?;
+        }
+    }
+    for variable in like.variables().filter(|variable| !has_shots(variable)) {
+        copy(merged, &variable, None)?;
+    }
+    Ok(())
+}
+
+/// Copies records of a segment, each to its place.
+fn copy_records(
+    merged: &mut FileMut,
+    from: &Path,
+    places: &[(usize, usize)],
+) -> netcdf::Result<()> {
+    let segment = netcdf::open(from)?;
+    for variable in segment.variables().filter(has_shots) {
+        // Records that follow each other in both files are one piece.
+        for piece in places.chunk_by(|a, b| b.0 == a.0 + 1 && b.1 == a.1 + 1) {
+            copy(merged, &variable, Some((piece[0], piece.len())))?;
+        }
+    }
+    Ok(())
+}
+
+/// Copies a variable: all of it, or so many records from one place to another.
+fn copy(
+    merged: &mut FileMut,
+    variable: &Variable<'_>,
+    piece: Option<((usize, usize), usize)>,
+) -> netcdf::Result<()> {
+    match variable.vartype() {
+        NcVariableType::Float(FloatType::F32) => copy_as::<f32>(merged, variable, piece),
+        NcVariableType::Float(FloatType::F64) => copy_as::<f64>(merged, variable, piece),
+        NcVariableType::Int(IntType::I8) => copy_as::<i8>(merged, variable, piece),
+        NcVariableType::Int(IntType::I64) => copy_as::<i64>(merged, variable, piece),
+        _ => Err(netcdf::Error::Str(format!("{}: no type of a result", variable.name()))),
+    }
+}
+
+fn copy_as<T: netcdf::NcTypeDescriptor + Copy>(
+    merged: &mut FileMut,
+    variable: &Variable<'_>,
+    piece: Option<((usize, usize), usize)>,
+) -> netcdf::Result<()> {
+    let name = variable.name();
+    let missing = || netcdf::Error::NotFound(name.clone());
+    let mut copy = merged.variable_mut(&name).ok_or_else(missing)?;
+    let Some(((from, to), records)) = piece else {
+        return copy.put_values(&variable.get_values::<T, _>(..)?, ..);
+    };
+    let extents = |first: usize| {
+        let mut extents = vec![netcdf::Extent::from(first..first + records)];
+        extents.resize(variable.dimensions().len(), (..).into());
+        extents
+    };
+    copy.put_values(&variable.get_values::<T, _>(extents(from))?, extents(to))
+}
+
+fn has_shots(variable: &Variable<'_>) -> bool {
+    variable.dimensions().first().is_some_and(|dimension| dimension.name() == SHOT)
+}
+
+#[cfg(test)]
+mod tests;

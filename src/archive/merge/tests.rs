@@ -1,0 +1,139 @@
+use std::time::Duration;
+
+use super::*;
+use crate::{
+    archive::{ResultStore, StoredResults, stored_vectors, test_data::result},
+    model::ModelChoice,
+    velocimetry::PairResult,
+};
+
+/// Segments in a folder, each with its shots.
+fn run(segments: &[&[u64]]) -> tempfile::TempDir {
+    let root = tempfile::tempdir().unwrap();
+    let mut store = ResultStore::create(root.path(), "").unwrap();
+    for shots in segments {
+        for shot in *shots {
+            store.append(*shot, &numbered(*shot)).unwrap();
+        }
+        store.seal().unwrap();
+    }
+    store.close().unwrap();
+    root
+}
+
+/// A result that no other shot has.
+fn numbered(shot: u64) -> PairResult {
+    let mut result = result([4, 3, 2]);
+    result.field.displacement_vox[5][1] = shot as f32;
+    result
+}
+
+fn files(folder: &Path) -> Vec<(String, Vec<i64>)> {
+    let paths = segments(folder, ".nc").unwrap();
+    let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+    paths.iter().map(|path| (name(path), records_of(path).unwrap())).collect()
+}
+
+fn file(name: &str, shots: &[i64]) -> (String, Vec<i64>) {
+    (name.to_owned(), shots.to_vec())
+}
+
+#[test]
+fn segments_become_one_file_sorted_by_shot_with_every_number_in_place() {
+    let root = run(&[&[3, 1], &[2], &[0, 5, 4]]);
+    let before = stored_vectors(root.path()).unwrap();
+    let stored = StoredResults::find(root.path()).unwrap();
+    let attributes = |name: &str| {
+        let file = netcdf::open(root.path().join(name)).unwrap();
+        let of = |owner: &str| {
+            let variable = file.variable(owner).unwrap();
+            let found = variable.attributes().map(|a| (a.name().to_owned(), a.value().unwrap()));
+            found.collect::<Vec<_>>()
+        };
+        [of("u"), of("time"), of("valid")]
+    };
+    let described = attributes("velocity_000003.nc");
+    merge_segments(root.path(), || true).unwrap();
+    assert_eq!(files(root.path()), [file("velocity_000000.nc", &[0, 1, 2, 3, 4, 5])]);
+    assert_eq!(stored_vectors(root.path()).unwrap(), before);
+    assert_eq!(attributes("velocity_000000.nc"), described);
+    let merged = StoredResults::find(root.path()).unwrap();
+    assert_eq!((merged.shots, merged.times_s), (stored.shots, stored.times_s));
+    let file = netcdf::open(root.path().join("velocity_000000.nc")).unwrap();
+    let history = file.attribute("history").unwrap().value().unwrap();
+    assert!(format!("{history:?}").contains("3 segments merged"), "{history:?}");
+    assert_eq!(file.variable("dt").unwrap().get_values::<f64, _>(..).unwrap(), [1e-4]);
+}
+
+#[test]
+fn the_shot_that_was_stored_first_is_remembered() {
+    let root = run(&[&[7, 8], &[2]]);
+    // File systems may be slow to tell times apart.
+    let later = SystemTime::now() + Duration::from_secs(60);
+    let younger = File::options().append(true).open(root.path().join("velocity_000002.nc"));
+    younger.unwrap().set_modified(later).unwrap();
+    for _ in 0..2 {
+        merge_segments(root.path(), || true).unwrap();
+        assert_eq!(StoredResults::find(root.path()).unwrap().first, Some(7));
+    }
+    // Whatever is measured later does not change what was first.
+    let (mut store, _) = ResultStore::reopen(root.path(), "").unwrap();
+    store.append(1, &numbered(1)).unwrap();
+    store.close().unwrap();
+    merge_segments(root.path(), || true).unwrap();
+    assert_eq!(files(root.path()), [file("velocity_000001.nc", &[1, 2, 7, 8])]);
+    assert_eq!(StoredResults::find(root.path()).unwrap().first, Some(7));
+}
+
+#[test]
+fn another_model_stays_in_a_file_of_its_own() {
+    let root = tempfile::tempdir().unwrap();
+    let mut store = ResultStore::create(root.path(), "").unwrap();
+    for shot in 0..6 {
+        let mut result = numbered(shot);
+        let refinement = 1 + shot as usize % 2;
+        result.model = ModelChoice { refinement, ..ModelChoice::default() }.into();
+        store.append(shot, &result).unwrap();
+    }
+    store.close().unwrap();
+    merge_segments(root.path(), || true).unwrap();
+    let expected = [file("velocity_000000.nc", &[0, 2, 4]), file("velocity_000001.nc", &[1, 3, 5])];
+    assert_eq!(files(root.path()), expected);
+}
+
+#[test]
+fn merged_files_are_bounded() {
+    let root = run(&[&[0, 1], &[2, 3], &[4, 5], &[6, 7], &[8]]);
+    let bounds = Bounds { shots: 4, bytes: u64::MAX };
+    merge_within(root.path(), bounds, || true).unwrap();
+    let expected = [
+        file("velocity_000000.nc", &[0, 1, 2, 3]),
+        file("velocity_000004.nc", &[4, 5, 6, 7]),
+        file("velocity_000008.nc", &[8]),
+    ];
+    assert_eq!(files(root.path()), expected);
+    let bytes = fs::metadata(root.path().join("velocity_000000.nc")).unwrap().len();
+    merge_within(root.path(), Bounds { shots: 99, bytes }, || true).unwrap();
+    assert_eq!(files(root.path()), expected, "none fits with another");
+}
+
+#[test]
+fn what_there_is_no_time_for_stays_as_it_is() {
+    let root = run(&[&[1, 0], &[2]]);
+    let before = files(root.path());
+    merge_segments(root.path(), || false).unwrap();
+    assert_eq!(files(root.path()), before);
+}
+
+#[test]
+fn one_killed_before_the_segments_were_removed_is_finished_by_the_next_merge() {
+    let root = run(&[&[0], &[1], &[2]]);
+    let left = root.path().join("velocity_000001.nc");
+    let copy = fs::read(&left).unwrap();
+    merge_segments(root.path(), || true).unwrap();
+    fs::write(&left, copy).unwrap();
+    let stored = StoredResults::find(root.path()).unwrap();
+    assert_eq!((stored.shots, stored.records), (BTreeSet::from([0, 1, 2]), 4));
+    merge_segments(root.path(), || true).unwrap();
+    assert_eq!(files(root.path()), [file("velocity_000000.nc", &[0, 1, 2])]);
+}
