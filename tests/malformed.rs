@@ -6,7 +6,7 @@ mod support;
 use std::{fs, path::PathBuf, sync::OnceLock};
 
 use lfpiv::{
-    acquisition::journal::{Description, Entry, RecordedRun},
+    acquisition::journal::{Description, Entry, JOURNAL_VERSION, RecordedRun},
     archive::{FileDepth, RawLog, RawLogSettings, Record, read_grey_tiff, write_grey_tiff},
     config::Config,
 };
@@ -150,9 +150,11 @@ proptest! {
 
 #[test]
 fn a_journal_of_a_later_program_is_refused_with_what_to_do() {
-    let later = String::from_utf8(description()).expect("text");
-    let later = later.replacen("\"journal_version\":1", "\"journal_version\":2", 1);
+    let mut later: serde_json::Value = serde_json::from_slice(&description()).expect("JSON");
+    later["journal_version"] = (JOURNAL_VERSION + 1).into();
+    let later = later.to_string();
     let run = run_of(later.as_bytes(), b"{}");
     let error = RecordedRun::open(run.path()).expect_err("another version").to_string();
-    assert!(error.contains("version 2") && error.contains("use the lfpiv"), "{error}");
+    let named = format!("version {}", JOURNAL_VERSION + 1);
+    assert!(error.contains(&named) && error.contains("use the lfpiv"), "{error}");
 }

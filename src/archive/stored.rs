@@ -71,11 +71,19 @@ pub fn stored_vectors(folder: &Path) -> Result<BTreeMap<u64, Vec<u32>>, ArchiveE
 
 fn vectors_of(path: &Path, record: usize) -> Result<Vec<u32>, netcdf::Error> {
     let file = netcdf::open(path)?;
+    let numbers_of = |name: &str| -> Result<Vec<f32>, netcdf::Error> {
+        let variable = file.variable(name).ok_or_else(|| missing(name))?;
+        variable.get_values((record, .., .., ..))
+    };
+    let (valid, replaced) = (numbers_of("valid")?, numbers_of("replaced")?);
     let mut bits = Vec::new();
     for name in COMPARED {
-        let variable = file.variable(name).ok_or_else(|| missing(name))?;
-        let numbers: Vec<f32> = variable.get_values((record, .., .., ..))?;
-        bits.extend(numbers.into_iter().map(f32::to_bits));
+        let numbers = numbers_of(name)?;
+        let is_flag = name == "valid" || name == "replaced";
+        // The first files had zeros where there is no vector, later ones have fill values.
+        let missing = |n: usize| !is_flag && valid[n] == 0.0 && replaced[n] == 0.0;
+        let number = |(n, value)| if missing(n) { f32::NAN } else { value };
+        bits.extend(numbers.into_iter().enumerate().map(number).map(f32::to_bits));
     }
     Ok(bits)
 }

@@ -17,7 +17,7 @@ use std::{
     num::NonZeroU64,
     path::{Path, PathBuf},
     sync::Arc,
-    time::Duration,
+    time::{Duration, Instant},
 };
 
 use anyhow::{Context, anyhow};
@@ -41,7 +41,7 @@ use crate::{
         RunClock, ShotReceiver, SynchroniserThread, acquire, control, panic_message, secure,
         shot_queue,
     },
-    archive::{RawLogSettings, ResultStore},
+    archive::{RawLogSettings, ResultStore, merge_segments},
     config::ConfigFile,
     pipeline::{Board, ImagePair, Observer, PairResult, Pool, PoolLinks, PoolSettings},
     server::{ApiState, Phase, Protection, serve},
@@ -51,6 +51,9 @@ use crate::{
 const SIMULATED_PATIENCE: Duration = Duration::from_secs(120);
 /// How long open HTTP connections may delay the end.
 const SERVER_GRACE: Duration = Duration::from_secs(2);
+/// No merged file is begun later than this after the end: who stops a service does not wait for ever.
+/// `lfpiv process RUN` merges what is left.
+const MERGE_TIME: Duration = Duration::from_secs(20);
 
 /// What a run is to do.
 #[derive(Debug, Clone)]
@@ -297,9 +300,21 @@ impl Daemon {
         end_server(server).await;
         let acquisition = worked?;
         written?;
+        merge(&self.folder).await;
         drop(lock);
         let ledger = self.ledger.lock().clone();
         Ok(DaemonReport { folder: self.folder, acquisition, ledger })
+    }
+}
+
+/// Makes few files of the run's segments. The results are safe before: a failure is only told.
+async fn merge(folder: &Path) {
+    let (folder, until) = (folder.to_owned(), Instant::now() + MERGE_TIME);
+    let merging = tokio::task::spawn_blocking(move || {
+        merge_segments(&folder, || Instant::now() < until).context("segments are left unmerged")
+    });
+    if let Err(error) = unpanicked(merging).await.and_then(|merged| merged) {
+        tracing::warn!("{error:#}; lfpiv process merges them");
     }
 }
 

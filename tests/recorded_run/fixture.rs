@@ -90,7 +90,11 @@ fn a_run_of_version_1_gives_its_vectors_again() {
         assert_eq!(then[6 * vectors..], now[6 * vectors..], "shot {shot}");
         for (a, b) in then.iter().zip(now).take(3 * vectors) {
             let (a, b) = (f32::from_bits(*a), f32::from_bits(*b));
-            assert!((a - b).abs() <= TOLERANCE_M_S, "shot {shot}: {a} m/s then, {b} now");
+            let missing = a.is_nan() && b.is_nan();
+            assert!(
+                missing || (a - b).abs() <= TOLERANCE_M_S,
+                "shot {shot}: {a} m/s then, {b} now"
+            );
         }
     }
     assert_eq!(accounts(&fixture(1)), accounts(&again));

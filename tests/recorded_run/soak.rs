@@ -36,7 +36,8 @@ fn two_thousand_shots_in_flat_memory() {
     let tiny = text
         .replacen("columns = 13\nrows = 13", "columns = 5\nrows = 5", 1)
         .replacen("columns = 240\nrows = 240", "columns = 92\nrows = 92", 1)
-        .replacen("voxels = [8, 8, 8]", "voxels = [4, 4, 4]", 1);
+        .replacen("voxels = [8, 8, 8]", "voxels = [4, 4, 4]", 1)
+        .replacen("window_mm = 0.8", "window_mm = 0.4", 1);
     fs::write(&config, tiny).expect("the configuration");
     let running = Running::start(&config, &["--shots", &SHOTS.to_string()]);
     let process = running.child.id();
