@@ -10,6 +10,7 @@ use std::sync::OnceLock;
 use lfpiv::{
     config::Config,
     pipeline::{ImagePair, Processor},
+    reconstruction::FitVerdict,
     velocimetry::{PairResult, VectorStatus},
 };
 use lfpiv_hw::RawImage;
@@ -189,6 +190,9 @@ impl Measured {
             100.0 * self.covered(1.0),
             100.0 * self.covered(1.96),
         );
+        if let Some(fit) = self.result.fit.as_ref().filter(|fit| fit.verdict != FitVerdict::Good) {
+            println!("{name}: {fit:?}");
+        }
     }
 }
 

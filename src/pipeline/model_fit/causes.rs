@@ -23,6 +23,10 @@ const MUCH_UNEXPLAINED: f64 = 0.3;
 const MORE_UNEXPLAINED: f64 = 0.4;
 const MOST_UNEXPLAINED: f64 = 0.5;
 
+/// With this share of the lit pixels saturated, images of particles are flattened: light stays
+/// unexplained on any bench.
+const FLATTENED_SHARE: f64 = 0.03;
+
 /// Correlation of the cameras' light along the shared direction. Right benches: 0.65 to 0.95; other
 /// shots: -0.3 to 0.5. Over few bins chance reaches further, so it counts by itself only when it is low
 /// and over many.
@@ -58,6 +62,8 @@ pub struct Evidence<'a> {
     pub lit: bool,
     /// Whether the residual says something about the bench.
     pub residual_counts: bool,
+    /// The largest share of saturated pixels of any camera, of the lit ones, 0 to 1.
+    pub saturated_share: f64,
     pub micro_images: &'a [Option<MicroImages>],
     pub unexplained: Vec<f64>,
     pub agreement: Option<Agreement>,
@@ -270,10 +276,18 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
     if !doubted {
         return good();
     }
-    let verdict = match evidence.is_unexplained(MOST_UNEXPLAINED) {
+    let flattened = evidence.saturated_share > FLATTENED_SHARE;
+    let verdict = match evidence.is_unexplained(MOST_UNEXPLAINED) && !flattened {
         true => FitVerdict::Poor,
         false => FitVerdict::Doubtful,
     };
+    let saturated = flattened.then(|| {
+        let percent = 100.0 * evidence.saturated_share;
+        format!(
+            "{percent:.0} % of the lit pixels are saturated, which flattens the images of \
+             particles: reduce gain or laser energy"
+        )
+    });
     let causes: &[&str] = match &evidence.agreement {
         None => &[WRONG_OPTICS, WRONG_POSE, THICK_SHEET],
         Some(agreement) if agreement.direct < CLEAR_AGREEMENT => {
@@ -288,11 +302,9 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
     let others = causes.iter().map(|&cause| cause.to_owned());
     (
         verdict,
-        fitted
-            .filter(|_| verdict == FitVerdict::Doubtful)
+        saturated
             .into_iter()
-            .flatten()
-            .take(1)
+            .chain(fitted.filter(|_| verdict == FitVerdict::Doubtful).into_iter().flatten().take(1))
             .chain(others)
             .collect(),
     )

@@ -88,6 +88,7 @@ impl Judged<'_> {
             measurement: self.measurement,
             lit,
             residual_counts: self.residual_is_of_the_bench(),
+            saturated_share: self.frames.iter().map(|f| f.saturated_share).fold(0.0, f64::max),
             micro_images: &self.micro_images,
             unexplained,
             agreement,

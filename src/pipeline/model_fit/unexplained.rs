@@ -5,8 +5,24 @@ use crate::{
     reconstruction::{ProjectedView, ViewLevels},
 };
 
-/// Share of the pixels with the largest residuals that do not count: hot pixels, a speck of dust.
-const TRIMMED_SHARE: f64 = 1e-3;
+/// Edge of the tiles that are judged by themselves, in microlenses: some particles at the sparsest
+/// seeding, and small beside a window.
+const TILE: usize = 8;
+
+/// Share of a tile's pixels with the largest residuals that do not count: hot pixels.
+const TRIMMED_SHARE: f64 = 2e-3;
+
+/// Tiles with less than this part of the mean tile's light are dark.
+const LIT_SHARE_OF_MEAN: f64 = 0.1;
+
+/// The tile that speaks for all: this share of the lit ones is explained better. A wrong bench leaves
+/// light unexplained nearly everywhere; a reflection, a shadow, or what only one camera sees leave most
+/// of a field as it should be.
+const TILE_RANK: f64 = 0.25;
+
+/// A tile may be this much brighter or dimmer than the reconstruction: cameras and fields of unlike
+/// brightness.
+const LARGEST_SCALE: f64 = 5.0;
 
 /// Pixels brighter than this share of a particle's light show shot noise.
 const BRIGHT_PARTICLE_SHARE: f64 = 0.5;
@@ -23,38 +39,72 @@ const LEAST_DIFFERENCES: usize = 100;
 /// Residual of the `projected` views over the standard deviation of the measured light, both less
 /// what noise adds: read noise, and shot noise at the gain that the views themselves show. The
 /// standard deviation and not the mean square, because dense seeding adds a mean that any
-/// reconstruction explains.
+/// reconstruction explains. Tiles of the field are judged by themselves, each at its own brightness; the
+/// lower quartile of those with light is the answer, 0 to 1, and 1 where none has any.
 pub fn unexplained(
     views: &ViewStack,
     layout: &ViewLayout,
     levels: &ViewLevels,
     projected: &[&ProjectedView],
 ) -> f64 {
-    let noise_square = levels.noise_counts.powi(2);
-    let gain = counts_per_electron(views, layout, levels);
-    let mut pixels: Vec<(f64, f64)> = Vec::new();
+    let columns = layout.window.columns.len();
+    let tiles_across = columns.div_ceil(TILE);
+    let tiles = tiles_across * layout.window.rows.len().div_ceil(TILE);
+    let mut pixels: Vec<Vec<Pixel>> = vec![Vec::new(); tiles];
     for view in projected {
         let measured = views.view(view.id.view).iter().zip(&view.image);
-        pixels.extend(measured.map(|(&measured, &modelled)| {
-            (f64::from(measured - modelled).powi(2), f64::from(measured))
-        }));
+        for (n, (&measured, &modelled)) in measured.enumerate() {
+            pixels[n / columns / TILE * tiles_across + n % columns / TILE]
+                .push([f64::from(measured), f64::from(modelled)]);
+        }
     }
-    if pixels.is_empty() {
+    let gain = counts_per_electron(views, layout, levels);
+    let noise = |mean: f64| levels.noise_counts.powi(2) + gain * mean.max(0.0);
+    let tiles: Vec<Tile> = pixels.iter_mut().map(|pixels| Tile::of(pixels, &noise)).collect();
+    let mean_light = tiles.iter().map(|tile| tile.light).sum::<f64>() / tiles.len().max(1) as f64;
+    let mut shares: Vec<f64> = tiles
+        .iter()
+        .filter(|tile| tile.light > LIT_SHARE_OF_MEAN * mean_light && tile.light > 0.0)
+        .map(|tile| (tile.residual / tile.light).sqrt().min(1.0))
+        .collect();
+    if shares.is_empty() {
         return 1.0;
     }
-    let kept = pixels.len() - (TRIMMED_SHARE * pixels.len() as f64) as usize;
-    if kept < pixels.len() {
-        pixels.select_nth_unstable_by(kept, |a, b| a.0.total_cmp(&b.0));
-        pixels.truncate(kept);
+    let rank = (TILE_RANK * (shares.len() - 1) as f64).round() as usize;
+    *shares.select_nth_unstable_by(rank, f64::total_cmp).1
+}
+
+/// Measured and modelled light, in counts.
+type Pixel = [f64; 2];
+
+/// Variance of the light of a tile, and what is left of it, both without noise, in counts².
+struct Tile {
+    light: f64,
+    residual: f64,
+}
+
+impl Tile {
+    /// Of the `pixels` of a tile in all views, with the variance that `noise` has at a mean light.
+    fn of(pixels: &mut [Pixel], noise: &impl Fn(f64) -> f64) -> Self {
+        let (both, modelled) =
+            pixels.iter().fold((0.0, 0.0), |(both, square), [m, p]| (both + m * p, square + p * p));
+        let scale = match modelled > 0.0 {
+            true => (both / modelled).clamp(1.0 / LARGEST_SCALE, LARGEST_SCALE),
+            false => 1.0,
+        };
+        let square = |[measured, modelled]: &Pixel| (measured - scale * modelled).powi(2);
+        let kept = pixels.len() - (TRIMMED_SHARE * pixels.len() as f64) as usize;
+        if kept < pixels.len() {
+            pixels.select_nth_unstable_by(kept, |a, b| square(a).total_cmp(&square(b)));
+        }
+        let pixels = &pixels[..kept];
+        let n = kept.max(1) as f64;
+        let mean = pixels.iter().map(|[measured, _]| measured).sum::<f64>() / n;
+        let variance = pixels.iter().map(|[m, _]| (m - mean).powi(2)).sum::<f64>() / n;
+        let residual = pixels.iter().map(square).sum::<f64>() / n;
+        let noise = noise(mean);
+        Self { light: (variance - noise).max(0.0), residual: (residual - noise).max(0.0) }
     }
-    let n = pixels.len() as f64;
-    let (residual, sum, squares) = pixels
-        .iter()
-        .fold((0.0, 0.0, 0.0), |(r, s, q), &(residual, i)| (r + residual, s + i, q + i * i));
-    let mean = sum / n;
-    let noise = noise_square + gain * mean.max(0.0);
-    let light = squares / n - mean * mean - noise;
-    if light <= 0.0 { 1.0 } else { ((residual / n - noise).max(0.0) / light).sqrt() }
 }
 
 /// Counts per photo-electron, from second differences between three neighbouring views: particles
@@ -86,4 +136,50 @@ fn counts_per_electron(views: &ViewStack, layout: &ViewLayout, levels: &ViewLeve
     let (_, median, _) = gains.select_nth_unstable_by(middle, f64::total_cmp);
     let read = levels.noise_counts.powi(2) / levels.particle_counts.max(1e-9);
     (*median / MEDIAN_OF_SQUARE - read).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    const READ_NOISE: f64 = 3.0;
+
+    fn no_shot_noise(_mean: f64) -> f64 {
+        READ_NOISE.powi(2)
+    }
+
+    /// Pixels of which the model explains all but `unexplained` of the standard deviation.
+    fn pixels(unexplained: f64, scale: f64) -> Vec<Pixel> {
+        let mut random = Pcg64Mcg::seed_from_u64(5);
+        // Uniform numbers of variance 1.
+        let mut normal = || (random.random::<f64>() - 0.5) * 12f64.sqrt();
+        (0..20_000)
+            .map(|_| {
+                let (explained, other) = (100.0 * normal(), 100.0 * normal());
+                let modelled = explained * (1.0 - unexplained.powi(2)).sqrt();
+                [modelled + other * unexplained + READ_NOISE * normal(), modelled / scale]
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_tile_knows_its_unexplained_share_at_any_brightness() {
+        for (share, scale) in [(0.0, 1.0), (0.2, 1.0), (0.5, 1.0), (0.2, 3.0), (0.5, 0.3)] {
+            let tile = Tile::of(&mut pixels(share, scale), &no_shot_noise);
+            let found = (tile.residual / tile.light).sqrt();
+            assert!((found - share).abs() < 0.02, "{found}, made with {share} at {scale}");
+        }
+    }
+
+    #[test]
+    fn hot_pixels_of_a_tile_do_not_count() {
+        let mut hot = pixels(0.2, 1.0);
+        for pixel in hot.iter_mut().step_by(1000) {
+            pixel[0] = 4000.0;
+        }
+        let tile = Tile::of(&mut hot, &no_shot_noise);
+        assert!(((tile.residual / tile.light).sqrt() - 0.2).abs() < 0.02);
+    }
 }
