@@ -1,7 +1,7 @@
-//! A log that version 1 of the format wrote is read by every later program.
+//! A log that an earlier version of the format wrote is read by every later program.
 //!
-//! `tests/fixtures/raw_log_v1` is not to be written again: a new version of the format gets a
-//! folder of its own beside it.
+//! `tests/fixtures/raw_log_v1` and `_v2` are not to be written again: a new version of the format gets
+//! a folder of its own beside them.
 
 use std::{fs, path::PathBuf};
 
@@ -15,9 +15,9 @@ const CODECS: [(&str, Codec); 3] =
     [("raw", Codec::Raw), ("packed", Codec::Packed), ("zstd", Codec::Zstd)];
 const RECORDS: u64 = 5;
 
-fn fixture(codec: &str) -> PathBuf {
+fn fixture(version: u32, codec: &str) -> PathBuf {
     let fixtures = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
-    fixtures.join("raw_log_v1").join(codec)
+    fixtures.join(format!("raw_log_v{version}")).join(codec)
 }
 
 /// What the fixture holds, by arithmetic that is written out here.
@@ -40,13 +40,13 @@ fn record(number: u64) -> Record {
 }
 
 #[test]
-fn a_log_of_version_1_is_read() {
-    for (name, _) in CODECS {
-        let reader = RawLogReader::open(&fixture(name)).unwrap();
+fn a_log_of_every_version_is_read() {
+    for (version, name) in (1..=FORMAT_VERSION).flat_map(|v| CODECS.map(|(name, _)| (v, name))) {
+        let reader = RawLogReader::open(&fixture(version, name)).unwrap().finished();
         assert_eq!(reader.description(), DESCRIPTION);
         let read: Vec<_> = reader.records().map(Result::unwrap).collect();
         let wanted: Vec<_> = (0..RECORDS).map(|number| (number, record(number))).collect();
-        assert!(read == wanted, "{name} holds something else");
+        assert!(read == wanted, "{name} of version {version} holds something else");
         for (sequence, position, head, has_image) in reader.heads().map(Result::unwrap) {
             let wanted = record(sequence);
             assert_eq!((head, has_image), (wanted.head.clone(), wanted.image.is_some()));
@@ -55,13 +55,9 @@ fn a_log_of_version_1_is_read() {
     }
 }
 
-#[test]
-fn the_fixture_is_as_the_document_says_byte_for_byte() {
-    let bytes = fs::read(fixture("raw").join("segment_000000.raw")).unwrap();
+/// Holds the first record of a segment, its image stored as it is, against the document.
+fn check_first_record(bytes: &[u8], first: usize) {
     let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
-    assert_eq!(&bytes[..8], b"LFPIVRAW");
-    assert_eq!([u32_at(8), u32_at(12), u32_at(24)], [1, 0, DESCRIPTION.len() as u32]);
-    let first = 32 + DESCRIPTION.len();
     let head = record(0).head;
     assert_eq!(&bytes[first..first + 4], b"LFRC");
     assert_eq!(u32_at(first + 4), head.len() as u32);
@@ -70,7 +66,36 @@ fn the_fixture_is_as_the_document_says_byte_for_byte() {
     let image = record(0).image.unwrap();
     assert_eq!([u32_at(first + 36), u32_at(first + 40)], [image.crc32(); 2]);
     assert_eq!(&bytes[first + 48..first + 48 + head.len()], head);
+}
+
+#[test]
+fn version_1_is_as_its_document_said_byte_for_byte() {
+    let bytes = fs::read(fixture(1, "raw").join("segment_000000.raw")).unwrap();
+    let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert_eq!(&bytes[..8], b"LFPIVRAW");
+    assert_eq!([u32_at(8), u32_at(12), u32_at(24)], [1, 0, DESCRIPTION.len() as u32]);
+    check_first_record(&bytes, 32 + DESCRIPTION.len());
     assert_eq!(&bytes[bytes.len() - 32..bytes.len() - 28], b"LFEN");
+}
+
+#[test]
+fn version_2_is_as_the_document_says_byte_for_byte() {
+    let bytes = fs::read(fixture(2, "raw").join("segment_000000.raw")).unwrap();
+    let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let length = 52 + DESCRIPTION.len();
+    assert_eq!(&bytes[..8], b"LFPIVRAW");
+    assert_eq!([u32_at(8), u32_at(12)], [2, length as u32]);
+    // Segment, the first: nothing before it, and its records begin at 0.
+    assert_eq!(bytes[24..48], [0; 24]);
+    assert_eq!(&bytes[48..length - 4], DESCRIPTION);
+    assert_eq!(u32_at(length - 4), crc32fast::hash(&bytes[..length - 4]));
+    assert_eq!(bytes[..length], bytes[length..2 * length]);
+    check_first_record(&bytes, 2 * length);
+    let footer = bytes.len() - 36;
+    assert_eq!(&bytes[footer..footer + 4], b"LFEN");
+    // Five records, and the log was closed behind them.
+    assert_eq!([4, 8, 12, 28].map(|at| u32_at(footer + at)), [0, 5, 0, 2]);
+    assert_eq!([u32_at(footer + 16), u32_at(footer + 20)], [footer as u32, 0]);
 }
 
 #[test]
@@ -78,7 +103,7 @@ fn a_crash_of_version_1_is_recovered() {
     let run = tempfile::tempdir().unwrap();
     let folder = run.path().join("raw");
     fs::create_dir(&folder).unwrap();
-    let bytes = fs::read(fixture("packed").join("segment_000000.raw")).unwrap();
+    let bytes = fs::read(fixture(1, "packed").join("segment_000000.raw")).unwrap();
     fs::write(folder.join("segment_000000.raw.part"), &bytes[..bytes.len() - 40]).unwrap();
     let recovery = recover(&folder).unwrap();
     assert_eq!(recovery.segments[0].records, RECORDS - 1);
@@ -91,10 +116,10 @@ fn a_crash_of_version_1_is_recovered() {
 #[test]
 #[ignore = "writes the fixture of a new format version"]
 fn write_the_fixture() {
-    assert_eq!(FORMAT_VERSION, 1, "give the new version's fixture a folder of its own");
     for (name, codec) in CODECS {
         let settings = RawLogSettings { codec, ..Default::default() };
-        let (log, writer) = RawLog::create(&fixture(name), DESCRIPTION, &settings).unwrap();
+        let (log, writer) =
+            RawLog::create(&fixture(FORMAT_VERSION, name), DESCRIPTION, &settings).unwrap();
         for number in 0..RECORDS {
             log.append_blocking(record(number)).unwrap();
         }

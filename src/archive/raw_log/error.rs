@@ -1,14 +1,16 @@
 //! Why the raw log cannot be written or read.
 
 use std::{
+    fmt,
     io::{self, ErrorKind},
-    path::PathBuf,
+    ops::{Range, RangeInclusive},
+    path::{Path, PathBuf},
     sync::Arc,
 };
 
 use thiserror::Error;
 
-use super::{FORMAT_VERSION, Record, format::HeaderFault};
+use super::{FORMAT_VERSION, Record, format::HeaderFault, names::sealed_path};
 
 /// Why the raw log cannot be written or read.
 ///
@@ -131,30 +133,68 @@ pub enum RawLogError {
     },
     /// Bytes that are not what was written.
     #[error(
-        "{} is damaged at byte {offset}: {what}; records around it are still read: look for \
-         another copy of this file, and at the disk", path.display()
+        "{0}; what lies around them is still read: look for another copy of this file, and at the \
+         disk"
     )]
-    Damaged {
-        /// The segment.
-        path: PathBuf,
-        /// Where the damaged record or footer begins.
-        offset: u64,
-        /// What is wrong there.
-        what: &'static str,
-    },
+    Damaged(Damage),
     /// Records that are in no segment.
     #[error(
-        "records {first} to {last} are missing in {}: a segment is lost or damaged; look for \
-         another copy of the folder", folder.display()
+        "records {} to {} are missing in {}: {}; look for another copy of the folder",
+        records.start(), records.end(), folder.display(), lost_segments(segments.as_ref())
     )]
     Missing {
         /// The log's folder.
         folder: PathBuf,
+        /// The records that are not there.
+        records: RangeInclusive<u64>,
+        /// The segments that they were in, where those cannot be read.
+        segments: Option<RangeInclusive<u32>>,
+    },
+    /// The log went on, and how far is not known.
+    #[error(
+        "all records from {first} on are missing in {}: the log went on in {}, which is not there; \
+         look for another copy of the folder",
+        folder.display(), segment_name(*segment)
+    )]
+    MissingEnd {
+        /// The log's folder.
+        folder: PathBuf,
         /// First record that is not there.
         first: u64,
-        /// Last record that is not there.
-        last: u64,
+        /// First segment that is not there.
+        segment: u32,
     },
+}
+
+/// Bytes of a segment that are not what was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Damage {
+    /// The segment.
+    pub path: PathBuf,
+    /// Which bytes of it.
+    pub bytes: Range<u64>,
+    /// The records that are lost with them, as far as they are known.
+    pub records: Option<RangeInclusive<u64>>,
+    /// What is wrong there.
+    pub what: &'static str,
+}
+
+impl fmt::Display for Damage {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { path, bytes, records, what } = self;
+        let path = path.display();
+        write!(formatter, "{path} is damaged from byte {} to byte {}", bytes.start, bytes.end)?;
+        match records {
+            Some(records) if records.start() == records.end() => {
+                write!(formatter, " (record {})", records.start())?;
+            }
+            Some(records) => {
+                write!(formatter, " (records {} to {})", records.start(), records.end())?;
+            }
+            None => {}
+        }
+        write!(formatter, ": {what}")
+    }
 }
 
 /// Why a record was not taken.
@@ -189,16 +229,39 @@ impl RawLogError {
     /// Why the first bytes of a segment are no header.
     pub(super) fn header(path: impl Into<PathBuf>, fault: HeaderFault) -> Self {
         let path = path.into();
-        let damaged = |path, what| Self::Damaged { path, offset: 0, what };
+        let damaged = |path, what| Self::Damaged(Damage { path, bytes: 0..0, records: None, what });
         match fault {
             HeaderFault::NewerVersion(found) => Self::NewerVersion { path, found },
             HeaderFault::Incomplete => damaged(path, "the segment's header is not complete"),
-            HeaderFault::Damaged => damaged(path, "this is not the header of a segment"),
+            HeaderFault::Damaged => {
+                damaged(path, "no copy of the segment's header is whole: its records are lost")
+            }
         }
+    }
+
+    /// Whether recorded data is damaged or missing: other records can still be read.
+    pub fn is_damage(&self) -> bool {
+        matches!(
+            self,
+            Self::Damaged(_) | Self::Missing { .. } | Self::MissingEnd { .. } | Self::Io { .. }
+        )
     }
 }
 
-fn advice(reason: &io::Error, path: &std::path::Path) -> String {
+fn lost_segments(segments: Option<&RangeInclusive<u32>>) -> String {
+    let Some(segments) = segments else { return "nothing says where they were".into() };
+    let (first, last) = (segment_name(*segments.start()), segment_name(*segments.end()));
+    if first == last {
+        return format!("{first} is lost or cannot be read");
+    }
+    format!("{first} to {last} are lost or cannot be read")
+}
+
+fn segment_name(number: u32) -> String {
+    sealed_path(Path::new(""), number).display().to_string()
+}
+
+fn advice(reason: &io::Error, path: &Path) -> String {
     match reason.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => format!(
             "make room on the disk of {}, then `lfpiv process RUN` measures what was recorded",

@@ -59,7 +59,7 @@ mod tests;
 mod writer;
 
 pub use codec::Codec;
-pub use error::{AppendError, RawLogError};
+pub use error::{AppendError, Damage, RawLogError};
 pub use format::FORMAT_VERSION;
 pub use log::RawLog;
 pub use reader::{Head, RawLogReader};

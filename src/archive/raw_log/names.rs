@@ -21,7 +21,8 @@ pub(super) fn torn_path(folder: &Path, segment: u32, attempt: u32) -> PathBuf {
     folder.join(format!("segment_{segment:06}{SEALED}.torn{suffix}"))
 }
 
-/// Number of a segment's file and whether it is sealed; nothing for other files.
+/// Number of a segment's file and whether it is sealed; nothing for other files. No log comes to the
+/// highest number, behind which there could be no other.
 pub(super) fn parse(name: &str) -> Option<(u32, bool)> {
     let name = name.strip_prefix("segment_")?;
     let (digits, sealed) = match (name.strip_suffix(SEALED), name.strip_suffix(PART)) {
@@ -29,9 +30,9 @@ pub(super) fn parse(name: &str) -> Option<(u32, bool)> {
         (_, Some(digits)) => (digits, false),
         _ => return None,
     };
-    let number =
+    let number: u32 =
         digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())??;
-    Some((number, sealed))
+    (number < u32::MAX).then_some((number, sealed))
 }
 
 #[cfg(test)]
@@ -46,13 +47,20 @@ mod tests {
     fn names_are_read_back_and_others_are_not_taken_for_segments() {
         let folder = Path::new("raw");
         assert_eq!(name(&sealed_path(folder, 12)), "segment_000012.raw");
-        for number in [0, 12, 999_999, 1_000_000, u32::MAX] {
+        for number in [0, 12, 999_999, 1_000_000, u32::MAX - 1] {
             assert_eq!(parse(name(&sealed_path(folder, number))), Some((number, true)));
             assert_eq!(parse(name(&part_path(folder, number))), Some((number, false)));
             assert_eq!(parse(name(&torn_path(folder, number, 1))), None);
             assert_eq!(parse(name(&torn_path(folder, number, 2))), None);
         }
-        for other in ["segment_.raw", "segment_+1.raw", "segment_1", "run.json", ".raw"] {
+        for other in [
+            "segment_4294967295.raw",
+            "segment_.raw",
+            "segment_+1.raw",
+            "segment_1",
+            "run.json",
+            ".raw",
+        ] {
             assert_eq!(parse(other), None, "{other}");
         }
     }

@@ -1,16 +1,18 @@
-//! After a crash: the segment that was being written is cut behind its last whole record and
-//! sealed.
+//! After a crash: what the segment that was being written ends in and is no record is cut, and the
+//! segment is sealed. Damage before its last record stays where it is: readers go around it and say
+//! so.
 
 use std::{
     fmt,
+    ops::Range,
     path::{Path, PathBuf},
 };
 
 use super::{
     RawLogError,
-    format::{Footer, HeaderFault, RecordHeader},
+    format::{Ending, Footer, HeaderFault},
     names::{parse, part_path, sealed_path, torn_path},
-    reader::segment_file::{Found, OpenFault, SegmentFile, end_behind_footer},
+    reader::segment_file::{Found, OpenFault, SegmentFile},
     segments::give_sealed_name,
     storage::{Disk, LogFile, Storage},
 };
@@ -21,7 +23,8 @@ const MOVED_BYTES: usize = 1 << 20;
 /// What recovery found and did.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Recovery {
-    /// Segments that were not sealed: one after a crash, none otherwise.
+    /// Segments that were not sealed: one after a crash, two after one between two segments, none
+    /// otherwise.
     pub segments: Vec<RecoveredSegment>,
 }
 
@@ -30,7 +33,7 @@ pub struct Recovery {
 pub struct RecoveredSegment {
     /// Its name now; nothing where no record could be in it, because its header was torn.
     pub path: Option<PathBuf>,
-    /// Whole records in it.
+    /// Records in it, those that are damaged included.
     pub records: u64,
     /// What was cut.
     pub torn: Option<TornTail>,
@@ -47,8 +50,8 @@ pub struct TornTail {
     pub bytes: u64,
     /// Where it lies now.
     pub moved_to: PathBuf,
-    /// Sequence numbers of records that it can be seen to have held, whole or in part.
-    pub records: Vec<u64>,
+    /// Sequence number of the record that it can be seen to be a part of.
+    pub record: Option<u64>,
 }
 
 /// Makes a log whole that a crash or a failed disk has left: cuts what is torn, keeps that beside
@@ -70,7 +73,8 @@ pub(super) fn recover_on(storage: &dyn Storage, folder: &Path) -> Result<Recover
     }
     found.sort_unstable();
     let unsealed = found.into_iter().filter(|(_, is_sealed)| !is_sealed);
-    let segments = unsealed.map(|(number, _)| work.recover(number)).collect::<Result<_, _>>()?;
+    let recovered = unsealed.filter_map(|(number, _)| work.recover(number).transpose());
+    let segments = recovered.collect::<Result<_, _>>()?;
     Ok(Recovery { segments })
 }
 
@@ -79,52 +83,77 @@ struct Work<'s> {
     folder: &'s Path,
 }
 
-/// How far a segment is whole.
-struct Whole {
+/// What is to stay of a segment.
+struct Kept {
+    /// Where it ends, without a footer.
     end: u64,
+    /// Records up to there, those that cannot be read any more included.
     records: u64,
     headers: crc32fast::Hasher,
-    has_footer: bool,
+    /// The footer behind it, if it is the right one.
+    footer: Option<Footer>,
+    /// Sequence number of the record that is torn.
+    torn_record: Option<u64>,
 }
 
 impl Work<'_> {
-    fn recover(&self, number: u32) -> Result<RecoveredSegment, RawLogError> {
+    /// Nothing where the segment cannot be read: it stays as it is, and readers say so.
+    fn recover(&self, number: u32) -> Result<Option<RecoveredSegment>, RawLogError> {
         let path = part_path(self.folder, number);
-        let file = self.storage.open_to_repair(&path).map_err(RawLogError::io("open", &path))?;
+        let file = match self.storage.open_to_repair(&path) {
+            Err(_) if self.storage.open(&path).is_err() => return Ok(None),
+            file => file.map_err(RawLogError::io("open", &path))?,
+        };
         let bytes = file.length().map_err(RawLogError::io("read", &path))?;
         let mut segment = match SegmentFile::open(file, &path, false) {
             Ok(segment) => segment,
             Err(OpenFault::Io(error)) => return Err(RawLogError::io("read", &path)(error)),
-            Err(OpenFault::Header(HeaderFault::NewerVersion(found))) => {
-                return Err(RawLogError::NewerVersion { path, found });
+            Err(OpenFault::Header(HeaderFault::Incomplete)) => {
+                return self.set_aside(number, bytes).map(Some);
             }
-            Err(OpenFault::Header(_)) => return self.set_aside(number, bytes),
+            Err(OpenFault::Header(HeaderFault::Damaged)) => return Ok(None),
+            Err(OpenFault::Header(fault)) => return Err(RawLogError::header(path, fault)),
         };
-        if !self.belongs_here(&segment, number)? {
-            return self.set_aside(number, bytes);
+        if !self.belongs_here(&segment, number) {
+            return self.set_aside(number, bytes).map(Some);
         }
-        let whole = measure(&segment)?;
-        let torn = if bytes > whole.end {
-            Some(self.move_torn(number, &segment, whole.end, bytes)?)
-        } else {
-            None
+        let mut kept = keep(&segment)?;
+        let torn = match kept.torn_from(&segment) {
+            offset if offset < bytes => {
+                Some(self.move_torn(number, &segment, offset..bytes, kept.torn_record)?)
+            }
+            _ => None,
         };
-        complete(&mut segment, &whole)?;
+        if kept.footer.is_some_and(|footer| footer.ending == Ending::GoesOn)
+            && !self.is_begun(number.saturating_add(1), &segment)?
+        {
+            // The next segment was never begun: the log ends here.
+            kept.footer = None;
+        }
+        complete(&mut segment, &kept)?;
         drop(segment);
         give_sealed_name(self.storage, self.folder, number)?;
         let path = Some(sealed_path(self.folder, number));
-        Ok(RecoveredSegment { path, records: whole.records, torn })
+        Ok(Some(RecoveredSegment { path, records: kept.records, torn }))
+    }
+
+    /// Whether this segment exists as one of the same log.
+    fn is_begun(&self, number: u32, before: &SegmentFile) -> Result<bool, RawLogError> {
+        let next = SegmentFile::find(self.storage, self.folder, number)?;
+        Ok(next.is_some_and(|next| next.header.begun_ns == before.header.begun_ns))
     }
 
     /// Whether the header is that of a segment of this log, and not what an older file left in the
     /// disk's blocks.
-    fn belongs_here(&self, segment: &SegmentFile, number: u32) -> Result<bool, RawLogError> {
-        let header = &segment.header;
-        if number == 0 || header.segment != number {
-            return Ok(header.segment == number);
+    fn belongs_here(&self, segment: &SegmentFile, number: u32) -> bool {
+        if number == 0 || segment.header.segment != number {
+            return segment.header.segment == number;
         }
-        let first = SegmentFile::find(self.storage, self.folder, 0)?;
-        Ok(first.is_none_or(|first| first.header.description == header.description))
+        let identity =
+            |segment: &SegmentFile| (segment.header.begun_ns, segment.header.description.clone());
+        // Where the first one cannot be read, nothing speaks against this one.
+        let first = SegmentFile::find(self.storage, self.folder, 0).unwrap_or_default();
+        first.is_none_or(|first| identity(&first) == identity(segment))
     }
 
     /// A segment without a header has no records: the whole file is torn.
@@ -132,7 +161,7 @@ impl Work<'_> {
         let path = part_path(self.folder, number);
         let moved_to = self.unused_torn_path(number)?;
         self.rename(&path, &moved_to)?;
-        let torn = TornTail { segment: path, offset: 0, bytes, moved_to, records: Vec::new() };
+        let torn = TornTail { segment: path, offset: 0, bytes, moved_to, record: None };
         Ok(RecoveredSegment { path: None, records: 0, torn: Some(torn) })
     }
 
@@ -141,25 +170,25 @@ impl Work<'_> {
         &self,
         number: u32,
         segment: &SegmentFile,
-        offset: u64,
-        end: u64,
+        bytes: Range<u64>,
+        record: Option<u64>,
     ) -> Result<TornTail, RawLogError> {
         let moved_to = self.unused_torn_path(number)?;
         let mut copy = self
             .storage
             .create(&moved_to)
             .map_err(RawLogError::io("keep a torn tail in", &moved_to))?;
-        copy_bytes(segment, offset, &mut *copy, &moved_to)?;
+        copy_bytes(segment, bytes.start, &mut *copy, &moved_to)?;
         copy.sync().map_err(RawLogError::io("flush to disk", &moved_to))?;
         self.storage
             .sync_folder(self.folder)
             .map_err(RawLogError::io("flush to disk", self.folder))?;
         Ok(TornTail {
             segment: segment.path.clone(),
-            offset,
-            bytes: end - offset,
+            offset: bytes.start,
+            bytes: bytes.end - bytes.start,
             moved_to,
-            records: torn_records(segment, offset)?,
+            record,
         })
     }
 
@@ -182,71 +211,74 @@ impl Work<'_> {
     }
 }
 
-/// How far the segment is whole: every record there, in order, with the right checksums.
-fn measure(segment: &SegmentFile) -> Result<Whole, RawLogError> {
-    let mut whole = Whole {
+/// Looks through a segment, around what is damaged.
+fn keep(segment: &SegmentFile) -> Result<Kept, RawLogError> {
+    let mut kept = Kept {
         end: segment.start,
         records: 0,
         headers: crc32fast::Hasher::new(),
-        has_footer: false,
+        footer: None,
+        torn_record: None,
     };
     loop {
-        match segment.look(whole.end)? {
-            Found::Record(header) if is_next(segment, &whole, &header)? => {
-                whole.end += header.record_bytes();
-                whole.records += 1;
-                whole.headers.update(&header.encode(segment.salt));
+        let found = segment.look(kept.end)?;
+        match found {
+            Found::Record(header) => {
+                kept.end += header.record_bytes();
+                kept.records = (header.sequence + 1).saturating_sub(segment.header.first_sequence);
+                kept.headers.update(&header.encode(segment.salt));
             }
-            Found::Footer(footer) if footer == whole.footer(segment) => {
-                whole.end = end_behind_footer(whole.end);
-                whole.has_footer = true;
-                return Ok(whole);
+            Found::Footer(footer) => {
+                kept.records = footer.records;
+                kept.footer = Some(footer);
+                return Ok(kept);
             }
-            Found::Record(_) | Found::Footer(_) | Found::Nothing => return Ok(whole),
+            Found::Torn(header) => {
+                kept.torn_record = Some(header.sequence);
+                return Ok(kept);
+            }
+            Found::Nothing => {
+                if let Some((at, _)) = segment.resynchronise(kept.end + 1)? {
+                    kept.end = at;
+                    continue;
+                }
+                if !segment.is_torn(kept.end, &found)? {
+                    kept.end = segment.length()?;
+                }
+                return Ok(kept);
+            }
         }
     }
 }
 
-impl Whole {
-    fn footer(&self, segment: &SegmentFile) -> Footer {
+impl Kept {
+    /// Where that begins which is to be cut.
+    fn torn_from(&self, segment: &SegmentFile) -> u64 {
+        let footer = self.footer.map_or(0, |_| Footer::bytes(segment.header.version));
+        self.end + footer as u64
+    }
+
+    fn new_footer(&self, segment: &SegmentFile) -> Footer {
         Footer {
             segment: segment.header.segment,
             records: self.records,
             length: self.end,
             headers_crc: self.headers.clone().finalize(),
+            ending: Ending::CutOff,
         }
     }
 }
 
-/// Whether the record is the one expected, with every byte of it right.
-fn is_next(
-    segment: &SegmentFile,
-    whole: &Whole,
-    header: &RecordHeader,
-) -> Result<bool, RawLogError> {
-    if header.sequence != segment.header.first_sequence + whole.records {
-        return Ok(false);
-    }
-    let read = segment
-        .head(whole.end, header)
-        .and_then(|_| segment.stored(whole.end, header))
-        .map(|_| true);
-    match read {
-        Err(RawLogError::Damaged { .. }) => Ok(false),
-        read => read,
-    }
-}
-
 /// Cuts what is torn and writes the footer that is missing, safe on disk.
-fn complete(segment: &mut SegmentFile, whole: &Whole) -> Result<(), RawLogError> {
+fn complete(segment: &mut SegmentFile, kept: &Kept) -> Result<(), RawLogError> {
     let path = segment.path.clone();
-    let file = &mut segment.file;
-    file.truncate(whole.end).map_err(RawLogError::io("cut the torn end of", &path))?;
-    if !whole.has_footer {
-        let footer = whole.footer(segment).encode(segment.salt);
-        segment.file.append(&footer).map_err(RawLogError::io("write to", &path))?;
+    let footer = kept.new_footer(segment).encode(segment.header.version, segment.salt);
+    let (end, file) = (kept.torn_from(segment), &mut segment.file);
+    file.truncate(end).map_err(RawLogError::io("cut the torn end of", &path))?;
+    if kept.footer.is_none() {
+        file.append(&footer).map_err(RawLogError::io("write to", &path))?;
     }
-    segment.file.sync().map_err(RawLogError::io("flush to disk", &path))
+    file.sync().map_err(RawLogError::io("flush to disk", &path))
 }
 
 fn copy_bytes(
@@ -269,21 +301,9 @@ fn copy_bytes(
     }
 }
 
-/// Sequence numbers of the record that is torn, if its header is there, and of whole ones behind.
-fn torn_records(segment: &SegmentFile, offset: u64) -> Result<Vec<u64>, RawLogError> {
-    let mut records: Vec<u64> =
-        segment.header_at(offset)?.map(|h| h.sequence).into_iter().collect();
-    let mut from = offset + 1;
-    while let Some(at) = segment.next_record(from)? {
-        records.extend(segment.header_at(at)?.map(|header| header.sequence));
-        from = at + 1;
-    }
-    Ok(records)
-}
-
 impl fmt::Display for TornTail {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { segment, offset, bytes, moved_to, records } = self;
+        let Self { segment, offset, bytes, moved_to, record } = self;
         write!(
             formatter,
             "{bytes} bytes from byte {offset} of {} on were not written completely and are now in \
@@ -291,10 +311,9 @@ impl fmt::Display for TornTail {
             segment.display(),
             moved_to.display()
         )?;
-        if records.is_empty() {
-            return Ok(());
+        match record {
+            Some(record) => write!(formatter, "; they were of record {record}"),
+            None => Ok(()),
         }
-        let numbers: Vec<String> = records.iter().map(u64::to_string).collect();
-        write!(formatter, "; they were of the records {}", numbers.join(", "))
     }
 }

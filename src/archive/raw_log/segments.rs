@@ -5,18 +5,24 @@
 //! - *Written* records are in the kernel's hands: the batch's write call has returned.
 //! - *Synced* records survive a power cut: their segment's content was synced after that, and its
 //!   name, under which it was created, before the first of them.
-//! - At most one segment is not sealed: the next one is created only when the sealed name is safe.
+//! - A segment gets its final name only when the next one exists, with its header safe on disk: a
+//!   sealed segment that says "the log goes on" without a next one has lost it. Records go into the
+//!   next one only behind that, so at most one segment that is not sealed lacks its footer.
 //! - A write that fails is cut off again, so that the file ends with the last written record.
 
 use std::{
     path::{Path, PathBuf},
     sync::Arc,
+    time::{SystemTime, UNIX_EPOCH},
 };
 
 use super::{
     RawLogError, Record,
     codec::{Encoder, STORED_RAW},
-    format::{Footer, RECORD_HEADER_BYTES, RecordHeader, SegmentHeader},
+    format::{
+        Ending, FORMAT_VERSION, Footer, MOST_HEADER_BYTES, Predecessor, RECORD_HEADER_BYTES,
+        RecordHeader, SegmentHeader,
+    },
     names::{part_path, sealed_path},
     settings::Limits,
     storage::{LogFile, Storage},
@@ -29,7 +35,7 @@ const BATCH_BYTES: usize = 1 << 20;
 pub(super) struct Segments {
     storage: Arc<dyn Storage>,
     folder: PathBuf,
-    description: Vec<u8>,
+    identity: Identity,
     segment_bytes: u64,
     encoder: Encoder,
     current: OpenSegment,
@@ -50,6 +56,12 @@ pub(super) struct Progress {
     pub bytes_written: u64,
     /// Segments begun.
     pub segments: u32,
+}
+
+/// What is the same in every header.
+struct Identity {
+    begun_ns: u64,
+    description: Vec<u8>,
 }
 
 struct OpenSegment {
@@ -85,14 +97,21 @@ impl Segments {
         if let Some(run) = folder.parent().filter(|run| !run.as_os_str().is_empty()) {
             storage.sync_folder(run).map_err(RawLogError::io("flush to disk", run))?;
         }
+        if description.len() > MOST_HEADER_BYTES / 2 {
+            let what = format!("a description of {} bytes", description.len());
+            return Err(RawLogError::TooLarge { what, limit: "33554432 bytes" });
+        }
+        let begun_ns = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos();
+        let begun_ns = u64::try_from(begun_ns).unwrap_or_default();
+        let identity = Identity { begun_ns, description: description.into() };
         let encoder = Encoder::new(limits.codec)
             .map_err(RawLogError::io("prepare compression for", folder))?;
         let mut progress = Progress::default();
-        let current = begin(&*storage, folder, description, &mut progress)?;
+        let current = begin(&*storage, folder, &identity, Predecessor::default(), &mut progress)?;
         Ok(Self {
             storage,
             folder: folder.into(),
-            description: description.into(),
+            identity,
             segment_bytes: limits.segment_bytes,
             encoder,
             current,
@@ -181,18 +200,28 @@ impl Segments {
 
     fn begin_next(&mut self) -> Result<(), RawLogError> {
         self.flush()?;
-        self.seal()?;
-        let folder = &self.folder;
-        self.current = begin(&*self.storage, folder, &self.description, &mut self.progress)?;
+        let known_as = self.end_segment(Ending::GoesOn)?;
+        let (storage, folder) = (&*self.storage, &self.folder);
+        let next = begin(storage, folder, &self.identity, known_as, &mut self.progress)?;
+        give_sealed_name(storage, folder, self.current.number)?;
+        self.current = next;
         Ok(())
     }
 
     fn seal(&mut self) -> Result<(), RawLogError> {
-        let footer = self.current.footer();
-        self.current.append(&footer)?;
-        self.progress.bytes_written += footer.len() as u64;
-        self.sync()?;
+        self.end_segment(Ending::Closed)?;
         give_sealed_name(&*self.storage, &self.folder, self.current.number)
+    }
+
+    /// Writes the footer, safe on disk; what a next segment says of this one.
+    fn end_segment(&mut self, ending: Ending) -> Result<Predecessor, RawLogError> {
+        let footer = self.current.footer(ending);
+        let bytes = footer.encode(FORMAT_VERSION, self.current.salt);
+        self.current.append(&bytes)?;
+        self.progress.bytes_written += bytes.len() as u64;
+        self.sync()?;
+        let digest = footer.digest(FORMAT_VERSION, self.current.salt);
+        Ok(Predecessor { records: footer.records, digest })
     }
 
     /// Appends room for the header, then head and stored image, to the batch.
@@ -248,14 +277,14 @@ impl OpenSegment {
         synced.map_err(RawLogError::io("flush to disk", &self.path))
     }
 
-    fn footer(&self) -> Vec<u8> {
-        let footer = Footer {
+    fn footer(&self, ending: Ending) -> Footer {
+        Footer {
             segment: self.number,
             records: self.records,
             length: self.length,
             headers_crc: self.headers.clone().finalize(),
-        };
-        footer.encode(self.salt)
+            ending,
+        }
     }
 }
 
@@ -263,16 +292,21 @@ impl OpenSegment {
 fn begin(
     storage: &dyn Storage,
     folder: &Path,
-    description: &[u8],
+    identity: &Identity,
+    predecessor: Predecessor,
     progress: &mut Progress,
 ) -> Result<OpenSegment, RawLogError> {
     let number = progress.segments;
     let header = SegmentHeader {
+        version: FORMAT_VERSION,
+        begun_ns: identity.begun_ns,
         segment: number,
+        predecessor,
         first_sequence: progress.written,
-        description: description.into(),
+        description: identity.description.clone(),
     };
-    let (bytes, salt) = header.encode();
+    let (copy, salt) = header.encode();
+    let bytes = [&copy[..], &copy].concat();
     let path = part_path(folder, number);
     let mut file = storage.create(&path).map_err(RawLogError::io("create", &path))?;
     file.append(&bytes).map_err(RawLogError::io("write to", &path))?;

@@ -1,6 +1,8 @@
 //! Reads a log: after its run, or beside the writer.
 
+mod header_copies;
 mod scan;
+mod search;
 pub(super) mod segment_file;
 
 use std::{
@@ -10,7 +12,7 @@ use std::{
 };
 
 use super::{
-    Position, RawLogError, Record,
+    Damage, Position, RawLogError, Record,
     format::{HeaderFault, RecordHeader},
     names,
     storage::{Disk, Storage},
@@ -21,13 +23,16 @@ use segment_file::{Found, SegmentFile};
 /// A log that can be read. It holds no file open.
 ///
 /// Beside a running writer it reads up to what is whole; an iterator that has ended goes on when
-/// it is asked again and there is more. What a crash has left is read up to the first record that
-/// is not whole: [`super::recover`] first cuts what lies behind.
+/// it is asked again and there is more. After it ([`Self::finished`]) everything is said that cannot
+/// be read. What a crash has left is read without [`super::recover`], too.
 #[derive(Debug, Clone)]
 pub struct RawLogReader {
     storage: Arc<dyn Storage>,
     folder: PathBuf,
-    description: Vec<u8>,
+    /// When the log was begun, and what it was described as.
+    identity: (u64, Vec<u8>),
+    /// Nobody writes the log any more.
+    is_finished: bool,
 }
 
 /// Sequence number, place and head of a record, and whether it has an image.
@@ -43,12 +48,14 @@ impl RawLogReader {
     }
 
     pub(super) fn open_on(storage: Arc<dyn Storage>, folder: &Path) -> Result<Self, RawLogError> {
-        let mut reader = Self { storage, folder: folder.into(), description: Vec::new() };
+        let folder_path = folder.into();
+        let mut reader =
+            Self { storage, folder: folder_path, identity: (0, Vec::new()), is_finished: false };
         let mut fault = RawLogError::NoSegment { folder: folder.into() };
         for number in reader.numbers()? {
             match SegmentFile::find(&*reader.storage, folder, number) {
                 Ok(Some(segment)) => {
-                    reader.description = segment.header.description;
+                    reader.identity = (segment.header.begun_ns, segment.header.description);
                     return Ok(reader);
                 }
                 Ok(None) => {
@@ -62,9 +69,16 @@ impl RawLogReader {
         Err(fault)
     }
 
+    /// The same log, of which is known that nobody writes it any more: bytes at its end that are no
+    /// record are damage then, and told.
+    #[must_use]
+    pub fn finished(self) -> Self {
+        Self { is_finished: true, ..self }
+    }
+
     /// What the run was described as.
     pub fn description(&self) -> &[u8] {
-        &self.description
+        &self.identity.1
     }
 
     /// All heads in order, without their images. An item is an error where something is damaged or
@@ -103,11 +117,14 @@ impl RawLogReader {
     pub fn read(&self, position: Position) -> Result<Record, RawLogError> {
         let Position { segment: number, offset } = position;
         let path = names::sealed_path(&self.folder, number);
-        let nothing = |path| RawLogError::Damaged { path, offset, what: "there is no record" };
+        let nothing = |path| {
+            let (bytes, what) = (offset..offset, "there is no record");
+            RawLogError::Damaged(Damage { path, bytes, records: None, what })
+        };
         let segment = self.segment(number)?.ok_or_else(|| nothing(path))?;
         match segment.look(offset)? {
             Found::Record(header) => read_record(&segment, offset, &header),
-            Found::Footer(_) | Found::Nothing => Err(nothing(segment.path)),
+            Found::Torn(_) | Found::Footer(_) | Found::Nothing => Err(nothing(segment.path)),
         }
     }
 
@@ -119,25 +136,31 @@ impl RawLogReader {
     fn segment(&self, number: u32) -> Result<Option<SegmentFile>, RawLogError> {
         let segment = SegmentFile::find(&*self.storage, &self.folder, number)?;
         let is_foreign = |segment: &SegmentFile| {
-            segment.header.segment != number || segment.header.description != self.description
+            let header = &segment.header;
+            let (begun_ns, description) = &self.identity;
+            (header.segment, header.begun_ns) != (number, *begun_ns)
+                || header.description != *description
         };
         match segment {
             Some(segment) if is_foreign(&segment) => {
-                Err(segment.damaged(0, "this segment belongs to another log"))
+                Err(segment.damaged(0..segment.start, None, "this segment belongs to another log"))
             }
             segment => Ok(segment),
         }
     }
 
-    /// Whether there are segments behind one that is not there.
-    fn has_segment_behind(&self, number: u32) -> Result<bool, RawLogError> {
-        // A segment whose header is not whole is the last, and as good as none.
-        for later in self.numbers()?.into_iter().filter(|later| *later > number) {
-            if !matches!(SegmentFile::find(&*self.storage, &self.folder, later), Ok(None)) {
-                return Ok(true);
-            }
-        }
-        Ok(false)
+    /// The first segment behind this one that was begun, whatever there is in between.
+    fn next_begun_segment(&self, number: u32) -> Result<Option<u32>, RawLogError> {
+        let later = self.numbers()?.into_iter().filter(|later| *later > number);
+        let is_begun = |later: &u32| {
+            !matches!(SegmentFile::find(&*self.storage, &self.folder, *later), Ok(None))
+        };
+        Ok({ later }.find(is_begun))
+    }
+
+    /// Whether the segment has its final name.
+    fn is_sealed(&self, number: u32) -> bool {
+        self.storage.open(&names::sealed_path(&self.folder, number)).is_ok()
     }
 
     /// Numbers of all segments, sealed or not, ascending.

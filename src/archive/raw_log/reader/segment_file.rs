@@ -2,26 +2,26 @@
 
 use std::{
     io::{self, ErrorKind},
+    ops::{Range, RangeInclusive},
     path::{Path, PathBuf},
 };
 
 use lfpiv_hw::RawImage;
 
 use super::super::{
-    RawLogError,
+    Damage, RawLogError,
     codec::decode,
     format::{
-        FOOTER_BYTES, Footer, HeaderFault, RECORD_HEADER_BYTES, RECORD_MAGIC, RecordHeader,
+        FOOTER_MAGIC, Footer, HeaderFault, RECORD_HEADER_BYTES, RECORD_MAGIC, RecordHeader,
         SegmentHeader,
     },
     names::{part_path, sealed_path},
     storage::{LogFile, Storage},
 };
+pub(in super::super) use super::header_copies::OpenFault;
+use super::{header_copies::read_header, search::find_bytes};
 
-/// How much is read at once in search of a record.
-const SEARCHED_BYTES: usize = 1 << 16;
-
-/// A segment whose header is whole.
+/// A segment whose header can be read.
 pub(in super::super) struct SegmentFile {
     pub file: Box<dyn LogFile>,
     pub path: PathBuf,
@@ -31,6 +31,8 @@ pub(in super::super) struct SegmentFile {
     pub start: u64,
     /// Whether it had its final name when it was opened.
     pub is_sealed: bool,
+    /// The copy of the header that is damaged.
+    pub damaged_header: Option<Range<u64>>,
 }
 
 /// What lies at a place in a segment.
@@ -38,23 +40,16 @@ pub(in super::super) struct SegmentFile {
 pub(in super::super) enum Found {
     /// A record that is there to its last byte.
     Record(RecordHeader),
+    /// A record that the file ends in.
+    Torn(RecordHeader),
     /// The segment's end.
     Footer(Footer),
-    /// Neither: the end of the file, half a record, or damage.
+    /// None of these: the end of the file, or damage.
     Nothing,
 }
 
-/// Why a segment cannot be opened.
-pub(in super::super) enum OpenFault {
-    /// Its header.
-    Header(HeaderFault),
-    /// The operating system.
-    Io(io::Error),
-}
-
 impl SegmentFile {
-    /// Opens a segment under the name it has; nothing where it does not exist, or is just being
-    /// created.
+    /// Opens a segment under the name it has; nothing where it does not exist, or was never begun.
     pub fn find(
         storage: &dyn Storage,
         folder: &Path,
@@ -72,10 +67,7 @@ impl SegmentFile {
             return match Self::open(file, path, is_sealed) {
                 Ok(segment) => Ok(Some(segment)),
                 Err(OpenFault::Io(error)) => Err(RawLogError::io("read", path)(error)),
-                Err(OpenFault::Header(HeaderFault::NewerVersion(found))) => {
-                    Err(RawLogError::NewerVersion { path: path.into(), found })
-                }
-                Err(OpenFault::Header(_)) if !is_sealed => Ok(None),
+                Err(OpenFault::Header(HeaderFault::Incomplete)) if !is_sealed => Ok(None),
                 Err(OpenFault::Header(fault)) => Err(RawLogError::header(path, fault)),
             };
         }
@@ -84,19 +76,12 @@ impl SegmentFile {
 
     /// Reads the header of an opened file.
     pub fn open(file: Box<dyn LogFile>, path: &Path, is_sealed: bool) -> Result<Self, OpenFault> {
-        let read = |length: usize| {
-            let mut bytes = vec![0; length];
-            let read = file.read_at(0, &mut bytes).map_err(OpenFault::Io)?;
-            bytes.truncate(read);
-            Ok(bytes)
-        };
-        let start = read(SegmentHeader::START_BYTES)?;
-        let length = SegmentHeader::length(&start).map_err(OpenFault::Header)?;
-        if length as u64 > file.length().map_err(OpenFault::Io)? {
-            return Err(OpenFault::Header(HeaderFault::Incomplete));
-        }
-        let (header, salt) = SegmentHeader::decode(&read(length)?).map_err(OpenFault::Header)?;
-        Ok(Self { file, path: path.into(), header, salt, start: length as u64, is_sealed })
+        let found = read_header(&*file)?;
+        let (header, salt) = (found.decoded.header, found.decoded.salt);
+        let length = found.decoded.length as u64;
+        let start = length * header.copies() as u64;
+        let damaged_header = found.damaged.map(|at| at..at + length);
+        Ok(Self { file, path: path.into(), header, salt, start, is_sealed, damaged_header })
     }
 
     /// What lies at `offset`.
@@ -104,40 +89,23 @@ impl SegmentFile {
         let mut bytes = [0; RECORD_HEADER_BYTES];
         let read = self.file.read_at(offset, &mut bytes).map_err(self.io())?;
         let bytes = &bytes[..read];
-        if let Some(footer) = Footer::decode(bytes, self.salt) {
+        if let Some(footer) = Footer::decode(bytes, self.header.version, self.salt) {
             return Ok(Found::Footer(footer));
         }
         let Some(header) = RecordHeader::decode(bytes, self.salt) else {
             return Ok(Found::Nothing);
         };
-        let is_whole = offset + header.record_bytes() <= self.file.length().map_err(self.io())?;
-        Ok(if is_whole { Found::Record(header) } else { Found::Nothing })
-    }
-
-    /// The header of the record at `offset`, whole or not.
-    pub fn header_at(&self, offset: u64) -> Result<Option<RecordHeader>, RawLogError> {
-        let mut bytes = [0; RECORD_HEADER_BYTES];
-        let read = self.file.read_at(offset, &mut bytes).map_err(self.io())?;
-        Ok(RecordHeader::decode(&bytes[..read], self.salt))
+        let is_whole = offset + header.record_bytes() <= self.length()?;
+        Ok(if is_whole { Found::Record(header) } else { Found::Torn(header) })
     }
 
     /// The head of the record at `offset`.
     pub fn head(&self, offset: u64, header: &RecordHeader) -> Result<Vec<u8>, RawLogError> {
         let head = self.read(offset + RECORD_HEADER_BYTES as u64, header.head_bytes)?;
         if crc32fast::hash(&head) != header.head_crc {
-            return Err(self.damaged(offset, "the head of a record has the wrong checksum"));
+            return Err(self.damaged_record(offset, header, "the head of the record has changed"));
         }
         Ok(head)
-    }
-
-    /// The stored image of the record at `offset`; empty without one.
-    pub fn stored(&self, offset: u64, header: &RecordHeader) -> Result<Vec<u8>, RawLogError> {
-        let at = offset + RECORD_HEADER_BYTES as u64 + u64::from(header.head_bytes);
-        let stored = self.read(at, header.stored_bytes)?;
-        if crc32fast::hash(&stored) != header.stored_crc && header.has_image() {
-            return Err(self.damaged(offset, "the image of a record has the wrong checksum"));
-        }
-        Ok(stored)
     }
 
     /// The image of the record at `offset`, checked against the checksum of what was recorded.
@@ -149,35 +117,63 @@ impl SegmentFile {
         if !header.has_image() {
             return Ok(None);
         }
-        let stored = self.stored(offset, header)?;
+        let at = offset + RECORD_HEADER_BYTES as u64 + u64::from(header.head_bytes);
+        let stored = self.read(at, header.stored_bytes)?;
+        if crc32fast::hash(&stored) != header.stored_crc {
+            return Err(self.damaged_record(offset, header, "the image of the record has changed"));
+        }
         decode(&stored, header.codec, header.columns, header.rows)
             .filter(|image| image.crc32() == header.image_crc)
             .map(Some)
-            .ok_or_else(|| self.damaged(offset, "the image of a record cannot be decoded"))
+            .ok_or_else(|| self.damaged_record(offset, header, "the image cannot be decoded"))
     }
 
-    /// Where the next record begins that is there to its last byte, from `offset` on.
-    pub fn next_record(&self, mut offset: u64) -> Result<Option<u64>, RawLogError> {
-        let mut bytes = vec![0; SEARCHED_BYTES];
-        loop {
-            let read = self.file.read_at(offset, &mut bytes).map_err(self.io())?;
-            let candidates = bytes[..read].windows(RECORD_MAGIC.len()).enumerate();
-            for (at, _) in candidates.filter(|(_, window)| *window == RECORD_MAGIC) {
-                if let Found::Record(_) = self.look(offset + at as u64)? {
-                    return Ok(Some(offset + at as u64));
-                }
+    /// Where a record or the footer begins at `offset` or behind it, by magic number, checksum and
+    /// length, and what it is. A record that the file ends in counts, too.
+    pub fn resynchronise(&self, mut offset: u64) -> Result<Option<(u64, Found)>, RawLogError> {
+        let magics: [&[u8]; 2] = [&RECORD_MAGIC, &FOOTER_MAGIC];
+        while let Some(at) =
+            find_bytes(&*self.file, offset, u64::MAX, &magics).map_err(self.io())?
+        {
+            match self.look(at)? {
+                Found::Nothing => offset = at + 1,
+                found => return Ok(Some((at, found))),
             }
-            if read < bytes.len() {
-                return Ok(None);
-            }
-            // A magic number may lie across the border.
-            offset += (read - RECORD_MAGIC.len() + 1) as u64;
         }
+        Ok(None)
     }
 
-    /// The error for bytes at `offset` that are not what was written.
-    pub fn damaged(&self, offset: u64, what: &'static str) -> RawLogError {
-        RawLogError::Damaged { path: self.path.clone(), offset, what }
+    /// Whether the bytes from `offset` to the end of the file are what a death of the program may
+    /// leave of a record: fewer than a header has, or fewer than the header announces.
+    pub fn is_torn(&self, offset: u64, found: &Found) -> Result<bool, RawLogError> {
+        let left = self.length()?.saturating_sub(offset);
+        Ok(matches!(found, Found::Torn(_)) || left < RECORD_HEADER_BYTES as u64)
+    }
+
+    /// Bytes in the file.
+    pub fn length(&self) -> Result<u64, RawLogError> {
+        self.file.length().map_err(self.io())
+    }
+
+    /// The error for bytes that are not what was written, and the records lost with them as far as
+    /// they are known.
+    pub fn damaged(
+        &self,
+        bytes: Range<u64>,
+        records: Option<RangeInclusive<u64>>,
+        what: &'static str,
+    ) -> RawLogError {
+        RawLogError::Damaged(Damage { path: self.path.clone(), bytes, records, what })
+    }
+
+    fn damaged_record(
+        &self,
+        offset: u64,
+        header: &RecordHeader,
+        what: &'static str,
+    ) -> RawLogError {
+        let records = header.sequence..=header.sequence;
+        self.damaged(offset..offset + header.record_bytes(), Some(records), what)
     }
 
     fn read(&self, offset: u64, length: u32) -> Result<Vec<u8>, RawLogError> {
@@ -190,9 +186,4 @@ impl SegmentFile {
     fn io(&self) -> impl FnOnce(io::Error) -> RawLogError + use<'_> {
         RawLogError::io("read", &self.path)
     }
-}
-
-/// Bytes of a segment whose footer begins at `offset`.
-pub(in super::super) fn end_behind_footer(offset: u64) -> u64 {
-    offset + FOOTER_BYTES as u64
 }

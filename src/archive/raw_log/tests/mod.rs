@@ -3,7 +3,9 @@
 mod crash;
 mod disk_full;
 mod failing_disk;
+mod flips;
 mod live;
+mod missing;
 mod reading;
 mod recovering;
 
@@ -30,7 +32,7 @@ fn folder() -> &'static Path {
 fn limits() -> Limits {
     Limits {
         codec: Codec::Auto,
-        segment_bytes: 1200,
+        segment_bytes: 1300,
         sync_interval: Duration::from_millis(5),
         queue_bytes: 1_000_000,
         reserve_bytes: 0,
@@ -60,6 +62,8 @@ fn sealed_log(records: u64, limits: &Limits) -> ModelDisk {
     disk
 }
 
+/// A reader of a log that nobody writes any more.
 fn reader(content: &Content) -> Result<RawLogReader, RawLogError> {
-    RawLogReader::open_on(Arc::new(ModelDisk::holding(content.clone())), folder())
+    let disk = Arc::new(ModelDisk::holding(content.clone()));
+    Ok(RawLogReader::open_on(disk, folder())?.finished())
 }
