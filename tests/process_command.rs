@@ -11,6 +11,8 @@ use std::{
 };
 
 use image::{DynamicImage, ImageFormat};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
 use serde_json::Value;
 use support::{changed_configuration, lfpiv, process, simulate, small_configuration};
 
@@ -275,7 +277,50 @@ fn stored_volumes_are_correlated_again() {
         changed_configuration(root.path(), "voxels = [24, 20, 16]", "voxels = [24, 20, 18]");
     let done = correlate(&other, &volumes);
     assert!(!done.success);
-    assert!(done.stderr.contains("along z are not the configured ones"), "{}", done.stderr);
+    assert!(done.stderr.contains("voxels, not [18, 20, 24]"), "{}", done.stderr);
+}
+
+/// Whatever is wrong with a file, the program ends by itself and says so.
+#[test]
+fn no_damage_to_a_volumes_file_ends_the_program() {
+    let root = tempfile::tempdir().unwrap();
+    let config = changed_configuration(root.path(), "voxels = [24, 20, 16]", "voxels = [8, 8, 8]");
+    let whole = root.path().join("whole.nc");
+    let mut file = netcdf::create(&whole).unwrap();
+    for name in ["z", "y", "x"] {
+        file.add_dimension(name, 8).unwrap();
+    }
+    for name in ["a", "b"] {
+        let mut frame = file.add_variable::<f32>(name, &["z", "y", "x"]).unwrap();
+        frame.put_attribute("units", "1").unwrap();
+        frame.put_values(&[1.0f32; 512], ..).unwrap();
+    }
+    file.close().unwrap();
+    let bytes = fs::read(&whole).unwrap();
+    let mut random = Pcg64Mcg::seed_from_u64(3);
+    for case in 0..100 {
+        let mut bytes = bytes.clone();
+        for _ in 0..random.random_range(1..4) {
+            // What describes the file lies at its beginning.
+            let reach = if random.random() { 2048.min(bytes.len()) } else { bytes.len() };
+            let at = random.random_range(0..reach);
+            bytes[at] ^= 1 << random.random_range(0..8);
+        }
+        if case % 10 == 0 {
+            bytes.truncate(random.random_range(0..bytes.len()));
+        }
+        let path = root.path().join("damaged.nc");
+        fs::write(&path, &bytes).unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+            .args(["correlate", "--config"])
+            .args([config.as_path(), "--out".as_ref(), &root.path().join("out"), &path])
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(matches!(output.status.code(), Some(0 | 1)), "case {case}: {said}");
+        assert!(output.status.success() || said.contains("damaged.nc"), "case {case}: {said}");
+        assert!(!said.contains("panicked") && said.lines().count() < 10, "case {case}: {said}");
+    }
 }
 
 #[test]

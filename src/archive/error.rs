@@ -7,7 +7,7 @@ use std::{
 
 use thiserror::Error;
 
-use super::ImageSize;
+use super::{ImageSize, durable::free_bytes};
 
 /// Why something could not be read from or written to disk.
 ///
@@ -23,6 +23,19 @@ pub enum ArchiveError {
         path: PathBuf,
         /// The system's reason.
         reason: io::Error,
+    },
+    /// There is no room for a file.
+    #[error(
+        "the disk is full: {} needs {needed} and {free_mb:.1} MB are free; make room on its disk",
+        path.display()
+    )]
+    DiskFull {
+        /// The file.
+        path: PathBuf,
+        /// Its size, as far as it is known, in words.
+        needed: String,
+        /// What is free, in MB of 10⁶ bytes.
+        free_mb: f64,
     },
     /// The NetCDF library refused.
     #[error("cannot write NetCDF file {}: {reason}", path.display())]
@@ -162,6 +175,23 @@ impl ArchiveError {
     ) -> impl FnOnce(io::Error) -> Self {
         let path = path.into();
         move |reason| Self::Io { action, path, reason }
+    }
+
+    /// Adapter for `map_err`: adds the file that was to be written, and its size where it is known.
+    pub(super) fn unwritten(
+        path: &Path,
+        bytes: Option<u64>,
+    ) -> impl FnOnce(io::Error) -> Self + use<> {
+        let path = path.to_owned();
+        move |reason| {
+            if !matches!(reason.kind(), io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded) {
+                return Self::Io { action: "write", path, reason };
+            }
+            let free = free_bytes(path.parent().unwrap_or(Path::new(".")));
+            let mb = |bytes: u64| bytes as f64 / 1e6;
+            let needed = bytes.map_or("more".to_owned(), |bytes| format!("{:.1} MB", mb(bytes)));
+            Self::DiskFull { path, needed, free_mb: mb(free) }
+        }
     }
 
     /// Adapter for `map_err`: adds the file of stored results that was to be read.

@@ -21,7 +21,7 @@ use netcdf::{
 
 use super::{
     ArchiveError,
-    durable::{part_path, seal},
+    durable::{MemoryFile, part_path, seal},
     netcdf_file::history_line,
     stored::{FIRST_STORED, first_stored, records_of, segments},
 };
@@ -36,11 +36,14 @@ const OWN_ATTRIBUTES: [&str; 2] = ["history", FIRST_STORED];
 pub(super) struct Bounds {
     /// Shots: the library's memory grows with them, by some 5 kB each.
     pub shots: usize,
-    /// Bytes of the segments in it.
+    /// Bytes of the segments in it: it is made in memory.
     pub bytes: u64,
 }
 
-const BOUNDS: Bounds = Bounds { shots: 10_000, bytes: 1 << 30 };
+const BOUNDS: Bounds = Bounds { shots: 10_000, bytes: 256 << 20 };
+
+/// Times the segments' bytes that are asked for: chunks of a merged file are not those of its segments.
+const ROOM: u64 = 2;
 
 /// Merges the sealed segments in a run's folder. `go_on` is asked before each file that is
 /// written; what is not merged stays as it is.
@@ -161,8 +164,14 @@ fn merge(folder: &Path, group: &[Segment]) -> Result<(), ArchiveError> {
     // A file of this name that is none of the group has the shot, too: another model measured it.
     let path = if is_own(&named) || !named.exists() { named } else { group[0].path.clone() };
     let oldest = group.iter().min_by_key(|segment| segment.sealed);
-    write(&path, group, &shots, oldest.and_then(|segment| segment.first_stored))
+    let bytes = group.iter().map(|segment| segment.bytes).sum::<u64>();
+    let (memory, merged) = MemoryFile::create(ROOM * bytes, |path| netcdf::create(path))
+        .map_err(ArchiveError::io("write", &path))?;
+    let first_stored = oldest.and_then(|segment| segment.first_stored);
+    merged
+        .and_then(|merged| write(merged, group, &shots, first_stored))
         .map_err(ArchiveError::netcdf(&path))?;
+    memory.write_part(&path)?;
     if let Some(oldest) = oldest {
         let part = part_path(&path);
         File::options()
@@ -180,12 +189,11 @@ fn merge(folder: &Path, group: &[Segment]) -> Result<(), ArchiveError> {
 
 /// Writes the shots of a group in their order.
 fn write(
-    path: &Path,
+    mut merged: FileMut,
     group: &[Segment],
     shots: &BTreeSet<i64>,
     first_stored: Option<u64>,
 ) -> netcdf::Result<()> {
-    let mut merged = netcdf::create(part_path(path))?;
     define(&mut merged, &group[0].path, group.len(), first_stored)?;
     let places: BTreeMap<i64, usize> = shots.iter().copied().zip(0..).collect();
     let mut open = places.clone();

@@ -8,8 +8,9 @@
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
 //!   volumes of any program.
 //!
-//! NetCDF files appear under their final name only when they are whole: they are written as
-//! `NAME.part`, closed, fsynced and renamed. A `.part` file is the rest of a run that was killed.
+//! NetCDF files appear under their final name only when they are whole: they are made in memory, where
+//! the library meets no failing disk, written as `NAME.part`, fsynced and renamed. A `.part` file is the
+//! rest of a run that was killed.
 
 mod durable;
 mod error;

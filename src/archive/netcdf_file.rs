@@ -5,10 +5,7 @@ use std::path::{Path, PathBuf};
 use netcdf::{FileMut, NcTypeDescriptor};
 use time::{OffsetDateTime, format_description::well_known::Rfc3339};
 
-use super::{
-    ArchiveError,
-    durable::{part_path, seal},
-};
+use super::{ArchiveError, durable::MemoryFile};
 
 /// The program as files name it.
 const VERSION: &str = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
@@ -26,19 +23,44 @@ pub(super) struct Described {
 /// Stands for a number that is not known: the library's own, outside of every range.
 pub(super) const FILL_F64: f64 = 9.969_209_968_386_869e36;
 
-/// A NetCDF-4 file being written under its `.part` name.
+/// What the library writes where nothing was written.
+pub(super) const FILL_F32: f32 = 9.969_21e36;
+
+/// A NetCDF-4 file being written in memory: after a write that fails, the HDF5 library may crash as the
+/// process ends.
 pub(super) struct NetCdfFile {
     path: PathBuf,
     file: FileMut,
+    memory: MemoryFile,
+}
+
+/// A finished file that is not on disk yet.
+#[derive(Debug)]
+pub(super) struct Finished {
+    path: PathBuf,
+    memory: MemoryFile,
+}
+
+impl Finished {
+    /// Puts it in its place on disk, and says where that is. It can be tried again.
+    pub fn store(&self) -> Result<&Path, ArchiveError> {
+        self.memory.store(&self.path)?;
+        Ok(&self.path)
+    }
 }
 
 impl NetCdfFile {
-    /// Creates `path` + `.part` with the global attributes; `configuration` is the TOML text the
-    /// results were made with.
-    pub fn create(path: &Path, title: &str, configuration: &str) -> Result<Self, ArchiveError> {
-        let wrap = ArchiveError::netcdf(path);
-        let create = || {
-            let mut file = netcdf::create(part_path(path))?;
+    /// Begins the file that is to lie at `path` and be no larger than `bytes`, with the global
+    /// attributes; `configuration` is the TOML text the results were made with.
+    pub fn create(
+        path: &Path,
+        bytes: u64,
+        title: &str,
+        configuration: &str,
+    ) -> Result<Self, ArchiveError> {
+        let (memory, created) = MemoryFile::create(bytes, |path| netcdf::create(path))
+            .map_err(ArchiveError::io("write", path))?;
+        let describe = |mut file: FileMut| {
             let history = history_line("written");
             let version = VERSION;
             file.add_attribute("Conventions", "CF-1.11")?;
@@ -49,7 +71,13 @@ impl NetCdfFile {
             file.add_attribute("configuration", configuration)?;
             Ok(file)
         };
-        Ok(Self { path: path.into(), file: create().map_err(wrap)? })
+        let file = created.and_then(describe).map_err(ArchiveError::netcdf(path))?;
+        Ok(Self { path: path.into(), file, memory })
+    }
+
+    /// Its size in bytes so far.
+    pub fn bytes(&self) -> u64 {
+        self.memory.bytes()
     }
 
     /// Where the finished file will lie.
@@ -183,18 +211,15 @@ impl NetCdfFile {
         })
     }
 
-    /// Closes the file and gives it its final name.
-    pub fn seal(self) -> Result<PathBuf, ArchiveError> {
+    /// Closes the file.
+    pub fn finish(self) -> Result<Finished, ArchiveError> {
         self.file.close().map_err(ArchiveError::netcdf(&self.path))?;
-        seal(&self.path)?;
-        Ok(self.path)
+        Ok(Finished { path: self.path, memory: self.memory })
     }
 
-    /// Removes the file that was being written.
-    pub fn discard(self) -> Result<(), ArchiveError> {
-        let part = part_path(&self.path);
-        drop(self.file);
-        std::fs::remove_file(&part).map_err(ArchiveError::io("remove", part))
+    /// Closes the file and puts it on disk.
+    pub fn store(self) -> Result<(), ArchiveError> {
+        self.finish()?.store().map(|_| ())
     }
 
     fn with<R>(

@@ -3,10 +3,12 @@
 //! ```text
 //! DIR/configuration.toml     the configuration of the run
 //! DIR/velocity_000000.nc     sealed segment, named by its first shot
-//! DIR/velocity_000600.nc.part  the segment being written: unreadable until sealed
 //! DIR/shot_000000.vti        one per shot, for ParaView, unless switched off
 //! DIR/velocity.vti.series    the list of the above
 //! ```
+//!
+//! The segment being written is in memory, some 32 MB of it at most. One that finds no room on its disk
+//! stays there, and no other result is taken before it is stored.
 //!
 //! [`super::merge_segments`] makes few files of the segments of a run that is over.
 
@@ -20,6 +22,7 @@ use std::{
 use super::{
     ArchiveError,
     durable::{create_folder, replace},
+    netcdf_file::Finished,
     paraview::{VtiSeries, VtiSource, write_vti},
     stored::StoredResults,
     velocity_file::VelocityFile,
@@ -40,6 +43,8 @@ pub struct ResultStore {
     configuration: String,
     segment_age: Duration,
     segment: Option<Segment>,
+    /// Finished, and not on disk yet: one at most.
+    unstored: Option<Unstored>,
     /// Absent where no files for ParaView are written.
     series: Option<VtiSeries>,
 }
@@ -47,6 +52,12 @@ pub struct ResultStore {
 struct Segment {
     file: VelocityFile,
     opened: Instant,
+    shots: Vec<u64>,
+}
+
+struct Unstored {
+    file: Finished,
+    shots: Vec<u64>,
 }
 
 impl ResultStore {
@@ -76,6 +87,7 @@ impl ResultStore {
             configuration: configuration.into(),
             segment_age,
             segment: None,
+            unstored: None,
             series: Some(VtiSeries::default()),
         })
     }
@@ -101,8 +113,10 @@ impl ResultStore {
             }
         }
         let (folder, configuration) = (folder.into(), configuration.into());
-        let (segment_age, segment, series) = (SEGMENT_AGE, None, Some(series));
-        Ok((Self { folder, configuration, segment_age, segment, series }, stored))
+        let (segment_age, series) = (SEGMENT_AGE, Some(series));
+        let store =
+            Self { folder, configuration, segment_age, segment: None, unstored: None, series };
+        Ok((store, stored))
     }
 
     /// Writes a file per shot for ParaView, as it does unless told otherwise, or none.
@@ -125,17 +139,19 @@ impl ResultStore {
         if self.segment.as_ref().is_some_and(|segment| !segment.file.suits(result)) {
             self.seal()?;
         }
-        let mut segment = match self.segment.take() {
+        self.store()?;
+        let segment = match self.segment.take() {
             Some(segment) => segment,
             None => self.open_segment(shot, result)?,
         };
-        let appended = segment.file.append(shot, result);
-        if appended.is_err() && segment.file.shots() == 0 {
-            segment.file.discard()?;
-        } else {
-            self.segment = Some(segment);
+        let segment = self.segment.insert(segment);
+        match segment.file.append(shot, result) {
+            Ok(()) => segment.shots.push(shot),
+            Err(error) => {
+                self.segment.take_if(|segment| segment.shots.is_empty());
+                return Err(error);
+            }
         }
-        appended?;
         self.write_for_paraview(shot, result)?;
         self.seal_if_due().map(|_| ())
     }
@@ -144,9 +160,11 @@ impl ResultStore {
     /// whose [`Self::append`] would do it.
     pub fn seal_if_due(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
         let is_due = |segment: &Segment| {
-            segment.opened.elapsed() >= self.segment_age || segment.file.shots() >= SEGMENT_SHOTS
+            segment.opened.elapsed() >= self.segment_age
+                || segment.shots.len() >= SEGMENT_SHOTS
+                || segment.file.is_full()
         };
-        if self.segment.as_ref().is_some_and(is_due) { self.seal() } else { Ok(None) }
+        if self.segment.as_ref().is_some_and(is_due) { self.seal() } else { self.store() }
     }
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
@@ -164,17 +182,49 @@ impl ResultStore {
         series.write(&self.folder.join("velocity.vti.series"))
     }
 
-    /// Seals the open segment, if any, and says where it lies.
+    /// Seals the open segment, if any, and says where it lies. After a failure it is tried again with the
+    /// next shot or pause.
     pub fn seal(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
-        let Some(segment) = self.segment.take() else { return Ok(None) };
-        let path = segment.file.seal()?;
+        // The one before first: only one can wait.
+        let before = self.store()?;
+        let Some(Segment { file, shots, .. }) = self.segment.take() else { return Ok(before) };
+        self.unstored = Some(Unstored { file: file.finish()?, shots });
+        self.store()
+    }
+
+    /// Puts a finished segment that waits for room on disk.
+    fn store(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
+        let Some(unstored) = &self.unstored else { return Ok(None) };
+        let path = unstored.file.store()?.to_owned();
+        self.unstored = None;
         self.write_series()?;
         Ok(Some(path))
     }
 
     /// Seals what is open and ends the run.
+    ///
+    /// # Errors
+    /// As [`Self::seal`]; the shots that are lost with it are told.
     pub fn close(mut self) -> Result<(), ArchiveError> {
-        self.seal().map(|_| ())
+        let sealed = self.seal();
+        self.tell_lost();
+        sealed.map(|_| ())
+    }
+
+    /// Says which shots have no result on disk, and gives them up.
+    fn tell_lost(&mut self) {
+        let unstored = self.unstored.take().map(|unstored| unstored.shots);
+        let open = self.segment.take().map(|segment| segment.shots);
+        let mut shots: Vec<u64> = [unstored, open].into_iter().flatten().flatten().collect();
+        shots.sort_unstable();
+        if let [first, .., last] | [first @ last] = shots.as_slice() {
+            tracing::error!(
+                "{} of the shots {first} to {last} are not on disk: once there is room, `lfpiv process \
+                 {}` measures them again from their images, if these are recorded",
+                shots.len(),
+                self.folder.display()
+            );
+        }
     }
 
     /// A name by the first shot. There may be a sealed segment of it: one whose first shot could
@@ -189,7 +239,7 @@ impl ResultStore {
     fn open_segment(&self, shot: u64, result: &PairResult) -> Result<Segment, ArchiveError> {
         let path = self.unused_name(shot);
         let file = VelocityFile::create(&path, &self.configuration, result)?;
-        Ok(Segment { file, opened: Instant::now() })
+        Ok(Segment { file, opened: Instant::now(), shots: Vec::new() })
     }
 }
 
@@ -205,6 +255,7 @@ impl Drop for ResultStore {
         if let Err(error) = self.seal() {
             tracing::error!(%error, "the last results of the run are not sealed");
         }
+        self.tell_lost();
     }
 }
 
@@ -234,7 +285,7 @@ mod tests {
         for shot in [0, 2, 1] {
             store.append(shot, &result([4, 3, 2])).unwrap();
         }
-        assert!(names(&folder).contains(&"velocity_000000.nc.part".into()));
+        assert!(!names(&folder).iter().any(|name| name.contains("velocity_0")));
         store.close().unwrap();
         assert_eq!(
             names(&folder),

@@ -176,8 +176,9 @@ mod tests {
         }
         store.seal().unwrap();
         store.append(5, &result([4, 3, 2])).unwrap();
-        // As a killed process would: the destructor does not run.
+        // As a killed process would: the destructor does not run, and half a file may be there.
         std::mem::forget(store);
+        fs::write(root.path().join("velocity_000005.nc.part"), b"half").unwrap();
         let stored = StoredResults::find(root.path()).unwrap();
         assert_eq!((stored.shots, stored.first), (BTreeSet::from([3, 4]), Some(3)));
         assert_eq!(stored.unreadable.len(), 1);

@@ -8,14 +8,11 @@
 //! `time` is when the trigger of a shot was given (CF, UTC), with its standard uncertainty; both
 //! have their fill value where images came without a time.
 
-use std::{
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::{path::Path, sync::Arc};
 
 use super::{
     ArchiveError, fit_variables,
-    netcdf_file::{Described, FILL_F64, NetCdfFile},
+    netcdf_file::{Described, FILL_F64, Finished, NetCdfFile},
 };
 use crate::{
     lightfield::ShotTime,
@@ -143,8 +140,13 @@ pub fn write_velocity(
 ) -> Result<(), ArchiveError> {
     let mut file = VelocityFile::create(path, configuration, result)?;
     file.append(shot, result)?;
-    file.seal().map(|_| ())
+    file.finish()?.store().map(|_| ())
 }
+
+/// Room that a file may need: it is finished as soon as it has half of it.
+const LARGEST_BYTES: u64 = 2 * FULL_BYTES;
+/// Size from which a file is large enough.
+const FULL_BYTES: u64 = 32 << 20;
 
 /// A velocity file that is being written.
 pub(super) struct VelocityFile {
@@ -163,7 +165,7 @@ impl VelocityFile {
         like: &PairResult,
     ) -> Result<Self, ArchiveError> {
         const VECTORS: [&str; 4] = ["shot", "z", "y", "x"];
-        let mut file = NetCdfFile::create(path, "Velocity fields", configuration)?;
+        let mut file = NetCdfFile::create(path, LARGEST_BYTES, "Velocity fields", configuration)?;
         file.add_attribute("model", &like.model.to_string())?;
         file.add_attribute("model_choice", &like.model.to_json())?;
         let (model, fit, time, like) = (like.model.clone(), &like.fit, like.time, &like.field);
@@ -201,11 +203,6 @@ impl VelocityFile {
     /// Whether a result may be added: all in a file have the same model and dt.
     pub fn suits(&self, result: &PairResult) -> bool {
         self.model == result.model && self.dt_s == result.field.dt_s
-    }
-
-    /// Shots in it.
-    pub fn shots(&self) -> usize {
-        self.shots
     }
 
     /// Adds one shot.
@@ -248,14 +245,14 @@ impl VelocityFile {
         self.file.put_record(CLOCK.name, record, &[i8::from(synchronised)])
     }
 
-    /// Gives the file up.
-    pub fn discard(self) -> Result<(), ArchiveError> {
-        self.file.discard()
+    /// Whether it is large enough.
+    pub fn is_full(&self) -> bool {
+        self.file.bytes() >= FULL_BYTES
     }
 
-    /// Closes the file and gives it its final name.
-    pub fn seal(self) -> Result<PathBuf, ArchiveError> {
-        self.file.seal()
+    /// Closes the file, which is not on disk yet.
+    pub fn finish(self) -> Result<Finished, ArchiveError> {
+        self.file.finish()
     }
 }
 
@@ -312,7 +309,7 @@ mod tests {
         let mut file = VelocityFile::create(&path, "", &timed).unwrap();
         file.append(0, &timed).unwrap();
         file.append(1, &PairResult { time: None, ..timed.clone() }).unwrap();
-        file.seal().unwrap();
+        file.finish().unwrap().store().unwrap();
 
         let file = netcdf::open(&path).unwrap();
         let variable = |name: &str| file.variable(name).unwrap();

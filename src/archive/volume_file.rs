@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use netcdf::{AttributeValue, Variable};
+
 use super::{
     ArchiveError,
-    netcdf_file::{Described, NetCdfFile},
+    netcdf_file::{Described, FILL_F32, NetCdfFile},
 };
 use crate::{model::VolumeGrid, reconstruction::DenseVolume};
 
@@ -24,50 +26,119 @@ pub fn write_volumes(
     let grid = &volumes[0].grid;
     let axes_mm = [0, 1, 2]
         .map(|axis| (0..grid.voxels[axis]).map(|i| grid.coordinate_mm(axis, i as f64)).collect());
-    let mut file = NetCdfFile::create(path, "Reconstructed volumes", configuration)?;
+    // Compressed, unless nothing can be.
+    let bytes = (volumes.len() * grid.len() * size_of::<f32>() + (1 << 20)) as u64;
+    let mut file = NetCdfFile::create(path, bytes, "Reconstructed volumes", configuration)?;
     file.add_axes(axes_mm)?;
     for (described, volume) in NAMES.iter().zip(volumes) {
         file.add::<f32>(described, &["z", "y", "x"])?;
         file.compress(described.name)?;
         file.put(described.name, &volume.intensity)?;
     }
-    file.seal().map(|_| ())
+    file.store()
 }
 
 /// Reads frames a and b on `grid` from variables `a` and `b` over `z, y, x`; coordinates in mm, where
 /// the file has them, must be the grid's.
 ///
+/// A file from elsewhere may crash the HDF5 library: read it in a process that may die.
+///
 /// # Errors
-/// [`ArchiveError::UnreadableVolumes`]: no such file or variables, other voxels than the grid's, or
-/// light that is negative or no number.
+/// [`ArchiveError::UnreadableVolumes`]: no such file or variables, other dimensions or voxels than the
+/// grid's, packed or missing values, or light that is negative or no number.
 pub fn read_volumes(path: &Path, grid: &VolumeGrid) -> Result<[DenseVolume; 2], ArchiveError> {
-    let wrong = |reason: String| ArchiveError::UnreadableVolumes { path: path.into(), reason };
-    let file = netcdf::open(path).map_err(|reason| wrong(reason.to_string()))?;
+    read(path, grid).map_err(|reason| ArchiveError::UnreadableVolumes { path: path.into(), reason })
+}
+
+fn read(path: &Path, grid: &VolumeGrid) -> Result<[DenseVolume; 2], String> {
+    let file = netcdf::open(path).map_err(words)?;
+    // Sizes of all before any value: what a file claims is not allocated.
+    for name in FRAMES {
+        check_shape(&variable(&file, name)?, grid)?;
+    }
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        let Some(coordinates) = file.variable(name) else { continue };
-        let found_mm: Vec<f64> =
-            coordinates.get_values(..).map_err(|reason| wrong(reason.to_string()))?;
-        let own_mm = (0..grid.voxels[axis]).map(|i| grid.coordinate_mm(axis, i as f64));
-        let near = |(own, found): (f64, &f64)| (own - found).abs() < 0.01 * grid.voxel_mm;
-        if found_mm.len() != grid.voxels[axis] || !own_mm.zip(&found_mm).all(near) {
-            return Err(wrong(format!("its voxels along {name} are not the configured ones")));
+        if let Some(coordinates) = file.variable(name) {
+            check_axis(&coordinates, grid, axis)?;
         }
     }
-    let frame = |name: &str| {
-        let variable = file.variable(name).ok_or_else(|| wrong(format!("it has no {name}")))?;
-        let found: Vec<usize> = variable.dimensions().iter().map(|d| d.len()).collect();
-        let [nx, ny, nz] = grid.voxels;
-        if found != [nz, ny, nx] {
-            return Err(wrong(format!("{name} has {found:?} voxels, not {:?}", [nz, ny, nx])));
+    let [a, b] = FRAMES.map(|name| {
+        let intensity = light(&variable(&file, name)?)?;
+        Ok::<_, String>(DenseVolume { grid: grid.clone(), intensity })
+    });
+    Ok([a?, b?])
+}
+
+const FRAMES: [&str; 2] = ["a", "b"];
+
+fn words(error: netcdf::Error) -> String {
+    error.to_string()
+}
+
+fn variable<'f>(file: &'f netcdf::File, name: &str) -> Result<Variable<'f>, String> {
+    file.variable(name).ok_or_else(|| format!("it has no {name}"))
+}
+
+/// The frame must lie over z, y, x: on a cube, other orders have the same size.
+fn check_shape(frame: &Variable<'_>, grid: &VolumeGrid) -> Result<(), String> {
+    let name = frame.name();
+    let dimensions = frame.dimensions();
+    let names: Vec<String> = dimensions.iter().map(|d| d.name()).collect();
+    if names != ["z", "y", "x"] {
+        return Err(format!("{name} lies over ({}), not over (z, y, x)", names.join(", ")));
+    }
+    let found: Vec<usize> = dimensions.iter().map(|d| d.len()).collect();
+    let [nx, ny, nz] = grid.voxels;
+    if found != [nz, ny, nx] {
+        return Err(format!("{name} has {found:?} voxels, not {:?}", [nz, ny, nx]));
+    }
+    for (attribute, neutral) in [("scale_factor", 1.0), ("add_offset", 0.0)] {
+        let Some(packed) = frame.attribute(attribute) else { continue };
+        if number_of(&packed.value().map_err(words)?) != Some(neutral) {
+            return Err(format!("{name} is packed ({attribute}): store it unpacked"));
         }
-        let intensity: Vec<f32> =
-            variable.get_values(..).map_err(|reason| wrong(reason.to_string()))?;
-        match intensity.iter().position(|light| !light.is_finite() || *light < 0.0) {
-            Some(n) => Err(wrong(format!("{name} is {} in voxel {n}", intensity[n]))),
-            None => Ok(DenseVolume { grid: grid.clone(), intensity }),
+    }
+    Ok(())
+}
+
+fn number_of(value: &AttributeValue) -> Option<f64> {
+    f64::try_from(value.clone()).ok()
+}
+
+/// Coordinates, where there are some, must be those of the grid's voxels.
+fn check_axis(coordinates: &Variable<'_>, grid: &VolumeGrid, axis: usize) -> Result<(), String> {
+    let name = coordinates.name();
+    let other = || format!("its voxels along {name} are not the configured ones");
+    let lengths: Vec<usize> = coordinates.dimensions().iter().map(|d| d.len()).collect();
+    if lengths != [grid.voxels[axis]] {
+        return Err(other());
+    }
+    let found_mm: Vec<f64> = coordinates.get_values(..).map_err(words)?;
+    let own_mm = (0..grid.voxels[axis]).map(|i| grid.coordinate_mm(axis, i as f64));
+    let near = |(own, found): (f64, &f64)| (own - found).abs() < 0.01 * grid.voxel_mm;
+    if own_mm.zip(&found_mm).all(near) { Ok(()) } else { Err(other()) }
+}
+
+/// The light of a frame; no value may be missing.
+fn light(frame: &Variable<'_>) -> Result<Vec<f32>, String> {
+    let name = frame.name();
+    let intensity: Vec<f32> = frame.get_values(..).map_err(words)?;
+    let fills: Vec<f32> = ["_FillValue", "missing_value"]
+        .iter()
+        .filter_map(|attribute| number_of(&frame.attribute(attribute)?.value().ok()?))
+        .map(|fill| fill as f32)
+        .chain([FILL_F32])
+        .collect();
+    match intensity.iter().position(|light| fills.contains(light)) {
+        Some(0) if intensity.iter().all(|light| fills.contains(light)) => {
+            return Err(format!("{name} was never written: all its voxels are fill values"));
         }
-    };
-    Ok([frame("a")?, frame("b")?])
+        Some(voxel) => return Err(format!("{name} is missing (a fill value) in voxel {voxel}")),
+        None => {}
+    }
+    match intensity.iter().position(|light| !light.is_finite() || *light < 0.0) {
+        Some(n) => Err(format!("{name} is {} in voxel {n}", intensity[n])),
+        None => Ok(intensity),
+    }
 }
 
 #[cfg(test)]
@@ -112,11 +183,79 @@ mod tests {
         let moved = VolumeGrid { centre_mm: [1.1, 0.0, 0.0], ..grid.clone() };
         says(&path, &moved, "along x are not the configured ones");
         let longer = VolumeGrid { voxels: [4, 3, 3], ..grid.clone() };
-        says(&path, &longer, "along z are not the configured ones");
+        says(&path, &longer, "a has [2, 3, 4] voxels, not [3, 3, 4]");
         says(&folder.path().join("none.nc"), &grid, "cannot take volumes from");
         for bad in [-1.0, f32::NAN] {
             write_volumes(&path, "", &[volume(1.0), volume(bad)]).unwrap();
             says(&path, &grid, "b is ");
         }
+    }
+
+    /// A file with variables as another program may write them.
+    fn foreign(
+        path: &Path,
+        dimensions: [&str; 3],
+        describe: impl Fn(&mut netcdf::VariableMut<'_>),
+        values: Option<[f32; 8]>,
+    ) {
+        let mut file = netcdf::create(path).unwrap();
+        for name in ["x", "y", "z"] {
+            file.add_dimension(name, 2).unwrap();
+        }
+        for name in FRAMES {
+            let mut frame = file.add_variable::<f32>(name, &dimensions).unwrap();
+            describe(&mut frame);
+            if let Some(values) = values {
+                frame.put_values(&values, ..).unwrap();
+            }
+        }
+        file.close().unwrap();
+    }
+
+    #[test]
+    fn volumes_of_other_programs_are_taken_for_what_they_are_or_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("volumes.nc");
+        let grid = VolumeGrid { voxels: [2, 2, 2], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+        let (usual, light) = (["z", "y", "x"], Some([1.0; 8]));
+        let says = |what: &str| {
+            let error = read_volumes(&path, &grid).unwrap_err().to_string();
+            assert!(error.contains(what), "{error}");
+        };
+        foreign(&path, usual, |_| {}, light);
+        assert_eq!(read_volumes(&path, &grid).unwrap()[1].intensity, [1.0; 8]);
+        foreign(&path, ["x", "y", "z"], |_| {}, light);
+        says("a lies over (x, y, z), not over (z, y, x)");
+        let packed = |frame: &mut netcdf::VariableMut<'_>| {
+            frame.put_attribute("scale_factor", 0.5).unwrap();
+        };
+        foreign(&path, usual, packed, light);
+        says("a is packed (scale_factor)");
+        foreign(&path, usual, |_| {}, None);
+        says("a was never written");
+        let missing = |frame: &mut netcdf::VariableMut<'_>| {
+            frame.put_attribute("missing_value", 7.0f32).unwrap();
+        };
+        foreign(&path, usual, missing, Some([1.0, 1.0, 7.0, 1.0, 1.0, 1.0, 1.0, 1.0]));
+        says("a is missing (a fill value) in voxel 2");
+    }
+
+    #[test]
+    fn what_a_file_claims_is_not_allocated() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("volumes.nc");
+        let mut file = netcdf::create(&path).unwrap();
+        file.add_dimension("x", 1 << 31).unwrap();
+        file.add_variable::<f64>("x", &["x"]).unwrap();
+        for (name, length) in [("y", 2), ("z", 2)] {
+            file.add_dimension(name, length).unwrap();
+        }
+        for name in FRAMES {
+            file.add_variable::<f32>(name, &["z", "y", "x"]).unwrap();
+        }
+        file.close().unwrap();
+        let grid = VolumeGrid { voxels: [2, 2, 2], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+        let error = read_volumes(&path, &grid).unwrap_err().to_string();
+        assert!(error.contains("a has [2, 2, 2147483648] voxels"), "{error}");
     }
 }

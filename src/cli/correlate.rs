@@ -8,9 +8,12 @@ use std::{
 
 use anyhow::Context;
 
-use super::output::{count, print};
+use super::{
+    output::{count, print},
+    volume_reader::read_safely,
+};
 use crate::{
-    archive::{VtiSource, read_volumes, write_velocity, write_vti},
+    archive::{VtiSource, write_velocity, write_vti},
     config::{ConfigFile, Purpose},
     lightfield::RawLevel,
     model::ModelChoice,
@@ -35,7 +38,7 @@ pub struct CorrelateArgs {
 /// Measures the displacement between the frames of a file.
 pub fn correlate(args: &CorrelateArgs) -> anyhow::Result<()> {
     let ConfigFile { config, text, .. } = ConfigFile::load_for(Purpose::Volumes, &args.config)?;
-    let [a, b] = read_volumes(&args.volumes, &config.volume)?;
+    let [a, b] = read_safely(&args.volumes, &config.volume)?;
     let interrogation = VolumeInterrogation::new(&config.volume, &config.velocimetry);
     let started = Instant::now();
     let field = interrogation.measure(&a, &b, config.measurement().dt_s);

@@ -298,6 +298,9 @@ impl Daemon {
         });
         stop_server.cancel();
         end_server(server).await;
+        if let (Err(_), Err(error)) = (&worked, &written) {
+            tracing::error!("{error:#}");
+        }
         let acquisition = worked?;
         written?;
         merge(&self.folder).await;

@@ -39,6 +39,7 @@ mod simulate;
 mod solver;
 mod stop;
 mod timing;
+mod volume_reader;
 
 use std::process::ExitCode;
 
@@ -57,6 +58,7 @@ pub use run::RunArgs;
 pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
 pub use timing::TimingArgs;
+pub use volume_reader::ReadVolumesArgs;
 
 /// Dual-camera light-field particle image velocimetry.
 #[derive(Debug, Parser)]
@@ -97,6 +99,9 @@ enum Command {
     /// Make cases that other programs can be timed on, and time this one (see benches/peers).
     #[command(subcommand)]
     Peers(PeersCommand),
+    /// Read volumes for a parent that must not die of them.
+    #[command(hide = true)]
+    ReadVolumes(ReadVolumesArgs),
 }
 
 /// Parses the command line, does what it says and reports errors.
@@ -118,6 +123,7 @@ pub fn main() -> ExitCode {
         Command::Doctor(args) => doctor::doctor(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Peers(command) => peers::peers(&command),
+        Command::ReadVolumes(args) => volume_reader::read_for_parent(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

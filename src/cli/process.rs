@@ -16,7 +16,9 @@ use super::{
 };
 use crate::{
     acquisition::SynchroniserThread,
-    archive::{VtiSeries, VtiSource, read_pair, write_velocity, write_volumes, write_vti},
+    archive::{
+        ArchiveError, VtiSeries, VtiSource, read_pair, write_velocity, write_volumes, write_vti,
+    },
     config::{Config, ConfigFile},
     lightfield::{Background, ImagePair},
     model::ModelMode,
@@ -94,6 +96,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     }
     let bar = progress_bar(jobs.iter().filter(|job| !job.is_done).count(), "pairs");
     let (mut series, mut finished, mut looked) = (VtiSeries::default(), 0_usize, 0_usize);
+    let mut full = None;
     for (number, job) in (0..).zip(&jobs) {
         if stop.is_cancelled() {
             break;
@@ -102,6 +105,10 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         if !job.is_done {
             match run.measure(job, read_already.take()) {
                 Ok(result) => report(&bar, job, &result)?,
+                Err(error) if is_disk_full(&error) => {
+                    full = Some(error);
+                    break;
+                }
                 Err(error) => {
                     let failure = format!("{}: {error:#}", job.pair.display());
                     bar.suspend(|| tracing::error!("{failure}"));
@@ -116,10 +123,29 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         series.push(format!("{}/{VTI}", job.name), number, None);
     }
     bar.finish_and_clear();
-    if !series.is_empty() && run.file.config.output.paraview {
-        series.write(&out.join("velocity.vti.series"))?;
+    let written = match !series.is_empty() && run.file.config.output.paraview {
+        true => series.write(&out.join("velocity.vti.series")),
+        false => Ok(()),
+    };
+    if let Some(full) = full {
+        return Err(full.context(unfinished("stopped", finished, jobs.len())));
     }
+    written?;
     complain(failures.len(), (looked < jobs.len()).then_some([finished, jobs.len()]))
+}
+
+/// Whether no other pair's results could be written, either.
+fn is_disk_full(error: &anyhow::Error) -> bool {
+    let full = |cause: &ArchiveError| matches!(cause, ArchiveError::DiskFull { .. });
+    error.downcast_ref::<ArchiveError>().is_some_and(full)
+}
+
+/// How far it got, and how to go on.
+fn unfinished(why: &str, finished: usize, pairs: usize) -> String {
+    format!(
+        "{why}: {finished} of {} have results; the same command with --resume measures the others",
+        count(pairs, "pair")
+    )
 }
 
 /// A token that is cancelled by Ctrl-C or SIGTERM, and what listens for them: drop it last.
@@ -141,11 +167,7 @@ fn stop_between_shots() -> anyhow::Result<(Runtime, CancellationToken)> {
 fn complain(failures: usize, interrupted: Option<[usize; 2]>) -> anyhow::Result<()> {
     let failed = format!("{} could not be measured, see above", count(failures, "pair folder"));
     match interrupted {
-        Some([finished, pairs]) => bail!(
-            "interrupted: {finished} of {} have results; the same command with --resume measures \
-             the others",
-            count(pairs, "pair")
-        ),
+        Some([finished, pairs]) => bail!(unfinished("interrupted", finished, pairs)),
         None if failures > 0 => bail!(failed),
         None => Ok(()),
     }

@@ -17,9 +17,10 @@ const LOST_PITCHES: f64 = 0.2;
 /// A shift this near to half a pitch, in pitches, is a wrong number of microlenses.
 const HALF_PITCH_TOLERANCE: f64 = 0.12;
 
-/// Residual over the light's standard deviation. Right benches: 0.18 to 0.29, small volumes with
-/// unmodelled diffraction 0.34. So the first counts only beside something else that is wrong.
-const MUCH_UNEXPLAINED: f64 = 0.3;
+/// Residual over the light's standard deviation. Right benches: 0.16 to 0.27, some hundred particles on
+/// a few hundred microlenses with unmodelled diffraction 0.36. So the first counts only beside something
+/// else that is wrong.
+const MUCH_UNEXPLAINED: f64 = 0.26;
 const MORE_UNEXPLAINED: f64 = 0.4;
 const MOST_UNEXPLAINED: f64 = 0.5;
 
@@ -31,6 +32,7 @@ const FLATTENED_SHARE: f64 = 0.03;
 /// shots: -0.3 to 0.5. Over few bins chance reaches further, so it counts by itself only when it is low
 /// and over many.
 const LEAST_AGREEMENT: f64 = 0.5;
+const PARTIAL_AGREEMENT: f64 = 0.75;
 const CLEAR_AGREEMENT: f64 = 0.65;
 const NO_AGREEMENT: f64 = 0.35;
 const MANY_BINS: usize = 60;
@@ -44,13 +46,15 @@ const FAR_APART_NOISE: f64 = 3.0;
 /// than modelled looks like it where few particles lie far from focus.
 const LARGEST_DISTANCE_CHANGE: f64 = 0.03;
 
-/// Above this many times chance a bench error is probable, if something else is wrong as well.
+/// Above these a bench error is probable, if something else is wrong as well.
+const PROBABLE_PITCHES: f64 = 0.3;
 const PROBABLE_NOISE: f64 = 2.0;
 
 /// A part of a bench error that makes up this share of all of it is named.
 const NAMED_SHARE: f64 = 0.4;
 
 /// Share of the windows with particles that give valid vectors.
+const PARTLY_VALID: f64 = 0.85;
 const MOST_VALID: f64 = 0.6;
 const FEW_VALID: f64 = 0.3;
 const HARDLY_VALID: f64 = 0.15;
@@ -76,6 +80,21 @@ impl Evidence<'_> {
     /// Whether a camera's residual is above `limit` and tells of the bench.
     fn is_unexplained(&self, limit: f64) -> bool {
         self.residual_counts && self.unexplained.iter().any(|&unexplained| unexplained > limit)
+    }
+
+    /// Whether the cameras put particles further apart than chance is likely to.
+    fn has_probable_bench_error(&self) -> bool {
+        let pitch_mm = self.measurement.optics.object_pitch_mm();
+        self.disparity.as_ref().is_some_and(|found| {
+            found.rms_mm > (PROBABLE_PITCHES * pitch_mm).max(PROBABLE_NOISE * found.noise_mm)
+                && !self.is_beyond_a_step(found)
+        })
+    }
+
+    /// Whether a bench error is larger than one step from the configured bench can tell.
+    fn is_beyond_a_step(&self, found: &Disparity) -> bool {
+        found.parameters[6].abs()
+            > LARGEST_DISTANCE_CHANGE * self.measurement.optics.object_distance_mm
     }
 }
 
@@ -200,11 +219,17 @@ const THICK_SHEET: &str = "particles outside [volume] are lit: the light sheet i
 /// Both cameras must have looked at the same particles.
 fn different_particles(evidence: &Evidence<'_>) -> Finding {
     let Some(agreement) = &evidence.agreement else { return good() };
-    let both = agreement.direct < LEAST_AGREEMENT && evidence.is_unexplained(MUCH_UNEXPLAINED);
+    let unexplained = evidence.is_unexplained(MUCH_UNEXPLAINED);
     let alone = agreement.direct < NO_AGREEMENT && agreement.bins >= MANY_BINS;
-    let verdict = match (both, alone) {
-        (true, _) => FitVerdict::Poor,
-        (_, true) => FitVerdict::Doubtful,
+    // Dense particles agree by chance. A camera that is a little off agrees less, too, but says by how
+    // much.
+    let unclear = agreement.direct < PARTIAL_AGREEMENT
+        && evidence.valid_share.is_some_and(|share| share < PARTLY_VALID)
+        && !evidence.has_probable_bench_error();
+    let verdict = match unexplained {
+        true if agreement.direct < LEAST_AGREEMENT => FitVerdict::Poor,
+        _ if alone => FitVerdict::Doubtful,
+        true if unclear => FitVerdict::Doubtful,
         _ => return good(),
     };
     let mut causes = Vec::new();
@@ -228,9 +253,11 @@ fn apart(evidence: &Evidence<'_>) -> Finding {
     let Some(found) = &evidence.disparity else { return good() };
     let pitch_mm = evidence.measurement.optics.object_pitch_mm();
     let far_mm = (FAR_APART_PITCHES * pitch_mm).max(FAR_APART_NOISE * found.noise_mm);
-    let too_far = found.parameters[6].abs()
-        > LARGEST_DISTANCE_CHANGE * evidence.measurement.optics.object_distance_mm;
-    if found.rms_mm < far_mm || too_far || evidence.is_unexplained(MOST_UNEXPLAINED) {
+    let probable = evidence.has_probable_bench_error() && evidence.is_unexplained(MUCH_UNEXPLAINED);
+    if found.rms_mm < far_mm && !probable
+        || evidence.is_beyond_a_step(found)
+        || evidence.is_unexplained(MOST_UNEXPLAINED)
+    {
         return good();
     }
     (FitVerdict::Doubtful, bench_error_causes(evidence.measurement, found))
@@ -296,8 +323,7 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
         Some(_) => &[MIRRORED_ACROSS, WRONG_POSE, WRONG_OPTICS, THICK_SHEET],
     };
     // A bench error that chance hardly makes is the better guess than any of these.
-    let probable = |found: &&Disparity| found.rms_mm > PROBABLE_NOISE * found.noise_mm;
-    let fitted = evidence.disparity.as_ref().filter(probable);
+    let fitted = evidence.disparity.as_ref().filter(|_| evidence.has_probable_bench_error());
     let fitted = fitted.map(|found| bench_error_causes(evidence.measurement, found));
     let others = causes.iter().map(|&cause| cause.to_owned());
     (
