@@ -3,6 +3,9 @@
 //! `tests/fixtures/raw_log_v1` and `_v2` are not to be written again: a new version of the format gets
 //! a folder of its own beside them.
 
+// All of this crate is test; clippy's exception covers only the functions marked as such.
+#![allow(clippy::unwrap_used)]
+
 use std::{fs, path::PathBuf};
 
 use lfpiv::archive::raw_log::{

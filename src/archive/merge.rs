@@ -23,6 +23,7 @@ use super::{
     ArchiveError,
     durable::{MemoryFile, part_path, seal},
     netcdf_file::history_line,
+    netcdf_open::{create, open},
     stored::{FIRST_STORED, first_stored, records_of, segments},
 };
 
@@ -112,7 +113,7 @@ impl Segment {
 
 /// All that a file says besides its shots: attributes, variables, and those without shots.
 fn kind_of(path: &Path) -> netcdf::Result<String> {
-    let file = netcdf::open(path)?;
+    let file = open(path)?;
     let mut kind = String::new();
     for attribute in file.attributes() {
         if !OWN_ATTRIBUTES.contains(&attribute.name()) {
@@ -165,8 +166,8 @@ fn merge(folder: &Path, group: &[Segment]) -> Result<(), ArchiveError> {
     let path = if is_own(&named) || !named.exists() { named } else { group[0].path.clone() };
     let oldest = group.iter().min_by_key(|segment| segment.sealed);
     let bytes = group.iter().map(|segment| segment.bytes).sum::<u64>();
-    let (memory, merged) = MemoryFile::create(ROOM * bytes, |path| netcdf::create(path))
-        .map_err(ArchiveError::io("write", &path))?;
+    let (memory, merged) =
+        MemoryFile::create(ROOM * bytes, create).map_err(ArchiveError::io("write", &path))?;
     let first_stored = oldest.and_then(|segment| segment.first_stored);
     merged
         .and_then(|merged| write(merged, group, &shots, first_stored))
@@ -214,7 +215,7 @@ fn define(
     segments: usize,
     first_stored: Option<u64>,
 ) -> netcdf::Result<()> {
-    let like = netcdf::open(like)?;
+    let like = open(like)?;
     for attribute in like.attributes() {
         match (attribute.name(), attribute.value()?) {
             ("history", AttributeValue::Str(history)) => {
@@ -258,7 +259,7 @@ fn copy_records(
     from: &Path,
     places: &[(usize, usize)],
 ) -> netcdf::Result<()> {
-    let segment = netcdf::open(from)?;
+    let segment = open(from)?;
     for variable in segment.variables().filter(has_shots) {
         // Records that follow each other in both files are one piece.
         for piece in places.chunk_by(|a, b| b.0 == a.0 + 1 && b.1 == a.1 + 1) {

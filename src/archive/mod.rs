@@ -18,6 +18,7 @@ mod fit_variables;
 mod grey_tiff;
 mod merge;
 mod netcdf_file;
+mod netcdf_open;
 mod pair_folder;
 mod paraview;
 pub mod raw_log;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use netcdf::{FileMut, NcTypeDescriptor};
 use time::{OffsetDateTime, format_description::well_known::Rfc3339};
 
-use super::{ArchiveError, durable::MemoryFile};
+use super::{ArchiveError, durable::MemoryFile, netcdf_open::create};
 
 /// The program as files name it.
 const VERSION: &str = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
@@ -58,8 +58,8 @@ impl NetCdfFile {
         title: &str,
         configuration: &str,
     ) -> Result<Self, ArchiveError> {
-        let (memory, created) = MemoryFile::create(bytes, |path| netcdf::create(path))
-            .map_err(ArchiveError::io("write", path))?;
+        let (memory, created) =
+            MemoryFile::create(bytes, create).map_err(ArchiveError::io("write", path))?;
         let describe = |mut file: FileMut| {
             let history = history_line("written");
             let version = VERSION;

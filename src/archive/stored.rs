@@ -8,7 +8,7 @@ use std::{
 
 use netcdf::AttributeValue;
 
-use super::{ArchiveError, netcdf_file::FILL_F64};
+use super::{ArchiveError, netcdf_file::FILL_F64, netcdf_open::open};
 
 /// Attribute of a merged file: the shot that was stored before its others.
 pub(super) const FIRST_STORED: &str = "first_stored_shot";
@@ -70,7 +70,7 @@ pub fn stored_vectors(folder: &Path) -> Result<BTreeMap<u64, Vec<u32>>, ArchiveE
 }
 
 fn vectors_of(path: &Path, record: usize) -> Result<Vec<u32>, netcdf::Error> {
-    let file = netcdf::open(path)?;
+    let file = open(path)?;
     let numbers_of = |name: &str| -> Result<Vec<f32>, netcdf::Error> {
         let variable = file.variable(name).ok_or_else(|| missing(name))?;
         variable.get_values((record, .., .., ..))
@@ -121,7 +121,7 @@ fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
 /// The shot of a segment that was stored before its others.
 pub(super) fn first_stored(path: &Path) -> Result<Option<u64>, ArchiveError> {
     let read = || -> Result<_, netcdf::Error> {
-        netcdf::open(path)?.attribute(FIRST_STORED).map(|first| first.value()).transpose()
+        open(path)?.attribute(FIRST_STORED).map(|first| first.value()).transpose()
     };
     match read().map_err(ArchiveError::unreadable_results(path))? {
         Some(AttributeValue::Longlong(shot)) => Ok(u64::try_from(shot).ok()),
@@ -135,7 +135,7 @@ pub(super) fn first_stored(path: &Path) -> Result<Option<u64>, ArchiveError> {
 /// The file cannot be read.
 pub fn stored_configuration(path: &Path) -> Result<String, ArchiveError> {
     let read = || -> Result<String, netcdf::Error> {
-        let file = netcdf::open(path)?;
+        let file = open(path)?;
         let text = file.attribute("configuration").ok_or_else(|| missing("configuration"))?;
         String::try_from(text.value()?)
     };
@@ -145,7 +145,7 @@ pub fn stored_configuration(path: &Path) -> Result<String, ArchiveError> {
 /// The times of the shots of a segment, as far as they are known; earlier versions stored none.
 fn times_in(path: &Path) -> Result<Vec<(u64, f64)>, ArchiveError> {
     let read = || -> Result<Vec<f64>, netcdf::Error> {
-        let file = netcdf::open(path)?;
+        let file = open(path)?;
         file.variable("time").map_or(Ok(Vec::new()), |time| time.get_values(..))
     };
     let times_s = read().map_err(ArchiveError::unreadable_results(path))?;
@@ -157,7 +157,7 @@ fn times_in(path: &Path) -> Result<Vec<(u64, f64)>, ArchiveError> {
 /// Shot numbers as they are in the file: below zero where a record was not written whole.
 pub(super) fn records_of(path: &Path) -> Result<Vec<i64>, ArchiveError> {
     let read = || -> Result<Vec<i64>, netcdf::Error> {
-        netcdf::open(path)?.variable("shot").ok_or_else(|| missing("shot"))?.get_values(..)
+        open(path)?.variable("shot").ok_or_else(|| missing("shot"))?.get_values(..)
     };
     read().map_err(ArchiveError::unreadable_results(path))
 }

@@ -7,6 +7,7 @@ use netcdf::{AttributeValue, Variable};
 use super::{
     ArchiveError,
     netcdf_file::{Described, FILL_F32, NetCdfFile},
+    netcdf_open::open,
 };
 use crate::{model::VolumeGrid, reconstruction::DenseVolume};
 
@@ -51,7 +52,7 @@ pub fn read_volumes(path: &Path, grid: &VolumeGrid) -> Result<[DenseVolume; 2], 
 }
 
 fn read(path: &Path, grid: &VolumeGrid) -> Result<[DenseVolume; 2], String> {
-    let file = netcdf::open(path).map_err(words)?;
+    let file = open(path).map_err(words)?;
     // Sizes of all before any value: what a file claims is not allocated.
     for name in FRAMES {
         check_shape(&variable(&file, name)?, grid)?;

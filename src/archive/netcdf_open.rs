@@ -1,0 +1,66 @@
+//! Opening NetCDF files without the HDF5 library's own diagnostics.
+//!
+//! The library prints pages to standard error for every error, expected ones included, in every thread that
+//! has not told it otherwise; the NetCDF library tells it in the first thread only.
+
+use std::{cell::Cell, path::Path, ptr};
+
+use hdf5_sys::{LOCK, h5e};
+use netcdf::{File, FileMut};
+
+/// Opens a file to read; it stays on this thread.
+pub(super) fn open(path: &Path) -> netcdf::Result<File> {
+    silence();
+    netcdf::open(path)
+}
+
+/// Makes a file; it stays on this thread.
+pub(super) fn create(path: &Path) -> netcdf::Result<FileMut> {
+    silence();
+    netcdf::create(path)
+}
+
+/// Switches the diagnostics of this thread off.
+#[expect(unsafe_code)]
+fn silence() {
+    thread_local! {
+        static IS_SILENT: Cell<bool> = const { Cell::new(false) };
+    }
+    if IS_SILENT.replace(true) {
+        return;
+    }
+    let _lock = LOCK.lock();
+    // SAFETY: the default stack is always there, no function and no data are what the library takes
+    // for "print nothing", and its lock is held.
+    unsafe { h5e::H5Eset_auto2(h5e::H5E_DEFAULT, None, ptr::null_mut()) };
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{os::fd::AsFd, thread};
+
+    use super::*;
+
+    /// Standard error belongs to the whole process: a child of this test has one of its own.
+    #[test]
+    fn a_damaged_file_is_an_error_and_nothing_is_printed() {
+        if std::env::var_os("LFPIV_OPENS").is_some() {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("damaged.nc");
+            std::fs::write(&path, b"\x89HDF\r\n\x1a\n and no more").unwrap();
+            thread::spawn(move || assert!(open(&path).is_err())).join().unwrap();
+            return;
+        }
+        let stderr = tempfile::tempfile().unwrap();
+        let status = std::process::Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", "--nocapture"])
+            .arg("archive::netcdf_open::tests::a_damaged_file_is_an_error_and_nothing_is_printed")
+            .env("LFPIV_OPENS", "1")
+            .stderr(stderr.as_fd().try_clone_to_owned().unwrap())
+            .stdout(std::process::Stdio::null())
+            .status()
+            .unwrap();
+        assert!(status.success());
+        assert_eq!(stderr.metadata().unwrap().len(), 0);
+    }
+}
