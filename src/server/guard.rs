@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use axum::{
     extract::{Request, State},
-    http::{HeaderMap, HeaderValue, Method, StatusCode, Uri, header},
+    http::{HeaderMap, HeaderValue, Method, StatusCode, header},
     middleware::Next,
     response::{IntoResponse, Response},
 };
@@ -14,13 +14,12 @@ use axum::{
 use super::{
     ApiError, BODY_BYTES,
     app::{App, Connection},
-    protection::{Origin, Scope},
+    protection::{Origin, Scope, holds_token},
+    seats::SeatHandle,
 };
 
 /// Requests that make the bench safe are never turned away for their number.
 const NEVER_LIMITED: [&str; 2] = ["/api/v1/control/stop", "/api/v1/control/disarm"];
-/// Query keys under which clients are wont to send tokens.
-const TOKEN_KEYS: [&str; 4] = ["token", "access_token", "api_key", "authorization"];
 
 /// Headers that keep browsers from guessing, framing, lending and remembering answers.
 pub(super) async fn headers(request: Request, next: Next) -> Response {
@@ -79,7 +78,7 @@ pub(super) async fn origin(
         let error = "requests from pages of other servers are refused";
         return Err(ApiError::new(StatusCode::FORBIDDEN, error));
     }
-    if has_token(request.uri()) {
+    if holds_token(request.uri(), app.protection.tokens.as_ref()) {
         return Err(ApiError::bad_request(
             "there is a token in the address, where logs and histories keep it: send it as \
              'Authorization: Bearer TOKEN', and replace this one",
@@ -101,11 +100,6 @@ fn single(headers: &HeaderMap, name: header::HeaderName) -> Result<Option<&str>,
             Err(ApiError::bad_request(format!("the header {name} is there more than once")))
         }
     }
-}
-
-fn has_token(uri: &Uri) -> bool {
-    let keys = uri.query().unwrap_or_default().split('&').map(|pair| pair.split('=').next());
-    keys.flatten().any(|key| TOKEN_KEYS.iter().any(|token| key.eq_ignore_ascii_case(token)))
 }
 
 /// A body that is said to be too large is refused before any of it is waited for; one that turns
@@ -195,20 +189,5 @@ fn bearer(headers: &HeaderMap) -> Result<Option<&str>, ApiError> {
     match value.split_once(' ') {
         Some((scheme, token)) if scheme.eq_ignore_ascii_case("bearer") => Ok(Some(token.trim())),
         _ => Err(unauthorised("only Bearer tokens are known here", "Bearer realm=\"lfpiv\"")),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tokens_in_the_address_are_found() {
-        for uri in ["/a?token=x", "/a?limit=1&Access_Token=x", "/a?api_key"] {
-            assert!(has_token(&uri.parse().unwrap()), "{uri}");
-        }
-        for uri in ["/token", "/a?limit=1", "/a?tokens=1", "/a?q=token"] {
-            assert!(!has_token(&uri.parse().unwrap()), "{uri}");
-        }
     }
 }

@@ -49,7 +49,7 @@ async fn a_token_opens_what_its_scope_names() {
 async fn a_token_in_any_other_place_opens_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let server = Server::empty(&with_tokens(folder.path())).await;
-    for key in ["token", "access_token", "Authorization"] {
+    for key in ["token", "access_token", "Authorization", "t", "format"] {
         let path = format!("/api/v1/status?{key}={READ}");
         let refused = Ask::get(&path).token(READ).of(server.address).await;
         assert!(refused.error(400).contains("replace this one"));

@@ -20,8 +20,8 @@ use tokio_util::sync::CancellationToken;
 
 use crate::client::{Answer, get};
 
-pub const READ: &str = "0f1e2d3c4b5a69788796a5b4c3d2e1f0";
-pub const CONTROL: &str = "bGFzZXItbGFzZXItbGFzZXI0Mg==";
+pub const READ: &str = "9c27d5f01ab8463e70c1f94d2e58b6a3";
+pub const CONTROL: &str = "Zr8+qT1/vXo2Lk9wBe5HdM==";
 
 pub struct Server {
     pub address: SocketAddr,

@@ -4,10 +4,12 @@ use std::{
     fs,
     io::{self, Read, Write},
     net::{SocketAddr, TcpListener, TcpStream},
-    os::unix::fs::PermissionsExt,
+    os::unix::fs::{MetadataExt, PermissionsExt},
     path::{Path, PathBuf},
     time::Duration,
 };
+
+use rustix::process::geteuid;
 
 use super::Finding;
 
@@ -58,14 +60,19 @@ pub fn tokens(configuration: &str) -> Option<Finding> {
     const CHECK: &str = "tokens";
     let path = tokens_file(configuration)?;
     let name = path.display();
-    let mode = match fs::metadata(&path) {
-        Ok(metadata) => metadata.permissions().mode() & 0o777,
+    let (mode, owner) = match fs::metadata(&path) {
+        Ok(metadata) => (metadata.permissions().mode() & 0o777, metadata.uid()),
         Err(error) => {
             let found = format!("{name}: {error}");
             return Some(Finding::problem(CHECK, found, "make the file or correct server.tokens"));
         }
     };
     let found = format!("{name} has mode {mode:04o}");
+    let user = geteuid().as_raw();
+    if owner != user && owner != 0 {
+        let found = format!("{name} belongs to user {owner}");
+        return Some(Finding::problem(CHECK, found, format!("chown {user} {name}")));
+    }
     Some(if mode & OTHERS == 0 {
         Finding::ok(CHECK, found)
     } else {

@@ -25,6 +25,12 @@ pub enum ProtectionError {
         path.display(), path.display()
     )]
     TooOpen { what: &'static str, path: PathBuf, mode: u32 },
+    /// A secret that another user has given.
+    #[error(
+        "{what} {} belongs to user {owner}, who can read and change it: run: chown {user} {}",
+        path.display(), path.display()
+    )]
+    NotOurs { what: &'static str, path: PathBuf, owner: u32, user: u32 },
     /// A line that is no token.
     #[error(
         "tokens {}, line {line}: {problem}; a line is 'read TOKEN' or 'control TOKEN', \

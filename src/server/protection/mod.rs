@@ -3,7 +3,10 @@
 
 mod error;
 mod hosts;
+mod leaks;
+mod open_files;
 mod rate;
+mod strength;
 mod tls;
 mod tokens;
 
@@ -14,7 +17,10 @@ use tokio_rustls::TlsAcceptor;
 use crate::config::ServerSettings;
 pub use error::ProtectionError;
 pub(super) use hosts::{Hosts, Origin};
-pub(super) use rate::RateLimits;
+pub(super) use leaks::holds_token;
+pub(super) use open_files::{Places, SAFETY};
+pub use open_files::{open_files_needed, raise_open_files};
+pub(super) use rate::{RateLimits, network};
 pub(super) use tokens::{Scope, Tokens};
 
 /// A client may make this many times its requests per second at once.

@@ -6,14 +6,15 @@
 use std::{
     fs::File,
     io::{self, Read},
-    os::unix::fs::MetadataExt,
+    os::unix::fs::{MetadataExt, OpenOptionsExt},
     path::Path,
 };
 
 use ring::digest::{SHA256, SHA256_OUTPUT_LEN, digest};
+use rustix::{fs::OFlags, process::geteuid};
 use subtle::{ConditionallySelectable, ConstantTimeEq};
 
-use super::ProtectionError;
+use super::{ProtectionError, strength::estimated_bits};
 
 /// Fewest characters of a token: 128 bit in hexadecimal digits.
 const FEWEST_HEX: usize = 32;
@@ -21,6 +22,11 @@ const FEWEST_HEX: usize = 32;
 const FEWEST_BASE64: usize = 22;
 /// A random token of this length has more different characters than this.
 const FEWEST_DIFFERENT: usize = 8;
+/// Least estimate for a token: 128 random bits, less what chance may make look like a pattern. Of
+/// random tokens of 128 bits one in a hundred falls below it.
+pub(super) const LEAST_BITS: f64 = 85.0;
+/// Largest file of secrets, in bytes.
+const LARGEST: u64 = 1 << 20;
 
 /// What a token allows. Who may control may read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,7 +59,7 @@ impl Tokens {
     }
 
     /// One token per line; empty lines and lines that begin with `#` are passed over.
-    fn parse(path: &Path, text: &str) -> Result<Self, ProtectionError> {
+    pub(super) fn parse(path: &Path, text: &str) -> Result<Self, ProtectionError> {
         let mut entries = Vec::new();
         for (number, line) in text.lines().enumerate() {
             let line = line.trim();
@@ -116,14 +122,33 @@ fn strong(token: &str) -> Result<(), &'static str> {
     let mut different: Vec<u8> = token.bytes().collect();
     different.sort_unstable();
     different.dedup();
-    if token.len() < fewest || different.len() < FEWEST_DIFFERENT {
+    if token.len() < fewest
+        || different.len() < FEWEST_DIFFERENT
+        || estimated_bits(token) < LEAST_BITS
+    {
         return Err("the token can be guessed: 128 random bits are the least");
     }
     Ok(())
 }
 
-/// The text of a file, unless its mode has one of the `forbidden` bits.
+/// Whether a word could be a token: nothing else that is sent here looks like one.
+pub(super) fn is_strong(word: &str) -> bool {
+    strong(word).is_ok()
+}
+
+/// The text of a file, unless its mode has one of the `forbidden` bits. Where there are such, it is
+/// a secret: it must belong to this user, or to the system's administrator.
 pub(super) fn read_secret(
+    what: &'static str,
+    key: &'static str,
+    path: &Path,
+    forbidden: u32,
+) -> Result<String, ProtectionError> {
+    read_secret_as(geteuid().as_raw(), what, key, path, forbidden)
+}
+
+fn read_secret_as(
+    user: u32,
     what: &'static str,
     key: &'static str,
     path: &Path,
@@ -133,14 +158,27 @@ pub(super) fn read_secret(
         let path = path.to_owned();
         ProtectionError::Unreadable { what, key, path, reason }
     };
-    // One handle: what is checked is what is read.
-    let mut file = File::open(path).map_err(unreadable)?;
-    let mode = file.metadata().map_err(unreadable)?.mode() & 0o777;
+    // One handle: what is checked is what is read. Nobody is waited for who should write a pipe.
+    let nonblocking = OFlags::NONBLOCK.bits() as i32;
+    let file = File::options().read(true).custom_flags(nonblocking).open(path);
+    let file = file.map_err(unreadable)?;
+    let metadata = file.metadata().map_err(unreadable)?;
+    if !metadata.is_file() {
+        return Err(unreadable(io::Error::other("it is no regular file")));
+    }
+    let owner = metadata.uid();
+    if forbidden != 0 && owner != user && owner != 0 {
+        return Err(ProtectionError::NotOurs { what, path: path.to_owned(), owner, user });
+    }
+    let mode = metadata.mode() & 0o777;
     if mode & forbidden != 0 {
         return Err(ProtectionError::TooOpen { what, path: path.to_owned(), mode });
     }
+    if metadata.len() > LARGEST {
+        return Err(unreadable(io::Error::other("it is larger than 1 MiB")));
+    }
     let mut text = String::new();
-    file.read_to_string(&mut text).map_err(unreadable)?;
+    file.take(LARGEST).read_to_string(&mut text).map_err(unreadable)?;
     Ok(text)
 }
 
@@ -150,8 +188,8 @@ mod tests {
 
     use super::*;
 
-    const READ: &str = "0123456789abcdef0123456789abcdef";
-    const CONTROL: &str = "Zm9vYmFyYmF6cXV4Y29ycmU=";
+    const READ: &str = "5e0bd17c94a2f86331c7be905d48f2a6";
+    const CONTROL: &str = "Zr8+qT1/vXo2Lk9wBe5HdM==";
 
     fn parse(text: &str) -> Result<Tokens, String> {
         Tokens::parse(Path::new("tokens"), text).map_err(|error| error.to_string())
@@ -182,7 +220,10 @@ mod tests {
         assert!(refusal("\nadmin abc").contains("line 2: it begins neither"));
         assert!(refusal("read").contains("exactly one token"));
         assert!(refusal(&format!("read {READ} {READ}")).contains("exactly one token"));
-        for weak in [&READ[..31], &CONTROL[..21], &"ab".repeat(40), "password-of-the-lab"] {
+        let words = "correct-horse-battery-staple-lab";
+        let sequence = "0123456789abcdef0123456789abcdef";
+        let weak = [&READ[..31], &CONTROL[..21], &"ab".repeat(40), "password-of-the-lab"];
+        for weak in weak.into_iter().chain([words, sequence]) {
             assert!(refusal(&format!("read {weak}")).contains("can be guessed"), "{weak}");
         }
         assert!(refusal(&format!("read {READ}ä")).contains("characters"));
@@ -209,5 +250,36 @@ mod tests {
         }
         let absent = Tokens::load(&folder.path().join("absent")).err().unwrap().to_string();
         assert!(absent.contains("absent cannot be read") && absent.contains("server.tokens"));
+    }
+
+    #[test]
+    fn a_file_of_another_user_is_refused_with_the_remedy() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("tokens");
+        std::fs::write(&path, format!("read {READ}")).unwrap();
+        std::fs::set_permissions(&path, PermissionsExt::from_mode(0o600)).unwrap();
+        let owner = std::fs::metadata(&path).unwrap().uid();
+        let read_as = |user| read_secret_as(user, "tokens", "server.tokens", &path, 0o077);
+        assert!(read_as(owner).is_ok());
+        let others = read_as(owner + 1);
+        // The administrator could read and change it anyway.
+        assert_eq!(others.is_ok(), owner == 0);
+        if owner == 0 {
+            std::os::unix::fs::chown(&path, Some(4242), None).unwrap();
+        }
+        let user = owner + 1;
+        let refused = read_as(user).err().unwrap().to_string();
+        assert!(refused.contains(&format!("chown {user}")), "{refused}");
+        assert!(read_secret_as(user, "certificate", "", &path, 0).is_ok(), "no secret");
+    }
+
+    #[test]
+    fn a_pipe_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("tokens");
+        let made = std::process::Command::new("mkfifo").arg("-m").arg("600").arg(&path).status();
+        assert!(made.unwrap().success());
+        let refused = Tokens::load(&path).err().unwrap().to_string();
+        assert!(refused.contains("no regular file"), "{refused}");
     }
 }

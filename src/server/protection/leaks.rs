@@ -1,0 +1,71 @@
+//! Tokens in addresses: logs, histories and referrers keep those.
+
+use axum::http::Uri;
+use percent_encoding::percent_decode_str;
+
+use super::tokens::{Tokens, is_strong};
+
+/// Whether an address holds a token of ours, or what could be one, under whatever name.
+pub(in crate::server) fn holds_token(uri: &Uri, tokens: Option<&Tokens>) -> bool {
+    let is_token = |word: &str| {
+        tokens.is_some_and(|tokens| tokens.scope_of(word).is_some()) || is_strong(word)
+    };
+    let in_path = uri.path().split('/');
+    let in_query = uri.query().into_iter().flat_map(|query| query.split(['&', ';', '?']));
+    let pieces = in_path.chain(in_query).map(|piece| percent_decode_str(piece).decode_utf8_lossy());
+    pieces.flat_map(|piece| words(&piece)).any(|word| is_token(&word))
+}
+
+/// A piece of an address, whole, behind its name, and word by word: `auth=Bearer TOKEN`.
+fn words(piece: &str) -> Vec<String> {
+    let value = piece.split_once('=').map(|(_, value)| value);
+    let parts = [Some(piece), value, piece.split('=').next()].into_iter().flatten();
+    // A blank may be written as a plus, which is a character of tokens, too.
+    let in_words = parts.clone().flat_map(|part| {
+        part.split([' ', '+', ',', ':', '"', '\'']).chain(part.split([' ', ',', ':', '"', '\'']))
+    });
+    parts.chain(in_words).map(str::to_owned).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    const TOKEN: &str = "d41f8c62b07e93a5146fe0c9837b2ad5";
+    const PLUS: &str = "Zr8+qT1/vXo2Lk9wBe5HdM==";
+
+    #[test]
+    fn a_token_is_found_by_its_value_under_any_name() {
+        let text = format!("read {TOKEN}\ncontrol {PLUS}\n");
+        let tokens = Tokens::parse(Path::new("tokens"), &text).unwrap();
+        for uri in [
+            format!("/a?token={TOKEN}"),
+            format!("/a?limit=1&x={TOKEN}"),
+            format!("/a?{TOKEN}"),
+            format!("/a?{TOKEN}=1"),
+            format!("/a?auth=Bearer%20{TOKEN}"),
+            format!("/a?auth=Bearer+{TOKEN}"),
+            format!("/a?x=%64{}", &TOKEN[1..]),
+            format!("/a/{TOKEN}"),
+            format!("/a?q={PLUS}"),
+            format!("/a?q={}", PLUS.replace('+', "%2B").replace('/', "%2f").replace('=', "%3D")),
+        ] {
+            let uri: Uri = uri.parse().unwrap();
+            assert!(holds_token(&uri, Some(&tokens)), "{uri}");
+            // Who has no tokens of his own may be sent another's.
+            assert!(holds_token(&uri, None), "{uri}");
+        }
+        for uri in [
+            "/token",
+            "/a?limit=1000",
+            "/a?token=1",
+            "/a?format=binary&width=640",
+            "/api/v1/results/latest/projections/a/xy.png",
+            "/api/v1/shots/18446744073709551615",
+        ] {
+            assert!(!holds_token(&uri.parse().unwrap(), Some(&tokens)), "{uri}");
+        }
+    }
+}
