@@ -44,7 +44,7 @@ use crate::{
     archive::{RawLogSettings, ResultStore, merge_segments},
     config::ConfigFile,
     pipeline::{Board, ImagePair, Observer, PairResult, Pool, PoolLinks, PoolSettings},
-    server::{ApiState, Phase, Protection, serve},
+    server::{ApiState, Phase, Protection, raise_open_files, serve},
 };
 
 /// Rendering sets the pace of a simulated bench, and may take a minute for a large volume.
@@ -160,6 +160,7 @@ impl Daemon {
     pub async fn prepare(plan: DaemonPlan) -> anyhow::Result<Self> {
         let config = &plan.file.config;
         let acquisition = plan.acquisition()?;
+        raise_open_files(&config.server);
         let protection = Protection::open(&config.server)?;
         let address = config.server.address;
         let listener = TcpListener::bind(address).await.with_context(|| {

@@ -30,9 +30,14 @@ pub struct ServerSettings {
     /// Requests per second that one client may make on average; eight times as many at once.
     #[garde(custom(finite), range(min = 0.1, max = 1e6))]
     pub requests_per_s: f64,
-    /// Connections that may be open at the same time; one client may have half of them.
+    /// Connections of clients with a valid token that may be open at the same time; one client may
+    /// have half of them.
     #[garde(range(min = 8, max = 100_000))]
     pub connections: usize,
+    /// Connections without a valid token that may be open at the same time; one client may have half
+    /// of them. Who comes next takes the place of who has been there longest.
+    #[garde(range(min = 4, max = 10_000))]
+    pub guests: usize,
     /// Seconds that a client has for a request's header, for its body, and for taking some of an
     /// answer.
     #[garde(custom(finite), range(min = 0.1, max = 3600.0))]
@@ -61,6 +66,7 @@ impl Default for ServerSettings {
             remote_arming: false,
             requests_per_s: 50.0,
             connections: 1024,
+            guests: 64,
             client_patience_s: 10.0,
             tls: None,
         }

@@ -45,8 +45,9 @@ pub(super) async fn rate(
     request: Request,
     next: Next,
 ) -> Result<Response, ApiError> {
-    let free = request.method() == Method::POST && NEVER_LIMITED.contains(&request.uri().path());
-    if !free && let Err(wait) = app.protection.rates.take(connection.peer.ip(), Instant::now()) {
+    if !makes_safe(&request)
+        && let Err(wait) = app.protection.rates.take(connection.peer.ip(), Instant::now())
+    {
         let seconds = wait.as_secs_f64().ceil().max(1.0) as u64;
         let error = "too many requests from this address; see server.requests_per_s";
         return Err(ApiError::new(StatusCode::TOO_MANY_REQUESTS, error)
@@ -134,6 +135,7 @@ pub(super) async fn may_read(
     next: Next,
 ) -> Result<Response, Response> {
     admit(&app, Scope::Read, request.headers()).map_err(IntoResponse::into_response)?;
+    seated(&app, &request).map_err(IntoResponse::into_response)?;
     Ok(next.run(request).await)
 }
 
@@ -145,7 +147,31 @@ pub(super) async fn may_control(
     next: Next,
 ) -> Result<Response, Response> {
     admit(&app, Scope::Control, request.headers()).map_err(IntoResponse::into_response)?;
-    Ok(next.run(request).await)
+    if !makes_safe(&request) {
+        seated(&app, &request).map_err(IntoResponse::into_response)?;
+        return Ok(next.run(request).await);
+    }
+    if let Some(seat) = request.extensions().get::<SeatHandle>() {
+        seat.make_safe();
+    }
+    let mut response = next.run(request).await;
+    // Its seat is for the next one.
+    response.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
+    Ok(response)
+}
+
+fn makes_safe(request: &Request) -> bool {
+    request.method() == Method::POST && NEVER_LIMITED.contains(&request.uri().path())
+}
+
+/// A seat for the connection of a request that was let in.
+fn seated(app: &App, request: &Request) -> Result<(), ApiError> {
+    if request.extensions().get::<SeatHandle>().is_none_or(SeatHandle::admit) {
+        return Ok(());
+    }
+    let key = if app.protection.tokens.is_some() { "connections" } else { "guests" };
+    let error = format!("too many connections, from this address or in all; see server.{key}");
+    Err(ApiError::busy(error))
 }
 
 fn admit(app: &App, needed: Scope, headers: &HeaderMap) -> Result<(), ApiError> {

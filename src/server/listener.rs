@@ -1,7 +1,7 @@
 //! Connections: accepted within limits, secured where configured, cut off when a client is too
 //! slow, and ended in order.
 
-use std::{collections::HashMap, net::IpAddr, sync::Arc, time::Duration};
+use std::{io, net::SocketAddr, sync::Arc, time::Duration};
 
 use axum::{Router, body::Body};
 use hyper::{Request, body::Incoming, server::conn::http1, service::service_fn};
@@ -9,17 +9,21 @@ use hyper_util::{
     rt::{TokioIo, TokioTimer},
     server::graceful::{GracefulShutdown, Watcher},
 };
-use parking_lot::Mutex;
 use tokio::{
     io::{AsyncRead, AsyncWrite},
     net::{TcpListener, TcpStream},
+    sync::OwnedSemaphorePermit,
     task::JoinSet,
 };
 use tokio_io_timeout::TimeoutStream;
 use tokio_util::sync::CancellationToken;
 use tower::ServiceExt;
 
-use super::{app::Connection, protection::Protection};
+use super::{
+    app::Connection,
+    protection::Protection,
+    seats::{SeatHandle, Seats},
+};
 
 /// Largest header of a request.
 const HEADER_BYTES: usize = 32 << 10;
@@ -36,16 +40,16 @@ pub(super) async fn listen(
     stop: CancellationToken,
 ) {
     let graceful = GracefulShutdown::new();
-    let seats = Arc::new(Seats::new(protection.connections));
+    let seats = Seats::new(protection.places);
     // Dropped with this future: then no connection outlives it.
     let mut connections = JoinSet::new();
     loop {
         let accepted = tokio::select! {
-            accepted = listener.accept() => accepted,
+            accepted = accept(&listener, &seats) => accepted,
             () = stop.cancelled() => break,
             Some(_) = connections.join_next() => continue,
         };
-        let (stream, peer) = match accepted {
+        let (stream, peer, socket) = match accepted {
             Ok(accepted) => accepted,
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be accepted");
@@ -53,18 +57,19 @@ pub(super) async fn listen(
                 continue;
             }
         };
-        // Without a seat the stream is closed at once: an answer would cost what there is none of.
-        let Some(seat) = Seat::take(&seats, peer.ip()) else {
-            tracing::debug!(%peer, "no more connections; see server.connections");
-            continue;
-        };
+        let seat = seats.arrive(peer.ip(), socket);
         let (router, protection, watcher) =
             (router.clone(), protection.clone(), graceful.watcher());
         connections.spawn(async move {
-            if let Err(error) = serve_connection(stream, router, &protection, watcher).await {
+            let served = serve_connection(stream, router, seat.handle(), &protection, watcher);
+            let ended = tokio::select! {
+                ended = served => ended,
+                // An answer would cost what there is none of.
+                () = seat.needed() => Ok(()),
+            };
+            if let Err(error) = ended {
                 tracing::debug!(%peer, %error, "the connection ended");
             }
-            drop(seat);
         });
     }
     drop(listener);
@@ -72,28 +77,40 @@ pub(super) async fn listen(
     while connections.join_next().await.is_some() {}
 }
 
+/// The next connection, once its file may be open.
+async fn accept(
+    listener: &TcpListener,
+    seats: &Seats,
+) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
+    let socket = seats.socket().await.ok_or(io::ErrorKind::NotConnected)?;
+    let (stream, peer) = listener.accept().await?;
+    Ok((stream, peer, socket))
+}
+
 type Ended = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 
 async fn serve_connection(
     stream: TcpStream,
     router: Router,
+    seat: SeatHandle,
     protection: &Protection,
     watcher: Watcher,
 ) -> Ended {
+    let patience = protection.patience;
     let connection = Connection { peer: stream.peer_addr()?, local: stream.local_addr()? };
     stream.set_nodelay(true)?;
     match &protection.tls {
-        None => serve_http(stream, connection, router, protection.patience, watcher).await,
+        None => serve_http(stream, (connection, seat), router, patience, watcher).await,
         Some(tls) => {
-            let stream = tokio::time::timeout(protection.patience, tls.accept(stream)).await??;
-            serve_http(stream, connection, router, protection.patience, watcher).await
+            let stream = tokio::time::timeout(patience, tls.accept(stream)).await??;
+            serve_http(stream, (connection, seat), router, patience, watcher).await
         }
     }
 }
 
 async fn serve_http(
     stream: impl AsyncRead + AsyncWrite + Send + 'static,
-    connection: Connection,
+    (connection, seat): (Connection, SeatHandle),
     router: Router,
     patience: Duration,
     watcher: Watcher,
@@ -103,6 +120,7 @@ async fn serve_http(
     stream.as_mut().set_write_timeout_pinned(Some(patience));
     let service = service_fn(move |mut request: Request<Incoming>| {
         request.extensions_mut().insert(connection);
+        request.extensions_mut().insert(seat.clone());
         router.clone().oneshot(request.map(Body::new))
     });
     let served = http1::Builder::new()
@@ -114,66 +132,4 @@ async fn serve_http(
         .serve_connection(TokioIo::new(stream), service);
     watcher.watch(served).await?;
     Ok(())
-}
-
-/// Places for connections; one client may have half of them.
-struct Seats {
-    most: usize,
-    taken: Mutex<HashMap<IpAddr, usize>>,
-}
-
-impl Seats {
-    fn new(most: usize) -> Self {
-        Self { most, taken: Mutex::default() }
-    }
-}
-
-/// Given back when it is dropped.
-struct Seat {
-    seats: Arc<Seats>,
-    client: IpAddr,
-}
-
-impl Seat {
-    fn take(seats: &Arc<Seats>, client: IpAddr) -> Option<Self> {
-        let mut taken = seats.taken.lock();
-        let all: usize = taken.values().sum();
-        let own = taken.get(&client).copied().unwrap_or_default();
-        if all >= seats.most || own >= seats.most / 2 {
-            return None;
-        }
-        taken.insert(client, own + 1);
-        Some(Self { seats: seats.clone(), client })
-    }
-}
-
-impl Drop for Seat {
-    fn drop(&mut self) {
-        let mut taken = self.seats.taken.lock();
-        match taken.get_mut(&self.client) {
-            Some(own) if *own > 1 => *own -= 1,
-            _ => drop(taken.remove(&self.client)),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_client_gets_half_of_the_seats_and_gives_them_back() {
-        let seats = Arc::new(Seats::new(8));
-        let take = |client: u8, count: usize| -> Vec<Seat> {
-            let client = IpAddr::from([10, 0, 0, client]);
-            (0..count).map_while(|_| Seat::take(&seats, client)).collect()
-        };
-        let first = take(1, 8);
-        let (second, third) = (take(2, 3), take(3, 3));
-        assert_eq!([first.len(), second.len(), third.len()], [4, 3, 1]);
-        drop(first);
-        assert_eq!(take(3, 8).len(), 3, "half of eight, less the one it has");
-        drop((second, third));
-        assert!(seats.taken.lock().is_empty());
-    }
 }

@@ -38,6 +38,7 @@ mod preview;
 mod protection;
 mod results;
 mod schemas;
+mod seats;
 mod shots;
 mod state;
 mod status;
@@ -55,7 +56,7 @@ use app::App;
 pub use control::Controls;
 use error::ApiError;
 pub use frames::FrameSource;
-pub use protection::{Protection, ProtectionError};
+pub use protection::{Protection, ProtectionError, open_files_needed, raise_open_files};
 pub use state::{ApiState, ConfigurationSummary, Phase, RunInfo};
 
 /// Largest body of a request.

@@ -91,6 +91,7 @@ async fn two_hundred_streams_see_every_shot_and_the_run_loses_none() {
     let root = tempfile::tempdir().unwrap();
     let mut file = configuration(root.path());
     file.config.server = settings();
+    file.config.server.guests = 2 * STREAMS;
     let plan = DaemonPlan::new(file, NonZeroU64::new(SHOTS), OverloadPolicy::Wait);
     let (instruments, _) = bench(&plan.file, &[]);
     let daemon = Daemon::prepare(plan).await.unwrap();

@@ -151,27 +151,66 @@ async fn many_requests_are_limited_but_never_those_that_make_safe() {
     assert_eq!(Ask::get("/api/v1/control/stop").of(server.address).await.status, 429);
 }
 
+/// A stream from another address of this machine.
+async fn from_elsewhere(server: &Server) -> TcpStream {
+    let socket = tokio::net::TcpSocket::new_v4().unwrap();
+    socket.bind(std::net::SocketAddr::from(([127, 0, 0, 2], 0))).unwrap();
+    socket.connect(server.address).await.unwrap()
+}
+
 #[tokio::test]
-async fn one_client_cannot_take_every_connection() {
-    let few = ServerSettings { connections: 8, client_patience_s: 1.0, ..settings() };
+async fn who_sits_there_and_says_nothing_keeps_nobody_out() {
+    let few = ServerSettings { guests: 8, client_patience_s: 60.0, ..settings() };
     let server = Server::empty(&few).await;
     let mut silent = Vec::new();
-    for _ in 0..4 {
+    for _ in 0..12 {
         silent.push(TcpStream::connect(server.address).await.unwrap());
     }
-    // The accept loop sees them in order.
-    let stream = TcpStream::connect(server.address).await.unwrap();
-    let refused = exchange(stream, b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n").await;
-    assert_eq!(refused.status, 0, "{refused:?}");
-    let loopback = std::net::SocketAddr::from(([127, 0, 0, 2], 0));
-    let socket = tokio::net::TcpSocket::new_v4().unwrap();
-    socket.bind(loopback).unwrap();
-    let other = socket.connect(server.address).await.unwrap();
-    assert_eq!(Ask::get("/healthz").over(other, server.address).await.status, 200);
-    for stream in &mut silent {
-        until_closed(stream).await;
-    }
+    // From the same address and from another one.
     assert_eq!(get(server.address, "/healthz").await.status, 200);
+    let other = from_elsewhere(&server).await;
+    assert_eq!(Ask::get("/healthz").over(other, server.address).await.status, 200);
+    // Half of the seats were theirs; who had been there longest had to go.
+    for stream in &mut silent[..8] {
+        assert_eq!(until_closed(stream).await.1, b"");
+    }
+}
+
+#[tokio::test]
+async fn streams_have_few_places_without_a_token_and_many_with_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let few = ServerSettings { guests: 8, connections: 40, ..settings() };
+    let tokens = ServerSettings { guests: 8, connections: 40, ..with_tokens(folder.path()) };
+    for (settings, most, key) in [(few, 4, "server.guests"), (tokens, 20, "server.connections")] {
+        let server = Server::empty(&settings).await;
+        let events = Ask::get("/api/v1/events").token(READ);
+        let mut streams = Vec::new();
+        for _ in 0..most {
+            let mut stream = TcpStream::connect(server.address).await.unwrap();
+            stream.write_all(&events.bytes(server.address)).await.unwrap();
+            let mut begun = [0; 12];
+            stream.read_exact(&mut begun).await.unwrap();
+            assert_eq!(&begun, b"HTTP/1.1 200");
+            streams.push(stream);
+        }
+        let refused = events.of(server.address).await;
+        assert!(refused.error(503).contains(key), "{refused:?}");
+        // Streams are no guests: many who come send none of them away.
+        for _ in 0..20 {
+            assert_eq!(get(server.address, "/healthz").await.status, 200);
+        }
+        let elsewhere = from_elsewhere(&server).await;
+        let status = Ask::get("/api/v1/status").token(READ).over(elsewhere, server.address).await;
+        assert_eq!(status.status, 200);
+        if settings.tokens.is_some() {
+            let disarm = Ask::post("/api/v1/control/disarm").token(CONTROL);
+            assert_eq!(disarm.of(server.address).await.status, 409, "no controls, but let through");
+        }
+        for stream in &mut streams {
+            let mut more = [0; 1];
+            stream.read_exact(&mut more).await.expect("the stream goes on");
+        }
+    }
 }
 
 #[tokio::test]

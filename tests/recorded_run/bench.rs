@@ -61,14 +61,26 @@ pub struct Running {
     pub child: Child,
     pub address: String,
     pub folder: PathBuf,
+    token: Option<&'static str>,
 }
 
 impl Running {
     pub fn start(config: &Path, arguments: &[&str]) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
-            .args(["run", "--config"])
-            .arg(config)
-            .args(arguments)
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
+        command.args(["run", "--config"]).arg(config).args(arguments);
+        Self::of(command)
+    }
+
+    /// With so many open files at most, whatever it asks for.
+    pub fn limited(config: &Path, open_files: u64) -> Self {
+        let mut command = Command::new("sh");
+        let limited = format!("ulimit -n {open_files}; exec \"$0\" \"$@\"");
+        command.args(["-c", &limited, env!("CARGO_BIN_EXE_lfpiv"), "run", "--config"]).arg(config);
+        Self::of(command)
+    }
+
+    fn of(mut command: Command) -> Self {
+        let mut child = command
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
@@ -80,14 +92,24 @@ impl Running {
         };
         let address = value_of("status:").trim_end_matches("/api/v1/status").to_owned();
         let folder = PathBuf::from(value_of("results:"));
-        Self { child, address, folder }
+        Self { child, address, folder, token: None }
+    }
+
+    /// Asks with this token from now on.
+    pub fn with_token(mut self, token: &'static str) -> Self {
+        self.token = Some(token);
+        self
     }
 
     /// The answer, if there is one: the daemon may be about to die.
     pub fn get(&self, path: &str) -> Option<Value> {
         let agent = ureq::Agent::config_builder().timeout_global(Some(PATIENCE)).build();
         let agent: ureq::Agent = agent.into();
-        agent.get(&format!("{}{path}", self.address)).call().ok()?.body_mut().read_json().ok()
+        let mut request = agent.get(&format!("{}{path}", self.address));
+        if let Some(token) = self.token {
+            request = request.header("Authorization", &format!("Bearer {token}"));
+        }
+        request.call().ok()?.body_mut().read_json().ok()
     }
 
     /// Waits until `reached` says so of the status.

@@ -4,6 +4,7 @@
 mod bench;
 mod disk;
 mod fixture;
+mod flood;
 mod killed;
 mod processed_later;
 mod replayed;

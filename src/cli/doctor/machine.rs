@@ -8,22 +8,22 @@ use super::{
     Finding, Need,
     need::{cores, mb},
 };
+use crate::{config::ServerSettings, server::open_files_needed};
 
 /// Memory of tables and volumes of a large bench.
 const PROGRAM_BYTES: f64 = 512e6;
-/// Files, connections and event streams that may be open.
-const FILES: u64 = 1024;
+/// Below this a run itself may be short of files.
 const LEAST_FILES: u64 = 256;
 
 /// Everything about the machine that needs no configuration, though one sharpens it.
-pub fn examine(need: Option<&Need>) -> Vec<Finding> {
+pub fn examine(need: Option<&Need>, server: &ServerSettings) -> Vec<Finding> {
     let available = free_memory_bytes();
     let governor = fs::read_to_string("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
     vec![
         processor(cores(), &instruction_sets()),
         memory(available, need),
         power(governor.ok().as_deref().map(str::trim)),
-        files(getrlimit(Resource::Nofile).current),
+        files(getrlimit(Resource::Nofile).maximum, server),
     ]
 }
 
@@ -109,19 +109,22 @@ fn power(governor: Option<&str>) -> Finding {
     }
 }
 
-fn files(limit: Option<u64>) -> Finding {
+/// A run raises its limit to what it needs, up to the hard one.
+fn files(hard_limit: Option<u64>, server: &ServerSettings) -> Finding {
     const CHECK: &str = "open files";
-    let Some(limit) = limit else { return Finding::ok(CHECK, "no limit") };
-    let found = format!("at most {limit}");
-    let todo = format!("ulimit -n {FILES}, or LimitNOFILE={FILES} in the service's unit");
+    let needed = open_files_needed(server);
+    let Some(limit) = hard_limit else { return Finding::ok(CHECK, "no limit") };
+    let found = format!("at most {limit}, up to {needed} needed by the run and its connections");
+    let todo = format!("ulimit -n {needed}, or LimitNOFILE={needed} in the service's unit");
     let finding = if limit < LEAST_FILES {
         Finding::problem(CHECK, found, todo)
-    } else if limit < FILES {
+    } else if limit < needed {
+        let todo = format!("{todo}; until then there are fewer places for connections");
         Finding::advice(CHECK, found, todo)
     } else {
         Finding::ok(CHECK, found)
     };
-    finding.with("limit", limit as f64)
+    finding.with("limit", limit as f64).with("needed", needed as f64)
 }
 
 #[cfg(test)]
@@ -145,9 +148,15 @@ mod tests {
 
     #[test]
     fn limits_and_governors_have_their_verdicts() {
-        assert_eq!(files(Some(100)).verdict, Verdict::Problem);
-        assert_eq!(files(Some(512)).verdict, Verdict::Advice);
-        assert_eq!(files(Some(FILES)).verdict, Verdict::Ok);
+        let server = ServerSettings { tokens: Some("tokens".into()), ..ServerSettings::default() };
+        let needed = open_files_needed(&server);
+        let more = ServerSettings { connections: 8000, ..server.clone() };
+        assert_eq!(files(Some(100), &server).verdict, Verdict::Problem);
+        assert_eq!(files(Some(1024), &server).verdict, Verdict::Advice);
+        assert_eq!(files(Some(1024), &ServerSettings::default()).verdict, Verdict::Ok);
+        assert_eq!(files(Some(needed), &server).verdict, Verdict::Ok);
+        assert_eq!(files(Some(needed), &more).verdict, Verdict::Advice);
+        assert_eq!(files(None, &more).verdict, Verdict::Ok);
         assert_eq!(power(Some("powersave")).verdict, Verdict::Advice);
         assert_eq!(power(None).verdict, Verdict::Ok);
         assert_eq!(processor(1, &["avx2"]).verdict, Verdict::Advice);

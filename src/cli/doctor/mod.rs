@@ -51,7 +51,8 @@ fn examine(file: Option<&ConfigFile>) -> Vec<Finding> {
     let need = file.map(|file| Need::of(&file.config));
     let output = file.map_or(Path::new("."), |file| file.config.output.dir.as_path());
     let mut findings = disk::examine(output, need.as_ref());
-    findings.extend(machine::examine(need.as_ref()));
+    let server = file.map(|file| file.config.server.clone()).unwrap_or_default();
+    findings.extend(machine::examine(need.as_ref(), &server));
     findings.push(clock::examine());
     if let Some(file) = file {
         findings.push(endpoint::address(file.config.server.address));

@@ -34,8 +34,8 @@ pub struct Protection {
     pub(super) tls: Option<TlsAcceptor>,
     /// How long a client may take to send something, or to take something.
     pub(super) patience: Duration,
-    /// Open at the same time.
-    pub(super) connections: usize,
+    /// Connections that may be open at the same time.
+    pub(super) places: Places,
     /// Whether the configuration allows to arm over HTTP.
     pub(super) remote_arming: bool,
 }
@@ -61,7 +61,7 @@ impl Protection {
             rates: RateLimits::new(settings.requests_per_s, BURST_S * settings.requests_per_s),
             tls,
             patience: Duration::from_secs_f64(settings.client_patience_s),
-            connections: settings.connections,
+            places: open_files::places(settings),
             remote_arming: settings.remote_arming,
         })
     }

@@ -59,7 +59,7 @@ impl RateLimits {
 }
 
 /// A host has a whole IPv6 network of 64 bits to itself.
-fn network(client: IpAddr) -> IpAddr {
+pub(in crate::server) fn network(client: IpAddr) -> IpAddr {
     match client.to_canonical() {
         IpAddr::V6(address) => {
             let [a, b, c, d, ..] = address.segments();
