@@ -6,7 +6,7 @@ use lfpiv_hw::{CameraName, device::SynchroniserState};
 
 use super::{
     AcquisitionError, BurstStart, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence,
-    controller::Run, journal::Entry, rulings::note,
+    controller::Run, journal::Entry,
 };
 
 /// How often the run loop looks at the time.
@@ -194,11 +194,8 @@ impl Run {
     async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
         self.broken_off = false;
         self.time_passes(self.clock.now()).await?;
-        self.is_burst_open = true;
+        (self.is_burst_open, self.is_burst_begun) = (true, false);
         let first = self.pairing.fired(shots, self.time);
-        for trigger in first..first + shots {
-            note(self.ledger.lock().enter(trigger));
-        }
         self.fired += shots;
         self.presence.iter_mut().for_each(|camera| camera.silent += shots);
         self.note(Entry::Fired { at_ns: self.at_ns(), first, shots }).await?;
@@ -206,15 +203,14 @@ impl Run {
         if self.broken_off || !self.is_programmed || self.stop.is_cancelled() {
             return Ok(());
         }
+        self.is_burst_begun = true;
         let started = self.synchroniser.call(move |unit| {
             unit.fire(shots)?;
             Ok(unit.started_after())
         });
         let started_after = started.await?;
         let start = self.burst_start(started_after);
-        self.note(Entry::BurstStarted { first, start }).await?;
-        self.ledger.lock().timed_from(first, |trigger| self.times.expected(trigger));
-        Ok(())
+        self.note(Entry::BurstStarted { first, start }).await.map(|_| ())
     }
 
     /// How the burst that was just accepted began, and what UTC is. One that is played again began
@@ -243,8 +239,9 @@ impl Run {
         let counted = self.synchroniser.call(|unit| unit.trigger_count()).await?;
         let given = match (counted, self.first_count) {
             (Some(counted), Some(first)) => self.given_before + counted.saturating_sub(first),
-            // A unit that does not count is taken at its word; frames say the rest.
-            _ => self.fired,
+            // A unit that does not count is taken at its word, up to now; frames say the rest.
+            _ if self.is_burst_begun => self.pairing.due_by(self.clock.now()),
+            _ => self.pairing.due_by(Duration::ZERO),
         };
         self.is_burst_open = false;
         self.note(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;

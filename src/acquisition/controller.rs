@@ -164,6 +164,8 @@ pub(super) struct Run {
     pub(super) is_programmed: bool,
     /// A burst was fired, and its triggers have not been counted.
     pub(super) is_burst_open: bool,
+    /// The unit was told to begin it.
+    pub(super) is_burst_begun: bool,
     /// The lamps fire although no shots are taken.
     pub(super) is_armed: bool,
     /// The burst that runs was ended before its time.
@@ -226,6 +228,7 @@ impl Run {
             given_before: 0,
             is_programmed: false,
             is_burst_open: false,
+            is_burst_begun: false,
             is_armed: false,
             broken_off: false,
             presence: vec![Presence::default(); count],
@@ -292,7 +295,8 @@ impl Run {
         for camera in std::mem::take(&mut self.cameras) {
             join(camera).await;
         }
-        // What was asked for and not given any more is no trigger.
+        // What was asked for and not given any more is no trigger. Where the unit cannot be asked,
+        // pairing goes by what the cameras saw, and by what was due.
         if self.is_burst_open
             && safe.is_ok()
             && let Err(error) = self.try_end_burst().await

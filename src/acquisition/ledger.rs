@@ -1,11 +1,12 @@
 //! What became of every trigger, per camera: a ledger with a conservation law.
 //!
-//! Every trigger that is entered ends, for each camera, as exactly one [`Outcome`]. At any time
-//! and for every camera
+//! A trigger is entered once it is known to have been given, or to have been due where nobody can
+//! say. From then on it counts: no count ever falls. It ends, for each camera, as exactly one
+//! [`Outcome`]. At any time and for every camera
 //!
 //! ```text
 //! triggers = complete + missing packets + underrun + missed trigger + late + unpaired
-//!          + shed + write failed + open
+//!          + shed + write failed + not fired + open
 //! ```
 //!
 //! and at the end of a run `open` is zero. The ledger refuses whatever would break the law.
@@ -55,9 +56,6 @@ pub enum LedgerError {
     /// Entered before.
     #[error("trigger {trigger} is entered already")]
     Entered { trigger: u64 },
-    /// Something is known about it, so it happened.
-    #[error("trigger {trigger} cannot be withdrawn: it is unknown or partly settled")]
-    NotWithdrawable { trigger: u64 },
 }
 
 /// Settled triggers whose entries are kept for inquiry; their counts are kept for ever.
@@ -101,21 +99,6 @@ impl Ledger {
         Ok(())
     }
 
-    /// Takes back a trigger that was asked for and never given.
-    pub fn withdraw(&mut self, trigger: u64) -> Result<(), LedgerError> {
-        let untouched = |entry: &TriggerEntry| entry.cameras.iter().all(Option::is_none);
-        if !self.entries.get(&trigger).is_some_and(untouched) {
-            return Err(LedgerError::NotWithdrawable { trigger });
-        }
-        self.entries.remove(&trigger);
-        for account in &mut self.accounts {
-            account.triggers -= 1;
-            account.open -= 1;
-        }
-        self.hold_to_the_law();
-        Ok(())
-    }
-
     /// Notes that a trigger's frames were paired and handed on.
     pub fn queued(&mut self, trigger: u64, suspect: &[String]) {
         if let Some(entry) = self.entries.get_mut(&trigger) {
@@ -128,13 +111,6 @@ impl Ledger {
     pub fn timed(&mut self, trigger: u64, time: Option<ShotTime>) {
         if let Some(entry) = self.entries.get_mut(&trigger) {
             entry.time = time.or(entry.time);
-        }
-    }
-
-    /// Notes when the triggers from `first` on are expected.
-    pub fn timed_from(&mut self, first: u64, expected: impl Fn(u64) -> Option<ShotTime>) {
-        for (trigger, entry) in self.entries.range_mut(first..) {
-            entry.time = expected(*trigger).or(entry.time);
         }
     }
 
@@ -261,18 +237,6 @@ mod tests {
         );
         assert_eq!((ledger.accounts()[0].open, ledger.accounts()[1].open), (1, 0));
         assert_eq!(ledger.accounts()[1].outcomes.of(Outcome::Late), 1);
-        assert!(ledger.is_balanced());
-    }
-
-    #[test]
-    fn only_an_untouched_trigger_can_be_withdrawn() {
-        let mut ledger = Ledger::new(2);
-        ledger.enter(0).unwrap();
-        ledger.enter(1).unwrap();
-        ledger.settle(0, 0, Outcome::Unpaired).unwrap();
-        assert_eq!(ledger.withdraw(0), Err(LedgerError::NotWithdrawable { trigger: 0 }));
-        ledger.withdraw(1).unwrap();
-        assert_eq!(ledger.accounts()[0].triggers, 1);
         assert!(ledger.is_balanced());
     }
 

@@ -23,11 +23,14 @@ pub enum Outcome {
     Shed,
     /// The result or the raw images could not be written.
     WriteFailed,
+    /// It was due, and nothing shows that it was given: no camera saw it, and the synchroniser could
+    /// not be asked how many it gave.
+    NotFired,
 }
 
 impl Outcome {
     /// Every outcome, in the order of their counts.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Complete,
         Self::MissingPackets,
         Self::Underrun,
@@ -36,6 +39,7 @@ impl Outcome {
         Self::Unpaired,
         Self::Shed,
         Self::WriteFailed,
+        Self::NotFired,
     ];
 
     /// Name in JSON and in metrics.
@@ -49,6 +53,7 @@ impl Outcome {
             Self::Unpaired => "unpaired",
             Self::Shed => "shed",
             Self::WriteFailed => "write_failed",
+            Self::NotFired => "not_fired",
         }
     }
 }

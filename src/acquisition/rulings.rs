@@ -63,6 +63,7 @@ impl Run {
         let mut ended = Ok(());
         for ruling in rulings {
             let applied = match ruling {
+                Ruling::Given { trigger } => self.count(trigger).await,
                 Ruling::Paired(shot) => self.send_on(shot).await,
                 Ruling::Settled { trigger, camera, outcome } => {
                     self.settle(trigger, camera, outcome).await
@@ -72,13 +73,22 @@ impl Run {
                     for camera in &mut self.presence {
                         camera.silent = camera.silent.saturating_sub(1);
                     }
-                    note(self.ledger.lock().withdraw(trigger));
                     self.note(Entry::Withdrawn { trigger }).await.map(|_| ())
                 }
             };
             ended = ended.and(applied);
         }
         ended
+    }
+
+    /// A trigger is known to have been given.
+    async fn count(&mut self, trigger: u64) -> Result<(), AcquisitionError> {
+        {
+            let mut ledger = self.ledger.lock();
+            note(ledger.enter(trigger));
+            ledger.timed(trigger, self.times.expected(trigger));
+        }
+        self.note(Entry::Given { trigger }).await.map(|_| ())
     }
 
     async fn settle(

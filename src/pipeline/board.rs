@@ -98,7 +98,7 @@ pub struct Watermarks {
     pub written: u64,
     /// Their raw data is on the disk: it survives a power cut.
     pub fsynced: u64,
-    /// Their velocity is stored.
+    /// Their velocity is stored, and their raw data is written at least.
     pub processed: u64,
 }
 

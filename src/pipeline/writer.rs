@@ -15,8 +15,11 @@ use super::{Board, PairResult, PoolLinks, ShotRecord};
 use crate::{
     acquisition::{Outcome, panic_message},
     archive::{ArchiveError, ResultStore},
+    lightfield::RawLevel,
 };
 
+/// How often a shot's raw data is looked at that is on its way to the disk.
+const LOOK: Duration = Duration::from_millis(1);
 /// Silence after which the sink may tidy up.
 const PAUSE: Duration = Duration::from_secs(1);
 
@@ -127,7 +130,7 @@ impl<S: ResultSink> Writer<S> {
     }
 
     fn write(&mut self, shot: u64, due: Duration, mut result: PairResult) {
-        result.raw = self.links.journal.level(shot);
+        result.raw = self.raw_level(shot);
         let result = Arc::new(result);
         let kept = result.clone();
         let record = match self.sink.append(shot, &result) {
@@ -144,6 +147,17 @@ impl<S: ResultSink> Writer<S> {
             }
         };
         (self.observer)(&record, Some(&result));
+    }
+
+    /// How safe the raw data of a shot is, once it is written: no result outlives a kill whose images
+    /// do not. Mostly they were written before the shot was measured.
+    fn raw_level(&self, shot: u64) -> RawLevel {
+        loop {
+            match self.links.journal.level(shot) {
+                RawLevel::Acquired => std::thread::sleep(LOOK),
+                level => return level,
+            }
+        }
     }
 
     /// The frames were whole: what failed is the shot's processing, not the trigger.

@@ -77,6 +77,7 @@ impl Reader {
             ("failed", counts.failed),
             ("write_failed", counts.write_failed),
             ("shed", counts.shed),
+            ("not_fired", counts.not_fired),
             ("lost", counts.lost),
         ] {
             let labels = [("state", state)];

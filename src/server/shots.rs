@@ -31,6 +31,8 @@ pub(super) enum ShotState {
     Failed,
     WriteFailed,
     Shed,
+    /// It was due, and nothing shows that it was given.
+    NotFired,
     /// Some camera did not deliver; see the outcomes.
     Lost,
 }
@@ -49,6 +51,7 @@ impl ShotState {
             (false, false) => Self::AwaitingFrames,
             (false, true) => Self::Queued,
             (true, _) if entry.cameras.contains(&Some(Outcome::Shed)) => Self::Shed,
+            (true, _) if entry.cameras.contains(&Some(Outcome::NotFired)) => Self::NotFired,
             (true, _) => Self::Lost,
         }
     }

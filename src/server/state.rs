@@ -159,6 +159,8 @@ impl ApiState {
 
     /// How far data is safe, in numbers of shots; `None` where nothing is recorded.
     pub(super) fn watermarks(&self) -> Option<Watermarks> {
+        // What comes last is read first: nothing seems to be further than what it follows from.
+        let processed = self.board.counts().done;
         let marks = self.journal.log().map(|_| self.journal.marks());
         let Some(marks) = marks else { return self.board.watermarks() };
         let acquired = {
@@ -171,7 +173,7 @@ impl ApiState {
             paired: marks.paired,
             written: marks.written,
             fsynced: marks.synced,
-            processed: self.board.counts().done,
+            processed: processed.min(marks.written),
         })
     }
 

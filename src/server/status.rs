@@ -57,6 +57,7 @@ pub(super) struct ShotCounts {
     pub shed: u64,
     pub lost: u64,
 }
+    pub not_fired: u64,
 
 impl ShotCounts {
     pub fn of(state: &ApiState) -> Self {
@@ -69,6 +70,8 @@ impl ShotCounts {
         let shed = account.outcomes.of(Outcome::Shed);
         let pooled = handed_on + pool.done + pool.failed + pool.write_failed;
         let processing = pool.processing.min(handed_on);
+        let not_fired = account.outcomes.of(Outcome::NotFired);
+        let ended_unseen = shed + not_fired;
         Self {
             triggered: account.triggers,
             awaiting_frames,
@@ -78,7 +81,8 @@ impl ShotCounts {
             failed: pool.failed,
             write_failed: pool.write_failed,
             shed,
-            lost: account.triggers.saturating_sub(pooled + awaiting_frames + shed),
+            not_fired,
+            lost: account.triggers.saturating_sub(pooled + awaiting_frames + ended_unseen),
         }
     }
 }

@@ -186,3 +186,49 @@ async fn a_stop_ends_the_burst_and_keeps_what_was_seen() {
     assert_eq!(taken.ledger.accounts()[0].outcomes.of(Outcome::Complete), triggers);
     taken.assert_safe_end();
 }
+
+/// A burst is fifty triggers; counted are those that were given, as they are seen.
+#[tokio::test]
+async fn triggers_are_counted_when_they_are_given_and_never_taken_back() {
+    let (bench, _) = bench(&configuration(Path::new("unused")), &[]);
+    let ledger = Arc::new(Mutex::new(Ledger::new(2)));
+    let (sender, mut receiver) = shot_queue(50);
+    let stop = CancellationToken::new();
+    let links = AcquisitionLinks::new(ledger.clone(), sender, stop.clone());
+    let acquiring = tokio::spawn(acquire(bench, settings(50, OverloadPolicy::Shed), links));
+    let mut counted = Vec::new();
+    loop {
+        counted.push(ledger.lock().accounts()[0].triggers);
+        let received = tokio::time::timeout(Duration::from_millis(1), receiver.recv()).await;
+        match received {
+            Ok(Some(shot)) => {
+                ledger.lock().settle_all(shot.trigger, Outcome::Complete).unwrap();
+                if shot.trigger == 4 {
+                    stop.cancel();
+                }
+            }
+            Ok(None) => break,
+            Err(_) => {}
+        }
+    }
+    let given = acquiring.await.unwrap().unwrap().triggers;
+    counted.push(ledger.lock().accounts()[0].triggers);
+    assert!(counted.is_sorted(), "{counted:?}");
+    assert_eq!(counted.last(), Some(&given));
+}
+
+/// The line is lost in the middle of a burst: what nobody saw was perhaps never given, and is not
+/// called shed.
+#[tokio::test]
+async fn triggers_that_nothing_shows_were_not_shed() {
+    let settings = settings(50, OverloadPolicy::Shed);
+    let tricks = [(0, 16, Trick::CutLine)];
+    let taken = take(settings, &tricks, 50, CancellationToken::new(), |_| {}).await;
+    assert!(taken.ended.is_err());
+    for account in taken.ledger.accounts() {
+        // The cameras were some frames ahead.
+        let shed = account.outcomes.of(Outcome::Shed);
+        assert!(shed <= 10, "{account:?}");
+        assert_eq!(account.triggers, taken.ledger.entries().count() as u64);
+    }
+}

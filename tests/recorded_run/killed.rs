@@ -7,7 +7,7 @@ use std::{
 };
 
 use lfpiv::{
-    acquisition::journal::RAW_FOLDER,
+    acquisition::journal::{Entry, RAW_FOLDER, RecordedRun},
     archive::{StoredResults, recover},
 };
 use lfpiv_hw::RawImage;
@@ -107,4 +107,53 @@ fn finish_twice(run: &Path) {
     let ledger: serde_json::Value = serde_json::from_str(&ledger).expect("JSON");
     assert_eq!(ledger["balanced"], true);
     assert!(ledger["error"].as_str().is_some_and(|error| error.contains("cut off")), "{ledger}");
+}
+
+/// A run that is killed in the middle of a burst has counted what was taken, and calls nothing shed
+/// that never happened.
+#[test]
+fn a_killed_run_counts_what_was_fired() {
+    let root = tempfile::tempdir().expect("a folder");
+    let config = configuration(root.path(), "");
+    let running = Running::start(&config, &[]);
+    running.wait_until(|status| status["shots"]["done"].as_u64() > Some(7));
+    let run = running.kill();
+    let folder = run.to_str().expect("a path in UTF-8");
+    let output = lfpiv(&["process", folder]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let recorded = RecordedRun::open(&run).expect("a recorded run");
+    let frames = recorded.entries().filter(|placed| {
+        let placed = placed.as_ref().expect("an entry");
+        matches!(placed.entry, Entry::Frame { camera: 0, .. })
+    });
+    // Two frames to a trigger; of the last one perhaps only the first.
+    let seen = frames.count().div_ceil(2) as u64;
+    let ledger = std::fs::read_to_string(run.join("ledger.json")).expect("a ledger");
+    let ledger: serde_json::Value = serde_json::from_str(&ledger).expect("JSON");
+    for camera in ledger["cameras"].as_array().expect("cameras") {
+        let of = |outcome: &str| camera["outcomes"][outcome].as_u64().unwrap_or_default();
+        let taken = of("shed") + of("complete");
+        assert!(taken > 7 && taken <= seen, "{seen} triggers were seen: {camera}");
+    }
+}
+
+/// What the daemon says it has processed is recorded, whatever happens next.
+#[test]
+fn what_was_processed_is_recorded_after_a_kill() {
+    let root = tempfile::tempdir().expect("a folder");
+    let config = configuration(root.path(), RAW_LOG);
+    for seed in 0..20 {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let running = Running::start(&config, &["--shots", REFERENCE_SHOTS]);
+        let end = Instant::now() + Duration::from_micros(random.random_range(200_000..900_000));
+        let mut processed = 0;
+        while Instant::now() < end {
+            let Some(status) = running.get("/api/v1/status") else { continue };
+            processed = status["watermarks"]["processed"].as_u64().unwrap_or(processed);
+        }
+        let run = running.kill();
+        recover(&run.join(RAW_FOLDER)).expect("a log that can be recovered");
+        let recorded = images(&run).len() as u64;
+        assert!(processed <= recorded, "{processed} processed, {recorded} recorded");
+    }
 }

@@ -1,8 +1,8 @@
 //! The ledger of a run, made again from its record.
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, time::Duration};
 
-use super::{Entry, Placed, RecordedRun, RecordedRunError, recorded::ShotFinder};
+use super::{Entry, Placed, RecordedRun, recorded::ShotFinder};
 use crate::acquisition::{Ledger, LedgerError, Outcome};
 
 /// The ledger of a recorded run, every trigger settled; `measured` are the shots with a stored
@@ -12,55 +12,128 @@ use crate::acquisition::{Ledger, LedgerError, Outcome};
 ///
 /// The entries contradict each other.
 pub fn ledger(recorded: &RecordedRun, measured: &BTreeSet<u64>) -> Result<Ledger, LedgerError> {
-    let mut ledger = Ledger::new(recorded.description().cameras);
-    let mut finder = ShotFinder::default();
-    for placed in recorded.entries() {
-        take(&mut ledger, &mut finder, placed)?;
+    let mut books = Books::new(recorded.description().cameras);
+    for placed in recorded.entries().flatten() {
+        books.take(placed)?;
     }
-    let open: Vec<(u64, bool)> = ledger
-        .entries()
-        .filter(|entry| !entry.is_settled())
-        .map(|entry| (entry.trigger, entry.queued))
-        .collect();
-    for (trigger, queued) in open {
-        // A run that was cut off had no time for the others: nothing says that anything is lost.
-        let is_measured = queued && measured.contains(&trigger);
-        let outcome = if is_measured { Outcome::Complete } else { Outcome::Shed };
-        ledger.settle_open(trigger, outcome);
-    }
-    Ok(ledger)
+    books.close(measured)
 }
 
-fn take(
-    ledger: &mut Ledger,
-    finder: &mut ShotFinder,
-    placed: Result<Placed, RecordedRunError>,
-) -> Result<(), LedgerError> {
-    let Ok(placed) = placed else { return Ok(()) };
-    match &placed.entry {
-        Entry::Fired { first, shots, .. } => {
-            (*first..first + shots).try_for_each(|trigger| ledger.enter(trigger))?;
+/// The books as far as the entries have been read.
+struct Books {
+    ledger: Ledger,
+    finder: ShotFinder,
+    /// Triggers that are entered: all before this one.
+    entered: u64,
+    period: Duration,
+    /// The burst that was fired last, while its end is not known.
+    burst: Option<Burst>,
+    /// The latest time of any entry.
+    now_ns: u64,
+}
+
+struct Burst {
+    at_ns: u64,
+    first: u64,
+    shots: u64,
+}
+
+impl Books {
+    fn new(cameras: usize) -> Self {
+        Self {
+            ledger: Ledger::new(cameras),
+            finder: ShotFinder::default(),
+            entered: 0,
+            period: Duration::ZERO,
+            burst: None,
+            now_ns: 0,
         }
-        Entry::Withdrawn { trigger } => ledger.withdraw(*trigger)?,
-        Entry::Settled { trigger, camera, outcome } => {
-            ledger.settle(*trigger, *camera, *outcome)?;
+    }
+
+    fn take(&mut self, placed: Placed) -> Result<(), LedgerError> {
+        self.see(&placed.entry)?;
+        match &placed.entry {
+            Entry::Settled { trigger, camera, outcome } => {
+                self.ledger.settle(*trigger, *camera, *outcome)?;
+            }
+            Entry::Shed { trigger } => self.ledger.settle_all(*trigger, Outcome::Shed)?,
+            Entry::Shot { trigger, suspect, .. } => self.ledger.queued(*trigger, suspect),
+            Entry::Frame { camera, statistics, .. } | Entry::Stream { camera, statistics, .. } => {
+                self.ledger.streamed(*camera, *statistics);
+            }
+            _ => {}
         }
-        Entry::Shed { trigger } => ledger.settle_all(*trigger, Outcome::Shed)?,
-        Entry::Shot { trigger, suspect, .. } => ledger.queued(*trigger, suspect),
-        Entry::Frame { camera, statistics, .. } | Entry::Stream { camera, statistics, .. } => {
-            ledger.streamed(*camera, *statistics);
+        if let Some(Ok(shot)) = self.finder.take(placed) {
+            self.ledger.timed(shot.trigger, shot.time);
         }
-        _ => {}
+        Ok(())
     }
-    let started = match placed.entry {
-        Entry::BurstStarted { first, .. } => Some(first),
-        _ => None,
-    };
-    if let Some(Ok(shot)) = finder.take(placed) {
-        ledger.timed(shot.trigger, shot.time);
+
+    /// What an entry says of triggers that were given. Before version 3 of the journal this was
+    /// said by what became of them, and by the synchroniser's count.
+    fn see(&mut self, entry: &Entry) -> Result<(), LedgerError> {
+        match entry {
+            Entry::Programmed { schedule, .. } => {
+                self.period = Duration::from_secs_f64(schedule.period_us * 1e-6);
+            }
+            Entry::Fired { at_ns, first, shots } => {
+                self.burst = Some(Burst { at_ns: *at_ns, first: *first, shots: *shots });
+            }
+            Entry::BurstEnded { given, .. } => {
+                self.burst = None;
+                self.enter_before(*given)?;
+            }
+            Entry::Given { trigger }
+            | Entry::Shot { trigger, .. }
+            | Entry::Shed { trigger }
+            | Entry::Settled { trigger, .. } => self.enter_before(trigger + 1)?,
+            _ => {}
+        }
+        self.now_ns = self.now_ns.max(entry.at_ns().unwrap_or_default());
+        Ok(())
     }
-    if let Some(first) = started {
-        ledger.timed_from(first, |trigger| finder.times().expected(trigger));
+
+    /// These triggers were given.
+    fn enter_before(&mut self, end: u64) -> Result<(), LedgerError> {
+        for trigger in self.entered..end {
+            self.ledger.enter(trigger)?;
+            self.ledger.timed(trigger, self.finder.times().expected(trigger));
+            self.entered = trigger + 1;
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// A run that was cut off had no time for what it had in hand: nothing says that any of it is
+    /// lost. What it had asked for and nobody saw was not fired, as far as it was due by then; the
+    /// rest is no trigger.
+    fn close(mut self, measured: &BTreeSet<u64>) -> Result<Ledger, LedgerError> {
+        let seen = self.entered;
+        if let Some(burst) = self.burst.take() {
+            let end = burst.first + burst.shots;
+            let due = (burst.first..end).take_while(|trigger| {
+                let after = u32::try_from(trigger - burst.first).unwrap_or(u32::MAX);
+                let due = Duration::from_nanos(burst.at_ns) + self.period * after;
+                due <= Duration::from_nanos(self.now_ns)
+            });
+            let due = due.last().map_or(0, |trigger| trigger + 1);
+            self.enter_before(due)?;
+        }
+        let open: Vec<(u64, bool)> = self
+            .ledger
+            .entries()
+            .filter(|entry| !entry.is_settled())
+            .map(|entry| (entry.trigger, entry.queued))
+            .collect();
+        for (trigger, queued) in open {
+            let outcome = if trigger >= seen {
+                Outcome::NotFired
+            } else if queued && measured.contains(&trigger) {
+                Outcome::Complete
+            } else {
+                Outcome::Shed
+            };
+            self.ledger.settle_open(trigger, outcome);
+        }
+        Ok(self.ledger)
+    }
 }

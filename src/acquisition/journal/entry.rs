@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 use crate::acquisition::{BurstStart, Outcome};
 
 /// Version of the entries; a reader refuses a later one. Since version 2 there is
-/// [`Entry::BurstStarted`].
-pub const JOURNAL_VERSION: u32 = 2;
+/// [`Entry::BurstStarted`], since version 3 [`Entry::Given`] and [`Outcome::NotFired`].
+pub const JOURNAL_VERSION: u32 = 3;
 
 /// The raw log's description: what a reader must know before the first entry.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -58,6 +58,8 @@ pub enum Entry {
         suspect: Vec<String>,
         dt_us: f64,
     },
+    /// The trigger counts from now on: it was given, or was due where nobody can be asked.
+    Given { trigger: u64 },
     /// How a trigger ended for one camera, as far as acquisition decides it.
     Settled { trigger: u64, camera: usize, outcome: Outcome },
     /// The trigger was asked for and never given.
@@ -72,6 +74,29 @@ pub enum Entry {
     Stopping { at_ns: u64 },
     /// The run is over and every trigger is ruled on; the reason where it ended before its time.
     Ended { at_ns: u64, error: Option<String> },
+}
+
+impl Entry {
+    /// When it was, in ns since the run began; `None` for one that does not say.
+    pub fn at_ns(&self) -> Option<u64> {
+        match self {
+            Self::Programmed { at_ns, .. }
+            | Self::Fired { at_ns, .. }
+            | Self::BurstEnded { at_ns, .. }
+            | Self::Frame { at_ns, .. }
+            | Self::Stream { at_ns, .. }
+            | Self::Note { at_ns, .. }
+            | Self::Stopping { at_ns }
+            | Self::Ended { at_ns, .. } => Some(*at_ns),
+            Self::BurstStarted { start, .. } => Some(start.not_before_ns),
+            Self::Shot { .. }
+            | Self::Given { .. }
+            | Self::Settled { .. }
+            | Self::Withdrawn { .. }
+            | Self::Shed { .. }
+            | Self::Serial { .. } => None,
+        }
+    }
 }
 
 /// A [`Frame`] without its image.

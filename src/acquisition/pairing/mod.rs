@@ -67,6 +67,9 @@ pub struct PairingSettings {
 /// What was decided about a trigger.
 #[derive(Debug)]
 pub enum Ruling {
+    /// It counts from now on: a camera saw it or a later one, the synchroniser has counted it, or it
+    /// was due and nobody can be asked. No other ruling on it comes before.
+    Given { trigger: u64 },
     /// All cameras delivered.
     Paired(Shot),
     /// One camera's part in a shot that will not be paired.
@@ -117,6 +120,8 @@ pub struct Pairing {
     burst: Burst,
     /// Triggers that the synchroniser is known to have given.
     given: u64,
+    /// Triggers that were ruled to be given.
+    told_given: u64,
     tracks: Vec<Track>,
     last_arrival: Vec<Duration>,
     clocks: Clocks,
@@ -133,6 +138,7 @@ impl Pairing {
             grid: TimeGrid::of(&settings),
             burst: Burst::default(),
             given: 0,
+            told_given: 0,
             tracks: vec![Track::default(); settings.cameras],
             last_arrival: vec![Duration::ZERO; settings.cameras],
             clocks: Clocks::new(settings.cameras, TimeGrid::of(&settings)),
@@ -208,7 +214,7 @@ impl Pairing {
                 }
             }
         }
-        rulings
+        self.with_given(rulings)
     }
 
     /// The stream of `camera` has lost `total` frames since its start for want of a buffer.
@@ -232,7 +238,14 @@ impl Pairing {
         for trigger in triggers {
             self.wait_or_give_up(trigger, now, &mut rulings);
         }
-        rulings
+        self.with_given(rulings)
+    }
+
+    /// Triggers up to the last one that was due by `now`, or that a camera has seen: as far as can be
+    /// known of a burst that was cut short, where the synchroniser does not count.
+    pub fn due_by(&self, now: Duration) -> u64 {
+        let due = self.open.iter().rev().find(|(_, open)| open.due <= now);
+        due.map_or(0, |(trigger, _)| trigger + 1).max(self.told_given).max(self.burst.first)
     }
 
     /// The burst is over and the synchroniser has counted `counted` triggers since it was
@@ -245,7 +258,7 @@ impl Pairing {
         self.given = self.burst.end;
         let mut rulings = Vec::new();
         for (trigger, open) in self.open.split_off(&self.burst.end) {
-            if open.slots.iter().all(Slot::is_untouched) {
+            if open.is_untouched() && trigger >= self.told_given {
                 rulings.push(Ruling::Withdrawn { trigger });
             } else {
                 // Frames prove that it happened, whatever the counter says.
@@ -253,18 +266,46 @@ impl Pairing {
                 self.open.insert(trigger, open);
             }
         }
-        Ok(rulings)
+        Ok(self.with_given(rulings))
     }
 
     /// The end: every open trigger is ruled on with what is known. Where nothing says
-    /// that a frame is lost, the end of the run is the reason, and the trigger is shed.
+    /// that a frame is lost, the end of the run is the reason, and the trigger is shed. One that
+    /// nothing shows to have been given was not fired, if it was due, and is withdrawn, if not.
     pub fn finish(&mut self) -> Vec<Ruling> {
-        let mut rulings = Vec::new();
+        let mut rulings = self.with_given(Vec::new());
         for trigger in self.open.keys().copied().collect::<Vec<_>>() {
+            if trigger >= self.told_given {
+                self.close_unseen(trigger, &mut rulings);
+                continue;
+            }
             self.give_up(trigger, &mut rulings);
             self.shed_unfinished(trigger, &mut rulings);
             self.close_slots(trigger, |_| true, &mut rulings);
         }
         rulings
+    }
+
+    /// The rulings, behind those that triggers were given: what is ruled on has been.
+    fn with_given(&mut self, rulings: Vec<Ruling>) -> Vec<Ruling> {
+        let ruled = rulings.iter().filter_map(|ruling| match ruling {
+            Ruling::Paired(shot) => Some(shot.trigger),
+            Ruling::Settled { trigger, .. } => Some(*trigger),
+            Ruling::Given { .. } | Ruling::Withdrawn { .. } => None,
+        });
+        let seen = self.open.iter().rev().find(|(_, open)| !open.is_untouched());
+        let last = ruled.max().max(seen.map(|(trigger, _)| *trigger));
+        let given = last.map_or(0, |last| last + 1).max(self.given).max(self.told_given);
+        let told = std::mem::replace(&mut self.told_given, given);
+        let mut all: Vec<Ruling> = (told..given).map(|trigger| Ruling::Given { trigger }).collect();
+        all.extend(rulings);
+        all
+    }
+}
+
+impl OpenTrigger {
+    /// Whether nothing is known that shows that it was given.
+    fn is_untouched(&self) -> bool {
+        self.slots.iter().all(Slot::is_untouched)
     }
 }

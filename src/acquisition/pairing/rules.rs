@@ -175,7 +175,7 @@ impl Pairing {
     ) {
         let patience = self.settings.patience;
         let Some(open) = self.open.get_mut(&trigger) else { return };
-        if trigger >= self.given && open.slots.iter().all(Slot::is_untouched) {
+        if trigger >= self.given && open.is_untouched() {
             return;
         }
         let mut any_overdue = false;
@@ -255,6 +255,20 @@ impl Pairing {
             }
         }
         self.drop_when_settled(trigger);
+    }
+
+    /// The run ends, and nothing shows that the trigger was given.
+    pub(super) fn close_unseen(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+        let Some(open) = self.open.remove(&trigger) else { return };
+        if open.due > self.now {
+            rulings.push(Ruling::Withdrawn { trigger });
+            return;
+        }
+        rulings.push(Ruling::Given { trigger });
+        self.told_given = trigger + 1;
+        let cameras = 0..open.slots.len();
+        let outcome = Outcome::NotFired;
+        rulings.extend(cameras.map(|camera| Ruling::Settled { trigger, camera, outcome }));
     }
 
     fn drop_when_settled(&mut self, trigger: u64) {

@@ -5,6 +5,7 @@
 //! for by then the run loop has been told of this one: so the run loop sees the steps in order.
 
 use std::{
+    collections::BTreeSet,
     sync::Arc,
     time::{Duration, Instant},
 };
@@ -20,7 +21,7 @@ use tokio_util::sync::CancellationToken;
 use super::clock::ReplayClock;
 use crate::{
     acquisition::{
-        BurstScript, BurstStart, ScriptedBurst,
+        BurstScript, BurstStart, Outcome, ScriptedBurst,
         journal::{Entry, FrameHead, Placed, RecordedRun, RecordedRunError},
     },
     archive::Position,
@@ -118,6 +119,8 @@ pub(super) struct Script {
     state: Mutex<State>,
     changed: Condvar,
     stop: CancellationToken,
+    /// Triggers that were seen to be given, all in all; `None` where the record does not say.
+    seen: Option<u64>,
 }
 
 struct State {
@@ -155,8 +158,10 @@ impl Script {
     ) -> Result<Self, RecordedRunError> {
         let mut steps = Vec::new();
         let mut schedule = None;
+        let mut seen = Seen::of(&recorded);
         for placed in recorded.entries() {
             let placed = placed?;
+            seen.take(&placed.entry);
             if let Entry::BurstStarted { start: then, .. } = placed.entry {
                 if let Some(Step::Fired { start, .. }) = last_fired(&mut steps) {
                     *start = Some(then);
@@ -175,6 +180,7 @@ impl Script {
             state: Mutex::new(state),
             changed: Condvar::new(),
             stop,
+            seen: seen.triggers(),
         })
     }
 
@@ -236,8 +242,8 @@ impl Script {
             }
             Some(_) => true,
             None => {
-                // The record breaks off: what was fired is taken for given.
-                state.given = state.fired;
+                // The record breaks off: what nobody saw is taken for not given.
+                state.given = self.seen.unwrap_or(state.fired);
                 false
             }
         }
@@ -336,6 +342,35 @@ impl BurstScript for Script {
             Some(_) => false,
             None => true,
         }
+    }
+}
+
+/// Which triggers a record shows to have been given.
+struct Seen {
+    /// The journal says so of each since version 3.
+    is_told: bool,
+    given: u64,
+    unseen: BTreeSet<u64>,
+}
+
+impl Seen {
+    fn of(recorded: &RecordedRun) -> Self {
+        let is_told = recorded.description().journal_version >= 3;
+        Self { is_told, given: 0, unseen: BTreeSet::new() }
+    }
+
+    fn take(&mut self, entry: &Entry) {
+        match entry {
+            Entry::Given { trigger } => self.given = self.given.max(trigger + 1),
+            Entry::Settled { trigger, outcome: Outcome::NotFired, .. } => {
+                self.unseen.insert(*trigger);
+            }
+            _ => {}
+        }
+    }
+
+    fn triggers(&self) -> Option<u64> {
+        self.is_told.then(|| self.given - self.unseen.len() as u64)
     }
 }
 

@@ -95,8 +95,8 @@ impl Seen {
                 self.given = self.given.max(trigger + 1);
                 self.shots.insert(trigger, frames);
             }
-            // Shed for want of time: nothing is known of it.
-            Entry::Settled { outcome: Outcome::Shed, .. } => {}
+            // Shed for want of time, or never seen: nothing is known of it.
+            Entry::Settled { outcome: Outcome::Shed | Outcome::NotFired, .. } => {}
             Entry::Settled { trigger, camera, outcome } => {
                 self.given = self.given.max(trigger + 1);
                 if outcome == Outcome::MissedTrigger {

@@ -122,7 +122,6 @@ impl ModelBench {
     pub fn burst(&mut self, asked: u64, mut given: u64, vanishing: Option<(usize, u64)>) {
         let first = self.pairing.fired(asked, self.now);
         assert_eq!(first, self.given, "withdrawn triggers are given again");
-        (first..first + asked).for_each(|trigger| self.ledger.enter(trigger).unwrap());
         let start = self.now;
         if let Some((camera, shot)) = vanishing {
             given = given.min(shot + 1 + self.random.random_range(0..3));
@@ -248,8 +247,9 @@ impl ModelBench {
                 Ruling::Settled { trigger, camera, outcome } => {
                     self.ledger.settle(trigger, camera, outcome).unwrap();
                 }
+                Ruling::Given { trigger } => self.ledger.enter(trigger).unwrap(),
                 Ruling::Withdrawn { trigger } => {
-                    self.ledger.withdraw(trigger).unwrap();
+                    assert!(self.ledger.entry(trigger).is_none(), "it was counted");
                     self.withdrawn += 1;
                 }
             }
