@@ -174,7 +174,8 @@ impl Daemon {
         let recording = Recording::begin(&folder, &plan, &acquisition)?;
         let (control, inbox) = control(plan.mode, acquisition.schedule.dt_us, plan.planner());
         let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
-        let board = Arc::new(Board::new());
+        let first_pair = Duration::from_secs_f64(config.pipeline.first_pair_patience_s);
+        let board = Arc::new(Board::with_patience(first_pair));
         let state = ApiState::new(
             run_info(&plan, &folder),
             ledger.clone(),

@@ -1,5 +1,6 @@
 //! The daemon as a systemd service: ready when shots can be taken, a watchdog that is fed only
-//! while the loops turn, a line of status. Without systemd (`NOTIFY_SOCKET`) nothing happens.
+//! while the loops turn and no worker hangs, a line of status. Without systemd (`NOTIFY_SOCKET`) a
+//! worker that hangs is logged, and nothing else happens.
 
 use std::{
     future::Future,
@@ -12,7 +13,7 @@ use sd_notify::NotifyState;
 
 use crate::{
     acquisition::{Heartbeat, Ledger},
-    pipeline::Board,
+    pipeline::{Board, HungPair},
     server::{ApiState, Phase},
 };
 
@@ -60,7 +61,13 @@ impl Watch {
         }
     }
 
-    fn look(&mut self, now: Instant, phase: &Phase, status: String) -> Vec<Message> {
+    fn look(
+        &mut self,
+        now: Instant,
+        phase: &Phase,
+        hung: Option<HungPair>,
+        status: String,
+    ) -> Vec<Message> {
         let mut messages = Vec::new();
         if !self.ready && *phase == Phase::Running && self.acquisition.has_begun() {
             self.ready = true;
@@ -69,7 +76,7 @@ impl Watch {
         if *phase == Phase::Stopping {
             messages.extend(self.stop());
         }
-        if self.may_feed(now) {
+        if self.may_feed(now, hung) {
             self.fed_at = Some(now);
             messages.push(Message::Alive);
         }
@@ -87,23 +94,26 @@ impl Watch {
         (!std::mem::replace(&mut self.stopping, true)).then_some(Message::Stopping)
     }
 
-    /// Whether the watchdog is due and every loop has turned lately. A loop may take half the
-    /// limit, so that the other half is left to say so.
-    fn may_feed(&mut self, now: Instant) -> bool {
-        let Some(limit) = self.limit else { return false };
-        let loops = [("acquisition", &self.acquisition), ("the writer of results", &self.writer)];
-        let hanging = loops.into_iter().find(|(_, beat)| beat.silent_for(now) > limit / 2);
+    /// Whether the watchdog is due, every loop has turned lately and no worker hangs. A loop may take
+    /// half the limit, so that the other half is left to say so.
+    fn may_feed(&mut self, now: Instant, hung: Option<HungPair>) -> bool {
+        let hanging = self.silent_loop(now).or_else(|| hung.map(|hung| hung.to_string()));
         let hung_before = std::mem::replace(&mut self.hangs, hanging.is_some());
-        match hanging {
-            Some((name, beat)) => {
-                if !hung_before {
-                    let seconds = beat.silent_for(now).as_secs();
-                    tracing::error!("{name} has not turned for {seconds} s: no watchdog is fed");
-                }
-                false
-            }
-            None => self.fed_at.is_none_or(|fed| now >= fed + limit / 4),
+        if let Some(words) = hanging.filter(|_| !hung_before) {
+            let fed = if self.limit.is_some() { ": no watchdog is fed" } else { "" };
+            tracing::error!("{words}{fed}");
         }
+        let Some(limit) = self.limit.filter(|_| !self.hangs) else { return false };
+        self.fed_at.is_none_or(|fed| now >= fed + limit / 4)
+    }
+
+    /// A loop that has not turned for too long, in words.
+    fn silent_loop(&self, now: Instant) -> Option<String> {
+        let limit = self.limit?;
+        let loops = [("acquisition", &self.acquisition), ("the writer of results", &self.writer)];
+        let silent = loops.map(|(name, beat)| (name, beat.silent_for(now)));
+        let (name, silence) = silent.into_iter().find(|(_, silence)| *silence > limit / 2)?;
+        Some(format!("{name} has not turned for {} s", silence.as_secs()))
     }
 }
 
@@ -140,7 +150,9 @@ impl Service {
                 }
                 _ = look.tick() => {
                     let (phase, status) = (self.state.phase(), self.status());
-                    send(self.watch.look(Instant::now(), &phase, status));
+                    let now = Instant::now();
+                    let hung = self.board.pair_times().hung(now);
+                    send(self.watch.look(now, &phase, hung, status));
                 }
             }
         }
@@ -184,6 +196,7 @@ fn send(messages: Vec<Message>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pipeline::PairTimes;
 
     const LIMIT: Duration = Duration::from_secs(8);
 
@@ -191,6 +204,7 @@ mod tests {
         watch: Watch,
         acquisition: Heartbeat,
         writer: Heartbeat,
+        pairs: PairTimes,
         began: Instant,
     }
 
@@ -198,12 +212,14 @@ mod tests {
         fn new() -> Self {
             let (acquisition, writer) = (Heartbeat::default(), Heartbeat::default());
             let watch = Watch::new(acquisition.clone(), writer.clone(), Some(LIMIT));
-            Self { watch, acquisition, writer, began: Instant::now() }
+            let pairs = PairTimes::new(2 * LIMIT);
+            Self { watch, acquisition, writer, pairs, began: Instant::now() }
         }
 
         /// What is said when nothing has beaten for `seconds`.
         fn after(&mut self, seconds: u64, phase: &Phase) -> Vec<Message> {
-            self.watch.look(self.began + Duration::from_secs(seconds), phase, String::new())
+            let now = self.began + Duration::from_secs(seconds);
+            self.watch.look(now, phase, self.pairs.hung(now), String::new())
         }
     }
 
@@ -240,12 +256,30 @@ mod tests {
     }
 
     #[test]
+    fn the_watchdog_stays_silent_while_a_worker_hangs() {
+        let mut run = Watched::new();
+        run.pairs.begin(7, run.began);
+        assert_eq!(run.after(16, &Phase::Running), [Message::Alive], "as long as is allowed");
+        for phase in [Phase::Running, Phase::Stopping] {
+            for seconds in 18..30 {
+                assert!(!run.after(seconds, &phase).contains(&Message::Alive), "{seconds} s");
+            }
+        }
+        run.pairs.end(7, run.began + 30 * LIMIT / 8, true);
+        assert_eq!(run.after(31, &Phase::Running), [Message::Alive], "it was only slow");
+        // From now on it is known how slow pairs are.
+        run.pairs.begin(8, run.began + 31 * LIMIT / 8);
+        assert_eq!(run.after(331, &Phase::Running), [Message::Alive]);
+        assert_eq!(run.after(340, &Phase::Running), []);
+    }
+
+    #[test]
     fn a_status_is_told_when_it_changes_and_at_most_once_a_second() {
         let mut watch = Watch::new(Heartbeat::default(), Heartbeat::default(), None);
         let began = Instant::now();
         let mut look = |ms: u64, line: &str| {
             let now = began + Duration::from_millis(ms);
-            !watch.look(now, &Phase::Running, line.to_owned()).is_empty()
+            !watch.look(now, &Phase::Running, None, line.to_owned()).is_empty()
         };
         let told = [look(0, "a"), look(100, "b"), look(1000, "b"), look(2500, "b")];
         assert_eq!(told, [true, false, true, false]);

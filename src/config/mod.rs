@@ -13,7 +13,7 @@ mod shipped;
 use std::path::{Path, PathBuf};
 
 use garde::Validate;
-use lfpiv_hw::{Optics, Pose, TimingSettings};
+use lfpiv_hw::{Optics, Pose, TimingSettings, check::finite};
 use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
@@ -154,11 +154,15 @@ pub struct PipelineSettings {
     /// Image pairs that may wait for a worker; the live path sheds beyond this.
     #[garde(range(min = 1, max = 1000))]
     pub queue: usize,
+    /// Seconds that the first pair may take before its worker counts as hung. Later ones may take
+    /// ten times as long as the longest before them, and a minute at least.
+    #[garde(custom(finite), range(min = 0.1, max = 86_400.0))]
+    pub first_pair_patience_s: f64,
 }
 
 impl Default for PipelineSettings {
     fn default() -> Self {
-        Self { queue: 4 }
+        Self { queue: 4, first_pair_patience_s: 900.0 }
     }
 }
 

@@ -11,7 +11,7 @@ use parking_lot::Mutex;
 use serde::Serialize;
 
 use super::{
-    EventKind, EventLog, Gallery, PairResult, StageSeconds,
+    EventKind, EventLog, Gallery, PairResult, PairTimes, StageSeconds,
     latency::{Latencies, LatencyQuantiles},
 };
 use crate::{acquisition::Heartbeat, model::ModelChoice, reconstruction::ModelFit};
@@ -122,6 +122,7 @@ pub enum Lookup {
 pub struct Board {
     state: Mutex<State>,
     writing: Heartbeat,
+    pair_times: PairTimes,
     events: EventLog,
     gallery: Gallery,
 }
@@ -150,6 +151,16 @@ impl Board {
     /// Beats when the writer of results begins with a shot, rests when it is done.
     pub fn writing(&self) -> &Heartbeat {
         &self.writing
+    }
+
+    /// An empty board on which the first pair may take so long.
+    pub fn with_patience(first_pair: Duration) -> Self {
+        Self { pair_times: PairTimes::new(first_pair), ..Self::default() }
+    }
+
+    /// How long pairs take, and which one takes too long.
+    pub fn pair_times(&self) -> &PairTimes {
+        &self.pair_times
     }
 
     /// What happened, for whoever watches.

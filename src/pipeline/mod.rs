@@ -8,6 +8,7 @@ mod frame;
 mod gallery;
 mod latency;
 mod model_fit;
+mod pair_times;
 mod part_errors;
 mod plan;
 mod pool;
@@ -26,6 +27,7 @@ pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage,
 pub use events::{Batch, EVENTS_IN_MEMORY, Event, EventKind, EventLog};
 pub use gallery::{Gallery, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES};
 pub use latency::LatencyQuantiles;
+pub use pair_times::{HungPair, PairTimes};
 pub use plan::Plan;
 pub use pool::{Pool, PoolError, PoolLinks, PoolSettings};
 pub use processor::{Measurement, ProcessError, Processor, SetupError};

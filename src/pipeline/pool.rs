@@ -12,6 +12,7 @@ use std::{
     panic::{AssertUnwindSafe, catch_unwind},
     sync::{Arc, mpsc as std_mpsc},
     thread::JoinHandle,
+    time::Instant,
 };
 
 use parking_lot::Mutex;
@@ -151,6 +152,7 @@ where
         let process = self.process.clone();
         let results = self.results.clone();
         let links = self.links.clone();
+        links.board.pair_times().begin(shot.trigger, Instant::now());
         self.threads.spawn(move || {
             let Shot { trigger, cameras, time, due, dt_us, suspect, .. } = shot;
             links.board.processing(trigger);
@@ -158,6 +160,7 @@ where
             let pair = ImagePair { cameras: cameras.collect() };
             links.board.gallery().show_frames(trigger, &pair);
             let result = process_guarded(process.as_ref(), &pair, dt_us, suspect);
+            links.board.pair_times().end(trigger, Instant::now(), result.is_ok());
             let result = result.map(|result| PairResult { time, ..result });
             let finished = Finished { shot: trigger, due, result, worker };
             if let Err(std_mpsc::SendError(lost)) = results.send(finished) {

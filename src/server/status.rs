@@ -1,5 +1,7 @@
 //! `/api/v1/status` and `/healthz`.
 
+use std::time::Instant;
+
 use axum::{Json, extract::State, http::StatusCode};
 use serde::Serialize;
 use utoipa::ToSchema;
@@ -55,9 +57,9 @@ pub(super) struct ShotCounts {
     pub failed: u64,
     pub write_failed: u64,
     pub shed: u64,
+    pub not_fired: u64,
     pub lost: u64,
 }
-    pub not_fired: u64,
 
 impl ShotCounts {
     pub fn of(state: &ApiState) -> Self {
@@ -68,10 +70,10 @@ impl ShotCounts {
         let (handed_on, awaiting_frames) = (ledger.handed_on(), ledger.awaiting_frames());
         drop(ledger);
         let shed = account.outcomes.of(Outcome::Shed);
-        let pooled = handed_on + pool.done + pool.failed + pool.write_failed;
-        let processing = pool.processing.min(handed_on);
         let not_fired = account.outcomes.of(Outcome::NotFired);
         let ended_unseen = shed + not_fired;
+        let pooled = handed_on + pool.done + pool.failed + pool.write_failed;
+        let processing = pool.processing.min(handed_on);
         Self {
             triggered: account.triggers,
             awaiting_frames,
@@ -211,15 +213,17 @@ fn stage(state: &ApiState, phase: &Phase, shots: ShotCounts) -> String {
     }
 }
 
-/// Whether the run is well: `ok`, or 503 once it has failed; the status says why. Open to all, for
-/// whoever supervises the daemon.
+/// Whether the run is well: `ok`, or 503 once it has failed (the status says why) or while a worker
+/// hangs. Open to all, for whoever supervises the daemon.
 #[utoipa::path(get, path = "/healthz", tag = "live", security(()),
     responses(
         (status = 200, content_type = "text/plain", body = String),
-        (status = 503, description = "The run has failed", content_type = "text/plain", body = String)))]
-pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, &'static str) {
-    match state.phase() {
-        Phase::Failed(_) => (StatusCode::SERVICE_UNAVAILABLE, "failed: see /api/v1/status\n"),
-        _ => (StatusCode::OK, "ok\n"),
-    }
+        (status = 503, description = "The run has failed, or a worker hangs", content_type = "text/plain", body = String)))]
+pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, String) {
+    let unwell = match (state.phase(), state.board.pair_times().hung(Instant::now())) {
+        (Phase::Failed(_), _) => "failed: see /api/v1/status".to_owned(),
+        (_, Some(hung)) => hung.to_string(),
+        _ => return (StatusCode::OK, "ok\n".to_owned()),
+    };
+    (StatusCode::SERVICE_UNAVAILABLE, unwell + "\n")
 }

@@ -109,6 +109,39 @@ async fn files_for_paraview_can_be_left_out() {
     assert_eq!(names[4..], ["velocity_000000.nc"], "{names:?}");
 }
 
+/// A reconstruction that does not return is noticed; it may come back after all.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_worker_that_hangs_is_noticed() {
+    let root = tempfile::tempdir().unwrap();
+    let mut file = configuration(root.path());
+    file.config.pipeline.first_pair_patience_s = 0.1;
+    let plan = plan(&file, 1, OverloadPolicy::Wait);
+    let (bench, _) = bench(&plan.file, &[]);
+    let (observer, _) = recorder();
+    let daemon = Daemon::prepare(plan).await.unwrap();
+    let address = daemon.address();
+    let (release, released) = std::sync::mpsc::channel::<()>();
+    let released = Mutex::new(released);
+    let hangs = move |pair: &ImagePair| {
+        released.lock().recv_timeout(Duration::from_secs(120)).map_err(|e| e.to_string())?;
+        Ok::<_, String>(quick_result(pair))
+    };
+    let stop = CancellationToken::new();
+    let running = tokio::spawn(daemon.run(bench, move || Ok(hangs), observer, stop));
+    let unwell = loop {
+        let health = get(address, "/healthz").await;
+        if health.status == 503 {
+            break String::from_utf8(health.body).unwrap();
+        }
+        assert!(!running.is_finished());
+        tokio::time::sleep(Duration::from_millis(10)).await;
+    };
+    assert!(unwell.contains("the worker of shot 0 hangs"), "{unwell}");
+    release.send(()).unwrap();
+    let report = running.await.unwrap().unwrap();
+    assert_eq!(report.ledger.accounts()[0].outcomes.of(Outcome::Complete), 1);
+}
+
 #[tokio::test]
 async fn an_overloaded_run_sheds_and_says_which() {
     let root = tempfile::tempdir().unwrap();
