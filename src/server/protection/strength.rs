@@ -49,7 +49,8 @@ fn alphabet(text: &[u8]) -> f64 {
     if text.iter().all(u8::is_ascii_hexdigit) {
         return 16.0;
     }
-    let kinds: [(fn(&u8) -> bool, f64); 3] = [
+    type Kind = (fn(&u8) -> bool, f64);
+    let kinds: [Kind; 3] = [
         (u8::is_ascii_lowercase, 26.0),
         (u8::is_ascii_uppercase, 26.0),
         (u8::is_ascii_digit, 10.0),
