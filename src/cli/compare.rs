@@ -43,8 +43,8 @@ pub fn compare_runs(args: &CompareArgs) -> anyhow::Result<()> {
 pub(super) struct Results {
     /// The bits of each shot's vectors.
     vectors: BTreeMap<u64, Vec<u32>>,
-    /// Each camera's counts; empty for a run that was killed: what it had in hand then is
-    /// undecided in its record, and a replay decides it.
+    /// Each camera's counts; empty where there is nothing to compare: a run that was killed had
+    /// something in hand that is undecided in its record, and a replay decides it.
     accounts: Vec<BTreeMap<String, u64>>,
 }
 
@@ -56,6 +56,18 @@ impl Results {
         let path = run.join("ledger.json");
         let accounts = if path.exists() { accounts(&path)? } else { Vec::new() };
         Ok(Self { vectors: stored_vectors(run)?, accounts })
+    }
+
+    /// Leaves out what a damaged record cannot give again: these shots, and the counts.
+    pub fn leave_out(&mut self, is_lost: impl Fn(u64) -> bool) {
+        let before = self.vectors.len();
+        self.vectors.retain(|shot, _| !is_lost(*shot));
+        self.accounts.clear();
+        let left_out = before - self.vectors.len();
+        tracing::warn!(
+            "{} and the ledger are not compared: the record is damaged",
+            count(left_out, "shot")
+        );
     }
 }
 
@@ -83,7 +95,9 @@ pub(super) fn compare(then: &Results, now: &Results) -> anyhow::Result<()> {
     differ.extend(ledger_differences(then, now));
     if differ.is_empty() {
         return match then.accounts.len() {
-            0 => print("the recorded run has no ledger of its own to compare: it was killed"),
+            0 => print(
+                "no ledgers to compare: the recorded run was killed, or its record is damaged",
+            ),
             _ => print("the ledgers are the same"),
         };
     }

@@ -4,7 +4,11 @@ use std::{ops::RangeInclusive, path::PathBuf};
 
 use anyhow::{Context, bail};
 
-use super::output::{count, print, progress_bar};
+use super::{
+    losses::Losses,
+    output::{count, print, progress_bar},
+    recording::refuse_running,
+};
 use crate::{
     acquisition::journal::RecordedRun,
     archive::{FileDepth, write_pair},
@@ -24,13 +28,20 @@ pub struct ExportArgs {
     pub shots: Option<RangeInclusive<u64>>,
 }
 
-/// Writes a pair folder per shot, and the run's configuration beside them.
+/// Writes a pair folder per shot, and the run's configuration beside them. Shots whose images cannot
+/// be read are left out, and said.
 pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
-    let recorded = RecordedRun::open(&args.run)?;
+    let mut recorded = RecordedRun::open(&args.run)?;
+    let is_running = refuse_running(&args.run).is_err();
+    if !is_running {
+        recorded = recorded.finished();
+    }
     let index = recorded.index();
     let wanted = |shot: &u64| args.shots.as_ref().is_none_or(|range| range.contains(shot));
     let shots: Vec<_> = index.shots.values().filter(|shot| wanted(&shot.trigger)).collect();
-    if shots.is_empty() {
+    let mut losses = if is_running { Losses::default() } else { Losses::of(&args.run, &index) };
+    losses.only(wanted);
+    if shots.is_empty() && losses.is_empty() {
         bail!(
             "{} holds no such shot: it has {}",
             args.run.display(),
@@ -38,17 +49,32 @@ pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
         );
     }
     let bar = progress_bar(shots.len(), "shots");
+    let mut exported = 0;
     for shot in &shots {
-        let pair = recorded.pair(shot)?;
-        let folder = args.out.join(format!("shot_{:06}", shot.trigger));
-        write_pair(&folder, &pair, FileDepth::Sixteen)?;
+        match recorded.pair(shot) {
+            Ok(pair) => {
+                let folder = args.out.join(format!("shot_{:06}", shot.trigger));
+                write_pair(&folder, &pair, FileDepth::Sixteen)?;
+                exported += 1;
+            }
+            Err(error) => losses.note(shot.trigger, error)?,
+        }
         bar.inc(1);
     }
     bar.finish_and_clear();
     let configuration = args.out.join("configuration.toml");
+    std::fs::create_dir_all(&args.out)
+        .with_context(|| format!("cannot create {}", args.out.display()))?;
     std::fs::write(&configuration, &recorded.description().configuration)
         .with_context(|| format!("cannot write {}", configuration.display()))?;
-    print(&format!("{} in {}", count(shots.len(), "pair"), args.out.display()))
+    print(&format!("{} in {}", count(exported, "pair"), args.out.display()))?;
+    if index.end.is_none() && !is_running {
+        tracing::warn!(
+            "{} was cut off: nothing says how many shots followed the last one that is there",
+            args.run.display()
+        );
+    }
+    losses.conclude()
 }
 
 fn shot_range(text: &str) -> Result<RangeInclusive<u64>, String> {

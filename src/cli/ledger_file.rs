@@ -54,6 +54,50 @@ pub(super) fn has_ledger(folder: &Path) -> bool {
     folder.join(NAME).exists()
 }
 
+/// What a run's ledger says of its triggers.
+pub(super) struct RunLedger {
+    /// The run wrote it itself and ended as it should.
+    pub has_ended: bool,
+    /// Triggers given.
+    pub triggers: u64,
+    /// Triggers that gave no shot, as far as they are remembered.
+    pub without_images: BTreeSet<u64>,
+}
+
+/// Reads the ledger of the run in `folder`; nothing where there is none.
+///
+/// # Errors
+/// It cannot be read, or is none.
+pub(super) fn read_ledger(folder: &Path) -> anyhow::Result<Option<RunLedger>> {
+    if !has_ledger(folder) {
+        return Ok(None);
+    }
+    let ledger = read_json(folder)?;
+    let cameras = |entry: &Value| entry["cameras"].as_array().cloned().unwrap_or_default();
+    let has_images = |entry: &Value| {
+        cameras(entry)
+            .iter()
+            .all(|of| ["complete", "shed", "write_failed"].map(Value::from).contains(of))
+    };
+    let exceptions = ledger["exceptions"].as_array().into_iter().flatten();
+    let without_images = exceptions.filter(|entry| !has_images(entry));
+    Ok(Some(RunLedger {
+        has_ended: ledger["error"].is_null(),
+        triggers: cameras(&ledger)
+            .iter()
+            .filter_map(|of| of["triggers"].as_u64())
+            .max()
+            .unwrap_or(0),
+        without_images: without_images.filter_map(|entry| entry["trigger"].as_u64()).collect(),
+    }))
+}
+
+fn read_json(folder: &Path) -> anyhow::Result<Value> {
+    let path = folder.join(NAME);
+    let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    serde_json::from_slice(&text).with_context(|| format!("{} is no ledger", path.display()))
+}
+
 /// Writes the ledger of a run from its record; `end` is absent for one that was killed.
 pub(super) fn write_recovered_ledger(
     folder: &Path,
@@ -74,10 +118,7 @@ pub(super) fn write_recovered_ledger(
 /// Notes in the ledger which shots gave no result in the run and have one now. What the run
 /// itself came to stays as it was written.
 pub(super) fn note_processed_later(folder: &Path, measured: &BTreeSet<u64>) -> anyhow::Result<()> {
-    let path = folder.join(NAME);
-    let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-    let mut ledger: Value = serde_json::from_slice(&text)
-        .with_context(|| format!("{} is no ledger", path.display()))?;
+    let mut ledger = read_json(folder)?;
     let shed = |entry: &&Value| {
         entry["cameras"].as_array().is_some_and(|cameras| cameras.iter().all(|of| of == "shed"))
     };

@@ -2,7 +2,8 @@
 //! compare | export | sim-bench | devices | doctor | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
-//! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line.
+//! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line, 3 when
+//! everything was done that a damaged or incomplete record of a run allows.
 
 mod bench;
 mod check;
@@ -19,6 +20,7 @@ mod finding;
 mod instruments;
 mod ledger_file;
 mod logging;
+mod losses;
 mod output;
 mod peers;
 mod process;
@@ -104,6 +106,9 @@ enum Command {
     ReadVolumes(ReadVolumesArgs),
 }
 
+/// Done, but some of the recorded data was damaged or missing.
+const DAMAGED: u8 = 3;
+
 /// Parses the command line, does what it says and reports errors.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
@@ -129,7 +134,11 @@ pub fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             logging::complain(&error);
-            ExitCode::FAILURE
+            if error.is::<losses::DamagedRecord>() {
+                ExitCode::from(DAMAGED)
+            } else {
+                ExitCode::FAILURE
+            }
         }
     }
 }

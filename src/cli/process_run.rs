@@ -11,6 +11,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::{
     ledger_file::{has_ledger, note_processed_later, write_recovered_ledger},
+    losses::Losses,
     output::{count, print, progress_bar},
     recording::RunLock,
     run_processor::run_processor,
@@ -19,7 +20,7 @@ use crate::{
     acquisition::journal::{RAW_FOLDER, RecordedRun, RecordedShot, RunIndex, ledger_of},
     archive::{ResultStore, StoredResults, merge_segments, recover},
     config::Config,
-    lightfield::RawLevel,
+    lightfield::{ImagePair, RawLevel},
     model::ModelMode,
     pipeline::{PairResult, Processor},
 };
@@ -36,11 +37,8 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
     for torn in recovery.segments.iter().filter_map(|segment| segment.torn.as_ref()) {
         tracing::warn!("{torn}");
     }
-    let recorded = RecordedRun::open(folder)?;
+    let recorded = RecordedRun::open(folder)?.finished();
     let index = recorded.index();
-    for damage in &index.damaged {
-        tracing::error!("{damage}");
-    }
     let text = &recorded.description().configuration;
     let config = Config::parse("the run's configuration", text)?;
     let (store, stored) = ResultStore::reopen(folder, text)?;
@@ -48,6 +46,11 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
     for part in &stored.unreadable {
         tracing::warn!("{}: the run was killed before this was sealed", part.display());
     }
+    let mut losses = Losses::of(folder, &index);
+    for shot in stored.shots.iter().filter(|shot| !index.shots.contains_key(shot)) {
+        losses.lose(*shot, "it has a result, and its images are not in the record");
+    }
+    losses.tell();
     let missing: Vec<&RecordedShot> =
         index.shots.values().filter(|shot| !stored.shots.contains(&shot.trigger)).collect();
     // First: whatever happens to the results, it says what the run itself came to.
@@ -61,7 +64,7 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
         store.close()?;
     } else {
         let processor = prepare(&config, &recorded, &index, &stored)?;
-        finished = measure(&recorded, &processor, &missing, store, stop)?;
+        finished = measure(&recorded, &processor, &missing, &mut losses, store, stop)?;
     }
     merge_segments(folder, || !stop.is_cancelled())?;
     let measured = StoredResults::find(folder)?.shots;
@@ -78,15 +81,11 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
             count(finished.left, "shot")
         );
     }
-    if finished.failed.is_empty() && index.damaged.is_empty() {
-        return Ok(());
+    if finished.failed.is_empty() {
+        return losses.conclude();
     }
     let listed: String = finished.failed.iter().map(|failure| format!("\n  {failure}")).collect();
-    bail!(
-        "{} gave no result, {} damaged in the record{listed}",
-        count(finished.failed.len(), "shot"),
-        count(index.damaged.len(), "place")
-    )
+    bail!("{} gave no result{listed}", count(finished.failed.len(), "shot"))
 }
 
 /// What came of the shots that had no result.
@@ -101,6 +100,7 @@ fn measure(
     recorded: &RecordedRun,
     processor: &Processor,
     missing: &[&RecordedShot],
+    losses: &mut Losses,
     mut store: ResultStore,
     stop: &CancellationToken,
 ) -> anyhow::Result<Finished> {
@@ -111,11 +111,12 @@ fn measure(
             break;
         }
         finished.left -= 1;
-        match measure_one(processor, recorded, shot) {
-            Ok(result) => {
+        match recorded.pair(shot).map(|pair| measure_one(processor, shot, pair)) {
+            Ok(Ok(result)) => {
                 store.append(shot.trigger, &result)?;
             }
-            Err(error) => finished.failed.push(format!("shot {}: {error:#}", shot.trigger)),
+            Ok(Err(error)) => finished.failed.push(format!("shot {}: {error:#}", shot.trigger)),
+            Err(error) => losses.note(shot.trigger, error)?,
         }
         bar.inc(1);
     }
@@ -150,10 +151,10 @@ fn prepare(
 
 fn measure_one(
     processor: &Processor,
-    recorded: &RecordedRun,
     shot: &RecordedShot,
+    pair: ImagePair,
 ) -> anyhow::Result<PairResult> {
-    let mut result = processor.process(recorded.pair(shot)?)?;
+    let mut result = processor.process(pair)?;
     result.field.dt_s = shot.dt_us * 1e-6;
     result.time = shot.time;
     result.raw = RawLevel::Synced;

@@ -14,6 +14,7 @@ use lfpiv_sim::faults::{FaultSettings, FaultyCamera};
 use super::{
     compare::{Results, compare},
     daemon::{Daemon, DaemonPlan, RunScript},
+    losses::Losses,
     output::print,
     recording::refuse_running,
     run_processor::run_processor,
@@ -22,8 +23,10 @@ use super::{
 use crate::{
     acquisition::{
         Bench, Mode, OverloadPolicy, SynchroniserThread,
+        journal::{RecordedRun, RecordedRunError},
         replay::{Replay, Speed, replay},
     },
+    archive::Position,
     config::{Config, ConfigFile},
 };
 
@@ -47,30 +50,50 @@ pub struct ReplayArgs {
     pub address: Option<SocketAddr>,
 }
 
-/// Plays the run; without faults its results and its ledger are compared with the recorded ones.
+/// Plays the run; without faults its results and its ledger are compared with the recorded ones,
+/// as far as the record is whole.
 pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
     let faults = args.faults.as_deref().map(read_faults).transpose()?;
     refuse_running(&args.run)?;
-    let recorded = Results::read(&args.run)?;
+    let mut recorded = Results::read(&args.run)?;
+    let index = RecordedRun::open(&args.run)?.finished().index();
+    let mut losses = Losses::of(&args.run, &index);
+    losses.tell();
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
         .context("the runtime does not start")?;
-    let folder = runtime.block_on(play(args, faults.as_ref()))?;
+    let (folder, unread) = runtime.block_on(play(args, faults.as_ref()))?;
     print(&format!("results are in {}", folder.display()))?;
-    match faults {
-        Some(_) => Ok(()),
-        None => compare(&recorded, &Results::read(&folder)?),
+    for (place, error) in unread {
+        let shot = index.shots.values().find(|shot| shot.frames.as_flattened().contains(&place));
+        match shot {
+            Some(shot) => losses.note(shot.trigger, error)?,
+            None => losses.note_place(error)?,
+        }
     }
+    if faults.is_none() {
+        if !losses.is_empty() {
+            recorded.leave_out(|shot| losses.has(shot) || !index.shots.contains_key(&shot));
+        }
+        compare(&recorded, &Results::read(&folder)?)?;
+    }
+    losses.conclude()
 }
 
-async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Result<PathBuf> {
+/// Frames that could not be read.
+type Unread = Vec<(Position, RecordedRunError)>;
+
+async fn play(
+    args: &ReplayArgs,
+    faults: Option<&FaultSettings>,
+) -> anyhow::Result<(PathBuf, Unread)> {
     let stop = stop_on_signals(
         &SynchroniserThread::default(),
         "the last results may be left as .part files",
     )?;
     let acquired = stop.child_token();
-    let Replay { description, bench, clock, bursts, longest_burst } =
+    let Replay { description, bench, clock, bursts, longest_burst, unread } =
         replay(&args.run, args.speed, acquired.clone())?;
     let mut config = Config::parse("the run's configuration", &description.configuration)?;
     config.output.dir.clone_from(&args.out);
@@ -98,7 +121,7 @@ async fn play(args: &ReplayArgs, faults: Option<&FaultSettings>) -> anyhow::Resu
         None => bench,
     };
     let report = daemon.run(bench, processor, Box::new(|_, _| {}), stop).await?;
-    Ok(report.folder)
+    Ok((report.folder, unread.take()))
 }
 
 fn disturbed(bench: Bench, faults: &FaultSettings) -> Bench {

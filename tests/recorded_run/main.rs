@@ -2,6 +2,7 @@
 //! run played again.
 
 mod bench;
+mod damaged;
 mod disk;
 mod fixture;
 mod flood;

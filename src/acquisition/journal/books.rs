@@ -6,15 +6,22 @@ use super::{Entry, Placed, RecordedRun, recorded::ShotFinder};
 use crate::acquisition::{Ledger, LedgerError, Outcome};
 
 /// The ledger of a recorded run, every trigger settled; `measured` are the shots with a stored
-/// result. What is damaged in the log is left out.
+/// result. What is damaged in the log is left out; a trigger whose burst is not in the record any more
+/// is entered by what is said of it.
 ///
 /// # Errors
 ///
-/// The entries contradict each other.
+/// The entries of a whole record contradict each other.
 pub fn ledger(recorded: &RecordedRun, measured: &BTreeSet<u64>) -> Result<Ledger, LedgerError> {
     let mut books = Books::new(recorded.description().cameras);
-    for placed in recorded.entries().flatten() {
-        books.take(placed)?;
+    let mut is_damaged = false;
+    for placed in recorded.entries() {
+        match placed.map(|placed| books.take(placed)) {
+            Err(_) => is_damaged = true,
+            // An entry that refers to one that is lost.
+            Ok(Err(_)) if is_damaged => {}
+            Ok(taken) => taken?,
+        }
     }
     books.close(measured)
 }

@@ -1,7 +1,7 @@
 //! A recorded run, read back.
 
 use std::{
-    collections::{BTreeMap, HashMap},
+    collections::{BTreeMap, BTreeSet, HashMap},
     path::{Path, PathBuf},
 };
 
@@ -85,8 +85,24 @@ pub struct RunIndex {
     pub shots: BTreeMap<u64, RecordedShot>,
     /// How the run ended; a run that was killed has no end.
     pub end: Option<RunEnd>,
-    /// What is damaged in the log, in words.
+    /// What is damaged or missing in the log, in words.
     pub damaged: Vec<String>,
+    /// Shots that were recorded and are not whole any more, and why.
+    pub lost: BTreeMap<u64, String>,
+    /// Triggers of which the record says, or must have said, how they ended, and nothing is found.
+    /// None where nothing is damaged.
+    pub unknown: BTreeSet<u64>,
+}
+
+impl RecordedRunError {
+    /// Whether recorded data is damaged or missing: the rest can still be read.
+    pub fn is_damage(&self) -> bool {
+        match self {
+            Self::RawLog(error) => error.is_damage(),
+            Self::NotAJournal { .. } | Self::NoImage { .. } => true,
+            Self::NewerVersion { .. } | Self::NoShot { .. } => false,
+        }
+    }
 }
 
 impl RecordedRun {
@@ -109,6 +125,13 @@ impl RecordedRun {
         Ok(Self { folder, reader, description })
     }
 
+    /// The same record, of which is known that nobody writes it any more: see
+    /// [`RawLogReader::finished`].
+    #[must_use]
+    pub fn finished(self) -> Self {
+        Self { reader: self.reader.finished(), ..self }
+    }
+
     /// What the run was.
     pub fn description(&self) -> &Description {
         &self.description
@@ -128,26 +151,39 @@ impl RecordedRun {
         })
     }
 
-    /// Finds every shot and where its frames lie.
+    /// Finds every shot and where its frames lie, around whatever is damaged.
     pub fn index(&self) -> RunIndex {
         let mut index = RunIndex::default();
         let mut finder = ShotFinder::default();
+        let mut triggers = Triggers::default();
+        // Damage since the last whole shot: frames come shortly before their shot.
+        let mut recent = 0;
         for item in self.entries() {
-            match item {
-                Ok(placed) => {
-                    if let Entry::Ended { error, .. } = &placed.entry {
-                        index.end = Some(RunEnd { error: error.clone() });
-                    }
-                    match finder.take(placed) {
-                        Some(Ok(shot)) => drop(index.shots.insert(shot.trigger, shot)),
-                        Some(Err(trigger)) => {
-                            index.damaged.push(format!("shot {trigger} lacks a frame"));
-                        }
-                        None => {}
-                    }
+            let placed = match item {
+                Ok(placed) => placed,
+                Err(error) => {
+                    index.damaged.push(error.to_string());
+                    continue;
                 }
-                Err(error) => index.damaged.push(error.to_string()),
+            };
+            triggers.see(&placed.entry);
+            if let Entry::Ended { error, .. } = &placed.entry {
+                index.end = Some(RunEnd { error: error.clone() });
             }
+            match finder.take(placed) {
+                Some(Ok(shot)) => {
+                    index.shots.insert(shot.trigger, shot);
+                    recent = index.damaged.len();
+                }
+                Some(Err(trigger)) => {
+                    let before = index.damaged[recent..].join("; ");
+                    index.lost.insert(trigger, format!("it lacks a frame: {before}"));
+                }
+                None => {}
+            }
+        }
+        if !index.damaged.is_empty() {
+            index.unknown = triggers.unknown(index.end.is_some());
         }
         index
     }
@@ -168,6 +204,36 @@ impl RecordedRun {
     pub fn pair(&self, shot: &RecordedShot) -> Result<ImagePair, RecordedRunError> {
         let cameras = shot.frames.iter().map(|[a, b]| Ok([self.image(*a)?, self.image(*b)?]));
         Ok(ImagePair { cameras: cameras.collect::<Result<_, RecordedRunError>>()? })
+    }
+}
+
+/// Which triggers there were, and of which the record says how they ended.
+#[derive(Debug, Default)]
+struct Triggers {
+    entered: BTreeSet<u64>,
+    known: BTreeSet<u64>,
+}
+
+impl Triggers {
+    fn see(&mut self, entry: &Entry) {
+        match entry {
+            Entry::Fired { first, shots, .. } => {
+                self.entered.extend(*first..first.saturating_add(*shots));
+            }
+            Entry::Withdrawn { trigger } => drop(self.entered.remove(trigger)),
+            Entry::Shot { trigger, .. } | Entry::Settled { trigger, .. } => {
+                self.known.insert(*trigger);
+            }
+            _ => {}
+        }
+    }
+
+    /// A run that was cut off had no time for its last triggers; one that has ended has ruled on
+    /// all.
+    fn unknown(&self, has_ended: bool) -> BTreeSet<u64> {
+        let last_entered = self.entered.last().filter(|_| has_ended);
+        let Some(last) = self.known.last().max(last_entered) else { return BTreeSet::new() };
+        (0..=*last).filter(|trigger| !self.known.contains(trigger)).collect()
     }
 }
 

@@ -51,7 +51,7 @@ impl Camera for ReplayCamera {
 
     fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError> {
         self.finish_turn();
-        match self.script.turn(self.index, timeout)? {
+        match self.script.turn(self.index, timeout) {
             Turn::Frame { frame, statistics } => {
                 (self.is_playing, self.statistics) = (true, statistics);
                 Ok(Some(frame))

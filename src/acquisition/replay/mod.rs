@@ -8,6 +8,7 @@
 mod clock;
 mod devices;
 mod script;
+mod steps;
 
 use std::{path::Path, sync::Arc};
 
@@ -19,6 +20,7 @@ use super::{
     Bench, BurstScript, RunClock,
     journal::{Description, RecordedRun, RecordedRunError},
 };
+use crate::archive::Position;
 pub use script::Speed;
 
 /// What is needed to play a run again.
@@ -33,6 +35,18 @@ pub struct Replay {
     pub bursts: Arc<dyn BurstScript>,
     /// Shots in the longest burst: the queue must have room for them.
     pub longest_burst: u64,
+    /// What could not be read, once the run has been played.
+    pub unread: UnreadFrames,
+}
+
+/// Frames of a record whose images turned out to be damaged when they were played.
+pub struct UnreadFrames(Arc<Script>);
+
+impl UnreadFrames {
+    /// Where they lie, and what is wrong there.
+    pub fn take(&self) -> Vec<(Position, RecordedRunError)> {
+        self.0.unread()
+    }
 }
 
 /// Opens the record of the run in `run`. `stop` is cancelled where the record says that the run
@@ -40,16 +54,16 @@ pub struct Replay {
 ///
 /// # Errors
 ///
-/// The record cannot be read; a damaged one is refused.
+/// There is no record, or it cannot be opened. A damaged one is played around what is lost.
 pub fn replay(
     run: &Path,
     speed: Speed,
     stop: CancellationToken,
 ) -> Result<Replay, RecordedRunError> {
-    let recorded = RecordedRun::open(run)?;
+    let recorded = RecordedRun::open(run)?.finished();
     let description = recorded.description().clone();
     let clock = Arc::new(ReplayClock::default());
-    let script = Arc::new(Script::read(recorded, speed, clock.clone(), stop)?);
+    let script = Arc::new(Script::read(recorded, speed, clock.clone(), stop));
     let cameras = (0..description.cameras).map(|camera| {
         Box::new(devices::ReplayCamera::new(camera, script.clone())) as Box<dyn Camera>
     });
@@ -59,6 +73,7 @@ pub fn replay(
         description,
         clock,
         longest_burst: script.longest_burst(),
+        unread: UnreadFrames(script.clone()),
         bursts: script,
     })
 }

@@ -11,18 +11,20 @@ use std::{
 };
 
 use lfpiv_hw::{
-    CameraName, RawImage,
-    device::{DeviceError, Frame, StreamStatistics},
-    timing::PulseSchedule,
+    RawImage,
+    device::{Frame, StreamStatistics},
 };
 use parking_lot::{Condvar, Mutex, MutexGuard};
 use tokio_util::sync::CancellationToken;
 
-use super::clock::ReplayClock;
+use super::{
+    clock::ReplayClock,
+    steps::{Step, Steps},
+};
 use crate::{
     acquisition::{
         BurstScript, BurstStart, Outcome, ScriptedBurst,
-        journal::{Entry, FrameHead, Placed, RecordedRun, RecordedRunError},
+        journal::{Entry, FrameHead, RecordedRun, RecordedRunError},
     },
     archive::Position,
 };
@@ -44,71 +46,6 @@ const LOOK_AHEAD_NS: u64 = 20_000_000;
 /// longer than the run loop takes for a turn.
 const STALLED: Duration = Duration::from_secs(1);
 
-#[derive(Debug, Clone)]
-enum Step {
-    Frame {
-        at_ns: u64,
-        camera: usize,
-        head: FrameHead,
-        statistics: StreamStatistics,
-        place: Position,
-    },
-    Stream {
-        at_ns: u64,
-        camera: usize,
-        connected: bool,
-        statistics: StreamStatistics,
-    },
-    Fired {
-        at_ns: u64,
-        shots: u64,
-        schedule: Arc<PulseSchedule>,
-        start: Option<BurstStart>,
-    },
-    BurstEnded {
-        at_ns: u64,
-        given: u64,
-    },
-    Stopping {
-        at_ns: u64,
-    },
-}
-
-impl Step {
-    fn of(placed: Placed, schedule: &mut Option<Arc<PulseSchedule>>) -> Option<Self> {
-        let Placed { position: place, entry } = placed;
-        match entry {
-            Entry::Programmed { schedule: programmed, .. } => {
-                *schedule = Some(Arc::new(programmed));
-                None
-            }
-            Entry::Fired { at_ns, shots, .. } => {
-                let schedule = schedule.clone()?;
-                Some(Self::Fired { at_ns, shots, schedule, start: None })
-            }
-            Entry::BurstEnded { at_ns, given } => Some(Self::BurstEnded { at_ns, given }),
-            Entry::Frame { at_ns, camera, frame: head, statistics } => {
-                Some(Self::Frame { at_ns, camera, head, statistics, place })
-            }
-            Entry::Stream { at_ns, camera, connected, statistics } => {
-                Some(Self::Stream { at_ns, camera, connected, statistics })
-            }
-            Entry::Stopping { at_ns } => Some(Self::Stopping { at_ns }),
-            _ => None,
-        }
-    }
-
-    fn at_ns(&self) -> u64 {
-        match self {
-            Self::Frame { at_ns, .. }
-            | Self::Stream { at_ns, .. }
-            | Self::Fired { at_ns, .. }
-            | Self::BurstEnded { at_ns, .. }
-            | Self::Stopping { at_ns } => *at_ns,
-        }
-    }
-}
-
 /// The record as it is played.
 pub(super) struct Script {
     recorded: RecordedRun,
@@ -121,6 +58,7 @@ pub(super) struct Script {
     stop: CancellationToken,
     /// Triggers that were seen to be given, all in all; `None` where the record does not say.
     seen: Option<u64>,
+    unread: Mutex<Vec<(Position, RecordedRunError)>>,
 }
 
 struct State {
@@ -155,25 +93,25 @@ impl Script {
         speed: Speed,
         clock: Arc<ReplayClock>,
         stop: CancellationToken,
-    ) -> Result<Self, RecordedRunError> {
-        let mut steps = Vec::new();
-        let mut schedule = None;
+    ) -> Self {
+        let mut steps = Steps::default();
         let mut seen = Seen::of(&recorded);
         for placed in recorded.entries() {
-            let placed = placed?;
-            seen.take(&placed.entry);
-            if let Entry::BurstStarted { start: then, .. } = placed.entry {
-                if let Some(Step::Fired { start, .. }) = last_fired(&mut steps) {
-                    *start = Some(then);
+            match placed {
+                Ok(placed) => {
+                    seen.take(&placed.entry);
+                    steps.take(placed);
                 }
-                continue;
+                Err(_) => {
+                    seen.note_gap();
+                    steps.note_gap();
+                }
             }
-            steps.extend(Step::of(placed, &mut schedule));
         }
         let state = State { next: 0, moved: Instant::now(), given: 0, fired: 0, start: None };
-        Ok(Self {
+        Self {
             recorded,
-            steps,
+            steps: steps.finish(),
             speed,
             clock,
             began: Instant::now(),
@@ -181,7 +119,13 @@ impl Script {
             changed: Condvar::new(),
             stop,
             seen: seen.triggers(),
-        })
+            unread: Mutex::default(),
+        }
+    }
+
+    /// Frames whose images could not be read, and why. They are lost in the run played again.
+    pub fn unread(&self) -> Vec<(Position, RecordedRunError)> {
+        std::mem::take(&mut self.unread.lock())
     }
 
     pub fn longest_burst(&self) -> u64 {
@@ -194,7 +138,7 @@ impl Script {
 
     /// The camera's step, if its turn comes within `timeout`. The turn lasts until
     /// [`Self::finish`].
-    pub fn turn(&self, camera: usize, timeout: Duration) -> Result<Turn, DeviceError> {
+    pub fn turn(&self, camera: usize, timeout: Duration) -> Turn {
         let until = Instant::now() + timeout;
         let mut state = self.state.lock();
         while Instant::now() < until {
@@ -205,7 +149,12 @@ impl Script {
                     if self.is_due(&self.steps[state.next]) {
                         let step = self.steps[state.next].clone();
                         drop(state);
-                        return self.play(step);
+                        if let Some(turn) = self.play(step) {
+                            return turn;
+                        }
+                        self.finish();
+                        state = self.state.lock();
+                        continue;
                     }
                 }
                 Some(Step::Stopping { .. }) => {
@@ -222,7 +171,7 @@ impl Script {
             }
             self.changed.wait_for(&mut state, LOOK);
         }
-        Ok(Turn::None)
+        Turn::None
     }
 
     /// The step that [`Self::turn`] gave is over.
@@ -291,25 +240,23 @@ impl Script {
         self.clock.advance(to_ns);
     }
 
-    fn play(&self, step: Step) -> Result<Turn, DeviceError> {
+    /// Nothing where the image of a frame cannot be read.
+    fn play(&self, step: Step) -> Option<Turn> {
         self.clock.advance(step.at_ns());
         match step {
-            Step::Frame { head, statistics, place, camera, .. } => {
-                let frame = frame(head, self.image(camera, place)?);
-                Ok(Turn::Frame { frame, statistics })
-            }
+            Step::Frame { head, statistics, place, .. } => match self.recorded.image(place) {
+                Ok(image) => Some(Turn::Frame { frame: frame(head, image), statistics }),
+                Err(error) => {
+                    tracing::error!("a frame is lost: {error}");
+                    self.unread.lock().push((place, error));
+                    None
+                }
+            },
             Step::Stream { connected, statistics, .. } => {
-                Ok(Turn::Stream { connected, statistics })
+                Some(Turn::Stream { connected, statistics })
             }
-            _ => Ok(Turn::None),
+            _ => Some(Turn::None),
         }
-    }
-
-    fn image(&self, camera: usize, place: Position) -> Result<RawImage, DeviceError> {
-        self.recorded.image(place).map_err(|error| DeviceError::Lost {
-            device: format!("recorded {}", CameraName(camera)),
-            detail: error.to_string(),
-        })
     }
 }
 
@@ -369,13 +316,14 @@ impl Seen {
         }
     }
 
+    /// An entry is missing, which may have been one of these.
+    fn note_gap(&mut self) {
+        self.is_told = false;
+    }
+
     fn triggers(&self) -> Option<u64> {
         self.is_told.then(|| self.given - self.unseen.len() as u64)
     }
-}
-
-fn last_fired(steps: &mut [Step]) -> Option<&mut Step> {
-    steps.iter_mut().rev().find(|step| matches!(step, Step::Fired { .. }))
 }
 
 fn frame(head: FrameHead, image: RawImage) -> Frame {

@@ -16,12 +16,15 @@ use lfpiv_hw::gige::ImageSize;
 pub(super) use pictures::{RecordedPictures, Shown};
 use triggers::RecordedTriggers;
 
+use super::losses::Losses;
 use crate::{acquisition::journal::RecordedRun, config::Config};
 
 /// A recorded run, ready to be shown.
 pub(super) struct RecordedBench {
     recorded: RecordedRun,
     triggers: RecordedTriggers,
+    /// What of the record is damaged or missing, images left out.
+    pub losses: Losses,
     /// Significant bits of the run's counts.
     pub count_bits: u32,
 }
@@ -30,9 +33,9 @@ impl RecordedBench {
     /// Opens the record in `run`, whose frames a bench as `bench` describes it shall show.
     ///
     /// # Errors
-    /// The record cannot be read, is damaged, or is of other cameras.
+    /// The record cannot be opened, or is of other cameras.
     pub fn open(run: &Path, bench: &Config) -> anyhow::Result<Self> {
-        let recorded = RecordedRun::open(run)?;
+        let recorded = RecordedRun::open(run)?.finished();
         let config = Config::parse(
             "the recorded run's configuration",
             &recorded.description().configuration,
@@ -55,8 +58,10 @@ impl RecordedBench {
         }
         let count_bits =
             count_bits(&config).with_context(|| format!("{} cannot be played", run.display()))?;
-        let triggers = RecordedTriggers::read(&recorded)?;
-        Ok(Self { recorded, triggers, count_bits })
+        let triggers = RecordedTriggers::read(&recorded);
+        let losses = Losses::of(run, &recorded.index());
+        losses.tell();
+        Ok(Self { recorded, triggers, losses, count_bits })
     }
 
     /// Number of triggers in the record.

@@ -1,11 +1,12 @@
 //! Frames of the record in the order of the triggers, read a little ahead.
 
 use std::{
+    collections::BTreeMap,
     sync::{Arc, mpsc},
     thread,
 };
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use lfpiv_hw::{RawImage, gige::ImageSize};
 use lfpiv_sim::{
     LightPulse,
@@ -17,7 +18,10 @@ use super::{
     light::is_as_recorded,
     triggers::{Part, RecordedTrigger, RecordedTriggers},
 };
-use crate::{acquisition::journal::RecordedRun, archive::Position};
+use crate::{
+    acquisition::journal::{RecordedRun, RecordedRunError},
+    archive::Position,
+};
 
 /// Triggers whose frames are read before they are asked for. With those on their way this bounds
 /// the memory, however long the run is.
@@ -32,14 +36,16 @@ pub(crate) struct Shown {
     pub other_light: u64,
     /// Triggers beyond the end of the record: dark images.
     pub beyond: u64,
-    /// The first thing that could not be read or shown.
+    /// Triggers whose frames are damaged in the record, and why: they were lost again.
+    pub damaged: BTreeMap<u64, String>,
+    /// The first thing that could not be shown for another reason.
     pub failure: Option<String>,
 }
 
 /// Shows the frames of a recorded run: trigger n those of trigger n.
 pub(crate) struct RecordedPictures {
     triggers: Arc<RecordedTriggers>,
-    read: Mutex<mpsc::Receiver<Result<Vec<Delivery>, String>>>,
+    read: Mutex<mpsc::Receiver<anyhow::Result<Vec<Delivery>>>>,
     dark: RawImage,
     laser: LaserFacts,
     shown: Mutex<Shown>,
@@ -78,14 +84,20 @@ impl RecordedPictures {
     }
 
     /// The frames of the next trigger, or its number's worth of nothing.
-    fn next(&self, cameras: usize) -> Vec<Delivery> {
-        let failure = match self.read.lock().recv() {
+    fn next(&self, trigger: u64, cameras: usize) -> Vec<Delivery> {
+        let error = match self.read.lock().recv() {
             Ok(Ok(deliveries)) => return deliveries,
-            Ok(Err(failure)) => failure,
-            Err(_) => "the reader of the record has ended".to_owned(),
+            Ok(Err(error)) => error,
+            Err(_) => anyhow!("the reader of the record has ended"),
         };
-        tracing::error!(failure, "frames of the record cannot be shown");
-        self.shown.lock().failure.get_or_insert(failure);
+        let words = format!("{error:#}");
+        tracing::error!(trigger, "frames of the record cannot be shown: {words}");
+        let mut shown = self.shown.lock();
+        if error.downcast_ref().is_some_and(RecordedRunError::is_damage) {
+            shown.damaged.insert(trigger, words);
+        } else {
+            shown.failure.get_or_insert(format!("trigger {trigger}: {words}"));
+        }
         vec![Delivery::Frames([None, None]); cameras]
     }
 }
@@ -102,7 +114,7 @@ impl Pictures for RecordedPictures {
             self.shown.lock().beyond += 1;
             return self.all_dark(light.len());
         };
-        let deliveries = self.next(light.len());
+        let deliveries = self.next(trigger, light.len());
         if light.iter().all(|light| is_as_recorded(light, &recorded.schedule, &self.laser)) {
             self.shown.lock().recorded += 1;
             return deliveries;
@@ -123,12 +135,9 @@ struct Reader {
 
 impl Reader {
     /// Until the end of the record, or until nobody asks any more.
-    fn read_all(&self, frames: &mpsc::SyncSender<Result<Vec<Delivery>, String>>) {
-        let all = (0..).map_while(|number| Some((number, self.triggers.get(number)?)));
-        for (number, trigger) in all {
-            let read = self.deliveries(trigger);
-            let read = read.map_err(|error| format!("trigger {number}: {error:#}"));
-            if frames.send(read).is_err() {
+    fn read_all(&self, frames: &mpsc::SyncSender<anyhow::Result<Vec<Delivery>>>) {
+        for trigger in (0..).map_while(|number| self.triggers.get(number)) {
+            if frames.send(self.deliveries(trigger)).is_err() {
                 return;
             }
         }

@@ -14,7 +14,7 @@ use lfpiv_hw::{PulseSchedule, device::FrameStatus};
 use crate::{
     acquisition::{
         Outcome,
-        journal::{Entry, FrameKey, Placed, RecordedRun, RecordedRunError},
+        journal::{Entry, FrameKey, Placed, RecordedRun},
     },
     archive::Position,
 };
@@ -42,16 +42,11 @@ pub(super) struct RecordedTrigger {
 pub(super) struct RecordedTriggers(Vec<RecordedTrigger>);
 
 impl RecordedTriggers {
-    /// Looks through a record, images left out.
-    ///
-    /// # Errors
-    /// It is damaged.
-    pub fn read(recorded: &RecordedRun) -> Result<Self, RecordedRunError> {
+    /// Looks through a record, images left out, around what is damaged.
+    pub fn read(recorded: &RecordedRun) -> Self {
         let mut seen = Seen::default();
-        for placed in recorded.entries() {
-            seen.take(placed?);
-        }
-        Ok(seen.triggers(recorded.description().cameras))
+        recorded.entries().flatten().for_each(|placed| seen.take(placed));
+        seen.triggers(recorded.description().cameras)
     }
 
     pub fn len(&self) -> usize {
@@ -83,7 +78,7 @@ impl Seen {
         match entry {
             Entry::Programmed { schedule, .. } => self.programmed = Some(Arc::new(schedule)),
             Entry::Fired { first, shots, .. } => {
-                for trigger in first..first + shots {
+                for trigger in first..first.saturating_add(shots) {
                     self.schedules.extend(self.programmed.clone().map(|plan| (trigger, plan)));
                 }
             }
@@ -110,10 +105,11 @@ impl Seen {
     fn triggers(&self, cameras: usize) -> RecordedTriggers {
         let parts: Vec<Vec<Part>> = (0..cameras).map(|camera| self.parts(camera)).collect();
         let trigger = |number: u64| {
-            Some(RecordedTrigger {
-                cameras: parts.iter().map(|parts| parts[number as usize]).collect(),
-                schedule: self.schedules.get(&number)?.clone(),
-            })
+            // Where the beginning of its burst is damaged, the schedule is that of the burst before.
+            let before = self.schedules.range(..=number).next_back().map(|(_, schedule)| schedule);
+            let schedule = before.or_else(|| self.schedules.values().next())?.clone();
+            let cameras = parts.iter().map(|parts| parts[number as usize]).collect();
+            Some(RecordedTrigger { cameras, schedule })
         };
         RecordedTriggers((0..self.given).map_while(trigger).collect())
     }

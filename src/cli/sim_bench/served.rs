@@ -15,6 +15,7 @@ use lfpiv_sim::{
 use super::{
     super::{
         drive::drive,
+        losses::Losses,
         output::{count, print},
         recorded_bench::{RecordedBench, RecordedPictures, Shown},
         recording::refuse_running,
@@ -45,7 +46,8 @@ pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
     match &args.replay {
         Some(run) => {
             refuse_running(run)?;
-            let recorded = RecordedBench::open(run, &config)?;
+            let mut recorded = RecordedBench::open(run, &config)?;
+            let losses = std::mem::take(&mut recorded.losses);
             print(&format!(
                 "shows:        {} of {}",
                 count(recorded.triggers(), "trigger"),
@@ -57,7 +59,7 @@ pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
             let options = WireOptions { faults, exact: true };
             let bench = switch_on(&config, &wire, count_bits, pictures.clone(), &options)?;
             serve(bench, &wire, args.record.as_deref())?;
-            tell_what_was_shown(&pictures)
+            tell_what_was_shown(&pictures, losses)
         }
         None => {
             let Some(scene) = config.simulation.clone() else {
@@ -162,11 +164,17 @@ fn counted<F: Debug>(faults: &[Injected<F>]) -> String {
     if listed.is_empty() { String::new() } else { format!("; faults: {}", listed.join(", ")) }
 }
 
-fn tell_what_was_shown(pictures: &RecordedPictures) -> anyhow::Result<()> {
-    let Shown { recorded, other_light, beyond, failure } = pictures.shown();
+fn tell_what_was_shown(pictures: &RecordedPictures, mut losses: Losses) -> anyhow::Result<()> {
+    let Shown { recorded, other_light, beyond, damaged, failure } = pictures.shown();
     print(&format!(
         "{recorded} triggers as recorded; dark: {other_light} in another light, {beyond} beyond the \
          record"
     ))?;
-    failure.map_or(Ok(()), |_| bail!("the record was not shown as it is, see above"))
+    if failure.is_some() {
+        bail!("the record was not shown as it is, see above");
+    }
+    for (trigger, why) in damaged {
+        losses.lose(trigger, why);
+    }
+    losses.conclude()
 }

@@ -1,0 +1,186 @@
+//! A record that is damaged or incomplete: every command reads around it, names what is lost, and ends
+//! with exit code 3.
+
+use std::{
+    collections::BTreeSet,
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use lfpiv::{
+    acquisition::journal::RecordedRun,
+    archive::raw_log::{Position, RawLogReader},
+};
+
+use crate::bench::{configuration, finished_run, lfpiv, text};
+
+const SHOTS: u64 = 12;
+const DAMAGED: i32 = 3;
+
+fn copy(run: &Path, to: &Path) {
+    assert!(Command::new("cp").arg("-r").args([run, to]).status().expect("cp").success());
+}
+
+fn segment(run: &Path, number: u32) -> PathBuf {
+    run.join(format!("raw/segment_{number:06}.raw"))
+}
+
+fn change(path: &Path, change: impl FnOnce(&mut Vec<u8>)) {
+    let mut bytes = fs::read(path).expect("a segment");
+    change(&mut bytes);
+    fs::write(path, bytes).expect("a segment");
+}
+
+/// Places of the records with an image.
+fn frames(run: &Path) -> Vec<Position> {
+    let heads = RawLogReader::open(&run.join("raw")).expect("a log").heads().map(Result::unwrap);
+    heads.filter(|(.., has_image)| *has_image).map(|(_, position, ..)| position).collect()
+}
+
+/// Shots that can no longer be read.
+fn lost(run: &Path) -> BTreeSet<u64> {
+    let recorded = RecordedRun::open(run).expect("a run").finished();
+    let shots = recorded.index().shots;
+    let whole = shots.values().filter(|shot| recorded.pair(shot).is_ok());
+    let whole: BTreeSet<u64> = whole.map(|shot| shot.trigger).collect();
+    (0..SHOTS).filter(|shot| !whole.contains(shot)).collect()
+}
+
+/// What each command says of a run, and its exit code.
+fn read_by_all(run: &Path, out: &Path) -> Vec<(&'static str, Option<i32>, String)> {
+    let (run, pairs, again) = (run.to_str().unwrap(), out.join("pairs"), out.join("again"));
+    let (pairs, again) = (pairs.to_str().unwrap(), again.to_str().unwrap());
+    let commands = [
+        ("export", vec!["export", "--out", pairs, run]),
+        ("replay", vec!["replay", "--out", again, run]),
+        ("process", vec!["process", run]),
+    ];
+    commands
+        .into_iter()
+        .map(|(name, arguments)| {
+            let output = lfpiv(&arguments);
+            let said = format!("{}{}", text(&output.stdout), text(&output.stderr));
+            (name, output.status.code(), said)
+        })
+        .collect()
+}
+
+/// One way of damaging a run, and how many shots it may cost.
+struct Harm {
+    name: &'static str,
+    harm: fn(&Path, &[Position]),
+    costs: std::ops::RangeInclusive<usize>,
+}
+
+const HARMS: [Harm; 7] = [
+    Harm { name: "none", harm: |_, _| {}, costs: 0..=0 },
+    Harm {
+        name: "a bit of the first image",
+        harm: |run, frames| {
+            change(&segment(run, frames[0].segment), |bytes| {
+                bytes[frames[0].offset as usize + 1000] ^= 4;
+            });
+        },
+        costs: 1..=1,
+    },
+    Harm {
+        name: "a bit of a record's header",
+        harm: |run, frames| {
+            let frame = frames[frames.len() / 2];
+            change(&segment(run, frame.segment), |bytes| bytes[frame.offset as usize + 9] ^= 1);
+        },
+        costs: 1..=1,
+    },
+    Harm {
+        name: "a bit of the first header's version",
+        harm: |run, _| change(&segment(run, 0), |bytes| bytes[8] ^= 4),
+        costs: 0..=0,
+    },
+    Harm {
+        name: "a segment cut",
+        harm: |run, _| change(&segment(run, 1), |bytes| bytes.truncate(bytes.len() / 2)),
+        costs: 1..=6,
+    },
+    Harm {
+        name: "a segment lost",
+        harm: |run, _| fs::remove_file(segment(run, 1)).expect("a segment"),
+        costs: 1..=6,
+    },
+    Harm {
+        name: "the last segment lost",
+        harm: |run, frames| {
+            let last = frames.last().expect("a frame").segment;
+            fs::remove_file(segment(run, last)).expect("a segment");
+            let _ = fs::remove_file(segment(run, last + 1));
+        },
+        costs: 1..=6,
+    },
+];
+
+#[test]
+fn every_command_reads_around_damage_names_it_and_says_so_with_its_exit_code() {
+    let root = tempfile::tempdir().expect("a folder");
+    let config = configuration(root.path(), "[raw_log]\nsegment_mb = 1\ncodec = \"raw\"\n");
+    let run = finished_run(&config, &SHOTS.to_string());
+    let places = frames(&run);
+    assert!(places.last().expect("a frame").segment >= 3, "too few segments to lose one");
+    for (number, Harm { name, harm, costs }) in HARMS.iter().enumerate() {
+        let out = root.path().join(number.to_string());
+        fs::create_dir(&out).expect("a folder");
+        let harmed = out.join("run");
+        copy(&run, &harmed);
+        harm(&harmed, &places);
+        let lost = lost(&harmed);
+        assert!(costs.contains(&lost.len()), "{name}: {lost:?}");
+        for (command, code, said) in read_by_all(&harmed, &out) {
+            // Images of shots that have a result are not read again.
+            let is_seen = *name != "none" && !(command == "process" && name.contains("image"));
+            let wanted = if is_seen { DAMAGED } else { 0 };
+            assert_eq!(code, Some(wanted), "{command}, {name}: {said}");
+            for shot in lost.iter().filter(|_| is_seen) {
+                assert!(said.contains(&format!("shot {shot}: ")), "{command}, {name}: {said}");
+            }
+            assert_eq!(said.contains("damaged"), is_seen, "{command}, {name}: {said}");
+        }
+        let exported = fs::read_dir(out.join("pairs")).expect("pairs").flatten();
+        let pairs = exported.filter(|entry| entry.path().is_dir()).count() as u64;
+        assert_eq!(pairs, SHOTS - lost.len() as u64, "{name}");
+    }
+}
+
+#[test]
+fn a_run_of_version_1_that_was_cut_short_is_read_as_far_as_it_goes() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = root.path().join("run");
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
+    copy(&fixtures.join("recorded_run_v1"), &run);
+    change(&segment(&run, 0), |bytes| bytes.truncate(bytes.len() * 3 / 4));
+    let out = root.path().join("pairs");
+    let output = lfpiv(&["export", "--out", out.to_str().unwrap(), run.to_str().unwrap()]);
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(DAMAGED), "{said}");
+    assert!(said.contains("shot 1: ") && said.contains("segment_000000.raw"), "{said}");
+    assert!(out.join("shot_000000").is_dir());
+}
+
+#[test]
+fn a_shot_without_a_result_whose_image_is_damaged_is_named_and_the_others_are_measured() {
+    let root = tempfile::tempdir().expect("a folder");
+    let config = configuration(root.path(), "");
+    let run = finished_run(&config, "4");
+    let places = frames(&run);
+    for entry in fs::read_dir(&run).expect("a run").flatten() {
+        if entry.path().extension().is_some_and(|of| of == "nc") {
+            fs::remove_file(entry.path()).expect("a result");
+        }
+    }
+    change(&segment(&run, 0), |bytes| bytes[places[0].offset as usize + 1000] ^= 4);
+    let output = lfpiv(&["process", run.to_str().unwrap()]);
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(DAMAGED), "{said}");
+    assert!(said.contains("shot 0: ") && said.contains("from byte"), "{said}");
+    assert!(text(&output.stdout).contains("3 have one now"), "{}", text(&output.stdout));
+    // The others are as they were.
+    assert_eq!(lost(&run), (0..1).chain(4..SHOTS).collect::<BTreeSet<_>>());
+}
