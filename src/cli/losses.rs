@@ -14,6 +14,10 @@ use super::{
 };
 use crate::acquisition::journal::{RecordedRunError, RunIndex};
 
+/// Shots behind the end of the record that are named: a ledger that is damaged itself may count any
+/// number.
+const MOST_NAMED: usize = 1_000_000;
+
 /// What is damaged or missing in the record of a run.
 #[derive(Debug, Default)]
 pub(super) struct Losses {
@@ -68,7 +72,7 @@ impl Losses {
         }
         if !self.places.is_empty() {
             let last = index.shots.last_key_value().map_or(0, |(shot, _)| shot + 1);
-            unknown.extend(last..ledger.triggers);
+            unknown.extend((last..ledger.triggers).take(MOST_NAMED));
             unknown.retain(|shot| !index.shots.contains_key(shot));
         }
     }

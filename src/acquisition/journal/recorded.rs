@@ -207,6 +207,9 @@ impl RecordedRun {
     }
 }
 
+/// More than a burst or a run has: a record that says so takes no more memory and time than this.
+const MOST_TRIGGERS: usize = 10_000_000;
+
 /// Which triggers there were, and of which the record says how they ended.
 #[derive(Debug, Default)]
 struct Triggers {
@@ -218,7 +221,8 @@ impl Triggers {
     fn see(&mut self, entry: &Entry) {
         match entry {
             Entry::Fired { first, shots, .. } => {
-                self.entered.extend(*first..first.saturating_add(*shots));
+                let triggers = *first..first.saturating_add(*shots);
+                self.entered.extend(triggers.take(MOST_TRIGGERS));
             }
             Entry::Withdrawn { trigger } => drop(self.entered.remove(trigger)),
             Entry::Shot { trigger, .. } | Entry::Settled { trigger, .. } => {
@@ -233,7 +237,8 @@ impl Triggers {
     fn unknown(&self, has_ended: bool) -> BTreeSet<u64> {
         let last_entered = self.entered.last().filter(|_| has_ended);
         let Some(last) = self.known.last().max(last_entered) else { return BTreeSet::new() };
-        (0..=*last).filter(|trigger| !self.known.contains(trigger)).collect()
+        let unknown = (0..=*last).filter(|trigger| !self.known.contains(trigger));
+        unknown.take(MOST_TRIGGERS).collect()
     }
 }
 
