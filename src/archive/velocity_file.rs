@@ -127,6 +127,8 @@ fn add_time(file: &mut NetCdfFile) -> Result<(), ArchiveError> {
     file.add_flag(&CLOCK, &["shot"], "not_known_to_be_synchronised synchronised")?;
     file.put_text(TIME.name, "standard_name", "time")?;
     file.put_text(TIME.name, "calendar", "standard")?;
+    // Seconds since 1970 as the system's clock counts them: without leap seconds.
+    file.put_text(TIME.name, "units_metadata", "leap_seconds: none")?;
     let beside = format!("{} {}", TIME_UNCERTAINTY.name, CLOCK.name);
     file.put_text(TIME.name, "ancillary_variables", &beside)
 }
