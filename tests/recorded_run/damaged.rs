@@ -49,8 +49,9 @@ fn lost(run: &Path) -> BTreeSet<u64> {
 
 /// What each command says of a run, and its exit code.
 fn read_by_all(run: &Path, out: &Path) -> Vec<(&'static str, Option<i32>, String)> {
-    let (run, pairs, again) = (run.to_str().unwrap(), out.join("pairs"), out.join("again"));
-    let (pairs, again) = (pairs.to_str().unwrap(), again.to_str().unwrap());
+    let (pairs, again) = (out.join("pairs"), out.join("again"));
+    let [run, pairs, again] =
+        [run, &pairs, &again].map(|path| path.to_str().expect("a path in UTF-8"));
     let commands = [
         ("export", vec!["export", "--out", pairs, run]),
         ("replay", vec!["replay", "--out", again, run]),
