@@ -88,10 +88,8 @@ async fn play(
     args: &ReplayArgs,
     faults: Option<&FaultSettings>,
 ) -> anyhow::Result<(PathBuf, Unread)> {
-    let stop = stop_on_signals(
-        &SynchroniserThread::default(),
-        "the last results may be left as .part files",
-    )?;
+    let stop =
+        stop_on_signals(&SynchroniserThread::default(), "the last results may not be on disk")?;
     let acquired = stop.child_token();
     let Replay { description, bench, clock, bursts, longest_burst, unread } =
         replay(&args.run, args.speed, acquired.clone())?;

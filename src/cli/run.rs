@@ -109,7 +109,7 @@ async fn run_bench(
     let config = plan.file.config.clone();
     let has_instruments = plan.file.config.instruments.is_some();
     let keeps_images = config.raw_log.keep;
-    let stop = stop_on_signals(synchroniser, "the last results may be left as .part files")?;
+    let stop = stop_on_signals(synchroniser, "the last results may not be on disk")?;
     let mut daemon = Daemon::prepare(plan).await?;
     daemon.share_synchroniser(synchroniser.clone());
     print(&format!("status:  {}/api/v1/status", daemon.url()))?;

@@ -58,8 +58,9 @@ pub struct ModelFit {
 }
 
 impl ModelFit {
-    /// What a reader of the log should know; nothing for a good fit, or where the images are dark and say so themselves. `pitch_mm` is the microlens
-    /// pitch seen in the volume, to which distances are compared.
+    /// What a reader of the log should know. Nothing for a good fit, and nothing for dark images, which
+    /// have warnings of their own. `pitch_mm` is the microlens pitch seen in the volume, to which
+    /// distances are compared.
     pub fn warning(&self, pitch_mm: f64) -> Option<String> {
         if self.verdict == FitVerdict::Good || self.causes.is_empty() {
             return None;
