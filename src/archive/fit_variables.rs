@@ -17,7 +17,7 @@ const VERDICT: Described = Described {
 const UNEXPLAINED: Described = Described {
     name: "unexplained_light",
     units: "1",
-    long_name: "residual of each camera's images over the standard deviation of their light",
+    long_name: "residual of each camera's images over the standard deviation of their light, lower quartile of parts of the field",
 };
 const MICRO_IMAGES: Described = Described {
     name: "micro_image_offset",

@@ -31,7 +31,8 @@ impl fmt::Display for FitVerdict {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CameraFit {
     /// Residual of the reconstruction over the standard deviation of the light, both without noise:
-    /// 0 when everything is explained, 1 when nothing is. The worse of both frames.
+    /// 0 when everything is explained, 1 when nothing is. The lower quartile over tiles of the field, in
+    /// the worse of both frames.
     pub unexplained: f64,
     /// Largest distance of a micro-image from its configured place, in pixels; absent where the
     /// micro-images do not stand out.
