@@ -74,6 +74,15 @@ pub fn camera(index: usize) -> CameraSettings {
 
 /// The drivers, connected to what [`wire`] describes.
 pub fn connect(wire: &WireSettings, size: ImageSize) -> Bench {
+    connect_with(wire, size, camera)
+}
+
+/// The same with `settings` for each camera's index.
+pub fn connect_with(
+    wire: &WireSettings,
+    size: ImageSize,
+    of_camera: impl Fn(usize) -> CameraSettings,
+) -> Bench {
     let port = wire.port.to_str().expect("a path in UTF-8");
     let settings = SynchroniserSettings {
         pacing_ms: 0,
@@ -84,7 +93,7 @@ pub fn connect(wire: &WireSettings, size: ImageSize) -> Bench {
         synchroniser::open(&settings, &timing(), Transcript::kept()).expect("a synchroniser");
     let open = |index: usize| {
         let name = format!("cam{}", index + 1);
-        gige::open(&name, &camera(index), size).expect("a camera")
+        gige::open(&name, &of_camera(index), size).expect("a camera")
     };
     Bench::new((0..2).map(open).collect(), synchroniser)
 }
