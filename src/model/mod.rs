@@ -93,6 +93,12 @@ pub trait Projector: Send + Sync {
     fn retain(&mut self, keep: &[bool]);
 }
 
+/// Keeps the entries whose flag is set.
+pub(crate) fn retain<T>(values: &mut Vec<T>, keep: &[bool]) {
+    let mut flags = keep.iter();
+    values.retain(|_| flags.next().copied().unwrap_or(false));
+}
+
 /// Why the optics cannot see the volume.
 #[derive(Debug, Error, PartialEq)]
 pub enum ModelError {

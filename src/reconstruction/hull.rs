@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::SparseVolume;
 use crate::{
     lightfield::ViewStack,
-    model::{ForwardModel, ViewId},
+    model::{ForwardModel, ViewId, retain},
 };
 
 /// Voxels worked on together: enough to pay for what each view prepares, few enough to bound the
@@ -95,10 +95,4 @@ fn lit_voxels(
     retain(&mut voxels, &unseen);
     retain(&mut least, &unseen);
     (voxels, least)
-}
-
-/// Keeps the entries whose flag is set.
-pub(crate) fn retain<T>(values: &mut Vec<T>, keep: &[bool]) {
-    let mut flags = keep.iter();
-    values.retain(|_| flags.next().copied().unwrap_or(false));
 }

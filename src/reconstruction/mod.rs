@@ -19,7 +19,6 @@ mod volume;
 
 pub use block_volume::BlockVolume;
 pub use convergence::{ConvergenceLog, PassReport};
-use hull::retain;
 pub use levels::ViewLevels;
 pub use light::{FrameLight, MaximumProjection};
 pub use model_fit::{CameraFit, FitVerdict, ModelFit};

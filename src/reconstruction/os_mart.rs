@@ -13,10 +13,10 @@
 
 use rayon::prelude::*;
 
-use super::{BlockVolume, retain};
+use super::BlockVolume;
 use crate::{
     lightfield::ViewStack,
-    model::{BlockLight, BlockModel, BlockProjector, ViewId},
+    model::{BlockLight, BlockModel, BlockProjector, ViewId, retain},
 };
 
 /// One pass's parameters.
