@@ -1,9 +1,10 @@
 //! Whether both cameras see the same particles: their light along the direction that both see.
 //!
-//! Two cameras share the direction e = axis₁ × axis₂. Through the middle of the pupil a particle is
-//! seen at the same place along e by both, whatever its depth. Particles are random, so the light
-//! along e is as good as a fingerprint of the shot: it agrees only between cameras that looked at the
-//! same particles from where the configuration says.
+//! Two cameras share the direction e = axis₁ × axis₂. A ray across e, one that meets the pupil as far
+//! along e as it meets the plane in focus, sees a particle at the particle's own place along e, whatever
+//! its depth. Particles are random, so the light along e is as good as a fingerprint of the shot: it
+//! agrees only between cameras that looked at the same particles from where the configuration says.
+//! Where the pupil does not reach, nothing is compared.
 
 use lfpiv_hw::{Optics, Pose};
 use nalgebra::Vector3;
@@ -16,8 +17,8 @@ use crate::{
 /// Cameras whose axes are closer than this angle's sine share no direction that depth does not blur.
 const LEAST_SINE: f64 = 0.3;
 
-/// Views whose pupil cell is nearer than this to the middle of the pupil along e, in cells.
-const MIDDLE_CELLS: f64 = 0.75;
+/// How much further along e a ray may meet the pupil than the plane in focus, in pupil cells.
+const ACROSS_CELLS: f64 = 0.75;
 
 /// A pixel counts at most this many times a particle's light: hot pixels are brighter.
 const BRIGHTEST_PARTICLES: f64 = 4.0;
@@ -33,6 +34,23 @@ const LEAST_WEIGHT: f64 = 0.5;
 
 /// Farthest shift of one camera against the other that is looked for, in bins.
 const FARTHEST_BINS: usize = 12;
+
+/// What a column or a row of microlenses adds to a ray's place along e.
+#[derive(Debug, Clone, Copy)]
+struct Ray {
+    /// In the plane in focus, in mm.
+    along_mm: f64,
+    /// How much further in the pupil, in mm.
+    turned_mm: f64,
+}
+
+impl Ray {
+    /// Of microlenses whose image in the plane in focus is at `place_mm` from the axis, seen through
+    /// `pupil_mm`, where e has the component `share` along these.
+    fn new(place_mm: f64, pupil_mm: f64, share: f64) -> Self {
+        Self { along_mm: place_mm * share, turned_mm: (pupil_mm - place_mm) * share }
+    }
+}
 
 /// Light along a direction: one bin per microlens pitch in the volume.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,18 +96,28 @@ pub fn profile(
     let brightest = (BRIGHTEST_PARTICLES * levels.particle_counts) as f32;
     let from_middle_mm = (pose.origin_mm - middle).dot(direction);
     let scale = -optics.object_distance_mm / optics.image_distance_mm();
+    let most_mm = ACROSS_CELLS * optics.pupil_cell_mm();
     for (n, view) in layout.views.iter().enumerate() {
-        let pupil_cells = f64::from(view.k) * along_right + f64::from(view.l) * along_up;
-        if pupil_cells.abs() > MIDDLE_CELLS || view.is_cut() {
+        if view.is_cut() {
             continue;
         }
+        let column = |i| {
+            let along_mm = optics.microlens.column_centre_mm(i) * scale;
+            Some(Ray::new(along_mm, layout.columns.sample(view.k, i)?.pupil_mm, along_right))
+        };
+        let row = |j| {
+            let along_mm = optics.microlens.row_centre_mm(j) * scale;
+            Some(Ray::new(along_mm, layout.rows.sample(view.l, j)?.pupil_mm, along_up))
+        };
+        let columns: Vec<Option<Ray>> = layout.window.columns.clone().map(column).collect();
         let mut values = views.view(n).iter();
-        for j in layout.window.rows.clone() {
-            let row_mm = optics.microlens.row_centre_mm(j) * along_up;
-            for i in layout.window.columns.clone() {
-                let Some(&value) = values.next() else { break };
-                let on_array_mm = optics.microlens.column_centre_mm(i) * along_right + row_mm;
-                let place = from_middle_mm + scale * on_array_mm;
+        for row in layout.window.rows.clone().map(row) {
+            for (column, &value) in columns.iter().zip(&mut values) {
+                let (Some(column), Some(row)) = (column, row) else { continue };
+                if (column.turned_mm + row.turned_mm).abs() > most_mm {
+                    continue;
+                }
+                let place = from_middle_mm + column.along_mm + row.along_mm;
                 // Shared between the two nearest bins: microlenses may stand on the bins' edges.
                 let at = (place + half_mm) / bin_mm - 0.5;
                 for (bin, share) in [(at.floor(), 1.0 - at.fract()), (at.floor() + 1.0, at.fract())]
