@@ -28,7 +28,7 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
             dt_s: 1e-4,
             grid,
         },
-        seconds: StageSeconds { decode_s: 1.0, reconstruct_s: 2.0, correlate_s: 3.0 },
+        seconds: StageSeconds { decode_s: 1.0, reconstruct_s: 2.0, correlate_s: 3.0, judge_s: 4.0 },
         warnings: Vec::new(),
         time: Some(ShotTime {
             utc_ns: 1_700_000_000_250_000_000,

@@ -79,10 +79,13 @@ const FIELDS: [(Described, PerVector); 11] = [
     (rate("divergence", "divergence of the velocity"), |f, i| per_second(f, i, f.divergence[i])),
 ];
 
-const SECONDS: [(Described, PerStage); 3] = [
+const SECONDS: [(Described, PerStage); 4] = [
     (seconds("decode_seconds", "time spent from raw images to views"), |s| s.decode_s),
     (seconds("reconstruct_seconds", "time spent from views to volumes"), |s| s.reconstruct_s),
     (seconds("correlate_seconds", "time spent from volumes to vectors"), |s| s.correlate_s),
+    (seconds("judge_seconds", "time spent on how well the bench explains the images"), |s| {
+        s.judge_s
+    }),
 ];
 
 const fn velocity(name: &'static str, long_name: &'static str) -> Described {

@@ -55,6 +55,7 @@ pub struct Row {
     pub reconstruct_s: Option<f64>,
     /// Volumes to vectors, in s.
     pub correlate_s: Option<f64>,
+    pub judge_s: Option<f64>,
     /// Peak resident memory, in MB (10⁶ bytes).
     pub peak_mb: Option<f64>,
     /// Quality factor (paper, Eq. 5).

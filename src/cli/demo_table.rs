@@ -48,13 +48,14 @@ impl Row {
             error.map(|component| format!("{component:.3}"))
         });
         format!(
-            "{:>4}  {:>7}  {:>6.1} %  {x:>6} {y:>6} {z:>6}  {:>7.2} {:>12.2} {:>10.2}",
+            "{:>4}  {:>7}  {:>6.1} %  {x:>6} {y:>6} {z:>6}  {:>7.2} {:>12.2} {:>10.2} {:>6.2}",
             self.shot,
             self.vectors,
             100.0 * self.valid_share,
             self.seconds.decode_s,
             self.seconds.reconstruct_s,
-            self.seconds.correlate_s
+            self.seconds.correlate_s,
+            self.seconds.judge_s
         )
     }
 }
@@ -85,11 +86,11 @@ pub fn table(rows: &[Row]) -> String {
     sorted.sort_by_key(|row| row.shot);
     let mut text = String::new();
     // Writing to a String does not fail.
-    let _ = writeln!(text, "{:>24}  {:^20}  {:^31}", "", "mean |error|, voxel", "seconds");
+    let _ = writeln!(text, "{:>24}  {:^20}  {:^38}", "", "mean |error|, voxel", "seconds");
     let _ = write!(
         text,
-        "{:>4}  {:>7}  {:>8}  {:>6} {:>6} {:>6}  {:>7} {:>12} {:>10}",
-        "shot", "vectors", "valid", "x", "y", "z", "decode", "reconstruct", "correlate"
+        "{:>4}  {:>7}  {:>8}  {:>6} {:>6} {:>6}  {:>7} {:>12} {:>10} {:>6}",
+        "shot", "vectors", "valid", "x", "y", "z", "decode", "reconstruct", "correlate", "judge"
     );
     for row in sorted {
         let _ = write!(text, "\n{}", row.line());
@@ -140,7 +141,12 @@ mod tests {
                 voxel_mm: 0.1,
                 dt_s: 1e-4,
             },
-            seconds: StageSeconds { decode_s: 0.25, reconstruct_s: 1.5, correlate_s: 0.75 },
+            seconds: StageSeconds {
+                decode_s: 0.25,
+                reconstruct_s: 1.5,
+                correlate_s: 0.75,
+                judge_s: 0.25,
+            },
             warnings: Vec::new(),
             time: None,
             raw: Default::default(),
@@ -172,7 +178,7 @@ mod tests {
         assert_eq!(lines.len(), 6);
         assert!(lines[2].contains("50.0 %") && lines[2].contains("1.500  0.000  0.250"), "{text}");
         assert!(lines[3].ends_with("1  no result: camera 2 is dark"), "{text}");
-        let columns = lines[1].find("correlate").map(|at| at + "correlate".len());
+        let columns = lines[1].find("judge").map(|at| at + "judge".len());
         assert_eq!(Some(lines[2].len()), columns, "{text}");
     }
 }

@@ -319,7 +319,7 @@ fn read(config: &Config, folder: &Path) -> anyhow::Result<ImagePair> {
 fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<()> {
     let seconds = &result.seconds;
     let line = format!(
-        "{}: {}, {:.1} % valid{}; decoded in {:.2} s, reconstructed in {:.2} s, correlated in {:.2} s -> {}",
+        "{}: {}, {:.1} % valid{}; decoded in {:.2} s, reconstructed in {:.2} s, correlated in {:.2} s, judged in {:.2} s -> {}",
         job.name,
         count(result.field.grid.len(), "vector"),
         100.0 * result.field.valid_share(),
@@ -327,6 +327,7 @@ fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<(
         seconds.decode_s,
         seconds.reconstruct_s,
         seconds.correlate_s,
+        seconds.judge_s,
         job.results.display()
     );
     bar.suspend(|| {

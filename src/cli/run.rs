@@ -182,7 +182,7 @@ fn shot_line(record: &ShotRecord) -> String {
             "shot {shot}: {}, {:.1} % valid, measured in {:.2} s",
             count(vectors, "vector"),
             100.0 * record.valid_share.unwrap_or(0.0),
-            seconds.decode_s + seconds.reconstruct_s + seconds.correlate_s
+            seconds.total_s()
         ),
         // Why, says the log.
         (Stage::WriteFailed, ..) => format!("shot {shot}: measured, but not written"),

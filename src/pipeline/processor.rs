@@ -184,8 +184,10 @@ impl Processor {
         let decode = |frame| Frame::decode(pair, frame, layouts, &correction);
         let (a, b) = rayon::join(|| decode(0), || decode(1));
         let decode_s = started.elapsed().as_secs_f64();
+        let started = Instant::now();
         let micro_images = model_fit::micro_images(&self.measurement, pair);
         let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
+        let found_s = started.elapsed().as_secs_f64();
         drop(handed);
 
         let started = Instant::now();
@@ -203,6 +205,7 @@ impl Processor {
         );
         let correlate_s = started.elapsed().as_secs_f64();
 
+        let started = Instant::now();
         let fit = model_fit::Judged {
             measurement: &self.measurement,
             fitted,
@@ -212,6 +215,7 @@ impl Processor {
             micro_images,
         }
         .fit();
+        let judge_s = found_s + started.elapsed().as_secs_f64();
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
         }
@@ -221,7 +225,7 @@ impl Processor {
             fit.numbers(self.measurement.optics.object_pitch_mm())
         );
         let warnings = self.warnings(&fit, [&a, &b], &identical);
-        let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s };
+        let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s, judge_s };
         Ok((
             PairResult {
                 field,

@@ -79,8 +79,12 @@ impl ToSchema for Account {
 schema!(
     StageSeconds,
     "StageSeconds",
-    numbers(Type::Number, &["decode_s", "reconstruct_s", "correlate_s"], "Time per stage, in s.")
-        .into()
+    numbers(
+        Type::Number,
+        &["decode_s", "reconstruct_s", "correlate_s", "judge_s"],
+        "Time per stage, in s."
+    )
+    .into()
 );
 
 schema!(

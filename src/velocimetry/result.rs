@@ -20,6 +20,15 @@ pub struct StageSeconds {
     pub reconstruct_s: f64,
     /// Volumes to vectors.
     pub correlate_s: f64,
+    /// How well the bench explains the images.
+    pub judge_s: f64,
+}
+
+impl StageSeconds {
+    /// Of all stages.
+    pub fn total_s(&self) -> f64 {
+        self.decode_s + self.reconstruct_s + self.correlate_s + self.judge_s
+    }
 }
 
 /// The measurement made from one pair.

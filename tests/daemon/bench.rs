@@ -182,7 +182,7 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
             voxel_mm: 0.1,
             dt_s: 1e-4,
         },
-        seconds: StageSeconds { decode_s: 0.1, reconstruct_s: 0.2, correlate_s: 0.3 },
+        seconds: StageSeconds { decode_s: 0.1, reconstruct_s: 0.2, correlate_s: 0.3, judge_s: 0.1 },
         warnings: Vec::new(),
         time: None,
         raw: Default::default(),

@@ -20,7 +20,7 @@ UNITS = {
     "vorticity_z": "s-1",
     "divergence": "s-1",
 }
-STAGES = ["decode_seconds", "reconstruct_seconds", "correlate_seconds"]
+STAGES = ["decode_seconds", "reconstruct_seconds", "correlate_seconds", "judge_seconds"]
 
 
 @pytest.fixture

@@ -114,7 +114,8 @@ fn fill(row: &mut Row, result: &PairResult, score: &Score) {
     row.decode_s = Some(seconds.decode_s);
     row.reconstruct_s = Some(seconds.reconstruct_s);
     row.correlate_s = Some(seconds.correlate_s);
-    row.seconds = Some(seconds.decode_s + seconds.reconstruct_s + seconds.correlate_s);
+    row.judge_s = Some(seconds.judge_s);
+    row.seconds = Some(seconds.total_s());
     row.seconds_of = "one pair in a running program: decode, reconstruct, correlate".to_owned();
     row.vectors = Some(result.field.grid.len());
     row.valid_share = Some(result.field.valid_share());

@@ -10,7 +10,7 @@ use super::{
         },
         finding::Finding,
     },
-    sample::{ASSUMED_PPM, Expected, aligned, total},
+    sample::{ASSUMED_PPM, Expected, aligned},
 };
 use crate::{
     config::Config,
@@ -188,7 +188,7 @@ pub fn time(config: &Config, expected: &anyhow::Result<Expected>) -> Finding {
             return Finding::advice(CHECK, found, "correct [simulation], or measure a pair");
         }
     };
-    let pair_s = total(seconds);
+    let pair_s = seconds.total_s();
     let assumed = match config.simulation {
         Some(_) => String::new(),
         None => format!(", with {ASSUMED_PPM} particles per microlens"),

@@ -83,6 +83,7 @@ fn expected_by(
         decode_s: measured.decode_s,
         reconstruct_s: measured.reconstruct_s * voxels * passes,
         correlate_s: measured.correlate_s * voxels,
+        judge_s: measured.judge_s * voxels,
     };
     Ok(Expected { seconds, slower })
 }
@@ -94,17 +95,12 @@ fn measure(piece: &Config, whole: &Plan) -> anyhow::Result<StageSeconds> {
     let pair = ImagePair { cameras: scene.shot(&bench, scene.seed, 0).images };
     let processor = Processor::new(piece.measurement())?;
     let mut seconds = processor.process(&pair)?.seconds;
-    if total(&seconds) < SHORT_S {
+    if seconds.total_s() < SHORT_S {
         let again = processor.process(&pair)?.seconds;
-        seconds = if total(&again) < total(&seconds) { again } else { seconds };
+        seconds = if again.total_s() < seconds.total_s() { again } else { seconds };
     }
     seconds.decode_s *= whole.view_bytes as f64 / processor.plan().view_bytes.max(1) as f64;
     Ok(seconds)
-}
-
-/// Seconds of all stages.
-pub fn total(seconds: &StageSeconds) -> f64 {
-    seconds.decode_s + seconds.reconstruct_s + seconds.correlate_s
 }
 
 fn scene(config: &Config) -> Scene {

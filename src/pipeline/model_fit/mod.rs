@@ -19,6 +19,7 @@ mod unexplained;
 
 use lfpiv_hw::{CameraName, RawImage};
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 use self::{
     agreement::{Agreement, profile, shared_direction},
@@ -64,7 +65,7 @@ pub(super) fn micro_images(
     measurement: &Measurement,
     pair: &ImagePair,
 ) -> Vec<Option<MicroImages>> {
-    pair.cameras.iter().map(|[a, _]| MicroImages::find(&measurement.optics, a)).collect()
+    pair.cameras.par_iter().map(|[a, _]| MicroImages::find(&measurement.optics, a)).collect()
 }
 
 /// Cameras whose frames a and b are the same image.
@@ -81,9 +82,14 @@ impl Judged<'_> {
     /// The fit of this pair, with a verdict.
     pub fn fit(self) -> ModelFit {
         let lit = self.frames.iter().all(|frame| frame.lit);
-        let unexplained =
-            (0..self.measurement.cameras.len()).map(|c| self.unexplained(c)).collect();
-        let agreement = if lit { self.agreement() } else { None };
+        let unexplained = || {
+            let cameras = 0..self.measurement.cameras.len();
+            cameras.into_par_iter().map(|camera| self.unexplained(camera)).collect()
+        };
+        let (unexplained, (agreement, disparity)) = rayon::join(unexplained, || match lit {
+            true => rayon::join(|| self.agreement(), || self.disparity()),
+            false => (None, None),
+        });
         let evidence = Evidence {
             measurement: self.measurement,
             lit,
@@ -92,7 +98,7 @@ impl Judged<'_> {
             micro_images: &self.micro_images,
             unexplained,
             agreement,
-            disparity: if lit { self.disparity() } else { None },
+            disparity,
             valid_share: self.valid_share(),
         };
         let (verdict, causes) = judge(&evidence);
