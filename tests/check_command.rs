@@ -183,3 +183,19 @@ fn seconds_and_memory_stand_against_the_rate() {
         assert!(done.stdout.contains(said), "{}", done.stdout);
     }
 }
+
+/// What `process` and `run` refuse, `check` refuses, too.
+#[test]
+fn background_images_that_are_not_there_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let image = |more: &str| {
+        let to = format!("background = {more}");
+        check(&changed_configuration(folder.path(), "background = \"constant\"", &to))
+    };
+    let unnamed = image("\"images\"");
+    assert!(!unnamed.success && unnamed.stderr.contains("background_dir"), "{}", unnamed.stderr);
+    let empty = image(&format!("\"images\"\nbackground_dir = {:?}", folder.path()));
+    assert!(!empty.success && empty.stderr.contains("cam1_a.tif is missing"), "{}", empty.stderr);
+    let pairs = image("\"minimum\"");
+    assert!(pairs.success && pairs.stdout.contains("`lfpiv run` refuses"), "{}", pairs.stdout);
+}

@@ -197,6 +197,47 @@ fn a_value_of_the_wrong_type_is_shown_with_what_is_allowed() {
     }
 }
 
+/// Four voxel counts are no volume.
+#[test]
+fn an_array_with_too_many_elements_is_refused_with_how_many_are_allowed() {
+    let cases = [
+        ("voxels = [100, 80, 80]", "voxels = [100, 80, 80, 99]", "volume.voxels", "3"),
+        ("up = [0.0, 1.0, 0.0]", "up = [0.0, 1.0, 0.0, 0.0, 0.0]", "camera[0].up", "3"),
+        (
+            "[simulation]\n",
+            "[simulation]\nsheet_mm = [6.0, 6.0, 6.0, 6.0, 6.0]\n",
+            "simulation.sheet_mm",
+            "3",
+        ),
+        (
+            "[simulation]\n",
+            "[simulation]\ncamera_shift_mm = [[0, 0, 0, 1], [0, 0, 0]]\n",
+            "simulation.camera_shift_mm[0]",
+            "3",
+        ),
+    ];
+    for (from, to, key, length) in cases {
+        let message = refusal(from, to);
+        let expected = format!("allowed: an array of {length}");
+        assert!(message.contains(key) && message.contains(&expected), "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+    }
+}
+
+/// A parser takes up to a hundred times as much memory as the file has bytes.
+#[test]
+fn a_configuration_that_is_too_large_or_no_file_is_refused_unread() {
+    let root = tempfile::tempdir().unwrap();
+    let large = root.path().join("large.toml");
+    std::fs::write(&large, format!("numbers = [{}]", "1,".repeat(1 << 20))).unwrap();
+    let said = ConfigFile::load(&large).unwrap_err().to_string();
+    assert!(said.contains("large.toml") && said.contains("are the most that are read"), "{said}");
+    let pipe = root.path().join("pipe.toml");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let said = ConfigFile::load(&pipe).unwrap_err().to_string();
+    assert!(said.contains("pipe.toml: it is no regular file"), "{said}");
+}
+
 #[test]
 fn timing_may_be_left_out_and_declares_an_external_trigger() {
     let timing = |from: &str, to: &str| {

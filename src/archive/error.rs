@@ -100,7 +100,7 @@ pub enum ArchiveError {
         /// The file.
         path: PathBuf,
         /// The decoder's reason.
-        reason: image::ImageError,
+        reason: String,
     },
     /// The image is not 8- or 16-bit grey.
     #[error(

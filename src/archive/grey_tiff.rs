@@ -2,20 +2,22 @@
 
 use std::{
     fmt,
-    fs::File,
-    io::{self, BufReader, Seek, Write},
+    io::{self, BufReader, Read, Seek, Write},
     path::Path,
 };
 
 use image::{
-    DynamicImage, EncodableLayout, ImageBuffer, ImageError, ImageFormat, ImageReader, ImageResult,
-    Luma, PixelWithColorType, Primitive,
+    EncodableLayout, ImageBuffer, ImageError, ImageFormat, ImageResult, Luma, PixelWithColorType,
+    Primitive,
     error::{ParameterError, ParameterErrorKind::DimensionMismatch},
 };
 use lfpiv_hw::{RawImage, Sensor};
-use tiff::decoder::Decoder;
+use tiff::{
+    ColorType, TiffError, TiffResult,
+    decoder::{ChunkType, Decoder, DecodingResult},
+};
 
-use super::{ArchiveError, durable::replace};
+use super::{ArchiveError, durable::replace, open_regular};
 
 /// Pixel columns and rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,11 +40,6 @@ impl From<&Sensor> for ImageSize {
     }
 }
 
-/// Size of an image in memory.
-pub(super) fn size_of(image: &RawImage) -> ImageSize {
-    ImageSize { columns: image.columns(), rows: image.rows() }
-}
-
 /// Bits per pixel in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileDepth {
@@ -59,43 +56,79 @@ impl FileDepth {
     }
 }
 
-/// Reads an 8- or 16-bit grey TIFF; the counts are those in the file.
-pub fn read_grey_tiff(path: &Path) -> Result<RawImage, ArchiveError> {
-    let mut reader = ImageReader::open(path).map_err(ArchiveError::io("open the image", path))?;
-    reader.set_format(ImageFormat::Tiff);
-    let decoded = reader.decode().map_err(|source| describe_failure(path, source))?;
-    let (columns, rows) = (decoded.width() as usize, decoded.height() as usize);
-    if has_second_page(path) {
-        let size = ImageSize { columns, rows };
+/// Edges of tiles are multiples of this (TIFF 6.0, section 15).
+const TILE_STEP: u32 = 16;
+
+/// Reads an 8- or 16-bit grey TIFF of `size`; the counts are those in the file.
+///
+/// What the file says of itself is checked before any of its pixels are decoded.
+///
+/// # Errors
+/// It cannot be opened, is no such image, damaged, or of another size.
+pub fn read_grey_tiff(path: &Path, size: ImageSize) -> Result<RawImage, ArchiveError> {
+    let file = open_regular(path).map_err(ArchiveError::io("open the image", path))?;
+    let failure = |source| describe_failure(path, source);
+    let mut decoder = Decoder::new(BufReader::new(file)).map_err(failure)?;
+    check(&mut decoder, path, size)?;
+    let decoded = decoder.read_image().map_err(failure)?;
+    if has_second_page(&mut decoder) {
         return Err(ArchiveError::SeveralPages { path: path.into(), size });
     }
     let counts = match decoded {
-        DynamicImage::ImageLuma8(grey) => grey.iter().map(|count| u16::from(*count)).collect(),
-        DynamicImage::ImageLuma16(grey) => grey.into_raw(),
-        other => {
-            let found = format!("colour or transparent ({:?})", other.color());
+        DecodingResult::U8(counts) => counts.into_iter().map(u16::from).collect(),
+        DecodingResult::U16(counts) => counts,
+        _ => {
+            let found = "of signed or floating-point numbers".into();
             return Err(ArchiveError::NotGrey { path: path.into(), found });
         }
     };
-    RawImage::new(columns, rows, counts).map_err(|error| ArchiveError::UnreadableImage {
+    RawImage::new(size.columns, size.rows, counts).map_err(|error| ArchiveError::UnreadableImage {
         path: path.into(),
-        reason: ImageError::IoError(io::Error::other(error)),
+        reason: error.to_string(),
     })
 }
 
-/// Whether a readable file has a second page as large as its first. Both frames of a pair in one
-/// file would otherwise be read as the first frame twice: no motion. Thumbnails are no harm.
-fn has_second_page(path: &Path) -> bool {
-    let pages = || -> Option<bool> {
-        let mut decoder = Decoder::new(BufReader::new(File::open(path).ok()?)).ok()?;
-        let first = decoder.dimensions().ok()?;
+/// Whether the image is of a kind and size that is read.
+fn check<R: Read + Seek>(
+    decoder: &mut Decoder<R>,
+    path: &Path,
+    expected: ImageSize,
+) -> Result<(), ArchiveError> {
+    let failure = |source| describe_failure(path, source);
+    let not_grey = |found: String| Err(ArchiveError::NotGrey { path: path.into(), found });
+    match decoder.colortype().map_err(failure)? {
+        ColorType::Gray(8 | 16) => {}
+        ColorType::Gray(bits) => return not_grey(format!("grey of {bits} bit")),
+        other => return not_grey(format!("colour or transparent ({other:?})")),
+    }
+    let (width, height) = decoder.chunk_dimensions();
+    if matches!(decoder.get_chunk_type(), ChunkType::Tile)
+        && [width, height].iter().any(|edge| edge % TILE_STEP != 0)
+    {
+        let reason =
+            format!("it has tiles of {width} x {height} pixels, no multiples of {TILE_STEP}");
+        return Err(ArchiveError::UnreadableImage { path: path.into(), reason });
+    }
+    let (columns, rows) = decoder.dimensions().map_err(failure)?;
+    let found = ImageSize { columns: columns as usize, rows: rows as usize };
+    if found != expected {
+        return Err(ArchiveError::WrongSize { path: path.into(), found, expected });
+    }
+    Ok(())
+}
+
+/// Whether a second page is as large as the first. Both frames of a pair in one file would otherwise
+/// be read as the first frame twice: no motion. Thumbnails are no harm.
+fn has_second_page<R: Read + Seek>(decoder: &mut Decoder<R>) -> bool {
+    let mut pages = || -> TiffResult<bool> {
+        let first = decoder.dimensions()?;
         while decoder.more_images() {
-            decoder.next_image().ok()?;
-            if decoder.dimensions().ok()? == first {
-                return Some(true);
+            decoder.next_image()?;
+            if decoder.dimensions()? == first {
+                return Ok(true);
             }
         }
-        Some(false)
+        Ok(false)
     };
     pages().unwrap_or(false)
 }
@@ -136,19 +169,34 @@ where
         .write_to(writer, ImageFormat::Tiff)
 }
 
-fn describe_failure(path: &Path, source: ImageError) -> ArchiveError {
+fn describe_failure(path: &Path, source: TiffError) -> ArchiveError {
     let path = path.into();
     match source {
-        ImageError::Unsupported(detail) => {
+        TiffError::UnsupportedError(detail) => {
             ArchiveError::NotGrey { path, found: format!("of a kind not supported ({detail})") }
         }
-        reason => ArchiveError::UnreadableImage { path, reason },
+        damage => ArchiveError::UnreadableImage { path, reason: damage.to_string() },
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs::{self, File};
+
+    use image::DynamicImage;
+    use tiff::{
+        encoder::{TiffEncoder, colortype::Gray16},
+        tags::Tag,
+    };
+
     use super::*;
+
+    const RAMP: ImageSize = ImageSize { columns: 3, rows: 2 };
+
+    /// What is said against a file, as an image of `size`.
+    fn refusal(path: &Path, [columns, rows]: [usize; 2]) -> String {
+        read_grey_tiff(path, ImageSize { columns, rows }).unwrap_err().to_string()
+    }
 
     fn ramp() -> RawImage {
         RawImage::new(3, 2, vec![0, 1, 200, 255, 300, 65_535]).unwrap()
@@ -159,9 +207,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("cam1_a.tif");
         write_grey_tiff(&path, &ramp(), FileDepth::Sixteen).unwrap();
-        assert_eq!(read_grey_tiff(&path).unwrap(), ramp());
+        assert_eq!(read_grey_tiff(&path, RAMP).unwrap(), ramp());
         write_grey_tiff(&path, &ramp(), FileDepth::Eight).unwrap();
-        assert_eq!(read_grey_tiff(&path).unwrap().counts(), [0, 1, 200, 255, 255, 255]);
+        assert_eq!(read_grey_tiff(&path, RAMP).unwrap().counts(), [0, 1, 200, 255, 255, 255]);
     }
 
     #[test]
@@ -170,10 +218,10 @@ mod tests {
         let path = folder.path().join("cam1_a.tif");
         let image = RawImage::new(64, 64, (0..4096).collect()).unwrap();
         write_grey_tiff(&path, &image, FileDepth::Sixteen).unwrap();
-        let whole = std::fs::read(&path).unwrap();
+        let whole = fs::read(&path).unwrap();
         for tenths in 0..10 {
-            std::fs::write(&path, &whole[..whole.len() * tenths / 10]).unwrap();
-            let message = read_grey_tiff(&path).unwrap_err().to_string();
+            fs::write(&path, &whole[..whole.len() * tenths / 10]).unwrap();
+            let message = refusal(&path, [64, 64]);
             assert!(message.contains("cam1_a.tif"), "{message}");
             assert!(message.contains("truncated"), "{message}");
         }
@@ -181,7 +229,6 @@ mod tests {
 
     #[test]
     fn two_frames_in_one_file_are_refused_but_not_a_thumbnail() {
-        use tiff::encoder::{TiffEncoder, colortype::Gray16};
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("cam1_a.tif");
         let write_pages = |sizes: [u32; 2]| {
@@ -192,10 +239,74 @@ mod tests {
             }
         };
         write_pages([8, 8]);
-        let message = read_grey_tiff(&path).unwrap_err().to_string();
+        let message = refusal(&path, [8, 8]);
         assert!(message.contains("cam1_a.tif holds several pages of 8 x 8"), "{message}");
         write_pages([8, 2]);
-        assert_eq!(read_grey_tiff(&path).unwrap().columns(), 8);
+        let size = ImageSize { columns: 8, rows: 8 };
+        assert_eq!(read_grey_tiff(&path, size).unwrap().columns(), 8);
+    }
+
+    /// A small file may claim any size; a bit is no grey; tiles have edges of multiples of 16.
+    #[test]
+    fn what_a_file_says_of_itself_is_checked_before_it_is_decoded() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cam1_a.tif");
+        // Little-endian, one directory at byte 8: tags of one number each, all of them short.
+        let write = |tags: &[(Tag, u16)]| {
+            let mut bytes = [&b"II*\0"[..], &8_u32.to_le_bytes()].concat();
+            bytes.extend((tags.len() as u16).to_le_bytes());
+            for (tag, value) in tags {
+                for number in [tag.to_u16(), 3, 1, 0, *value, 0] {
+                    bytes.extend(number.to_le_bytes());
+                }
+            }
+            bytes.extend([0; 4]);
+            bytes.resize(4096, 0);
+            fs::write(&path, bytes).unwrap();
+        };
+        let image = |size: u16, bits: u16| {
+            [
+                (Tag::ImageWidth, size),
+                (Tag::ImageLength, size),
+                (Tag::BitsPerSample, bits),
+                (Tag::PhotometricInterpretation, 1),
+            ]
+        };
+        let strip = |rows: u16| {
+            [(Tag::StripOffsets, 1024), (Tag::RowsPerStrip, rows), (Tag::StripByteCounts, 64)]
+        };
+        let tiles = |edge: u16| {
+            [
+                (Tag::TileWidth, edge),
+                (Tag::TileLength, 16),
+                (Tag::TileOffsets, 1024),
+                (Tag::TileByteCounts, 256),
+            ]
+        };
+        write(&[&image(8, 8)[..], &strip(8)].concat());
+        assert!(read_grey_tiff(&path, ImageSize { columns: 8, rows: 8 }).is_ok());
+        write(&[&image(8, 1)[..], &strip(8)].concat());
+        assert!(refusal(&path, [8, 8]).contains("cam1_a.tif is grey of 1 bit: save it as grey"));
+        write(&[&image(8, 8)[..], &tiles(16)].concat());
+        assert!(read_grey_tiff(&path, ImageSize { columns: 8, rows: 8 }).is_ok());
+        write(&[&image(8, 8)[..], &tiles(10)].concat());
+        let said = refusal(&path, [8, 8]);
+        assert!(said.contains("tiles of 10 x 16 pixels, no multiples of 16"), "{said}");
+        write(&[&image(65_535, 16)[..], &strip(65_535)].concat());
+        let said = refusal(&path, [8, 8]);
+        assert!(
+            said.contains("has 65535 x 65535 pixels but the configured sensor has 8 x 8"),
+            "{said}"
+        );
+    }
+
+    #[test]
+    fn a_pipe_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cam1_a.tif");
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
+        let said = refusal(&path, [8, 8]);
+        assert!(said.contains("cam1_a.tif: it is no regular file"), "{said}");
     }
 
     #[test]
@@ -208,7 +319,7 @@ mod tests {
             DynamicImage::new_rgb32f(4, 4),
         ] {
             image.save_with_format(&path, ImageFormat::Tiff).unwrap();
-            let message = read_grey_tiff(&path).unwrap_err().to_string();
+            let message = refusal(&path, [4, 4]);
             assert!(message.contains("cam2_b.tif is colour"), "{message}");
             assert!(message.contains("save it as grey TIFF of 8 or 16 bit"), "{message}");
         }

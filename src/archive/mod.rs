@@ -22,6 +22,7 @@ mod netcdf_open;
 mod pair_folder;
 mod paraview;
 pub mod raw_log;
+mod regular_file;
 mod store;
 mod stored;
 #[cfg(test)]
@@ -39,6 +40,7 @@ pub use raw_log::{
     AppendError, Position, RawLog, RawLogError, RawLogReader, RawLogSettings, RawLogWriter, Record,
     Watermarks, recover,
 };
+pub use regular_file::{open_regular, open_regular_with, read_regular, read_text, text_of};
 pub use store::ResultStore;
 pub use stored::{StoredResults, stored_configuration, stored_vectors};
 pub use velocity_file::write_velocity;

@@ -6,10 +6,14 @@
 use std::{cell::Cell, path::Path, ptr};
 
 use hdf5_sys::{LOCK, h5e};
-use netcdf::{File, FileMut};
+use netcdf::{Error, File, FileMut};
+
+use super::open_regular;
 
 /// Opens a file to read; it stays on this thread.
 pub(super) fn open(path: &Path) -> netcdf::Result<File> {
+    // The library would wait for a pipe.
+    open_regular(path).map_err(|reason| Error::Str(reason.to_string()))?;
     silence();
     netcdf::open(path)
 }

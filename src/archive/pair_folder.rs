@@ -8,7 +8,7 @@ use std::{
 use lfpiv_hw::{CameraName, RawImage};
 use rayon::prelude::*;
 
-use super::{ArchiveError, FileDepth, ImageSize, grey_tiff, read_grey_tiff, write_grey_tiff};
+use super::{ArchiveError, FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
 use crate::lightfield::ImagePair;
 
 /// File names of frames a and b of camera `index` (from 0): `cam1_a.tif`, `cam1_b.tif`.
@@ -61,13 +61,7 @@ fn read_image(
             return Err(ArchiveError::TwoImages { first, second });
         }
     };
-    let image = read_grey_tiff(&path)?;
-    let found = grey_tiff::size_of(&image);
-    if found == size {
-        Ok(image)
-    } else {
-        Err(ArchiveError::WrongSize { path, found, expected: size })
-    }
+    read_grey_tiff(&path, size)
 }
 
 /// The files that may be meant by a name such as `cam1_a.tif`, sorted: in small letters or in
@@ -75,7 +69,7 @@ fn read_image(
 fn files_of(folder: &Path, name: &str) -> Vec<PathBuf> {
     let meant = |path: &PathBuf| {
         let found = path.file_name().map(|found| found.to_string_lossy().to_ascii_lowercase());
-        found.is_some_and(|found| found == name || found == format!("{name}f")) && path.is_file()
+        found.is_some_and(|found| found == name || found == format!("{name}f"))
     };
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(meant).collect();

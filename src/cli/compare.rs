@@ -2,16 +2,15 @@
 
 use std::{
     collections::BTreeMap,
-    fs,
     path::{Path, PathBuf},
 };
 
-use anyhow::{Context, bail};
+use anyhow::bail;
 use lfpiv_hw::CameraName;
 use serde_json::Value;
 
 use super::{
-    ledger_file::CUT_OFF,
+    ledger_file::{CUT_OFF, has_ledger, read_json},
     output::{count, print},
 };
 use crate::archive::stored_vectors;
@@ -53,8 +52,7 @@ impl Results {
     ///
     /// Something is there and cannot be read.
     pub fn read(run: &Path) -> anyhow::Result<Self> {
-        let path = run.join("ledger.json");
-        let accounts = if path.exists() { accounts(&path)? } else { Vec::new() };
+        let accounts = if has_ledger(run) { accounts(run)? } else { Vec::new() };
         Ok(Self { vectors: stored_vectors(run)?, accounts })
     }
 
@@ -121,10 +119,8 @@ fn ledger_differences(then: &Results, now: &Results) -> Vec<String> {
 
 /// Counts of each camera, shed ones among the complete, without triggers that nothing shows to have
 /// been given: how many of those were due depends on when the run ended.
-fn accounts(path: &Path) -> anyhow::Result<Vec<BTreeMap<String, u64>>> {
-    let text = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let ledger: Value = serde_json::from_slice(&text)
-        .with_context(|| format!("{} is no ledger", path.display()))?;
+fn accounts(run: &Path) -> anyhow::Result<Vec<BTreeMap<String, u64>>> {
+    let ledger = read_json(run)?;
     if ledger["error"] == CUT_OFF {
         return Ok(Vec::new());
     }

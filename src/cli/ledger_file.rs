@@ -1,6 +1,6 @@
 //! `ledger.json`: what became of every trigger of a run.
 
-use std::{collections::BTreeSet, fs, io::Write, path::Path};
+use std::{collections::BTreeSet, io::Write, path::Path};
 
 use anyhow::Context;
 use lfpiv_hw::device::StreamStatistics;
@@ -9,12 +9,15 @@ use serde_json::Value;
 
 use crate::{
     acquisition::{Account, AcquisitionReport, Ledger, TriggerEntry, journal::RunEnd},
-    archive::write_replacing,
+    archive::{read_regular, write_replacing},
     pipeline::{Board, ShotRecord, Stage},
 };
 
 /// The file's name in the run's folder.
 const NAME: &str = "ledger.json";
+
+/// Most bytes of it: of exceptions and shots without a result only so many are remembered.
+const MOST_BYTES: u64 = 64 << 20;
 
 #[derive(Serialize)]
 struct LedgerFile<'a> {
@@ -92,9 +95,14 @@ pub(super) fn read_ledger(folder: &Path) -> anyhow::Result<Option<RunLedger>> {
     }))
 }
 
-fn read_json(folder: &Path) -> anyhow::Result<Value> {
+/// The ledger of the run in `folder` as it is written.
+///
+/// # Errors
+/// As [`read_ledger`]; there is none.
+pub(super) fn read_json(folder: &Path) -> anyhow::Result<Value> {
     let path = folder.join(NAME);
-    let text = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let text = read_regular(&path, MOST_BYTES)
+        .with_context(|| format!("cannot read {}", path.display()))?;
     serde_json::from_slice(&text).with_context(|| format!("{} is no ledger", path.display()))
 }
 

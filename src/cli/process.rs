@@ -11,6 +11,7 @@ use super::{
     output::{count, print, progress_bar},
     process_jobs::{Existing, Job, jobs, settle_existing},
     process_run::{is_run, process_run},
+    run_processor::background_images,
     solver::{solver_by_name, solver_name},
     stop::stop_on_signals,
 };
@@ -253,18 +254,13 @@ impl Run {
     /// Learns stationary light where the configuration asks for it: from its background images,
     /// or from all the pairs. A pair that cannot be read is reported when its turn comes.
     fn learn_background(&mut self, jobs: &[Job]) -> anyhow::Result<()> {
-        let image = &self.file.config.image;
-        match (image.background, &image.background_dir) {
-            (Background::Constant, _) => Ok(()),
-            (Background::Images, None) => bail!(
-                "image.background = \"images\" needs image.background_dir, a folder with one \
-                 background image per camera and frame, named like a pair"
-            ),
-            (Background::Images, Some(folder)) => {
-                let pair = self.read(folder).context("cannot read the background images")?;
-                Ok(self.processor.learn_background(&pair)?)
+        let config = &self.file.config;
+        match config.image.background {
+            Background::Constant => Ok(()),
+            Background::Images => {
+                Ok(self.processor.learn_background(&background_images(config)?)?)
             }
-            (Background::Minimum | Background::Mean, _) => {
+            Background::Minimum | Background::Mean => {
                 if jobs.len() < LEAST_BACKGROUND_PAIRS {
                     bail!(
                         "image.background takes what {} have in common for stationary light: \

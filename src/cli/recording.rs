@@ -13,7 +13,7 @@ use crate::{
         AcquisitionSettings, Journal,
         journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
     },
-    archive::{RawLog, RawLogWriter},
+    archive::{RawLog, RawLogWriter, open_regular, open_regular_with},
 };
 
 /// A run's record under way.
@@ -78,7 +78,7 @@ pub(super) fn tell_unfinished(results_dir: &Path) {
 /// Another program has the run.
 pub(super) fn refuse_running(run: &Path) -> anyhow::Result<()> {
     // Read only: a run on a disk that cannot be written may be looked at.
-    let Ok(lock) = File::open(run.join(LOCK)) else { return Ok(()) };
+    let Ok(lock) = open_regular(&run.join(LOCK)) else { return Ok(()) };
     match lock.try_lock_shared() {
         Err(TryLockError::WouldBlock) => bail!(
             "{} is running: another lfpiv writes it; wait until it has ended, or stop it",
@@ -100,10 +100,7 @@ impl RunLock {
     /// Another program has the run.
     pub fn take(run: &Path) -> anyhow::Result<Self> {
         let path = run.join(LOCK);
-        let file = File::options()
-            .create(true)
-            .append(true)
-            .open(&path)
+        let file = open_regular_with(File::options().create(true).append(true), &path)
             .with_context(|| format!("cannot open {}", path.display()))?;
         match file.try_lock() {
             Ok(()) => Ok(Self(file)),

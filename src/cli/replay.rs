@@ -1,7 +1,6 @@
 //! `lfpiv replay`: a recorded run again, through the same run loop and pipeline.
 
 use std::{
-    fs,
     net::{Ipv4Addr, SocketAddr},
     path::{Path, PathBuf},
 };
@@ -26,7 +25,7 @@ use crate::{
         journal::{RecordedRun, RecordedRunError},
         replay::{Replay, Speed, replay},
     },
-    archive::Position,
+    archive::{Position, read_text},
     config::{Config, ConfigFile},
 };
 
@@ -131,8 +130,7 @@ fn disturbed(bench: Bench, faults: &FaultSettings) -> Bench {
 
 /// Reads a file of fault settings.
 pub(super) fn read_faults(path: &Path) -> anyhow::Result<FaultSettings> {
-    let text =
-        fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let text = read_text(path).with_context(|| format!("cannot read {}", path.display()))?;
     let faults: FaultSettings =
         toml::from_str(&text).with_context(|| format!("{} is no fault file", path.display()))?;
     if let Err(problems) = faults.validate() {

@@ -2,7 +2,27 @@
 
 use anyhow::{Context, bail};
 
-use crate::{archive::read_pair, config::Config, lightfield::Background, pipeline::Processor};
+use crate::{
+    archive::read_pair,
+    config::Config,
+    lightfield::{Background, ImagePair},
+    pipeline::Processor,
+};
+
+/// The background images that the configuration names.
+///
+/// # Errors
+/// It names none, or they cannot be read.
+pub(super) fn background_images(config: &Config) -> anyhow::Result<ImagePair> {
+    let Some(folder) = &config.image.background_dir else {
+        bail!(
+            "image.background = \"images\" needs image.background_dir, a folder with one background \
+             image per camera and frame, named like a pair"
+        )
+    };
+    read_pair(folder, config.camera.len(), (&config.optics.sensor).into())
+        .context("cannot read the background images")
+}
 
 /// Tables for a run's shots, and its stationary light where the configuration has images of it.
 ///
@@ -12,18 +32,10 @@ use crate::{archive::read_pair, config::Config, lightfield::Background, pipeline
 /// taken from pairs that a run does not have yet.
 pub(super) fn run_processor(config: &Config) -> anyhow::Result<Processor> {
     let mut processor = Processor::new(config.measurement()).context("this cannot be measured")?;
-    match (config.image.background, &config.image.background_dir) {
-        (Background::Constant, _) => {}
-        (Background::Images, Some(folder)) => {
-            let pair = read_pair(folder, config.camera.len(), (&config.optics.sensor).into())
-                .context("cannot read the background images")?;
-            processor.learn_background(&pair)?;
-        }
-        (Background::Images, None) => bail!(
-            "image.background = \"images\" needs image.background_dir, a folder with one background \
-             image per camera and frame, named like a pair"
-        ),
-        (Background::Minimum | Background::Mean, _) => bail!(
+    match config.image.background {
+        Background::Constant => {}
+        Background::Images => processor.learn_background(&background_images(config)?)?,
+        Background::Minimum | Background::Mean => bail!(
             "image.background takes what all pairs have in common for stationary light, and a run \
              has them only when it is over: set it to \"constant\" or \"images\"; afterwards `lfpiv \
              export` makes pairs of the run, and `lfpiv process` takes them all"

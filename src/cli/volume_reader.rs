@@ -14,7 +14,11 @@ use std::{
 use anyhow::{Context, bail};
 use rustix::process::{Resource, Rlimit, setrlimit};
 
-use crate::{archive::read_volumes, model::VolumeGrid, reconstruction::DenseVolume};
+use crate::{
+    archive::{open_regular, read_volumes},
+    model::VolumeGrid,
+    reconstruction::DenseVolume,
+};
 
 const VOLUMES: u8 = 1;
 const REASON: u8 = 0;
@@ -43,10 +47,7 @@ pub struct ReadVolumesArgs {
 /// What is wrong with the file, as [`read_volumes`]; a child that died of it.
 pub(super) fn read_safely(path: &Path, grid: &VolumeGrid) -> anyhow::Result<[DenseVolume; 2]> {
     let cannot = || format!("cannot take volumes from {}", path.display());
-    // A pipe would be waited for.
-    if !path.metadata().with_context(cannot)?.is_file() {
-        bail!("{}: it is no file", cannot());
-    }
+    open_regular(path).with_context(cannot)?;
     let program = std::env::current_exe().context("the program does not find itself")?;
     let mut child = Command::new(program)
         .arg("read-volumes")

@@ -9,6 +9,7 @@ mod problem;
 mod range;
 mod server;
 mod shipped;
+mod surplus;
 
 use std::path::{Path, PathBuf};
 

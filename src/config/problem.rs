@@ -11,6 +11,7 @@ use super::{
     location::{Entry, KeyPath, Step, entries, line_and_column},
     misfit::{Purpose, misfits},
     range::{allowed_range, is_bound},
+    surplus::longer_than_read,
 };
 
 /// Why there is no configuration.
@@ -95,6 +96,7 @@ pub(super) fn read(
             }
         }
     }
+    problems.extend(reader.surplus_problems(&config));
     // Values out of their ranges say nothing about the whole.
     if let (true, Some(purpose)) = (problems.is_empty(), purpose) {
         for misfit in misfits(&config, purpose) {
@@ -140,6 +142,23 @@ impl Reader<'_> {
             Some(table) => self.problem(table.value.start, path.to_string(), message),
             None => self.problem(0, path.to_string(), message),
         }
+    }
+
+    /// Arrays of which a part was not read.
+    fn surplus_problems(&self, config: &Config) -> Vec<Problem> {
+        let read = match Value::try_from(config) {
+            Ok(read) => read,
+            Err(error) => {
+                let message = format!("what was read cannot be held against the file: {error}");
+                return vec![self.problem(0, String::new(), message)];
+            }
+        };
+        let document = Value::Table(self.document.clone());
+        let longer = longer_than_read(&document, &read);
+        let problem = |(path, length): &(KeyPath, usize)| {
+            self.rule_problem(path, &format!("allowed: an array of {length}"))
+        };
+        longer.iter().map(problem).collect()
     }
 
     fn type_problem(&self, error: &toml::de::Error) -> Problem {

@@ -1,9 +1,11 @@
 //! Configurations and suites that the program brings along: its examples work wherever it is.
 
 use std::{
-    fs, io,
+    io,
     path::{Component, Path, PathBuf},
 };
+
+use crate::archive::read_text;
 
 /// Every shipped file by its place in the source.
 const SHIPPED: [(&str, &str); 8] = [
@@ -23,7 +25,7 @@ const SHIPPED: [(&str, &str); 8] = [
 /// # Errors
 /// The file cannot be read, and is none of the shipped ones.
 pub fn read_or_shipped(path: &Path) -> io::Result<String> {
-    match fs::read_to_string(path) {
+    match read_text(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => match shipped(path) {
             Some(text) => {
                 tracing::info!("{} comes with the program", path.display());
@@ -56,6 +58,8 @@ fn without_detours(path: &Path) -> PathBuf {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

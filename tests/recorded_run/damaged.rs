@@ -185,3 +185,44 @@ fn a_shot_without_a_result_whose_image_is_damaged_is_named_and_the_others_are_me
     // The others are as they were.
     assert_eq!(lost(&run), (0..1).chain(4..SHOTS).collect::<BTreeSet<_>>());
 }
+
+/// A pipe in the place of a file of the run: every command ends by itself, and names it.
+#[test]
+fn a_pipe_in_the_folder_of_a_run_is_not_waited_for() {
+    let root = tempfile::tempdir().expect("a folder");
+    let whole = finished_run(&configuration(root.path(), ""), "2");
+    let results = fs::read_dir(&whole).expect("a run").flatten().map(|entry| entry.file_name());
+    let results = results.map(|name| name.into_string().expect("a name in UTF-8"));
+    let stored = results.filter(|name| name.ends_with(".nc")).next().expect("results");
+    let (out, run) = (root.path().join("out"), root.path().join("run"));
+    let [out, run_text] = [&out, &run].map(|path| path.to_str().expect("a path in UTF-8"));
+    for name in ["raw/segment_000000.raw", "ledger.json", &stored] {
+        copy(&whole, &run);
+        let pipe = run.join(name);
+        fs::remove_file(&pipe).expect("a file of the run");
+        assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo").success());
+        for arguments in [
+            &["export", "--out", out, run_text][..],
+            &["process", run_text],
+            &["replay", "--out", out, run_text],
+            &["compare", run_text, run_text],
+        ] {
+            // `timeout` kills what hangs, and ends with 124 then.
+            let limited = Command::new("timeout")
+                .args(["300", env!("CARGO_BIN_EXE_lfpiv")])
+                .args(arguments)
+                .output()
+                .expect("timeout");
+            let said = text(&limited.stderr);
+            assert!(matches!(limited.status.code(), Some(0 | 1 | 3)), "{name}: {said}");
+            let is_read = match arguments[0] {
+                "export" => !name.ends_with(".nc"),
+                "compare" => !name.starts_with("raw"),
+                _ => true,
+            };
+            let words = "it is no regular file";
+            assert_eq!(said.contains(words), is_read, "{name}, {}: {said}", arguments[0]);
+        }
+        fs::remove_dir_all(&run).expect("a run");
+    }
+}

@@ -5,6 +5,7 @@ use std::{fs, path::Path};
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::PeersError;
+use crate::archive::read_text;
 
 const FILE: &str = "case.json";
 
@@ -19,7 +20,7 @@ pub fn write_description(folder: &Path, description: &impl Serialize) -> Result<
 /// Reads the description of the case in `folder`.
 pub fn read_description<T: DeserializeOwned>(folder: &Path) -> Result<T, PeersError> {
     let path = folder.join(FILE);
-    let text = fs::read_to_string(&path).map_err(PeersError::io("read", &path))?;
+    let text = read_text(&path).map_err(PeersError::io("read", &path))?;
     serde_json::from_str(&text).map_err(|reason| PeersError::WrongDescription { path, reason })
 }
 

@@ -1,18 +1,21 @@
 //! NumPy's array files (`.npy`, format 1.0), little-endian and in C order.
 
 use std::{
-    fs::{self, File},
+    fs::File,
     io::{BufWriter, Seek, Write},
     marker::PhantomData,
     path::{Path, PathBuf},
 };
 
 use super::PeersError;
+use crate::archive::read_regular;
 
 const MAGIC: &[u8; 8] = b"\x93NUMPY\x01\x00";
 
 /// Bytes before the data. Fixed, so that the header can be written when the length is known.
 const HEADER_BYTES: usize = 128;
+/// Bytes that the header of another program may have.
+const MOST_DESCRIPTION_BYTES: usize = 1 << 16;
 
 /// A number that an array file can hold.
 pub trait Element: Copy {
@@ -103,7 +106,9 @@ pub fn write_array<T: Element>(
 /// # Errors
 /// The file cannot be read, or holds another type or another number of elements than `shape`.
 pub fn read_array<T: Element>(path: &Path, shape: &[usize]) -> Result<Vec<T>, PeersError> {
-    let bytes = fs::read(path).map_err(PeersError::io("read", path))?;
+    let elements: usize = shape.iter().product();
+    let most = (MOST_DESCRIPTION_BYTES + elements * T::BYTES) as u64;
+    let bytes = read_regular(path, most).map_err(PeersError::io("read", path))?;
     let wrong = |reason: String| PeersError::WrongArray { path: path.to_owned(), reason };
     let Some((found, data)) = description(&bytes) else {
         return Err(wrong(format!("{} bytes without NumPy's header", bytes.len())));
@@ -111,7 +116,6 @@ pub fn read_array<T: Element>(path: &Path, shape: &[usize]) -> Result<Vec<T>, Pe
     if found != without_spaces(&array_description::<T>(shape)) {
         return Err(wrong(format!("not {shape:?} of {}", T::DESCRIPTION)));
     }
-    let elements: usize = shape.iter().product();
     if data.len() != elements * T::BYTES {
         return Err(wrong(format!("{} bytes of data", data.len())));
     }
@@ -148,6 +152,8 @@ fn header<T: Element>(shape: &[usize]) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

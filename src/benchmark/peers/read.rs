@@ -1,10 +1,13 @@
 //! Rows of other programs, measured on the same images by their own script.
 
-use std::{fs, path::Path};
+use std::path::Path;
 
 use serde::Deserialize;
 
-use crate::benchmark::{BenchmarkError, Row};
+use crate::{
+    archive::read_text,
+    benchmark::{BenchmarkError, Row},
+};
 
 /// A row as the peers' script writes it; keys may be absent.
 #[derive(Debug, Default, Deserialize)]
@@ -32,7 +35,7 @@ struct PeerRow {
 /// # Errors
 /// The file cannot be read, or is no such array.
 pub fn read_peers(path: &Path) -> Result<Vec<Row>, BenchmarkError> {
-    let text = fs::read_to_string(path)
+    let text = read_text(path)
         .map_err(|reason| BenchmarkError::Unreadable { path: path.into(), reason })?;
     let rows: Vec<PeerRow> = serde_json::from_str(&text).map_err(|error| {
         BenchmarkError::Malformed { path: path.into(), reason: error.to_string() }
@@ -70,6 +73,8 @@ impl From<PeerRow> for Row {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

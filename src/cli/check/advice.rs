@@ -14,6 +14,7 @@ use super::{
 };
 use crate::{
     config::Config,
+    lightfield::Background,
     model::{Sight, degrees_apart},
     pipeline::Plan,
 };
@@ -38,6 +39,7 @@ pub fn of_configuration(config: &Config) -> Vec<Finding> {
     findings.extend(directions(config));
     findings.push(f_numbers(config));
     findings.push(particles(config));
+    findings.extend(background(config));
     findings
 }
 
@@ -152,6 +154,18 @@ fn particles(config: &Config) -> Finding {
         Finding::ok(CHECK, found)
     };
     finding.with("per_window", number)
+}
+
+/// Stationary light that only many pairs together show.
+fn background(config: &Config) -> Option<Finding> {
+    matches!(config.image.background, Background::Minimum | Background::Mean).then(|| {
+        Finding::advice(
+            "background",
+            "taken from what all pairs have in common",
+            "`lfpiv process` needs three pairs for it, and `lfpiv run` refuses it: set \
+             image.background to \"constant\" or \"images\" for a run",
+        )
+    })
 }
 
 /// Memory for a pair that is measured while others wait.

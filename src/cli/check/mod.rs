@@ -7,9 +7,10 @@ use std::{fmt::Write, path::PathBuf};
 
 use anyhow::Context;
 
-use super::{finding, output::print};
+use super::{finding, output::print, run_processor::background_images};
 use crate::{
     config::{Config, ConfigFile, Purpose},
+    lightfield::Background,
     model::VolumeGrid,
     pipeline::Processor,
 };
@@ -29,8 +30,11 @@ pub struct CheckArgs {
 /// better.
 pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load_for(Purpose::Bench, &args.config)?;
-    let processor = Processor::new(file.config.measurement())
+    let mut processor = Processor::new(file.config.measurement())
         .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
+    if file.config.image.background == Background::Images {
+        processor.learn_background(&background_images(&file.config)?)?;
+    }
     let (path, plan) = (args.config.display(), processor.plan());
     print(&format!("{path} is valid.\n\n{}\n{plan}", summary(&file.config)))?;
     // The tables of the whole volume are no longer needed, and may be large.

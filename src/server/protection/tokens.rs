@@ -3,18 +3,14 @@
 //! Only digests are kept, and all of them are compared in constant time: neither memory nor timing
 //! tells a token, its length or its place in the file.
 
-use std::{
-    fs::File,
-    io::{self, Read},
-    os::unix::fs::{MetadataExt, OpenOptionsExt},
-    path::Path,
-};
+use std::{io, os::unix::fs::MetadataExt, path::Path};
 
 use ring::digest::{SHA256, SHA256_OUTPUT_LEN, digest};
-use rustix::{fs::OFlags, process::geteuid};
+use rustix::process::geteuid;
 use subtle::{ConditionallySelectable, ConstantTimeEq};
 
 use super::{ProtectionError, strength::estimated_bits};
+use crate::archive::{open_regular, text_of};
 
 /// Fewest characters of a token: 128 bit in hexadecimal digits.
 const FEWEST_HEX: usize = 32;
@@ -25,8 +21,6 @@ const FEWEST_DIFFERENT: usize = 8;
 /// Least estimate for a token: 128 random bits, less what chance may make look like a pattern. Of
 /// random tokens of 128 bits one in a hundred falls below it.
 pub(super) const LEAST_BITS: f64 = 85.0;
-/// Largest file of secrets, in bytes.
-const LARGEST: u64 = 1 << 20;
 
 /// What a token allows. Who may control may read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -158,14 +152,9 @@ fn read_secret_as(
         let path = path.to_owned();
         ProtectionError::Unreadable { what, key, path, reason }
     };
-    // One handle: what is checked is what is read. Nobody is waited for who should write a pipe.
-    let nonblocking = OFlags::NONBLOCK.bits() as i32;
-    let file = File::options().read(true).custom_flags(nonblocking).open(path);
-    let file = file.map_err(unreadable)?;
+    // One handle: what is checked is what is read.
+    let file = open_regular(path).map_err(unreadable)?;
     let metadata = file.metadata().map_err(unreadable)?;
-    if !metadata.is_file() {
-        return Err(unreadable(io::Error::other("it is no regular file")));
-    }
     let owner = metadata.uid();
     if forbidden != 0 && owner != user && owner != 0 {
         return Err(ProtectionError::NotOurs { what, path: path.to_owned(), owner, user });
@@ -174,12 +163,7 @@ fn read_secret_as(
     if mode & forbidden != 0 {
         return Err(ProtectionError::TooOpen { what, path: path.to_owned(), mode });
     }
-    if metadata.len() > LARGEST {
-        return Err(unreadable(io::Error::other("it is larger than 1 MiB")));
-    }
-    let mut text = String::new();
-    file.take(LARGEST).read_to_string(&mut text).map_err(unreadable)?;
-    Ok(text)
+    text_of(file).map_err(unreadable)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use std::{
 };
 
 use super::{LogFile, Storage};
+use crate::archive::{open_regular, open_regular_with};
 
 /// The operating system's files.
 #[derive(Debug, Clone, Copy)]
@@ -31,11 +32,11 @@ impl Storage for Disk {
     }
 
     fn open(&self, path: &Path) -> io::Result<Box<dyn LogFile>> {
-        Ok(Box::new(File::open(path)?))
+        Ok(Box::new(open_regular(path)?))
     }
 
     fn open_to_repair(&self, path: &Path) -> io::Result<Box<dyn LogFile>> {
-        Ok(Box::new(OpenOptions::new().read(true).append(true).open(path)?))
+        Ok(Box::new(open_regular_with(OpenOptions::new().read(true).append(true), path)?))
     }
 
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
