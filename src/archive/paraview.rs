@@ -2,7 +2,6 @@
 //! `.vti.series` that lists them.
 
 use std::{
-    collections::BTreeMap,
     io::{self, Write},
     path::Path,
 };
@@ -168,36 +167,44 @@ fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()>
 ///
 /// ParaView's time is UTC in seconds since 1970, or, where not every shot has a time, the shot's
 /// number.
-#[derive(Debug, Default)]
-pub struct VtiSeries {
-    files: BTreeMap<u64, ListedFile>,
+pub struct VtiSeries<'a> {
+    name_of: Box<dyn Fn(u64) -> String + Send + 'a>,
+    /// In order of shots. A run may have a million of them.
+    files: Vec<ListedFile>,
 }
 
-#[derive(Debug)]
 struct ListedFile {
-    name: String,
+    shot: u64,
     utc_s: Option<f64>,
 }
 
 /// The file as ParaView reads it.
 #[derive(Serialize)]
-struct SeriesFile<'a> {
+struct SeriesFile {
     #[serde(rename = "file-series-version")]
     version: &'static str,
-    files: Vec<SeriesEntry<'a>>,
+    files: Vec<SeriesEntry>,
 }
 
 #[derive(Serialize)]
-struct SeriesEntry<'a> {
-    name: &'a str,
+struct SeriesEntry {
+    name: String,
     time: f64,
 }
 
-impl VtiSeries {
-    /// Adds the file of a shot; `name` is its path seen from the series file, `utc_s` the shot's
-    /// time where it is known.
-    pub fn push(&mut self, name: String, shot: u64, utc_s: Option<f64>) {
-        self.files.insert(shot, ListedFile { name, utc_s });
+impl<'a> VtiSeries<'a> {
+    /// An empty list; `name_of` a shot is the path of its file, seen from the series file.
+    pub fn new(name_of: impl Fn(u64) -> String + Send + 'a) -> Self {
+        Self { name_of: Box::new(name_of), files: Vec::new() }
+    }
+
+    /// Adds the file of a shot, once; `utc_s` is the shot's time where it is known.
+    pub fn push(&mut self, shot: u64, utc_s: Option<f64>) {
+        let file = ListedFile { shot, utc_s };
+        match self.files.binary_search_by_key(&shot, |file| file.shot) {
+            Ok(at) => self.files[at] = file,
+            Err(at) => self.files.insert(at, file),
+        }
     }
 
     /// Files in it.
@@ -212,10 +219,10 @@ impl VtiSeries {
 
     /// Writes the list, replacing an older one.
     pub fn write(&self, path: &Path) -> Result<(), ArchiveError> {
-        let timed = self.files.values().all(|file| file.utc_s.is_some());
-        let files = self.files.iter().map(|(shot, ListedFile { name, utc_s })| SeriesEntry {
-            name,
-            time: utc_s.filter(|_| timed).unwrap_or(*shot as f64),
+        let timed = self.files.iter().all(|file| file.utc_s.is_some());
+        let files = self.files.iter().map(|&ListedFile { shot, utc_s }| SeriesEntry {
+            name: (self.name_of)(shot),
+            time: utc_s.filter(|_| timed).unwrap_or(shot as f64),
         });
         let series = SeriesFile { version: "1.0", files: files.collect() };
         replace(path, |writer| {
@@ -255,19 +262,19 @@ mod tests {
     fn a_series_lists_its_shots() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("velocity.vti.series");
-        let mut series = VtiSeries::default();
-        let read = |series: &VtiSeries| -> serde_json::Value {
+        let mut series = VtiSeries::new(|shot| format!("shot_{shot:06}.vti"));
+        let read = |series: &VtiSeries<'_>| -> serde_json::Value {
             series.write(&path).unwrap();
             serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap()
         };
-        series.push("shot_000003.vti".into(), 3, Some(1_700_000_000.5));
-        series.push("shot_000002.vti".into(), 2, Some(1_700_000_000.25));
+        series.push(3, Some(1_700_000_000.5));
+        series.push(2, Some(1_700_000_000.25));
         let timed = read(&series);
         assert_eq!(timed["file-series-version"], "1.0");
         assert_eq!(timed["files"][0]["name"], "shot_000002.vti");
         assert_eq!(timed["files"][1]["time"], 1_700_000_000.5);
         // A number beside a date would be half a century earlier.
-        series.push("shot_000004.vti".into(), 4, None);
+        series.push(4, None);
         let times = read(&series)["files"].as_array().unwrap().clone();
         let times: Vec<_> = times.iter().map(|file| file["time"].as_f64().unwrap()).collect();
         assert_eq!(times, [2.0, 3.0, 4.0]);

@@ -46,7 +46,7 @@ pub struct ResultStore {
     /// Finished, and not on disk yet: one at most.
     unstored: Option<Unstored>,
     /// Absent where no files for ParaView are written.
-    series: Option<VtiSeries>,
+    series: Option<VtiSeries<'static>>,
 }
 
 struct Segment {
@@ -88,7 +88,7 @@ impl ResultStore {
             segment_age,
             segment: None,
             unstored: None,
-            series: Some(VtiSeries::default()),
+            series: Some(VtiSeries::new(vti_name)),
         })
     }
 
@@ -105,11 +105,10 @@ impl ResultStore {
         for part in &stored.unreadable {
             fs::remove_file(part).map_err(ArchiveError::io("remove", part))?;
         }
-        let mut series = VtiSeries::default();
+        let mut series = VtiSeries::new(vti_name);
         for shot in &stored.shots {
-            let name = vti_name(*shot);
-            if folder.join(&name).exists() {
-                series.push(name, *shot, stored.times_s.get(shot).copied());
+            if folder.join(vti_name(*shot)).exists() {
+                series.push(*shot, stored.times_s.get(shot).copied());
             }
         }
         let (folder, configuration) = (folder.into(), configuration.into());
@@ -169,11 +168,10 @@ impl ResultStore {
 
     fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
         let Some(series) = &mut self.series else { return Ok(()) };
-        let name = vti_name(shot);
         let utc_s = result.time.map(|time| time.utc_s());
         let source = VtiSource { shot, utc_s, configuration: &self.configuration };
-        write_vti(&self.folder.join(&name), &source, &result.field)?;
-        series.push(name, shot, utc_s);
+        write_vti(&self.folder.join(vti_name(shot)), &source, &result.field)?;
+        series.push(shot, utc_s);
         if series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
     }
 

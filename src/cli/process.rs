@@ -96,7 +96,8 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         tracing::error!("{failure}");
     }
     let bar = progress_bar(jobs.iter().filter(|job| !job.is_done).count(), "pairs");
-    let (mut series, mut finished, mut looked) = (VtiSeries::default(), 0_usize, 0_usize);
+    let path_of = |number: u64| format!("{}/{VTI}", jobs[number as usize].name);
+    let (mut series, mut finished, mut looked) = (VtiSeries::new(path_of), 0_usize, 0_usize);
     let mut full = None;
     for (number, job) in (0..).zip(&jobs) {
         if stop.is_cancelled() {
@@ -121,7 +122,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
             bar.inc(1);
         }
         finished += 1;
-        series.push(format!("{}/{VTI}", job.name), number, None);
+        series.push(number, None);
     }
     bar.finish_and_clear();
     let written = match !series.is_empty() && run.file.config.output.paraview {

@@ -16,6 +16,9 @@ pub const VOLUME_MEMORY_BYTES: usize = 64 << 20;
 /// Bytes that the projections of the last shots may take: 130 shots of 100³ voxels.
 pub const PROJECTION_MEMORY_BYTES: usize = 32 << 20;
 
+/// Shots whose volumes and projections are kept at most, however little room they take.
+pub const SHOTS_SHOWN: usize = 200;
+
 /// See the module.
 #[derive(Debug)]
 pub struct Gallery {
@@ -99,7 +102,7 @@ impl<T: Clone> Shelf<T> {
             self.bytes -= earlier;
         }
         self.bytes += bytes;
-        while self.bytes > self.most_bytes {
+        while self.bytes > self.most_bytes || self.things.len() > SHOTS_SHOWN {
             let Some((_, (freed, _))) = self.things.pop_first() else { break };
             self.bytes -= freed;
         }
@@ -126,6 +129,17 @@ mod tests {
         assert_eq!((shelf.bytes, shelf.get(2), shelf.get(3)), (100, Some(2), Some(33)));
         shelf.put(4, 101, 4);
         assert_eq!((shelf.bytes, shelf.things.len()), (0, 0));
+    }
+
+    #[test]
+    fn small_things_are_kept_of_so_many_shots_and_no_more() {
+        let mut shelf = Shelf::new(usize::MAX);
+        let shots = 3 * SHOTS_SHOWN as u64;
+        for shot in 0..shots {
+            shelf.put(shot, 1, shot);
+        }
+        assert_eq!((shelf.bytes, shelf.things.len()), (SHOTS_SHOWN, SHOTS_SHOWN));
+        assert_eq!(shelf.get(shots - 1), Some(shots - 1));
     }
 
     #[test]
