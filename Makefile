@@ -1,18 +1,24 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo loopback test bench bench-peers packages network-tools components readers format lint test-rust test-readers clean
+.PHONY: help demo loopback test soak bench bench-peers packages network-tools components readers format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
 BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev libaravis-dev libusb-1.0-0-dev
-# Two simulated cameras run in a network of their own, and tests fill small disks of their own:
-# unshare, ip and mount.
-NETWORK_PACKAGES := util-linux mount iproute2
+# Two simulated cameras run in a network of their own, and tests fill and break small disks of their
+# own: unshare, ip, mount and mkfs.ext4.
+NETWORK_PACKAGES := util-linux mount iproute2 e2fsprogs
 
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
 LOOPBACK_SHOTS := 10
+
+# How long the adversary goes on, and what its random numbers are made from; CASE=flips:123 runs one
+# case alone.
+SECONDS := 600
+SEED := 1
+CASE :=
 
 BENCH_OUT := results/bench
 # Sets of benches/report.toml; all when empty. PEERS is a JSON file with rows of other programs.
@@ -24,6 +30,8 @@ help:
 	@echo "make loopback  the same over real wires: GigE Vision and serial drivers against simulated"
 	@echo "               instruments, for $(LOOPBACK_SHOTS) shots; what crossed the wires is kept"
 	@echo "make test    everything that continuous integration checks"
+	@echo "make soak    kills, damage, failing disks, floods and malformed files against the program for"
+	@echo "             $(SECONDS) s: SECONDS=3600 SEED=7 goes on longer, with other random numbers"
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
 	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
 	@echo "make clean   remove build outputs and the Python environments"
@@ -37,6 +45,11 @@ loopback: packages network-tools
 	scripts/loopback.sh target/release/lfpiv $(LOOPBACK_SHOTS)
 
 test: format lint test-rust test-readers
+
+# The adversary of `tests/adversary`, of which a minute is part of the tests.
+soak: packages network-tools
+	LFPIV_SOAK_SECONDS=$(SECONDS) LFPIV_SOAK_SEED=$(SEED) LFPIV_SOAK_CASE=$(CASE) \
+		cargo test --release --locked --test adversary -- --nocapture the_adversary_finds_nothing
 
 # The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages

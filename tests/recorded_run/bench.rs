@@ -1,6 +1,7 @@
 //! A bench so small that a shot takes some milliseconds, run by the real binary.
 
 use std::{
+    collections::BTreeSet,
     fs,
     io::{BufRead, BufReader},
     path::{Path, PathBuf},
@@ -66,25 +67,27 @@ pub struct Running {
 
 impl Running {
     pub fn start(config: &Path, arguments: &[&str]) -> Self {
+        Self::logged(config, arguments, Stdio::null())
+    }
+
+    /// The same with its log somewhere.
+    pub fn logged(config: &Path, arguments: &[&str], log: impl Into<Stdio>) -> Self {
         let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
         command.args(["run", "--config"]).arg(config).args(arguments);
-        Self::of(command)
+        Self::of(command, log.into())
     }
 
     /// With so many open files at most, whatever it asks for.
-    pub fn limited(config: &Path, open_files: u64) -> Self {
+    pub fn limited(config: &Path, open_files: u64, log: impl Into<Stdio>) -> Self {
         let mut command = Command::new("sh");
         let limited = format!("ulimit -n {open_files}; exec \"$0\" \"$@\"");
         command.args(["-c", &limited, env!("CARGO_BIN_EXE_lfpiv"), "run", "--config"]).arg(config);
-        Self::of(command)
+        Self::of(command, log.into())
     }
 
-    fn of(mut command: Command) -> Self {
-        let mut child = command
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("the binary starts");
+    fn of(mut command: Command, log: Stdio) -> Self {
+        let mut child =
+            command.stdout(Stdio::piped()).stderr(log).spawn().expect("the binary starts");
         let mut lines = BufReader::new(child.stdout.take().expect("a pipe")).lines();
         let mut value_of = |name: &str| {
             let line = lines.next().expect("a line").expect("text");
@@ -110,6 +113,19 @@ impl Running {
             request = request.header("Authorization", &format!("Bearer {token}"));
         }
         request.call().ok()?.body_mut().read_json().ok()
+    }
+
+    /// Shots that it says are synced, asked again and again until `end`.
+    pub fn acknowledged_until(&self, end: Instant) -> BTreeSet<u64> {
+        let mut synced = BTreeSet::new();
+        while Instant::now() < end {
+            let Some(list) = self.get("/api/v1/shots?limit=1000") else { continue };
+            let shots = list["shots"].as_array().expect("a list");
+            let safe = shots.iter().filter(|shot| shot["raw"] == "synced");
+            synced.extend(safe.filter_map(|shot| shot["shot"].as_u64()));
+            std::thread::sleep(Duration::from_millis(3));
+        }
+        synced
     }
 
     /// Waits until `reached` says so of the status.

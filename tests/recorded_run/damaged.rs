@@ -192,8 +192,8 @@ fn a_pipe_in_the_folder_of_a_run_is_not_waited_for() {
     let root = tempfile::tempdir().expect("a folder");
     let whole = finished_run(&configuration(root.path(), ""), "2");
     let results = fs::read_dir(&whole).expect("a run").flatten().map(|entry| entry.file_name());
-    let results = results.map(|name| name.into_string().expect("a name in UTF-8"));
-    let stored = results.filter(|name| name.ends_with(".nc")).next().expect("results");
+    let mut results = results.map(|name| name.into_string().expect("a name in UTF-8"));
+    let stored = results.find(|name| name.ends_with(".nc")).expect("results");
     let (out, run) = (root.path().join("out"), root.path().join("run"));
     let [out, run_text] = [&out, &run].map(|path| path.to_str().expect("a path in UTF-8"));
     for name in ["raw/segment_000000.raw", "ledger.json", &stored] {

@@ -11,31 +11,10 @@ use std::{
 
 use serde_json::Value;
 
-use crate::bench::{PATIENCE, Running, configuration, images, lfpiv, text};
-
-/// Runs this test's other half in a namespace in which it may mount a small disk of its own.
-fn in_namespace(test: &str) -> Option<bool> {
-    let probe = Command::new("unshare").args(["-Urm", "true"]).stderr(Stdio::null()).status();
-    if !probe.is_ok_and(|status| status.success()) {
-        eprintln!("skipped: this machine lets nobody mount in a namespace (unshare -Urm)");
-        return None;
-    }
-    let own = std::env::current_exe().expect("the test's own path");
-    let status = Command::new("unshare")
-        .args(["-Urm"])
-        .arg(own)
-        .args(["--exact", test, "--ignored", "--nocapture"])
-        .status()
-        .expect("unshare");
-    Some(status.success())
-}
-
-fn mount_small_disk(at: &Path, megabytes: u32) {
-    fs::create_dir_all(at).expect("a folder");
-    let size = format!("size={megabytes}m");
-    let mounted = Command::new("mount").args(["-t", "tmpfs", "-o", &size, "none"]).arg(at).status();
-    assert!(mounted.expect("mount").success());
-}
+use crate::{
+    bench::{PATIENCE, Running, configuration, images, lfpiv, text},
+    small_disk::{in_namespace, mount_small_disk},
+};
 
 #[test]
 fn a_full_disk_holds_fire_until_there_is_room() {

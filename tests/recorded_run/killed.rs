@@ -22,19 +22,6 @@ const REFERENCE_SHOTS: &str = "120";
 /// Small segments and frequent syncs, so that kills fall into every part of the writing.
 const RAW_LOG: &str = "[raw_log]\nsegment_mb = 2\nsync_ms = 5\n";
 
-/// Shots that the daemon says are synced, asked again and again until it is killed.
-fn acknowledged_until(running: &Running, end: Instant) -> BTreeSet<u64> {
-    let mut synced = BTreeSet::new();
-    while Instant::now() < end {
-        let Some(list) = running.get("/api/v1/shots?limit=1000") else { continue };
-        let shots = list["shots"].as_array().expect("a list");
-        let safe = shots.iter().filter(|shot| shot["raw"] == "synced");
-        synced.extend(safe.filter_map(|shot| shot["shot"].as_u64()));
-        std::thread::sleep(Duration::from_millis(3));
-    }
-    synced
-}
-
 /// Everything acknowledged is there, and whatever is there is what the cameras delivered.
 fn assert_kept(
     run: &Path,
@@ -62,7 +49,7 @@ fn what_was_acknowledged_survives_fifty_kills() {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let running = Running::start(&config, &["--shots", REFERENCE_SHOTS]);
         let alive = Duration::from_micros(random.random_range(0..700_000));
-        let synced = acknowledged_until(&running, Instant::now() + alive);
+        let synced = running.acknowledged_until(Instant::now() + alive);
         let run = running.kill();
         let raw = run.join(RAW_FOLDER);
         let recovery = recover(&raw).expect("a log that can be recovered");

@@ -2,6 +2,7 @@
 //! run played again.
 
 mod bench;
+mod connections;
 mod damaged;
 mod disk;
 mod fixture;
@@ -9,4 +10,5 @@ mod flood;
 mod killed;
 mod processed_later;
 mod replayed;
+mod small_disk;
 mod soak;
