@@ -185,6 +185,9 @@ pub enum DeviceError {
     /// No such device answers.
     #[error("{device}: not found: {detail}")]
     NotFound { device: String, detail: String },
+    /// Its driver has a fault; what the device does is not known.
+    #[error("{device}: its driver panicked: {words}")]
+    Panicked { device: String, words: String },
     /// This build has no driver for it.
     #[error("{device}: not in this build: {detail}")]
     NotBuilt { device: String, detail: String },

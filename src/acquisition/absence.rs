@@ -14,6 +14,8 @@ pub(super) struct Presence {
     /// How long it may be away before its driver notices.
     pub notices_absence_within: Duration,
     away: bool,
+    /// It may have gone with the synchroniser; by then its driver has noticed.
+    unsure_until: Option<Instant>,
     /// It was away and pairing does not know yet.
     returned: bool,
 }
@@ -23,6 +25,24 @@ impl Presence {
     pub fn tell(&mut self, connected: bool) {
         self.returned |= self.away && connected;
         self.away = !connected;
+        self.unsure_until = None;
+    }
+
+    /// A frame has come from it.
+    pub fn delivered(&mut self) {
+        self.silent = 0;
+        self.unsure_until = None;
+    }
+
+    /// The synchroniser was lost at `now`, and the camera perhaps with it.
+    pub fn may_have_gone(&mut self, now: Instant) {
+        if !self.away {
+            self.unsure_until = Some(now + self.notices_absence_within);
+        }
+    }
+
+    fn is_unsure(&self) -> bool {
+        self.unsure_until.is_some_and(|until| Instant::now() < until)
     }
 }
 
@@ -32,20 +52,26 @@ impl Run {
         self.presence.iter().all(|camera| !camera.away)
     }
 
+    /// Whether any camera does.
+    pub(super) fn any_connected(&self) -> bool {
+        self.presence.iter().any(|camera| !camera.away)
+    }
+
     /// Waits until every camera answers, laser safe; false when the run is stopped meanwhile. How
-    /// long, the drivers decide: a camera that is given up ends the run.
+    /// long, the drivers decide: a camera that is given up ends the run. After a loss of the
+    /// synchroniser each camera has to show itself, or its driver has time to notice that it is gone.
     pub(super) async fn await_cameras(&mut self) -> Result<bool, AcquisitionError> {
         if !self.all_connected() {
             self.make_safe().await?;
             tracing::warn!("nothing is fired until every camera answers again");
-            while !self.all_connected() {
-                tokio::select! {
-                    () = self.stop.cancelled() => return Ok(false),
-                    error = self.synchroniser.fault() => return Err(error),
-                    () = self.heartbeat.turn() => {}
-                    event = self.events.recv() => self.handle(event).await?,
-                    request = self.control.next() => self.obey(request).await?,
-                }
+        }
+        while !self.all_connected() || self.presence.iter().any(Presence::is_unsure) {
+            tokio::select! {
+                () = self.stop.cancelled() => return Ok(false),
+                error = self.synchroniser.fault() => return Err(error),
+                () = self.heartbeat.turn() => {}
+                event = self.events.recv() => self.handle(event).await?,
+                request = self.control.next() => self.obey(request).await?,
             }
         }
         if self.presence.iter().any(|camera| camera.returned) {
@@ -62,7 +88,7 @@ impl Run {
             if std::mem::take(&mut camera.returned) {
                 camera.silent = 0;
                 self.pairing.camera_returned(index);
-                tracing::info!(camera = %CameraName(index), "is back; firing goes on");
+                tracing::info!(camera = %CameraName(index), "is back and taken up again");
             }
         }
         Ok(())

@@ -2,7 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use lfpiv_hw::{CameraName, device::SynchroniserState};
+use lfpiv_hw::{
+    CameraName,
+    device::{DeviceError, SynchroniserState},
+    synchroniser::USE_INTERLOCK,
+};
 
 use super::{
     AcquisitionError, BurstStart, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence,
@@ -10,7 +14,7 @@ use super::{
 };
 
 /// How often the run loop looks at the time.
-const TICK: Duration = Duration::from_millis(20);
+pub(super) const TICK: Duration = Duration::from_millis(20);
 /// Triggers without a frame after which a camera counts as silent and firing ends.
 const SILENT_TRIGGERS: u64 = 5;
 /// How much longer than planned a burst may take.
@@ -114,7 +118,7 @@ impl Run {
     pub(super) async fn run_burst(&mut self, shots: u64) -> Result<(), AcquisitionError> {
         let fired_before = self.fired;
         self.fire(shots).await?;
-        let planned_end = self.time + self.planned_duration(shots);
+        let planned_end = self.burst_ends;
         let (mut ended, mut stop_by) = (false, None);
         let mut tick = tokio::time::interval(TICK);
         let stop = self.stop.clone();
@@ -164,7 +168,7 @@ impl Run {
 
     /// Time goes on while nothing is seen. It must not overtake what was seen and waits to be
     /// taken: that is looked for after the clock was read.
-    async fn look_at_the_time(&mut self) -> Result<(), AcquisitionError> {
+    pub(super) async fn look_at_the_time(&mut self) -> Result<(), AcquisitionError> {
         let now = self.clock.now();
         if self.events.is_empty() { self.time_passes(now).await } else { Ok(()) }
     }
@@ -194,6 +198,7 @@ impl Run {
     async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
         self.broken_off = false;
         self.time_passes(self.clock.now()).await?;
+        self.burst_ends = self.time + self.planned_duration(shots);
         (self.is_burst_open, self.is_burst_begun) = (true, false);
         let first = self.pairing.fired(shots, self.time);
         self.fired += shots;
@@ -233,10 +238,15 @@ impl Run {
 
     /// Once the unit no longer fires, compares its count with what was asked for.
     pub(super) async fn try_end_burst(&mut self) -> Result<bool, AcquisitionError> {
-        if self.synchroniser.call(|unit| unit.state()).await? == SynchroniserState::Firing {
+        let state = self.synchroniser.call(|unit| unit.state()).await?;
+        if state == SynchroniserState::Firing {
             return Ok(false);
         }
         let counted = self.synchroniser.call(|unit| unit.trigger_count()).await?;
+        if state == SynchroniserState::Unknown {
+            let (device, detail) = (self.identity.clone(), USE_INTERLOCK.to_owned());
+            return Err(AcquisitionError::SynchroniserLost(DeviceError::Lost { device, detail }));
+        }
         let given = match (counted, self.first_count) {
             (Some(counted), Some(first)) => self.given_before + counted.saturating_sub(first),
             // A unit that does not count is taken at its word, up to now; frames say the rest.

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! disarmed <-> armed (lamps fire) <-> firing
+//! any of them -> lost (the synchroniser does not answer) -> disarmed, or what it was
 //! ```
 //!
 //! Requests go through a channel to the run loop, which answers when it has taken them up; nothing
@@ -26,6 +27,8 @@ pub enum Command {
     Arm,
     /// Safe state: Q-switches off, lamps off.
     Disarm,
+    /// After a loss of the bench: what the run did before.
+    GoOn,
     /// Another time between the light pulses, from the next burst on.
     SetDt { dt_us: f64 },
     /// A remark for the run's record.
@@ -42,6 +45,8 @@ pub enum Mode {
     Armed,
     /// Shots are taken, or held for the reasons given.
     Firing,
+    /// The synchroniser does not answer, nothing is fired, and it is looked for.
+    Lost,
     /// The run is ending.
     Stopping,
 }

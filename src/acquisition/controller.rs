@@ -14,6 +14,7 @@ use super::{
     AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, Heartbeat, HostClock,
     Journal, Ledger, Mode, RunClock, ShotSender, SynchroniserThread,
     absence::Presence,
+    bench_loss::{Loss, Reconnection, Waiting},
     control::control,
     devices::{CameraEvent, join, spawn_camera},
     journal::Entry,
@@ -30,12 +31,14 @@ pub struct Bench {
     pub synchroniser: Box<dyn Synchroniser>,
     /// What goes over the unit's line, to be recorded.
     pub transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
+    /// How the unit is had again once it is lost; the run ends then when absent.
+    pub reconnection: Option<Reconnection>,
 }
 
 impl Bench {
-    /// A bench without a line that could be listened to.
+    /// A bench without a line that could be listened to, or be lost.
     pub fn new(cameras: Vec<Box<dyn Camera>>, synchroniser: Box<dyn Synchroniser>) -> Self {
-        Self { cameras, synchroniser, transcript: None }
+        Self { cameras, synchroniser, transcript: None, reconnection: None }
     }
 }
 
@@ -116,8 +119,8 @@ pub async fn acquire(
     let closed = run.close(ended.as_ref().err()).await;
     // What ended the run matters more than what went wrong afterwards, except for the laser.
     match (ended, closed) {
-        (Err(error), Err(AcquisitionError::NotSafe { reason, .. })) => {
-            Err(AcquisitionError::NotSafe { reason, before: Some(Box::new(error)) })
+        (Err(error), Err(AcquisitionError::NotSafe { reason, is_lost, .. })) => {
+            Err(AcquisitionError::NotSafe { reason, is_lost, before: Some(Box::new(error)) })
         }
         (Err(error), _) => Err(error),
         (Ok(()), closed) => closed,
@@ -125,7 +128,7 @@ pub async fn acquire(
 }
 
 /// A run under way; `burst.rs` fires, `requests.rs` obeys, `rulings.rs` deals with what comes of
-/// it, `record.rs` writes it down.
+/// it, `record.rs` writes it down, `absence.rs` and `bench_loss.rs` wait for what has vanished.
 pub(super) struct Run {
     pub(super) settings: AcquisitionSettings,
     pub(super) ledger: Arc<Mutex<Ledger>>,
@@ -170,8 +173,16 @@ pub(super) struct Run {
     pub(super) is_armed: bool,
     /// The burst that runs was ended before its time.
     pub(super) broken_off: bool,
+    /// When the burst that was fired last should be over.
+    pub(super) burst_ends: Duration,
     /// Whether each camera is there.
     pub(super) presence: Vec<Presence>,
+    /// Whether and how a synchroniser that is lost is waited for.
+    pub(super) waiting: Option<Waiting>,
+    /// It is lost.
+    pub(super) loss: Option<Loss>,
+    /// It was, and an operator has not said yet that the run may do this again.
+    pub(super) awaits_operator: Option<Mode>,
 }
 
 impl Run {
@@ -193,7 +204,13 @@ impl Run {
             stop,
         } = links;
         // First of all: from here on the unit is made safe whatever happens.
-        let synchroniser = synchroniser_thread.start(bench.synchroniser)?;
+        let (waiting, reopen) = match bench.reconnection {
+            Some(Reconnection { open, patience, waits_for_operator }) => {
+                (Some(Waiting { patience, waits_for_operator }), Some(open))
+            }
+            None => (None, None),
+        };
+        let synchroniser = synchroniser_thread.start(bench.synchroniser, reopen)?;
         let stop_cameras = CancellationToken::new();
         let (sender, events) = mpsc::channel(EVENT_QUEUE);
         let pairing = Pairing::new(pairing_settings(&settings, count));
@@ -231,21 +248,40 @@ impl Run {
             is_burst_begun: false,
             is_armed: false,
             broken_off: false,
+            burst_ends: Duration::ZERO,
             presence: vec![Presence::default(); count],
+            waiting,
+            loss: None,
+            awaits_operator: None,
         })
     }
 
-    /// Everything up to the last shot.
+    /// Everything up to the last shot, and beyond losses of the synchroniser.
     async fn take_shots(&mut self) -> Result<(), AcquisitionError> {
+        let mut ended = self.begin().await;
+        loop {
+            ended = match ended {
+                Ok(true) => self.turn().await,
+                Ok(false) => return Ok(()),
+                Err(error) if self.may_wait(&error) => self.await_bench(error).await,
+                Err(error) => return Err(error),
+            };
+        }
+    }
+
+    async fn begin(&mut self) -> Result<bool, AcquisitionError> {
         self.make_safe().await?;
         self.identity = self.synchroniser.call(|unit| unit.identify()).await?;
         self.program().await?;
+        Ok(true)
+    }
+
+    /// One burst; false when there is none left.
+    async fn turn(&mut self) -> Result<bool, AcquisitionError> {
         self.start_cameras().await?;
-        self.heartbeat.beat();
-        while let Some(shots) = self.next_burst().await? {
-            self.run_burst(shots).await?;
-        }
-        Ok(())
+        let Some(shots) = self.next_burst().await? else { return Ok(false) };
+        self.run_burst(shots).await?;
+        Ok(true)
     }
 
     /// Writes the schedule; from here on the unit's count starts anew.
@@ -261,7 +297,7 @@ impl Run {
         Ok(())
     }
 
-    /// A thread per camera; returns once all of them wait for triggers.
+    /// A thread per camera, once; returns when all of them wait for triggers.
     async fn start_cameras(&mut self) -> Result<(), AcquisitionError> {
         let Some(events) = self.event_sender.take() else { return Ok(()) };
         for (index, camera) in std::mem::take(&mut self.idle_cameras).into_iter().enumerate() {
@@ -276,6 +312,7 @@ impl Run {
             waiting -= usize::from(matches!(event, Some(CameraEvent::Started { .. })));
             self.handle(event).await?;
         }
+        self.heartbeat.beat();
         Ok(())
     }
 
@@ -298,6 +335,7 @@ impl Run {
         // What was asked for and not given any more is no trigger. Where the unit cannot be asked,
         // pairing goes by what the cameras saw, and by what was due.
         if self.is_burst_open
+            && self.loss.is_none()
             && safe.is_ok()
             && let Err(error) = self.try_end_burst().await
         {

@@ -96,10 +96,8 @@ pub(super) fn guarded<T>(
     call: impl FnOnce() -> Result<T, DeviceError>,
 ) -> Result<T, DeviceError> {
     catch_unwind(AssertUnwindSafe(call)).unwrap_or_else(|panic| {
-        Err(DeviceError::Lost {
-            device: device.to_owned(),
-            detail: format!("its driver panicked: {}", panic_message(panic.as_ref())),
-        })
+        let (device, words) = (device.to_owned(), panic_message(panic.as_ref()));
+        Err(DeviceError::Panicked { device, words })
     })
 }
 

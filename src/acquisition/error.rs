@@ -15,6 +15,12 @@ pub enum AcquisitionError {
     /// A device failed.
     #[error(transparent)]
     Device(#[from] DeviceError),
+    /// The synchroniser does not answer any more.
+    #[error(transparent)]
+    SynchroniserLost(DeviceError),
+    /// It was looked for and did not come back.
+    #[error("the synchroniser has not come back within {seconds:.0} s: {before}")]
+    BenchGone { seconds: f64, before: Box<AcquisitionError> },
     /// The operating system gave no thread.
     #[error("{device}: no thread for it")]
     Thread { device: String, source: std::io::Error },
@@ -60,7 +66,16 @@ pub enum AcquisitionError {
     NotSafe {
         /// What it answered instead.
         reason: String,
+        /// It did not answer at all.
+        is_lost: bool,
         /// What had ended the run before.
         before: Option<Box<AcquisitionError>>,
     },
+}
+
+impl AcquisitionError {
+    /// Whether the synchroniser did not answer: it may come back.
+    pub(super) fn is_loss(&self) -> bool {
+        matches!(self, Self::SynchroniserLost(_) | Self::NotSafe { is_lost: true, .. })
+    }
 }

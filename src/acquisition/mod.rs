@@ -9,6 +9,7 @@
 //! owned outside the task of the run loop ([`SynchroniserThread`]), and waited for.
 
 mod absence;
+mod bench_loss;
 mod burst;
 mod clock;
 mod control;
@@ -32,6 +33,7 @@ mod shot;
 mod synchroniser;
 mod trigger_times;
 
+pub use bench_loss::Reconnection;
 pub use clock::{HostClock, RunClock};
 pub use control::{Command, Control, ControlInbox, ControlState, Mode, Planner, Refusal, control};
 pub use controller::{AcquisitionLinks, AcquisitionReport, Bench, acquire};
@@ -43,7 +45,9 @@ pub use kernel_clock::{KernelClock, kernel_clock};
 pub use ledger::{Ledger, LedgerError, TriggerEntry};
 pub use outcome::{Account, Outcome, OutcomeCounts};
 pub use queue::{Closed, ShotReceiver, ShotSender, shot_queue};
-pub use settings::{AcquisitionSettings, BurstScript, MAX_BURST, OverloadPolicy, ScriptedBurst};
+pub use settings::{
+    AcquisitionSettings, AfterBenchLoss, BurstScript, MAX_BURST, OverloadPolicy, ScriptedBurst,
+};
 pub use shot::Shot;
-pub use synchroniser::{SynchroniserThread, secure};
+pub use synchroniser::{Reopen, SynchroniserThread, secure};
 pub use trigger_times::{BurstStart, ClockPair};

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use lfpiv_hw::synchroniser::USE_INTERLOCK;
+
 use super::{
     AcquisitionError, Command, Mode, Refusal, control::Request, controller::Run, journal::Entry,
 };
@@ -17,28 +19,44 @@ impl Run {
     /// Takes up a request and answers it.
     pub(super) async fn obey(&mut self, request: Request) -> Result<(), AcquisitionError> {
         tracing::info!(command = ?request.command, "asked for");
-        let done = self.carry_out(request.command).await?;
+        let (done, ended) = match self.carry_out(request.command).await {
+            Ok(done) => (done, Ok(())),
+            Err(error) => (Err(Refusal::because(error.to_string())), Err(error)),
+        };
         let state = self.control.state.lock().clone();
         // Whoever asked may have gone.
         let _ = request.answer.send(done.map(|()| state));
-        Ok(())
+        ended
     }
 
     async fn carry_out(
         &mut self,
         command: Command,
     ) -> Result<Result<(), Refusal>, AcquisitionError> {
+        if self.loss.is_some()
+            && let Some(refusal) = self.without_the_unit(&command)
+        {
+            return Ok(Err(refusal));
+        }
         match command {
             Command::Start => {
                 self.set_mode(Mode::Firing);
                 Ok(Ok(()))
             }
+            Command::GoOn => match self.awaits_operator {
+                Some(mode) => {
+                    self.set_mode(mode);
+                    Ok(Ok(()))
+                }
+                None => Ok(Err(Refusal::because("the run waits for nobody"))),
+            },
             Command::Stop if self.mode() == Mode::Disarmed => {
                 Ok(Err(Refusal::because("no shots are being taken: it is disarmed")))
             }
             Command::Stop => {
-                self.break_off().await?;
+                // The wish first: it holds even where the unit is found to be lost.
                 self.set_mode(Mode::Armed);
+                self.break_off().await?;
                 Ok(Ok(()))
             }
             Command::Arm if self.mode() == Mode::Firing => {
@@ -49,8 +67,8 @@ impl Run {
                 Ok(Ok(()))
             }
             Command::Disarm => {
-                self.break_off().await?;
                 self.set_mode(Mode::Disarmed);
+                self.break_off().await?;
                 Ok(Ok(()))
             }
             Command::SetDt { dt_us } => Ok(self.set_dt(dt_us)),
@@ -61,7 +79,26 @@ impl Run {
         }
     }
 
-    fn set_mode(&mut self, mode: Mode) {
+    /// Why this cannot be done while the unit is lost; `None` for what does not need it. A wish for
+    /// less is kept until it is back, a wish to fire is not.
+    fn without_the_unit(&mut self, command: &Command) -> Option<Refusal> {
+        let then = &mut self.loss.as_mut()?.then;
+        match command {
+            Command::SetDt { .. } | Command::Note { .. } => return None,
+            Command::Disarm => *then = Mode::Disarmed,
+            Command::Stop if *then == Mode::Firing => *then = Mode::Armed,
+            Command::Stop | Command::Start | Command::Arm | Command::GoOn => {}
+        }
+        let reason = match command {
+            Command::Disarm => format!("it stays disarmed once it answers; {USE_INTERLOCK}"),
+            Command::Stop => format!("no shots are taken then; {USE_INTERLOCK}"),
+            _ => "ask again when it is back".to_owned(),
+        };
+        Some(Refusal::because(format!("the synchroniser does not answer: {reason}")))
+    }
+
+    pub(super) fn set_mode(&mut self, mode: Mode) {
+        self.awaits_operator = None;
         let mut state = self.control.state.lock();
         state.mode = mode;
         state.held.clear();

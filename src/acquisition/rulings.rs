@@ -21,7 +21,7 @@ impl Run {
             Some(CameraEvent::Frame { camera, frame, arrived, statistics }) => {
                 // What time alone decides comes first: a replay, too, finds it decided.
                 self.time_passes(arrived).await?;
-                self.presence[camera].silent = 0;
+                self.presence[camera].delivered();
                 self.last_frame = self.time;
                 self.ledger.lock().streamed(camera, statistics);
                 let (at_ns, head) = (self.at_ns(), FrameHead::from(&frame));

@@ -3,6 +3,7 @@
 use std::{num::NonZeroU64, sync::Arc, time::Duration};
 
 use lfpiv_hw::timing::PulseSchedule;
+use serde::{Deserialize, Serialize};
 
 use super::BurstStart;
 
@@ -15,6 +16,20 @@ pub enum OverloadPolicy {
     /// Triggers are given only as there is room in the queue: for bounded simulated runs, in
     /// which every shot counts.
     Wait,
+}
+
+/// What a run does when its synchroniser does not answer any more.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AfterBenchLoss {
+    /// It looks for the unit, makes it safe and programs it, and waits until an operator says that
+    /// shots may be taken.
+    #[default]
+    WaitForArm,
+    /// The same, without waiting for anybody: the laser fires again by itself.
+    GoOn,
+    /// It ends.
+    End,
 }
 
 /// How shots are taken.

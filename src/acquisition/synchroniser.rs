@@ -5,6 +5,8 @@
 //! told to end, the thread makes the unit safe, reads that back and ends, and its owners wait for
 //! it. So the process does not end in the middle of the commands that make the laser safe.
 
+mod unit;
+
 use std::{
     sync::{
         Arc,
@@ -15,19 +17,22 @@ use std::{
     time::{Duration, Instant},
 };
 
-use lfpiv_hw::device::{DeviceError, Synchroniser, SynchroniserState, WATCH_INTERVAL};
+use lfpiv_hw::device::{DeviceError, Synchroniser, WATCH_INTERVAL};
 use parking_lot::{Condvar, Mutex};
 use tokio::sync::{Notify, oneshot};
 
-use super::{AcquisitionError, Bench, devices::guarded};
+use self::unit::{Left, is_loss};
+pub(super) use self::unit::{Unit, Unsafe};
+use super::{AcquisitionError, Bench};
 
 /// How late the thread notices that it should end.
 const TICK: Duration = Duration::from_millis(50);
+const THREAD_ENDED: &str = "its thread has ended";
 /// For messages, and the thread's name.
 const SYNCHRONISER: &str = "synchroniser";
 
-/// How the unit was left: safe and read back so, or why not.
-type Left = Result<(), String>;
+/// Opens a synchroniser that was lost: disabled before anything else, as the first time.
+pub type Reopen = Box<dyn FnMut() -> Result<Box<dyn Synchroniser>, DeviceError> + Send>;
 
 /// Owns the synchroniser's thread. Clones own the same one; the last to go waits for it.
 #[derive(Clone, Default)]
@@ -41,7 +46,7 @@ struct Owned {
 
 /// What the thread and its owners share.
 #[derive(Default)]
-struct Shared {
+pub(super) struct Shared {
     started: AtomicBool,
     /// The thread should end.
     ending: AtomicBool,
@@ -53,14 +58,16 @@ struct Shared {
 }
 
 impl SynchroniserThread {
-    /// Puts the unit on the thread. From here on it is made safe whatever happens.
+    /// Puts the unit on the thread. From here on it is made safe whatever happens. `reopen` is how
+    /// it is opened again once it is lost.
     pub(super) fn start(
         &self,
         device: Box<dyn Synchroniser>,
+        reopen: Option<Reopen>,
     ) -> Result<SynchroniserCalls, AcquisitionError> {
         let (orders, inbox) = std_mpsc::channel();
         let shared = self.0.shared.clone();
-        let unit = Unit { device, is_safe: false, shared: shared.clone() };
+        let unit = Unit::new(device, reopen, shared.clone());
         let thread = std::thread::Builder::new()
             .name(SYNCHRONISER.to_owned())
             .spawn(move || serve(unit, inbox))
@@ -87,7 +94,7 @@ impl SynchroniserThread {
         while left.is_none() {
             if shared.has_left.wait_until(&mut left, deadline).timed_out() {
                 let seconds = limit.as_secs_f64();
-                return Err(not_safe(format!("it was not read back within {seconds:.1} s")));
+                return Err(no_answer(format!("it was not read back within {seconds:.1} s")));
             }
         }
         drop(left);
@@ -102,7 +109,7 @@ impl SynchroniserThread {
     pub async fn join(&self) -> Result<(), AcquisitionError> {
         let owned = self.0.clone();
         let joined = tokio::task::spawn_blocking(move || owned.join()).await;
-        joined.map_err(|error| not_safe(error.to_string()))?
+        joined.map_err(|error| no_answer(error.to_string()))?
     }
 }
 
@@ -115,14 +122,15 @@ impl Owned {
             && thread.join().is_err()
         {
             tracing::error!(thread = SYNCHRONISER, "ended by a panic");
-            self.shared.leave(Err("its thread panicked".to_owned()));
+            let reason = "its thread panicked".to_owned();
+            self.shared.leave(Err(Unsafe { reason, is_lost: false }));
         }
         self.left()
     }
 
     fn left(&self) -> Result<(), AcquisitionError> {
         match &*self.shared.left.lock() {
-            Some(Err(reason)) => Err(not_safe(reason.clone())),
+            Some(Err(why)) => Err(not_safe(why.clone())),
             Some(Ok(())) | None => Ok(()),
         }
     }
@@ -138,7 +146,7 @@ impl Drop for Owned {
 
 impl Shared {
     fn leave(&self, left: Left) {
-        if let Err(reason) = &left {
+        if let Err(Unsafe { reason, .. }) = &left {
             tracing::error!(reason, "the synchroniser was not left safe");
         }
         *self.left.lock() = Some(left);
@@ -146,17 +154,25 @@ impl Shared {
     }
 }
 
-fn not_safe(reason: String) -> AcquisitionError {
+fn not_safe(Unsafe { reason, is_lost }: Unsafe) -> AcquisitionError {
     tracing::error!(reason, "state unknown: use the hardware interlock");
-    AcquisitionError::NotSafe { reason, before: None }
+    AcquisitionError::NotSafe { reason, is_lost, before: None }
 }
 
-/// The unit, on its thread.
-struct Unit {
-    device: Box<dyn Synchroniser>,
-    /// It was read back as safe, and nothing has been asked of it since.
-    is_safe: bool,
-    shared: Arc<Shared>,
+/// There is nobody to ask, or no time.
+fn no_answer(reason: String) -> AcquisitionError {
+    not_safe(Unsafe { reason, is_lost: false })
+}
+
+/// Nobody may ask any more: the process was told to end at once.
+pub(super) fn thread_ended() -> AcquisitionError {
+    let (device, detail) = (SYNCHRONISER.to_owned(), THREAD_ENDED.to_owned());
+    DeviceError::Lost { device, detail }.into()
+}
+
+/// What a unit says, or that it says nothing.
+fn unit_error(error: DeviceError) -> AcquisitionError {
+    if is_loss(&error) { AcquisitionError::SynchroniserLost(error) } else { error.into() }
 }
 
 type Order = Box<dyn FnOnce(&mut Unit) + Send>;
@@ -164,7 +180,7 @@ type Order = Box<dyn FnOnce(&mut Unit) + Send>;
 /// Obeys, and looks after the unit in between; safe state last.
 fn serve(mut unit: Unit, inbox: std_mpsc::Receiver<Order>) {
     let mut look = Instant::now() + WATCH_INTERVAL;
-    while !unit.shared.ending.load(Ordering::SeqCst) {
+    while !unit.shared().ending.load(Ordering::SeqCst) {
         let wait = look.saturating_duration_since(Instant::now()).min(TICK);
         match inbox.recv_timeout(wait) {
             Ok(order) => order(&mut unit),
@@ -176,46 +192,8 @@ fn serve(mut unit: Unit, inbox: std_mpsc::Receiver<Order>) {
             look = Instant::now() + WATCH_INTERVAL;
         }
     }
-    let left = if unit.is_safe { Ok(()) } else { unit.make_safe() };
-    unit.shared.leave(left);
-}
-
-impl Unit {
-    fn call<T>(
-        &mut self,
-        call: impl FnOnce(&mut dyn Synchroniser) -> Result<T, DeviceError>,
-    ) -> Result<T, DeviceError> {
-        if let Some(fault) = self.shared.fault.lock().take() {
-            return Err(fault);
-        }
-        self.is_safe = false;
-        guarded(SYNCHRONISER, || call(self.device.as_mut()))
-    }
-
-    /// What it finds is told to whoever calls next or waits for it.
-    fn watch(&mut self) {
-        if let Err(fault) = guarded(SYNCHRONISER, || self.device.watch()) {
-            *self.shared.fault.lock() = Some(fault);
-            self.shared.found_fault.notify_one();
-        }
-    }
-
-    fn make_safe(&mut self) -> Left {
-        let left = make_safe(self.device.as_mut());
-        self.is_safe = left.is_ok();
-        left
-    }
-}
-
-/// Safe is what is read back as safe; an error on the way there is not.
-fn make_safe(device: &mut dyn Synchroniser) -> Left {
-    let made = guarded(SYNCHRONISER, || device.make_safe());
-    let state = guarded(SYNCHRONISER, || device.state());
-    match (made, state) {
-        (Ok(()), Ok(SynchroniserState::Safe)) => Ok(()),
-        (Err(error), _) | (_, Err(error)) => Err(error.to_string()),
-        (Ok(()), Ok(state)) => Err(format!("it reads back {state:?}")),
-    }
+    let left = unit.leave();
+    unit.shared().leave(left);
 }
 
 /// Makes the synchroniser safe and reads it back: the first thing a run does, before anything
@@ -226,10 +204,10 @@ fn make_safe(device: &mut dyn Synchroniser) -> Left {
 /// [`AcquisitionError::NotSafe`].
 pub async fn secure(mut bench: Bench) -> Result<Bench, AcquisitionError> {
     let secured = tokio::task::spawn_blocking(move || {
-        let left = make_safe(bench.synchroniser.as_mut());
+        let left = unit::make_safe(bench.synchroniser.as_mut());
         (bench, left)
     });
-    let (bench, left) = secured.await.map_err(|error| not_safe(error.to_string()))?;
+    let (bench, left) = secured.await.map_err(|error| no_answer(error.to_string()))?;
     left.map_err(not_safe).map(|()| bench)
 }
 
@@ -246,11 +224,7 @@ impl SynchroniserCalls {
         call: impl FnOnce(&mut dyn Synchroniser) -> Result<T, DeviceError> + Send + 'static,
     ) -> Result<T, AcquisitionError> {
         let answered = self.order(|unit| unit.call(call)).await;
-        let gone = || DeviceError::Lost {
-            device: SYNCHRONISER.to_owned(),
-            detail: "its thread has ended".to_owned(),
-        };
-        Ok(answered.ok_or_else(gone)??)
+        answered.ok_or_else(thread_ended)?.map_err(unit_error)
     }
 
     /// Safe, and read back.
@@ -258,8 +232,23 @@ impl SynchroniserCalls {
         let made = self.order(Unit::make_safe).await;
         // A thread that has ended has done so before.
         let left = made.or_else(|| self.shared.left.lock().clone());
-        let left = left.unwrap_or_else(|| Err("its thread has ended".to_owned()));
-        left.map_err(not_safe)
+        left.ok_or_else(|| no_answer(THREAD_ENDED.to_owned()))?.map_err(not_safe)
+    }
+
+    /// Begins to look for a lost unit, once: [`Unit::reopen`]. The answer comes when it comes.
+    ///
+    /// # Errors
+    ///
+    /// Its thread has ended.
+    pub fn look_for_it(
+        &self,
+    ) -> Result<oneshot::Receiver<Result<String, Unsafe>>, AcquisitionError> {
+        self.begin(Unit::reopen).ok_or_else(thread_ended)
+    }
+
+    /// What watching found of a unit that is lost by now is of no more use.
+    pub fn forget_fault(&self) {
+        *self.shared.fault.lock() = None;
     }
 
     /// Completes once watching over the unit has found a fault; the unit has been made safe then,
@@ -267,7 +256,7 @@ impl SynchroniserCalls {
     pub async fn fault(&self) -> AcquisitionError {
         loop {
             if let Some(fault) = self.shared.fault.lock().take() {
-                return fault.into();
+                return unit_error(fault);
             }
             self.shared.found_fault.notified().await;
         }
@@ -278,12 +267,18 @@ impl SynchroniserCalls {
         &self,
         order: impl FnOnce(&mut Unit) -> T + Send + 'static,
     ) -> Option<T> {
+        self.begin(order)?.await.ok()
+    }
+
+    fn begin<T: Send + 'static>(
+        &self,
+        order: impl FnOnce(&mut Unit) -> T + Send + 'static,
+    ) -> Option<oneshot::Receiver<T>> {
         let (answer, answered) = oneshot::channel();
         let order: Order = Box::new(move |unit| {
             // Nobody waits for the answer when the run is being torn down.
             let _ = answer.send(order(unit));
         });
-        self.orders.send(order).ok()?;
-        answered.await.ok()
+        self.orders.send(order).ok().map(|()| answered)
     }
 }

@@ -37,9 +37,9 @@ use super::{
 use crate::{
     acquisition::{
         AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench,
-        BurstScript, ControlInbox, Heartbeat, HostClock, Ledger, Mode, OverloadPolicy, Planner,
-        RunClock, ShotReceiver, SynchroniserThread, acquire, control, panic_message, secure,
-        shot_queue,
+        BurstScript, Control, ControlInbox, Heartbeat, HostClock, Ledger, Mode, OverloadPolicy,
+        Planner, RunClock, ShotReceiver, SynchroniserThread, acquire, control, panic_message,
+        secure, shot_queue,
     },
     archive::{RawLogSettings, ResultStore, merge_segments},
     config::ConfigFile,
@@ -128,6 +128,7 @@ pub struct Daemon {
     folder: PathBuf,
     store: ResultStore,
     recording: Recording,
+    control: Control,
     inbox: ControlInbox,
     script: Option<RunScript>,
     synchroniser: SynchroniserThread,
@@ -182,7 +183,7 @@ impl Daemon {
             board.clone(),
             recording.journal.clone(),
         )
-        .with_controls(Arc::new(control), plan.remote_arming)
+        .with_controls(Arc::new(control.clone()), plan.remote_arming)
         .with_frames(Arc::new(RecordedFrames::new(board.clone(), &folder)));
         Ok(Self {
             plan,
@@ -190,6 +191,7 @@ impl Daemon {
             folder,
             store,
             recording,
+            control,
             inbox,
             script: None,
             synchroniser: SynchroniserThread::default(),
@@ -215,6 +217,11 @@ impl Daemon {
     /// Where the results go.
     pub fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    /// Asks the run, for whoever is at this machine.
+    pub fn control(&self) -> Control {
+        self.control.clone()
     }
 
     /// The run follows a script.

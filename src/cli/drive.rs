@@ -18,8 +18,8 @@ use tokio_util::sync::CancellationToken;
 use super::{daemon::frame_bytes, instruments::open};
 use crate::{
     acquisition::{
-        AcquisitionLinks, AcquisitionSettings, Bench, Ledger, Outcome, OverloadPolicy, acquire,
-        shot_queue,
+        AcquisitionLinks, AcquisitionSettings, AfterBenchLoss, Bench, Ledger, Outcome,
+        OverloadPolicy, acquire, shot_queue,
     },
     benchmark::{Streamed, processor_seconds},
     config::{Config, InstrumentSettings},
@@ -97,6 +97,7 @@ fn instruments(wire: &WireSettings) -> anyhow::Result<InstrumentSettings> {
             ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
         },
         frame_patience_s: 10.0,
+        after_bench_loss: AfterBenchLoss::End,
         frame_record: None,
     })
 }

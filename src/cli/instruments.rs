@@ -1,6 +1,6 @@
 //! Opens the instruments that a configuration names.
 
-use std::{fs, path::Path};
+use std::{fs, path::Path, time::Duration};
 
 use anyhow::Context;
 use lfpiv_hw::{
@@ -12,7 +12,7 @@ use lfpiv_hw::{
 use tokio::sync::mpsc;
 
 use crate::{
-    acquisition::Bench,
+    acquisition::{AfterBenchLoss, Bench, Reconnection},
     config::{Config, InstrumentSettings},
 };
 
@@ -25,14 +25,24 @@ pub(super) fn open(config: &Config, instruments: &InstrumentSettings) -> anyhow:
     let (bytes, transcript) = mpsc::unbounded_channel();
     // Nobody listens where no record of the run is kept.
     let listener = Transcript::told(move |entry| drop(bytes.send(entry)));
-    let synchroniser = synchroniser::open(&instruments.synchroniser, &config.timing, listener)
-        .context("the synchroniser cannot be used")?;
+    let (settings, timing) = (instruments.synchroniser.clone(), config.timing.clone());
+    let patience = settings.reconnect_patience_s.map(Duration::from_secs_f64);
+    let open = move || synchroniser::open(&settings, &timing, listener.clone());
+    let synchroniser = open().context("the synchroniser cannot be used")?;
+    let reconnection = match instruments.after_bench_loss {
+        AfterBenchLoss::End => None,
+        then => Some(Reconnection {
+            open: Box::new(open),
+            patience,
+            waits_for_operator: then == AfterBenchLoss::WaitForArm,
+        }),
+    };
     let size = ImageSize::from(&config.optics.sensor);
     let cameras = instruments.camera.iter().enumerate().map(|(index, settings)| {
         open_camera(index, settings, size, instruments.frame_record.as_deref())
     });
     let cameras = cameras.collect::<anyhow::Result<_>>()?;
-    Ok(Bench { cameras, synchroniser, transcript: Some(transcript) })
+    Ok(Bench { cameras, synchroniser, transcript: Some(transcript), reconnection })
 }
 
 fn open_camera(

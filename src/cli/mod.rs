@@ -21,6 +21,7 @@ mod instruments;
 mod ledger_file;
 mod logging;
 mod losses;
+mod operator;
 mod output;
 mod peers;
 mod process;

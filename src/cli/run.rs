@@ -17,6 +17,7 @@ use super::{
     demo_table::{Row, stream_table, table},
     instruments,
     logging::is_journal,
+    operator::go_on_on_signal,
     output::{count, print, progress_bar},
     run_processor::run_processor,
     stop::stop_on_signals,
@@ -112,6 +113,7 @@ async fn run_bench(
     let stop = stop_on_signals(synchroniser, "the last results may not be on disk")?;
     let mut daemon = Daemon::prepare(plan).await?;
     daemon.share_synchroniser(synchroniser.clone());
+    go_on_on_signal(daemon.control())?;
     print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
 

@@ -12,7 +12,7 @@ use parking_lot::Mutex;
 use sd_notify::NotifyState;
 
 use crate::{
-    acquisition::{Heartbeat, Ledger},
+    acquisition::{Heartbeat, Ledger, Mode},
     pipeline::{Board, HungPair},
     server::{ApiState, Phase},
 };
@@ -163,7 +163,15 @@ impl Service {
         let what = match self.state.phase() {
             Phase::Starting => "preparing the measurement",
             Phase::Running if !self.watch.ready => "preparing the instruments",
-            Phase::Running => "taking shots",
+            Phase::Running => match self.state.control() {
+                Some(control) if control.mode == Mode::Lost => {
+                    "bench lost, looking for the synchroniser"
+                }
+                Some(control) if control.mode == Mode::Disarmed && !control.held.is_empty() => {
+                    "bench back, waiting for an operator"
+                }
+                _ => "taking shots",
+            },
             Phase::Stopping => "finishing the shots in hand",
             Phase::Finished => "finished",
             Phase::Failed(_) => "failed",

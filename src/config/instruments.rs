@@ -6,6 +6,8 @@ use garde::Validate;
 use lfpiv_hw::{check::finite, gige::CameraSettings, synchroniser::SynchroniserSettings};
 use serde::{Deserialize, Serialize};
 
+use crate::acquisition::AfterBenchLoss;
+
 /// Instruments behind wires. Without this table a run needs a simulated bench.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
@@ -20,6 +22,11 @@ pub struct InstrumentSettings {
     #[serde(default = "one_second")]
     #[garde(custom(finite), range(min = 0.01, max = 600.0))]
     pub frame_patience_s: f64,
+    /// What a run does when the synchroniser does not answer any more: `wait_for_arm`, `go_on` or
+    /// `end`.
+    #[serde(default)]
+    #[garde(skip)]
+    pub after_bench_loss: AfterBenchLoss,
     /// Folder in which every frame that arrives is listed, with a checksum of its pixels: one
     /// file per camera.
     #[serde(default)]
@@ -29,4 +36,26 @@ pub struct InstrumentSettings {
 
 fn one_second() -> f64 {
     1.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after_bench_loss(line: &str) -> Result<AfterBenchLoss, String> {
+        let text = format!(
+            "{line}\n[[camera]]\nip = '10.0.0.1'\n\
+             [synchroniser]\ndriver = 'bnc-575'\nport = '/dev/ttyUSB0'\n"
+        );
+        let read: Result<InstrumentSettings, _> = toml::from_str(&text);
+        read.map(|instruments| instruments.after_bench_loss).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn the_laser_fires_again_by_itself_only_where_that_is_asked_for() {
+        assert_eq!(after_bench_loss(""), Ok(AfterBenchLoss::WaitForArm));
+        assert_eq!(after_bench_loss("after_bench_loss = 'go_on'"), Ok(AfterBenchLoss::GoOn));
+        assert_eq!(after_bench_loss("after_bench_loss = 'end'"), Ok(AfterBenchLoss::End));
+        assert!(after_bench_loss("after_bench_loss = 'fire'").unwrap_err().contains("go_on"));
+    }
 }

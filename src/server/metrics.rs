@@ -53,6 +53,7 @@ impl Collector for Reader {
         self.encode_raw(&mut encoder)?;
         self.encode_ledger(&mut encoder)?;
         self.encode_latency(&mut encoder)?;
+        self.encode_bench(&mut encoder)?;
         let uptime = ConstGauge::new(self.0.began.elapsed().as_secs_f64());
         let metric = encoder.encode_descriptor(
             "uptime_seconds",
@@ -85,6 +86,18 @@ impl Reader {
             ConstGauge::new(count as i64).encode(metric)?;
         }
         Ok(())
+    }
+
+    /// Absent where there is no bench to be lost.
+    fn encode_bench(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
+        if self.0.control().is_none() {
+            return Ok(());
+        }
+        let answers = ConstGauge::new(i64::from(!self.0.has_lost_its_bench()));
+        let help = "1 while the synchroniser answers, 0 while it is looked for";
+        let metric =
+            encoder.encode_descriptor("synchroniser_up", help, None, answers.metric_type())?;
+        answers.encode(metric)
     }
 
     /// From trigger to stored velocity.

@@ -101,7 +101,7 @@ schema!(
 schema!(
     Mode,
     "Mode",
-    words(&["disarmed", "armed", "firing", "stopping"], "Whether the laser can fire.")
+    words(&["disarmed", "armed", "firing", "lost", "stopping"], "Whether the laser can fire.")
 );
 
 impl PartialSchema for ControlState {

@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::{ApiState, ConfigurationSummary, Phase, events::Brief};
 use crate::{
-    acquisition::{Account, ControlState, Outcome},
+    acquisition::{Account, ControlState, Mode, Outcome},
     model::ModelChoice,
     pipeline::{LatencyQuantiles, Watermarks},
     reconstruction::ModelFit,
@@ -135,7 +135,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
     let phase = state.phase();
     let info = &state.info;
     Json(Status {
-        state: name(&phase),
+        state: name(&state, &phase),
         error: error(&phase),
         uptime_s: state.began.elapsed().as_secs_f64(),
         code_version: info.code_version.clone(),
@@ -160,7 +160,7 @@ impl ApiState {
     pub(super) fn brief(&self) -> Brief {
         let (shots, phase) = (ShotCounts::of(self), self.phase());
         Brief {
-            state: name(&phase),
+            state: name(self, &phase),
             error: error(&phase),
             stage: stage(self, &phase, shots),
             shots,
@@ -169,8 +169,14 @@ impl ApiState {
         }
     }
 
-    fn control(&self) -> Option<ControlState> {
+    /// How the controls stand; `None` where there are none.
+    pub fn control(&self) -> Option<ControlState> {
         self.desk.controls.as_ref().map(|controls| controls.state())
+    }
+
+    /// Whether the synchroniser is lost and looked for.
+    pub(super) fn has_lost_its_bench(&self) -> bool {
+        self.control().is_some_and(|control| control.mode == Mode::Lost)
     }
 }
 
@@ -190,9 +196,10 @@ fn ledger(state: &ApiState) -> LedgerView {
     LedgerView { balanced: ledger.is_balanced(), cameras: cameras.collect() }
 }
 
-fn name(phase: &Phase) -> &'static str {
+fn name(state: &ApiState, phase: &Phase) -> &'static str {
     match phase {
         Phase::Starting => "starting",
+        Phase::Running if state.has_lost_its_bench() => "bench_lost",
         Phase::Running => "running",
         Phase::Stopping => "stopping",
         Phase::Finished => "finished",
@@ -207,22 +214,26 @@ fn stage(state: &ApiState, phase: &Phase, shots: ShotCounts) -> String {
         Phase::Starting => "building tables and opening devices".to_owned(),
         Phase::Finished => "all shots are accounted for, results are closed".to_owned(),
         Phase::Failed(_) => "stopped".to_owned(),
+        Phase::Running if state.has_lost_its_bench() => "looking for the synchroniser".to_owned(),
         _ if !working.is_empty() => format!("processing shot {}", working.join(", ")),
         _ if shots.awaiting_frames > 0 => "waiting for frames".to_owned(),
         _ => "waiting for shots".to_owned(),
     }
 }
 
-/// Whether the run is well: `ok`, or 503 once it has failed (the status says why) or while a worker
-/// hangs. Open to all, for whoever supervises the daemon.
+/// Whether the run is well: `ok`, or 503 once it has failed (the status says why), while the
+/// synchroniser does not answer and while a worker hangs. Open to all, for whoever supervises the daemon.
 #[utoipa::path(get, path = "/healthz", tag = "live", security(()),
     responses(
         (status = 200, content_type = "text/plain", body = String),
-        (status = 503, description = "The run has failed, or a worker hangs", content_type = "text/plain", body = String)))]
+        (status = 503, description = "The run has failed, its bench is lost, or a worker hangs", content_type = "text/plain", body = String)))]
 pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, String) {
     let unwell = match (state.phase(), state.board.pair_times().hung(Instant::now())) {
         (Phase::Failed(_), _) => "failed: see /api/v1/status".to_owned(),
         (_, Some(hung)) => hung.to_string(),
+        (Phase::Running, None) if state.has_lost_its_bench() => {
+            "the synchroniser does not answer: see /api/v1/status".to_owned()
+        }
         _ => return (StatusCode::OK, "ok\n".to_owned()),
     };
     (StatusCode::SERVICE_UNAVAILABLE, unwell + "\n")

@@ -11,8 +11,8 @@ use std::{
 use lfpiv::{
     acquisition::{
         AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Control,
-        Journal, Ledger, Mode, OverloadPolicy, ShotReceiver, SynchroniserThread, acquire, control,
-        shot_queue,
+        Journal, Ledger, Mode, OverloadPolicy, Reconnection, Reopen, ShotReceiver,
+        SynchroniserThread, acquire, control, shot_queue,
     },
     archive::{RawLog, RawLogSettings},
 };
@@ -67,6 +67,8 @@ pub fn external(warm_up_s: f64) -> TimingSettings {
 pub struct Laser {
     pub served: Served<PulseGenerator>,
     pub transcript: Transcript,
+    /// The port to open.
+    port: Arc<Mutex<String>>,
     triggers: Mutex<Vec<mpsc::Receiver<u64>>>,
 }
 
@@ -81,19 +83,50 @@ impl Laser {
             }
         };
         let served = Served::start(PulseGenerator::new(options), Box::new(observer)).unwrap();
-        Self { served, transcript: Transcript::kept(), triggers: Mutex::new(triggers) }
+        let port = Arc::new(Mutex::new(served.path().to_owned()));
+        Self { served, transcript: Transcript::kept(), port, triggers: Mutex::new(triggers) }
+    }
+
+    /// Pulls the cable.
+    pub fn pull_line(&self) {
+        self.port.lock().clear();
+        self.served.cut_line();
+    }
+
+    /// Puts it back.
+    pub fn plug_in_line(&self) {
+        *self.port.lock() = self.served.plug_in_line().unwrap();
+    }
+
+    /// Opens the unit, wherever it is then.
+    fn opening(&self, timing: &TimingSettings, reply_timeout_ms: u64) -> Reopen {
+        let (port, transcript) = (self.port.clone(), self.transcript.clone());
+        let timing = timing.clone();
+        Box::new(move || {
+            let port = port.lock().clone();
+            let settings = SynchroniserSettings {
+                pacing_ms: PACING_MS,
+                reply_timeout_ms,
+                ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
+            };
+            let line = SerialLine::open(&settings.port, settings.baud_rates()[0]);
+            let line = line.map_err(|error| DeviceError::Lost {
+                device: settings.port.clone(),
+                detail: error.to_string(),
+            })?;
+            let line = Recorded::new(line, transcript.clone());
+            open_on(Box::new(line), &settings, &timing)
+        })
     }
 
     /// Driver and cameras, connected.
-    pub fn connect(&self, timing: &TimingSettings, frame_interval: Duration) -> Bench {
-        let settings = SynchroniserSettings {
-            pacing_ms: PACING_MS,
-            reply_timeout_ms: 5000,
-            ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, self.served.path())
-        };
-        let line = SerialLine::open(&settings.port, settings.baud_rates()[0]).unwrap();
-        let line = Recorded::new(line, self.transcript.clone());
-        let synchroniser = open_on(Box::new(line), &settings, timing).unwrap();
+    pub fn connect(&self, plan: &Plan, frame_interval: Duration) -> Bench {
+        let reply_timeout_ms = if plan.after_loss.is_some() { 500 } else { 5000 };
+        let mut open = self.opening(&plan.timing, reply_timeout_ms);
+        let synchroniser = open().unwrap();
+        let reconnection = plan.after_loss.map(|AfterLoss { waits_for_operator, patience }| {
+            Reconnection { open, patience, waits_for_operator }
+        });
         let triggers = std::mem::take(&mut *self.triggers.lock());
         let cameras = triggers.into_iter().map(|triggers| {
             Box::new(TriggeredCamera {
@@ -103,7 +136,7 @@ impl Laser {
                 frames: 0,
             }) as Box<dyn Camera>
         });
-        Bench::new(cameras.collect(), synchroniser)
+        Bench { reconnection, ..Bench::new(cameras.collect(), synchroniser) }
     }
 
     /// Pulses of the lamp and of the Q-switch of head 1.
@@ -186,6 +219,15 @@ pub struct Plan {
     pub mode: Mode,
     pub overload: OverloadPolicy,
     pub journal: Journal,
+    /// Whether the run outlasts a loss of its unit.
+    pub after_loss: Option<AfterLoss>,
+}
+
+/// What it does then.
+#[derive(Debug, Clone, Copy)]
+pub struct AfterLoss {
+    pub waits_for_operator: bool,
+    pub patience: Option<Duration>,
 }
 
 impl Plan {
@@ -195,6 +237,7 @@ impl Plan {
             mode: Mode::Firing,
             overload: OverloadPolicy::Shed,
             journal: Journal::none(),
+            after_loss: None,
         }
     }
 
@@ -223,6 +266,7 @@ pub struct Run {
     pub control: Control,
     pub stop: CancellationToken,
     pub synchroniser: SynchroniserThread,
+    pub ledger: Arc<Mutex<Ledger>>,
     panic: Arc<Notify>,
     task: JoinHandle<Ended>,
     /// Nobody takes shots from it.
@@ -241,7 +285,7 @@ impl Run {
             patience: PATIENCE,
             frame_bytes: 8,
         };
-        let bench = laser.connect(&plan.timing, settings.frame_interval());
+        let bench = laser.connect(&plan, settings.frame_interval());
         let (sender, shots) = shot_queue(2);
         let stop = CancellationToken::new();
         let (control, inbox) = control(plan.mode, 100.0, Box::new(|_| Err("fixed".to_owned())));
@@ -250,7 +294,7 @@ impl Run {
             control: inbox,
             journal: plan.journal,
             synchroniser: synchroniser.clone(),
-            ..AcquisitionLinks::new(ledger, sender, stop.clone())
+            ..AcquisitionLinks::new(ledger.clone(), sender, stop.clone())
         };
         let panic = Arc::new(Notify::new());
         let told = panic.clone();
@@ -260,7 +304,7 @@ impl Run {
                 () = told.notified() => panic!("injected"),
             }
         });
-        Self { control, stop, synchroniser, panic, task, _shots: shots }
+        Self { control, stop, synchroniser, ledger, panic, task, _shots: shots }
     }
 
     pub async fn until(&self, what: &str, reached: impl Fn() -> bool) {

@@ -8,6 +8,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod bench;
+mod lost;
 mod panics;
 mod told_to_end;
 mod trigger_source;

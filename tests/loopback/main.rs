@@ -7,6 +7,7 @@
 mod bench;
 mod faults;
 mod killed;
+mod lost;
 // The driver's own tests use more of it.
 #[allow(dead_code)]
 #[path = "../../sim/tests/gige/network.rs"]

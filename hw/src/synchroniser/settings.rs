@@ -5,6 +5,8 @@ use std::{fmt, path::PathBuf};
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
+use crate::check::finite;
+
 /// Which unit, at which port, and which of its outputs goes where.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
@@ -40,6 +42,11 @@ pub struct SynchroniserSettings {
     #[serde(default)]
     #[garde(skip)]
     pub host_timed_bursts: bool,
+    /// How long a unit that does not answer any more is looked for, in s, before the run ends;
+    /// without end when absent.
+    #[serde(default)]
+    #[garde(inner(custom(finite), range(min = 0.0, max = 86_400.0)))]
+    pub reconnect_patience_s: Option<f64>,
     /// File that every byte on the line is written to, with the host's time; it is appended to.
     #[serde(default)]
     #[garde(skip)]
@@ -174,6 +181,7 @@ impl SynchroniserSettings {
             reply_timeout_ms: default_reply_timeout_ms(),
             channels: ChannelMap::default(),
             host_timed_bursts: false,
+            reconnect_patience_s: None,
             transcript: None,
         }
     }
@@ -212,6 +220,7 @@ mod tests {
         let cases = [
             ("baud_rate = 1234", "allowed: 9600"),
             ("pacing_ms = 5000", "pacing_ms"),
+            ("reconnect_patience_s = -1.0", "reconnect_patience_s"),
             ("reply_timeout = 5", "unknown field"),
             (
                 "channels = { lamp_1 = 'A', q_switch_1 = 'A', lamp_2 = 'C', q_switch_2 = 'D', \

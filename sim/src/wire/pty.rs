@@ -57,6 +57,8 @@ pub struct Served<U> {
     path: String,
     off: Arc<AtomicBool>,
     line_cut: Arc<AtomicBool>,
+    /// A new line, to be taken in the place of one that was cut.
+    new_line: Arc<Mutex<Option<Terminal>>>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -72,15 +74,17 @@ impl<U: SerialUnit> Served<U> {
         let unit = Arc::new(Mutex::new(unit));
         let off = Arc::new(AtomicBool::new(false));
         let line_cut = Arc::new(AtomicBool::new(false));
+        let new_line = Arc::new(Mutex::new(None));
         let (shared, told, cut) = (Arc::clone(&unit), Arc::clone(&off), Arc::clone(&line_cut));
+        let plugged_in = Arc::clone(&new_line);
         let run = move || {
             let port = terminal.path.clone();
-            if let Err(error) = serve(terminal, &shared, observer, &told, &cut) {
+            if let Err(error) = serve(terminal, &shared, observer, &told, (&cut, &plugged_in)) {
                 tracing::error!(port, %error, "the simulated unit has died");
             }
         };
         let thread = thread::Builder::new().name("simulated unit".into()).spawn(run)?;
-        Ok(Self { unit, path, off, line_cut, thread: Some(thread) })
+        Ok(Self { unit, path, off, line_cut, new_line, thread: Some(thread) })
     }
 
     /// The port to open, as `/dev/pts/3`.
@@ -96,6 +100,18 @@ impl<U: SerialUnit> Served<U> {
     /// Cuts the serial line: the host's end is hung up, the unit goes on with what it does.
     pub fn cut_line(&self) {
         self.line_cut.store(true, Ordering::Relaxed);
+    }
+
+    /// Puts a new serial line in the place of one that was cut; the port to open.
+    ///
+    /// # Errors
+    ///
+    /// The system has no pseudo-terminal left.
+    pub fn plug_in_line(&self) -> io::Result<String> {
+        let terminal = Terminal::open()?;
+        let path = terminal.path.clone();
+        *self.new_line.lock().unwrap_or_else(PoisonError::into_inner) = Some(terminal);
+        Ok(path)
     }
 
     /// Pulls the plug: the host's end of the line is hung up.
@@ -124,7 +140,7 @@ fn serve<U: SerialUnit>(
     unit: &Mutex<U>,
     mut observer: PeriodObserver,
     off: &AtomicBool,
-    line_cut: &AtomicBool,
+    (line_cut, new_line): (&AtomicBool, &Mutex<Option<Terminal>>),
 ) -> io::Result<()> {
     let mut line = Some(terminal);
     let on = Instant::now();
@@ -133,6 +149,10 @@ fn serve<U: SerialUnit>(
     while !off.load(Ordering::Relaxed) {
         if line_cut.load(Ordering::Relaxed) {
             line = None;
+        }
+        if let Some(terminal) = new_line.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            line_cut.store(false, Ordering::Relaxed);
+            line = Some(terminal);
         }
         let bytes = match &line {
             Some(terminal) => terminal.read(wait)?,

@@ -90,6 +90,12 @@ impl Books {
                 self.burst = None;
                 self.enter_before(*given)?;
             }
+            // What the rest of it came to is said one by one.
+            Entry::BurstLost { given, .. } => {
+                if let Some(burst) = &mut self.burst {
+                    burst.shots = given.saturating_sub(burst.first);
+                }
+            }
             Entry::Given { trigger }
             | Entry::Shot { trigger, .. }
             | Entry::Shed { trigger }

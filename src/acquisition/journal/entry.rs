@@ -10,8 +10,9 @@ use serde::{Deserialize, Serialize};
 use crate::acquisition::{BurstStart, Outcome};
 
 /// Version of the entries; a reader refuses a later one. Since version 2 there is
-/// [`Entry::BurstStarted`], since version 3 [`Entry::Given`] and [`Outcome::NotFired`].
-pub const JOURNAL_VERSION: u32 = 3;
+/// [`Entry::BurstStarted`], since version 3 [`Entry::Given`] and [`Outcome::NotFired`], since version 4
+/// [`Entry::BurstLost`], [`Entry::SynchroniserLost`] and [`Entry::SynchroniserBack`].
+pub const JOURNAL_VERSION: u32 = 4;
 
 /// The raw log's description: what a reader must know before the first entry.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -40,6 +41,13 @@ pub enum Entry {
     BurstStarted { first: u64, start: BurstStart },
     /// The unit no longer fires; it has given so many triggers since the run began.
     BurstEnded { at_ns: u64, given: u64 },
+    /// The unit is lost in a burst, and nothing more is seen of it: so many triggers count since the run
+    /// began.
+    BurstLost { at_ns: u64, given: u64 },
+    /// The unit does not answer any more.
+    SynchroniserLost { at_ns: u64, reason: String },
+    /// It answers again, and was read back as safe.
+    SynchroniserBack { at_ns: u64, identity: String },
     /// The image of this record, as it came, damaged or not.
     Frame {
         at_ns: u64,
@@ -83,6 +91,9 @@ impl Entry {
             Self::Programmed { at_ns, .. }
             | Self::Fired { at_ns, .. }
             | Self::BurstEnded { at_ns, .. }
+            | Self::BurstLost { at_ns, .. }
+            | Self::SynchroniserLost { at_ns, .. }
+            | Self::SynchroniserBack { at_ns, .. }
             | Self::Frame { at_ns, .. }
             | Self::Stream { at_ns, .. }
             | Self::Note { at_ns, .. }

@@ -269,6 +269,19 @@ impl Pairing {
         Ok(self.with_given(rulings))
     }
 
+    /// The synchroniser is lost and cannot be asked how many triggers of the burst it gave. Those that
+    /// a camera saw, and earlier ones, were given, and are waited for; the others were not fired,
+    /// where they were due, and are withdrawn, where not. Returns the number of triggers that count.
+    pub fn burst_lost(&mut self) -> (u64, Vec<Ruling>) {
+        let mut rulings = self.with_given(Vec::new());
+        for trigger in self.open.range(self.told_given..).map(|open| *open.0).collect::<Vec<_>>() {
+            self.close_unseen(trigger, &mut rulings);
+        }
+        self.given = self.told_given.max(self.burst.first);
+        self.burst.end = self.given;
+        (self.given, rulings)
+    }
+
     /// The end: every open trigger is ruled on with what is known. Where nothing says
     /// that a frame is lost, the end of the run is the reason, and the trigger is shed. One that
     /// nothing shows to have been given was not fired, if it was due, and is withdrawn, if not.

@@ -354,6 +354,34 @@ fn what_was_due_and_nobody_saw_was_not_fired() {
 }
 
 #[test]
+fn a_burst_whose_synchroniser_is_lost_leaves_numbers_and_books_in_order() {
+    let mut rig = Rig::new(2);
+    rig.fire(10);
+    // Trigger 0 is whole, of trigger 1 one camera has sent a frame.
+    for (camera, id) in [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2)] {
+        let at_ns = PERIOD_NS * (id / 2) + INTERVAL_NS * (id % 2);
+        rig.now = Duration::from_nanos(at_ns);
+        let rulings = rig.pairing.frame(camera, frame(id, at_ns, id / 2), rig.now);
+        rig.apply(rulings);
+    }
+    rig.wait_until(Duration::from_nanos(PERIOD_NS * 7 / 2));
+    let (given, rulings) = rig.pairing.burst_lost();
+    rig.apply(rulings);
+    // Triggers 2 and 3 were due, 4 to 9 were not.
+    assert_eq!((given, rig.pairing.open_triggers()), (4, 1));
+    rig.wait_until(rig.now + 4 * PATIENCE);
+    assert_eq!(rig.pairing.open_triggers(), 0);
+    for (account, of_trigger_1) in
+        rig.ledger.accounts().iter().zip([Outcome::MissingPackets, Outcome::MissedTrigger])
+    {
+        let of = |outcome| account.outcomes.of(outcome);
+        assert_eq!((account.triggers, account.open), (4, 0));
+        assert_eq!((of(Outcome::Complete), of(Outcome::NotFired), of(of_trigger_1)), (1, 2, 1));
+    }
+    assert_eq!(rig.fire(5), 4, "the next burst goes on with the next number");
+}
+
+#[test]
 fn a_wrong_interval_makes_a_shot_suspect_and_keeps_it() {
     let mut rig = Rig::new(1);
     rig.fire(1);

@@ -8,7 +8,7 @@ use lfpiv_hw::{
     timing::PulseSchedule,
 };
 
-use super::script::{Script, Turn};
+use super::script::{BurstState, Script, Turn};
 
 /// Delivers what one camera delivered.
 pub(super) struct ReplayCamera {
@@ -122,9 +122,12 @@ impl Synchroniser for ReplayUnit {
     fn state(&mut self) -> Result<SynchroniserState, DeviceError> {
         if !std::mem::take(&mut self.is_safe_unread) && self.is_burst_open {
             // However the burst ended, the record says when the run loop knew.
-            self.is_burst_open = self.script.is_firing();
-            if self.is_burst_open {
-                return Ok(SynchroniserState::Firing);
+            let burst = self.script.burst_state();
+            self.is_burst_open = burst == BurstState::Firing;
+            match burst {
+                BurstState::Firing => return Ok(SynchroniserState::Firing),
+                BurstState::Lost => return Ok(SynchroniserState::Unknown),
+                BurstState::Over => {}
             }
         }
         Ok(self.state)

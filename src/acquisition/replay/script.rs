@@ -87,6 +87,15 @@ pub(super) enum Turn {
     None,
 }
 
+/// How it stands with the burst that was fired last.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum BurstState {
+    Firing,
+    Over,
+    /// The unit was lost in it.
+    Lost,
+}
+
 impl Script {
     pub fn read(
         recorded: RecordedRun,
@@ -179,21 +188,21 @@ impl Script {
         self.advance(&mut self.state.lock());
     }
 
-    /// Whether the unit still fires: until the end of the burst is the next step.
-    pub fn is_firing(&self) -> bool {
+    /// What the unit does: it fires until the end of the burst is the next step.
+    pub fn burst_state(&self) -> BurstState {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
-            Some(Step::BurstEnded { at_ns, given }) => {
+            Some(Step::BurstEnded { at_ns, given, lost }) => {
                 self.clock.advance(*at_ns);
                 state.given = *given;
                 self.advance(&mut state);
-                false
+                if *lost { BurstState::Lost } else { BurstState::Over }
             }
-            Some(_) => true,
+            Some(_) => BurstState::Firing,
             None => {
                 // The record breaks off: what nobody saw is taken for not given.
                 state.given = self.seen.unwrap_or(state.fired);
-                false
+                BurstState::Over
             }
         }
     }

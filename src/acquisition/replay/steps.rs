@@ -37,6 +37,8 @@ pub(super) enum Step {
     BurstEnded {
         at_ns: u64,
         given: u64,
+        /// The unit was lost, and could not be asked.
+        lost: bool,
     },
     Stopping {
         at_ns: u64,
@@ -91,7 +93,8 @@ impl Steps {
                     *start = Some(then);
                 }
             }
-            Entry::BurstEnded { at_ns, given } => self.end_burst(at_ns, given),
+            Entry::BurstEnded { at_ns, given } => self.end_burst(at_ns, given, false),
+            Entry::BurstLost { at_ns, given } => self.end_burst(at_ns, given, true),
             Entry::Frame { at_ns, camera, frame: head, statistics } => {
                 self.steps.push(Step::Frame { at_ns, camera, head, statistics, place });
             }
@@ -119,7 +122,7 @@ impl Steps {
             let last_ns = self.steps.last().map_or(0, Step::at_ns);
             if self.is_burst_open {
                 let given = self.fired.min(first);
-                self.steps.push(Step::BurstEnded { at_ns: last_ns, given });
+                self.steps.push(Step::BurstEnded { at_ns: last_ns, given, lost: false });
                 self.fired = given;
             }
             // Bursts are fired only while every camera is there.
@@ -142,7 +145,7 @@ impl Steps {
         self.is_burst_open = true;
     }
 
-    fn end_burst(&mut self, at_ns: u64, given: u64) {
+    fn end_burst(&mut self, at_ns: u64, given: u64, lost: bool) {
         if let Some(gap) = self.gap
             && (!self.is_burst_open || given > self.fired)
         {
@@ -150,7 +153,7 @@ impl Steps {
             self.insert_burst(gap, given);
         }
         if self.is_burst_open || !self.is_damaged {
-            self.steps.push(Step::BurstEnded { at_ns, given });
+            self.steps.push(Step::BurstEnded { at_ns, given, lost });
             self.fired = given;
             self.is_burst_open = false;
         }
@@ -160,7 +163,7 @@ impl Steps {
     fn insert_burst(&mut self, gap: usize, given: u64) {
         let Some(schedule) = self.schedule.clone().filter(|_| given > self.fired) else { return };
         let at_ns = gap.checked_sub(1).map_or(0, |before| self.steps[before].at_ns());
-        let ended = Step::BurstEnded { at_ns, given: self.fired };
+        let ended = Step::BurstEnded { at_ns, given: self.fired, lost: false };
         let shots = given - self.fired;
         let fired = Step::Fired { at_ns, shots, schedule, start: None };
         let inserted = self.is_burst_open.then_some(ended).into_iter().chain([fired]);
@@ -192,7 +195,8 @@ mod tests {
             Step::Frame { .. } => "frame".into(),
             Step::Stream { connected, .. } => format!("connected: {connected}"),
             Step::Fired { shots, .. } => format!("{shots} fired"),
-            Step::BurstEnded { given, .. } => format!("{given} given"),
+            Step::BurstEnded { given, lost: false, .. } => format!("{given} given"),
+            Step::BurstEnded { given, .. } => format!("lost after {given}"),
             Step::Stopping { .. } => "stopping".into(),
         });
         named.collect()
@@ -221,6 +225,16 @@ mod tests {
     fn a_whole_record_is_played_as_it_is() {
         let entries = vec![fired(0, 3), frame(), ended(2), fired(2, 3), frame(), ended(5)];
         let wanted = ["3 fired", "frame", "2 given", "3 fired", "frame", "5 given"];
+        assert_eq!(steps(entries), wanted);
+    }
+
+    #[test]
+    fn a_burst_that_was_lost_is_lost_again() {
+        let lost = Entry::BurstLost { at_ns: 0, given: 2 };
+        let reason = String::new();
+        let unit = Entry::SynchroniserLost { at_ns: 0, reason };
+        let entries = vec![fired(0, 3), frame(), Some(unit), Some(lost), fired(2, 1), ended(3)];
+        let wanted = ["3 fired", "frame", "lost after 2", "1 fired", "3 given"];
         assert_eq!(steps(entries), wanted);
     }
 

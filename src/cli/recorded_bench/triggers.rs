@@ -90,8 +90,12 @@ impl Seen {
                 self.given = self.given.max(trigger + 1);
                 self.shots.insert(trigger, frames);
             }
-            // Shed for want of time, or never seen: nothing is known of it.
-            Entry::Settled { outcome: Outcome::Shed | Outcome::NotFired, .. } => {}
+            // Shed for want of time: nothing is known of it.
+            Entry::Settled { outcome: Outcome::Shed, .. } => {}
+            // As good as not seen. At the end of a record it is none of it.
+            Entry::Settled { trigger, camera, outcome: Outcome::NotFired } => {
+                self.missed.insert((camera, trigger));
+            }
             Entry::Settled { trigger, camera, outcome } => {
                 self.given = self.given.max(trigger + 1);
                 if outcome == Outcome::MissedTrigger {
@@ -259,6 +263,22 @@ mod tests {
             vec![Part::Missed, whole(1, 10)],
             vec![Part::Frames([None, Some(place(0, 1))]), whole(1, 12)],
             vec![whole(0, 2), whole(1, 14)],
+        ];
+        assert_eq!(rig.parts(), wanted);
+    }
+
+    #[test]
+    fn a_trigger_that_nobody_saw_takes_no_frames_from_the_next() {
+        let mut rig = Rig::fired(0, 3);
+        rig.shot(0, [0, 0]);
+        rig.settled(1, [Outcome::NotFired; 2]);
+        rig.frame(0, 2, FrameStatus::Complete);
+        rig.frame(0, 3, FrameStatus::Complete);
+        rig.settled(2, [Outcome::Unpaired, Outcome::MissedTrigger]);
+        let wanted = [
+            vec![whole(0, 0), whole(1, 0)],
+            vec![Part::Missed; 2],
+            vec![whole(0, 2), Part::Missed],
         ];
         assert_eq!(rig.parts(), wanted);
     }

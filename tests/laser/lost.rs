@@ -1,0 +1,146 @@
+//! A synchroniser that is lost and comes back: the run outlasts it, and nothing fires before an
+//! operator, or the configuration, says so.
+
+use std::time::Duration;
+
+use lfpiv::acquisition::{Command, Mode, Outcome};
+
+use crate::bench::{AfterLoss, Laser, PATIENCE, Plan, Run, timing};
+
+const WAIT: AfterLoss = AfterLoss { waits_for_operator: true, patience: None };
+const GO_ON: AfterLoss = AfterLoss { waits_for_operator: false, patience: None };
+
+/// In the middle of a long burst.
+async fn firing(laser: &Laser, after_loss: AfterLoss) -> Run {
+    let plan = Plan { after_loss: Some(after_loss), ..Plan::firing(timing(0.0)) };
+    let run = Run::start(laser, plan);
+    run.until("pulses in a long burst", || laser.pulses()[1] > 5).await;
+    run
+}
+
+async fn lost(laser: &Laser, after_loss: AfterLoss) -> Run {
+    let run = firing(laser, after_loss).await;
+    laser.pull_line();
+    run.until("the loss", || run.control.state().mode == Mode::Lost).await;
+    run
+}
+
+/// The bench is back, and an operator is waited for.
+async fn waiting(laser: &Laser) -> Run {
+    let run = lost(laser, WAIT).await;
+    laser.plug_in_line();
+    run.until("the return", || run.control.state().mode == Mode::Disarmed).await;
+    run
+}
+
+async fn goes_on_and_stops(laser: &Laser, run: Run) {
+    let before = laser.pulses()[1];
+    run.until("pulses", || laser.pulses()[1] > before + 5).await;
+    run.stop.cancel();
+    let ledger = run.ledger.clone();
+    run.end().await.unwrap();
+    laser.assert_safe();
+    let ledger = ledger.lock();
+    assert!(ledger.is_balanced());
+    for account in ledger.accounts() {
+        // The line alone was gone: cameras saw every trigger.
+        assert_eq!((account.open, account.outcomes.of(Outcome::NotFired)), (0, 0), "{account:?}");
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
+    let laser = Laser::start();
+    let run = firing(&laser, WAIT).await;
+    assert!(run.control.request(Command::GoOn).await.is_err(), "it waits for nobody");
+    laser.served.unit().fall_silent_after(0);
+    run.until("the loss", || run.control.state().mode == Mode::Lost).await;
+    assert!(run.control.state().held[0].contains("looked for"), "{:?}", run.control.state());
+    for command in [Command::Start, Command::Arm, Command::GoOn] {
+        assert!(run.control.request(command).await.is_err(), "there is nothing to fire with");
+    }
+    laser.served.unit().speak_again();
+    run.until("the return", || run.control.state().mode == Mode::Disarmed).await;
+    let held = run.control.state().held.join("; ");
+    assert!(held.contains("kill -USR1"), "{held}");
+    let before = laser.pulses();
+    tokio::time::sleep(Duration::from_secs(1)).await;
+    assert_eq!(laser.pulses(), before, "neither lamps nor Q-switches");
+    run.control.request(Command::GoOn).await.unwrap();
+    goes_on_and_stops(&laser, run).await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_pulled_line_that_is_put_back_lets_a_run_go_on_where_it_may() {
+    let laser = Laser::start();
+    let run = lost(&laser, GO_ON).await;
+    laser.plug_in_line();
+    run.until("the return", || run.control.state().mode == Mode::Firing).await;
+    goes_on_and_stops(&laser, run).await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_run_that_is_disarmed_while_its_unit_is_lost_stays_disarmed() {
+    let laser = Laser::start();
+    let run = lost(&laser, GO_ON).await;
+    let refusal = run.control.request(Command::Disarm).await.unwrap_err();
+    assert!(refusal.reasons[0].contains("use the hardware interlock"), "{refusal:?}");
+    laser.plug_in_line();
+    run.until("the return", || run.control.state().mode == Mode::Disarmed).await;
+    assert_eq!(run.control.state().held, Vec::<String>::new());
+    assert!(run.control.request(Command::GoOn).await.is_err());
+    let before = laser.pulses();
+    tokio::time::sleep(Duration::from_secs(1)).await;
+    assert_eq!(laser.pulses(), before);
+    run.stop.cancel();
+    run.end().await.unwrap();
+    laser.assert_safe();
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_run_that_is_stopped_without_its_unit_says_that_its_state_is_unknown() {
+    let laser = Laser::start();
+    let run = lost(&laser, WAIT).await;
+    run.stop.cancel();
+    let error = run.end().await.unwrap_err().to_string();
+    assert!(error.contains("Use the hardware interlock"), "{error}");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_process_that_is_told_to_end_at_once_without_its_unit_says_so_too() {
+    let laser = Laser::start();
+    let run = lost(&laser, WAIT).await;
+    let synchroniser = run.synchroniser.clone();
+    let told = tokio::task::spawn_blocking(move || synchroniser.make_safe_within(PATIENCE));
+    let error = told.await.unwrap().unwrap_err().to_string();
+    assert!(error.contains("Use the hardware interlock"), "{error}");
+    assert!(run.end().await.is_err());
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_unit_that_does_not_come_back_in_time_ends_the_run() {
+    let laser = Laser::start();
+    let patience = Some(Duration::ZERO);
+    let run = firing(&laser, AfterLoss { patience, ..WAIT }).await;
+    laser.pull_line();
+    let error = run.end().await.unwrap_err().to_string();
+    assert!(error.contains("has not come back within 0 s"), "{error}");
+    assert!(error.contains("Use the hardware interlock"), "{error}");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_run_loop_that_panics_while_an_operator_is_waited_for_leaves_the_laser_safe() {
+    let laser = Laser::start();
+    let run = waiting(&laser).await;
+    run.panic().await.join().await.unwrap();
+    laser.assert_safe();
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_run_that_is_stopped_while_an_operator_is_waited_for_ends_well() {
+    let laser = Laser::start();
+    let run = waiting(&laser).await;
+    run.stop.cancel();
+    run.end().await.unwrap();
+    laser.assert_safe();
+}
