@@ -41,6 +41,8 @@ const PACING_MS: u64 = 10;
 /// Outputs of the unit in the order in which they are switched off; 0 is T0.
 const OUTPUTS: [u8; 9] = [2, 4, 1, 3, 5, 6, 7, 8, 0];
 const CAMERAS: usize = 2;
+/// Shots that wait for somebody to take them.
+pub const QUEUE: usize = 2;
 const CAMERA_OUTPUT: u8 = 5;
 
 /// A quick laser and quick cameras, warm after `warm_up_s`.
@@ -286,7 +288,7 @@ impl Run {
             frame_bytes: 8,
         };
         let bench = laser.connect(&plan, settings.frame_interval());
-        let (sender, shots) = shot_queue(2);
+        let (sender, shots) = shot_queue(QUEUE);
         let stop = CancellationToken::new();
         let (control, inbox) = control(plan.mode, 100.0, Box::new(|_| Err("fixed".to_owned())));
         let ledger = Arc::new(Mutex::new(Ledger::new(CAMERAS)));
