@@ -18,9 +18,12 @@ async fn firing(laser: &Laser, after_loss: AfterLoss) -> Run {
     run
 }
 
+/// Found by a wish that no more shots be taken.
 async fn lost(laser: &Laser, after_loss: AfterLoss) -> Run {
     let run = firing(laser, after_loss).await;
     laser.pull_line();
+    let refusal = run.control.request(Command::Stop).await.unwrap_err();
+    assert!(refusal.reasons[0].contains("Use the hardware interlock"), "{refusal:?}");
     run.until("the loss", || run.control.state().mode == Mode::Lost).await;
     run
 }
@@ -75,7 +78,9 @@ async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_pulled_line_that_is_put_back_lets_a_run_go_on_where_it_may() {
     let laser = Laser::start();
-    let run = lost(&laser, GO_ON).await;
+    let run = firing(&laser, GO_ON).await;
+    laser.pull_line();
+    run.until("the loss", || run.control.state().mode == Mode::Lost).await;
     laser.plug_in_line();
     run.until("the return", || run.control.state().mode == Mode::Firing).await;
     goes_on_and_stops(&laser, run).await;
@@ -123,8 +128,7 @@ async fn a_process_that_is_told_to_end_at_once_without_its_unit_says_so_too() {
 async fn a_unit_that_does_not_come_back_in_time_ends_the_run() {
     let laser = Laser::start();
     let patience = Some(Duration::ZERO);
-    let run = firing(&laser, AfterLoss { patience, ..WAIT }).await;
-    laser.pull_line();
+    let run = lost(&laser, AfterLoss { patience, ..WAIT }).await;
     let error = run.end().await.unwrap_err().to_string();
     assert!(error.contains("has not come back within 0 s"), "{error}");
     assert!(error.contains("Use the hardware interlock"), "{error}");
