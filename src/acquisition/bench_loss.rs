@@ -17,9 +17,11 @@ use super::{
     synchroniser::{Reopen, Unsafe, thread_ended},
 };
 
-/// How often a lost unit is looked for: often while a plug may just have slipped, later less so.
-const LOOKS: [(Duration, Duration); 2] =
-    [(Duration::from_secs(60), Duration::from_secs(1)), (Duration::MAX, Duration::from_secs(10))];
+/// Between looks for a unit that is lost: a plug may just have slipped.
+const SOON: Duration = Duration::from_secs(1);
+/// The same once it has been away for longer than [`FRESH`].
+const LATER: Duration = Duration::from_secs(10);
+const FRESH: Duration = Duration::from_secs(60);
 /// How often the run loop turns while it waits for nothing but the unit.
 const LOOK_ROUND: Duration = Duration::from_millis(100);
 
@@ -241,6 +243,5 @@ impl Run {
 
 /// How long after a look in vain the next one comes, when the unit has been away for so long.
 fn interval(away: Duration) -> Duration {
-    let (_, interval) = LOOKS.into_iter().find(|(until, _)| away < *until).unwrap_or(LOOKS[1]);
-    interval
+    if away < FRESH { SOON } else { LATER }
 }

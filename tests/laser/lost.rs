@@ -18,12 +18,17 @@ async fn firing(laser: &Laser, after_loss: AfterLoss) -> Run {
     run
 }
 
-/// Found by a wish that no more shots be taken.
-async fn lost(laser: &Laser, after_loss: AfterLoss) -> Run {
+/// Without its line, which a wish that no more shots be taken has found.
+async fn pulled(laser: &Laser, after_loss: AfterLoss) -> Run {
     let run = firing(laser, after_loss).await;
     laser.pull_line();
     let refusal = run.control.request(Command::Stop).await.unwrap_err();
     assert!(refusal.reasons[0].contains("Use the hardware interlock"), "{refusal:?}");
+    run
+}
+
+async fn lost(laser: &Laser, after_loss: AfterLoss) -> Run {
+    let run = pulled(laser, after_loss).await;
     run.until("the loss", || run.control.state().mode == Mode::Lost).await;
     run
 }
@@ -128,7 +133,7 @@ async fn a_process_that_is_told_to_end_at_once_without_its_unit_says_so_too() {
 async fn a_unit_that_does_not_come_back_in_time_ends_the_run() {
     let laser = Laser::start();
     let patience = Some(Duration::ZERO);
-    let run = lost(&laser, AfterLoss { patience, ..WAIT }).await;
+    let run = pulled(&laser, AfterLoss { patience, ..WAIT }).await;
     let error = run.end().await.unwrap_err().to_string();
     assert!(error.contains("has not come back within 0 s"), "{error}");
     assert!(error.contains("Use the hardware interlock"), "{error}");
