@@ -27,8 +27,10 @@ async fn pulled(laser: &Laser, after_loss: AfterLoss) -> Run {
     run
 }
 
+/// Found when the burst should be over.
 async fn lost(laser: &Laser, after_loss: AfterLoss) -> Run {
-    let run = pulled(laser, after_loss).await;
+    let run = firing(laser, after_loss).await;
+    laser.pull_line();
     run.until("the loss", || run.control.state().mode == Mode::Lost).await;
     run
 }
@@ -83,9 +85,7 @@ async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_pulled_line_that_is_put_back_lets_a_run_go_on_where_it_may() {
     let laser = Laser::start();
-    let run = firing(&laser, GO_ON).await;
-    laser.pull_line();
-    run.until("the loss", || run.control.state().mode == Mode::Lost).await;
+    let run = lost(&laser, GO_ON).await;
     laser.plug_in_line();
     run.until("the return", || run.control.state().mode == Mode::Firing).await;
     goes_on_and_stops(&laser, run).await;
@@ -112,7 +112,7 @@ async fn a_run_that_is_disarmed_while_its_unit_is_lost_stays_disarmed() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_run_that_is_stopped_without_its_unit_says_that_its_state_is_unknown() {
     let laser = Laser::start();
-    let run = lost(&laser, WAIT).await;
+    let run = pulled(&laser, WAIT).await;
     run.stop.cancel();
     let error = run.end().await.unwrap_err().to_string();
     assert!(error.contains("Use the hardware interlock"), "{error}");
@@ -121,7 +121,7 @@ async fn a_run_that_is_stopped_without_its_unit_says_that_its_state_is_unknown()
 #[tokio::test(flavor = "multi_thread")]
 async fn a_process_that_is_told_to_end_at_once_without_its_unit_says_so_too() {
     let laser = Laser::start();
-    let run = lost(&laser, WAIT).await;
+    let run = pulled(&laser, WAIT).await;
     let synchroniser = run.synchroniser.clone();
     let told = tokio::task::spawn_blocking(move || synchroniser.make_safe_within(PATIENCE));
     let error = told.await.unwrap().unwrap_err().to_string();
