@@ -34,7 +34,8 @@ const LEAST_PARTICLES: f64 = 3.0;
 /// ... and so is only one with this part of the mean window's light: what else is lit is remnants.
 const LEAST_SHARE_OF_MEAN: f64 = 0.25;
 
-/// Bright particles of `light`, spread evenly over `volume`, at most [`ENOUGH`].
+/// Bright particles of `light`, spread evenly over `volume`, at most a few times [`ENOUGH`]: what dense
+/// particles say is noisy, and 1500 of 1 per microlens do not tell a camera that is turned by one degree.
 pub fn sources(light: &SparseVolume, volume: &VolumeGrid) -> Vec<Source> {
     let every = (light.voxels.len() / (VOXELS_PER_PARTICLE * ENOUGH)).max(1);
     let cloud = in_some_boxes(&PointCloud::from_volume(light, volume), every);
@@ -45,7 +46,7 @@ pub fn sources(light: &SparseVolume, volume: &VolumeGrid) -> Vec<Source> {
     }
     let middle = counts.len() / 2;
     let (_, &mut median, _) = counts.select_nth_unstable_by(middle, f32::total_cmp);
-    let sources: Vec<Source> = found
+    found
         .iter()
         .filter(|particle| {
             f64::from(particle.light) > LEAST_LIGHT * f64::from(median)
@@ -61,13 +62,7 @@ pub fn sources(light: &SparseVolume, volume: &VolumeGrid) -> Vec<Source> {
             })),
             counts: f64::from(particle.light),
         })
-        .collect();
-    // Particles are in the order of their places: an even choice is spread as all of them are.
-    let chosen = |n: usize| n * ENOUGH / sources.len() != (n + 1) * ENOUGH / sources.len();
-    match sources.len() <= ENOUGH {
-        true => sources,
-        false => (0..sources.len()).filter(|&n| chosen(n)).map(|n| sources[n]).collect(),
-    }
+        .collect()
 }
 
 /// The points of one in `every` boxes.
