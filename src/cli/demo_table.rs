@@ -1,6 +1,6 @@
 //! The table at the end of a bounded run: what was measured, how well, how fast.
 
-use std::fmt::Write;
+use std::{collections::VecDeque, fmt::Write};
 
 use lfpiv_hw::{CameraName, device::StreamStatistics};
 use lfpiv_sim::Flow;
@@ -14,7 +14,7 @@ use crate::{
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// How the shot ended.
-    pub stage: Stage,
+    stage: Stage,
     shot: u64,
     message: Option<String>,
     vectors: usize,
@@ -80,8 +80,49 @@ fn mean_error_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]> {
 const NOTE: &str = "Errors are those of valid vectors against the simulated flow. Seconds are \
 wall-clock, while\nthe same cores render the next shots: `lfpiv process` measures alone.";
 
-/// The table, in order of shots.
-pub fn table(rows: &[Row]) -> String {
+/// Rows that are kept: nobody reads more, and a run may have a million shots.
+const ROWS: usize = 100;
+
+/// The last shots of a run, and how many there were.
+#[derive(Debug, Default)]
+pub struct Table {
+    rows: VecDeque<Row>,
+    ended: u64,
+    measured: u64,
+}
+
+impl Table {
+    /// Adds a shot that has left the pool.
+    pub fn push(&mut self, row: Row) {
+        self.ended += 1;
+        self.measured += u64::from(row.stage == Stage::Done);
+        self.rows.push_back(row);
+        if self.rows.len() > ROWS {
+            self.rows.pop_front();
+        }
+    }
+
+    /// Shots added.
+    pub fn ended(&self) -> u64 {
+        self.ended
+    }
+
+    /// Of them, those that were measured and written.
+    pub fn measured(&self) -> u64 {
+        self.measured
+    }
+
+    /// The table, in order of shots.
+    pub fn text(&self) -> String {
+        let text = table(&self.rows);
+        match self.ended > self.rows.len() as u64 {
+            true => format!("The last {} of {} shots:\n{text}", self.rows.len(), self.ended),
+            false => text,
+        }
+    }
+}
+
+fn table(rows: &VecDeque<Row>) -> String {
     let mut sorted: Vec<&Row> = rows.iter().collect();
     sorted.sort_by_key(|row| row.shot);
     let mut text = String::new();
@@ -173,12 +214,29 @@ mod tests {
         let failed = Row::new(&board.failed(1, "camera 2 is dark".to_owned()), None, Some(&flow));
         let good = result();
         let done = Row::new(&board.done(0, result().into()), Some(&good), Some(&flow));
-        let text = table(&[failed, done]);
+        let mut shots = Table::default();
+        for row in [failed, done] {
+            shots.push(row);
+        }
+        assert_eq!((shots.ended(), shots.measured()), (2, 1));
+        let text = shots.text();
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 6);
         assert!(lines[2].contains("50.0 %") && lines[2].contains("1.500  0.000  0.250"), "{text}");
         assert!(lines[3].ends_with("1  no result: camera 2 is dark"), "{text}");
         let columns = lines[1].find("judge").map(|at| at + "judge".len());
         assert_eq!(Some(lines[2].len()), columns, "{text}");
+    }
+    #[test]
+    fn a_long_run_has_a_table_of_its_last_shots() {
+        let board = Board::new();
+        let mut shots = Table::default();
+        for shot in 0..3 * ROWS as u64 {
+            shots.push(Row::new(&board.done(shot, result().into()), None, None));
+        }
+        let text = shots.text();
+        assert!(text.starts_with("The last 100 of 300 shots:\n"), "{text}");
+        assert_eq!((shots.rows.len(), shots.measured()), (ROWS, 300));
+        assert!(text.contains("\n 200 ") && text.contains("\n 299 ") && !text.contains("\n 199 "));
     }
 }

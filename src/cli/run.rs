@@ -14,7 +14,7 @@ use parking_lot::Mutex;
 
 use super::{
     daemon::{Daemon, DaemonPlan, DaemonReport},
-    demo_table::{Row, stream_table, table},
+    demo_table::{Row, Table, stream_table},
     instruments,
     logging::is_journal,
     operator::go_on_on_signal,
@@ -117,9 +117,9 @@ async fn run_bench(
     print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
 
-    let rows = Arc::new(Mutex::new(Vec::new()));
+    let table = Arc::new(Mutex::new(Table::default()));
     let bar = shots.map(|shots| progress_bar(shots.get() as usize, "shots"));
-    let kept = shots.is_some().then(|| rows.clone());
+    let kept = shots.is_some().then(|| table.clone());
     let observer = observer(truth, kept, bar.clone(), tells_shots(shots));
     let processor = move || {
         let processor = run_processor(&config)?;
@@ -129,9 +129,9 @@ async fn run_bench(
     if let Some(bar) = bar {
         bar.finish_and_clear();
     }
-    let rows = std::mem::take(&mut *rows.lock());
-    if !rows.is_empty() {
-        print(&table(&rows))?;
+    let table = std::mem::take(&mut *table.lock());
+    if table.ended() > 0 {
+        print(&table.text())?;
     }
     let report = ended?;
     if has_instruments && shots.is_some() {
@@ -141,7 +141,7 @@ async fn run_bench(
     if let Some(shed) = shed(&report, keeps_images) {
         print(&shed)?;
     }
-    complain(&report, &rows, stop.is_cancelled())
+    complain(&report, &table, stop.is_cancelled())
 }
 
 /// Whether every shot gets a line when it is measured: where nobody sees a bar, but not in the
@@ -152,10 +152,10 @@ fn tells_shots(shots: Option<NonZeroU64>) -> bool {
 }
 
 /// Collects a table row, moves the bar and says what came of it for every shot that leaves the
-/// pool. Only a bounded run keeps rows.
+/// pool. Only a bounded run has a table.
 fn observer(
     truth: Option<Flow>,
-    rows: Option<Arc<Mutex<Vec<Row>>>>,
+    table: Option<Arc<Mutex<Table>>>,
     bar: Option<ProgressBar>,
     tells: bool,
 ) -> Observer {
@@ -169,8 +169,8 @@ fn observer(
                 tracing::warn!("{error:#}");
             }
         });
-        if let Some(rows) = &rows {
-            rows.lock().push(Row::new(record, result, truth.as_ref()));
+        if let Some(table) = &table {
+            table.lock().push(Row::new(record, result, truth.as_ref()));
         }
         bar.inc(1);
     })
@@ -206,10 +206,10 @@ fn shed(report: &DaemonReport, keeps_images: bool) -> Option<String> {
 }
 
 /// A run that was asked for shots and did not measure all of them has not done what it should.
-fn complain(report: &DaemonReport, rows: &[Row], stopped: bool) -> anyhow::Result<()> {
+fn complain(report: &DaemonReport, table: &Table, stopped: bool) -> anyhow::Result<()> {
     let triggers = report.acquisition.triggers;
-    let measured = rows.iter().filter(|row| row.stage == Stage::Done).count() as u64;
-    if rows.is_empty() || stopped || measured == triggers {
+    let measured = table.measured();
+    if table.ended() == 0 || stopped || measured == triggers {
         return Ok(());
     }
     let ledger = report.folder.join("ledger.json");

@@ -81,7 +81,9 @@ impl Books {
     fn see(&mut self, entry: &Entry) -> Result<(), LedgerError> {
         match entry {
             Entry::Programmed { schedule, .. } => {
-                self.period = Duration::from_secs_f64(schedule.period_us * 1e-6);
+                // A damaged record may say anything.
+                let period = Duration::try_from_secs_f64(schedule.period_us * 1e-6);
+                self.period = period.unwrap_or_default();
             }
             Entry::Fired { at_ns, first, shots } => {
                 self.burst = Some(Burst { at_ns: *at_ns, first: *first, shots: *shots });
@@ -99,7 +101,7 @@ impl Books {
             Entry::Given { trigger }
             | Entry::Shot { trigger, .. }
             | Entry::Shed { trigger }
-            | Entry::Settled { trigger, .. } => self.enter_before(trigger + 1)?,
+            | Entry::Settled { trigger, .. } => self.enter_before(trigger.saturating_add(1))?,
             _ => {}
         }
         self.now_ns = self.now_ns.max(entry.at_ns().unwrap_or_default());
@@ -121,11 +123,13 @@ impl Books {
     /// rest is no trigger.
     fn close(mut self, measured: &BTreeSet<u64>) -> Result<Ledger, LedgerError> {
         let seen = self.entered;
-        if let Some(burst) = self.burst.take() {
-            let end = burst.first + burst.shots;
+        // Without a period nobody can say what was due.
+        if let Some(burst) = self.burst.take().filter(|_| !self.period.is_zero()) {
+            let end = burst.first.saturating_add(burst.shots);
             let due = (burst.first..end).take_while(|trigger| {
                 let after = u32::try_from(trigger - burst.first).unwrap_or(u32::MAX);
-                let due = Duration::from_nanos(burst.at_ns) + self.period * after;
+                let due = Duration::from_nanos(burst.at_ns)
+                    .saturating_add(self.period.saturating_mul(after));
                 due <= Duration::from_nanos(self.now_ns)
             });
             let due = due.last().map_or(0, |trigger| trigger + 1);
@@ -148,5 +152,26 @@ impl Books {
             self.ledger.settle_open(trigger, outcome);
         }
         Ok(self.ledger)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use lfpiv_hw::timing::{PulseSchedule, TimingSettings};
+
+    use super::*;
+
+    #[test]
+    fn a_burst_without_a_period_gave_nothing_that_is_known() {
+        let planned = PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap();
+        for period_us in [f64::NAN, f64::INFINITY, -1.0, 0.0, 1e300] {
+            let schedule = PulseSchedule { period_us, ..planned.clone() };
+            let (at_ns, identity) = (0, String::new());
+            let mut books = Books::new(2);
+            books.see(&Entry::Programmed { at_ns, identity, schedule }).unwrap();
+            books.see(&Entry::Fired { at_ns, first: u64::MAX - 1, shots: u64::MAX }).unwrap();
+            let ledger = books.close(&BTreeSet::new()).unwrap();
+            assert_eq!(ledger.accounts()[0].triggers, 0, "{period_us}");
+        }
     }
 }
