@@ -4,12 +4,14 @@
 //! a share along the columns, a share along the rows, and the open share of the pupil cell
 //! ([`super::footprint`]).
 
+use std::ops::{Range, RangeInclusive};
+
 use lfpiv_hw::{CameraPoint, Optics, Pose};
 
 use super::{
     ModelError, ModelParts, VolumeGrid, camera::CameraView, footprint::RayMap, tables::AxisGeometry,
 };
-use crate::lightfield::ViewLayout;
+use crate::lightfield::{View, ViewLayout};
 
 /// Microlenses along one axis that a point's light is looked for on.
 const REACH: usize = 6;
@@ -22,6 +24,18 @@ pub struct PointImager<'a> {
     optics: &'a Optics,
     layout: &'a ViewLayout,
     axes: [AxisGeometry<'a>; 2],
+    /// The pupil's columns k and rows l that views look through.
+    pupil: [RangeInclusive<i32>; 2],
+}
+
+/// The image of one point in all views.
+///
+/// A view's shares along the columns depend on its pupil column alone, those along the rows on its
+/// pupil row: they are found once per column and row of the pupil, not once per view.
+pub struct PointImage<'a> {
+    layout: &'a ViewLayout,
+    shares: [Vec<Shares>; 2],
+    first: [i32; 2],
 }
 
 /// A pixel of a view that a point lights.
@@ -57,38 +71,24 @@ impl<'a> PointImager<'a> {
     ) -> Result<Self, ModelError> {
         let view = CameraView::new(optics, pose, grid, camera)?;
         let axes = view.geometries(optics, &layout.columns, &layout.rows, footprint_mm, parts);
-        Ok(Self { optics, layout, axes })
+        let range = |cell: fn(&View) -> i32| {
+            let cells = || layout.views.iter().map(cell);
+            cells().min().unwrap_or(0)..=cells().max().unwrap_or(0)
+        };
+        Ok(Self { optics, layout, axes, pupil: [range(|view| view.k), range(|view| view.l)] })
     }
 
-    /// Calls `visit` with every pixel of view number `view` that a point at `point` lights.
-    pub fn image(&self, view: usize, point: &CameraPoint, mut visit: impl FnMut(LitPixel)) {
-        let seen = &self.layout.views[view];
-        let columns = self.shares(0, seen.k, point.xi_mm, point.depth_mm);
-        let rows = self.shares(1, seen.l, point.eta_mm, point.depth_mm);
-        let window = &self.layout.window;
-        for (j, row) in (rows.first..).take(REACH).enumerate() {
-            if row < window.rows.start as i64 || row >= window.rows.end as i64 {
-                continue;
-            }
-            for (i, column) in (columns.first..).take(REACH).enumerate() {
-                if column < window.columns.start as i64 || column >= window.columns.end as i64 {
-                    continue;
-                }
-                let gradient = [
-                    columns.by_lateral[i] * rows.value[j],
-                    columns.value[i] * rows.by_lateral[j],
-                    columns.by_depth[i] * rows.value[j] + columns.value[i] * rows.by_depth[j],
-                ];
-                let weight = columns.value[i] * rows.value[j];
-                if weight == 0.0 && gradient == [0.0; 3] {
-                    continue;
-                }
-                let at = (row as usize - window.rows.start) * window.columns.len()
-                    + (column as usize - window.columns.start);
-                let open = seen.coverage.as_ref().map_or(1.0, |coverage| f64::from(coverage[at]));
-                let gradient = gradient.map(|slope| slope * open);
-                visit(LitPixel { at, weight: weight * open, gradient });
-            }
+    /// The image of a point at `point`.
+    pub fn image(&self, point: &CameraPoint) -> PointImage<'a> {
+        let lateral_mm = [point.xi_mm, point.eta_mm];
+        let shares = |axis: usize| {
+            let cells = self.pupil[axis].clone();
+            cells.map(|k| self.shares(axis, k, lateral_mm[axis], point.depth_mm)).collect()
+        };
+        PointImage {
+            layout: self.layout,
+            shares: [shares(0), shares(1)],
+            first: self.pupil.each_ref().map(|cells| *cells.start()),
         }
     }
 
@@ -122,6 +122,49 @@ impl<'a> PointImager<'a> {
     }
 }
 
+impl PointImage<'_> {
+    /// Calls `visit` with every pixel of view number `view` that the point lights.
+    pub fn pixels(&self, view: usize, mut visit: impl FnMut(LitPixel)) {
+        let seen = &self.layout.views[view];
+        let columns = &self.shares[0][(seen.k - self.first[0]) as usize];
+        let rows = &self.shares[1][(seen.l - self.first[1]) as usize];
+        let window = &self.layout.window;
+        for (j, row) in rows.reached(&window.rows) {
+            for (i, column) in columns.reached(&window.columns) {
+                let at = row * window.columns.len() + column;
+                let open = seen.coverage.as_ref().map_or(1.0, |coverage| f64::from(coverage[at]));
+                let gradient = [
+                    columns.by_lateral[i] * rows.value[j],
+                    columns.value[i] * rows.by_lateral[j],
+                    columns.by_depth[i] * rows.value[j] + columns.value[i] * rows.by_depth[j],
+                ];
+                let weight = columns.value[i] * rows.value[j];
+                if weight != 0.0 || gradient != [0.0; 3] {
+                    let gradient = gradient.map(|slope| slope * open);
+                    visit(LitPixel { at, weight: weight * open, gradient });
+                }
+            }
+        }
+    }
+}
+
+impl Shares {
+    /// The lit microlenses within `window`: their number among the shares, and their place in the
+    /// window.
+    fn reached(&self, window: &Range<usize>) -> impl Iterator<Item = (usize, usize)> {
+        let start = self.first - window.start as i64;
+        let len = window.len() as i64;
+        (0..REACH)
+            .map(move |n| (n, start + n as i64))
+            .filter(move |&(n, at)| self.is_lit(n) && (0..len).contains(&at))
+            .map(|(n, at)| (n, at as usize))
+    }
+
+    fn is_lit(&self, n: usize) -> bool {
+        self.value[n] != 0.0 || self.by_lateral[n] != 0.0 || self.by_depth[n] != 0.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use nalgebra::Point3;
@@ -138,7 +181,7 @@ mod tests {
 
     fn image(imager: &PointImager<'_>, view: usize, point: &CameraPoint) -> Vec<LitPixel> {
         let mut pixels = Vec::new();
-        imager.image(view, point, |pixel| pixels.push(pixel));
+        imager.image(point).pixels(view, |pixel| pixels.push(pixel));
         pixels
     }
 

@@ -80,9 +80,10 @@ pub fn pulls(
         let point: CameraPoint = pose.to_camera(&source.at_mm);
         let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
         let (mut misfit, mut pixels) = (0.0, 0);
+        let image = imager.image(&point);
         for view in projected {
             let measured = views.view(view.id.view);
-            imager.image(view.id.view, &point, |pixel| {
+            image.pixels(view.id.view, |pixel| {
                 let residual = f64::from(measured[pixel.at] - view.image[pixel.at]);
                 let [x, y, z] = pixel.gradient.map(|slope| slope * source.counts);
                 let row = Vector4::new(x, y, z, pixel.weight);
@@ -118,6 +119,8 @@ fn without_light(normal: &Matrix4<f64>, right: &Vector4<f64>) -> (Matrix3<f64>, 
 /// One particle's equations K d = f for the difference d between the cameras' places, in mm.
 struct Equation {
     information: Matrix3<f64>,
+    /// The inverse of the information.
+    covariance: Matrix3<f64>,
     force: Vector3<f64>,
     sensitivity: Sensitivity,
 }
@@ -132,16 +135,18 @@ impl Equation {
     ) -> Option<Self> {
         let [n1, n2] = [first.information / variances[0], second.information / variances[1]];
         let [g1, g2] = [first.force / variances[0], second.force / variances[1]];
-        let both = (n1 + n2 + Matrix3::identity() * LEAST_INFORMATION).try_inverse()?;
+        let inverse = |n: Matrix3<f64>| (n + Matrix3::identity() * LEAST_INFORMATION).try_inverse();
+        let both = inverse(n1 + n2)?;
         let information = n2 - n2 * both * n2;
-        Some(Self { information, force: g2 - n2 * both * (g1 + g2), sensitivity })
+        let covariance = inverse(information)?;
+        let force = g2 - n2 * both * (g1 + g2);
+        Some(Self { information, covariance, force, sensitivity })
     }
 
     /// Squared distance of the particle from the bench error `parameters`, in variances.
     fn distance(&self, parameters: &SVector<f64, PARAMETERS>) -> f64 {
         let miss = self.force - self.information * (self.sensitivity * parameters);
-        let inverse = (self.information + Matrix3::identity() * LEAST_INFORMATION).try_inverse();
-        inverse.map_or(0.0, |inverse| miss.dot(&(inverse * miss)).max(0.0))
+        miss.dot(&(self.covariance * miss)).max(0.0)
     }
 }
 
@@ -156,30 +161,25 @@ pub fn disparity(
         return None;
     }
     let equations: Vec<Equation> = sources
-        .iter()
-        .zip(first.iter().zip(second))
+        .par_iter()
+        .zip(first.par_iter().zip(second))
         .filter_map(|(source, (first, second))| {
             Equation::new([first, second], variances, bench.sensitivity(&source.at_mm))
         })
         .collect();
+    let prior = prior(&equations);
     let mut parameters = SVector::<f64, PARAMETERS>::zeros();
     let mut covariance = SMatrix::<f64, PARAMETERS, PARAMETERS>::zeros();
     for _ in 0..ROUNDS {
         let mut normal = SMatrix::<f64, PARAMETERS, PARAMETERS>::zeros();
         let mut right = SVector::<f64, PARAMETERS>::zeros();
-        let mut prior = SVector::<f64, PARAMETERS>::zeros();
         for equation in &equations {
             let weight = HALF_WEIGHT / (HALF_WEIGHT + equation.distance(&parameters));
             let transposed = equation.sensitivity.transpose() * weight;
             normal += transposed * equation.information * equation.sensitivity;
             right += transposed * equation.force;
-            for n in 0..PARAMETERS {
-                prior[n] += equation.sensitivity.column(n).norm_squared() / equations.len() as f64;
-            }
         }
-        for n in 0..PARAMETERS {
-            normal[(n, n)] += prior[n] / (PRIOR_MM * PRIOR_MM);
-        }
+        normal += SMatrix::from_diagonal(&prior);
         let factors = normal.cholesky()?;
         parameters = factors.solve(&right);
         covariance = factors.inverse();
@@ -202,6 +202,15 @@ pub fn disparity(
         noise_mm: (scatter * noise / equations.len().max(1) as f64).sqrt(),
         parts_mm: [rms(0..3), rms(3..6), rms(6..PARAMETERS)],
     })
+}
+
+/// Prior precisions of the parameters: a standard deviation of [`PRIOR_MM`] of the mean particle.
+fn prior(equations: &[Equation]) -> SVector<f64, PARAMETERS> {
+    let mut squares = SVector::<f64, PARAMETERS>::zeros();
+    for equation in equations {
+        squares += SVector::from_fn(|n, _| equation.sensitivity.column(n).norm_squared());
+    }
+    squares / (equations.len().max(1) as f64 * PRIOR_MM * PRIOR_MM)
 }
 
 /// Median squared distance of the particles from a bench error, in variances.
