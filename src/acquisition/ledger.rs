@@ -56,6 +56,11 @@ pub enum LedgerError {
     /// Entered before.
     #[error("trigger {trigger} is entered already")]
     Entered { trigger: u64 },
+    /// A record names a trigger that no run can have given after those before it.
+    #[error(
+        "the record names trigger {trigger} after trigger {last}, without a word of those between"
+    )]
+    FarAhead { trigger: u64, last: u64 },
 }
 
 /// Settled triggers whose entries are kept for inquiry; their counts are kept for ever.

@@ -1,8 +1,8 @@
 //! A recorded run played again: the same vectors, bit for bit, and the same ledger.
 
-use std::{fs, path::Path};
+use std::{fs, path::Path, process::Command};
 
-use lfpiv::archive::StoredResults;
+use lfpiv::archive::{RawLog, RawLogReader, RawLogSettings, StoredResults};
 
 use crate::bench::{configuration, finished_run, images, lfpiv, text};
 
@@ -67,6 +67,38 @@ fn a_record_that_is_changed_is_found_out() {
     let replayed = lfpiv(&["replay", run.to_str().unwrap()]);
     assert!(!replayed.status.success() || !output.status.success(), "{said}");
     assert!(text(&replayed.stderr).contains("segment_000000.raw"), "{}", text(&replayed.stderr));
+}
+
+/// A record with right checksums that contradicts itself: the run loop waited without end for a burst.
+#[test]
+fn an_end_of_a_burst_that_nobody_began_does_not_stop_a_replay() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = finished_run(&configuration(root.path(), ""), "2");
+    let reader = RawLogReader::open(&run.join("raw")).expect("a log");
+    let (again, settings) = (root.path().join("run"), RawLogSettings::default());
+    fs::create_dir(&again).expect("a folder");
+    let (log, writer) =
+        RawLog::create(&again.join("raw"), reader.description(), &settings).expect("a log");
+    let mut ends = 0;
+    for record in reader.records() {
+        let record = record.expect("a record").1;
+        let entry: serde_json::Value = serde_json::from_slice(&record.head).expect("JSON");
+        if entry["entry"] == "burst_ended" {
+            ends += 1;
+            log.append_blocking(record.clone()).expect("room");
+        }
+        log.append_blocking(record).expect("room");
+    }
+    writer.close().expect("a closed log");
+    assert!(ends > 0);
+    // `timeout` kills what hangs, and ends with 124 then.
+    let output = Command::new("timeout")
+        .args(["300", env!("CARGO_BIN_EXE_lfpiv"), "replay", "--out"])
+        .args([&root.path().join("out"), &again])
+        .output()
+        .expect("timeout");
+    let said = text(&output.stderr);
+    assert!(matches!(output.status.code(), Some(0 | 1 | 3)), "{:?}: {said}", output.status);
 }
 
 #[test]

@@ -5,6 +5,10 @@ use std::{collections::BTreeSet, time::Duration};
 use super::{Entry, Placed, RecordedRun, recorded::ShotFinder};
 use crate::acquisition::{Ledger, LedgerError, Outcome};
 
+/// So many triggers at once, a day of a 10 Hz laser, are entered without a word of those between; more
+/// is no run, and would cost the memory of an entry each.
+const MOST_AT_ONCE: u64 = 1_000_000;
+
 /// The ledger of a recorded run, every trigger settled; `measured` are the shots with a stored
 /// result. What is damaged in the log is left out; a trigger whose burst is not in the record any more
 /// is entered by what is said of it.
@@ -110,6 +114,12 @@ impl Books {
 
     /// These triggers were given.
     fn enter_before(&mut self, end: u64) -> Result<(), LedgerError> {
+        if end.saturating_sub(self.entered) > MOST_AT_ONCE {
+            return Err(LedgerError::FarAhead {
+                trigger: end - 1,
+                last: self.entered.saturating_sub(1),
+            });
+        }
         for trigger in self.entered..end {
             self.ledger.enter(trigger)?;
             self.ledger.timed(trigger, self.finder.times().expected(trigger));
@@ -132,7 +142,7 @@ impl Books {
                     .saturating_add(self.period.saturating_mul(after));
                 due <= Duration::from_nanos(self.now_ns)
             });
-            let due = due.last().map_or(0, |trigger| trigger + 1);
+            let due = due.take(MOST_AT_ONCE as usize).last().map_or(0, |trigger| trigger + 1);
             self.enter_before(due)?;
         }
         let open: Vec<(u64, bool)> = self
@@ -160,6 +170,16 @@ mod tests {
     use lfpiv_hw::timing::{PulseSchedule, TimingSettings};
 
     use super::*;
+
+    #[test]
+    fn a_trigger_far_beyond_the_last_is_refused_before_it_costs_memory() {
+        let mut books = Books::new(2);
+        let far = u64::MAX - 1;
+        let refused = books.see(&Entry::Given { trigger: far }).unwrap_err();
+        assert_eq!(refused, LedgerError::FarAhead { trigger: far, last: 0 });
+        books.see(&Entry::Given { trigger: 2 }).unwrap();
+        assert_eq!(books.entered, 3);
+    }
 
     #[test]
     fn a_burst_without_a_period_gave_nothing_that_is_known() {

@@ -103,7 +103,7 @@ impl Script {
         clock: Arc<ReplayClock>,
         stop: CancellationToken,
     ) -> Self {
-        let mut steps = Steps::default();
+        let mut steps = Steps::new(recorded.description().cameras);
         let mut seen = Seen::of(&recorded);
         for placed in recorded.entries() {
             match placed {

@@ -1,5 +1,6 @@
-//! The steps of a record. Where the record is damaged, bursts that lost their beginning or their end
-//! are given one, so that every trigger keeps its number and the run loop is never waited for.
+//! The steps of a record. Where the record is damaged or contradicts itself, bursts that lost their
+//! beginning or their end are given one or left out, so that every trigger keeps its number and nobody
+//! is waited for who never comes.
 
 use std::sync::Arc;
 
@@ -58,25 +59,37 @@ impl Step {
 }
 
 /// Makes steps of entries.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Steps {
     steps: Vec<Step>,
+    cameras: usize,
     schedule: Option<Arc<PulseSchedule>>,
     /// Triggers that were given, or are being given.
     fired: u64,
     is_burst_open: bool,
     /// Before which step entries are missing, until the next burst begins or ends.
     gap: Option<usize>,
-    is_damaged: bool,
     /// What each camera's stream has counted, of those that are away.
     away: Vec<(usize, StreamStatistics)>,
 }
 
 impl Steps {
+    /// No step yet of a run with this many cameras.
+    pub fn new(cameras: usize) -> Self {
+        Self {
+            steps: Vec::new(),
+            cameras,
+            schedule: None,
+            fired: 0,
+            is_burst_open: false,
+            gap: None,
+            away: Vec::new(),
+        }
+    }
+
     /// Entries are missing here.
     pub fn note_gap(&mut self) {
         self.gap = Some(self.steps.len());
-        self.is_damaged = true;
     }
 
     pub fn take(&mut self, placed: Placed) {
@@ -95,6 +108,9 @@ impl Steps {
             }
             Entry::BurstEnded { at_ns, given } => self.end_burst(at_ns, given, false),
             Entry::BurstLost { at_ns, given } => self.end_burst(at_ns, given, true),
+            // Nobody plays the steps of a camera that the run did not have.
+            Entry::Frame { camera, .. } | Entry::Stream { camera, .. }
+                if camera >= self.cameras => {}
             Entry::Frame { at_ns, camera, frame: head, statistics } => {
                 self.steps.push(Step::Frame { at_ns, camera, head, statistics, place });
             }
@@ -118,7 +134,8 @@ impl Steps {
         // A whole record says before what it fires.
         let Some(schedule) = self.schedule.clone() else { return };
         let (mut at_ns, mut all) = (at_ns, shots);
-        if self.gap.take().is_some() {
+        // No burst begins within another: its end is missing.
+        if self.gap.take().is_some() || self.is_burst_open {
             let last_ns = self.steps.last().map_or(0, Step::at_ns);
             if self.is_burst_open {
                 let given = self.fired.min(first);
@@ -152,7 +169,8 @@ impl Steps {
             self.gap = None;
             self.insert_burst(gap, given);
         }
-        if self.is_burst_open || !self.is_damaged {
+        // The end of a burst that never began is nobody's step.
+        if self.is_burst_open {
             self.steps.push(Step::BurstEnded { at_ns, given, lost });
             self.fired = given;
             self.is_burst_open = false;
@@ -180,7 +198,7 @@ mod tests {
 
     /// Steps of entries with some left out: `None` is where an entry is missing.
     fn steps(entries: Vec<Option<Entry>>) -> Vec<String> {
-        let mut steps = Steps::default();
+        let mut steps = Steps::new(2);
         let schedule = PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap();
         let programmed = Entry::Programmed { at_ns: 0, identity: String::new(), schedule };
         let position = Position { segment: 0, offset: 0 };
@@ -265,6 +283,21 @@ mod tests {
         let wanted =
             ["3 fired", "connected: false", "3 given", "connected: true", "8 fired", "11 given"];
         assert_eq!(steps(entries), wanted);
+    }
+
+    #[test]
+    fn a_record_that_contradicts_itself_has_a_beginning_and_an_end_for_every_burst() {
+        let entries = vec![ended(1), fired(0, 3), ended(3), ended(3), fired(3, 1), ended(4)];
+        assert_eq!(steps(entries), ["3 fired", "3 given", "1 fired", "4 given"]);
+        let entries = vec![fired(0, 3), frame(), fired(2, 3), ended(5)];
+        assert_eq!(steps(entries), ["3 fired", "frame", "2 given", "3 fired", "5 given"]);
+        let of_third = |entry| match entry {
+            Some(Entry::Frame { at_ns, frame, statistics, .. }) => {
+                Some(Entry::Frame { at_ns, camera: 2, frame, statistics })
+            }
+            other => other,
+        };
+        assert_eq!(steps(vec![fired(0, 1), of_third(frame()), ended(1)]), ["1 fired", "1 given"]);
     }
 
     #[test]
