@@ -108,7 +108,7 @@ pub const CASES: [Case; 14] = [
             camera.right = right * cos - axis * sin;
             camera.axis = axis * cos + right * sin;
         }),
-        "cam2 is turned",
+        "turned",
     ),
 ];
 
