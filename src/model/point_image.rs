@@ -9,7 +9,10 @@ use std::ops::{Range, RangeInclusive};
 use lfpiv_hw::{CameraPoint, Optics, Pose};
 
 use super::{
-    ModelError, ModelParts, VolumeGrid, camera::CameraView, footprint::RayMap, tables::AxisGeometry,
+    ModelError, ModelParts, VolumeGrid,
+    camera::CameraView,
+    footprint::RayMap,
+    tables::{AxisGeometry, Shadow},
 };
 use crate::lightfield::{View, ViewLayout};
 
@@ -81,9 +84,12 @@ impl<'a> PointImager<'a> {
     /// The image of a point at `point`.
     pub fn image(&self, point: &CameraPoint) -> PointImage<'a> {
         let lateral_mm = [point.xi_mm, point.eta_mm];
+        let step = self.step_mm();
+        let maps = [-step, 0.0, step]
+            .map(|further| RayMap::at_depth(self.optics, point.depth_mm + further));
         let shares = |axis: usize| {
             let cells = self.pupil[axis].clone();
-            cells.map(|k| self.shares(axis, k, lateral_mm[axis], point.depth_mm)).collect()
+            cells.map(|k| self.shares(axis, k, lateral_mm[axis], maps)).collect()
         };
         PointImage {
             layout: self.layout,
@@ -92,32 +98,40 @@ impl<'a> PointImager<'a> {
         }
     }
 
-    fn shares(&self, axis: usize, k: i32, lateral_mm: f64, depth_mm: f64) -> Shares {
+    /// Step of the central differences, in mm.
+    fn step_mm(&self) -> f64 {
+        DIFFERENCE_PITCHES * self.optics.microlens.pitch_mm
+    }
+
+    /// The shares in view `k` of a point at `lateral_mm`, with the maps a step behind it, at its depth
+    /// and a step before it.
+    fn shares(
+        &self,
+        axis: usize,
+        k: i32,
+        lateral_mm: f64,
+        [behind, map, before]: [RayMap; 3],
+    ) -> Shares {
         let geometry = &self.axes[axis];
-        let step = DIFFERENCE_PITCHES * self.optics.microlens.pitch_mm;
-        let map = |depth_mm| RayMap::at_depth(self.optics, depth_mm);
-        let first = geometry.first_reached(&geometry.shadow_of(map(depth_mm), k, lateral_mm)) - 1;
-        let shares = |lateral_mm: f64, depth_mm: f64| -> [f64; REACH] {
-            let shadow = geometry.shadow_of(map(depth_mm), k, lateral_mm);
+        let step = self.step_mm();
+        let shadow = geometry.shadow_of(map, k, lateral_mm);
+        let first = geometry.first_reached(&shadow) - 1;
+        let shares = |shadow: &Shadow| -> [f64; REACH] {
             std::array::from_fn(|n| match usize::try_from(first + n as i64) {
-                Ok(microlens) => geometry.share(&shadow, microlens),
+                Ok(microlens) => geometry.share(shadow, microlens),
                 Err(_) => 0.0,
             })
         };
-        let slope = |high: [f64; REACH], low: [f64; REACH]| {
+        let slope = |low: Shadow, high: Shadow| {
+            let (low, high) = (shares(&low), shares(&high));
             std::array::from_fn(|n| (high[n] - low[n]) / (2.0 * step))
         };
+        let shadow_of = |map, lateral_mm| geometry.shadow_of(map, k, lateral_mm);
         Shares {
             first,
-            value: shares(lateral_mm, depth_mm),
-            by_lateral: slope(
-                shares(lateral_mm + step, depth_mm),
-                shares(lateral_mm - step, depth_mm),
-            ),
-            by_depth: slope(
-                shares(lateral_mm, depth_mm + step),
-                shares(lateral_mm, depth_mm - step),
-            ),
+            value: shares(&shadow),
+            by_lateral: slope(shadow_of(map, lateral_mm - step), shadow_of(map, lateral_mm + step)),
+            by_depth: slope(shadow_of(behind, lateral_mm), shadow_of(before, lateral_mm)),
         }
     }
 }
