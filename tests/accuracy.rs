@@ -17,7 +17,10 @@ use std::path::Path;
 use lfpiv::{
     benchmark::{Claim, Suite},
     config::Config,
-    pipeline::{ImagePair, Processor},
+};
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::Processor,
     reconstruction::quality::{elongation_mm, quality_factor},
     velocimetry::{VectorStatus, VelocityField},
 };

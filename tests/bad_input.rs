@@ -12,9 +12,10 @@ mod support;
 use std::fs;
 
 use image::{DynamicImage, ImageBuffer, ImageFormat};
-use lfpiv::{
-    config::Config,
-    pipeline::{ImagePair, ProcessError, Processor, SetupError},
+use lfpiv::config::Config;
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::{ProcessError, Processor, SetupError},
     velocimetry::{PairResult, VectorStatus},
 };
 use lfpiv_hw::{CameraName, RawImage};

@@ -1,11 +1,8 @@
 //! Configuration files: the shipped ones load; a wrong one is refused with file, line, key, value
 //! and what is allowed.
 
-use lfpiv::{
-    config::{Config, ConfigFile},
-    model::ModelMode,
-    reconstruction::Footprint,
-};
+use lfpiv::config::{Config, ConfigFile};
+use lfpiv_core::{model::ModelMode, reconstruction::Footprint};
 use lfpiv_hw::TimingSettings;
 
 #[allow(dead_code)]

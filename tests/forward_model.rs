@@ -4,7 +4,7 @@
 //! each pixel. Pixels on the border of two micro-images belong to no view (DESIGN section 4); the
 //! light they take is reported as dropped and not compared.
 
-use lfpiv::{
+use lfpiv_core::{
     lightfield::ViewLayout,
     model::{
         ModelError, ModelParts, QuadratureWeights, TableWeights, ViewId, VolumeGrid, WeightSource,

@@ -6,10 +6,12 @@
 #[allow(dead_code)]
 mod support;
 
-use lfpiv::{
-    config::Config,
+use lfpiv::config::Config;
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::Processor,
     model::{ModelMode, ModelSettings, Switch},
-    pipeline::{ImagePair, PairResult, Processor},
+    velocimetry::PairResult,
 };
 use lfpiv_sim::{Flow, Truth, flow::Abc};
 use support::{mean_error_vox, shipped, true_particles};

@@ -5,7 +5,7 @@
 
 #![allow(clippy::unwrap_used, reason = "clippy takes the helpers of a test for more than tests")]
 
-use lfpiv::{
+use lfpiv_core::{
     lightfield::ViewStack,
     model::{ForwardModel, ViewId, VolumeGrid, thin_lens_model},
     reconstruction::{

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use lfpiv_hw::device::Frame;
 
-use crate::lightfield::ShotTime;
+use lfpiv_core::lightfield::ShotTime;
 
 /// The paired frames of one trigger.
 #[derive(Debug, Clone)]

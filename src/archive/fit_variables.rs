@@ -1,10 +1,11 @@
 //! The model fit of every shot, as variables of a velocity file.
 
+use lfpiv_core::reconstruction::{FitVerdict, ModelFit};
+
 use super::{
     ArchiveError,
     netcdf_file::{Described, NetCdfFile},
 };
-use crate::reconstruction::{FitVerdict, ModelFit};
 
 /// Meanings of `model_fit`, in the order of [`FitVerdict`].
 const VERDICTS: &str = "good doubtful poor";
@@ -80,10 +81,8 @@ pub(super) fn put(
 
 #[cfg(test)]
 mod tests {
-    use crate::{
-        archive::{test_data::result, write_velocity},
-        reconstruction::{CameraFit, FitVerdict, ModelFit},
-    };
+    use crate::archive::{test_data::result, write_velocity};
+    use lfpiv_core::reconstruction::{CameraFit, FitVerdict, ModelFit};
 
     #[test]
     fn a_fit_is_stored_per_shot_and_camera() {

@@ -5,11 +5,11 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use lfpiv_core::lightfield::ImagePair;
 use lfpiv_hw::{CameraName, RawImage};
 use rayon::prelude::*;
 
 use super::{ArchiveError, FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
-use crate::lightfield::ImagePair;
 
 /// File names of frames a and b of camera `index` (from 0): `cam1_a.tif`, `cam1_b.tif`.
 pub fn image_names(index: usize) -> [String; 2] {

@@ -6,10 +6,10 @@ use std::{
     path::Path,
 };
 
+use lfpiv_core::velocimetry::{VectorStatus, VelocityField};
 use serde::Serialize;
 
 use super::{ArchiveError, durable::replace};
-use crate::velocimetry::{VectorStatus, VelocityField};
 
 /// VTK's mark of a point that filters and pictures leave out (`vtkDataSetAttributes::HIDDENPOINT`).
 const HIDDEN_POINT: u8 = 2;

@@ -19,6 +19,8 @@ use std::{
     time::{Duration, Instant},
 };
 
+use lfpiv_core::velocimetry::PairResult;
+
 use super::{
     ArchiveError,
     durable::{create_folder, replace},
@@ -27,7 +29,6 @@ use super::{
     stored::StoredResults,
     velocity_file::VelocityFile,
 };
-use crate::velocimetry::PairResult;
 
 /// How long a segment stays open: what a crash can cost of the NetCDF results.
 const SEGMENT_AGE: Duration = Duration::from_secs(60);
@@ -260,7 +261,8 @@ impl Drop for ResultStore {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{archive::test_data::result, model::ModelChoice};
+    use crate::archive::test_data::result;
+    use lfpiv_core::model::ModelChoice;
 
     fn names(folder: &Path) -> Vec<String> {
         let mut names: Vec<_> = fs::read_dir(folder)

@@ -1,6 +1,6 @@
 //! A made-up result for the tests of this room.
 
-use crate::{
+use lfpiv_core::{
     lightfield::ShotTime,
     velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
 };

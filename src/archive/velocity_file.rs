@@ -10,17 +10,18 @@
 
 use std::{path::Path, sync::Arc};
 
-use super::{
-    ArchiveError, fit_variables,
-    netcdf_file::{Described, FILL_F64, Finished, NetCdfFile},
-};
-use crate::{
+use lfpiv_core::{
     lightfield::ShotTime,
     model::ModelChoice,
     velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
 };
 
-/// Meanings of `raw_level`, in the order of [`RawLevel`](crate::lightfield::RawLevel).
+use super::{
+    ArchiveError, fit_variables,
+    netcdf_file::{Described, FILL_F64, Finished, NetCdfFile},
+};
+
+/// Meanings of `raw_level`, in the order of [`RawLevel`](lfpiv_core::lightfield::RawLevel).
 const RAW_LEVELS: &str = "not_kept lost acquired written synced";
 
 /// A quantity that each vector has.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use lfpiv_core::{model::VolumeGrid, reconstruction::DenseVolume};
 use netcdf::{AttributeValue, Variable};
 
 use super::{
@@ -9,7 +10,6 @@ use super::{
     netcdf_file::{Described, FILL_F32, NetCdfFile},
     netcdf_open::open,
 };
-use crate::{model::VolumeGrid, reconstruction::DenseVolume};
 
 const NAMES: [Described; 2] = [
     Described { name: "a", units: "1", long_name: "light intensity per voxel, frame a" },

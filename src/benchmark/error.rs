@@ -2,14 +2,13 @@
 
 use std::{io, path::PathBuf};
 
+use lfpiv_core::{
+    measurement::{ProcessError, SetupError},
+    model::ModelError,
+};
 use thiserror::Error;
 
-use crate::{
-    archive::ArchiveError,
-    config::ConfigError,
-    model::ModelError,
-    pipeline::{ProcessError, SetupError},
-};
+use crate::{archive::ArchiveError, config::ConfigError};
 
 /// Why a benchmark cannot be run.
 #[derive(Debug, Error)]

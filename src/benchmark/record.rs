@@ -1,9 +1,9 @@
 //! What a run of the benchmark leaves: rows, curves and pictures.
 
+use lfpiv_core::velocimetry::VelocityField;
 use serde::Serialize;
 
 use super::{ReferenceKernel, Row, Stamp};
-use crate::velocimetry::VelocityField;
 
 /// Everything that was measured.
 #[derive(Debug, Clone, Serialize)]

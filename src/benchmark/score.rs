@@ -2,7 +2,7 @@
 
 use lfpiv_sim::Flow;
 
-use crate::velocimetry::{Gradients, VectorStatus, VelocityField, curl_and_divergence};
+use lfpiv_core::velocimetry::{Gradients, VectorStatus, VelocityField, curl_and_divergence};
 
 /// Errors up to this count as measured (paper, Fig. 18), in voxels.
 const WITHIN_VOX: f64 = 0.3;

@@ -2,13 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use lfpiv_core::reconstruction::{ReconstructionSettings, Solver};
 use serde::{Deserialize, Serialize};
 
 use super::BenchmarkError;
-use crate::{
-    config::read_or_shipped,
-    reconstruction::{ReconstructionSettings, Solver},
-};
+use crate::config::read_or_shipped;
 
 /// The method that is a case's own `[reconstruction]` table, whatever it says.
 pub const AS_CONFIGURED: &str = "configured";

@@ -1,15 +1,15 @@
 //! True volumes, and images cut into views.
 
-use lfpiv_hw::Optics;
-use lfpiv_sim::{FrameOfPair, Scene, Truth};
-
-use super::{BenchmarkError, case::Setting};
-use crate::{
+use lfpiv_core::{
     lightfield::{PhotometricZones, ViewStack},
     model::VolumeGrid,
     reconstruction::{DenseVolume, Reconstructor, ViewLevels},
     velocimetry::{Interrogation, PointCloud},
 };
+use lfpiv_hw::Optics;
+use lfpiv_sim::{FrameOfPair, Scene, Truth};
+
+use super::{BenchmarkError, case::Setting};
 
 /// One frame of all cameras as the solver gets it.
 pub struct Frame {
@@ -38,7 +38,7 @@ impl Frame {
     }
 }
 
-/// The true volume of frame a, in the intensities of [`crate::model::ForwardModel`]: every particle
+/// The true volume of frame a, in the intensities of [`lfpiv_core::model::ForwardModel`]: every particle
 /// trilinearly on the eight voxels about it, which for one on a voxel centre is that voxel.
 pub fn true_volume(setting: &Setting, truth: &Truth, grid: &VolumeGrid) -> DenseVolume {
     let counts = counts_per_open_cell(&setting.bench.optics, &setting.scene);

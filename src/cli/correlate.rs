@@ -7,6 +7,11 @@ use std::{
 };
 
 use anyhow::Context;
+use lfpiv_core::{
+    lightfield::RawLevel,
+    model::ModelChoice,
+    velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField, VolumeInterrogation},
+};
 
 use super::{
     output::{count, print},
@@ -15,9 +20,6 @@ use super::{
 use crate::{
     archive::{VtiSource, write_velocity, write_vti},
     config::{ConfigFile, Purpose},
-    lightfield::RawLevel,
-    model::ModelChoice,
-    velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField, VolumeInterrogation},
 };
 
 /// Arguments of `lfpiv correlate`.

@@ -21,6 +21,7 @@ use std::{
 };
 
 use anyhow::{Context, anyhow};
+use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
 use lfpiv_hw::{PulseSchedule, Sensor};
 use parking_lot::Mutex;
 use tokio::{net::TcpListener, task::JoinHandle};
@@ -43,7 +44,7 @@ use crate::{
     },
     archive::{RawLogSettings, ResultStore, merge_segments},
     config::ConfigFile,
-    pipeline::{Board, ImagePair, Observer, PairResult, Pool, PoolLinks, PoolSettings},
+    pipeline::{Board, Observer, Pool, PoolLinks, PoolSettings},
     server::{ApiState, Phase, Protection, raise_open_files, serve},
 };
 

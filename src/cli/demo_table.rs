@@ -2,13 +2,11 @@
 
 use std::{collections::VecDeque, fmt::Write};
 
+use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField};
 use lfpiv_hw::{CameraName, device::StreamStatistics};
 use lfpiv_sim::Flow;
 
-use crate::{
-    pipeline::{PairResult, ShotRecord, Stage, StageSeconds},
-    velocimetry::{VectorStatus, VelocityField},
-};
+use crate::pipeline::{ShotRecord, Stage};
 
 /// One shot of the table.
 #[derive(Debug, Clone, PartialEq)]
@@ -165,7 +163,8 @@ mod tests {
     use lfpiv_sim::flow::Uniform;
 
     use super::*;
-    use crate::{pipeline::Board, velocimetry::VectorGrid};
+    use crate::pipeline::Board;
+    use lfpiv_core::velocimetry::VectorGrid;
 
     /// Two vectors, the second invalid and far off.
     fn result() -> PairResult {

@@ -4,6 +4,13 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
+use lfpiv_core::{
+    lightfield::{Background, ImagePair},
+    measurement::Processor,
+    model::ModelMode,
+    reconstruction::Solver,
+    velocimetry::PairResult,
+};
 use tokio::runtime::Runtime;
 use tokio_util::sync::CancellationToken;
 
@@ -21,10 +28,6 @@ use crate::{
         ArchiveError, VtiSeries, VtiSource, read_pair, write_velocity, write_volumes, write_vti,
     },
     config::{Config, ConfigFile},
-    lightfield::{Background, ImagePair},
-    model::ModelMode,
-    pipeline::{PairResult, Processor},
-    reconstruction::Solver,
 };
 
 /// Arguments of `lfpiv process`.

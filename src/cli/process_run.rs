@@ -7,6 +7,12 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
+use lfpiv_core::{
+    lightfield::{ImagePair, RawLevel},
+    measurement::Processor,
+    model::ModelMode,
+    velocimetry::PairResult,
+};
 use tokio_util::sync::CancellationToken;
 
 use super::{
@@ -20,9 +26,6 @@ use crate::{
     acquisition::journal::{RAW_FOLDER, RecordedRun, RecordedShot, RunIndex, ledger_of},
     archive::{ResultStore, StoredResults, merge_segments, recover},
     config::Config,
-    lightfield::{ImagePair, RawLevel},
-    model::ModelMode,
-    pipeline::{PairResult, Processor},
 };
 
 /// Whether `folder` is that of a recorded run.

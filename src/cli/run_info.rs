@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use lfpiv_core::model::ModelMode;
 use lfpiv_hw::CameraName;
 
 use super::{daemon::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
-    model::ModelMode,
     server::{ConfigurationSummary, RunInfo},
 };
 

@@ -1,13 +1,12 @@
 //! The processor of a run: what it knows before the first shot.
 
 use anyhow::{Context, bail};
-
-use crate::{
-    archive::read_pair,
-    config::Config,
+use lfpiv_core::{
     lightfield::{Background, ImagePair},
-    pipeline::Processor,
+    measurement::Processor,
 };
+
+use crate::{archive::read_pair, config::Config};
 
 /// The background images that the configuration names.
 ///

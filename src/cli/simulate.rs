@@ -7,13 +7,13 @@ use std::{
 };
 
 use anyhow::{Context, bail};
+use lfpiv_core::lightfield::ImagePair;
 use lfpiv_sim::{Scene, Truth};
 
 use super::output::{count, print, progress_bar};
 use crate::{
     archive::{FileDepth, write_pair, write_replacing},
     config::ConfigFile,
-    pipeline::ImagePair,
 };
 
 /// Arguments of `lfpiv simulate`.

@@ -5,7 +5,7 @@ use serde::{
     de::value::{Error, StrDeserializer},
 };
 
-use crate::reconstruction::Solver;
+use lfpiv_core::reconstruction::Solver;
 
 /// A solver's name.
 pub fn solver_name(solver: Solver) -> String {

@@ -12,13 +12,10 @@ use std::{
 };
 
 use anyhow::{Context, bail};
+use lfpiv_core::{model::VolumeGrid, reconstruction::DenseVolume};
 use rustix::process::{Resource, Rlimit, setrlimit};
 
-use crate::{
-    archive::{open_regular, read_volumes},
-    model::VolumeGrid,
-    reconstruction::DenseVolume,
-};
+use crate::archive::{open_regular, read_volumes};
 
 const VOLUMES: u8 = 1;
 const REASON: u8 = 0;

@@ -1,13 +1,13 @@
 //! Whether the parts of a configuration fit together: every value may be in its range, and the whole
 //! still describe nothing that can be measured.
 
+use lfpiv_core::model::{Sight, VolumeGrid, degrees_apart};
 use lfpiv_hw::{
     CameraName,
     timing::{PulseSchedule, Violation},
 };
 
 use super::Config;
-use crate::model::{Sight, VolumeGrid, degrees_apart};
 
 /// What a configuration is read for, and so what of it has to fit together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -14,18 +14,18 @@ mod surplus;
 use std::path::{Path, PathBuf};
 
 use garde::Validate;
+use lfpiv_core::{
+    lightfield::ImageSettings,
+    measurement::Measurement,
+    model::{ModelSettings, VolumeGrid, mode_or_table},
+    reconstruction::ReconstructionSettings,
+    velocimetry::VelocimetrySettings,
+};
 use lfpiv_hw::{Optics, Pose, TimingSettings, check::finite};
 use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    archive::RawLogSettings,
-    lightfield::ImageSettings,
-    model::{ModelSettings, VolumeGrid, mode_or_table},
-    pipeline::Measurement,
-    reconstruction::ReconstructionSettings,
-    velocimetry::VelocimetrySettings,
-};
+use crate::archive::RawLogSettings;
 
 pub use instruments::InstrumentSettings;
 pub use misfit::Purpose;

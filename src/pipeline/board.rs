@@ -7,14 +7,19 @@ use std::{
     time::Duration,
 };
 
+use lfpiv_core::{
+    model::ModelChoice,
+    reconstruction::ModelFit,
+    velocimetry::{PairResult, StageSeconds},
+};
 use parking_lot::Mutex;
 use serde::Serialize;
 
 use super::{
-    EventKind, EventLog, Gallery, PairResult, PairTimes, StageSeconds,
+    EventKind, EventLog, Gallery, PairTimes,
     latency::{Latencies, LatencyQuantiles},
 };
-use crate::{acquisition::Heartbeat, model::ModelChoice, reconstruction::ModelFit};
+use crate::acquisition::Heartbeat;
 
 /// Results kept in memory; older ones are on disk only.
 pub const RESULTS_IN_MEMORY: usize = 32;

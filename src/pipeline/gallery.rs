@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use parking_lot::Mutex;
 
-use crate::{
+use lfpiv_core::{
     lightfield::ImagePair,
     reconstruction::{FrameLight, MaximumProjection, SparseVolume},
 };
@@ -116,7 +116,7 @@ impl<T: Clone> Shelf<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::VolumeGrid;
+    use lfpiv_core::model::VolumeGrid;
 
     #[test]
     fn the_oldest_makes_room_and_the_sum_is_kept() {

@@ -15,6 +15,10 @@ use std::{
     time::Instant,
 };
 
+use lfpiv_core::{
+    lightfield::{ImagePair, RawLevel},
+    velocimetry::PairResult,
+};
 use parking_lot::Mutex;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
@@ -22,14 +26,11 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    Board, ImagePair, PairResult, ShotRecord,
+    Board, ShotRecord,
     writer::{Finished, Observer, ResultSink, Writer},
 };
-use crate::{
-    acquisition::{
-        Journal, Ledger, LedgerError, Outcome, RunClock, Shot, ShotReceiver, panic_message,
-    },
-    lightfield::RawLevel,
+use crate::acquisition::{
+    Journal, Ledger, LedgerError, Outcome, RunClock, Shot, ShotReceiver, panic_message,
 };
 
 /// How many workers, on how many threads.

@@ -1,7 +1,6 @@
 //! A result that needs no measuring.
 
-use super::{PairResult, StageSeconds};
-use crate::velocimetry::{VectorGrid, VectorStatus, VelocityField};
+use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 
 /// One vector.
 pub(super) fn result() -> PairResult {

@@ -9,13 +9,13 @@ use std::{
     time::Duration,
 };
 
+use lfpiv_core::{lightfield::RawLevel, velocimetry::PairResult};
 use tokio::sync::OwnedSemaphorePermit;
 
-use super::{Board, PairResult, PoolLinks, ShotRecord};
+use super::{Board, PoolLinks, ShotRecord};
 use crate::{
     acquisition::{Outcome, panic_message},
     archive::{ArchiveError, ResultStore},
-    lightfield::RawLevel,
 };
 
 /// How often a shot's raw data is looked at that is on its way to the disk.

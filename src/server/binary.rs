@@ -35,7 +35,7 @@
 //! | 68 | 12 bytes | zero |
 //! | 80 | nx·ny·nz × f32 | light intensity per voxel, ordered z, y, x (x fastest) |
 
-use crate::{
+use lfpiv_core::{
     reconstruction::SparseVolume,
     velocimetry::{VectorStatus, VelocityField},
 };

@@ -1,6 +1,7 @@
 //! `/api/v1/results/{shot}/volumes` and `/projections`: reconstructed light.
 
 use axum::{extract::State, http::HeaderMap, response::Response};
+use lfpiv_core::reconstruction::MaximumProjection;
 
 use super::{
     ApiError,
@@ -11,10 +12,7 @@ use super::{
     preview::{Grey, PNG, made},
     results::{self, resolved},
 };
-use crate::{
-    pipeline::{Lookup, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES},
-    reconstruction::MaximumProjection,
-};
+use crate::pipeline::{Lookup, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES};
 
 /// The planes, in the order of the projections.
 const PLANES: [&str; 3] = ["xy", "xz", "yz"];

@@ -5,6 +5,11 @@ use axum::{
     http::{HeaderMap, header},
     response::Response,
 };
+use lfpiv_core::{
+    lightfield::ShotTime,
+    reconstruction::ModelFit,
+    velocimetry::{PairResult, StageSeconds, VectorStatus},
+};
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 
@@ -14,14 +19,10 @@ use super::{
     binary,
     bytes::{ETag, unchanging},
     extract::{Arguments, Params, shot_number},
+    schemas::{ModelFitSchema, ShotTimeSchema, StageSecondsSchema, VectorStatusSchema},
     shots::ShotState,
 };
-use crate::{
-    lightfield::ShotTime,
-    pipeline::{Lookup, PairResult, RESULTS_IN_MEMORY, StageSeconds},
-    reconstruction::ModelFit,
-    velocimetry::VectorStatus,
-};
+use crate::pipeline::{Lookup, RESULTS_IN_MEMORY};
 
 /// What a vector takes in JSON, generously.
 const JSON_VECTOR_BYTES: usize = 512;
@@ -62,6 +63,7 @@ pub(super) struct GridView {
 pub(super) struct ResultView<'a> {
     shot: u64,
     /// When its trigger was given; `null` where that is not known.
+    #[schema(value_type = Option<ShotTimeSchema>)]
     time: Option<ShotTime>,
     dt_s: f64,
     voxel_mm: f64,
@@ -69,12 +71,15 @@ pub(super) struct ResultView<'a> {
     valid_share: f64,
     warnings: &'a [String],
     /// Whether the images are of the configured bench; absent without images.
+    #[schema(value_type = Option<ModelFitSchema>)]
     model_fit: Option<&'a ModelFit>,
+    #[schema(value_type = StageSecondsSchema)]
     seconds: StageSeconds,
     velocity_m_s: Vec<[Option<f32>; 3]>,
     velocity_uncertainty_m_s: Vec<[Option<f32>; 3]>,
     displacement_vox: Vec<[Option<f32>; 3]>,
     uncertainty_vox: Vec<[Option<f32>; 3]>,
+    #[schema(value_type = [VectorStatusSchema])]
     status: &'a [VectorStatus],
     peak_ratio: &'a [f32],
     vorticity_per_s: Vec<[Option<f32>; 3]>,

@@ -1,5 +1,6 @@
 //! How types of other rooms look in JSON, for the OpenAPI document. `tests/daemon` holds real
-//! answers against it.
+//! answers against it. Types of other crates have a stand-in here, which fields name as
+//! `#[schema(value_type = …)]`.
 
 use std::borrow::Cow;
 
@@ -13,10 +14,7 @@ use utoipa::{
 
 use crate::{
     acquisition::{Account, ControlState, Mode, Outcome, OutcomeCounts},
-    lightfield::{RawLevel, ShotTime},
-    pipeline::{LatencyQuantiles, StageSeconds, Watermarks},
-    reconstruction::{FitVerdict, ModelFit},
-    velocimetry::VectorStatus,
+    pipeline::{LatencyQuantiles, Watermarks},
 };
 
 /// An object of required members of one type.
@@ -49,6 +47,28 @@ macro_rules! schema {
     };
 }
 
+/// The stand-ins of types of other crates.
+macro_rules! stand_in {
+    ($($(#[$about:meta])* $name:ident),+ $(,)?) => {
+        $($(#[$about])* pub struct $name;)+
+    };
+}
+
+stand_in! {
+    /// Of [`lfpiv_core::velocimetry::StageSeconds`].
+    StageSecondsSchema,
+    /// Of [`lfpiv_core::velocimetry::VectorStatus`].
+    VectorStatusSchema,
+    /// Of [`lfpiv_core::reconstruction::FitVerdict`].
+    FitVerdictSchema,
+    /// Of [`lfpiv_core::reconstruction::ModelFit`].
+    ModelFitSchema,
+    /// Of [`lfpiv_core::lightfield::RawLevel`].
+    RawLevelSchema,
+    /// Of [`lfpiv_core::lightfield::ShotTime`].
+    ShotTimeSchema,
+}
+
 schema!(
     Outcome,
     "Outcome",
@@ -77,7 +97,7 @@ impl ToSchema for Account {
 }
 
 schema!(
-    StageSeconds,
+    StageSecondsSchema,
     "StageSeconds",
     numbers(
         Type::Number,
@@ -123,7 +143,7 @@ impl ToSchema for ControlState {
 }
 
 schema!(
-    RawLevel,
+    RawLevelSchema,
     "RawLevel",
     words(
         &["not_kept", "lost", "acquired", "written", "synced"],
@@ -131,7 +151,7 @@ schema!(
     )
 );
 
-impl PartialSchema for ShotTime {
+impl PartialSchema for ShotTimeSchema {
     fn schema() -> RefOr<Schema> {
         let kind = |of: Type| ObjectBuilder::new().schema_type(SchemaType::Type(of));
         let about = "When the trigger was given: UTC (RFC 3339) by the host's clock, its standard \
@@ -145,7 +165,7 @@ impl PartialSchema for ShotTime {
     }
 }
 
-impl ToSchema for ShotTime {
+impl ToSchema for ShotTimeSchema {
     fn name() -> Cow<'static, str> {
         Cow::Borrowed("ShotTime")
     }
@@ -163,7 +183,7 @@ schema!(
 );
 
 schema!(
-    VectorStatus,
+    VectorStatusSchema,
     "VectorStatus",
     words(
         &["valid", "replaced", "invalid"],
@@ -172,7 +192,7 @@ schema!(
 );
 
 schema!(
-    FitVerdict,
+    FitVerdictSchema,
     "FitVerdict",
     words(
         &["good", "doubtful", "poor"],
@@ -180,7 +200,7 @@ schema!(
     )
 );
 
-impl PartialSchema for ModelFit {
+impl PartialSchema for ModelFitSchema {
     fn schema() -> RefOr<Schema> {
         let number = || ObjectBuilder::new().schema_type(SchemaType::Type(Type::Number));
         let or_null = || {
@@ -208,8 +228,12 @@ impl PartialSchema for ModelFit {
     }
 }
 
-impl ToSchema for ModelFit {
+impl ToSchema for ModelFitSchema {
+    fn name() -> Cow<'static, str> {
+        Cow::Borrowed("ModelFit")
+    }
+
     fn schemas(schemas: &mut Vec<(String, RefOr<Schema>)>) {
-        schemas.push(("FitVerdict".to_owned(), FitVerdict::schema()));
+        schemas.push(("FitVerdict".to_owned(), FitVerdictSchema::schema()));
     }
 }

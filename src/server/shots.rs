@@ -1,18 +1,22 @@
 //! `/api/v1/shots`: what became of each shot.
 
 use axum::{Json, extract::State};
+use lfpiv_core::{
+    lightfield::{RawLevel, ShotTime},
+    reconstruction::ModelFit,
+    velocimetry::StageSeconds,
+};
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 
 use super::{
     ApiError, ApiState,
     extract::{Arguments, Params, shot_number},
+    schemas::{ModelFitSchema, RawLevelSchema, ShotTimeSchema, StageSecondsSchema},
 };
 use crate::{
     acquisition::{Outcome, TriggerEntry},
-    lightfield::{RawLevel, ShotTime},
-    pipeline::{ShotRecord, Stage, StageSeconds},
-    reconstruction::ModelFit,
+    pipeline::{ShotRecord, Stage},
 };
 
 /// Shots listed unless asked otherwise.
@@ -70,18 +74,22 @@ pub(super) struct ShotView {
     shot: u64,
     state: ShotState,
     /// When its trigger was given; `null` where that is not known.
+    #[schema(value_type = Option<ShotTimeSchema>)]
     time: Option<ShotTime>,
     cameras: Vec<CameraOutcome>,
     /// How safe its raw images are.
+    #[schema(value_type = RawLevelSchema)]
     raw: RawLevel,
     /// Evidence that disagrees with the pairing.
     suspect: Vec<String>,
     message: Option<String>,
     warnings: Vec<String>,
     /// Whether its images are of the configured bench; absent without a result.
+    #[schema(value_type = Option<ModelFitSchema>)]
     model_fit: Option<ModelFit>,
     vectors: Option<usize>,
     valid_share: Option<f64>,
+    #[schema(value_type = Option<StageSecondsSchema>)]
     seconds: Option<StageSeconds>,
 }
 

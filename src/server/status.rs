@@ -3,15 +3,14 @@
 use std::time::Instant;
 
 use axum::{Json, extract::State, http::StatusCode};
+use lfpiv_core::{model::ModelChoice, reconstruction::ModelFit};
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use super::{ApiState, ConfigurationSummary, Phase, events::Brief};
+use super::{ApiState, ConfigurationSummary, Phase, events::Brief, schemas::ModelFitSchema};
 use crate::{
     acquisition::{Account, ControlState, Mode, Outcome},
-    model::ModelChoice,
     pipeline::{LatencyQuantiles, Watermarks},
-    reconstruction::ModelFit,
 };
 
 /// The run at a glance.
@@ -40,6 +39,7 @@ pub(super) struct Status {
     model_choice: Option<ModelChoice>,
     /// Whether the last measured shot's images are of the configured bench; absent before the first
     /// result.
+    #[schema(value_type = Option<ModelFitSchema>)]
     model_fit: Option<ModelFit>,
     solver: String,
     configuration: ConfigurationSummary,

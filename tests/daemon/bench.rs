@@ -2,11 +2,10 @@
 
 use std::{path::Path, sync::Arc, time::Duration};
 
-use lfpiv::{
-    acquisition::Bench,
-    config::ConfigFile,
-    pipeline::{ImagePair, PairResult, StageSeconds},
-    velocimetry::{VectorGrid, VectorStatus, VelocityField},
+use lfpiv::{acquisition::Bench, config::ConfigFile};
+use lfpiv_core::{
+    lightfield::ImagePair,
+    velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
 };
 use lfpiv_hw::{
     PulseSchedule,

@@ -10,9 +10,10 @@ use std::{
 use lfpiv::{
     acquisition::{Ledger, Outcome, OverloadPolicy},
     cli::daemon::{Daemon, DaemonPlan},
-    pipeline::{Board, EVENTS_IN_MEMORY, EventKind, ImagePair, PairResult, ShotRecord, Watermarks},
+    pipeline::{Board, EVENTS_IN_MEMORY, EventKind, ShotRecord, Watermarks},
     server::Phase,
 };
+use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
 use serde_json::Value;
 use tokio::{
     io::{AsyncBufReadExt, AsyncWriteExt, BufReader, Lines},

@@ -2,10 +2,10 @@
 
 use lfpiv::{
     acquisition::{Ledger, Outcome},
-    lightfield::ShotTime,
-    pipeline::{Board, ImagePair, RESULTS_IN_MEMORY},
+    pipeline::{Board, RESULTS_IN_MEMORY},
     server::Phase,
 };
+use lfpiv_core::lightfield::{ImagePair, ShotTime};
 use serde_json::Value;
 
 use crate::{bench::quick_result, client::Ask, server::Server};

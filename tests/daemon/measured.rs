@@ -6,8 +6,9 @@ use lfpiv::{
     acquisition::{Bench, OverloadPolicy},
     cli::daemon::{Daemon, DaemonPlan},
     config::ConfigFile,
-    pipeline::{PairResult, Processor, ShotRecord},
+    pipeline::ShotRecord,
 };
+use lfpiv_core::{measurement::Processor, velocimetry::PairResult};
 use lfpiv_sim::{Pacing, connect};
 use tokio_util::sync::CancellationToken;
 

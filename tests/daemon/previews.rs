@@ -1,10 +1,10 @@
 //! Bytes and images: volumes, projections, raw frames, and what HTTP says of answers that never
 //! change.
 
-use lfpiv::{
-    acquisition::Ledger,
+use lfpiv::{acquisition::Ledger, pipeline::Board};
+use lfpiv_core::{
+    lightfield::ImagePair,
     model::VolumeGrid,
-    pipeline::{Board, ImagePair},
     reconstruction::{FrameLight, SparseVolume},
 };
 use lfpiv_hw::RawImage;

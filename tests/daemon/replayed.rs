@@ -12,8 +12,8 @@ use lfpiv::{
         shot_queue,
     },
     archive::{RawLog, RawLogSettings},
-    lightfield::ShotTime,
 };
+use lfpiv_core::lightfield::ShotTime;
 use lfpiv_hw::device::Camera;
 use lfpiv_sim::faults::{CameraFaults, FaultSettings, FaultyCamera, FrameShares};
 use parking_lot::Mutex;

@@ -11,8 +11,9 @@ use lfpiv::{
     acquisition::{Outcome, OverloadPolicy},
     cli::daemon::{Daemon, DaemonPlan, DaemonReport},
     config::ConfigFile,
-    pipeline::{ImagePair, Observer, PairResult, ShotRecord, Stage},
+    pipeline::{Observer, ShotRecord, Stage},
 };
+use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
 use parking_lot::Mutex;
 use serde_json::Value;
 use tokio_util::sync::CancellationToken;

@@ -7,9 +7,10 @@
 
 use std::sync::OnceLock;
 
-use lfpiv::{
-    config::Config,
-    pipeline::{ImagePair, Processor},
+use lfpiv::config::Config;
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::Processor,
     reconstruction::FitVerdict,
     velocimetry::{PairResult, VectorStatus},
 };

@@ -1,8 +1,8 @@
 //! Too little light, too much, or light that is not of particles.
 
-use lfpiv::{
-    lightfield::Background,
-    pipeline::{ImagePair, Processor},
+use lfpiv_core::{
+    lightfield::{Background, ImagePair},
+    measurement::Processor,
     velocimetry::VectorStatus,
 };
 use lfpiv_hw::RawImage;

@@ -1,6 +1,6 @@
 //! Single precision against double, and against itself at other magnitudes.
 
-use lfpiv::{
+use lfpiv_core::{
     model::{ForwardModel, ViewId, thin_lens_model},
     reconstruction::{SartOptions, sart},
     velocimetry::{Interrogation, PointCloud},

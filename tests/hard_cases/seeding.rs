@@ -1,9 +1,8 @@
 //! Too many particles, too few, or in the wrong places.
 
-use lfpiv::{
-    config::Config,
-    pipeline::{ImagePair, Processor},
-    reconstruction::DenseVolume,
+use lfpiv::config::Config;
+use lfpiv_core::{
+    lightfield::ImagePair, measurement::Processor, reconstruction::DenseVolume,
     velocimetry::VectorStatus,
 };
 use lfpiv_sim::{Truth, particles::Particle};

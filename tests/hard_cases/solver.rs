@@ -1,7 +1,7 @@
 //! Solvers driven far beyond their usual number of passes and over the whole range of relaxation.
 
-use lfpiv::{
-    config::Config,
+use lfpiv::config::Config;
+use lfpiv_core::{
     lightfield::{ImageSettings, PhotometricZones},
     reconstruction::{
         Reconstruction, ReconstructionSettings, Reconstructor, Solver, ViewLevels,

@@ -1,9 +1,10 @@
 //! Right and wrong benches: how their images and configurations are made, and what a pair measured with
 //! them must be told.
 
-use lfpiv::{
-    config::{Config, ConfigFile},
-    pipeline::{ImagePair, Measurement, Processor},
+use lfpiv::config::{Config, ConfigFile};
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::{Measurement, Processor},
     reconstruction::{FitVerdict, ModelFit},
 };
 use lfpiv_hw::RawImage;

@@ -8,7 +8,7 @@
 
 mod cases;
 
-use lfpiv::{pipeline::Processor, reconstruction::FitVerdict};
+use lfpiv_core::{measurement::Processor, reconstruction::FitVerdict};
 
 use cases::{CASES, bench, shots};
 

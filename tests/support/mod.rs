@@ -6,10 +6,8 @@ use std::{
     process::{Command, Output},
 };
 
-use lfpiv::{
-    config::{Config, ConfigFile},
-    velocimetry::{Interrogation, PointCloud, VelocityField},
-};
+use lfpiv::config::{Config, ConfigFile};
+use lfpiv_core::velocimetry::{Interrogation, PointCloud, VelocityField};
 use lfpiv_sim::{Flow, FrameOfPair, Truth};
 
 /// The configurations in `config/`.

@@ -20,15 +20,13 @@ pub use books::ledger as ledger_of;
 pub use entry::{Description, Entry, FrameHead, FrameKey, JOURNAL_VERSION};
 pub use levels::ShotMarks;
 use levels::{LOST, Levels};
+use lfpiv_core::lightfield::RawLevel;
 pub use places::FramePlaces;
 pub use recorded::{
     Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunEnd, RunIndex,
 };
 
-use crate::{
-    archive::{AppendError, RawLog, RawLogError, Record},
-    lightfield::RawLevel,
-};
+use crate::archive::{AppendError, RawLog, RawLogError, Record};
 
 /// The record of a run, or of none. Clones write to the same one.
 #[derive(Clone, Default)]

@@ -5,6 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use lfpiv_core::lightfield::{ImagePair, ShotTime};
 use lfpiv_hw::RawImage;
 use thiserror::Error;
 
@@ -12,7 +13,6 @@ use super::{Description, Entry, FrameKey, JOURNAL_VERSION};
 use crate::{
     acquisition::trigger_times::TriggerTimes,
     archive::{Position, RawLogError, RawLogReader},
-    lightfield::{ImagePair, ShotTime},
 };
 
 /// Where a run's raw log lies in its folder.

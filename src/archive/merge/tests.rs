@@ -1,11 +1,9 @@
 use std::time::Duration;
 
+use lfpiv_core::{model::ModelChoice, velocimetry::PairResult};
+
 use super::*;
-use crate::{
-    archive::{ResultStore, StoredResults, stored_vectors, test_data::result},
-    model::ModelChoice,
-    velocimetry::PairResult,
-};
+use crate::archive::{ResultStore, StoredResults, stored_vectors, test_data::result};
 
 /// Segments in a folder, each with its shots.
 fn run(segments: &[&[u64]]) -> tempfile::TempDir {

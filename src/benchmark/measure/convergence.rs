@@ -4,18 +4,19 @@
 //! [volume](super::volume) measurement does. Time is that of the passes alone: neither the residual
 //! nor the comparison with the truth counts.
 
-use super::{Findings, Surroundings, volume};
-use crate::{
-    benchmark::{
-        BenchmarkError, Curve, Method,
-        case::Setting,
-        truth::{Frame, reconstructor, true_volume},
-    },
+use lfpiv_core::{
     model::thin_lens_model,
     reconstruction::{
         ConvergenceLog, Footprint, ReconstructionSettings, Reconstructor, SartOptions, Solver,
         pr_sart, sart, subsets::balanced_subsets,
     },
+};
+
+use super::{Findings, Surroundings, volume};
+use crate::benchmark::{
+    BenchmarkError, Curve, Method,
+    case::Setting,
+    truth::{Frame, reconstructor, true_volume},
 };
 
 /// Reconstructs frame a of every seed's shot with every method, pass by pass.

@@ -4,20 +4,17 @@
 //! sits on the centre of the middle voxel; at random places anywhere in that voxel, whose grid is
 //! the one that has a voxel centre at (0, 0, 0).
 
+use lfpiv_core::reconstruction::{DenseVolume, quality::elongation_mm};
 use lfpiv_sim::{Particle, Truth};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{Findings, Surroundings, volume::projected};
-use crate::{
-    benchmark::Projection,
-    benchmark::{
-        BenchmarkError, Curve, Figure, Method,
-        case::Setting,
-        suite::RandomPlaces,
-        truth::{Frame, reconstructor, true_volume},
-    },
-    reconstruction::{DenseVolume, quality::elongation_mm},
+use crate::benchmark::{
+    BenchmarkError, Curve, Figure, Method, Projection,
+    case::Setting,
+    suite::RandomPlaces,
+    truth::{Frame, reconstructor, true_volume},
 };
 
 /// A particle and the centre of the volume about it, in mm.

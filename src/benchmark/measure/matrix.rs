@@ -1,12 +1,13 @@
 //! Bytes of the explicit weight matrix: whole, as the conventional SART needs it, and by ordered
 //! subsets, of which one is held at a time (paper: 1/12).
 
-use super::{Findings, Surroundings};
-use crate::{
-    benchmark::{BenchmarkError, Method, case::Setting},
+use lfpiv_core::{
     model::{ExplicitModel, ForwardModel, TableWeights},
     reconstruction::{ReconstructionSettings, Reconstructor, subsets::balanced_subsets},
 };
+
+use super::{Findings, Surroundings};
+use crate::benchmark::{BenchmarkError, Method, case::Setting};
 
 /// Counts the entries, for the subsets of every method; holds none of them.
 pub(super) fn measure(
@@ -39,7 +40,7 @@ fn subsets(
     settings: &ReconstructionSettings,
     config: &crate::config::Config,
     model: &ExplicitModel,
-) -> Result<Vec<Vec<crate::model::ViewId>>, BenchmarkError> {
+) -> Result<Vec<Vec<lfpiv_core::model::ViewId>>, BenchmarkError> {
     let reconstructor =
         Reconstructor::new(&config.optics, &config.camera, &config.volume, settings)?;
     let per_camera = reconstructor.subsets_per_pass() / model.layouts().len().max(1);

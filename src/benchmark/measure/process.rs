@@ -2,11 +2,12 @@
 
 use std::{fs, io::Write, path::Path};
 
+use lfpiv_core::measurement::Processor;
+
 use super::{Findings, Surroundings, velocity};
 use crate::{
     archive::{FileDepth, write_pair, write_replacing},
     benchmark::{BenchmarkError, Method, case::Setting, child},
-    pipeline::Processor,
 };
 
 /// Runs `lfpiv process` on every seed's pair; the median of the repeats counts. Errors are

@@ -1,17 +1,18 @@
 //! Four images to vectors: error beside that of the true particles, seconds by stage.
 
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::Processor,
+    velocimetry::{PairResult, VelocityField},
+};
 use lfpiv_sim::{FrameOfPair, Truth};
 
 use super::{Findings, Surroundings};
-use crate::{
-    benchmark::{
-        BenchmarkError, Curve, Figure, MeasuredField, Method, Row,
-        case::Setting,
-        score::{Score, true_field},
-        truth::true_cloud,
-    },
-    pipeline::{ImagePair, PairResult, Processor},
-    velocimetry::VelocityField,
+use crate::benchmark::{
+    BenchmarkError, Curve, Figure, MeasuredField, Method, Row,
+    case::Setting,
+    score::{Score, true_field},
+    truth::true_cloud,
 };
 
 /// The images of a seed, and what is behind them.

@@ -2,17 +2,16 @@
 
 use std::time::Instant;
 
+use lfpiv_core::reconstruction::{
+    DenseVolume,
+    quality::{quality_factor, reconstruction_error},
+};
+
 use super::{Findings, Surroundings};
-use crate::{
-    benchmark::{
-        BenchmarkError, Figure, Method, Projection, Row,
-        case::Setting,
-        truth::{Frame, reconstructor, true_volume},
-    },
-    reconstruction::{
-        DenseVolume,
-        quality::{quality_factor, reconstruction_error},
-    },
+use crate::benchmark::{
+    BenchmarkError, Figure, Method, Projection, Row,
+    case::Setting,
+    truth::{Frame, reconstructor, true_volume},
 };
 
 /// Reconstructs frame a of every seed's shot with every method.

@@ -2,6 +2,13 @@
 
 use std::path::Path;
 
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::{Measurement, Processor},
+    model::VolumeGrid,
+    reconstruction::DenseVolume,
+    velocimetry::{PointCloud, VelocimetrySettings, VelocityField, VolumeInterrogation},
+};
 use lfpiv_sim::{BenchGeometry, FrameOfPair, Scene};
 use serde::{Deserialize, Serialize};
 
@@ -10,13 +17,6 @@ use super::{
     description::{case_name, read_description, write_description},
     npy::{read_array, write_array},
     row::{repeated, timed},
-};
-use crate::{
-    lightfield::ImagePair,
-    model::VolumeGrid,
-    pipeline::{Measurement, Processor},
-    reconstruction::DenseVolume,
-    velocimetry::{PointCloud, VelocimetrySettings, VelocityField, VolumeInterrogation},
 };
 
 /// Both frames as dense volumes on one grid, and the true displacement in every window.

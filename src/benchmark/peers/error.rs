@@ -7,9 +7,9 @@ use std::{
 
 use thiserror::Error;
 
-use crate::{
+use lfpiv_core::{
+    measurement::{ProcessError, SetupError},
     model::ModelError,
-    pipeline::{ProcessError, SetupError},
 };
 
 /// Why a case cannot be made, written or read.

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use lfpiv_core::model::{ExplicitModel, ForwardModel, ViewId};
 use serde::{Deserialize, Serialize};
 
 use super::{NpyWriter, PeersError, row::timed, write_array};
-use crate::model::{ExplicitModel, ForwardModel, ViewId};
 
 /// Shape of an exported matrix, and what it took.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -2,6 +2,14 @@
 
 use std::path::Path;
 
+use lfpiv_core::{
+    lightfield::{ViewLayout, ViewStack},
+    model::{ExplicitModel, ModelError, TableWeights, VolumeGrid, thin_lens_model},
+    reconstruction::{
+        DenseVolume, ReconstructionSettings, Reconstructor, ViewLevels, hull::photo_hull,
+        quality::quality_factor, subsets::alternating_views,
+    },
+};
 use lfpiv_sim::{BenchGeometry, FrameOfPair, Scene, Truth};
 use serde::{Deserialize, Serialize};
 
@@ -11,14 +19,6 @@ use super::{
     npy::{read_array, write_array},
     row::{repeated, timed},
     write_matrix,
-};
-use crate::{
-    lightfield::{ViewLayout, ViewStack},
-    model::{ExplicitModel, ModelError, TableWeights, VolumeGrid, thin_lens_model},
-    reconstruction::{
-        DenseVolume, ReconstructionSettings, Reconstructor, ViewLevels, hull::photo_hull,
-        quality::quality_factor, subsets::alternating_views,
-    },
 };
 
 /// Particles on voxel centres are points.

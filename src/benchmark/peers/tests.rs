@@ -1,3 +1,8 @@
+use lfpiv_core::{
+    model::{ExplicitModel, TableWeights, ViewId, VolumeGrid, thin_lens_model},
+    reconstruction::{Footprint, ReconstructionSettings},
+    velocimetry::VelocimetrySettings,
+};
 use lfpiv_sim::{
     BenchGeometry, Flow, Placement, Scene, SensorSettings, Volume,
     flow::{RingVortex, Uniform},
@@ -5,20 +10,18 @@ use lfpiv_sim::{
 use tempfile::tempdir;
 
 use super::*;
-use crate::{
-    model::{ExplicitModel, TableWeights, ViewId, VolumeGrid, thin_lens_model},
-    reconstruction::{Footprint, ReconstructionSettings},
-    test_bench,
-    velocimetry::VelocimetrySettings,
-};
+use crate::config::Config;
 
 fn bench(grid: &VolumeGrid) -> BenchGeometry {
-    let mut optics = test_bench::optics();
+    let Config { mut optics, camera, .. } = {
+        let text = include_str!("../../../config/bench.toml");
+        Config::parse("bench", text).unwrap()
+    };
     // Five pixels along a micro-image: few views, so that the test is quick.
     optics.sensor.pixel_pitch_um = 20.08;
     (optics.sensor.columns, optics.sensor.rows) = (645, 485);
     let volume = Volume { voxels: grid.voxels, voxel_mm: grid.voxel_mm, centre_mm: grid.centre_mm };
-    BenchGeometry { optics, poses: test_bench::poses(), volume, dt_s: 1e-4 }
+    BenchGeometry { optics, poses: camera, volume, dt_s: 1e-4 }
 }
 
 fn grid(voxels: [usize; 3]) -> VolumeGrid {

@@ -1,5 +1,10 @@
 //! What could be better about a bench, seen from its configuration.
 
+use lfpiv_core::{
+    lightfield::Background,
+    measurement::Plan,
+    model::{Sight, degrees_apart},
+};
 use lfpiv_hw::CameraName;
 
 use super::{
@@ -12,12 +17,7 @@ use super::{
     },
     sample::{ASSUMED_PPM, Expected, aligned},
 };
-use crate::{
-    config::Config,
-    lightfield::Background,
-    model::{Sight, degrees_apart},
-    pipeline::Plan,
-};
+use crate::config::Config;
 
 /// Share of the volume that all cameras should see.
 const GOOD_COMMON_VIEW: f64 = 0.9;

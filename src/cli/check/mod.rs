@@ -6,14 +6,10 @@ mod sample;
 use std::{fmt::Write, path::PathBuf};
 
 use anyhow::Context;
+use lfpiv_core::{lightfield::Background, measurement::Processor, model::VolumeGrid};
 
 use super::{finding, output::print, run_processor::background_images};
-use crate::{
-    config::{Config, ConfigFile, Purpose},
-    lightfield::Background,
-    model::VolumeGrid,
-    pipeline::Processor,
-};
+use crate::config::{Config, ConfigFile, Purpose};
 
 /// Arguments of `lfpiv check`.
 #[derive(Debug, clap::Args)]

@@ -11,18 +11,19 @@
 //! voxel in every pass, so one pass over a cube says all.
 
 use anyhow::Context;
+use lfpiv_core::{
+    lightfield::{ImagePair, ImageSettings},
+    measurement::{Plan, Processor},
+    model::VolumeGrid,
+    reconstruction::Solver,
+    velocimetry::StageSeconds,
+};
 use lfpiv_hw::Pose;
 use lfpiv_sim::Scene;
 use nalgebra::Vector3;
 use tracing::subscriber::NoSubscriber;
 
-use crate::{
-    config::Config,
-    lightfield::ImageSettings,
-    model::VolumeGrid,
-    pipeline::{ImagePair, Plan, Processor, StageSeconds},
-    reconstruction::Solver,
-};
+use crate::config::Config;
 
 /// Particles per microlens where the configuration has no scene that says it.
 pub const ASSUMED_PPM: f64 = 0.5;
@@ -201,15 +202,14 @@ mod tests {
     use lfpiv_sim::FrameOfPair;
 
     use super::*;
-    use crate::{
+    use lfpiv_core::{
         lightfield::{PhotometricZones, ViewLayout},
         reconstruction::{Reconstructor, ViewLevels},
-        test_bench,
     };
 
     /// The second camera of the bench, turned about x until it looks `degrees` beside the first.
     fn cameras(degrees: f64) -> Vec<Pose> {
-        let mut poses = test_bench::poses();
+        let mut poses = small().camera;
         let (sin, cos) = degrees.to_radians().sin_cos();
         poses[1].axis = Vector3::new(0.0, sin, cos);
         poses[1].up = Vector3::new(0.0, cos, -sin);
@@ -224,13 +224,13 @@ mod tests {
     #[test]
     fn cameras_are_turned_to_the_nearest_free_axes() {
         let turned = aligned(&cameras(60.0));
-        assert_eq!(turned, test_bench::poses());
+        assert_eq!(turned, small().camera);
         // Nearer to the first camera's axis, which is taken.
         assert_eq!(aligned(&cameras(20.0))[1].axis, Vector3::y());
         for pose in aligned(&cameras(20.0)) {
             assert_eq!(pose.right.cross(&pose.up), pose.axis);
         }
-        assert_eq!(aligned(&test_bench::poses()), test_bench::poses());
+        assert_eq!(aligned(&small().camera), small().camera);
     }
 
     /// Views times active voxels, summed over the passes: what the solver's time goes with, whatever

@@ -1,17 +1,16 @@
 //! Q and ε against iterations, and what ordered subsets gain (paper, Figs. 4 and 13).
 
-use crate::{
-    benchmark::{
-        Curve, Figure, paper,
-        report::{
-            Report,
-            chart::{Axis, Chart, Series, Style},
-            section::{Compared, Panel, Section},
-            svg::number,
-            tables::cameras,
-        },
+use lfpiv_core::reconstruction::Solver;
+
+use crate::benchmark::{
+    Curve, Figure, paper,
+    report::{
+        Report,
+        chart::{Axis, Chart, Series, Style},
+        section::{Compared, Panel, Section},
+        svg::number,
+        tables::cameras,
     },
-    reconstruction::Solver,
 };
 
 /// A curve counts as converged from where all of it is this close to its last value.

@@ -1,17 +1,16 @@
 //! The ring vortex: vorticity iso-surface and slices (paper, Figs. 14 to 16).
 
-use crate::{
-    benchmark::{
-        Figure, MeasuredField, paper,
-        report::{
-            Report,
-            heat::HeatMap,
-            section::{Panel, Section},
-            surface::Scalars,
-            tables::cameras,
-        },
+use lfpiv_core::velocimetry::VelocityField;
+
+use crate::benchmark::{
+    Figure, MeasuredField, paper,
+    report::{
+        Report,
+        heat::HeatMap,
+        section::{Panel, Section},
+        surface::Scalars,
+        tables::cameras,
     },
-    velocimetry::VelocityField,
 };
 
 /// Height of an iso-surface's picture and width of a slice's, about.

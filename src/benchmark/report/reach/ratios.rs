@@ -1,13 +1,12 @@
 //! Bars on ratios: against other programs, and against the paper's solvers.
 
+use lfpiv_core::reconstruction::Solver;
+
 use super::{
     super::{Report, figures::convergence::accelerations, svg::number, tables::mean_error},
     Candidate, at_most,
 };
-use crate::{
-    benchmark::{Bar, Row},
-    reconstruction::Solver,
-};
+use crate::benchmark::{Bar, Row};
 
 /// This program's name in the peers' run, which has rows of its own for comparison.
 const OURS: &str = "lfpiv";

@@ -7,7 +7,7 @@
 use lfpiv_hw::CameraName;
 
 use super::{agreement::Agreement, disparity::Disparity};
-use crate::{lightfield::MicroImages, pipeline::Measurement, reconstruction::FitVerdict};
+use crate::{lightfield::MicroImages, measurement::Measurement, reconstruction::FitVerdict};
 
 /// Micro-images further than this from their places, in parts of their pitch, take light from wrong
 /// views; further than the second, from wrong microlenses.

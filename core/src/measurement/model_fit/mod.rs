@@ -29,9 +29,9 @@ use self::{
     sources::{lit_windows, sources},
     unexplained::unexplained,
 };
-use super::{ImagePair, Measurement, fitted::Fitted, frame::Frame};
+use super::{Measurement, fitted::Fitted, frame::Frame};
 use crate::{
-    lightfield::MicroImages,
+    lightfield::{ImagePair, MicroImages},
     model::PointImager,
     reconstruction::{CameraFit, Footprint, ModelFit, ProjectedView, Reconstruction, Solver},
     velocimetry::{VectorStatus, VelocityField},

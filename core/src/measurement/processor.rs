@@ -7,20 +7,20 @@ use thiserror::Error;
 
 use crate::{
     lightfield::{
-        Background, Condensation, ImageSettings, PhotometricZones, RawLevel, StationaryLight,
+        Background, Condensation, ImagePair, ImageSettings, PhotometricZones, RawLevel,
+        StationaryLight,
     },
-    model::{ModelError, ModelSettings, VolumeGrid},
-    pipeline::{
-        ImagePair, PairResult, StageSeconds,
+    measurement::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
         plan::Plan,
     },
+    model::{ModelError, ModelSettings, VolumeGrid},
     reconstruction::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
     },
-    velocimetry::{Interrogation, PointCloud, VelocimetrySettings},
+    velocimetry::{Interrogation, PairResult, PointCloud, StageSeconds, VelocimetrySettings},
 };
 
 /// Everything that turns image pairs into vectors.

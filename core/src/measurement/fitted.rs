@@ -3,12 +3,13 @@
 use std::sync::{Arc, OnceLock};
 
 use super::{
-    ImagePair, Measurement,
+    Measurement,
     choose::{Allowed, choose, configured},
     frame::{Correction, Frame},
     scene::measure_scene,
 };
 use crate::{
+    lightfield::ImagePair,
     model::{ModelChoice, ModelError, ModelMode},
     reconstruction::{Footprint, ReconstructionSettings, Reconstructor, Solver},
 };
