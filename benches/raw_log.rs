@@ -6,14 +6,12 @@
 use std::{fs, hint::black_box, path::Path, time::Instant};
 
 use bitpacking::{BitPacker, BitPacker4x};
-use lfpiv::{
-    archive::raw_log::{
-        Codec,
-        measure::{DiskSpeed, codec_speed, copy_speed, log_speed, reading_mb_per_s},
-    },
-    config::ConfigFile,
-};
+use lfpiv::config::ConfigFile;
 use lfpiv_hw::RawImage;
+use lfpiv_rawlog::{
+    Codec,
+    measure::{DiskSpeed, codec_speed, copy_speed, log_speed, reading_mb_per_s},
+};
 use lfpiv_sim::{BenchGeometry, Scene};
 
 const CODECS: [(&str, Codec); 3] =

@@ -7,12 +7,11 @@ use std::{fs, path::PathBuf, sync::OnceLock};
 
 use lfpiv::{
     acquisition::journal::{Description, Entry, JOURNAL_VERSION, RecordedRun},
-    archive::{
-        FileDepth, ImageSize, RawLog, RawLogSettings, Record, read_grey_tiff, write_grey_tiff,
-    },
+    archive::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff},
     config::Config,
 };
 use lfpiv_hw::RawImage;
+use lfpiv_rawlog::{RawLog, RawLogSettings, Record};
 use lfpiv_sim::faults::FaultSettings;
 use proptest::prelude::*;
 use support::{SHIPPED, shipped};

@@ -1,12 +1,12 @@
 //! Why acquisition ended.
 
 use lfpiv_hw::{CameraName, device::DeviceError};
+use lfpiv_rawlog::RawLogError;
 use thiserror::Error;
 
 use std::sync::Arc;
 
 use super::pairing::ExtraTriggers;
-use crate::archive::RawLogError;
 
 /// Why acquisition could not begin or go on. The synchroniser has been made safe by then, or the
 /// error says that it has not.

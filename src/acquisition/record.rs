@@ -3,13 +3,13 @@
 use std::time::Duration;
 
 use lfpiv_hw::{RawImage, synchroniser::line};
+use lfpiv_rawlog::Record;
 
 use super::{
     AcquisitionError,
     controller::Run,
     journal::{Entry, Offered},
 };
-use crate::archive::Record;
 
 /// How long the disk may take nothing before the run is given up.
 const DISK_PATIENCE: Duration = Duration::from_secs(60);

@@ -12,12 +12,13 @@ use image::{
     error::{ParameterError, ParameterErrorKind::DimensionMismatch},
 };
 use lfpiv_hw::{RawImage, Sensor};
+use lfpiv_rawlog::regular_file::open_regular;
 use tiff::{
     ColorType, TiffError, TiffResult,
     decoder::{ChunkType, Decoder, DecodingResult},
 };
 
-use super::{ArchiveError, durable::replace, open_regular};
+use super::{ArchiveError, durable::replace};
 
 /// Pixel columns and rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,6 @@
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
 //! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files);
 //!   [`merge_segments`] makes few files of many segments.
-//! - [`raw_log`]: everything that a run recorded, durable and lossless.
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
 //!   volumes of any program.
 //!
@@ -21,8 +20,6 @@ mod netcdf_file;
 mod netcdf_open;
 mod pair_folder;
 mod paraview;
-pub mod raw_log;
-mod regular_file;
 mod store;
 mod stored;
 #[cfg(test)]
@@ -36,11 +33,6 @@ pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
 pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, VtiSource, write_vti};
-pub use raw_log::{
-    AppendError, Position, RawLog, RawLogError, RawLogReader, RawLogSettings, RawLogWriter, Record,
-    Watermarks, recover,
-};
-pub use regular_file::{open_regular, open_regular_with, read_regular, read_text, text_of};
 pub use store::ResultStore;
 pub use stored::{StoredResults, stored_configuration, stored_vectors};
 pub use velocity_file::write_velocity;

@@ -8,7 +8,7 @@ use std::{cell::Cell, path::Path, ptr};
 use hdf5_sys::{LOCK, h5e};
 use netcdf::{Error, File, FileMut};
 
-use super::open_regular;
+use lfpiv_rawlog::regular_file::open_regular;
 
 /// Opens a file to read; it stays on this thread.
 pub(super) fn open(path: &Path) -> netcdf::Result<File> {

@@ -23,6 +23,7 @@ use std::{
 use anyhow::{Context, anyhow};
 use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
 use lfpiv_hw::{PulseSchedule, Sensor};
+use lfpiv_rawlog::RawLogSettings;
 use parking_lot::Mutex;
 use tokio::{net::TcpListener, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
@@ -42,7 +43,7 @@ use crate::{
         Planner, RunClock, ShotReceiver, SynchroniserThread, acquire, control, panic_message,
         secure, shot_queue,
     },
-    archive::{RawLogSettings, ResultStore, merge_segments},
+    archive::{ResultStore, merge_segments},
     config::ConfigFile,
     pipeline::{Board, Observer, Pool, PoolLinks, PoolSettings},
     server::{ApiState, Phase, Protection, raise_open_files, serve},

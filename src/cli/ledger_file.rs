@@ -4,12 +4,13 @@ use std::{collections::BTreeSet, io::Write, path::Path};
 
 use anyhow::Context;
 use lfpiv_hw::device::StreamStatistics;
+use lfpiv_rawlog::regular_file::read_regular;
 use serde::Serialize;
 use serde_json::Value;
 
 use crate::{
     acquisition::{Account, AcquisitionReport, Ledger, TriggerEntry, journal::RunEnd},
-    archive::{read_regular, write_replacing},
+    archive::write_replacing,
     pipeline::{Board, ShotRecord, Stage},
 };
 

@@ -13,6 +13,7 @@ use lfpiv_core::{
     model::ModelMode,
     velocimetry::PairResult,
 };
+use lfpiv_rawlog::recover;
 use tokio_util::sync::CancellationToken;
 
 use super::{
@@ -24,7 +25,7 @@ use super::{
 };
 use crate::{
     acquisition::journal::{RAW_FOLDER, RecordedRun, RecordedShot, RunIndex, ledger_of},
-    archive::{ResultStore, StoredResults, merge_segments, recover},
+    archive::{ResultStore, StoredResults, merge_segments},
     config::Config,
 };
 

@@ -6,14 +6,15 @@ use std::{
 };
 
 use anyhow::{Context, bail};
+use lfpiv_rawlog::{
+    RawLog, RawLogWriter,
+    regular_file::{open_regular, open_regular_with},
+};
 
 use super::daemon::DaemonPlan;
-use crate::{
-    acquisition::{
-        AcquisitionSettings, Journal,
-        journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
-    },
-    archive::{RawLog, RawLogWriter, open_regular, open_regular_with},
+use crate::acquisition::{
+    AcquisitionSettings, Journal,
+    journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
 };
 
 /// A run's record under way.

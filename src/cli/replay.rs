@@ -8,6 +8,7 @@ use std::{
 use anyhow::{Context, bail};
 use garde::Validate;
 use lfpiv_hw::device::Camera;
+use lfpiv_rawlog::{Position, regular_file::read_text};
 use lfpiv_sim::faults::{FaultSettings, FaultyCamera};
 
 use super::{
@@ -25,7 +26,6 @@ use crate::{
         journal::{RecordedRun, RecordedRunError},
         replay::{Replay, Speed, replay},
     },
-    archive::{Position, read_text},
     config::{Config, ConfigFile},
 };
 

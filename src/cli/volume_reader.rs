@@ -13,9 +13,10 @@ use std::{
 
 use anyhow::{Context, bail};
 use lfpiv_core::{model::VolumeGrid, reconstruction::DenseVolume};
+use lfpiv_rawlog::regular_file::open_regular;
 use rustix::process::{Resource, Rlimit, setrlimit};
 
-use crate::archive::{open_regular, read_volumes};
+use crate::archive::read_volumes;
 
 const VOLUMES: u8 = 1;
 const REASON: u8 = 0;

@@ -25,7 +25,7 @@ use lfpiv_hw::{Optics, Pose, TimingSettings, check::finite};
 use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
-use crate::archive::RawLogSettings;
+use lfpiv_rawlog::RawLogSettings;
 
 pub use instruments::InstrumentSettings;
 pub use misfit::Purpose;

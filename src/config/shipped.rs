@@ -5,7 +5,7 @@ use std::{
     path::{Component, Path, PathBuf},
 };
 
-use crate::archive::read_text;
+use lfpiv_rawlog::regular_file::read_text;
 
 /// Every shipped file by its place in the source.
 const SHIPPED: [(&str, &str); 8] = [

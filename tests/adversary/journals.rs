@@ -3,7 +3,7 @@
 
 use std::{fs, path::PathBuf};
 
-use lfpiv::archive::{RawLog, RawLogReader, RawLogSettings, Record};
+use lfpiv_rawlog::{RawLog, RawLogReader, RawLogSettings, Record};
 use rand::RngExt;
 use tempfile::TempDir;
 

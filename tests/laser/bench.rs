@@ -8,13 +8,10 @@ use std::{
     time::{Duration, Instant},
 };
 
-use lfpiv::{
-    acquisition::{
-        AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Control,
-        Journal, Ledger, Mode, OverloadPolicy, Reconnection, Reopen, ShotReceiver,
-        SynchroniserThread, acquire, control, shot_queue,
-    },
-    archive::{RawLog, RawLogSettings},
+use lfpiv::acquisition::{
+    AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Control,
+    Journal, Ledger, Mode, OverloadPolicy, Reconnection, Reopen, ShotReceiver, SynchroniserThread,
+    acquire, control, shot_queue,
 };
 use lfpiv_hw::{
     PulseSchedule, RawImage, TimingSettings,
@@ -26,6 +23,7 @@ use lfpiv_hw::{
     },
     timing::{ExternalTrigger, TriggerEdge, TriggerSource},
 };
+use lfpiv_rawlog::{RawLog, RawLogSettings};
 use lfpiv_sim::wire::{
     pty::Served,
     pulse_generator::{PulseGenerator, PulseGeneratorOptions},
@@ -250,7 +248,7 @@ impl Plan {
 
 /// A record on a disk that has no room; it is written until the writer is dropped.
 pub fn without_room(folder: &Path) -> (Journal, impl Drop) {
-    struct Writer(Option<lfpiv::archive::RawLogWriter>);
+    struct Writer(Option<lfpiv_rawlog::RawLogWriter>);
     impl Drop for Writer {
         fn drop(&mut self) {
             self.0.take().unwrap().close().unwrap();

@@ -8,10 +8,8 @@ use std::{
     process::Command,
 };
 
-use lfpiv::{
-    acquisition::journal::RecordedRun,
-    archive::raw_log::{Position, RawLogReader},
-};
+use lfpiv::acquisition::journal::RecordedRun;
+use lfpiv_rawlog::{Position, RawLogReader};
 
 use crate::bench::{configuration, finished_run, lfpiv, text};
 

@@ -12,11 +12,9 @@ use std::{
 
 use lfpiv::{
     acquisition::journal::{JOURNAL_VERSION, RecordedRun},
-    archive::{
-        raw_log::{RawLog, RawLogReader, RawLogSettings},
-        stored_vectors,
-    },
+    archive::stored_vectors,
 };
+use lfpiv_rawlog::{RawLog, RawLogReader, RawLogSettings};
 use serde_json::Value;
 
 use crate::bench::{images, lfpiv, text};

@@ -8,9 +8,10 @@ use std::{
 
 use lfpiv::{
     acquisition::journal::{Entry, RAW_FOLDER, RecordedRun},
-    archive::{StoredResults, recover},
+    archive::StoredResults,
 };
 use lfpiv_hw::RawImage;
+use lfpiv_rawlog::recover;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

@@ -2,7 +2,8 @@
 
 use std::{fs, path::Path, process::Command};
 
-use lfpiv::archive::{RawLog, RawLogReader, RawLogSettings, StoredResults};
+use lfpiv::archive::StoredResults;
+use lfpiv_rawlog::{RawLog, RawLogReader, RawLogSettings};
 
 use crate::bench::{configuration, finished_run, images, lfpiv, text};
 

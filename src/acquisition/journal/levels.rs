@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use lfpiv_core::lightfield::RawLevel;
 use serde::Serialize;
 
-use crate::archive::Watermarks;
+use lfpiv_rawlog::Watermarks;
 
 /// In the place of a record's number: there is none, although there should be.
 pub(super) const LOST: u64 = u64::MAX;

@@ -1,7 +1,7 @@
 //! The run's own record: every frame as it came, and every decision, in the order in which the
 //! run loop saw them.
 //!
-//! It is written to the raw log (`archive::raw_log`), which knows records and bytes; this module
+//! It is written to the raw log (`lfpiv_rawlog`), which knows records and bytes; this module
 //! knows what they say. From it, `lfpiv process` finishes what was shed, `lfpiv export` makes image
 //! files, and [`super::replay`] plays the run again.
 
@@ -26,7 +26,7 @@ pub use recorded::{
     Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunEnd, RunIndex,
 };
 
-use crate::archive::{AppendError, RawLog, RawLogError, Record};
+use lfpiv_rawlog::{AppendError, RawLog, RawLogError, Record};
 
 /// The record of a run, or of none. Clones write to the same one.
 #[derive(Clone, Default)]

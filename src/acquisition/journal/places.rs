@@ -2,8 +2,9 @@
 
 use std::{collections::BTreeMap, iter};
 
+use lfpiv_rawlog::Position;
+
 use super::{Placed, RecordedRun, RecordedRunError, RecordedShot, recorded::ShotFinder};
-use crate::archive::Position;
 
 /// Shots remembered.
 const REMEMBERED: usize = 10_000;

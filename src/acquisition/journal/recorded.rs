@@ -7,13 +7,11 @@ use std::{
 
 use lfpiv_core::lightfield::{ImagePair, ShotTime};
 use lfpiv_hw::RawImage;
+use lfpiv_rawlog::{Position, RawLogError, RawLogReader};
 use thiserror::Error;
 
 use super::{Description, Entry, FrameKey, JOURNAL_VERSION};
-use crate::{
-    acquisition::trigger_times::TriggerTimes,
-    archive::{Position, RawLogError, RawLogReader},
-};
+use crate::acquisition::trigger_times::TriggerTimes;
 
 /// Where a run's raw log lies in its folder.
 pub const RAW_FOLDER: &str = "raw";

@@ -13,6 +13,7 @@ mod steps;
 use std::{path::Path, sync::Arc};
 
 use lfpiv_hw::device::Camera;
+use lfpiv_rawlog::Position;
 use tokio_util::sync::CancellationToken;
 
 use self::{clock::ReplayClock, script::Script};
@@ -20,7 +21,6 @@ use super::{
     Bench, BurstScript, RunClock,
     journal::{Description, RecordedRun, RecordedRunError},
 };
-use crate::archive::Position;
 pub use script::Speed;
 
 /// What is needed to play a run again.

@@ -14,6 +14,7 @@ use lfpiv_hw::{
     RawImage,
     device::{Frame, StreamStatistics},
 };
+use lfpiv_rawlog::Position;
 use parking_lot::{Condvar, Mutex, MutexGuard};
 use tokio_util::sync::CancellationToken;
 
@@ -21,12 +22,9 @@ use super::{
     clock::ReplayClock,
     steps::{Step, Steps},
 };
-use crate::{
-    acquisition::{
-        BurstScript, BurstStart, Outcome, ScriptedBurst,
-        journal::{Entry, FrameHead, RecordedRun, RecordedRunError},
-    },
-    archive::Position,
+use crate::acquisition::{
+    BurstScript, BurstStart, Outcome, ScriptedBurst,
+    journal::{Entry, FrameHead, RecordedRun, RecordedRunError},
 };
 
 /// How fast a run is played.

@@ -5,13 +5,11 @@
 use std::sync::Arc;
 
 use lfpiv_hw::{device::StreamStatistics, timing::PulseSchedule};
+use lfpiv_rawlog::Position;
 
-use crate::{
-    acquisition::{
-        BurstStart,
-        journal::{Entry, FrameHead, Placed},
-    },
-    archive::Position,
+use crate::acquisition::{
+    BurstStart,
+    journal::{Entry, FrameHead, Placed},
 };
 
 #[derive(Debug, Clone)]

@@ -2,10 +2,10 @@
 
 use std::{fs, path::Path};
 
+use lfpiv_rawlog::regular_file::read_text;
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::PeersError;
-use crate::archive::read_text;
 
 const FILE: &str = "case.json";
 

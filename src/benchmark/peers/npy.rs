@@ -7,8 +7,9 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use lfpiv_rawlog::regular_file::read_regular;
+
 use super::PeersError;
-use crate::archive::read_regular;
 
 const MAGIC: &[u8; 8] = b"\x93NUMPY\x01\x00";
 

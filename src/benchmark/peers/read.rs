@@ -2,12 +2,10 @@
 
 use std::path::Path;
 
+use lfpiv_rawlog::regular_file::read_text;
 use serde::Deserialize;
 
-use crate::{
-    archive::read_text,
-    benchmark::{BenchmarkError, Row},
-};
+use crate::benchmark::{BenchmarkError, Row};
 
 /// A row as the peers' script writes it; keys may be absent.
 #[derive(Debug, Default, Deserialize)]

@@ -8,6 +8,7 @@ use std::{
 
 use anyhow::{Context, anyhow};
 use lfpiv_hw::{RawImage, gige::ImageSize};
+use lfpiv_rawlog::Position;
 use lfpiv_sim::{
     LightPulse,
     wire::{Delivery, Pictures, exposure::LaserFacts},
@@ -18,10 +19,7 @@ use super::{
     light::is_as_recorded,
     triggers::{Part, RecordedTrigger, RecordedTriggers},
 };
-use crate::{
-    acquisition::journal::{RecordedRun, RecordedRunError},
-    archive::Position,
-};
+use crate::acquisition::journal::{RecordedRun, RecordedRunError};
 
 /// Triggers whose frames are read before they are asked for. With those on their way this bounds
 /// the memory, however long the run is.

@@ -10,13 +10,11 @@ use std::{
 };
 
 use lfpiv_hw::{PulseSchedule, device::FrameStatus};
+use lfpiv_rawlog::Position;
 
-use crate::{
-    acquisition::{
-        Outcome,
-        journal::{Entry, FrameKey, Placed, RecordedRun},
-    },
-    archive::Position,
+use crate::acquisition::{
+    Outcome,
+    journal::{Entry, FrameKey, Placed, RecordedRun},
 };
 
 /// What a camera made of a trigger.

@@ -5,12 +5,12 @@
 
 use std::{io, os::unix::fs::MetadataExt, path::Path};
 
+use lfpiv_rawlog::regular_file::{open_regular, text_of};
 use ring::digest::{SHA256, SHA256_OUTPUT_LEN, digest};
 use rustix::process::geteuid;
 use subtle::{ConditionallySelectable, ConstantTimeEq};
 
 use super::{ProtectionError, strength::estimated_bits};
-use crate::archive::{open_regular, text_of};
 
 /// Fewest characters of a token: 128 bit in hexadecimal digits.
 const FEWEST_HEX: usize = 32;

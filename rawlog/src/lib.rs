@@ -7,8 +7,8 @@
 //! (JSON by convention) and, if there is one, an image.
 //!
 //! ```no_run
-//! use lfpiv::archive::raw_log::{RawLog, RawLogReader, RawLogSettings, Record};
-//! # fn main() -> Result<(), lfpiv::archive::raw_log::RawLogError> {
+//! use lfpiv_rawlog::{RawLog, RawLogReader, RawLogSettings, Record};
+//! # fn main() -> Result<(), lfpiv_rawlog::RawLogError> {
 //! let folder = std::path::Path::new("run/raw");
 //! let (log, writer) = RawLog::create(folder, b"{}", &RawLogSettings::default())?;
 //! log.append_blocking(Record { head: br#"{"note":"lamps on"}"#.to_vec(), image: None })?;
@@ -51,6 +51,7 @@ mod queue;
 mod reader;
 mod record;
 mod recovery;
+pub mod regular_file;
 mod segments;
 mod settings;
 mod storage;

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::archive::raw_log::{
+use crate::{
     Position, RawLogError,
     format::{Ending, Footer, Predecessor, RecordHeader},
 };

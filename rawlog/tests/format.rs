@@ -1,6 +1,6 @@
 //! A log that an earlier version of the format wrote is read by every later program.
 //!
-//! `tests/fixtures/raw_log_v1` and `_v2` are not to be written again: a new version of the format gets
+//! `tests/fixtures/v1` and `v2` are not to be written again: a new version of the format gets
 //! a folder of its own beside them.
 
 // All of this crate is test; clippy's exception covers only the functions marked as such.
@@ -8,10 +8,8 @@
 
 use std::{fs, path::PathBuf};
 
-use lfpiv::archive::raw_log::{
-    Codec, FORMAT_VERSION, RawLog, RawLogReader, RawLogSettings, Record, recover,
-};
 use lfpiv_hw::RawImage;
+use lfpiv_rawlog::{Codec, FORMAT_VERSION, RawLog, RawLogReader, RawLogSettings, Record, recover};
 
 const DESCRIPTION: &[u8] = br#"{"run":"fixture","format":1}"#;
 const CODECS: [(&str, Codec); 3] =
@@ -20,7 +18,7 @@ const RECORDS: u64 = 5;
 
 fn fixture(version: u32, codec: &str) -> PathBuf {
     let fixtures = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
-    fixtures.join(format!("raw_log_v{version}")).join(codec)
+    fixtures.join(format!("v{version}")).join(codec)
 }
 
 /// What the fixture holds, by arithmetic that is written out here.

@@ -39,7 +39,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::archive::raw_log::storage::{Storage, model::ModelDisk};
+    use crate::storage::{Storage, model::ModelDisk};
 
     #[test]
     fn a_pattern_is_found_across_the_border_of_two_reads_and_not_beyond_the_end() {

@@ -8,7 +8,7 @@ use std::{
 };
 
 use super::{LogFile, Storage};
-use crate::archive::{open_regular, open_regular_with};
+use crate::regular_file::{open_regular, open_regular_with};
 
 /// The operating system's files.
 #[derive(Debug, Clone, Copy)]
