@@ -21,7 +21,7 @@ SEED := 1
 CASE :=
 
 BENCH_OUT := results/bench
-# Sets of benches/report.toml; all when empty. PEERS is a JSON file with rows of other programs.
+# Sets of bench/report.toml; all when empty. PEERS is a JSON file with rows of other programs.
 SETS :=
 PEERS :=
 
@@ -37,11 +37,11 @@ help:
 	@echo "make clean   remove build outputs and the Python environments"
 
 demo: packages
-	cargo build --release --locked
+	cargo build --release --locked --package lfpiv
 	target/release/lfpiv run --config $(DEMO_CONFIG) --shots $(DEMO_SHOTS)
 
 loopback: packages network-tools
-	cargo build --release --locked
+	cargo build --release --locked --package lfpiv
 	scripts/loopback.sh target/release/lfpiv $(LOOPBACK_SHOTS)
 
 test: format lint test-rust test-readers
@@ -54,7 +54,7 @@ soak: packages network-tools
 # The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages
 	cargo build --release --locked
-	target/release/lfpiv bench --suite benches/report.toml --out $(BENCH_OUT) \
+	target/release/lfpiv bench --suite bench/report.toml --out $(BENCH_OUT) \
 		$(addprefix --set ,$(SETS)) $(addprefix --peers ,$(PEERS))
 
 # Needs 13 GB of memory and 7 GB of disk for the largest explicit matrix. One case, one turn:
@@ -63,8 +63,8 @@ PEER_CASES :=
 PEER_TURNS :=
 bench-peers: packages
 	cargo build --release --locked
-	@scripts/install-python.sh .venv-peers benches/peers/requirements.txt
-	.venv-peers/bin/python benches/peers/compare.py $(PEER_TURNS:%=--turns %) $(PEER_CASES)
+	@scripts/install-python.sh .venv-peers bench/peers/requirements.txt
+	.venv-peers/bin/python bench/peers/compare.py $(PEER_TURNS:%=--turns %) $(PEER_CASES)
 
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)

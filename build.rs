@@ -2,12 +2,16 @@
 
 use std::process::Command;
 
+/// What the program is made from.
+const SOURCES: [&str; 8] =
+    ["build.rs", "Cargo.lock", "Cargo.toml", "core/src", "hw/src", "rawlog/src", "sim/src", "src"];
+
 fn main() {
     let version = env!("CARGO_PKG_VERSION");
     let commit = git(&["describe", "--always", "--dirty", "--abbrev=10", "--exclude=*"]);
     let code = commit.map_or_else(|| version.to_owned(), |commit| format!("{version} ({commit})"));
     println!("cargo:rustc-env=LFPIV_CODE_VERSION={code}");
-    for source in ["build.rs", "Cargo.lock", "Cargo.toml", "hw/src", "sim/src", "src"] {
+    for source in SOURCES {
         println!("cargo:rerun-if-changed={source}");
     }
     if let Some(log) = git(&["rev-parse", "--git-path", "logs/HEAD"])

@@ -2,8 +2,10 @@
 
 pub mod acquisition;
 pub mod archive;
-pub mod benchmark;
 pub mod cli;
 pub mod config;
 pub mod pipeline;
 pub mod server;
+
+/// Version and commit of this program.
+pub const CODE_VERSION: &str = env!("LFPIV_CODE_VERSION");

@@ -45,7 +45,7 @@ fn line_of(name: &str, key: &str) -> usize {
 #[test]
 fn every_configuration_in_the_repository_can_be_measured_with() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = ["config", "tests/data", "benches/peers/cases"];
+    let folders = ["config", "tests/data", "bench/peers/cases"];
     let mut files = 0;
     for folder in folders {
         for entry in fs::read_dir(root.join(folder)).expect(folder) {

@@ -13,15 +13,15 @@ use lfpiv_sim::{
     wire::{Delivery, Pictures, WireSettings, bench::WireBench},
 };
 use parking_lot::Mutex;
+use rustix::time::{ClockId, clock_gettime};
 use tokio_util::sync::CancellationToken;
 
-use super::{daemon::frame_bytes, instruments::open};
+use super::{daemon::frame_bytes, instruments::open, streamed::Streamed};
 use crate::{
     acquisition::{
         AcquisitionLinks, AcquisitionSettings, AfterBenchLoss, Bench, Ledger, Outcome,
         OverloadPolicy, acquire, shot_queue,
     },
-    benchmark::{Streamed, processor_seconds},
     config::{Config, InstrumentSettings},
 };
 
@@ -61,8 +61,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     };
     let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
-    let own = std::process::id();
-    let (began, busy) = (Instant::now(), processor_seconds(own).unwrap_or_default());
+    let (began, busy) = (Instant::now(), processor_seconds());
     runtime.block_on(take_all(bench, settings, &ledger))?;
     let seconds = began.elapsed().as_secs_f64();
     let ledger = ledger.lock();
@@ -72,7 +71,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     Ok(Streamed {
         whole_shots: ledger.accounts()[0].outcomes.of(Outcome::Complete),
         seconds,
-        processor_seconds: processor_seconds(own).unwrap_or_default() - busy,
+        processor_seconds: processor_seconds() - busy,
         frames_per_s,
         mb_per_s: frames_per_s * frame_mb,
         copies_per_frame: COPIES_PER_FRAME,
@@ -117,4 +116,10 @@ async fn take_all(
     }
     acquiring.await??;
     Ok(())
+}
+
+/// User and system time of this process so far, in s.
+fn processor_seconds() -> f64 {
+    let time = clock_gettime(ClockId::ProcessCPUTime);
+    time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9
 }

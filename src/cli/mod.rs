@@ -5,7 +5,7 @@
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line, 3 when
 //! everything was done that a damaged or incomplete record of a run allows.
 
-mod bench;
+mod beside;
 mod check;
 mod compare;
 mod correlate;
@@ -19,11 +19,10 @@ mod export;
 mod finding;
 mod instruments;
 mod ledger_file;
-mod logging;
+pub mod logging;
 mod losses;
 mod operator;
-mod output;
-mod peers;
+pub mod output;
 mod process;
 mod process_jobs;
 mod process_run;
@@ -41,6 +40,7 @@ mod sim_bench;
 mod simulate;
 mod solver;
 mod stop;
+mod streamed;
 mod timing;
 mod volume_reader;
 
@@ -48,18 +48,18 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-pub use bench::BenchArgs;
+pub use beside::BesideArgs;
 pub use check::CheckArgs;
 pub use compare::CompareArgs;
 pub use correlate::CorrelateArgs;
 pub use doctor::DoctorArgs;
 pub use export::ExportArgs;
-pub use peers::PeersCommand;
 pub use process::ProcessArgs;
 pub use replay::ReplayArgs;
 pub use run::RunArgs;
 pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
+pub use streamed::Streamed;
 pub use timing::TimingArgs;
 pub use volume_reader::ReadVolumesArgs;
 
@@ -98,10 +98,11 @@ enum Command {
     /// Look whether this machine is fit for the bench, and say what to do.
     Doctor(DoctorArgs),
     /// Measure speed against error of declared cases and methods, and write a report.
-    Bench(BenchArgs),
-    /// Make cases that other programs can be timed on, and time this one (see benches/peers).
-    #[command(subcommand)]
-    Peers(PeersCommand),
+    #[command(disable_help_flag = true)]
+    Bench(BesideArgs),
+    /// Make cases that other programs can be timed on, and time this one (see bench/peers).
+    #[command(disable_help_flag = true)]
+    Peers(BesideArgs),
     /// Read volumes for a parent that must not die of them.
     #[command(hide = true)]
     ReadVolumes(ReadVolumesArgs),
@@ -127,8 +128,8 @@ pub fn main() -> ExitCode {
         Command::SimBench(args) => sim_bench::sim_bench(&args),
         Command::Devices => devices::devices(),
         Command::Doctor(args) => doctor::doctor(&args),
-        Command::Bench(args) => bench::bench(&args),
-        Command::Peers(command) => peers::peers(&command),
+        Command::Bench(args) => beside::start("bench", &args),
+        Command::Peers(args) => beside::start("peers", &args),
         Command::ReadVolumes(args) => volume_reader::read_for_parent(&args),
     };
     match done {

@@ -15,8 +15,8 @@ const SHIPPED: [(&str, &str); 8] = [
     ("config/paper.toml", include_str!("../../config/paper.toml")),
     ("config/loopback.toml", include_str!("../../config/loopback.toml")),
     ("config/loopback-bench.toml", include_str!("../../config/loopback-bench.toml")),
-    ("benches/report.toml", include_str!("../../benches/report.toml")),
-    ("benches/smoke.toml", include_str!("../../benches/smoke.toml")),
+    ("bench/report.toml", include_str!("../../bench/report.toml")),
+    ("bench/smoke.toml", include_str!("../../bench/smoke.toml")),
 ];
 
 /// A file's text. Where there is no such file and its path is that of a shipped one, as
@@ -42,7 +42,7 @@ fn shipped(path: &Path) -> Option<&'static str> {
     SHIPPED.iter().find(|(place, _)| Path::new(place) == path).map(|(_, text)| *text)
 }
 
-/// `benches/../config/bench.toml` as `config/bench.toml`; nothing is looked up.
+/// `bench/../config/bench.toml` as `config/bench.toml`; nothing is looked up.
 fn without_detours(path: &Path) -> PathBuf {
     path.components().fold(PathBuf::new(), |mut straight, component| {
         match component {
@@ -64,7 +64,7 @@ mod tests {
 
     #[test]
     fn shipped_files_are_found_by_their_place_in_the_source() {
-        for path in ["config/sim.toml", "./config/sim.toml", "benches/../config/sim.toml"] {
+        for path in ["config/sim.toml", "./config/sim.toml", "bench/../config/sim.toml"] {
             assert_eq!(shipped(Path::new(path)), Some(SHIPPED[0].1), "{path}");
         }
         for path in ["sim.toml", "/config/sim.toml", "../config/sim.toml", "config/mine.toml"] {

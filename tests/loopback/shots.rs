@@ -2,7 +2,7 @@
 
 use std::{fs, process::Command, sync::Arc};
 
-use lfpiv::benchmark::Streamed;
+use lfpiv::cli::Streamed;
 use lfpiv_core::{lightfield::ImagePair, measurement::Processor};
 use lfpiv_hw::gige::ImageSize;
 use lfpiv_sim::wire::{ScenePictures, WireSettings, bench::WireBench};

@@ -115,8 +115,8 @@ pub const CASES: [Case; 14] = [
 
 /// A bench of the real sensor with particles at `ppm` in `voxels` of 0.1 mm.
 pub fn bench(voxels: [usize; 3], ppm: f64) -> Config {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("config/bench.toml");
-    let mut config = ConfigFile::load(&path).expect("config/bench.toml").config;
+    let path = std::path::Path::new("config/bench.toml");
+    let mut config = ConfigFile::load(path).expect("config/bench.toml").config;
     config.volume.voxels = voxels;
     config.simulation.as_mut().expect("a simulated bench").ppm = ppm;
     config

@@ -13,9 +13,25 @@ use lfpiv_sim::{Flow, FrameOfPair, Truth};
 /// The configurations in `config/`.
 pub const SHIPPED: [&str; 6] = ["sim", "jet", "bench", "paper", "loopback", "loopback-bench"];
 
+/// The folder of the whole project: tests of other crates share this file.
+fn project() -> &'static Path {
+    let crate_folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let has_configurations = |folder: &&Path| folder.join("config").is_dir();
+    crate_folder.ancestors().find(has_configurations).expect("the folder config")
+}
+
+/// The program: that of this crate, or the one beside this crate's.
+fn program() -> PathBuf {
+    match (option_env!("CARGO_BIN_EXE_lfpiv"), option_env!("CARGO_BIN_EXE_lfpiv-bench")) {
+        (Some(own), _) => own.into(),
+        (None, Some(other)) => Path::new(other).with_file_name("lfpiv"),
+        (None, None) => unreachable!("a crate without programs starts none"),
+    }
+}
+
 /// The text of a configuration in `config/`.
 pub fn shipped(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("config").join(name);
+    let path = project().join("config").join(name);
     std::fs::read_to_string(path.with_extension("toml")).expect("shipped configuration")
 }
 
@@ -31,7 +47,7 @@ pub struct Done {
 
 /// Runs `lfpiv` with these arguments to its end.
 pub fn lfpiv<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Done {
-    let output: Output = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+    let output: Output = Command::new(program())
         .args(arguments)
         .env_remove("RUST_LOG")
         .output()
@@ -47,7 +63,7 @@ pub fn lfpiv<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Done {
 
 /// The configuration of a bench that is quick to simulate and to measure.
 pub fn small_configuration() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml")
+    project().join("tests/data/small.toml")
 }
 
 /// What it says.

@@ -12,7 +12,7 @@ use super::{
 
 /// Where the test, started again inside the namespaces, finds its small disk.
 const DISK: &str = "LFPIV_TEST_SMALL_DISK";
-const NAME: &str = "archive::raw_log::tests::disk_full::on_a_small_disk";
+const NAME: &str = "tests::disk_full::on_a_small_disk";
 
 /// Mounts 4 MiB over the folder, seen by this command alone.
 const MOUNT: &str = r#"mount -t tmpfs -o size=4m tmpfs "$0" && exec "$@""#;

@@ -1,0 +1,45 @@
+//! `lfpiv-bench`, which `lfpiv bench` and `lfpiv peers` start.
+
+mod peers_command;
+mod report_command;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use lfpiv::cli::logging;
+
+use peers_command::PeersCommand;
+use report_command::BenchArgs;
+
+/// Speed against error of lfpiv, beside other programs.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Measure speed against error of declared cases and methods, and write a report.
+    Bench(BenchArgs),
+    /// Make cases that other programs can be timed on, and time this one (see bench/peers).
+    #[command(subcommand)]
+    Peers(PeersCommand),
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    logging::start();
+    let done = match cli.command {
+        Command::Bench(args) => report_command::bench(&args),
+        Command::Peers(command) => peers_command::peers(&command),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            logging::complain(&error);
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Columns of the page's tables of rows.
+
+use super::{
+    Report,
+    svg::{number, round_number},
+};
+use crate::Row;
+
+/// A heading, and what a row has to say under it.
+pub type Column = (&'static str, fn(&Report, &Row) -> String);
+
+/// The columns of the page; the CSV file has all there are.
+pub const COLUMNS: [Column; 20] = [
+    ("case", |_, row| row.case.clone()),
+    ("method", |report, row| report.label(row)),
+    ("ppm", |_, row| known(row.ppm)),
+    ("cameras", |_, row| known(row.cameras as f64)),
+    ("voxels", |_, row| row.voxels.clone()),
+    ("seed", |_, row| row.seed.to_string()),
+    ("seconds", |_, row| value(row.seconds)),
+    ("CPU / s", |_, row| value(row.cpu_s)),
+    ("× kernel", |_, row| value(row.kernel_ratio)),
+    ("Q", |_, row| value(row.q)),
+    ("error x, y, z / voxel", |_, row| three(row.error_vox())),
+    ("true particles, windows only", |_, row| three(row.true_windows_vox())),
+    ("true particles, followed", |_, row| three(row.true_followed_vox())),
+    ("valid / %", |_, row| value(row.valid_share.map(|share| 100.0 * share))),
+    ("FWHM / mm", |_, row| value(row.fwhm_mm)),
+    ("peak / MB", |_, row| value(row.peak_mb)),
+    ("threads", |_, row| row.threads.to_string()),
+    ("machine", |_, row| row.machine.clone()),
+    ("version", |_, row| row.version.clone()),
+    ("date", |_, row| row.date.clone()),
+];
+
+/// Peers' rows do not say everything.
+fn known(figure: f64) -> String {
+    if figure > 0.0 { round_number(figure) } else { String::new() }
+}
+
+fn value(figure: Option<f64>) -> String {
+    figure.map_or_else(String::new, number)
+}
+
+fn three(figures: Option<[f64; 3]>) -> String {
+    figures.map_or_else(String::new, |figures| figures.map(number).join(" "))
+}
