@@ -1,7 +1,7 @@
 //! The forward models against ray tracing that shares nothing with them, and against each other.
 //!
 //! A model's weights, times the light of a pupil cell, must be what rays from the voxel leave on
-//! each pixel. Pixels on the border of two micro-images belong to no view (DESIGN section 4); the
+//! each pixel. Pixels on the border of two micro-images belong to no view (docs/theory.md, section 3); the
 //! light they take is reported as dropped and not compared.
 
 use lfpiv_core::{
@@ -19,7 +19,7 @@ use nalgebra::Vector3;
 const ELECTRONS: f64 = 1e6;
 const BOX_RAYS: u64 = 1 << 22;
 
-/// The bench of DESIGN section 1.
+/// The bench of docs/theory.md, section 1.
 fn optics() -> Optics {
     Optics {
         focal_length_mm: 100.0,
@@ -41,7 +41,7 @@ fn turned(degrees: f64) -> Pose {
     }
 }
 
-/// Both cameras of DESIGN section 2.
+/// Both cameras of docs/theory.md, section 2.
 fn poses() -> Vec<Pose> {
     let camera_2 = Pose { up: -Vector3::z(), axis: Vector3::y(), ..turned(0.0) };
     vec![turned(0.0), camera_2]

@@ -1,4 +1,4 @@
-//! The bench of DESIGN section 1, for unit tests.
+//! The bench of docs/theory.md, section 1, for unit tests.
 
 use lfpiv_hw::{MicrolensArray, Optics, Pose, Sensor};
 use nalgebra::Vector3;
@@ -14,7 +14,7 @@ pub fn optics() -> Optics {
     }
 }
 
-/// Both cameras of DESIGN section 2: along z, and along y.
+/// Both cameras of docs/theory.md, section 2: along z, and along y.
 pub fn poses() -> Vec<Pose> {
     vec![
         Pose {

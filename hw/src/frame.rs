@@ -11,7 +11,7 @@ use pool::Counts;
 pub use pool::ImagePool;
 pub use record::RecordedCamera;
 
-/// A raw grey image, row-major, row 0 at the top (DESIGN section 2: row `r` lies at
+/// A raw grey image, row-major, row 0 at the top (docs/theory.md, section 2: row `r` lies at
 /// `((Ny−1)/2 − r)·p` along the camera's `up`).
 ///
 /// Eight-bit images are widened to `u16` unscaled: the values are the counts in the file.

@@ -1,6 +1,6 @@
 //! The optics of an unfocused light-field camera: main lens, microlens array, sensor.
 //!
-//! Thin lenses throughout; conventions are those of DESIGN section 2 and Table 1 of the paper
+//! Thin lenses throughout; conventions are those of docs/theory.md, section 2, and Table 1 of the paper
 //! (Zhu, Xu, Hossain and Khoo, Physics of Fluids 35, 2023).
 
 use garde::Validate;
@@ -144,7 +144,7 @@ impl Sensor {
 mod tests {
     use super::*;
 
-    /// The bench of DESIGN section 1.
+    /// The bench of docs/theory.md, section 1.
     pub(crate) fn bench() -> Optics {
         Optics {
             focal_length_mm: 100.0,

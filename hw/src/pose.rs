@@ -85,7 +85,7 @@ fn near_origin(v: &Vector3<f64>, _: &()) -> garde::Result {
 mod tests {
     use super::*;
 
-    /// Camera 2 of DESIGN section 2.
+    /// Camera 2 of docs/theory.md, section 2.
     fn camera_two() -> Pose {
         Pose {
             right: Vector3::x(),

@@ -1,6 +1,6 @@
 //! The pulse schedule: when lamps, Q-switches and cameras fire, in µs after T0.
 //!
-//! One period of a double-frame shot (DESIGN section 5, "Timing at 10 Hz"):
+//! One period of a double-frame shot (docs/theory.md, section 7):
 //!
 //! ```text
 //! T0 |--lamp 1--------Q1          Q2
@@ -57,7 +57,7 @@ pub struct PulseSchedule {
 impl PulseSchedule {
     /// The schedule for two pulses `dt_us` apart, `rate_hz` times a second.
     ///
-    /// Errors name every rule of DESIGN section 5 that it would break, with value and limit.
+    /// Errors name every rule of docs/theory.md, section 7, that it would break, with value and limit.
     pub fn plan(settings: &TimingSettings, dt_us: f64, rate_hz: f64) -> Result<Self, TimingError> {
         positive("dt_us", dt_us)?;
         positive("rate_hz", rate_hz)?;
@@ -97,7 +97,7 @@ impl PulseSchedule {
     fn place(settings: &TimingSettings, dt_us: f64, rate_hz: f64) -> Self {
         let q1_us = settings.lamp_1_us + settings.lamp_to_q_switch_us[0];
         let q2_us = q1_us + dt_us;
-        // DESIGN section 5: the gap starts at Q1 + min((dt − gap)/2, exposure 1/2).
+        // docs/theory.md, section 7: the gap starts at Q1 + min((dt − gap)/2, exposure 1/2).
         let gap_start_us =
             q1_us + ((dt_us - settings.gap_us) / 2.0).min(settings.exposure_1_us / 2.0);
         let gap_end_us = gap_start_us + settings.gap_us;

@@ -1,7 +1,7 @@
 //! Light-field images by ray tracing: what a camera's sensor collects from points of light.
 //!
 //! Rays leave a point through equal-area strata of the circular pupil and follow the thin-lens
-//! rules of DESIGN section 2 ray by ray. Nothing here knows voxel weights, so these images can
+//! rules of docs/theory.md, section 2, ray by ray. Nothing here knows voxel weights, so these images can
 //! judge a reconstruction. Simplifications: every particle sends the same light through the pupil
 //! wherever it is (no fall-off with distance), and lenses are free of aberrations.
 
@@ -209,7 +209,7 @@ impl<'a> RayTracer<'a> {
 
 /// Where the rays of one point meet the microlens plane: x = a U + b ξ, and likewise in y.
 ///
-/// From DESIGN section 2, x = U + (ξ' − U) s_i/s' with ξ' = −ξ s'/s gives a = 1 − s_i/s' and
+/// From docs/theory.md, section 2: x = U + (ξ' − U) s_i/s' with ξ' = −ξ s'/s gives a = 1 − s_i/s' and
 /// b = −s_i/s; with 1/s' = 1/F − 1/s it holds for points inside the focal length, too.
 struct PointImaging {
     pupil_factor: f64,

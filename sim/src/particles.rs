@@ -108,7 +108,7 @@ impl AlignedBox {
 impl Seeding {
     /// Mean number of particles inside the volume: ppm × microlenses that the volume's x-y face
     /// covers, with microlenses of `object_pitch_mm` (microlens pitch over |magnification|).
-    /// 1 ppm over a 10 mm × 10 mm face of 0.1 mm microlenses is 10,000 (DESIGN section 1).
+    /// 1 ppm over a 10 mm × 10 mm face of 0.1 mm microlenses is 10,000.
     pub fn count_in_volume(&self, volume: &Volume, object_pitch_mm: f64) -> f64 {
         let [x_mm, y_mm, _] = volume.extents_mm();
         self.ppm * (x_mm / object_pitch_mm) * (y_mm / object_pitch_mm)

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use crate::geometry::{BenchGeometry, Volume};
 
-/// The optics of DESIGN section 1.
+/// The optics of docs/theory.md, section 1.
 pub(crate) fn optics() -> Optics {
     Optics {
         focal_length_mm: 100.0,
@@ -16,7 +16,7 @@ pub(crate) fn optics() -> Optics {
     }
 }
 
-/// Cameras 1 and 2 of DESIGN section 2.
+/// Cameras 1 and 2 of docs/theory.md, section 2.
 pub(crate) fn poses() -> Vec<Pose> {
     let origin_mm = Vector3::zeros();
     vec![

@@ -1,4 +1,4 @@
-//! The arm gate: whether a burst may be fired, and why not (DESIGN section 6).
+//! The arm gate: whether a burst may be fired, and why not.
 //!
 //! That the unit has taken the schedule is checked where it is programmed: what it reads back is
 //! compared there, and without it there is no burst at all.

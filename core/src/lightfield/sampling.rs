@@ -1,8 +1,8 @@
 //! Which pixel belongs to which microlens, and what part of the pupil it sees.
 //!
 //! A pixel column belongs to the microlens whose micro-image centre X_c (1 + f_m/s_i) is nearest,
-//! and sees the pupil interval U = X_c − (x_s − X_c) s_i/f_m ± p s_i/(2 f_m) (DESIGN section 4,
-//! first order). The micro-image pitch is not a whole number of pixels, so the interval's centre
+//! and sees the pupil interval U = X_c − (x_s − X_c) s_i/f_m ± p s_i/(2 f_m) (docs/theory.md,
+//! section 3). The micro-image pitch is not a whole number of pixels, so the interval's centre
 //! differs from microlens to microlens by up to half a cell; it is kept for each of them and
 //! nothing is resampled. A column on the border between two micro-images sees two microlenses:
 //! such columns are dropped (about 3 % of the light).
@@ -132,7 +132,7 @@ mod tests {
         }
     }
 
-    /// A ray traced by DESIGN section 2 must land in the pixel that claims its pupil point.
+    /// A ray traced as in docs/theory.md, section 2, must land in the pixel that claims its pupil point.
     #[test]
     fn traced_rays_land_in_the_pixel_that_sees_their_pupil_point() {
         let optics = test_bench::optics();

@@ -1,8 +1,8 @@
 //! The shadow of a voxel on one row of microlenses, in closed form.
 //!
 //! Along one axis, the ray from position ξ at object distance s through pupil coordinate U meets
-//! the microlens plane at x = a U + b ξ with a = 1 − s_i/s' and b = −s_i/s (DESIGN sections 2
-//! and 4). Over a pixel's pupil interval of width ΔU and a voxel of width h, x is the sum of two
+//! the microlens plane at x = a U + b ξ with a = 1 − s_i/s' and b = −s_i/s (docs/theory.md,
+//! sections 2 and 4). Over a pixel's pupil interval of width ΔU and a voxel of width h, x is the sum of two
 //! independent uniform variables of widths |a| ΔU and |b| h: a trapezoid. The share that falls on
 //! one microlens is a difference of the trapezoid's cumulative distribution, which is piecewise
 //! quadratic; [`RayMap::spread`] makes it exact for a source without depth. With square microlenses and pixels, a pixel's weight is the product of the two axes'

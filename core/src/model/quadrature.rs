@@ -1,7 +1,7 @@
 //! Weights by direct quadrature over voxel, pixel and pupil; no table is read.
 //!
 //! The weight of a pixel is the mean, over the voxel, of the area of the pupil from which a ray
-//! reaches the pixel, divided by the area of a pupil cell (DESIGN section 2 for the ray).
+//! reaches the pixel, divided by the area of a pupil cell (docs/theory.md, section 2).
 //! The ray that a pixel point x_s behind the microlens with centre X_c takes to the position ξ
 //! is found exactly: with t = (x_s − X_c) s_i/f_m, x = a U + b ξ and x_s = X_c + f_m (x − U)/s_i,
 //!

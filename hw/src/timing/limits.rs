@@ -24,7 +24,7 @@ pub struct UnitLimits {
 }
 
 impl UnitLimits {
-    /// BNC 575 and 577, Quantum Composers 952x (DESIGN section 5; period in steps of 10 ns, delay
+    /// BNC 575 and 577, Quantum Composers 952x (their manuals: period in steps of 10 ns, delay
     /// and width in steps of 250 ps: BNC 575 manual, specifications).
     pub const BNC_575: Self = Self {
         unit: "BNC 575",

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::trigger::{ExternalTrigger, TriggerSource};
 use crate::check::finite;
 
-/// Properties of laser and cameras that fix the pulse schedule. Defaults are DESIGN section 5's.
+/// Properties of laser and cameras that fix the pulse schedule. Defaults are those of a flash-lamp laser at 10 Hz.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct TimingSettings {

@@ -69,7 +69,7 @@ fn what_is_no_number_or_not_positive_is_refused() {
     assert!(TimingSettings::default().validate().is_ok());
 }
 
-/// The rules of DESIGN section 5 once more, in whole half-nanoseconds.
+/// The rules of docs/theory.md, section 7, once more, in whole half-nanoseconds.
 struct WholeNumbers {
     lamp_1: i64,
     lamp_to_q: [i64; 2],

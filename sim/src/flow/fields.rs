@@ -69,7 +69,7 @@ impl SolidRotation {
     }
 }
 
-/// Gaussian vortex ring of DESIGN section 2, axis z, centre at the origin.
+/// Gaussian vortex ring of docs/theory.md, section 2: axis z, centre at the origin.
 ///
 /// Swirl about the circular core, at distance ρ from it: u_θ(ρ) = A (ρ/s) exp(−ρ²/2s²), which
 /// peaks at ρ = s with A exp(−1/2). Inside the ring the fluid moves towards +z for positive A.

@@ -13,7 +13,7 @@ pub(super) const LOST: u64 = u64::MAX;
 /// Shots remembered one by one.
 const REMEMBERED: usize = 10_000;
 
-/// Numbers of shots that have got so far (DESIGN section 6: acquired, paired, written, fsynced).
+/// Numbers of shots that have got so far (acquired, paired, written, fsynced).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct ShotMarks {
     /// Paired: all frames are there and belong together.

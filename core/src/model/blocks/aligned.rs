@@ -74,7 +74,7 @@ impl DepthsPerBlock {
     /// voxels of 0.1 mm a shared depth cost Q 0.85 -> 0.75 (particles on voxel centres, 1 ppm).
     pub fn needed(optics: &Optics, grid: &VolumeGrid, footprint_mm: f64) -> Self {
         let s = optics.object_distance_mm;
-        // da/ds R (DESIGN section 4), carried back into object space by 1/|b| = s/s_i.
+        // da/ds R (docs/theory.md, section 4), carried back into object space by 1/|b| = s/s_i.
         let per_depth = optics.pupil_diameter_mm() / 2.0 / s;
         let shift_mm = grid.voxel_mm / 2.0 * per_depth;
         if shift_mm <= SHARED_DEPTH_TOLERANCE * footprint_mm { Self::One } else { Self::Two }

@@ -1,7 +1,7 @@
 //! The command table: typed parameters and values to text and back.
 //!
-//! Source: BNC 575 and Quantum Composers 9520 manuals, remote command summaries (DESIGN
-//! section 5). Keywords are sent in their short form.
+//! Source: BNC 575 and Quantum Composers 9520 manuals, remote command summaries. Keywords
+//! are sent in their short form.
 
 use std::fmt;
 

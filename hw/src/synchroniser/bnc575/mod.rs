@@ -1,6 +1,6 @@
 //! Driver for BNC 575 and 577 and for Quantum Composers 952x and 953x, which share one dialect.
 //!
-//! How it fires (DESIGN section 5, "Synchroniser"):
+//! How it fires:
 //!
 //! * lamps follow every T0; Q-switches and cameras are always in burst mode with a count, never
 //!   in the mode that follows every T0. The burst ends in the unit, whatever becomes of the host;

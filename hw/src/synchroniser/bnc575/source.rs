@@ -15,7 +15,7 @@ use super::{
 };
 use crate::device::DeviceError;
 
-/// How long triggers are counted before a Q-switch is enabled (DESIGN section 5).
+/// How long triggers are counted before a Q-switch is enabled.
 const CONFIRMATION: Duration = Duration::from_secs(3);
 /// How far back a new count is compared with earlier ones.
 const WINDOW: Duration = Duration::from_secs(3);

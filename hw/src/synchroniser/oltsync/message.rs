@@ -1,6 +1,6 @@
 //! Messages to and from an oltSync: pins and their edges in whole microseconds.
 //!
-//! Source: DESIGN section 5; the rules of a sequence are those that the unit's firmware checks
+//! Source: what the unit says; the rules of a sequence are those that the unit's firmware checks
 //! (even number of edges per pin, strictly increasing, none beyond the frame time).
 
 use crate::{PulseSchedule, synchroniser::ChannelMap};

@@ -11,7 +11,7 @@ fn bench() -> OpticalBench {
     OpticalBench::new(wiring(), LaserFacts::default(), CameraFacts::default())
 }
 
-/// DESIGN's timing at 10 Hz, period `number`.
+/// The default timing at 10 Hz, period `number`.
 fn nominal(number: u64, dt_us: f64) -> PeriodOutputs {
     let camera_us = 76.0 + dt_us / 2.0;
     let starts_us = [

@@ -1,4 +1,4 @@
-//! What differs between units, or is not known without one (DESIGN section 5).
+//! What differs between units, or is not known without one.
 
 /// How a simulated BNC 575 behaves.
 #[derive(Debug, Clone, PartialEq)]
