@@ -112,9 +112,7 @@ fn fill(folder: &Path) {
 impl Campaign for Disks {
     fn run(&mut self, case: &mut Case<'_>) {
         let failure = match (self.is_loop, case.random.random_range(0..3)) {
-            // In one of ten a shot that was called synced a moment after the error is lost, which is
-            // not mended yet: docs/adversary.md, *Known*.
-            (true, 1) if case.is_soak => Failure::ReadOnly,
+            (true, 1) => Failure::ReadOnly,
             (true, 2) => Failure::Shutdown,
             _ => Failure::Full,
         };

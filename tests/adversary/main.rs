@@ -22,6 +22,7 @@ mod kills;
 mod loop_disk;
 mod malformed;
 mod mutation;
+mod read_only;
 mod report;
 #[allow(dead_code)]
 #[path = "../recorded_run/small_disk.rs"]

@@ -7,6 +7,11 @@ use std::{
     path::Path,
 };
 
+use rustix::{
+    fs::{FallocateFlags, fallocate},
+    io::{Errno, retry_on_intr},
+};
+
 use super::{LogFile, Storage};
 use crate::regular_file::{open_regular, open_regular_with};
 
@@ -53,13 +58,30 @@ impl Storage for Disk {
     }
 }
 
+/// Fails where the file system takes no changes any more, so that the sync before it proves nothing.
+///
+/// When an error makes ext4 read-only it ends its journal first: transactions that are not committed
+/// by then are thrown away, and a sync whose transaction is neither running nor being committed any more has
+/// nothing to wait for and succeeds (`jbd2_complete_transaction`), until the whole file system is marked some
+/// time later. To allocate a byte that the file has already changes nothing, and begins a transaction,
+/// which a journal that has ended refuses. Once it has ended it never comes back: where this
+/// succeeds, the sync before it was done by a journal that worked.
+fn ask_file_system(file: &File) -> io::Result<()> {
+    match retry_on_intr(|| fallocate(file, FallocateFlags::KEEP_SIZE, 0, 1)) {
+        Err(refused @ (Errno::ROFS | Errno::IO)) => Err(refused.into()),
+        // A file system without this call, or without room for it, says nothing of the sync.
+        _ => Ok(()),
+    }
+}
+
 impl LogFile for File {
     fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.write_all(bytes)
     }
 
     fn sync(&mut self) -> io::Result<()> {
-        self.sync_data()
+        self.sync_data()?;
+        ask_file_system(self)
     }
 
     fn truncate(&mut self, length: u64) -> io::Result<()> {
