@@ -5,7 +5,7 @@ use std::{ops::RangeInclusive, path::PathBuf};
 use anyhow::{Context, bail};
 
 use super::{
-    losses::Losses,
+    losses::{Losses, tell_cut_off},
     output::{count, print, progress_bar},
     recording::refuse_running,
 };
@@ -68,11 +68,8 @@ pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
     std::fs::write(&configuration, &recorded.description().configuration)
         .with_context(|| format!("cannot write {}", configuration.display()))?;
     print(&format!("{} in {}", count(exported, "pair"), args.out.display()))?;
-    if index.end.is_none() && !is_running {
-        tracing::warn!(
-            "{} was cut off: nothing says how many shots followed the last one that is there",
-            args.run.display()
-        );
+    if !is_running {
+        tell_cut_off(&args.run, &index);
     }
     losses.conclude()
 }

@@ -1,6 +1,11 @@
 //! `ledger.json`: what became of every trigger of a run.
 
-use std::{collections::BTreeSet, io::Write, path::Path};
+use std::{
+    collections::BTreeSet,
+    fs,
+    io::Write,
+    path::{Path, PathBuf},
+};
 
 use anyhow::Context;
 use lfpiv_hw::device::StreamStatistics;
@@ -16,6 +21,9 @@ use crate::{
 
 /// The file's name in the run's folder.
 const NAME: &str = "ledger.json";
+
+/// What is left of one that cannot be read any more.
+const DAMAGED_NAME: &str = "ledger.json.damaged";
 
 /// Most bytes of it: of exceptions and shots without a result only so many are remembered.
 const MOST_BYTES: u64 = 64 << 20;
@@ -105,6 +113,21 @@ pub(super) fn read_json(folder: &Path) -> anyhow::Result<Value> {
     let text = read_regular(&path, MOST_BYTES)
         .with_context(|| format!("cannot read {}", path.display()))?;
     serde_json::from_slice(&text).with_context(|| format!("{} is no ledger", path.display()))
+}
+
+/// Gives a file that is no ledger any more another name, which is returned.
+///
+/// # Errors
+/// The disk refuses to read or rename it.
+pub(super) fn set_damaged_ledger_aside(folder: &Path) -> anyhow::Result<Option<PathBuf>> {
+    let is_damaged = |error: &anyhow::Error| error.is::<serde_json::Error>();
+    match read_json(folder) {
+        Err(error) if is_damaged(&error) => {}
+        read => return read.map(|_| None),
+    }
+    let (path, aside) = (folder.join(NAME), folder.join(DAMAGED_NAME));
+    fs::rename(&path, &aside).with_context(|| format!("cannot rename {}", path.display()))?;
+    Ok(Some(aside))
 }
 
 /// Writes the ledger of a run from its record; `end` is absent for one that was killed.

@@ -18,6 +18,16 @@ use crate::acquisition::journal::{RecordedRunError, RunIndex};
 /// number.
 const MOST_NAMED: usize = 1_000_000;
 
+/// Says of a run that nobody writes any more that it has not ended in order, where that is so.
+pub(super) fn tell_cut_off(run: &Path, index: &RunIndex) {
+    if index.end.is_none() {
+        tracing::warn!(
+            "{} was cut off: nothing says how many shots followed the last one that is there",
+            run.display()
+        );
+    }
+}
+
 /// What is damaged or missing in the record of a run.
 #[derive(Debug, Default)]
 pub(super) struct Losses {

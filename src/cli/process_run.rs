@@ -17,8 +17,10 @@ use lfpiv_rawlog::recover;
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    ledger_file::{has_ledger, note_processed_later, write_recovered_ledger},
-    losses::Losses,
+    ledger_file::{
+        has_ledger, note_processed_later, set_damaged_ledger_aside, write_recovered_ledger,
+    },
+    losses::{Losses, tell_cut_off},
     output::{count, print, progress_bar},
     recording::RunLock,
     run_processor::run_processor,
@@ -55,10 +57,19 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
         losses.lose(*shot, "it has a result, and its images are not in the record");
     }
     losses.tell();
+    tell_cut_off(folder, &index);
     let missing: Vec<&RecordedShot> =
         index.shots.values().filter(|shot| !stored.shots.contains(&shot.trigger)).collect();
     // First: whatever happens to the results, it says what the run itself came to.
-    if !has_ledger(folder) {
+    let has_ledger = has_ledger(folder);
+    let damaged = if has_ledger { set_damaged_ledger_aside(folder)? } else { None };
+    if let Some(aside) = &damaged {
+        let aside = aside.display();
+        tracing::warn!(
+            "the ledger is damaged: what is left of it is {aside}, and it is made again"
+        );
+    }
+    if !has_ledger || damaged.is_some() {
         let ledger =
             ledger_of(&recorded, &stored.shots).context("the record contradicts itself")?;
         write_recovered_ledger(folder, &ledger, index.end.as_ref())?;

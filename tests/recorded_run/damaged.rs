@@ -184,6 +184,30 @@ fn a_shot_without_a_result_whose_image_is_damaged_is_named_and_the_others_are_me
     assert_eq!(lost(&run), (0..1).chain(4..SHOTS).collect::<BTreeSet<_>>());
 }
 
+#[test]
+fn a_damaged_ledger_is_named_and_made_again_from_the_record() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = finished_run(&configuration(root.path(), ""), "3");
+    let path = run.join("ledger.json");
+    let triggers = || -> serde_json::Value {
+        let ledger = fs::read(&path).expect("a ledger");
+        let ledger: serde_json::Value = serde_json::from_slice(&ledger).expect("JSON");
+        assert_eq!(ledger["error"], serde_json::Value::Null);
+        ledger["cameras"].clone()
+    };
+    let whole = triggers();
+    change(&path, |bytes| bytes.truncate(bytes.len() / 2));
+    let process = || lfpiv(&["process", run.to_str().unwrap()]);
+    let first = process();
+    let said = text(&first.stderr);
+    assert_eq!(first.status.code(), Some(DAMAGED), "{said}");
+    assert!(said.contains("ledger.json is no ledger"), "{said}");
+    assert!(said.contains("ledger.json.damaged"), "{said}");
+    assert_eq!(triggers(), whole);
+    assert!(run.join("ledger.json.damaged").exists());
+    assert_eq!(process().status.code(), Some(0));
+}
+
 /// A pipe in the place of a file of the run: every command ends by itself, and names it.
 #[test]
 fn a_pipe_in_the_folder_of_a_run_is_not_waited_for() {
