@@ -38,6 +38,13 @@ fn assert_kept(
     kept.len()
 }
 
+/// Waits until so many shots are on the disk; how many there are then.
+fn fsynced_from(running: &Running, shots: u64) -> usize {
+    let fsynced = |status: &serde_json::Value| status["watermarks"]["fsynced"].as_u64();
+    let status = running.wait_until(|status| fsynced(status) >= Some(shots));
+    fsynced(&status).expect("a count") as usize
+}
+
 #[test]
 fn what_was_acknowledged_survives_fifty_kills() {
     let root = tempfile::tempdir().expect("a folder");
@@ -49,16 +56,21 @@ fn what_was_acknowledged_survives_fifty_kills() {
     for seed in 0..KILLS {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let running = Running::start(&config, &["--shots", REFERENCE_SHOTS]);
-        let alive = Duration::from_micros(random.random_range(0..700_000));
-        let synced = running.acknowledged_until(Instant::now() + alive);
+        // So many shots, however long they take, and a moment more.
+        let shots = random.random_range(0..12);
+        let more = Duration::from_micros(random.random_range(0..100_000));
+        let promised = if shots > 0 { fsynced_from(&running, shots) } else { 0 };
+        let synced = running.acknowledged_until(Instant::now() + more);
         let run = running.kill();
         let raw = run.join(RAW_FOLDER);
         let recovery = recover(&raw).expect("a log that can be recovered");
         torn += recovery.segments.iter().filter(|segment| segment.torn.is_some()).count();
         assert!(recover(&raw).expect("once more").segments.is_empty(), "recovered once for all");
-        acknowledged += synced.len();
-        kept += assert_kept(&run, &synced, &reference);
-        if synced.len() > 3 {
+        let kept_of_run = assert_kept(&run, &synced, &reference);
+        assert!(kept_of_run >= promised, "{kept_of_run} of {promised}");
+        acknowledged += promised.max(synced.len());
+        kept += kept_of_run;
+        if promised > 3 {
             last = Some(run);
         }
     }
