@@ -71,7 +71,7 @@ impl Run {
                 error = self.synchroniser.fault() => return Err(error),
                 () = self.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event).await?,
-                request = self.control.next() => self.obey(request).await?,
+                request = self.control.next() => self.handle_request(request).await?,
             }
         }
         if self.presence.iter().any(|camera| camera.returned) {
@@ -105,7 +105,7 @@ impl Run {
                 error = self.synchroniser.fault() => return Err(error),
                 () = self.heartbeat.turn() => {}
                 event = self.events.recv() => self.handle(event).await?,
-                request = self.control.next() => self.obey(request).await?,
+                request = self.control.next() => self.handle_request(request).await?,
                 () = tokio::time::sleep(left) => return Ok(false),
             }
         }

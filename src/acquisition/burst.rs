@@ -109,7 +109,7 @@ impl Run {
             },
             () = self.heartbeat.turn() => Ok(0),
             event = self.events.recv() => self.handle(event).await.map(|()| 0),
-            request = self.control.next() => self.obey(request).await.map(|()| 0),
+            request = self.control.next() => self.handle_request(request).await.map(|()| 0),
         }
     }
 
@@ -127,7 +127,7 @@ impl Run {
             tokio::select! {
                 event = self.events.recv() => self.handle(event).await?,
                 _ = tick.tick() => self.look_at_the_time().await?,
-                request = self.control.next() => self.obey(request).await?,
+                request = self.control.next() => self.handle_request(request).await?,
                 error = self.synchroniser.fault() => return Err(error),
                 () = stop.cancelled(), if stop_by.is_none() => {
                     self.make_safe().await?;
@@ -186,7 +186,7 @@ impl Run {
                 biased;
                 () = stop.cancelled() => return Ok(false),
                 error = self.synchroniser.fault() => return Err(error),
-                request = self.control.next() => self.obey(request).await?,
+                request = self.control.next() => self.handle_request(request).await?,
                 event = self.events.recv() => self.handle(event).await?,
                 () = &mut armed => break,
                 () = self.heartbeat.turn() => {}

@@ -100,7 +100,7 @@ impl Ledger {
             account.open += 1;
         }
         self.forget_oldest();
-        self.hold_to_the_law();
+        self.check_conservation();
         Ok(())
     }
 
@@ -134,7 +134,7 @@ impl Ledger {
         }
         let account = &mut self.accounts[camera];
         account.settle(outcome);
-        self.hold_to_the_law();
+        self.check_conservation();
         Ok(())
     }
 
@@ -203,7 +203,7 @@ impl Ledger {
 
     /// After every transition. Books that do not balance are a fault of this program: whoever reads
     /// them has to know.
-    fn hold_to_the_law(&self) {
+    fn check_conservation(&self) {
         if !self.is_balanced() {
             debug_assert!(false, "the ledger does not balance: {:?}", self.accounts);
             tracing::error!(accounts = ?self.accounts, "the ledger does not balance");

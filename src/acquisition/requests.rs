@@ -17,7 +17,10 @@ impl Run {
     }
 
     /// Takes up a request and answers it.
-    pub(super) async fn obey(&mut self, request: Request) -> Result<(), AcquisitionError> {
+    pub(super) async fn handle_request(
+        &mut self,
+        request: Request,
+    ) -> Result<(), AcquisitionError> {
         tracing::info!(command = ?request.command, "asked for");
         let (done, ended) = match self.carry_out(request.command).await {
             Ok(done) => (done, Ok(())),
@@ -137,7 +140,7 @@ impl Run {
             error = self.synchroniser.fault() => Err(error),
             () = self.heartbeat.turn() => Ok(()),
             event = self.events.recv() => self.handle(event).await,
-            request = self.control.next() => self.obey(request).await,
+            request = self.control.next() => self.handle_request(request).await,
             () = tokio::time::sleep(at_most) => Ok(()),
         }
     }

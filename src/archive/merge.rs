@@ -44,7 +44,7 @@ pub(super) struct Bounds {
 const BOUNDS: Bounds = Bounds { shots: 10_000, bytes: 256 << 20 };
 
 /// Times the segments' bytes that are asked for: chunks of a merged file are not those of its segments.
-const ROOM: u64 = 2;
+const MEMORY_FACTOR: u64 = 2;
 
 /// Merges the sealed segments in a run's folder. `go_on` is asked before each file that is
 /// written; what is not merged stays as it is.
@@ -166,8 +166,8 @@ fn merge(folder: &Path, group: &[Segment]) -> Result<(), ArchiveError> {
     let path = if is_own(&named) || !named.exists() { named } else { group[0].path.clone() };
     let oldest = group.iter().min_by_key(|segment| segment.sealed);
     let bytes = group.iter().map(|segment| segment.bytes).sum::<u64>();
-    let (memory, merged) =
-        MemoryFile::create(ROOM * bytes, create).map_err(ArchiveError::io("write", &path))?;
+    let (memory, merged) = MemoryFile::create(MEMORY_FACTOR * bytes, create)
+        .map_err(ArchiveError::io("write", &path))?;
     let first_stored = oldest.and_then(|segment| segment.first_stored);
     merged
         .and_then(|merged| write(merged, group, &shots, first_stored))

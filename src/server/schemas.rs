@@ -187,7 +187,7 @@ schema!(
     "VectorStatus",
     words(
         &["valid", "replaced", "invalid"],
-        "Whether a vector is measured, stood in for, or none."
+        "Whether a vector is measured, replaced by its neighbours, or missing."
     )
 );
 

@@ -1,4 +1,4 @@
-//! Which measured vectors are trusted, and what stands in for the others.
+//! Which measured vectors are trusted, and by what the others are replaced.
 
 use super::{
     VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
@@ -6,14 +6,13 @@ use super::{
     field::unknown_vox,
     lattice::Lattice,
     peak::Peak,
-    settings::ROOM,
+    settings::SEARCH_MARGIN,
     validate::Candidates,
 };
 use crate::model::VolumeGrid;
 
-/// Uncertainty of what stands in for a vector on the way, in voxels: next to any vector that was
-/// measured, little.
-const STAND_IN_VOX: f32 = 1.0;
+/// Uncertainty of a replacement between passes, in voxels: it weighs little beside any measured vector.
+const REPLACEMENT_UNCERTAINTY_VOX: f32 = 1.0;
 
 /// A vector as it is reported.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +54,7 @@ pub fn field_of(
 }
 
 /// The likeliest field behind the last pass's vectors, on the lattice `at_rest`, and the uncertainty of
-/// those that were measured: what stands in for others is no measurement.
+/// those that were measured: a replacement is no measurement.
 pub fn settled(vectors: &[Vector], at_rest: Lattice) -> (Lattice, Vec<Option<[f32; 3]>>) {
     let measured = |v: &Vector| (v.status == VectorStatus::Valid).then_some(v.uncertainty_vox);
     let uncertainty_vox: Vec<Option<[f32; 3]>> = vectors.iter().map(measured).collect();
@@ -66,8 +65,8 @@ pub fn settled(vectors: &[Vector], at_rest: Lattice) -> (Lattice, Vec<Option<[f3
     (field.likeliest(&uncertainty_vox, &measured), uncertainty_vox)
 }
 
-/// The vectors of a pass on the way.
-struct StoodIn {
+/// The vectors between two passes, outliers replaced.
+struct Replaced {
     /// Their own values, what neighbours say in their place, or where these say nothing either, how the
     /// field goes on.
     field: Lattice,
@@ -89,42 +88,43 @@ pub struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// The field with neighbours standing in for vectors that disagree with them.
-    pub fn in_line(&self) -> Lattice {
-        self.stood_in().field
+    /// The field with outliers replaced by what their neighbours say.
+    pub fn with_outliers_replaced(&self) -> Lattice {
+        self.replace_outliers().field
     }
 
     /// The field for the next pass: the likeliest one behind vectors whose standard uncertainty is
-    /// `uncertainty_vox` where that is known, and [`STAND_IN_VOX`] where it is not. Where nothing was
+    /// `uncertainty_vox` where that is known, and [`REPLACEMENT_UNCERTAINTY_VOX`] where it is not. Where nothing was
     /// found, not even by neighbours, it goes on from where something was.
     pub fn predictor(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Lattice {
-        let StoodIn { field, pass, known } = self.stood_in();
+        let Replaced { field, pass, known } = self.replace_outliers();
         let own: Vec<Option<[f32; 3]>> =
             uncertainty_vox.iter().zip(pass).map(|(own, pass)| own.filter(|_| pass)).collect();
         let measured: Vec<bool> = own.iter().map(Option::is_some).collect();
-        let stand_in = |known: bool| known.then_some([STAND_IN_VOX; 3]);
+        let replacement = |known: bool| known.then_some([REPLACEMENT_UNCERTAINTY_VOX; 3]);
         let weighed: Vec<Option<[f32; 3]>> =
-            own.into_iter().zip(known).map(|(own, known)| own.or(stand_in(known))).collect();
+            own.into_iter().zip(known).map(|(own, known)| own.or(replacement(known))).collect();
         field.likeliest(&weighed, &measured)
     }
 
-    fn stood_in(&self) -> StoodIn {
+    fn replace_outliers(&self) -> Replaced {
         let found: Vec<bool> = self.peaks.iter().map(Option::is_some).collect();
         let candidates = self.candidates(&found);
         let pass = self.passing(&candidates);
         let values: Vec<Option<[f32; 3]>> = (0..pass.len())
             .map(|n| {
-                let stand_in = || candidates.interpolated(n, &pass).map(|stand_in| stand_in.value);
-                if pass[n] { Some(self.field.values[n]) } else { stand_in() }
+                let replacement =
+                    || candidates.interpolated(n, &pass).map(|replacement| replacement.value);
+                if pass[n] { Some(self.field.values[n]) } else { replacement() }
             })
             .collect();
         let known: Vec<bool> = values.iter().map(Option::is_some).collect();
         let values = values.into_iter().map(Option::unwrap_or_default).collect();
-        StoodIn { field: Lattice { values, ..*self.field }.filled(&known), pass, known }
+        Replaced { field: Lattice { values, ..*self.field }.filled(&known), pass, known }
     }
 
     /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is
-    /// known: each as it was measured or stood in for.
+    /// known: each as it was measured or replaced.
     pub fn vectors(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Vec<Vector> {
         let trusted: Vec<bool> =
             (0..self.peaks.len()).map(|n| self.trusts(n, uncertainty_vox[n])).collect();
@@ -137,7 +137,7 @@ impl Judge<'_> {
                     uncertainty_vox,
                     status: VectorStatus::Valid,
                 },
-                _ => self.stand_in(n, &candidates, &pass, uncertainty_vox),
+                _ => self.replacement(n, &candidates, &pass, uncertainty_vox),
             })
             .collect()
     }
@@ -147,7 +147,7 @@ impl Judge<'_> {
         let (Some(peak), Some(uncertainty_vox)) = (self.peaks[n], uncertainty_vox) else {
             return false;
         };
-        let limit_vox = ROOM * self.settings.max_displacement_vox;
+        let limit_vox = SEARCH_MARGIN * self.settings.max_displacement_vox;
         let all = |values: [f32; 3], most: f64| values.iter().all(|v| f64::from(v.abs()) <= most);
         f64::from(peak.ratio) >= self.settings.least_peak_ratio
             && all(self.field.values[n], limit_vox)
@@ -156,7 +156,7 @@ impl Judge<'_> {
 
     /// A vector interpolated from those that passed, as uncertain as they are and as far as they
     /// are apart; invalid where they are too few.
-    fn stand_in(
+    fn replacement(
         &self,
         n: usize,
         candidates: &Candidates,
@@ -164,16 +164,16 @@ impl Judge<'_> {
         uncertainty_vox: &[Option<[f32; 3]>],
     ) -> Vector {
         match candidates.interpolated(n, pass) {
-            Some(stand_in) if stand_in.supported => {
+            Some(replacement) if replacement.supported => {
                 let near: Vec<[f32; 3]> =
                     candidates.near(n, pass).filter_map(|other| uncertainty_vox[other]).collect();
                 let own = |c: usize| {
                     near.iter().map(|u| u[c].powi(2)).sum::<f32>() / near.len().max(1) as f32
                 };
                 Vector {
-                    displacement_vox: stand_in.value,
+                    displacement_vox: replacement.value,
                     uncertainty_vox: std::array::from_fn(|c| {
-                        (own(c) + stand_in.spread_vox[c].powi(2)).sqrt()
+                        (own(c) + replacement.spread_vox[c].powi(2)).sqrt()
                     }),
                     status: VectorStatus::Replaced,
                 }

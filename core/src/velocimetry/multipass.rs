@@ -149,7 +149,7 @@ impl Interrogation {
         let peaks = self.correlate(&self.search, &frames);
         let mut coarse = self.search.at_rest();
         coarse.add(&peaks, self.search.cell_vox);
-        coarse = self.judge(&coarse, &peaks).in_line();
+        coarse = self.judge(&coarse, &peaks).with_outliers_replaced();
         self.windows.at_rest().sampling(|at| coarse.at(at))
     }
 

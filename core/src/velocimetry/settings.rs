@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::model::VolumeGrid;
 
 /// Displacements are looked for, and believed, up to this many times the largest expected.
-pub const ROOM: f64 = 1.25;
+pub const SEARCH_MARGIN: f64 = 1.25;
 
 /// How volumes are correlated.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
@@ -79,7 +79,7 @@ impl VelocimetrySettings {
             window,
             step: ((window as f64 * (1.0 - self.overlap)).round() as usize).max(1),
             search,
-            reach: (self.max_displacement_vox * ROOM).min(search as f64 / 2.0),
+            reach: (self.max_displacement_vox * SEARCH_MARGIN).min(search as f64 / 2.0),
         }
     }
 }

@@ -26,26 +26,26 @@ use super::{
 };
 
 /// Times the weights are taken anew in a round.
-const REWEIGHTS: usize = 2;
+const REWEIGHTINGS: usize = 2;
 
-/// A third difference may be so many times as large, squared, as they are about its place: those of
-/// the field before, by which it is judged, are smoothed.
-const SHARPER: f64 = 4.0;
+/// Prior variance of a third difference over the mean square of those around it in the previous field, which
+/// is smoothed.
+const PRIOR_VARIANCE_FACTOR: f64 = 4.0;
 
 /// A third difference of a regular flow that is not told from zero, in voxels.
 const RESOLUTION_VOX: f64 = 3e-3;
 
-/// The correlation saw the same particles: where their own variance is much smaller, its variance
-/// counts so many times.
-const KNOWN_ALREADY: f64 = 25.0;
+/// Factor on the correlation's variance where particles are known much better: it saw the same particles and
+/// is no independent measurement.
+const CORRELATION_DISCOUNT: f64 = 25.0;
 
-/// A field's error over what the scatter of its particles says: errors of reconstruction reach over
-/// several particles (`tests/hard_cases/coverage.rs`).
-const SHARED: f64 = 1.15;
+/// Standard error of the field over what independent errors of its particles would give: errors of the
+/// reconstruction are correlated between neighbours (`tests/hard_cases/coverage.rs`).
+const COMMON_ERROR_FACTOR: f64 = 1.15;
 
-/// Where light is blurred, all of it is off together by so much for every time that its standard
-/// deviation is larger, in voxels (`tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
-const TOGETHER_VOX: f64 = 0.01;
+/// Error that all particles around a place have in common where light is blurred, in voxels per unit of
+/// √(variance inflation) − 1 (`tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
+const COMMON_BLUR_ERROR_VOX: f64 = 0.01;
 
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
@@ -67,8 +67,8 @@ pub struct Fit {
     /// Particles about each node, and what they weigh per cell.
     counts: Vec<f64>,
     densities: [Vec<f64>; 3],
-    /// See [`Samples::blurs`].
-    blurs: Vec<[f64; 3]>,
+    /// See [`Samples::variance_inflation`].
+    variance_inflation: Vec<[f64; 3]>,
 }
 
 impl Fit {
@@ -89,7 +89,7 @@ impl Fit {
             penalties: [unknown.clone(), unknown.clone(), unknown],
             counts: vec![0.0; count],
             densities: std::array::from_fn(|_| vec![0.0; count]),
-            blurs: vec![[1.0; 3]; count],
+            variance_inflation: vec![[1.0; 3]; count],
         }
     }
 
@@ -97,7 +97,7 @@ impl Fit {
     pub fn adjust(&mut self, spline: &mut Spline, samples: &Samples) {
         self.penalties = self.penalties(spline, &self.measured(samples));
         self.counts = samples.counts();
-        self.blurs = samples.blurs().to_vec();
+        self.variance_inflation = samples.variance_inflation().to_vec();
         let adjusted: Vec<(Vec<f64>, Vec<f64>)> = (0..3usize)
             .into_par_iter()
             .map(|c| self.adjusted(c, &spline.coefficients[c], samples))
@@ -113,7 +113,7 @@ impl Fit {
         let measured = samples.displacements(c);
         let mut coefficients = start.to_vec();
         let mut density = Vec::new();
-        for _ in 0..REWEIGHTS {
+        for _ in 0..REWEIGHTINGS {
             let values = values_at(self.layout, samples.taps(), &coefficients);
             let residual: Vec<f64> = measured.iter().zip(values).map(|(m, v)| m - v).collect();
             let weights = samples.weights(c, &residual);
@@ -169,7 +169,7 @@ impl Fit {
             // The particles' own variance is 1 over what they weigh in the eight cells about a node.
             let (variance, density) = (self.variance[c][n], density[n]);
             let share = variance * 8.0 * density / (variance * 8.0 * density + 1.0);
-            1.0 / (variance * (1.0 + (KNOWN_ALREADY - 1.0) * share))
+            1.0 / (variance * (1.0 + (CORRELATION_DISCOUNT - 1.0) * share))
         };
         (0..density.len()).map(certainty).collect()
     }
@@ -195,7 +195,9 @@ impl Fit {
                 let stiffness = |(n, square): (usize, f64)| {
                     let middle = node_in_the_middle(layout, self.nodes, axis, n);
                     let uncertain = self.variance[c][middle];
-                    let most = SHARPER * square + uncertain + RESOLUTION_VOX * RESOLUTION_VOX;
+                    let most = PRIOR_VARIANCE_FACTOR * square
+                        + uncertain
+                        + RESOLUTION_VOX * RESOLUTION_VOX;
                     if layout.starts(axis, n) { 1.0 / most } else { 0.0 }
                 };
                 squares.into_iter().enumerate().map(stiffness).collect()
@@ -224,8 +226,9 @@ impl Fit {
                     let (density, stiffness) = (self.densities[c][n], self.stiffness_at(c, n));
                     let variance = near_faces * waves.variance(density, certainty[c][n], stiffness);
                     let variance = variance * few(variance * self.mean_weight(c, n));
-                    let together = TOGETHER_VOX * (self.blurs[n][c].sqrt() - 1.0);
-                    let uncertainty = (SHARED * variance.sqrt()).hypot(together);
+                    let common_error =
+                        COMMON_BLUR_ERROR_VOX * (self.variance_inflation[n][c].sqrt() - 1.0);
+                    let uncertainty = (COMMON_ERROR_FACTOR * variance.sqrt()).hypot(common_error);
                     uncertainty.max(RESOLUTION_VOX) as f32
                 }))
             })

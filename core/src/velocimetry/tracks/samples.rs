@@ -9,36 +9,37 @@ use super::{
 };
 
 /// Degrees of freedom of the distribution of particles' errors.
-const FREEDOM: f64 = 2.0;
+const DEGREES_OF_FREEDOM: f64 = 2.0;
 
 /// Least standard deviation of a particle's displacement, in voxels: what single precision and the
 /// path's midpoint rule resolve.
-const LEAST_SCALE_VOX: f64 = 2e-3;
+const SMALLEST_DEVIATION_VOX: f64 = 2e-3;
 
-/// The scale about a node is that of its own particles and of so many that are like all others.
-const COMMON_PARTICLES: f64 = 10.0;
+/// Prior of the variance about a node, in particles: the estimate is shrunk towards that of all particles.
+const PRIOR_PARTICLES: f64 = 10.0;
 
-/// The light of a particle by itself is no wider than this along any axis, as a standard deviation in
-/// voxels; two that overlap are.
+/// Largest standard deviation of a single particle's light along any axis, in voxels. Two particles that
+/// overlap are wider.
 const SINGLE_SPREAD_VOX: f64 = 0.15;
 
-/// Light as wide as this along an axis does not tell where in it a particle is.
+/// Standard deviation of light along an axis from which on it does not tell a particle's place, in voxels.
 const BLURRED_SPREAD_VOX: f64 = 0.25;
 
-/// A particle with so much of the median particle's light is half as well known by reason of it.
+/// Share of the median particle's light at which a particle's variance is doubled.
 const FAINT: f64 = 0.7;
 
-/// A particle is clear whose variance is less than so many times that of a bright one by itself.
-const CLEAR: f64 = 5.0;
+/// A particle is reliable below this variance, relative to that of a bright single one.
+const RELIABLE_VARIANCE: f64 = 5.0;
 
-/// So many clear particles about a node measure the vector there by themselves,
-const ENOUGH_PARTICLES: usize = 10;
+/// Reliable particles about a node that are enough to accept its vector, where the correlation had none,
+const LEAST_RELIABLE_PARTICLES: usize = 10;
 
-/// if half of them are closer to the field than this part of what half of anything is.
-const CLOSER: f64 = 0.75;
+/// if their median residual is below this share of that of particles which are paired by chance.
+const LARGEST_RESIDUAL_SHARE: f64 = 0.75;
 
-/// Median of |x| of places all over a sphere, in radii.
-const ANYTHING: f64 = 0.347;
+/// Median residual of particles that are paired by chance, in search radii: the median of |x| of points
+/// distributed evenly in a sphere.
+const CHANCE_RESIDUAL: f64 = 0.347;
 
 /// Particles seen in both frames, and where they are.
 pub struct Samples<'a> {
@@ -48,10 +49,10 @@ pub struct Samples<'a> {
     nearest_node: Vec<usize>,
     /// Those in the cells that meet at each node.
     around: Vec<Vec<u32>>,
-    /// Variance of each along x, y, z over that of a bright particle by itself.
-    doubts: Vec<[f64; 3]>,
-    /// See [`Self::blurs`].
-    blurs: Vec<[f64; 3]>,
+    /// Variance of each along x, y, z relative to that of a bright single particle.
+    relative_variances: Vec<[f64; 3]>,
+    /// See [`Self::variance_inflation`].
+    variance_inflation: Vec<[f64; 3]>,
 }
 
 impl<'a> Samples<'a> {
@@ -72,8 +73,9 @@ impl<'a> Samples<'a> {
                 around[layout.number(node)].push(number);
             }
         }
-        let (doubts, blurs) = (doubts(pairs), blurs(pairs, &around));
-        Self { nodes, pairs, taps, nearest_node, around, doubts, blurs }
+        let (relative_variances, variance_inflation) =
+            (relative_variances(pairs), variance_inflation(pairs, &around));
+        Self { nodes, pairs, taps, nearest_node, around, relative_variances, variance_inflation }
     }
 
     /// How many particles are in the cells that meet at each node.
@@ -82,8 +84,8 @@ impl<'a> Samples<'a> {
     }
 
     /// Variance about each node over that of particles whose light is compact along x, y, z.
-    pub fn blurs(&self) -> &[[f64; 3]] {
-        &self.blurs
+    pub fn variance_inflation(&self) -> &[[f64; 3]] {
+        &self.variance_inflation
     }
 
     /// What makes a field at each particle's place.
@@ -99,15 +101,20 @@ impl<'a> Samples<'a> {
     /// Weights that make least squares follow most particles, for what a field leaves of component
     /// `c` of their displacements: (ν + 1)/(ν + r²/s²)/s², s² the variance of each.
     pub fn weights(&self, c: usize, residual: &[f64]) -> Vec<f64> {
-        let scaled: Vec<f64> =
-            residual.iter().zip(&self.doubts).map(|(r, doubt)| r.abs() / doubt[c].sqrt()).collect();
+        let scaled: Vec<f64> = residual
+            .iter()
+            .zip(&self.relative_variances)
+            .map(|(r, relative_variance)| r.abs() / relative_variance[c].sqrt())
+            .collect();
         let common = median(scaled.iter().copied()).powi(2);
         let about: Vec<f64> = (0..self.around.len())
             .map(|node| self.variance_about(node, c, &scaled, common))
             .collect();
         let weight = |n: usize| {
-            let square = about[self.nearest_node[n]] * self.doubts[n][c];
-            (FREEDOM + 1.0) / (FREEDOM + residual[n] * residual[n] / square) / square
+            let square = about[self.nearest_node[n]] * self.relative_variances[n][c];
+            (DEGREES_OF_FREEDOM + 1.0)
+                / (DEGREES_OF_FREEDOM + residual[n] * residual[n] / square)
+                / square
         };
         (0..residual.len()).map(weight).collect()
     }
@@ -119,23 +126,27 @@ impl<'a> Samples<'a> {
         const MEDIAN: f64 = 0.6745;
         let near = &self.around[node];
         let own = median(near.iter().map(|&n| scaled[n as usize])).powi(2);
-        let seen = among_common(near.len(), own, common) / (MEDIAN * MEDIAN);
-        (seen * self.blurs[node][c]).max(LEAST_SCALE_VOX * LEAST_SCALE_VOX)
+        let seen = shrunk(near.len(), own, common) / (MEDIAN * MEDIAN);
+        (seen * self.variance_inflation[node][c])
+            .max(SMALLEST_DEVIATION_VOX * SMALLEST_DEVIATION_VOX)
     }
 
-    /// Whether enough clear particles about each node follow the field `spline` more closely than
-    /// anything would that is found within `reach_vox` of it.
+    /// Whether enough reliable particles about each node follow the field `spline` more closely than
+    /// particles paired by chance within `reach_vox` would.
     pub fn agree(&self, spline: &Spline, reach_vox: f32) -> Vec<bool> {
         let missed = |(taps, pair): (&Taps, &Pair)| -> [f64; 3] {
             let value = spline.of(taps);
             std::array::from_fn(|c| (f64::from(pair.displacement_vox[c]) - value[c]).abs())
         };
         let missed: Vec<[f64; 3]> = self.taps.iter().zip(self.pairs).map(missed).collect();
-        let most = CLOSER * ANYTHING * f64::from(reach_vox);
+        let most = LARGEST_RESIDUAL_SHARE * CHANCE_RESIDUAL * f64::from(reach_vox);
         let follow = |near: &Vec<u32>, c: usize| {
-            let clear = near.iter().map(|&n| n as usize).filter(|&n| self.doubts[n][c] < CLEAR);
+            let clear = near
+                .iter()
+                .map(|&n| n as usize)
+                .filter(|&n| self.relative_variances[n][c] < RELIABLE_VARIANCE);
             let missed: Vec<f64> = clear.map(|n| missed[n][c]).collect();
-            missed.len() >= ENOUGH_PARTICLES && median(missed.into_iter()) <= most
+            missed.len() >= LEAST_RELIABLE_PARTICLES && median(missed.into_iter()) <= most
         };
         self.around.iter().map(|near| (0..3).all(|c| follow(near, c))).collect()
     }
@@ -155,43 +166,43 @@ pub fn cells_at(nodes: [usize; 3], n: usize) -> f64 {
     Layout { nodes }.place(n).into_iter().zip(nodes).map(at).product()
 }
 
-/// What is so of the `count` particles about a node, tied to what is so of all.
-fn among_common(count: usize, own: f64, common: f64) -> f64 {
+/// Shrinkage estimate: the value `own` of `count` particles, drawn towards the `common` one.
+fn shrunk(count: usize, own: f64, common: f64) -> f64 {
     let count = count as f64;
-    (count * own + COMMON_PARTICLES * common) / (count + COMMON_PARTICLES)
+    (count * own + PRIOR_PARTICLES * common) / (count + PRIOR_PARTICLES)
 }
 
 /// Variance of particles along x, y, z over that of a bright particle by itself. Light that is wide is
 /// that of two, whose mixture differs from frame to frame; faint light is what reconstruction has
 /// left over elsewhere.
-fn doubts(pairs: &[Pair]) -> Vec<[f64; 3]> {
+fn relative_variances(pairs: &[Pair]) -> Vec<[f64; 3]> {
     let typical = median(pairs.iter().map(|pair| f64::from(pair.light)));
-    let doubt = |pair: &Pair| {
+    let relative_variance = |pair: &Pair| {
         let faint = FAINT * typical / f64::from(pair.light);
         pair.spread_vox2.map(|spread| {
             let wide = f64::from(spread) / (SINGLE_SPREAD_VOX * SINGLE_SPREAD_VOX);
             (1.0 + faint * faint) * (1.0 + wide.powi(3))
         })
     };
-    pairs.iter().map(doubt).collect()
+    pairs.iter().map(relative_variance).collect()
 }
 
 /// How much larger the variance of all particles about each node is along an axis on which even
 /// compact light, that of the quarter which is narrowest, is wide: where cameras leave depth open, its
 /// centre is that of what they enclose, in both frames, and hardly follows the particle.
-fn blurs(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
-    let mut blurs = vec![[1.0; 3]; around.len()];
+fn variance_inflation(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
+    let mut variance_inflation = vec![[1.0; 3]; around.len()];
     for c in 0..3 {
         let spread = |n: usize| f64::from(pairs[n].spread_vox2[c]);
         let common = lower_quartile((0..pairs.len()).map(spread));
-        for (blur, near) in blurs.iter_mut().zip(around) {
+        for (blur, near) in variance_inflation.iter_mut().zip(around) {
             let own = lower_quartile(near.iter().map(|&n| spread(n as usize)));
-            let seen = among_common(near.len(), own, common);
+            let seen = shrunk(near.len(), own, common);
             let told = 1.0 - seen / (BLURRED_SPREAD_VOX * BLURRED_SPREAD_VOX);
             blur[c] = told.max(0.1).powi(-3);
         }
     }
-    blurs
+    variance_inflation
 }
 
 /// The lower median; 0 of nothing.
