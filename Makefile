@@ -91,7 +91,7 @@ test-rust: packages network-tools
 
 # Reads what the binary of the Rust tests writes: built as they build it, or all would be built anew.
 test-readers: packages readers
-	cargo test --locked --no-run --test run_command
+	cargo test --workspace --locked --no-run --test run_command
 	LFPIV=target/debug/lfpiv .venv/bin/python -m pytest --quiet tests/readers
 
 clean:
