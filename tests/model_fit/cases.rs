@@ -109,7 +109,7 @@ pub const CASES: [Case; 14] = [
             camera.right = right * cos - axis * sin;
             camera.axis = axis * cos + right * sin;
         }),
-        "turned",
+        "cam2 is turned",
     ),
 ];
 
