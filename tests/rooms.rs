@@ -10,8 +10,8 @@ const CRATES: [(&str, &[&str]); 2] = [
     (".", &["archive", "acquisition", "pipeline", "config", "server", "cli"]),
 ];
 
-/// What the crates below the daemon must not depend on: files and threads of the daemon, and each
-/// other's secrets. The simulator knows no forward model, and the numerics no device.
+/// What the crates below the daemon must not depend on. The simulator must not know the forward model that it
+/// tests.
 const KEPT_APART: [(&str, &[&str]); 4] = [
     ("hw", &["lfpiv-core", "lfpiv-rawlog", "lfpiv-sim", "lfpiv"]),
     ("core", &["lfpiv-rawlog", "lfpiv-sim", "lfpiv", "tokio", "netcdf"]),

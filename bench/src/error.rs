@@ -2,13 +2,12 @@
 
 use std::{io, path::PathBuf};
 
+use lfpiv::{archive::ArchiveError, config::ConfigError};
 use lfpiv_core::{
     measurement::{ProcessError, SetupError},
     model::ModelError,
 };
 use thiserror::Error;
-
-use lfpiv::{archive::ArchiveError, config::ConfigError};
 
 /// Why a benchmark cannot be run.
 #[derive(Debug, Error)]

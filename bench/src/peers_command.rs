@@ -6,13 +6,12 @@ use std::{
 };
 
 use anyhow::{Context, bail};
-use lfpiv_sim::Scene;
-
 use lfpiv::cli::output::print;
 use lfpiv::config::{Config, ConfigFile};
 use lfpiv_bench::peers::{
     CorrelationCase, ReconstructionCase, Row, time_correlation, time_reconstruction,
 };
+use lfpiv_sim::Scene;
 
 /// The configuration that a case was made with, in its folder.
 const CONFIGURATION: &str = "configuration.toml";

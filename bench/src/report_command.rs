@@ -3,7 +3,6 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::{Context, bail};
-
 use lfpiv::cli::output::{count, print};
 use lfpiv_bench::{
     Row, RunOptions, Suite, read_peers,

@@ -1,8 +1,7 @@
 //! How far a displacement field is from the known flow.
 
-use lfpiv_sim::Flow;
-
 use lfpiv_core::velocimetry::{Gradients, VectorStatus, VelocityField, curl_and_divergence};
+use lfpiv_sim::Flow;
 
 /// Errors up to this count as measured (paper, Fig. 18), in voxels.
 const WITHIN_VOX: f64 = 0.3;

@@ -2,9 +2,8 @@
 
 use std::time::Duration;
 
-use lfpiv_hw::device::Frame;
-
 use lfpiv_core::lightfield::ShotTime;
+use lfpiv_hw::device::Frame;
 
 /// The paired frames of one trigger.
 #[derive(Debug, Clone)]

@@ -6,9 +6,8 @@
 use std::{cell::Cell, path::Path, ptr};
 
 use hdf5_sys::{LOCK, h5e};
-use netcdf::{Error, File, FileMut};
-
 use lfpiv_rawlog::regular_file::open_regular;
+use netcdf::{Error, File, FileMut};
 
 /// Opens a file to read; it stays on this thread.
 pub(super) fn open(path: &Path) -> netcdf::Result<File> {

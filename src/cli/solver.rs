@@ -1,11 +1,10 @@
 //! Solvers by the names they have in the configuration.
 
+use lfpiv_core::reconstruction::Solver;
 use serde::{
     Deserialize,
     de::value::{Error, StrDeserializer},
 };
-
-use lfpiv_core::reconstruction::Solver;
 
 /// A solver's name.
 pub fn solver_name(solver: Solver) -> String {

@@ -22,10 +22,9 @@ use lfpiv_core::{
     velocimetry::VelocimetrySettings,
 };
 use lfpiv_hw::{Optics, Pose, TimingSettings, check::finite};
+use lfpiv_rawlog::RawLogSettings;
 use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
-
-use lfpiv_rawlog::RawLogSettings;
 
 pub use instruments::InstrumentSettings;
 pub use misfit::Purpose;

@@ -3,12 +3,11 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use parking_lot::Mutex;
-
 use lfpiv_core::{
     lightfield::ImagePair,
     reconstruction::{FrameLight, MaximumProjection, SparseVolume},
 };
+use parking_lot::Mutex;
 
 /// Bytes that the volumes of the last shots may take. Eight bytes per lit voxel: 64 MB hold some
 /// ten shots of 100³ voxels at 1 ppm.

@@ -1,6 +1,6 @@
 //! How types of other rooms look in JSON, for the OpenAPI document. `tests/daemon` holds real
-//! answers against it. Types of other crates have a stand-in here, which fields name as
-//! `#[schema(value_type = …)]`.
+//! answers against it. Types of other crates have a type here that has their schema: fields
+//! name it as `#[schema(value_type = …)]`.
 
 use std::borrow::Cow;
 
@@ -47,27 +47,23 @@ macro_rules! schema {
     };
 }
 
-/// The stand-ins of types of other crates.
-macro_rules! stand_in {
-    ($($(#[$about:meta])* $name:ident),+ $(,)?) => {
-        $($(#[$about])* pub struct $name;)+
-    };
-}
+/// The schema of [`lfpiv_core::velocimetry::StageSeconds`].
+pub struct StageSecondsSchema;
 
-stand_in! {
-    /// Of [`lfpiv_core::velocimetry::StageSeconds`].
-    StageSecondsSchema,
-    /// Of [`lfpiv_core::velocimetry::VectorStatus`].
-    VectorStatusSchema,
-    /// Of [`lfpiv_core::reconstruction::FitVerdict`].
-    FitVerdictSchema,
-    /// Of [`lfpiv_core::reconstruction::ModelFit`].
-    ModelFitSchema,
-    /// Of [`lfpiv_core::lightfield::RawLevel`].
-    RawLevelSchema,
-    /// Of [`lfpiv_core::lightfield::ShotTime`].
-    ShotTimeSchema,
-}
+/// The schema of [`lfpiv_core::velocimetry::VectorStatus`].
+pub struct VectorStatusSchema;
+
+/// The schema of [`lfpiv_core::reconstruction::FitVerdict`].
+pub struct FitVerdictSchema;
+
+/// The schema of [`lfpiv_core::reconstruction::ModelFit`].
+pub struct ModelFitSchema;
+
+/// The schema of [`lfpiv_core::lightfield::RawLevel`].
+pub struct RawLevelSchema;
+
+/// The schema of [`lfpiv_core::lightfield::ShotTime`].
+pub struct ShotTimeSchema;
 
 schema!(
     Outcome,

@@ -5,12 +5,11 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use thiserror::Error;
-
 use lfpiv_core::{
     measurement::{ProcessError, SetupError},
     model::ModelError,
 };
+use thiserror::Error;
 
 /// Why a case cannot be made, written or read.
 #[derive(Debug, Error)]

@@ -3,9 +3,8 @@
 use std::collections::VecDeque;
 
 use lfpiv_core::lightfield::RawLevel;
-use serde::Serialize;
-
 use lfpiv_rawlog::Watermarks;
+use serde::Serialize;
 
 /// In the place of a record's number: there is none, although there should be.
 pub(super) const LOST: u64 = u64::MAX;
