@@ -6,7 +6,7 @@
 #[allow(dead_code)]
 mod support;
 
-use lfpiv::config::Config;
+use lfpiv::{config::Config, pipeline::monotonic};
 use lfpiv_core::{
     lightfield::ImagePair,
     measurement::Processor,
@@ -40,7 +40,7 @@ fn simulated(config: &Config) -> (ImagePair, Truth) {
 
 /// A measurement and the shortest of three times that its reconstruction took, in s.
 fn timed(config: &Config, pair: &ImagePair) -> (PairResult, f64) {
-    let processor = Processor::new(config.measurement()).unwrap();
+    let processor = Processor::timed(config.measurement(), monotonic).unwrap();
     let results = [0; 3].map(|_| processor.process(pair).unwrap());
     let seconds = results.iter().map(|r| r.seconds.reconstruct_s).fold(f64::INFINITY, f64::min);
     let [result, ..] = results;

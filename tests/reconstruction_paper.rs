@@ -12,6 +12,7 @@ use lfpiv_core::{
         ConvergenceLog, DenseVolume, SartOptions, SparseVolume, pr_sart, quality::elongation_mm,
         sart, subsets::balanced_subsets,
     },
+    untimed,
 };
 use lfpiv_hw::{MicrolensArray, Optics, Pose, RawImage, Sensor};
 use lfpiv_sim::{
@@ -113,7 +114,7 @@ impl Case {
 
     fn options(&self, subsets_per_camera: usize, passes: usize) -> SartOptions {
         let subsets = balanced_subsets(self.model.layouts(), subsets_per_camera);
-        SartOptions { relaxation: 1.0, passes, subsets }
+        SartOptions { relaxation: 1.0, passes, subsets, clock: untimed }
     }
 
     fn sart(&self, subsets_per_camera: usize, passes: usize) -> (SparseVolume, ConvergenceLog) {

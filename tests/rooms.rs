@@ -76,6 +76,28 @@ fn rooms_import_only_from_floors_below() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Results do not depend on when they are made: who wants times of the stages hands in a clock.
+#[test]
+fn the_numerics_read_no_clock() {
+    let mut files = Vec::new();
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("core/src"), &mut files);
+    assert!(files.len() > 50, "core has moved: correct this test");
+    let reads = |text: &str| ["Instant", "SystemTime"].iter().any(|clock| names(text, clock));
+    assert!(reads("let t = Instant::now();") && !reads("Instantaneous"));
+    let wrong: Vec<&str> =
+        files.iter().filter(|(_, text)| reads(text)).map(|(file, _)| file.as_str()).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Whether a source names this as a whole word.
+fn names(text: &str, word: &str) -> bool {
+    let part_of_a_name = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(word).any(|(at, _)| {
+        !text[..at].ends_with(part_of_a_name)
+            && !text[at + word.len()..].starts_with(part_of_a_name)
+    })
+}
+
 #[test]
 fn crates_depend_only_on_crates_below() {
     for (of, kept_out) in KEPT_APART {

@@ -80,11 +80,14 @@
 //! rayon's threads. The stages can be had one by one: [`reconstruction::Reconstructor`] from views to
 //! a volume, [`velocimetry::Interrogation`] from two volumes to vectors.
 
+mod clock;
 pub mod lightfield;
 pub mod measurement;
 pub mod model;
 pub mod reconstruction;
 pub mod velocimetry;
+
+pub use clock::{Clock, untimed};
 
 #[cfg(test)]
 mod test_bench;

@@ -28,6 +28,7 @@ use crate::{
         ArchiveError, VtiSeries, VtiSource, read_pair, write_velocity, write_volumes, write_vti,
     },
     config::{Config, ConfigFile},
+    pipeline::monotonic,
 };
 
 /// Arguments of `lfpiv process`.
@@ -229,7 +230,7 @@ impl Run {
     ) -> anyhow::Result<(Self, Option<anyhow::Result<ImagePair>>)> {
         let first = jobs.iter().find(|job| !job.is_done);
         let (processor, first) = rayon::join(
-            || Processor::new(file.config.measurement()),
+            || Processor::timed(file.config.measurement(), monotonic),
             || first.map(|job| read(&file.config, &job.pair)),
         );
         let processor = processor

@@ -6,7 +6,7 @@ use lfpiv_core::{
     measurement::Processor,
 };
 
-use crate::{archive::read_pair, config::Config};
+use crate::{archive::read_pair, config::Config, pipeline::monotonic};
 
 /// The background images that the configuration names.
 ///
@@ -30,7 +30,8 @@ pub(super) fn background_images(config: &Config) -> anyhow::Result<ImagePair> {
 /// The volume cannot be measured, the background images cannot be read, or the background is to be
 /// taken from pairs that a run does not have yet.
 pub(super) fn run_processor(config: &Config) -> anyhow::Result<Processor> {
-    let mut processor = Processor::new(config.measurement()).context("this cannot be measured")?;
+    let mut processor =
+        Processor::timed(config.measurement(), monotonic).context("this cannot be measured")?;
     match config.image.background {
         Background::Constant => {}
         Background::Images => processor.learn_background(&background_images(config)?)?,

@@ -4,6 +4,7 @@ mod board;
 mod events;
 mod gallery;
 mod latency;
+mod monotonic;
 mod pair_times;
 mod pool;
 #[cfg(test)]
@@ -14,6 +15,7 @@ pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage,
 pub use events::{Batch, EVENTS_IN_MEMORY, Event, EventKind, EventLog};
 pub use gallery::{Gallery, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES};
 pub use latency::LatencyQuantiles;
+pub use monotonic::monotonic;
 pub use pair_times::{HungPair, PairTimes};
 pub use pool::{Pool, PoolError, PoolLinks, PoolSettings};
 pub use writer::{Observer, ResultSink};

@@ -3,6 +3,7 @@
 use lfpiv_core::{
     model::{ForwardModel, ViewId, thin_lens_model},
     reconstruction::{SartOptions, sart},
+    untimed,
     velocimetry::{Interrogation, PointCloud},
 };
 use lfpiv_sim::FrameOfPair;
@@ -96,6 +97,7 @@ fn single_precision_sart_is_that_of_double_precision() {
         relaxation: 1.0,
         passes: 20,
         subsets: order.iter().map(|&id| vec![id]).collect(),
+        clock: untimed,
     };
     let found = sart(model.as_ref(), &stacks, voxels, &options, &mut |_, _| ());
     let brightest = reference.iter().copied().fold(0.0, f64::max);

@@ -4,6 +4,7 @@
 //! [volume](super::volume) measurement does. Time is that of the passes alone: neither the residual
 //! nor the comparison with the truth counts.
 
+use lfpiv::pipeline::monotonic;
 use lfpiv_core::{
     model::thin_lens_model,
     reconstruction::{
@@ -89,6 +90,7 @@ fn options(
             reconstructor.layouts(),
             reconstructor.subsets_per_pass() / cameras,
         ),
+        clock: monotonic,
     }
 }
 

@@ -2,7 +2,10 @@
 
 use std::{fs, io::Write, path::Path};
 
-use lfpiv::archive::{FileDepth, write_pair, write_replacing};
+use lfpiv::{
+    archive::{FileDepth, write_pair, write_replacing},
+    pipeline::monotonic,
+};
 use lfpiv_core::measurement::Processor;
 
 use super::{Findings, Surroundings, velocity};
@@ -22,7 +25,7 @@ pub(super) fn measure(
         write_pair(&folder, &shot.pair, FileDepth::for_sensor_bits(setting.scene.sensor.bits))?;
         for &method in methods {
             let taken = repeated(setting, method, surroundings, &folder)?;
-            let processor = Processor::new(setting.config_with(method).measurement())?;
+            let processor = Processor::timed(setting.config_with(method).measurement(), monotonic)?;
             let mut measured = velocity::measured(setting, method, &processor, &shot)?;
             measured.row.seconds = Some(taken.seconds);
             measured.row.seconds_of = format!(

@@ -1,5 +1,6 @@
 //! Four images to vectors: error beside that of the true particles, seconds by stage.
 
+use lfpiv::pipeline::monotonic;
 use lfpiv_core::{
     lightfield::ImagePair,
     measurement::Processor,
@@ -38,7 +39,9 @@ pub(super) fn measure(
 ) -> Result<(), BenchmarkError> {
     let processors = methods
         .iter()
-        .map(|&method| Ok((method, Processor::new(setting.config_with(method).measurement())?)))
+        .map(|&method| {
+            Ok((method, Processor::timed(setting.config_with(method).measurement(), monotonic)?))
+        })
         .collect::<Result<Vec<_>, BenchmarkError>>()?;
     for &seed in &setting.case.seeds {
         let shot = simulated(setting, seed);

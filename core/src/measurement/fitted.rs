@@ -9,6 +9,7 @@ use super::{
     scene::measure_scene,
 };
 use crate::{
+    Clock,
     lightfield::ImagePair,
     model::{ModelChoice, ModelError, ModelMode},
     reconstruction::{Footprint, ReconstructionSettings, Reconstructor, Solver},
@@ -27,16 +28,18 @@ pub(super) struct Models {
     chosen: OnceLock<Fitted>,
     /// Voxels around the volume that are reconstructed, too.
     margin: usize,
+    /// Times the solvers' passes.
+    clock: Clock,
 }
 
 impl Models {
     /// Builds the configured model. Errors when a camera does not see the volume.
-    pub fn new(measurement: &Measurement, margin: usize) -> Result<Self, ModelError> {
+    pub fn new(measurement: &Measurement, margin: usize, clock: Clock) -> Result<Self, ModelError> {
         let choice = configured(&allowed(measurement));
-        let reconstructor = reconstructor(measurement, margin, &choice)?;
+        let reconstructor = reconstructor(measurement, margin, &choice, clock)?;
         let configured =
             Fitted { reconstructor: Arc::new(reconstructor), choice: Arc::new(choice) };
-        Ok(Self { configured, chosen: OnceLock::new(), margin })
+        Ok(Self { configured, chosen: OnceLock::new(), margin, clock })
     }
 
     /// The model before a look at the scene.
@@ -81,7 +84,7 @@ impl Models {
         let reconstructor = if same {
             self.configured.reconstructor.clone()
         } else {
-            match reconstructor(measurement, self.margin, &choice) {
+            match reconstructor(measurement, self.margin, &choice, self.clock) {
                 Ok(reconstructor) => Arc::new(reconstructor),
                 Err(error) => {
                     tracing::warn!(%error, "the chosen model cannot be built; the configured one stays");
@@ -110,11 +113,15 @@ fn reconstructor(
     measurement: &Measurement,
     margin: usize,
     choice: &ModelChoice,
+    clock: Clock,
 ) -> Result<Reconstructor, ModelError> {
     let Measurement { optics, cameras, volume, reconstruction, .. } = measurement;
     let settings =
         ReconstructionSettings { refinement: choice.refinement, ..reconstruction.clone() };
-    Reconstructor::with_parts(optics, cameras, &volume.padded(margin), &settings, choice.model)
+    let volume = volume.padded(margin);
+    let reconstructor =
+        Reconstructor::with_parts(optics, cameras, &volume, &settings, choice.model)?;
+    Ok(reconstructor.timed_by(clock))
 }
 
 fn log(choice: &ModelChoice) {

@@ -1,11 +1,13 @@
 //! One image pair to one velocity field.
 
-use std::{borrow::Borrow, time::Instant};
+use std::borrow::Borrow;
 
 use lfpiv_hw::{CameraName, Optics, Pose, RawImage};
 use thiserror::Error;
 
 use crate::{
+    Clock,
+    clock::{seconds_since, untimed},
     lightfield::{
         Background, Condensation, ImagePair, ImageSettings, PhotometricZones, RawLevel,
         StationaryLight,
@@ -78,6 +80,7 @@ pub enum ProcessError {
 pub struct Processor {
     measurement: Measurement,
     models: Models,
+    clock: Clock,
     zones: PhotometricZones,
     interrogation: Interrogation,
     /// Per camera and frame, where stationary light has been learned.
@@ -87,14 +90,22 @@ pub struct Processor {
 impl Processor {
     /// Builds the tables. Errors when a camera does not see the volume.
     pub fn new(measurement: Measurement) -> Result<Self, SetupError> {
+        Self::timed(measurement, untimed)
+    }
+
+    /// [`Self::new`] with a clock that the stages of every pair are timed by.
+    ///
+    /// # Errors
+    /// A camera does not see the volume.
+    pub fn timed(measurement: Measurement, clock: Clock) -> Result<Self, SetupError> {
         let Measurement { optics, volume, velocimetry, .. } = &measurement;
         // Light that crosses a face between the frames must have voxels on both sides of it.
         let margin = (velocimetry.max_displacement_vox / 2.0).ceil() as usize + 1;
-        let models = Models::new(&measurement, margin)?;
+        let models = Models::new(&measurement, margin, clock)?;
         let layout = &models.configured().reconstructor.layouts()[0];
         let zones = PhotometricZones::new(optics, &layout.columns, &layout.rows);
         let interrogation = Interrogation::new(volume, margin, velocimetry);
-        Ok(Self { measurement, models, zones, interrogation, stationary: Vec::new() })
+        Ok(Self { measurement, models, clock, zones, interrogation, stationary: Vec::new() })
     }
 
     /// What is measured and how.
@@ -179,23 +190,23 @@ impl Processor {
             stationary: &self.stationary,
         };
         let fitted = self.models.fitted(&self.measurement, pair, &correction);
-        let started = Instant::now();
+        let started = (self.clock)();
         let layouts = fitted.reconstructor.layouts();
         let decode = |frame| Frame::decode(pair, frame, layouts, &correction);
         let (a, b) = rayon::join(|| decode(0), || decode(1));
-        let decode_s = started.elapsed().as_secs_f64();
-        let started = Instant::now();
+        let decode_s = seconds_since(self.clock, started);
+        let started = (self.clock)();
         let micro_images = model_fit::micro_images(&self.measurement, pair);
         let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
-        let found_s = started.elapsed().as_secs_f64();
+        let found_s = seconds_since(self.clock, started);
         drop(handed);
 
-        let started = Instant::now();
+        let started = (self.clock)();
         let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
         let (solved_a, solved_b) = rayon::join(|| solve(&a), || solve(&b));
-        let reconstruct_s = started.elapsed().as_secs_f64();
+        let reconstruct_s = seconds_since(self.clock, started);
 
-        let started = Instant::now();
+        let started = (self.clock)();
         let grid = self.interrogation.cloud_grid();
         let cloud = |volume| PointCloud::from_volume(volume, &grid);
         let mut field = self.interrogation.measure(
@@ -203,9 +214,9 @@ impl Processor {
             &cloud(&solved_b.volume),
             self.measurement.dt_s,
         );
-        let correlate_s = started.elapsed().as_secs_f64();
+        let correlate_s = seconds_since(self.clock, started);
 
-        let started = Instant::now();
+        let started = (self.clock)();
         let fit = model_fit::Judged {
             measurement: &self.measurement,
             fitted,
@@ -215,7 +226,7 @@ impl Processor {
             micro_images,
         }
         .fit();
-        let judge_s = found_s + started.elapsed().as_secs_f64();
+        let judge_s = found_s + seconds_since(self.clock, started);
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
         }

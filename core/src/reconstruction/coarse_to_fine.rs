@@ -3,8 +3,6 @@
 //! The hull and a pass over a part of the views on the coarse grid leave the voxels near particles;
 //! only these are split and corrected on the fine one.
 
-use std::time::Instant;
-
 use rayon::prelude::*;
 
 use super::{
@@ -14,6 +12,8 @@ use super::{
     probes::{ProjectedView, probes},
 };
 use crate::{
+    Clock,
+    clock::seconds_since,
     lightfield::{ViewLayout, ViewStack},
     model::{BlockModel, Darkness, ModelParts, ViewId, VolumeGrid},
 };
@@ -64,6 +64,8 @@ pub(super) struct CoarseToFine<'a> {
     pub voxel_mm: f64,
     /// The order in which views are corrected.
     pub order: &'a [ViewId],
+    /// Times the passes.
+    pub clock: Clock,
 }
 
 impl CoarseToFine<'_> {
@@ -96,12 +98,12 @@ impl CoarseToFine<'_> {
             let mut projector = model.projector(&volume.blocks);
             for pass in 0..stage.passes {
                 let settled = if pass == 0 { Settled::No } else { Settled::Yes };
-                let started = Instant::now();
+                let started = (self.clock)();
                 let (model, projector) = (model.as_ref(), projector.as_mut());
                 let residual = update.pass(model, views, order, &mut volume, projector, settled);
                 done += 1;
                 let active_voxels = volume.active_voxels();
-                let seconds = started.elapsed().as_secs_f64();
+                let seconds = seconds_since(self.clock, started);
                 note(&PassReport { pass: done, residual, active_voxels, seconds });
             }
         }

@@ -21,7 +21,7 @@ pub struct PassReport {
     pub residual: f64,
     /// Voxels that the solver still works on.
     pub active_voxels: usize,
-    /// Wall-clock time of this pass alone, in s, without the time of the residual.
+    /// Time of this pass alone by the caller's clock, in s, without that of the residual.
     pub seconds: f64,
 }
 

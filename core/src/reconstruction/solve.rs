@@ -14,6 +14,8 @@ use super::{
     subsets::{alternating_views, balanced_subsets},
 };
 use crate::{
+    Clock,
+    clock::untimed,
     lightfield::{ViewLayout, ViewStack},
     model::{
         BlockModel, ForwardModel, ModelError, ModelParts, ViewId, VolumeGrid, block_model,
@@ -52,6 +54,7 @@ pub struct Reconstructor {
     /// Points on the volume's own grid, where the settings want them tried first.
     grid_points: Option<Box<dyn BlockModel>>,
     order: Vec<ViewId>,
+    clock: Clock,
 }
 
 /// What the solver works on.
@@ -132,7 +135,13 @@ impl Reconstructor {
             models,
             grid_points,
             order,
+            clock: untimed,
         })
+    }
+
+    /// The same with a clock that passes are timed by.
+    pub fn timed_by(self, clock: Clock) -> Self {
+        Self { clock, ..self }
     }
 
     /// How raw images are to be cut into views, per camera.
@@ -226,6 +235,7 @@ impl Reconstructor {
             relaxation: self.settings.relaxation.unwrap_or(1.0) as f32,
             passes: self.settings.sart_passes(),
             subsets: self.balanced(),
+            clock: self.clock,
         }
     }
 
@@ -245,6 +255,7 @@ impl Reconstructor {
             parts: &self.parts,
             voxel_mm: self.voxel_mm,
             order: &self.order,
+            clock: self.clock,
         }
     }
 

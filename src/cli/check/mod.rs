@@ -9,7 +9,10 @@ use anyhow::Context;
 use lfpiv_core::{lightfield::Background, measurement::Processor, model::VolumeGrid};
 
 use super::{finding, output::print, run_processor::background_images};
-use crate::config::{Config, ConfigFile, Purpose};
+use crate::{
+    config::{Config, ConfigFile, Purpose},
+    pipeline::monotonic,
+};
 
 /// Arguments of `lfpiv check`.
 #[derive(Debug, clap::Args)]
@@ -26,7 +29,7 @@ pub struct CheckArgs {
 /// better.
 pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load_for(Purpose::Bench, &args.config)?;
-    let mut processor = Processor::new(file.config.measurement())
+    let mut processor = Processor::timed(file.config.measurement(), monotonic)
         .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
     if file.config.image.background == Background::Images {
         processor.learn_background(&background_images(&file.config)?)?;

@@ -23,7 +23,7 @@ use lfpiv_sim::Scene;
 use nalgebra::Vector3;
 use tracing::subscriber::NoSubscriber;
 
-use crate::config::Config;
+use crate::{config::Config, pipeline::monotonic};
 
 /// Particles per microlens where the configuration has no scene that says it.
 pub const ASSUMED_PPM: f64 = 0.5;
@@ -94,7 +94,7 @@ fn measure(piece: &Config, whole: &Plan) -> anyhow::Result<StageSeconds> {
     let (bench, scene) = (piece.bench_geometry(), scene(piece));
     scene.check(&bench)?;
     let pair = ImagePair { cameras: scene.shot(&bench, scene.seed, 0).images };
-    let processor = Processor::new(piece.measurement())?;
+    let processor = Processor::timed(piece.measurement(), monotonic)?;
     let mut seconds = processor.process(&pair)?.seconds;
     if seconds.total_s() < SHORT_S {
         let again = processor.process(&pair)?.seconds;

@@ -4,7 +4,7 @@ use super::*;
 use crate::{
     model::{VolumeGrid, thin_lens_model},
     reconstruction::subsets::balanced_subsets,
-    test_bench,
+    test_bench, untimed,
 };
 
 fn grid() -> VolumeGrid {
@@ -85,7 +85,7 @@ fn two_passes_follow_equation_2_written_out() {
                 .collect();
             expected = naive_correction(&w, &measured, f64::from(relaxation), &expected);
         }
-        let options = SartOptions { relaxation, passes: 2, subsets };
+        let options = SartOptions { relaxation, passes: 2, subsets, clock: untimed };
         let volume = sart(model.as_ref(), &views, voxels.clone(), &options, &mut |_, _| {});
         let brightest = expected.iter().copied().fold(0.0, f64::max);
         assert!(brightest > 1.0, "{brightest}");
@@ -100,8 +100,12 @@ fn column_sums_made_at_each_use_give_the_same_volume() {
     let model = model();
     let views = views(model.as_ref());
     let voxels: Vec<u32> = (0..grid().len() as u32).collect();
-    let options =
-        SartOptions { relaxation: 1.0, passes: 3, subsets: balanced_subsets(model.layouts(), 8) };
+    let options = SartOptions {
+        relaxation: 1.0,
+        passes: 3,
+        subsets: balanced_subsets(model.layouts(), 8),
+        clock: untimed,
+    };
     let run = |bytes| {
         sart_within(model.as_ref(), &views, voxels.clone(), &options, bytes, &mut |_, _| {})
     };
@@ -119,8 +123,12 @@ fn voxels_that_no_pixel_sees_stay_dark_and_nothing_is_nan() {
         .iter()
         .map(|l| ViewStack::new(l.window.len(), vec![50.0; l.window.len() * l.views.len()]))
         .collect();
-    let options =
-        SartOptions { relaxation: 1.0, passes: 5, subsets: balanced_subsets(model.layouts(), 16) };
+    let options = SartOptions {
+        relaxation: 1.0,
+        passes: 5,
+        subsets: balanced_subsets(model.layouts(), 16),
+        clock: untimed,
+    };
     let voxels = (0..grid.len() as u32).collect();
     let mut residuals = Vec::new();
     let volume = sart(model.as_ref(), &views, voxels, &options, &mut |report, _| {
@@ -143,7 +151,7 @@ fn no_voxels_no_passes_and_no_views_give_dark_volumes() {
         (vec![3, 7], 0, subsets),
         (vec![3, 7], 2, vec![Vec::new()]),
     ] {
-        let options = SartOptions { relaxation: 1.0, passes, subsets };
+        let options = SartOptions { relaxation: 1.0, passes, subsets, clock: untimed };
         let volume = sart(model.as_ref(), &views, voxels.clone(), &options, &mut |_, _| {});
         assert_eq!(volume.voxels, voxels);
         assert_eq!(volume.intensity, vec![0.0; voxels.len()]);
