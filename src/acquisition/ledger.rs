@@ -13,12 +13,12 @@
 
 use std::collections::BTreeMap;
 
-use lfpiv_core::lightfield::ShotTime;
 use lfpiv_hw::{CameraName, device::StreamStatistics};
 use serde::Serialize;
 use thiserror::Error;
 
 use super::{Account, Outcome};
+use crate::archive::ShotTime;
 
 /// What the ledger remembers of one trigger.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use lfpiv_core::lightfield::ShotTime;
 use lfpiv_hw::device::Frame;
+
+use crate::archive::ShotTime;
 
 /// The paired frames of one trigger.
 #[derive(Debug, Clone)]

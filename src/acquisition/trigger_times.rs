@@ -14,11 +14,11 @@
 //! [`TriggerTimes`] reads the entries of the journal: a run, its replay and whoever reads its
 //! record find the same times.
 
-use lfpiv_core::lightfield::ShotTime;
 use lfpiv_hw::PulseSchedule;
 use serde::{Deserialize, Serialize};
 
 use super::journal::Entry;
+use crate::archive::ShotTime;
 
 /// By how much the rates of two quartz clocks may differ: the synchroniser's and the host's.
 const QUARTZ_RATE: f64 = 1e-4;

@@ -90,7 +90,7 @@ mod tests {
         let path = folder.path().join("velocity.nc");
         let mut result = result([4, 3, 2]);
         let camera = |unexplained| CameraFit { unexplained, micro_image_offset_px: Some(0.25) };
-        result.fit = Some(ModelFit {
+        result.measured.fit = Some(ModelFit {
             verdict: FitVerdict::Doubtful,
             cameras: vec![camera(0.25), camera(0.5)],
             camera_agreement: None,

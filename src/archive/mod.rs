@@ -20,6 +20,8 @@ mod netcdf_file;
 mod netcdf_open;
 mod pair_folder;
 mod paraview;
+mod shot_result;
+mod shot_time;
 mod store;
 mod stored;
 #[cfg(test)]
@@ -33,6 +35,8 @@ pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
 pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, VtiSource, write_vti};
+pub use shot_result::{RawLevel, ShotResult};
+pub use shot_time::ShotTime;
 pub use store::ResultStore;
 pub use stored::{StoredResults, stored_configuration, stored_vectors};
 pub use velocity_file::write_velocity;

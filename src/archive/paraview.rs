@@ -240,7 +240,7 @@ mod tests {
     fn appended_arrays_lie_where_the_header_says() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("shot.vti");
-        let field = result([4, 3, 2]).field;
+        let field = result([4, 3, 2]).measured.field;
         let source = VtiSource { shot: 7, utc_s: Some(12.5), configuration: "[a]" };
         write_vti(&path, &source, &field).unwrap();
         let bytes = std::fs::read(&path).unwrap();

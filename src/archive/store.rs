@@ -19,10 +19,8 @@ use std::{
     time::{Duration, Instant},
 };
 
-use lfpiv_core::velocimetry::PairResult;
-
 use super::{
-    ArchiveError,
+    ArchiveError, ShotResult,
     durable::{create_folder, replace},
     netcdf_file::Finished,
     paraview::{VtiSeries, VtiSource, write_vti},
@@ -135,7 +133,7 @@ impl ResultStore {
     ///
     /// Shots may come in any order, each once. The `.vti` can be read on return; the NetCDF
     /// record once its segment is sealed.
-    pub fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+    pub fn append(&mut self, shot: u64, result: &ShotResult) -> Result<(), ArchiveError> {
         if self.segment.as_ref().is_some_and(|segment| !segment.file.suits(result)) {
             self.seal()?;
         }
@@ -167,11 +165,11 @@ impl ResultStore {
         if self.segment.as_ref().is_some_and(is_due) { self.seal() } else { self.store() }
     }
 
-    fn write_for_paraview(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+    fn write_for_paraview(&mut self, shot: u64, result: &ShotResult) -> Result<(), ArchiveError> {
         let Some(series) = &mut self.series else { return Ok(()) };
         let utc_s = result.time.map(|time| time.utc_s());
         let source = VtiSource { shot, utc_s, configuration: &self.configuration };
-        write_vti(&self.folder.join(vti_name(shot)), &source, &result.field)?;
+        write_vti(&self.folder.join(vti_name(shot)), &source, &result.measured.field)?;
         series.push(shot, utc_s);
         if series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
     }
@@ -235,7 +233,7 @@ impl ResultStore {
         names.find(|path| !path.exists()).unwrap_or_else(|| named(String::new()))
     }
 
-    fn open_segment(&self, shot: u64, result: &PairResult) -> Result<Segment, ArchiveError> {
+    fn open_segment(&self, shot: u64, result: &ShotResult) -> Result<Segment, ArchiveError> {
         let path = self.unused_name(shot);
         let file = VelocityFile::create(&path, &self.configuration, result)?;
         Ok(Segment { file, opened: Instant::now(), shots: Vec::new() })
@@ -329,7 +327,7 @@ mod tests {
         let mut store = ResultStore::create(root.path(), "").unwrap();
         store.append(0, &result([4, 3, 2])).unwrap();
         let mut other = result([4, 3, 2]);
-        other.model = ModelChoice { refinement: 2, ..ModelChoice::default() }.into();
+        other.measured.model = ModelChoice { refinement: 2, ..ModelChoice::default() }.into();
         store.append(1, &other).unwrap();
         store.close().unwrap();
         for (shot, refinement) in [(0, 0), (1, 2)] {

@@ -1,12 +1,11 @@
 //! A made-up result for the tests of this room.
 
-use lfpiv_core::{
-    lightfield::ShotTime,
-    velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
-};
+use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
+
+use super::{RawLevel, ShotResult, ShotTime};
 
 /// A result whose every number can be told from the others; voxels of 0.1 mm, dt 100 µs.
-pub(super) fn result(vectors: [usize; 3]) -> PairResult {
+pub(super) fn result(vectors: [usize; 3]) -> ShotResult {
     let grid = VectorGrid { vectors, first_mm: [-1.0, -2.0, -3.0], spacing_mm: 0.8 };
     let numbers = |scale: f32| -> Vec<f32> {
         (0..grid.len()).map(|index| scale * (1.0 + index as f32)).collect()
@@ -15,7 +14,7 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
         numbers(scale).into_iter().map(|n| [n, 2.0 * n, -n]).collect()
     };
     let cycle = [VectorStatus::Valid, VectorStatus::Replaced, VectorStatus::Invalid];
-    PairResult {
+    let measured = PairResult {
         field: VelocityField {
             displacement_vox: triples(0.01),
             uncertainty_vox: triples(0.0003).into_iter().map(|t| t.map(f32::abs)).collect(),
@@ -30,14 +29,14 @@ pub(super) fn result(vectors: [usize; 3]) -> PairResult {
         },
         seconds: StageSeconds { decode_s: 1.0, reconstruct_s: 2.0, correlate_s: 3.0, judge_s: 4.0 },
         warnings: Vec::new(),
-        time: Some(ShotTime {
-            utc_ns: 1_700_000_000_250_000_000,
-            uncertainty_ns: 1_500_000,
-            clock_synchronised: true,
-        }),
-        raw: Default::default(),
         model: Default::default(),
         fit: None,
         light: None,
-    }
+    };
+    let time = ShotTime {
+        utc_ns: 1_700_000_000_250_000_000,
+        uncertainty_ns: 1_500_000,
+        clock_synchronised: true,
+    };
+    ShotResult { measured, time: Some(time), raw: RawLevel::NotKept }
 }

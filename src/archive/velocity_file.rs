@@ -11,17 +11,16 @@
 use std::{path::Path, sync::Arc};
 
 use lfpiv_core::{
-    lightfield::ShotTime,
     model::ModelChoice,
-    velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
+    velocimetry::{StageSeconds, VectorGrid, VectorStatus, VelocityField},
 };
 
 use super::{
-    ArchiveError, fit_variables,
+    ArchiveError, ShotResult, ShotTime, fit_variables,
     netcdf_file::{Described, FILL_F64, Finished, NetCdfFile},
 };
 
-/// Meanings of `raw_level`, in the order of [`RawLevel`](lfpiv_core::lightfield::RawLevel).
+/// Meanings of `raw_level`, in the order of [`RawLevel`](super::RawLevel).
 const RAW_LEVELS: &str = "not_kept lost acquired written synced";
 
 /// A quantity that each vector has.
@@ -142,7 +141,7 @@ pub fn write_velocity(
     path: &Path,
     configuration: &str,
     shot: u64,
-    result: &PairResult,
+    result: &ShotResult,
 ) -> Result<(), ArchiveError> {
     let mut file = VelocityFile::create(path, configuration, result)?;
     file.append(shot, result)?;
@@ -168,13 +167,14 @@ impl VelocityFile {
     pub fn create(
         path: &Path,
         configuration: &str,
-        like: &PairResult,
+        like: &ShotResult,
     ) -> Result<Self, ArchiveError> {
         const VECTORS: [&str; 4] = ["shot", "z", "y", "x"];
         let mut file = NetCdfFile::create(path, LARGEST_BYTES, "Velocity fields", configuration)?;
+        let ShotResult { measured: like, time, .. } = like;
         file.add_attribute("model", &like.model.to_string())?;
         file.add_attribute("model_choice", &like.model.to_json())?;
-        let (model, fit, time, like) = (like.model.clone(), &like.fit, like.time, &like.field);
+        let (model, fit, like) = (like.model.clone(), &like.fit, &like.field);
         file.add_record_dimension("shot")?;
         file.add_axes([0, 1, 2].map(|axis| like.grid.axis_mm(axis)))?;
         file.add::<i64>(&SHOT, &["shot"])?;
@@ -207,13 +207,14 @@ impl VelocityFile {
     }
 
     /// Whether a result may be added: all in a file have the same model and dt.
-    pub fn suits(&self, result: &PairResult) -> bool {
-        self.model == result.model && self.dt_s == result.field.dt_s
+    pub fn suits(&self, result: &ShotResult) -> bool {
+        self.model == result.measured.model && self.dt_s == result.measured.field.dt_s
     }
 
     /// Adds one shot.
-    pub fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
-        let field = &result.field;
+    pub fn append(&mut self, shot: u64, result: &ShotResult) -> Result<(), ArchiveError> {
+        let measured = &result.measured;
+        let field = &measured.field;
         if field.grid != self.grid || field.dt_s != self.dt_s {
             return Err(ArchiveError::GridChanged { shot, path: self.file.path().into() });
         }
@@ -231,9 +232,9 @@ impl VelocityFile {
             self.file.put_record(described.name, record, &flags)?;
         }
         for (described, value_of) in &SECONDS {
-            self.file.put_record(described.name, record, &[value_of(&result.seconds)])?;
+            self.file.put_record(described.name, record, &[value_of(&measured.seconds)])?;
         }
-        if let Some(fit) = &result.fit {
+        if let Some(fit) = &measured.fit {
             fit_variables::put(&mut self.file, record, fit)?;
         }
         // Last: a record that could not be written whole has no number, and counts as none.
@@ -283,7 +284,7 @@ mod tests {
         assert_eq!(floats("dt"), [1e-4]);
         // One voxel of 0.1 mm in 100 us is 1 m/s.
         let expected: Vec<f64> =
-            result.field.displacement_vox.iter().map(|d| f64::from(d[1])).collect();
+            result.measured.field.displacement_vox.iter().map(|d| f64::from(d[1])).collect();
         for (n, (found, expected)) in floats("v").iter().zip(expected).enumerate() {
             // Every third is invalid.
             let missing = found.is_nan() && n % 3 == 2;
@@ -294,17 +295,17 @@ mod tests {
             let fill = file.variable(name).unwrap().fill_value::<f32>().unwrap();
             assert!(fill.is_some_and(f32::is_nan), "{name}");
         }
-        let uncertainty = f64::from(result.field.uncertainty_vox[4][1]);
+        let uncertainty = f64::from(result.measured.field.uncertainty_vox[4][1]);
         assert!((floats("v_uncertainty")[4] - uncertainty).abs() < 1e-6);
         let beside = file.variable("v").unwrap().attribute_value("ancillary_variables");
         let beside = String::try_from(beside.unwrap().unwrap()).unwrap();
         assert_eq!(beside, "v_uncertainty valid replaced peak_ratio");
-        let spin = f64::from(result.field.vorticity[4][2]) / 1e-4;
+        let spin = f64::from(result.measured.field.vorticity[4][2]) / 1e-4;
         assert!((floats("vorticity_z")[4] - spin).abs() < 1e-3 * spin.abs());
         assert_eq!(floats("valid")[..3], [1.0, 0.0, 0.0]);
         assert_eq!(floats("replaced")[..3], [0.0, 1.0, 0.0]);
         assert_eq!(floats("correlate_seconds"), [3.0]);
-        assert_eq!(floats("x"), result.field.grid.axis_mm(0));
+        assert_eq!(floats("x"), result.measured.field.grid.axis_mm(0));
     }
 
     #[test]
@@ -314,7 +315,7 @@ mod tests {
         let timed = result([4, 3, 2]);
         let mut file = VelocityFile::create(&path, "", &timed).unwrap();
         file.append(0, &timed).unwrap();
-        file.append(1, &PairResult { time: None, ..timed.clone() }).unwrap();
+        file.append(1, &ShotResult { time: None, ..timed.clone() }).unwrap();
         file.finish().unwrap().store().unwrap();
 
         let file = netcdf::open(&path).unwrap();

@@ -8,7 +8,6 @@ use std::{
 
 use anyhow::Context;
 use lfpiv_core::{
-    lightfield::RawLevel,
     model::ModelChoice,
     velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField, VolumeInterrogation},
 };
@@ -76,16 +75,14 @@ fn store(
     seconds: StageSeconds,
 ) -> anyhow::Result<()> {
     create(folder)?;
-    let result = PairResult {
+    let measured = PairResult {
         field,
         seconds,
         warnings: Vec::new(),
-        time: None,
-        raw: RawLevel::NotKept,
         // Whatever made the volumes, no model of ours.
         model: Arc::new(ModelChoice::default()),
         fit: None,
         light: None,
     };
-    Ok(write_velocity(&folder.join("velocity.nc"), configuration, 0, &result)?)
+    Ok(write_velocity(&folder.join("velocity.nc"), configuration, 0, &measured.into())?)
 }

@@ -2,11 +2,14 @@
 
 use std::{collections::VecDeque, fmt::Write};
 
-use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField};
+use lfpiv_core::velocimetry::{StageSeconds, VectorStatus, VelocityField};
 use lfpiv_hw::{CameraName, device::StreamStatistics};
 use lfpiv_sim::Flow;
 
-use crate::pipeline::{ShotRecord, Stage};
+use crate::{
+    archive::ShotResult,
+    pipeline::{ShotRecord, Stage},
+};
 
 /// One shot of the table.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +27,7 @@ pub struct Row {
 
 impl Row {
     /// A row for a shot, measured against the flow that is there, if that is known.
-    pub fn new(record: &ShotRecord, result: Option<&PairResult>, truth: Option<&Flow>) -> Self {
+    pub fn new(record: &ShotRecord, result: Option<&ShotResult>, truth: Option<&Flow>) -> Self {
         Self {
             stage: record.stage,
             shot: record.shot,
@@ -33,7 +36,7 @@ impl Row {
             valid_share: record.valid_share.unwrap_or(0.0),
             error_vox: result
                 .zip(truth)
-                .and_then(|(result, flow)| mean_error_vox(&result.field, flow)),
+                .and_then(|(result, flow)| mean_error_vox(&result.measured.field, flow)),
             seconds: record.seconds.unwrap_or_default(),
         }
     }
@@ -164,7 +167,7 @@ mod tests {
 
     use super::*;
     use crate::pipeline::Board;
-    use lfpiv_core::velocimetry::VectorGrid;
+    use lfpiv_core::velocimetry::{PairResult, VectorGrid};
 
     /// Two vectors, the second invalid and far off.
     fn result() -> PairResult {
@@ -188,8 +191,6 @@ mod tests {
                 judge_s: 0.25,
             },
             warnings: Vec::new(),
-            time: None,
-            raw: Default::default(),
             model: Default::default(),
             fit: None,
             light: None,
@@ -211,8 +212,9 @@ mod tests {
         let board = Board::new();
         let flow = Flow::default();
         let failed = Row::new(&board.failed(1, "camera 2 is dark".to_owned()), None, Some(&flow));
-        let good = result();
-        let done = Row::new(&board.done(0, result().into()), Some(&good), Some(&flow));
+        let good = ShotResult::from(result());
+        let done =
+            Row::new(&board.done(0, ShotResult::from(result()).into()), Some(&good), Some(&flow));
         let mut shots = Table::default();
         for row in [failed, done] {
             shots.push(row);
@@ -231,7 +233,7 @@ mod tests {
         let board = Board::new();
         let mut shots = Table::default();
         for shot in 0..3 * ROWS as u64 {
-            shots.push(Row::new(&board.done(shot, result().into()), None, None));
+            shots.push(Row::new(&board.done(shot, ShotResult::from(result()).into()), None, None));
         }
         let text = shots.text();
         assert!(text.starts_with("The last 100 of 300 shots:\n"), "{text}");

@@ -25,7 +25,8 @@ use super::{
 use crate::{
     acquisition::SynchroniserThread,
     archive::{
-        ArchiveError, VtiSeries, VtiSource, read_pair, write_velocity, write_volumes, write_vti,
+        ArchiveError, ShotResult, VtiSeries, VtiSource, read_pair, write_velocity, write_volumes,
+        write_vti,
     },
     config::{Config, ConfigFile},
     pipeline::monotonic,
@@ -308,8 +309,9 @@ impl Run {
             write_vti(&folder.join(VTI), &source, &result.field)?;
         }
         // Last: where this file is, the results are whole.
+        let result = ShotResult::from(result);
         write_velocity(&folder.join("velocity.nc"), &self.file.text, 0, &result)?;
-        Ok(result)
+        Ok(result.measured)
     }
 }
 

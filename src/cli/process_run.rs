@@ -7,12 +7,7 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use lfpiv_core::{
-    lightfield::{ImagePair, RawLevel},
-    measurement::Processor,
-    model::ModelMode,
-    velocimetry::PairResult,
-};
+use lfpiv_core::{lightfield::ImagePair, measurement::Processor, model::ModelMode};
 use lfpiv_rawlog::recover;
 use tokio_util::sync::CancellationToken;
 
@@ -27,7 +22,7 @@ use super::{
 };
 use crate::{
     acquisition::journal::{RAW_FOLDER, RecordedRun, RecordedShot, RunIndex, ledger_of},
-    archive::{ResultStore, StoredResults, merge_segments},
+    archive::{RawLevel, ResultStore, ShotResult, StoredResults, merge_segments},
     config::Config,
 };
 
@@ -168,12 +163,10 @@ fn measure_one(
     processor: &Processor,
     shot: &RecordedShot,
     pair: ImagePair,
-) -> anyhow::Result<PairResult> {
-    let mut result = processor.process(pair)?;
-    result.field.dt_s = shot.dt_us * 1e-6;
-    result.time = shot.time;
-    result.raw = RawLevel::Synced;
+) -> anyhow::Result<ShotResult> {
+    let mut measured = processor.process(pair)?;
+    measured.field.dt_s = shot.dt_us * 1e-6;
     let words = shot.suspect.iter().map(|words| format!("suspect pairing: {words}"));
-    result.warnings.extend(words);
-    Ok(result)
+    measured.warnings.extend(words);
+    Ok(ShotResult { measured, time: shot.time, raw: RawLevel::Synced })
 }

@@ -7,11 +7,7 @@ use std::{
     time::Duration,
 };
 
-use lfpiv_core::{
-    model::ModelChoice,
-    reconstruction::ModelFit,
-    velocimetry::{PairResult, StageSeconds},
-};
+use lfpiv_core::{model::ModelChoice, reconstruction::ModelFit, velocimetry::StageSeconds};
 use parking_lot::Mutex;
 use serde::Serialize;
 
@@ -19,7 +15,7 @@ use super::{
     EventKind, EventLog, Gallery, PairTimes,
     latency::{Latencies, LatencyQuantiles},
 };
-use crate::acquisition::Heartbeat;
+use crate::{acquisition::Heartbeat, archive::ShotResult};
 
 /// Results kept in memory; older ones are on disk only.
 pub const RESULTS_IN_MEMORY: usize = 32;
@@ -67,13 +63,14 @@ impl ShotRecord {
         Self { shot, stage, message, warnings, fit, vectors, valid_share, seconds }
     }
 
-    fn of_result(shot: u64, stage: Stage, message: Option<String>, result: &PairResult) -> Self {
+    fn of_result(shot: u64, stage: Stage, message: Option<String>, result: &ShotResult) -> Self {
+        let measured = &result.measured;
         Self {
-            warnings: result.warnings.clone(),
-            fit: result.fit.clone(),
-            vectors: Some(result.field.grid.len()),
-            valid_share: Some(result.field.valid_share()),
-            seconds: Some(result.seconds),
+            warnings: measured.warnings.clone(),
+            fit: measured.fit.clone(),
+            vectors: Some(measured.field.grid.len()),
+            valid_share: Some(measured.field.valid_share()),
+            seconds: Some(measured.seconds),
             ..Self::new(shot, stage, message)
         }
     }
@@ -113,7 +110,7 @@ pub struct Watermarks {
 #[allow(clippy::large_enum_variant)]
 pub enum Lookup {
     /// In memory.
-    Here(Arc<PairResult>),
+    Here(Arc<ShotResult>),
     /// Was in memory; it is on disk only.
     OnDisk,
     /// The shot has no result (yet); its record says why.
@@ -135,7 +132,7 @@ pub struct Board {
 #[derive(Debug, Default)]
 struct State {
     records: BTreeMap<u64, ShotRecord>,
-    results: BTreeMap<u64, Arc<PairResult>>,
+    results: BTreeMap<u64, Arc<ShotResult>>,
     processing: BTreeSet<u64>,
     counts: PoolCounts,
     latencies: Latencies,
@@ -191,12 +188,12 @@ impl Board {
     }
 
     /// A shot was measured and written.
-    pub fn done(&self, shot: u64, result: Arc<PairResult>) -> ShotRecord {
+    pub fn done(&self, shot: u64, result: Arc<ShotResult>) -> ShotRecord {
         self.finish(ShotRecord::of_result(shot, Stage::Done, None, &result), Some(result))
     }
 
     /// A shot was measured, but its result could not be written.
-    pub fn write_failed(&self, shot: u64, result: Arc<PairResult>, message: String) -> ShotRecord {
+    pub fn write_failed(&self, shot: u64, result: Arc<ShotResult>, message: String) -> ShotRecord {
         let record = ShotRecord::of_result(shot, Stage::WriteFailed, Some(message), &result);
         self.finish(record, Some(result))
     }
@@ -208,7 +205,7 @@ impl Board {
 
     /// Events are published under the lock: who hears of a shot finds it here, and its last event
     /// is that of its end.
-    fn finish(&self, record: ShotRecord, result: Option<Arc<PairResult>>) -> ShotRecord {
+    fn finish(&self, record: ShotRecord, result: Option<Arc<ShotResult>>) -> ShotRecord {
         let mut state = self.state.lock();
         match record.stage {
             Stage::Processing => {}
@@ -267,7 +264,7 @@ impl Board {
     }
 
     /// The result of the highest shot number in memory.
-    pub fn latest(&self) -> Option<(u64, Arc<PairResult>)> {
+    pub fn latest(&self) -> Option<(u64, Arc<ShotResult>)> {
         let state = self.state.lock();
         state.results.last_key_value().map(|(shot, result)| (*shot, result.clone()))
     }
@@ -291,8 +288,8 @@ impl Board {
 }
 
 impl State {
-    fn keep(&mut self, shot: u64, result: Arc<PairResult>) {
-        self.model = Some(result.model.clone());
+    fn keep(&mut self, shot: u64, result: Arc<ShotResult>) {
+        self.model = Some(result.measured.model.clone());
         self.results.insert(shot, result);
         while self.results.len() > RESULTS_IN_MEMORY {
             self.results.pop_first();

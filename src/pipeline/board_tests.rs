@@ -12,7 +12,7 @@ fn a_shot_that_ends_is_told_and_then_its_result() {
     let board = Board::new();
     board.processing(3);
     let result = crate::pipeline::test_data::result();
-    board.done(3, Arc::new(result));
+    board.done(3, Arc::new(result.into()));
     board.failed(4, "dark".to_owned());
     let told = told(&board);
     let kinds: Vec<_> = told.iter().map(|(kind, data)| (*kind, data["shot"].clone())).collect();

@@ -15,10 +15,7 @@ use std::{
     time::Instant,
 };
 
-use lfpiv_core::{
-    lightfield::{ImagePair, RawLevel},
-    velocimetry::PairResult,
-};
+use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
 use parking_lot::Mutex;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thiserror::Error;
@@ -29,8 +26,11 @@ use super::{
     Board, ShotRecord,
     writer::{Finished, Observer, ResultSink, Writer},
 };
-use crate::acquisition::{
-    Journal, Ledger, LedgerError, Outcome, RunClock, Shot, ShotReceiver, panic_message,
+use crate::{
+    acquisition::{
+        Journal, Ledger, LedgerError, Outcome, RunClock, Shot, ShotReceiver, panic_message,
+    },
+    archive::{RawLevel, ShotResult},
 };
 
 /// How many workers, on how many threads.
@@ -162,7 +162,7 @@ where
             links.board.gallery().show_frames(trigger, &pair);
             let result = process_guarded(process.as_ref(), &pair, dt_us, suspect);
             links.board.pair_times().end(trigger, Instant::now(), result.is_ok());
-            let result = result.map(|result| PairResult { time, ..result });
+            let result = result.map(|measured| ShotResult { time, ..measured.into() });
             let finished = Finished { shot: trigger, due, result, worker };
             if let Err(std_mpsc::SendError(lost)) = results.send(finished) {
                 links.write_failed(lost, "the writer of results has ended");

@@ -27,7 +27,7 @@ struct Shelf {
 impl ResultSink for Shelf {
     type Error = io::Error;
 
-    fn append(&mut self, shot: u64, _: &PairResult) -> Result<(), io::Error> {
+    fn append(&mut self, shot: u64, _: &ShotResult) -> Result<(), io::Error> {
         if shot == 2 {
             return Err(io::Error::other("disk full"));
         }
@@ -203,7 +203,7 @@ async fn suspect_shots_are_processed_and_marked() {
 fn old_results_leave_memory_and_are_known_to_be_on_disk() {
     let board = Board::new();
     for shot in 0..=RESULTS_IN_MEMORY as u64 {
-        board.done(shot, Arc::new(result()));
+        board.done(shot, Arc::new(result().into()));
     }
     assert!(matches!(board.result(0), Lookup::OnDisk));
     assert!(matches!(board.result(1), Lookup::Here(_)));

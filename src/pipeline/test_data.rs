@@ -19,8 +19,6 @@ pub(super) fn result() -> PairResult {
         },
         seconds: StageSeconds::default(),
         warnings: Vec::new(),
-        time: None,
-        raw: Default::default(),
         model: Default::default(),
         fit: None,
         light: None,

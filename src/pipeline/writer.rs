@@ -9,13 +9,12 @@ use std::{
     time::Duration,
 };
 
-use lfpiv_core::{lightfield::RawLevel, velocimetry::PairResult};
 use tokio::sync::OwnedSemaphorePermit;
 
 use super::{Board, PoolLinks, ShotRecord};
 use crate::{
     acquisition::{Outcome, panic_message},
-    archive::{ArchiveError, ResultStore},
+    archive::{ArchiveError, RawLevel, ResultStore, ShotResult},
 };
 
 /// How often a shot's raw data is looked at that is on its way to the disk.
@@ -28,7 +27,7 @@ pub trait ResultSink: Send + 'static {
     /// Why a result cannot be kept.
     type Error: std::error::Error;
     /// Keeps the result of one shot.
-    fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), Self::Error>;
+    fn append(&mut self, shot: u64, result: &ShotResult) -> Result<(), Self::Error>;
     /// Called when nothing has come for a while.
     fn idle(&mut self) -> Result<(), Self::Error> {
         Ok(())
@@ -40,7 +39,7 @@ pub trait ResultSink: Send + 'static {
 impl ResultSink for ResultStore {
     type Error = ArchiveError;
 
-    fn append(&mut self, shot: u64, result: &PairResult) -> Result<(), ArchiveError> {
+    fn append(&mut self, shot: u64, result: &ShotResult) -> Result<(), ArchiveError> {
         Self::append(self, shot, result)
     }
 
@@ -54,14 +53,14 @@ impl ResultSink for ResultStore {
 }
 
 /// Sees every shot that ends in the pool, with its result when there is one.
-pub type Observer = Box<dyn FnMut(&ShotRecord, Option<&PairResult>) + Send>;
+pub type Observer = Box<dyn FnMut(&ShotRecord, Option<&ShotResult>) + Send>;
 
 /// A shot that a worker is done with. The worker is free again once this is written.
 pub(super) struct Finished {
     pub shot: u64,
     /// When its trigger was due.
     pub due: Duration,
-    pub result: Result<PairResult, String>,
+    pub result: Result<ShotResult, String>,
     pub worker: OwnedSemaphorePermit,
 }
 
@@ -105,7 +104,7 @@ impl<S: ResultSink> Writer<S> {
         let Finished { shot, due, result, worker } = finished;
         let ended = catch_unwind(AssertUnwindSafe(|| match result {
             Ok(mut result) => {
-                if let Some(light) = result.light.take() {
+                if let Some(light) = result.measured.light.take() {
                     self.links.board.gallery().show_light(shot, light);
                 }
                 self.write(shot, due, result);
@@ -129,7 +128,7 @@ impl<S: ResultSink> Writer<S> {
         }
     }
 
-    fn write(&mut self, shot: u64, due: Duration, mut result: PairResult) {
+    fn write(&mut self, shot: u64, due: Duration, mut result: ShotResult) {
         result.raw = self.raw_level(shot);
         let result = Arc::new(result);
         let kept = result.clone();

@@ -6,9 +6,8 @@ use axum::{
     response::Response,
 };
 use lfpiv_core::{
-    lightfield::ShotTime,
     reconstruction::ModelFit,
-    velocimetry::{PairResult, StageSeconds, VectorStatus},
+    velocimetry::{StageSeconds, VectorStatus},
 };
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
@@ -22,7 +21,10 @@ use super::{
     schemas::{ModelFitSchema, ShotTimeSchema, StageSecondsSchema, VectorStatusSchema},
     shots::ShotState,
 };
-use crate::pipeline::{Lookup, RESULTS_IN_MEMORY};
+use crate::{
+    archive::{ShotResult, ShotTime},
+    pipeline::{Lookup, RESULTS_IN_MEMORY},
+};
 
 /// What a vector takes in JSON, generously.
 const JSON_VECTOR_BYTES: usize = 512;
@@ -87,13 +89,14 @@ pub(super) struct ResultView<'a> {
 }
 
 impl<'a> ResultView<'a> {
-    fn new(shot: u64, result: &'a PairResult) -> Self {
-        let field = &result.field;
+    fn new(shot: u64, result: &'a ShotResult) -> Self {
+        let ShotResult { measured, time, .. } = result;
+        let field = &measured.field;
         let speed = field.metres_per_second_per_voxel() as f32;
         let rate = (1.0 / field.dt_s) as f32;
         Self {
             shot,
-            time: result.time,
+            time: *time,
             dt_s: field.dt_s,
             voxel_mm: field.voxel_mm,
             grid: GridView {
@@ -103,9 +106,9 @@ impl<'a> ResultView<'a> {
                 order: "z, y, x (x fastest)",
             },
             valid_share: field.valid_share(),
-            warnings: &result.warnings,
-            model_fit: result.fit.as_ref(),
-            seconds: result.seconds,
+            warnings: &measured.warnings,
+            model_fit: measured.fit.as_ref(),
+            seconds: measured.seconds,
             velocity_m_s: scaled(field.or_nan(&field.displacement_vox), speed),
             velocity_uncertainty_m_s: scaled(field.or_nan(&field.uncertainty_vox), speed),
             displacement_vox: scaled(field.or_nan(&field.displacement_vox), 1.0),
@@ -154,7 +157,7 @@ pub(super) async fn one(
         other => return Err(absent(&app.run, shot, other)),
     };
     let run = app.run.board.events().run();
-    let vectors = result.field.grid.len();
+    let vectors = result.measured.field.grid.len();
     match format {
         Format::Json => {
             let tag = ETag::new(run, &format!("result-{shot}-json"));
@@ -171,8 +174,8 @@ pub(super) async fn one(
         Format::Binary => {
             let tag = ETag::new(run, &format!("result-{shot}-binary"));
             unchanging(&headers, &tag, binary::MEDIA_TYPE, || async {
-                let bytes = binary::field_bytes(&result.field);
-                let made = move || Ok(binary::encode(shot, &result.field));
+                let bytes = binary::field_bytes(&result.measured.field);
+                let made = move || Ok(binary::encode(shot, &result.measured.field));
                 Ok((app.work.make(bytes, made).await?, HeaderMap::new()))
             })
             .await

@@ -59,10 +59,10 @@ pub struct FitVerdictSchema;
 /// The schema of [`lfpiv_core::reconstruction::ModelFit`].
 pub struct ModelFitSchema;
 
-/// The schema of [`lfpiv_core::lightfield::RawLevel`].
+/// The schema of [`crate::archive::RawLevel`].
 pub struct RawLevelSchema;
 
-/// The schema of [`lfpiv_core::lightfield::ShotTime`].
+/// The schema of [`crate::archive::ShotTime`].
 pub struct ShotTimeSchema;
 
 schema!(

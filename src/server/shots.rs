@@ -1,11 +1,7 @@
 //! `/api/v1/shots`: what became of each shot.
 
 use axum::{Json, extract::State};
-use lfpiv_core::{
-    lightfield::{RawLevel, ShotTime},
-    reconstruction::ModelFit,
-    velocimetry::StageSeconds,
-};
+use lfpiv_core::{reconstruction::ModelFit, velocimetry::StageSeconds};
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 
@@ -16,6 +12,7 @@ use super::{
 };
 use crate::{
     acquisition::{Outcome, TriggerEntry},
+    archive::{RawLevel, ShotTime},
     pipeline::{ShotRecord, Stage},
 };
 

@@ -147,7 +147,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
         latency: state.board.latency(),
         control: state.control(),
         model: info.model.clone(),
-        model_fit: state.board.latest().and_then(|(_, result)| result.fit.clone()),
+        model_fit: state.board.latest().and_then(|(_, result)| result.measured.fit.clone()),
         model_choice: state.board.model().map(|model| (*model).clone()),
         solver: info.solver.clone(),
         configuration: info.configuration.clone(),

@@ -183,8 +183,6 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
         },
         seconds: StageSeconds { decode_s: 0.1, reconstruct_s: 0.2, correlate_s: 0.3, judge_s: 0.1 },
         warnings: Vec::new(),
-        time: None,
-        raw: Default::default(),
         model: Default::default(),
         fit: None,
         light: None,

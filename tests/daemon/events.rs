@@ -9,11 +9,12 @@ use std::{
 
 use lfpiv::{
     acquisition::{Ledger, Outcome, OverloadPolicy},
+    archive::ShotResult,
     cli::daemon::{Daemon, DaemonPlan},
     pipeline::{Board, EVENTS_IN_MEMORY, EventKind, ShotRecord, Watermarks},
     server::Phase,
 };
-use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
+use lfpiv_core::lightfield::ImagePair;
 use serde_json::Value;
 use tokio::{
     io::{AsyncBufReadExt, AsyncWriteExt, BufReader, Lines},
@@ -124,7 +125,7 @@ async fn two_hundred_streams_see_every_shot_and_the_run_loses_none() {
         begun.recv_timeout(Duration::from_secs(30))?;
         Ok(|pair: &ImagePair| Ok::<_, String>(quick_result(pair)))
     };
-    let observer = Box::new(|_: &ShotRecord, _: Option<&PairResult>| {});
+    let observer = Box::new(|_: &ShotRecord, _: Option<&ShotResult>| {});
     let report =
         daemon.run(instruments, processor, observer, CancellationToken::new()).await.unwrap();
     for account in report.ledger.accounts() {

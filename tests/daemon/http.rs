@@ -2,10 +2,11 @@
 
 use lfpiv::{
     acquisition::{Ledger, Outcome},
+    archive::{ShotResult, ShotTime},
     pipeline::{Board, RESULTS_IN_MEMORY},
     server::Phase,
 };
-use lfpiv_core::lightfield::{ImagePair, ShotTime};
+use lfpiv_core::lightfield::ImagePair;
 use serde_json::Value;
 
 use crate::{bench::quick_result, client::Ask, server::Server};
@@ -22,7 +23,7 @@ pub async fn busy_server() -> (Server, u64) {
     for shot in 0..done {
         ledger.queued(shot, &[]);
         board.processing(shot);
-        board.done(shot, quick_result(&pair).into());
+        board.done(shot, ShotResult::from(quick_result(&pair)).into());
         ledger.settle_all(shot, Outcome::Complete).unwrap();
     }
     board.failed(done, "camera 2 is dark".to_owned());

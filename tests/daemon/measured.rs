@@ -4,11 +4,12 @@ use std::path::Path;
 
 use lfpiv::{
     acquisition::{Bench, OverloadPolicy},
+    archive::ShotResult,
     cli::daemon::{Daemon, DaemonPlan},
     config::ConfigFile,
     pipeline::ShotRecord,
 };
-use lfpiv_core::{measurement::Processor, velocimetry::PairResult};
+use lfpiv_core::measurement::Processor;
 use lfpiv_sim::{Pacing, connect};
 use tokio_util::sync::CancellationToken;
 
@@ -48,7 +49,7 @@ async fn the_light_of_a_shot_can_be_looked_at_while_the_run_goes_on() {
         let processor = Processor::new(measurement)?;
         Ok(move |pair: &_| processor.process_with_light(pair))
     };
-    let observer = Box::new(|_: &ShotRecord, _: Option<&PairResult>| {});
+    let observer = Box::new(|_: &ShotRecord, _: Option<&ShotResult>| {});
     let run = tokio::spawn(daemon.run(bench, processor, observer, stop.clone()));
 
     let mut watch = Watch::open(address, None).await;

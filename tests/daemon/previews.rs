@@ -1,7 +1,7 @@
 //! Bytes and images: volumes, projections, raw frames, and what HTTP says of answers that never
 //! change.
 
-use lfpiv::{acquisition::Ledger, pipeline::Board};
+use lfpiv::{acquisition::Ledger, archive::ShotResult, pipeline::Board};
 use lfpiv_core::{
     lightfield::ImagePair,
     model::VolumeGrid,
@@ -39,7 +39,7 @@ pub fn lit_board(voxels: [usize; 3]) -> Board {
     board.processing(7);
     board.gallery().show_frames(7, &pair);
     board.gallery().show_light(7, [light(1.0), light(10.0)]);
-    board.done(7, quick_result(&pair).into());
+    board.done(7, ShotResult::from(quick_result(&pair)).into());
     board
 }
 

@@ -3,14 +3,16 @@
 
 use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
 
-use lfpiv::acquisition::{
-    AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Journal, Ledger, Outcome,
-    OverloadPolicy, acquire,
-    journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
-    replay::{Replay, Speed, replay},
-    shot_queue,
+use lfpiv::{
+    acquisition::{
+        AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Journal, Ledger, Outcome,
+        OverloadPolicy, acquire,
+        journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
+        replay::{Replay, Speed, replay},
+        shot_queue,
+    },
+    archive::ShotTime,
 };
-use lfpiv_core::lightfield::ShotTime;
 use lfpiv_hw::device::Camera;
 use lfpiv_rawlog::{RawLog, RawLogSettings};
 use lfpiv_sim::faults::{CameraFaults, FaultSettings, FaultyCamera, FrameShares};

@@ -9,6 +9,7 @@ use std::{
 
 use lfpiv::{
     acquisition::{Outcome, OverloadPolicy},
+    archive::ShotResult,
     cli::daemon::{Daemon, DaemonPlan, DaemonReport},
     config::ConfigFile,
     pipeline::{Observer, ShotRecord, Stage},
@@ -32,7 +33,7 @@ fn recorder() -> (Observer, Arc<Mutex<Vec<ShotRecord>>>) {
     let records: Arc<Mutex<Vec<ShotRecord>>> = Arc::default();
     let seen = records.clone();
     (
-        Box::new(move |record: &ShotRecord, _: Option<&PairResult>| {
+        Box::new(move |record: &ShotRecord, _: Option<&ShotResult>| {
             seen.lock().push(record.clone())
         }),
         records,

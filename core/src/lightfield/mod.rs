@@ -8,14 +8,12 @@ mod photometry;
 mod sampling;
 mod seeding;
 mod settings;
-mod shot_time;
 
 pub use background::{Condensation, StationaryLight};
 pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
 pub use micro_images::MicroImages;
-pub use pair::{ImagePair, RawLevel};
+pub use pair::ImagePair;
 pub use photometry::{LightLevels, PhotometricZones};
 pub use sampling::{AxisSampling, Sample};
 pub use seeding::Seeding;
 pub use settings::{Background, ImageSettings};
-pub use shot_time::ShotTime;

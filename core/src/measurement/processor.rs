@@ -9,8 +9,7 @@ use crate::{
     Clock,
     clock::{seconds_since, untimed},
     lightfield::{
-        Background, Condensation, ImagePair, ImageSettings, PhotometricZones, RawLevel,
-        StationaryLight,
+        Background, Condensation, ImagePair, ImageSettings, PhotometricZones, StationaryLight,
     },
     measurement::{
         fitted::Models,
@@ -242,8 +241,6 @@ impl Processor {
                 field,
                 seconds,
                 warnings,
-                time: None,
-                raw: RawLevel::NotKept,
                 model: fitted.choice.clone(),
                 light: None,
                 fit: Some(fit),

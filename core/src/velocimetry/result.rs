@@ -6,7 +6,6 @@ use serde::{Deserialize, Serialize};
 
 use super::VelocityField;
 use crate::{
-    lightfield::{RawLevel, ShotTime},
     model::ModelChoice,
     reconstruction::{FrameLight, ModelFit},
 };
@@ -40,10 +39,6 @@ pub struct PairResult {
     pub seconds: StageSeconds,
     /// What the reader should know: saturation, a dark camera, an empty volume.
     pub warnings: Vec<String>,
-    /// When its trigger was given; absent for images that come without a time.
-    pub time: Option<ShotTime>,
-    /// How safe its raw images were when the result was stored.
-    pub raw: RawLevel,
     /// The forward model behind it, and why it is this one.
     pub model: Arc<ModelChoice>,
     /// How well the configured bench explains the images. Under a poor fit no vector is valid.

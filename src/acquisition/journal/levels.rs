@@ -2,9 +2,10 @@
 
 use std::collections::VecDeque;
 
-use lfpiv_core::lightfield::RawLevel;
 use lfpiv_rawlog::Watermarks;
 use serde::Serialize;
+
+use crate::archive::RawLevel;
 
 /// In the place of a record's number: there is none, although there should be.
 pub(super) const LOST: u64 = u64::MAX;

@@ -14,19 +14,19 @@ mod recorded;
 use std::sync::Arc;
 
 use lfpiv_hw::RawImage;
+use lfpiv_rawlog::{AppendError, RawLog, RawLogError, Record};
 use parking_lot::Mutex;
 
 pub use books::ledger as ledger_of;
 pub use entry::{Description, Entry, FrameHead, FrameKey, JOURNAL_VERSION};
 pub use levels::ShotMarks;
 use levels::{LOST, Levels};
-use lfpiv_core::lightfield::RawLevel;
 pub use places::FramePlaces;
 pub use recorded::{
     Placed, RAW_FOLDER, RecordedRun, RecordedRunError, RecordedShot, RunEnd, RunIndex,
 };
 
-use lfpiv_rawlog::{AppendError, RawLog, RawLogError, Record};
+use crate::archive::RawLevel;
 
 /// The record of a run, or of none. Clones write to the same one.
 #[derive(Clone, Default)]

@@ -5,13 +5,13 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use lfpiv_core::lightfield::{ImagePair, ShotTime};
+use lfpiv_core::lightfield::ImagePair;
 use lfpiv_hw::RawImage;
 use lfpiv_rawlog::{Position, RawLogError, RawLogReader};
 use thiserror::Error;
 
 use super::{Description, Entry, FrameKey, JOURNAL_VERSION};
-use crate::acquisition::trigger_times::TriggerTimes;
+use crate::{acquisition::trigger_times::TriggerTimes, archive::ShotTime};
 
 /// Where a run's raw log lies in its folder.
 pub const RAW_FOLDER: &str = "raw";

@@ -1,9 +1,9 @@
 use std::time::Duration;
 
-use lfpiv_core::{model::ModelChoice, velocimetry::PairResult};
+use lfpiv_core::model::ModelChoice;
 
 use super::*;
-use crate::archive::{ResultStore, StoredResults, stored_vectors, test_data::result};
+use crate::archive::{ResultStore, ShotResult, StoredResults, stored_vectors, test_data::result};
 
 /// Segments in a folder, each with its shots.
 fn run(segments: &[&[u64]]) -> tempfile::TempDir {
@@ -20,9 +20,9 @@ fn run(segments: &[&[u64]]) -> tempfile::TempDir {
 }
 
 /// A result that no other shot has.
-fn numbered(shot: u64) -> PairResult {
+fn numbered(shot: u64) -> ShotResult {
     let mut result = result([4, 3, 2]);
-    result.field.displacement_vox[5][1] = shot as f32;
+    result.measured.field.displacement_vox[5][1] = shot as f32;
     result
 }
 
@@ -91,7 +91,7 @@ fn another_model_stays_in_a_file_of_its_own() {
     for shot in 0..6 {
         let mut result = numbered(shot);
         let refinement = 1 + shot as usize % 2;
-        result.model = ModelChoice { refinement, ..ModelChoice::default() }.into();
+        result.measured.model = ModelChoice { refinement, ..ModelChoice::default() }.into();
         store.append(shot, &result).unwrap();
     }
     store.close().unwrap();
