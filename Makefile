@@ -86,12 +86,14 @@ format: components
 lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
+# Programs that passed with the same inputs are skipped, unless CI is set.
 test-rust: packages network-tools
-	cargo test --workspace --locked
+	@command -v python3 >/dev/null || scripts/install-packages.sh python3
+	@python3 scripts/run-tests.py
 
 # Reads what the binary of the Rust tests writes: built as they build it, or all would be built anew.
 test-readers: packages readers
-	cargo test --workspace --locked --no-run --test run_command
+	cargo test --workspace --locked --no-run --test commands
 	LFPIV=target/debug/lfpiv .venv/bin/python -m pytest --quiet tests/readers
 
 clean:

@@ -1,14 +1,21 @@
 //! How often right and wrong benches are told apart: `cargo bench --package lfpiv-bench --bench model_fit [-- SEEDS]`.
 //!
-//! Every case of `tests/model_fit/cases.rs` on the bench of `config/bench.toml`, at 0.05, 0.3, 1 and
+//! Every case of `core/tests/model_fit/cases.rs` on the bench of `config/bench.toml`, at 0.05, 0.3, 1 and
 //! 2 particles per microlens, ten seeds each unless told otherwise. Prints a row per case and seeding:
 //! how many seeds were judged rightly (a wrong bench warned of with its cause among the first three, a
 //! right one not), and the worst numbers.
 
 #![allow(clippy::unwrap_used)]
 
-#[path = "../../tests/model_fit/cases.rs"]
+#[path = "../../core/tests/model_fit/cases.rs"]
 mod cases;
+#[path = "../../core/tests/support/bench.rs"]
+#[allow(dead_code)]
+mod configured;
+/// Of the tests that share the cases.
+mod support {
+    pub use super::configured::Bench;
+}
 
 use cases::{CASES, bench, shots};
 

@@ -7,8 +7,13 @@ use std::{
 };
 
 use lfpiv::config::{Config, ConfigFile};
-use lfpiv_core::velocimetry::{Interrogation, PointCloud, VelocityField};
-use lfpiv_sim::{Flow, FrameOfPair, Truth};
+
+/// Errors against the truth, as the tests of the numerics have them.
+#[path = "../../core/tests/support/errors.rs"]
+mod errors;
+
+#[allow(unused_imports, reason = "not every test has a truth")]
+pub use errors::*;
 
 /// The configurations in `config/`.
 pub const SHIPPED: [&str; 6] = ["sim", "jet", "bench", "paper", "loopback", "loopback-bench"];
@@ -69,48 +74,6 @@ pub fn small_configuration() -> PathBuf {
 /// What it says.
 pub fn small_bench() -> Config {
     ConfigFile::load(&small_configuration()).expect("small.toml").config
-}
-
-/// Difference of every vector from the flow at its place, in voxels along x, y, z.
-pub fn errors_vox(field: &VelocityField, flow: &Flow) -> Vec<[f64; 3]> {
-    let error = |(n, measured): (usize, &[f32; 3])| {
-        let moved_mm = flow.displacement_mm(field.grid.position_mm(n), field.dt_s);
-        std::array::from_fn(|axis| f64::from(measured[axis]) - moved_mm[axis] / field.voxel_mm)
-    };
-    field.displacement_vox.iter().enumerate().map(error).collect()
-}
-
-/// Mean |error| of each component over all vectors, valid or not, in voxels.
-pub fn mean_error_vox(field: &VelocityField, flow: &Flow) -> [f64; 3] {
-    let errors = errors_vox(field, flow);
-    std::array::from_fn(|axis| {
-        errors.iter().map(|error| error[axis].abs()).sum::<f64>() / errors.len() as f64
-    })
-}
-
-/// The fields that the true particles give: what images and reconstruction add to.
-pub struct TrueParticles {
-    /// By the configured windows alone.
-    pub by_windows: VelocityField,
-    /// As configured, where single particles are followed.
-    pub followed: VelocityField,
-}
-
-/// The true particles measured without images.
-pub fn true_particles(config: &Config, truth: &Truth) -> TrueParticles {
-    let settings = &config.velocimetry;
-    let margin = (settings.max_displacement_vox / 2.0).ceil() as usize + 1;
-    let interrogation = Interrogation::new(&config.volume, margin, settings);
-    let grid = interrogation.cloud_grid();
-    let cloud = |frame| {
-        let lit = truth.particles.iter().filter_map(|p| Some((p.lit_mm(frame)?, p.intensity)));
-        PointCloud::from_particles(&lit.collect::<Vec<_>>(), &grid)
-    };
-    let [a, b] = [FrameOfPair::A, FrameOfPair::B].map(cloud);
-    TrueParticles {
-        by_windows: interrogation.measure_by_windows(&a, &b, truth.dt_s),
-        followed: interrogation.measure(&a, &b, truth.dt_s),
-    }
 }
 
 /// The text of the small bench's configuration with one piece replaced, as a file in `folder`.

@@ -23,7 +23,7 @@ const UNANSWERED: f32 = 0.19;
 
 /// A vector's error over the spread of its particles: intervals of that spread alone hold 46 to 49 %
 /// and 73 to 79 % of reconstructed vectors instead of 68 % and 95 %, alike from 0.3 to 1 ppm, under
-/// noise and with a dim camera (`tests/hard_cases/coverage.rs`).
+/// noise and with a dim camera (`core/tests/hard_cases/coverage.rs`).
 const SHARED: f32 = 1.6;
 
 /// Below this many particles their spread says little, and a displacement counts as known to a

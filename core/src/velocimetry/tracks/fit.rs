@@ -40,11 +40,11 @@ const RESOLUTION_VOX: f64 = 3e-3;
 const CORRELATION_DISCOUNT: f64 = 25.0;
 
 /// Standard error of the field over what independent errors of its particles would give: errors of the
-/// reconstruction are correlated between neighbours (`tests/hard_cases/coverage.rs`).
+/// reconstruction are correlated between neighbours (`core/tests/hard_cases/coverage.rs`).
 const COMMON_ERROR_FACTOR: f64 = 1.15;
 
 /// Error that all particles around a place have in common where light is blurred, in voxels per unit of
-/// √(variance inflation) − 1 (`tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
+/// √(variance inflation) − 1 (`core/tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
 const COMMON_BLUR_ERROR_VOX: f64 = 0.01;
 
 /// How far the equations are solved before the weights, which change more than that, are taken anew.

@@ -1,12 +1,10 @@
 //! `lfpiv simulate` and `lfpiv check` through the real binary.
 
-#[allow(dead_code)]
-mod support;
-
 use std::{fs, path::Path};
 
 use image::{ColorType, ImageReader};
-use support::{changed_configuration, lfpiv, simulate, small_configuration};
+
+use crate::support::{changed_configuration, lfpiv, simulate, small_configuration};
 
 const IMAGES: [&str; 4] = ["cam1_a.tif", "cam1_b.tif", "cam2_a.tif", "cam2_b.tif"];
 

@@ -1,9 +1,6 @@
 //! `lfpiv doctor` through the real binary, in situations made for it: folders that cannot be
 //! written, ports that are missing or forbidden, an address in use.
 
-#[allow(dead_code)]
-mod support;
-
 use std::{
     fs,
     io::{BufRead, BufReader},
@@ -14,7 +11,8 @@ use std::{
 
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use serde_json::Value;
-use support::{changed_configuration, lfpiv, shipped};
+
+use crate::support::{changed_configuration, lfpiv, shipped};
 
 /// A pseudo-terminal stays while this is held.
 struct Terminal {

@@ -3,9 +3,6 @@
 //! One seed at one seeding on a smaller volume; `cargo bench --bench model_fit` has ten seeds and four
 //! seedings on the whole one.
 
-// All of this crate is test; clippy's exception covers only the functions marked as such.
-#![allow(clippy::unwrap_used)]
-
 mod cases;
 
 use lfpiv_core::{measurement::Processor, reconstruction::FitVerdict};

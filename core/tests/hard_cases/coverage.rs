@@ -1,18 +1,15 @@
 //! Whether the stated uncertainty is the true one: of all components of valid vectors, 68 % must lie
 //! within one standard uncertainty of the truth and 95 % within 1.96, each within eight points.
 
-use lfpiv::config::Config;
 use lfpiv_sim::{Flow, flow::Abc};
 
-use crate::{
-    bench::{Measured, measured, scene_of, shot},
-    support::shipped,
-};
+use super::bench::{Measured, measured, scene_of, shot};
+use crate::support::Bench;
 
 /// An eighth of the bench's volume with its seeding density, windows and flow: particles anywhere,
 /// 2 voxels' amplitude over 10 mm, shot and read noise.
-fn octant(ppm: f64) -> Config {
-    let mut config = Config::parse("bench", &shipped("bench")).unwrap();
+fn octant(ppm: f64) -> Bench {
+    let mut config = Bench::shipped("bench");
     config.volume.voxels = [50, 40, 40];
     config.volume.centre_mm = config.volume.voxels.map(|n| n as f64 * config.volume.voxel_mm / 2.0);
     let scene = scene_of(&mut config);
@@ -40,7 +37,7 @@ fn check(name: &str, measure: impl Fn(u64) -> Measured) {
     assert!((two - 0.95).abs() <= 0.08, "{name}: {two}");
 }
 
-fn simulated(config: &Config, seed: u64) -> Measured {
+fn simulated(config: &Bench, seed: u64) -> Measured {
     let shot = shot(config, seed);
     measured(config, shot.images, &shot.truth.flow)
 }

@@ -1,14 +1,14 @@
 //! Motion that is none, sits between voxels, leaves the window, or differs inside it.
 
-use lfpiv::config::Config;
 use lfpiv_sim::{
     Flow,
     flow::{Axis, LinearShear, SolidRotation},
 };
 
-use crate::bench::{SEED, scene_of, simulated, uniform, usual, usual_rms};
+use super::bench::{SEED, scene_of, simulated, uniform, usual, usual_rms};
+use crate::support::Bench;
 
-fn moving(flow: Flow, max_displacement_vox: f64) -> Config {
+fn moving(flow: Flow, max_displacement_vox: f64) -> Bench {
     let mut config = usual();
     scene_of(&mut config).flow = flow;
     config.velocimetry.max_displacement_vox = max_displacement_vox;

@@ -1,12 +1,12 @@
 //! What each part of the forward model costs and buys, on small ray-traced volumes.
 //!
-//! Figures are printed: `cargo test --release --test model_parts -- --ignored --nocapture`.
+//! Figures are printed: `cargo test --release --package lfpiv-core --test capabilities model_parts -- --ignored --nocapture`.
 
-#![allow(clippy::unwrap_used, reason = "clippy takes the helpers of a test for more than tests")]
-#[allow(dead_code)]
-mod support;
+use std::{
+    sync::LazyLock,
+    time::{Duration, Instant},
+};
 
-use lfpiv::{config::Config, pipeline::monotonic};
 use lfpiv_core::{
     lightfield::ImagePair,
     measurement::Processor,
@@ -14,15 +14,16 @@ use lfpiv_core::{
     velocimetry::PairResult,
 };
 use lfpiv_sim::{Flow, Truth, flow::Abc};
-use support::{mean_error_vox, shipped, true_particles};
+
+use crate::support::{Bench, mean_error_vox, true_particles};
 
 fn flow() -> Flow {
     Flow::Abc(Abc { wavelength_mm: 10.0, amplitude_m_s: 2.0, coefficients: [1.0; 3] })
 }
 
 /// The bench on 4 x 4 x 4 mm about `centre_mm`, seeded with `per_mm3` particles.
-fn bench(centre_mm: [f64; 3], per_mm3: f64) -> Config {
-    let mut config = Config::parse("bench", &shipped("bench")).unwrap();
+fn bench(centre_mm: [f64; 3], per_mm3: f64) -> Bench {
+    let mut config = Bench::shipped("bench");
     config.volume.voxels = [40; 3];
     config.volume.centre_mm = centre_mm;
     let scene = config.simulation.as_mut().unwrap();
@@ -32,14 +33,20 @@ fn bench(centre_mm: [f64; 3], per_mm3: f64) -> Config {
     config
 }
 
-fn simulated(config: &Config) -> (ImagePair, Truth) {
+fn simulated(config: &Bench) -> (ImagePair, Truth) {
     let scene = config.simulation.as_ref().unwrap();
-    let shot = scene.shot(&config.bench_geometry(), 11, 0);
+    let shot = scene.shot(&config.geometry(), 11, 0);
     (ImagePair { cameras: shot.images }, shot.truth)
 }
 
+/// Monotonic time.
+fn monotonic() -> Duration {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed()
+}
+
 /// A measurement and the shortest of three times that its reconstruction took, in s.
-fn timed(config: &Config, pair: &ImagePair) -> (PairResult, f64) {
+fn timed(config: &Bench, pair: &ImagePair) -> (PairResult, f64) {
     let processor = Processor::timed(config.measurement(), monotonic).unwrap();
     let results = [0; 3].map(|_| processor.process(pair).unwrap());
     let seconds = results.iter().map(|r| r.seconds.reconstruct_s).fold(f64::INFINITY, f64::min);
@@ -53,8 +60,8 @@ fn error_vox(result: &PairResult) -> f64 {
 }
 
 /// The same for the true particles.
-fn floor_vox(config: &Config, truth: &Truth) -> f64 {
-    let field = true_particles(config, truth).by_windows;
+fn floor_vox(config: &Bench, truth: &Truth) -> f64 {
+    let field = true_particles(&config.volume, &config.velocimetry, truth).by_windows;
     mean_error_vox(&field, &flow()).iter().sum::<f64>() / 3.0
 }
 

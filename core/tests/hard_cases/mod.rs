@@ -6,14 +6,7 @@
 //! - A vector that cannot be trusted is not marked valid. A valid vector that is wrong by more than
 //!   [`bench::WRONG_VOX`] is a false one, and these are counted in every case.
 //!
-//! Figures are printed: `cargo test --test hard_cases -- --nocapture`.
-
-// All of this crate is test; clippy's exception covers only the functions marked as such.
-#![allow(clippy::unwrap_used)]
-
-#[allow(dead_code)]
-#[path = "../support/mod.rs"]
-mod support;
+//! Figures are printed: `cargo test --package lfpiv-core --test capabilities hard_cases -- --nocapture`.
 
 mod bench;
 mod coverage;

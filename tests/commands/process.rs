@@ -1,8 +1,5 @@
 //! `lfpiv process` through the real binary: what is wrong with a pair is said, and costs only it.
 
-#[allow(dead_code)]
-mod support;
-
 use std::{
     fs,
     io::{BufRead, BufReader},
@@ -14,7 +11,8 @@ use image::{DynamicImage, ImageFormat};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde_json::Value;
-use support::{changed_configuration, lfpiv, process, simulate, small_configuration};
+
+use crate::support::{changed_configuration, lfpiv, process, simulate, small_configuration};
 
 /// A simulated pair copied to `root/name` and then damaged.
 fn damaged(root: &Path, name: &str, damage: impl FnOnce(&Path)) -> PathBuf {

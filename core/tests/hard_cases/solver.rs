@@ -1,6 +1,5 @@
 //! Solvers driven far beyond their usual number of passes and over the whole range of relaxation.
 
-use lfpiv::config::Config;
 use lfpiv_core::{
     lightfield::{ImageSettings, PhotometricZones},
     reconstruction::{
@@ -9,10 +8,11 @@ use lfpiv_core::{
     },
 };
 
-use crate::bench::{SEED, shot, usual};
+use super::bench::{SEED, shot, usual};
+use crate::support::Bench;
 
 /// 6 x 5 x 4 voxels under 11 x 11 microlenses.
-fn tiny() -> Config {
+fn tiny() -> Bench {
     let mut config = usual();
     config.volume.voxels = [6, 5, 4];
     let optics = &mut config.optics;
@@ -22,7 +22,7 @@ fn tiny() -> Config {
 }
 
 /// Frame a of a pair, solved.
-fn solved(config: &Config, settings: ReconstructionSettings) -> Reconstruction {
+fn solved(config: &Bench, settings: ReconstructionSettings) -> Reconstruction {
     let reconstructor =
         Reconstructor::new(&config.optics, &config.camera, &config.volume, &settings).unwrap();
     let shot = shot(config, SEED);

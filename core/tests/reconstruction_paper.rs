@@ -1,9 +1,7 @@
 //! The paper's numerical verification (section 4.1) on a small volume: ray-traced particles on
 //! voxel centres, no noise, reconstructed by SART, OS-SART and PR-SART with one camera and two.
 //!
-//! Figures are printed: `cargo test --test reconstruction_paper -- --nocapture`.
-
-#![allow(clippy::unwrap_used, reason = "clippy takes the helpers of a test for more than tests")]
+//! Figures are printed: `cargo test --package lfpiv-core --test capabilities reconstruction_paper -- --nocapture`.
 
 use lfpiv_core::{
     lightfield::ViewStack,

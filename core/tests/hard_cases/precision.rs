@@ -8,7 +8,7 @@ use lfpiv_core::{
 };
 use lfpiv_sim::FrameOfPair;
 
-use crate::bench::{SEED, shot, usual};
+use super::bench::{SEED, shot, usual};
 
 /// Rows Σ_j w_ij of one view for all voxels, as the model has them, in double precision.
 struct Rows {

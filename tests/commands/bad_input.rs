@@ -2,12 +2,8 @@
 //! why, or in an error; never in a panic, a NaN or a field of zeros that looks measured. Beside
 //! them, sensors unlike the usual one, which must not cost accuracy.
 //!
-//! Missing, truncated, empty and colour files are in `process_command.rs`, NaN in the
+//! Missing, truncated, empty and colour files are in `process.rs`, NaN in the
 //! configuration in `configuration_numbers.rs`.
-
-#![allow(clippy::unwrap_used, reason = "clippy takes the helpers of a test for more than tests")]
-#[allow(dead_code)]
-mod support;
 
 use std::fs;
 
@@ -20,7 +16,8 @@ use lfpiv_core::{
 };
 use lfpiv_hw::{CameraName, RawImage};
 use lfpiv_sim::{Scene, SimulatedShot};
-use support::{mean_error_vox, process, simulate, small_bench, small_configuration};
+
+use crate::support::{mean_error_vox, process, simulate, small_bench, small_configuration};
 
 const FULL_COUNTS: u16 = 4095;
 

@@ -1,8 +1,5 @@
 //! Files that are not what they should be: an error that says so, never a panic, never a result.
 
-#[allow(dead_code)]
-mod support;
-
 use std::{fs, path::PathBuf, sync::OnceLock};
 
 use lfpiv::{
@@ -14,7 +11,8 @@ use lfpiv_hw::RawImage;
 use lfpiv_rawlog::{RawLog, RawLogSettings, Record};
 use lfpiv_sim::faults::FaultSettings;
 use proptest::prelude::*;
-use support::{SHIPPED, shipped};
+
+use crate::support::{SHIPPED, shipped};
 
 /// How a good text is spoiled.
 #[derive(Debug, Clone)]

@@ -1,7 +1,6 @@
 //! Right and wrong benches: how their images and configurations are made, and what a pair measured with
 //! them must be told.
 
-use lfpiv::config::{Config, ConfigFile};
 use lfpiv_core::{
     lightfield::ImagePair,
     measurement::{Measurement, Processor},
@@ -9,12 +8,14 @@ use lfpiv_core::{
 };
 use lfpiv_hw::RawImage;
 
+use crate::support::Bench;
+
 /// What a case changes.
 pub enum Change {
     /// The configuration that the images are measured with.
-    Configuration(fn(&mut Config)),
+    Configuration(fn(&mut Bench)),
     /// The bench that the images are of.
-    Bench(fn(&mut Config)),
+    Bench(fn(&mut Bench)),
     /// The images of shot 0, with those of shot 1 at hand.
     Images(fn(&mut ImagePair, &ImagePair)),
 }
@@ -114,24 +115,23 @@ pub const CASES: [Case; 14] = [
 ];
 
 /// A bench of the real sensor with particles at `ppm` in `voxels` of 0.1 mm.
-pub fn bench(voxels: [usize; 3], ppm: f64) -> Config {
-    let path = std::path::Path::new("config/bench.toml");
-    let mut config = ConfigFile::load(path).expect("config/bench.toml").config;
+pub fn bench(voxels: [usize; 3], ppm: f64) -> Bench {
+    let mut config = Bench::shipped("bench");
     config.volume.voxels = voxels;
     config.simulation.as_mut().expect("a simulated bench").ppm = ppm;
     config
 }
 
 /// Shots 0 and 1 of a right bench.
-pub fn shots(config: &Config, seed: u64) -> [ImagePair; 2] {
+pub fn shots(config: &Bench, seed: u64) -> [ImagePair; 2] {
     let scene = config.simulation.as_ref().expect("a simulated bench");
-    let geometry = config.bench_geometry();
+    let geometry = config.geometry();
     [0, 1].map(|shot| ImagePair { cameras: scene.shot(&geometry, seed, shot).images })
 }
 
 impl Case {
     /// What is said of the case made from `shots` of the right bench `config` by `seed`.
-    pub fn fit(&self, config: &Config, seed: u64, shots: &[ImagePair; 2]) -> (ModelFit, f64) {
+    pub fn fit(&self, config: &Bench, seed: u64, shots: &[ImagePair; 2]) -> (ModelFit, f64) {
         let (mut config, mut pair) = (config.clone(), shots[0].clone());
         match self.change {
             Change::Configuration(change) => change(&mut config),
@@ -139,7 +139,7 @@ impl Case {
                 let mut bench = config.clone();
                 change(&mut bench);
                 let scene = bench.simulation.as_ref().expect("a simulated bench");
-                pair.cameras = scene.shot(&bench.bench_geometry(), seed, 0).images;
+                pair.cameras = scene.shot(&bench.geometry(), seed, 0).images;
             }
             Change::Images(change) => change(&mut pair, &shots[1]),
         }

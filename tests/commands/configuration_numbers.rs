@@ -5,10 +5,7 @@ use std::ops::Range;
 use lfpiv::config::Config;
 use toml::de::{DeTable, DeValue};
 
-#[allow(dead_code)]
-mod support;
-
-use support::{SHIPPED, shipped};
+use crate::support::{SHIPPED, shipped};
 
 /// Paths and byte ranges of all numbers in a document.
 fn numbers(table: &DeTable<'_>, above: &str, found: &mut Vec<(String, Range<usize>)>) {

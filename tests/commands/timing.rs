@@ -1,17 +1,11 @@
 //! `lfpiv timing` through the real binary.
 
-// All of this crate is test; clippy's exception covers only the functions marked as such.
-#![allow(clippy::unwrap_used)]
-
 use std::{
     fs,
     process::{Command, Output},
 };
 
-#[allow(dead_code)]
-mod support;
-
-use support::shipped;
+use crate::support::shipped;
 
 /// Runs the command on `config/bench.toml` with one piece of text replaced.
 fn timing(from: &str, to: &str) -> (Output, Option<String>) {

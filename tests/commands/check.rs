@@ -1,16 +1,14 @@
 //! `lfpiv check`: a bench that cannot measure is refused with file, line and key, and what could be
 //! better is said.
 
-#[allow(dead_code)]
-mod support;
-
 use std::{
     fs,
     path::{Path, PathBuf},
 };
 
 use lfpiv::config::{ConfigFile, Purpose};
-use support::{Done, SHIPPED, changed_configuration, lfpiv, shipped};
+
+use crate::support::{Done, SHIPPED, changed_configuration, lfpiv, shipped};
 
 fn check(config: &Path) -> Done {
     lfpiv(["check".as_ref(), "--quick".as_ref(), "--config".as_ref(), config.as_os_str()])
@@ -176,7 +174,7 @@ fn what_could_be_better_is_advice() {
 
 #[test]
 fn seconds_and_memory_stand_against_the_rate() {
-    let config = support::small_configuration();
+    let config = crate::support::small_configuration();
     let done = lfpiv(["check".as_ref(), "--config".as_ref(), config.as_os_str()]);
     assert!(done.success, "{}", done.stderr);
     for said in ["per pair on", "for the images of pairs that wait at 10 shots/s"] {

@@ -1,20 +1,20 @@
 //! Too many particles, too few, or in the wrong places.
 
-use lfpiv::config::Config;
 use lfpiv_core::{
     lightfield::ImagePair, measurement::Processor, reconstruction::DenseVolume,
     velocimetry::VectorStatus,
 };
 use lfpiv_sim::{Truth, particles::Particle};
 
-use crate::bench::{
+use super::bench::{
     Measured, SEED, images_of, measured, shot, simulated, uniform, usual, with_scene,
 };
+use crate::support::Bench;
 
 const SHIFT_VOX: [f64; 3] = [0.7, -0.45, 0.3];
 
 /// Particles at these places in the middle of the pair (mm), in a uniform flow.
-fn truth(config: &Config, places: impl IntoIterator<Item = ([f64; 3], f64)>) -> Truth {
+fn truth(config: &Bench, places: impl IntoIterator<Item = ([f64; 3], f64)>) -> Truth {
     let voxel_mm = config.volume.voxel_mm;
     let particle = |(mid_mm, intensity): ([f64; 3], f64)| {
         let at =
@@ -31,7 +31,7 @@ fn truth(config: &Config, places: impl IntoIterator<Item = ([f64; 3], f64)>) -> 
     }
 }
 
-fn measured_truth(config: &Config, truth: &Truth) -> Measured {
+fn measured_truth(config: &Bench, truth: &Truth) -> Measured {
     measured(config, images_of(config, truth), &truth.flow)
 }
 
@@ -39,12 +39,12 @@ fn measured_truth(config: &Config, truth: &Truth) -> Measured {
 fn drawn(ppm: f64, sheet_mm: [f64; 3]) -> Vec<[f64; 3]> {
     let config = with_scene(|scene| (scene.ppm, scene.sheet_mm) = (ppm, Some(sheet_mm)));
     let scene = config.simulation.as_ref().unwrap();
-    let truth = scene.truth(&config.bench_geometry(), SEED, 0);
+    let truth = scene.truth(&config.geometry(), SEED, 0);
     truth.particles.iter().map(|particle| particle.mid_mm).collect()
 }
 
 /// Half edges of the volume, in mm.
-fn half_mm(config: &Config) -> [f64; 3] {
+fn half_mm(config: &Bench) -> [f64; 3] {
     config.volume.voxels.map(|n| n as f64 / 2.0 * config.volume.voxel_mm)
 }
 

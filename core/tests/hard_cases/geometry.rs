@@ -3,7 +3,7 @@
 use lfpiv_hw::Pose;
 use nalgebra::Vector3;
 
-use crate::bench::{FOCUS_BEHIND_MM, Measured, SEED, measured, shot, simulated, usual, usual_rms};
+use super::bench::{FOCUS_BEHIND_MM, Measured, SEED, measured, shot, simulated, usual, usual_rms};
 
 /// Half-angle at which a point sees the pupil: 12.5 mm at 200 mm.
 const PUPIL_HALF_DEG: f64 = 3.58;

@@ -5,10 +5,7 @@ use lfpiv::config::{Config, ConfigFile};
 use lfpiv_core::{model::ModelMode, reconstruction::Footprint};
 use lfpiv_hw::TimingSettings;
 
-#[allow(dead_code)]
-mod support;
-
-use support::{SHIPPED, shipped};
+use crate::support::{SHIPPED, shipped};
 
 /// The bench's configuration with one piece of text replaced.
 struct Changed {

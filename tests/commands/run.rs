@@ -1,8 +1,5 @@
 //! `lfpiv run` through the real binary: signals, exit codes, messages.
 
-#[allow(dead_code)]
-mod support;
-
 use std::{
     fs,
     io::{BufRead, BufReader},
@@ -12,7 +9,8 @@ use std::{
 };
 
 use serde_json::Value;
-use support::{changed_configuration, lfpiv};
+
+use crate::support::{changed_configuration, lfpiv};
 
 /// Longest time to wait for anything.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -161,7 +159,7 @@ fn ctrl_c_ends_a_run_cleanly() {
 #[test]
 fn without_a_simulation_hardware_is_missing() {
     let root = tempfile::tempdir().expect("a folder");
-    let text = fs::read_to_string(support::small_configuration()).expect("small.toml");
+    let text = fs::read_to_string(crate::support::small_configuration()).expect("small.toml");
     let (bench, _) = text.split_once("[simulation]").expect("a simulation");
     let config = root.path().join("bench.toml");
     fs::write(&config, bench).expect("a file");

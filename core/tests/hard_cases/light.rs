@@ -7,7 +7,7 @@ use lfpiv_core::{
 };
 use lfpiv_hw::RawImage;
 
-use crate::bench::{
+use super::bench::{
     Measured, SEED, measured, scene_of, shot, simulated, uniform, usual, usual_rms, with_scene,
 };
 

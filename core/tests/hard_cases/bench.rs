@@ -7,7 +7,6 @@
 
 use std::sync::OnceLock;
 
-use lfpiv::config::Config;
 use lfpiv_core::{
     lightfield::ImagePair,
     measurement::Processor,
@@ -17,7 +16,7 @@ use lfpiv_core::{
 use lfpiv_hw::RawImage;
 use lfpiv_sim::{Flow, FrameOfPair, Scene, SimulatedShot, Truth, flow::Uniform};
 
-use crate::support::{errors_vox, small_bench};
+use crate::support::{Bench, errors_vox};
 
 /// A valid vector with a component this far from the truth is false.
 pub const WRONG_VOX: f64 = 0.5;
@@ -29,8 +28,8 @@ pub const FOCUS_BEHIND_MM: f64 = 2.0;
 pub const SEED: u64 = 11;
 
 /// The usual case.
-pub fn usual() -> Config {
-    let mut config = small_bench();
+pub fn usual() -> Bench {
+    let mut config = Bench::small();
     config.volume.voxels = [32, 28, 24];
     config.velocimetry.window_mm = 1.2;
     config.reconstruction.refinement = 4;
@@ -49,24 +48,24 @@ pub fn uniform(displacement_vox: [f64; 3]) -> Flow {
     Flow::Uniform(Uniform { velocity_m_s: displacement_vox })
 }
 
-pub fn scene_of(config: &mut Config) -> &mut Scene {
+pub fn scene_of(config: &mut Bench) -> &mut Scene {
     config.simulation.as_mut().unwrap()
 }
 
 /// The usual case with the scene changed.
-pub fn with_scene(change: impl FnOnce(&mut Scene)) -> Config {
+pub fn with_scene(change: impl FnOnce(&mut Scene)) -> Bench {
     let mut config = usual();
     change(scene_of(&mut config));
     config
 }
 
-pub fn shot(config: &Config, seed: u64) -> SimulatedShot {
-    config.simulation.as_ref().unwrap().shot(&config.bench_geometry(), seed, 0)
+pub fn shot(config: &Bench, seed: u64) -> SimulatedShot {
+    config.simulation.as_ref().unwrap().shot(&config.geometry(), seed, 0)
 }
 
 /// The images of a truth of one's own: particles that no scene draws.
-pub fn images_of(config: &Config, truth: &Truth) -> Vec<[RawImage; 2]> {
-    let (bench, scene) = (config.bench_geometry(), config.simulation.as_ref().unwrap());
+pub fn images_of(config: &Bench, truth: &Truth) -> Vec<[RawImage; 2]> {
+    let (bench, scene) = (config.geometry(), config.simulation.as_ref().unwrap());
     (0..bench.poses.len())
         .map(|camera| {
             [FrameOfPair::A, FrameOfPair::B].map(|frame| {
@@ -84,13 +83,13 @@ pub struct Measured {
 }
 
 /// Simulates the case and measures it.
-pub fn simulated(config: &Config, seed: u64) -> Measured {
+pub fn simulated(config: &Bench, seed: u64) -> Measured {
     let shot = shot(config, seed);
     measured(config, shot.images, &shot.truth.flow)
 }
 
 /// Measures images of a flow.
-pub fn measured(config: &Config, images: Vec<[RawImage; 2]>, flow: &Flow) -> Measured {
+pub fn measured(config: &Bench, images: Vec<[RawImage; 2]>, flow: &Flow) -> Measured {
     let processor = Processor::new(config.measurement()).unwrap();
     Measured::of(processor.process(&ImagePair { cameras: images }).unwrap(), flow)
 }

@@ -1,9 +1,6 @@
 //! The daemon as a service: what it tells systemd, through a socket that stands in for the
 //! manager's; what it writes for journald; and the unit file.
 
-#[allow(dead_code)]
-mod support;
-
 use std::{
     fs::{self, File},
     os::unix::{fs::MetadataExt, net::UnixDatagram},
@@ -12,7 +9,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use support::changed_configuration;
+use crate::support::changed_configuration;
 
 const PATIENCE: Duration = Duration::from_secs(60);
 /// The watchdog's limit that the daemon is given.

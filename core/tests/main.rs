@@ -1,0 +1,13 @@
+//! What the numerics give, measured against ray-traced benches and explicit matrices: one program, so
+//! that what they share is linked once.
+
+// All of this crate is test; clippy's exception covers only the functions marked as such.
+#![allow(clippy::unwrap_used)]
+
+mod accuracy;
+mod forward_model;
+mod hard_cases;
+mod model_fit;
+mod model_parts;
+mod reconstruction_paper;
+mod support;

@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+"""Builds the Rust tests and runs their programs, as many at once as there are cores and one more.
+
+Many tests wait for instruments that keep time, so programs side by side take a third of the time of
+one after the other. A program that passed before with the same inputs is skipped, unless the
+environment variable CI is set. What a test prints is shown when its program fails.
+"""
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+STAMPS = ROOT / "target" / "test-stamps"
+CARGO = ["cargo", "test", "--workspace", "--locked"]
+
+# The longest first: the last to begin should be short.
+LONGEST = ["recorded_run", "capabilities", "adversary", "loopback", "laser", "claims", "daemon"]
+# Their input is the source text, which no compiled program shows.
+READ_SOURCES = {"rooms"}
+# What the tests of these crates start, or read in the documents.
+WHOLE_PROGRAM = {"lfpiv", "lfpiv-bench"}
+
+RESULT = re.compile(r"^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored", re.MULTILINE)
+
+
+@dataclass
+class Program:
+    """A compiled test program."""
+
+    crate: str
+    name: str
+    path: Path
+    folder: Path
+
+    @property
+    def title(self):
+        return self.name if self.name != "unit" else f"{self.crate}, unit tests"
+
+
+@dataclass
+class Outcome:
+    program: Program
+    passed: int
+    failed: int
+    seconds: float
+    processor_s: float
+    output: str
+    ok: bool
+
+
+def build():
+    """Compiles every test; gives the test programs and the programs that they start."""
+    command = [*CARGO, "--no-run", "--message-format=json-render-diagnostics"]
+    made = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
+    if made.returncode != 0:
+        sys.exit(made.returncode)
+    tests, programs = [], []
+    for line in made.stdout.splitlines():
+        message = json.loads(line)
+        if message.get("reason") != "compiler-artifact" or not message.get("executable"):
+            continue
+        path, target = Path(message["executable"]), message["target"]
+        if not message["profile"]["test"]:
+            programs.append(path)
+            continue
+        folder = Path(message["manifest_path"]).parent
+        crate = "lfpiv" if folder == ROOT else f"lfpiv-{folder.name}"
+        if target["kind"] != ["bin"]:
+            name = "unit" if target["kind"] != ["test"] else target["name"]
+            tests.append(Program(crate, name, path, folder))
+    return tests, sorted(programs)
+
+
+def digest_of(paths):
+    digest = hashlib.sha256()
+    for path in paths:
+        digest.update(str(path).encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def inputs(programs):
+    """Digests of what programs read beside themselves: by numerics, and by the whole program."""
+    listed = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
+        cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False,
+    )
+    if listed.returncode != 0:
+        return None
+    files = [ROOT / name for name in sorted(set(listed.stdout.splitlines()))]
+    data = [file for file in files if file.is_file() and file.suffix not in (".rs", ".py", ".md")]
+    documents = [file for file in files if file.is_file() and file.suffix == ".md"]
+    numerics = digest_of(data)
+    return numerics, numerics + digest_of([*documents, *programs])
+
+
+class Stamps:
+    """Which programs passed with which inputs."""
+
+    def __init__(self, programs):
+        found = None if os.environ.get("CI") else inputs(programs)
+        self.numerics, self.whole = found or (None, None)
+
+    def of(self, program):
+        beside = self.whole if program.crate in WHOLE_PROGRAM else self.numerics
+        if beside is None or program.name in READ_SOURCES:
+            return None
+        return digest_of([program.path]) + beside
+
+    def file(self, program):
+        return STAMPS / f"{program.crate}-{program.name}"
+
+    def passed_before(self, program):
+        stamp, file = self.of(program), self.file(program)
+        return stamp is not None and file.is_file() and file.read_text() == stamp
+
+    def keep(self, outcome):
+        stamp, file = self.of(outcome.program), self.file(outcome.program)
+        file.unlink(missing_ok=True)
+        if outcome.ok and stamp is not None:
+            STAMPS.mkdir(parents=True, exist_ok=True)
+            file.write_text(stamp)
+
+
+class Progress:
+    """What runs, on one line of a terminal; what is done, a line each."""
+
+    def __init__(self, programs):
+        self.left, self.running, self.lock = programs, {}, threading.Lock()
+        self.live = sys.stdout.isatty()
+
+    def begin(self, program):
+        with self.lock:
+            self.running[program.title] = time.monotonic()
+
+    def end(self, outcome):
+        with self.lock:
+            self.running.pop(outcome.program.title)
+            self.left -= 1
+            word = "ok    " if outcome.ok else "FAILED"
+            self.say(
+                f"{word} {outcome.program.title}: {outcome.passed} passed, {outcome.failed} failed, "
+                f"{outcome.seconds:.0f} s ({outcome.processor_s:.0f} s of processors)"
+            )
+            if not outcome.ok:
+                print(outcome.output, flush=True)
+
+    def say(self, line):
+        print(f"\r\033[K{line}" if self.live else line, flush=True)
+
+    def show(self):
+        with self.lock:
+            now = time.monotonic()
+            running = ", ".join(f"{name} {now - t:.0f} s" for name, t in self.running.items())
+            print(f"\r\033[K{self.left} to go; running {running}"[:160], end="", flush=True)
+
+
+def counted(output):
+    """Tests passed and failed. Programs that start themselves print results of their own between."""
+    results = RESULT.findall(output)
+    last = results[-1] if results else ("0", "1", "0")
+    return int(last[0]), int(last[1])
+
+
+def run(program):
+    began = time.monotonic()
+    environment = {**os.environ, "CARGO_MANIFEST_DIR": str(program.folder)}
+    with tempfile.TemporaryFile() as captured:
+        process = subprocess.Popen(
+            [program.path], cwd=program.folder, env=environment,
+            stdin=subprocess.DEVNULL, stdout=captured, stderr=subprocess.STDOUT,
+        )
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        captured.seek(0)
+        output = captured.read().decode(errors="replace")
+    passed, failed = counted(output)
+    seconds, processor_s = time.monotonic() - began, used.ru_utime + used.ru_stime
+    ok = process.returncode == 0 and failed == 0
+    return Outcome(program, passed, failed, seconds, processor_s, output, ok)
+
+
+def run_all(programs, stamps):
+    order = {name: place for place, name in enumerate(LONGEST)}
+    programs = sorted(programs, key=lambda program: order.get(program.name, len(order)))
+    progress = Progress(len(programs))
+
+    def one(program):
+        progress.begin(program)
+        outcome = run(program)
+        stamps.keep(outcome)
+        progress.end(outcome)
+        return outcome
+
+    with ThreadPoolExecutor((os.cpu_count() or 1) + 1) as lanes:
+        waiting = [lanes.submit(one, program) for program in programs]
+        while progress.live and not all(future.done() for future in waiting):
+            progress.show()
+            time.sleep(0.5)
+        return [future.result() for future in waiting]
+
+
+def documented_examples():
+    """Examples in the documentation of the crates: the compiler runs these itself."""
+    ran = subprocess.run([*CARGO, "--doc", "--quiet"], cwd=ROOT, capture_output=True, text=True,
+                         check=False)
+    output = ran.stdout + ran.stderr
+    results = RESULT.findall(output)
+    if ran.returncode != 0:
+        print(output)
+    print(f"{'ok    ' if ran.returncode == 0 else 'FAILED'} examples in the documentation", flush=True)
+    return sum(int(passed) for passed, _, _ in results), int(ran.returncode != 0)
+
+
+def main():
+    tests, programs = build()
+    stamps = Stamps(programs)
+    due = [program for program in tests if not stamps.passed_before(program)]
+    skipped = [program.title for program in tests if program not in due]
+    if skipped:
+        print(f"Unchanged since they passed: {', '.join(skipped)}. CI=1 runs them too.", flush=True)
+    outcomes = run_all(due, stamps)
+    passed, failed = documented_examples()
+    passed += sum(outcome.passed for outcome in outcomes)
+    failed += sum(max(outcome.failed, int(not outcome.ok)) for outcome in outcomes)
+    used = os.times()
+    print(f"{(used.children_user + used.children_system) / 60:.1f} minutes of processors")
+    print(f"{passed} passed, {failed} failed")
+    sys.exit(failed != 0)
+
+
+if __name__ == "__main__":
+    main()

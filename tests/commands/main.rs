@@ -1,0 +1,20 @@
+//! The program as it is started from a shell: what its commands write, and what they say of bad input.
+
+// All of this crate is test; clippy's exception covers only the functions marked as such.
+#![allow(clippy::unwrap_used)]
+
+#[path = "../support/mod.rs"]
+#[allow(dead_code)]
+mod support;
+
+mod bad_input;
+mod check;
+mod configuration;
+mod configuration_numbers;
+mod doctor;
+mod malformed;
+mod process;
+mod run;
+mod service;
+mod simulate;
+mod timing;
