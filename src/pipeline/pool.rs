@@ -111,6 +111,7 @@ where
         let threads = ThreadPoolBuilder::new()
             .num_threads(settings.threads)
             .thread_name(|index| format!("worker {index}"))
+            .start_handler(|_| run_after_acquisition())
             .build()?;
         let (results, inbox) = std_mpsc::channel();
         let writer = Writer::new(sink, observer, links.clone());
@@ -199,6 +200,17 @@ impl PoolLinks {
         let record = record(&self.board);
         note(ledger.settle_all(shot, outcome));
         record
+    }
+}
+
+/// How many steps nicer the workers' threads are than those that receive, pair and record frames.
+const WORKERS_NICENESS: i32 = 10;
+
+/// Lets the calling thread wait while threads of acquisition have work: a measurement may take longer,
+/// a frame may not be lost. Linux counts niceness by thread.
+fn run_after_acquisition() {
+    if let Err(error) = rustix::process::nice(WORKERS_NICENESS) {
+        tracing::debug!(%error, "the workers run at the priority of acquisition");
     }
 }
 

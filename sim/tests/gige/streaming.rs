@@ -219,3 +219,46 @@ fn cameras_are_listed_with_who_uses_them() {
         assert_eq!((&*found[0].vendor, &*found[0].model), ("lfpiv", "simulated light field"));
     });
 }
+
+/// Scheduling policy and nice level of a thread, from its `stat` (proc_pid_stat(5), fields 41 and 19).
+fn scheduling(thread_stat: &str) -> (u64, i64) {
+    let after_name = thread_stat.rsplit_once(')').unwrap().1;
+    let fields: Vec<&str> = after_name.split_whitespace().collect();
+    (fields[38].parse().unwrap(), fields[16].parse().unwrap())
+}
+
+/// Whether this process may raise priorities: `nice` says so when it may not.
+fn may_raise_priorities() -> bool {
+    let raised = std::process::Command::new("nice").args(["-n", "-1", "true"]).output().unwrap();
+    raised.stderr.is_empty()
+}
+
+#[test]
+fn the_thread_that_receives_frames_runs_before_others() {
+    const ROUND_ROBIN: u64 = 2;
+    in_private_network("streaming::the_thread_that_receives_frames_runs_before_others", || {
+        if !may_raise_priorities() {
+            println!("not permitted here: nothing to see");
+            return;
+        }
+        let fake = fake(FIRST, "LF1", SIZE);
+        let mut camera = connect(&settings(FIRST, PixelFormat::Mono12Packed), SIZE);
+        camera.start().unwrap();
+        fake.expose(picture(SIZE, 1), 1).unwrap();
+        frame(camera.as_mut());
+        let threads = std::fs::read_dir("/proc/self/task").unwrap().map(|thread| {
+            let folder = thread.unwrap().path();
+            ["comm", "stat"].map(|file| std::fs::read_to_string(folder.join(file)).unwrap())
+        });
+        let receiving: Vec<_> = threads.filter(|[name, _]| name.contains("gv_stream")).collect();
+        assert!(
+            !receiving.is_empty(),
+            "no thread of Aravis has the name that it gives its streams"
+        );
+        for [name, stat] in &receiving {
+            let (policy, nice) = scheduling(stat);
+            assert!(policy == ROUND_ROBIN || nice < 0, "{name}: policy {policy}, nice {nice}");
+        }
+        camera.stop().unwrap();
+    });
+}

@@ -14,6 +14,10 @@ use crate::{config::ServerSettings, server::open_files_needed};
 const PROGRAM_BYTES: f64 = 512e6;
 /// Below this a run itself may be short of files.
 const LEAST_FILES: u64 = 256;
+/// Real-time priority of the threads that receive frames, and how many nice levels they are raised
+/// where that is not granted; see `lfpiv_hw::gige`.
+const RECEIVING_REALTIME: u64 = 10;
+const RECEIVING_NICENESS: u64 = 10;
 
 /// Everything about the machine that needs no configuration, though one sharpens it.
 pub fn examine(need: Option<&Need>, server: &ServerSettings) -> Vec<Finding> {
@@ -23,6 +27,7 @@ pub fn examine(need: Option<&Need>, server: &ServerSettings) -> Vec<Finding> {
         processor(cores(), &instruction_sets()),
         memory(available, need),
         power(governor.ok().as_deref().map(str::trim)),
+        priority(&Priorities::of_this_process()),
         files(getrlimit(Resource::Nofile).maximum, server),
     ]
 }
@@ -109,6 +114,52 @@ fn power(governor: Option<&str>) -> Finding {
     }
 }
 
+/// What a process may do to have its receiving threads run first.
+#[derive(Clone, Copy)]
+struct Priorities {
+    /// `CAP_SYS_NICE`: any.
+    capability: bool,
+    /// Limit on real-time priority; `None` for no limit.
+    realtime: Option<u64>,
+    /// 20 minus the lowest nice level; `None` for no limit.
+    nice: Option<u64>,
+}
+
+impl Priorities {
+    fn of_this_process() -> Self {
+        let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+        Self {
+            capability: has_sys_nice(&status),
+            realtime: getrlimit(Resource::Rtprio).current,
+            nice: getrlimit(Resource::Nice).current,
+        }
+    }
+}
+
+/// `CAP_SYS_NICE` among the effective capabilities of /proc/self/status.
+fn has_sys_nice(status: &str) -> bool {
+    const CAP_SYS_NICE: u32 = 23;
+    let line = status.lines().find_map(|line| line.strip_prefix("CapEff:"));
+    let bits = line.and_then(|line| u64::from_str_radix(line.trim(), 16).ok());
+    bits.is_some_and(|bits| bits >> CAP_SYS_NICE & 1 == 1)
+}
+
+/// Real-time scheduling serves best: nice levels count within a session only.
+fn priority(may: &Priorities) -> Finding {
+    const CHECK: &str = "priority";
+    const TODO: &str = "frames may be lost while other programs are busy: run as the service \
+        (packaging/lfpiv.service), or sudo setcap cap_sys_nice+ep on the program, or \
+        `@video - rtprio 20` in /etc/security/limits.conf for a group of yours";
+    let at_least = |limit: Option<u64>, wanted: u64| limit.is_none_or(|limit| limit >= wanted);
+    if may.capability || at_least(may.realtime, RECEIVING_REALTIME) {
+        Finding::ok(CHECK, "threads that receive frames run before all others")
+    } else if at_least(may.nice, 20 + RECEIVING_NICENESS) {
+        Finding::advice(CHECK, "threads that receive frames run first within this session", TODO)
+    } else {
+        Finding::advice(CHECK, "threads that receive frames run like any other", TODO)
+    }
+}
+
 /// A run raises its limit to what it needs, up to the hard one.
 fn files(hard_limit: Option<u64>, server: &ServerSettings) -> Finding {
     const CHECK: &str = "open files";
@@ -144,6 +195,19 @@ mod tests {
         assert_eq!(verdict(1e9), Verdict::Advice);
         assert_eq!(verdict(0.6e9), Verdict::Problem);
         assert_eq!(memory(None, None).verdict, Verdict::Advice);
+    }
+
+    #[test]
+    fn receiving_threads_need_a_capability_or_a_limit() {
+        let none = Priorities { capability: false, realtime: Some(0), nice: Some(0) };
+        assert_eq!(priority(&none).verdict, Verdict::Advice);
+        assert_eq!(priority(&Priorities { capability: true, ..none }).verdict, Verdict::Ok);
+        let realtime = Priorities { realtime: Some(10), ..none };
+        assert_eq!(priority(&realtime).verdict, Verdict::Ok);
+        let nice = Priorities { nice: Some(30), ..none };
+        assert!(priority(&nice).found.contains("within this session"));
+        assert!(has_sys_nice("Name: lfpiv\nCapEff:\t0000000000800000\n"));
+        assert!(!has_sys_nice("CapEff:\t000000ffff7fffff\n") && !has_sys_nice(""));
     }
 
     #[test]

@@ -14,6 +14,7 @@
 mod apply;
 mod connection;
 mod features;
+mod priority;
 mod receive_buffer;
 mod stream;
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use aravis::{Buffer, BufferStatus, GvStream, Stream, glib::prelude::*, prelude::*};
 
-use super::{connection::Connection, features::Features, receive_buffer};
+use super::{connection::Connection, features::Features, priority::create_stream, receive_buffer};
 use crate::{
     device::{DeviceError, FrameStatus, StreamStatistics},
     frame::{ImagePool, RawImage},
@@ -52,7 +52,7 @@ impl FrameStream {
             false => aravis::GvStreamOption::PACKET_SOCKET_DISABLED,
         };
         camera.gv_set_stream_options(options);
-        let stream: Stream = features.check("stream", camera.create_stream())?;
+        let stream: Stream = features.check("stream", create_stream(camera))?;
         let stream = stream
             .downcast::<GvStream>()
             .map_err(|_| features.refusal("its stream is not GigE Vision's".to_owned()))?;

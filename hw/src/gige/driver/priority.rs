@@ -1,0 +1,67 @@
+//! The thread in which Aravis receives packets runs before threads that compute.
+//!
+//! Packets wait in a buffer that is full within milliseconds. A thread that shares its processor with a
+//! measurement, or with another program, may be kept waiting for longer. Real-time scheduling is asked
+//! for first: the kernel weighs "nice" levels only within a session or a service.
+
+use std::{ffi::c_void, ptr};
+
+use aravis::{
+    Camera, Stream,
+    glib::{
+        self,
+        translate::{ToGlibPtr, from_glib, from_glib_full},
+    },
+};
+use aravis_sys::{
+    ARV_STREAM_CALLBACK_TYPE_INIT, ArvBuffer, ArvStreamCallbackType, arv_camera_create_stream,
+    arv_make_thread_high_priority, arv_make_thread_realtime,
+};
+
+/// Real-time priority of a receiving thread, 1 to 99: above no thread of the kernel that matters to it.
+const REALTIME_PRIORITY: i32 = 10;
+/// Nice level where real-time scheduling is not granted.
+const NICE: i32 = -10;
+
+/// Makes a camera's stream, whose thread raises its own priority.
+///
+/// # Errors
+/// Those of Aravis: the camera does not answer, or grants no stream.
+#[expect(unsafe_code)]
+pub(super) fn create_stream(camera: &Camera) -> Result<Stream, glib::Error> {
+    let mut error = ptr::null_mut();
+    // SAFETY: the camera outlives the call. `raise_priority` uses no user data, so none has to
+    // outlive the stream. Aravis returns a stream that we own, or sets the error that we own.
+    unsafe {
+        let stream = arv_camera_create_stream(
+            camera.to_glib_none().0,
+            Some(raise_priority),
+            ptr::null_mut(),
+            &mut error,
+        );
+        if error.is_null() { Ok(from_glib_full(stream)) } else { Err(from_glib_full(error)) }
+    }
+}
+
+/// Called by Aravis in the thread of a stream: when it begins, for every buffer, and when it ends.
+#[expect(unsafe_code)]
+unsafe extern "C" fn raise_priority(
+    _user_data: *mut c_void,
+    kind: ArvStreamCallbackType,
+    _buffer: *mut ArvBuffer,
+) {
+    if kind != ARV_STREAM_CALLBACK_TYPE_INIT {
+        return;
+    }
+    // SAFETY: the calls have no precondition; they act on the thread that makes them.
+    let raised = unsafe {
+        from_glib(arv_make_thread_realtime(REALTIME_PRIORITY))
+            || from_glib(arv_make_thread_high_priority(NICE))
+    };
+    if !raised {
+        tracing::warn!(
+            "the thread that receives frames has no higher priority than others: frames may be \
+             lost while the machine is busy; `lfpiv doctor` says what to do"
+        );
+    }
+}
