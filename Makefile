@@ -46,10 +46,11 @@ loopback: packages network-tools
 
 test: format lint test-rust test-readers
 
-# The adversary of `tests/adversary`, of which a minute is part of the tests.
+# The adversary of `tests/adversary`, of which a minute is part of the tests, and the long cases.
 soak: packages network-tools
 	LFPIV_SOAK_SECONDS=$(SECONDS) LFPIV_SOAK_SEED=$(SEED) LFPIV_SOAK_CASE=$(CASE) \
 		cargo test --release --locked --test adversary -- --nocapture the_adversary_finds_nothing
+	cargo test --release --locked --test recorded_run -- --ignored --nocapture long_
 
 # The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages

@@ -2,9 +2,10 @@
 //! by which name it calls the server and from which page, how large the request is and how long it
 //! takes, and what its token allows.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use axum::{
+    body::HttpBody,
     extract::{Request, State},
     http::{HeaderMap, HeaderValue, Method, StatusCode, header},
     middleware::Next,
@@ -115,13 +116,20 @@ pub(super) async fn size(request: Request, next: Next) -> Result<Response, ApiEr
     Ok(next.run(request).await)
 }
 
+/// Longest that a request without a body is worked on: what takes long is then this machine, not the
+/// client.
+const WORK: Duration = Duration::from_secs(60);
+
 /// No request is worked on for ever: a client that sends its body too slowly is cut off here.
 pub(super) async fn deadline(
     State(app): State<App>,
     request: Request,
     next: Next,
 ) -> Result<Response, ApiError> {
-    let patience = app.protection.patience;
+    let patience = match request.body().is_end_stream() {
+        true => app.protection.patience.max(WORK),
+        false => app.protection.patience,
+    };
     tokio::time::timeout(patience, next.run(request)).await.map_err(|_| {
         let error = format!("the request was not complete after {} s", patience.as_secs_f64());
         ApiError::new(StatusCode::REQUEST_TIMEOUT, error)

@@ -1,4 +1,4 @@
-//! Two thousand shots in real time: nothing grows, and what a bench does per second is told.
+//! Hundreds of shots: nothing grows, and what a bench does per second is told.
 
 use std::{
     fs,
@@ -9,7 +9,6 @@ use serde_json::Value;
 
 use crate::bench::{Running, configuration, images};
 
-const SHOTS: u64 = 2000;
 /// When memory has settled: pools and tables are full, and a first segment of results is sealed.
 const SETTLED: u64 = 700;
 /// What may be added after that: allocators are not exact.
@@ -29,7 +28,17 @@ fn count(status: &Value, name: &str) -> u64 {
 }
 
 #[test]
-fn two_thousand_shots_in_flat_memory() {
+fn shots_in_flat_memory() {
+    in_flat_memory(1000);
+}
+
+#[test]
+#[ignore = "long: make soak"]
+fn long_five_thousand_shots_in_flat_memory() {
+    in_flat_memory(5000);
+}
+
+fn in_flat_memory(shots: u64) {
     let root = tempfile::tempdir().expect("a folder");
     let config = configuration(root.path(), "[raw_log]\nsegment_mb = 20\n");
     let text = fs::read_to_string(&config).expect("the configuration");
@@ -39,7 +48,7 @@ fn two_thousand_shots_in_flat_memory() {
         .replacen("voxels = [8, 8, 8]", "voxels = [4, 4, 4]", 1)
         .replacen("window_mm = 0.8", "window_mm = 0.4", 1);
     fs::write(&config, tiny).expect("the configuration");
-    let running = Running::start(&config, &["--shots", &SHOTS.to_string()]);
+    let running = Running::start(&config, &["--shots", &shots.to_string()]);
     let process = running.child.id();
     let (began, mut settled, mut most, mut deepest) = (Instant::now(), 0, 0, 0);
     let mut last = Value::Null;
@@ -50,7 +59,7 @@ fn two_thousand_shots_in_flat_memory() {
         }
         (most, deepest) = (most.max(resident), deepest.max(count(&status, "queued")));
         assert!(began.elapsed() < PATIENCE, "{status}");
-        if done < SHOTS {
+        if done < shots {
             last = status;
         }
         std::thread::sleep(Duration::from_millis(50));
@@ -59,10 +68,10 @@ fn two_thousand_shots_in_flat_memory() {
     let run = running.kill();
     let latency = &last["latency"];
     println!(
-        "{SHOTS} shots in {seconds:.0} s: {:.1} acquired and processed per second, queue {deepest} \
+        "{shots} shots in {seconds:.0} s: {:.1} acquired and processed per second, queue {deepest} \
          deep at most; from trigger to velocity p50 {:.3}, p95 {:.3}, p99 {:.3} s; memory {:.1} MB \
          after {SETTLED} shots, {:.1} MB at most",
-        SHOTS as f64 / seconds,
+        shots as f64 / seconds,
         latency["p50_s"].as_f64().unwrap_or(f64::NAN),
         latency["p95_s"].as_f64().unwrap_or(f64::NAN),
         latency["p99_s"].as_f64().unwrap_or(f64::NAN),
@@ -70,7 +79,7 @@ fn two_thousand_shots_in_flat_memory() {
         most as f64 / 1e6,
     );
     assert!(settled > 0 && most < settled + GROWTH_BYTES, "{settled} grew to {most}");
-    assert_eq!(images(&run).len() as u64, SHOTS);
+    assert_eq!(images(&run).len() as u64, shots);
 }
 
 /// A bench in real time, whose shots are shed when processing is slower; for its figures.
