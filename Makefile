@@ -29,7 +29,8 @@ help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make loopback  the same over real wires: GigE Vision and serial drivers against simulated"
 	@echo "               instruments, for $(LOOPBACK_SHOTS) shots; what crossed the wires is kept"
-	@echo "make test    everything that continuous integration checks"
+	@echo "make test    everything that continuous integration checks; what passed with the same inputs is"
+	@echo "             skipped unless CI=1"
 	@echo "make soak    kills, damage, failing disks, floods and malformed files against the program for"
 	@echo "             $(SECONDS) s: SECONDS=3600 SEED=7 goes on longer, with other random numbers"
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
@@ -44,13 +45,15 @@ loopback: packages network-tools
 	cargo build --release --locked --package lfpiv
 	scripts/loopback.sh target/release/lfpiv $(LOOPBACK_SHOTS)
 
-test: format lint test-rust test-readers
+# The tests are compiled by clippy, which is a compiler with more to say: warnings fail them.
+test: format test-rust test-readers
 
 # The adversary of `tests/adversary`, of which a minute is part of the tests, and the long cases.
 soak: packages network-tools
 	LFPIV_SOAK_SECONDS=$(SECONDS) LFPIV_SOAK_SEED=$(SEED) LFPIV_SOAK_CASE=$(CASE) \
 		cargo test --release --locked --test adversary -- --nocapture the_adversary_finds_nothing
-	cargo test --release --locked --test recorded_run -- --ignored --nocapture long_
+	cargo test --release --locked --package lfpiv --package lfpiv-core --test recorded_run \
+		--test capabilities -- --ignored --nocapture long_
 
 # The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages
@@ -88,13 +91,13 @@ lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
 # Programs that passed with the same inputs are skipped, unless CI is set.
-test-rust: packages network-tools
+test-rust: packages network-tools components
 	@command -v python3 >/dev/null || scripts/install-packages.sh python3
 	@python3 scripts/run-tests.py
 
 # Reads what the binary of the Rust tests writes: built as they build it, or all would be built anew.
 test-readers: packages readers
-	cargo test --workspace --locked --no-run --test commands
+	python3 scripts/run-tests.py --build
 	LFPIV=target/debug/lfpiv .venv/bin/python -m pytest --quiet tests/readers
 
 clean:

@@ -22,6 +22,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 STAMPS = ROOT / "target" / "test-stamps"
 CARGO = ["cargo", "test", "--workspace", "--locked"]
+# Clippy takes the compiler's place: everything is compiled once, and examined as it is.
+ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 
 # The longest first: the last to begin should be short.
 LONGEST = ["recorded_run", "capabilities", "adversary", "loopback", "laser", "claims", "daemon"]
@@ -59,26 +61,38 @@ class Outcome:
 
 
 def build():
-    """Compiles every test; gives the test programs and the programs that they start."""
-    command = [*CARGO, "--no-run", "--message-format=json-render-diagnostics"]
-    made = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
-    if made.returncode != 0:
-        sys.exit(made.returncode)
-    tests, programs = [], []
-    for line in made.stdout.splitlines():
+    """Compiles every test and examines all code; ends where the compiler has anything to say.
+
+    Returns the test programs, and the programs that they start.
+    """
+    command = [*CARGO, "--all-targets", "--no-run", "--message-format=json-diagnostic-rendered-ansi"]
+    compiler = subprocess.Popen(command, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True)
+    tests, programs, complaints = [], [], 0
+    for line in compiler.stdout:
         message = json.loads(line)
-        if message.get("reason") != "compiler-artifact" or not message.get("executable"):
-            continue
-        path, target = Path(message["executable"]), message["target"]
-        if not message["profile"]["test"]:
-            programs.append(path)
-            continue
-        folder = Path(message["manifest_path"]).parent
-        crate = "lfpiv" if folder == ROOT else f"lfpiv-{folder.name}"
-        if target["kind"] != ["bin"]:
-            name = "unit" if target["kind"] != ["test"] else target["name"]
-            tests.append(Program(crate, name, path, folder))
+        if message["reason"] == "compiler-message":
+            complaints += 1
+            print(message["message"]["rendered"], file=sys.stderr)
+        elif message["reason"] == "compiler-artifact" and message.get("executable"):
+            sort_in(message, tests, programs)
+    if compiler.wait() != 0 or complaints:
+        sys.exit("The compiler has complained; see above.")
     return tests, sorted(programs)
+
+
+def sort_in(artifact, tests, programs):
+    """Adds an executable to the test programs, or to those that they start."""
+    path, target = Path(artifact["executable"]), artifact["target"]
+    kind = target["kind"][0]
+    if not artifact["profile"]["test"]:
+        if kind == "bin":
+            programs.append(path)
+        return
+    if kind not in ("lib", "test"):
+        return
+    folder = Path(artifact["manifest_path"]).parent
+    crate = "lfpiv" if folder == ROOT else f"lfpiv-{folder.name}"
+    tests.append(Program(crate, target["name"] if kind == "test" else "unit", path, folder))
 
 
 def digest_of(paths):
@@ -212,8 +226,10 @@ def run_all(programs, stamps):
 
 def documented_examples():
     """Examples in the documentation of the crates: the compiler runs these itself."""
-    ran = subprocess.run([*CARGO, "--doc", "--quiet"], cwd=ROOT, capture_output=True, text=True,
-                         check=False)
+    ran = subprocess.run(
+        [*CARGO, "--doc", "--quiet"],
+        cwd=ROOT, env=ENVIRONMENT, capture_output=True, text=True, check=False,
+    )
     output = ran.stdout + ran.stderr
     results = RESULT.findall(output)
     if ran.returncode != 0:
@@ -224,6 +240,8 @@ def documented_examples():
 
 def main():
     tests, programs = build()
+    if "--build" in sys.argv:
+        return
     stamps = Stamps(programs)
     due = [program for program in tests if not stamps.passed_before(program)]
     skipped = [program.title for program in tests if program not in due]

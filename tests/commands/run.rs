@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::support::{changed_configuration, lfpiv};
 
 /// Longest time to wait for anything.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(300);
 
 /// `lfpiv run` without end, once it has said where its status is.
 struct Running {

@@ -11,7 +11,7 @@ use std::{
 
 use crate::support::changed_configuration;
 
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(300);
 /// The watchdog's limit that the daemon is given.
 const WATCHDOG: Duration = Duration::from_secs(4);
 

@@ -9,7 +9,7 @@ use tokio::{
 };
 
 /// No answer may take longer.
-const PATIENCE: Duration = Duration::from_secs(20);
+const PATIENCE: Duration = Duration::from_secs(120);
 
 /// A request in the making.
 #[derive(Debug, Clone)]

@@ -21,7 +21,7 @@ use crate::{
     server::{CONTROL, with_tokens},
 };
 
-const PATIENCE: Duration = Duration::from_secs(30);
+const PATIENCE: Duration = Duration::from_secs(120);
 
 async fn post(address: std::net::SocketAddr, path: &str, body: &str) -> Value {
     let ask = Ask::post(path).token(CONTROL);

@@ -33,7 +33,7 @@ use tokio::{sync::Notify, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
 /// Longest wait for anything that is sure to come, on a loaded machine.
-pub const PATIENCE: Duration = Duration::from_secs(60);
+pub const PATIENCE: Duration = Duration::from_secs(300);
 /// So slow that a process which does not wait would end among the commands.
 const PACING_MS: u64 = 10;
 /// Outputs of the unit in the order in which they are switched off; 0 is T0.

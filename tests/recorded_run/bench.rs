@@ -14,7 +14,7 @@ use lfpiv_hw::RawImage;
 use serde_json::Value;
 
 /// Longest time to wait for anything.
-pub const PATIENCE: Duration = Duration::from_secs(60);
+pub const PATIENCE: Duration = Duration::from_secs(300);
 
 /// Writes a configuration with results below `root`; `more` is added at its end.
 pub fn configuration(root: &Path, more: &str) -> PathBuf {

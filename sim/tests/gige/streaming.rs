@@ -1,6 +1,7 @@
 //! What is exposed arrives, pixel for pixel, and settings are what they should be.
 
 use std::{
+    sync::mpsc::sync_channel,
     thread,
     time::{Duration, SystemTime},
 };
@@ -62,19 +63,25 @@ fn two_cameras_deliver_two_hundred_shots_each_byte_for_byte() {
             for camera in &mut cameras {
                 camera.start().unwrap();
             }
+            // A frame is exposed when the driver has room for it, however slow this machine is.
+            const AHEAD: usize = 4;
+            let room = [0, 1].map(|_| sync_channel::<()>(AHEAD));
+            let (expose, taken): (Vec<_>, Vec<_>) = room.into_iter().unzip();
             thread::scope(|scope| {
-                for (index, fake) in fakes.iter().enumerate() {
+                for (index, (fake, expose)) in fakes.iter().zip(expose).enumerate() {
                     scope.spawn(move || {
                         for frame in 0..2 * SHOTS {
+                            expose.send(()).unwrap();
                             let image = picture(SIZE, 2 * frame + index as u64);
                             assert_eq!(fake.expose(image, frame).unwrap(), Exposed::Yes);
                         }
                     });
                 }
-                for (index, camera) in cameras.iter_mut().enumerate() {
+                for (index, (camera, taken)) in cameras.iter_mut().zip(taken).enumerate() {
                     scope.spawn(move || {
                         for number in 0..2 * SHOTS {
                             let frame = frame(camera.as_mut());
+                            taken.recv().unwrap();
                             let image = picture(SIZE, 2 * number + index as u64);
                             assert_eq!(frame.status, FrameStatus::Complete, "frame {number}");
                             assert_eq!(frame.frame_id, number);
