@@ -1,11 +1,6 @@
 //! Event streams: complete, resumable, and no burden to the run.
 
-use std::{
-    net::SocketAddr,
-    num::NonZeroU64,
-    sync::Arc,
-    time::{Duration, Instant},
-};
+use std::{net::SocketAddr, num::NonZeroU64, sync::Arc, time::Duration};
 
 use lfpiv::{
     acquisition::{Ledger, Outcome, OverloadPolicy},
@@ -211,14 +206,13 @@ async fn a_reader_that_does_not_read_holds_up_nobody_and_is_told() {
     assert_eq!(slow.next().await.unwrap().name, "status");
     // More than all buffers between here and there hold.
     let (long, count) = ("x".repeat(16_000), 2 * EVENTS_IN_MEMORY);
-    let began = Instant::now();
     for shot in 0..count as u64 {
         server.board.failed(shot, long.clone());
         if shot % 64 == 0 {
             tokio::task::yield_now().await;
         }
     }
-    assert!(began.elapsed() < Duration::from_secs(5), "publishing waits for nobody");
+    // Would publishing wait for the slow reader, this would not be reached: it reads from here on.
     server.state.set_phase(Phase::Finished);
     server.stop.cancel();
     let read = |mut watch: Watch| async move {

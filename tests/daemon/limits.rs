@@ -1,6 +1,9 @@
 //! Clients that ask too much, too often or too slowly.
 
-use std::time::{Duration, Instant};
+use std::{
+    net::SocketAddr,
+    time::{Duration, Instant},
+};
 
 use lfpiv::config::ServerSettings;
 use tokio::{
@@ -104,6 +107,25 @@ async fn a_client_that_dribbles_its_body_is_told_and_cut_off() {
     assert!(answer.error(408).contains("after 0.5 s"), "{answer:?}");
 }
 
+/// Waits until the server has closed its end of a connection, which the client learns only by taking
+/// what was sent before. /proc/net/tcp has a row for each end: local and remote address, and a state,
+/// 01 while it is open.
+async fn until_given_up(server: SocketAddr, client: SocketAddr) {
+    let [server, client] = [server, client].map(|end| format!(":{:04X}", end.port()));
+    let is_open = || {
+        let table = std::fs::read_to_string("/proc/net/tcp").unwrap();
+        table.lines().any(|row| {
+            let fields: Vec<&str> = row.split_whitespace().collect();
+            fields[1].ends_with(&server) && fields[2].ends_with(&client) && fields[3] == "01"
+        })
+    };
+    let began = Instant::now();
+    while is_open() {
+        assert!(began.elapsed() < Duration::from_secs(120), "the server waits for ever");
+        tokio::time::sleep(Duration::from_millis(20)).await;
+    }
+}
+
 #[tokio::test]
 async fn a_client_that_does_not_take_its_answer_is_cut_off_and_its_memory_is_free() {
     // A volume of 64 MB, which no socket buffer holds; four of them fill the memory for answers.
@@ -117,8 +139,8 @@ async fn a_client_that_does_not_take_its_answer_is_cut_off_and_its_memory_is_fre
         stream.write_all(&volume.bytes(server.address)).await.unwrap();
         streams.push(stream);
     }
-    tokio::time::sleep(Duration::from_millis(1500)).await;
     for mut stream in streams {
+        until_given_up(server.address, stream.local_addr().unwrap()).await;
         let (_, received) = until_closed(&mut stream).await;
         assert!(received.len() < 64 << 20, "it was sent after all");
     }

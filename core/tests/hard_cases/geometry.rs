@@ -29,7 +29,7 @@ fn pooled(found: &[Measured], rms: impl Fn(&Measured) -> f64) -> f64 {
     (found.iter().map(|m| rms(m).powi(2)).sum::<f64>() / found.len() as f64).sqrt()
 }
 
-/// Share of 95 % intervals that hold at least with cameras at this angle, as README states it.
+/// Share of 95 % intervals that hold at least with cameras at this angle, as docs/performance.md states it.
 fn least_covered(angle_deg: f64) -> f64 {
     match angle_deg {
         45.0.. => 0.8,
@@ -45,7 +45,7 @@ fn least_covered(angle_deg: f64) -> f64 {
 /// more than the square of their ratio. The usual error is that of windows alone, for below 20 degrees
 /// particles can no longer be followed in depth.
 ///
-/// Stated uncertainties do not grow as the errors do, which README states as a limit: below 30 degrees
+/// Stated uncertainties do not grow as the errors do, which docs/performance.md states as a limit: below 30 degrees
 /// light is a few fine voxels long in depth and one high, along y, and its place there is stepped alike
 /// in both frames. [`least_covered`] is what holds.
 #[test]
