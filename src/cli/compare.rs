@@ -56,6 +56,11 @@ impl Results {
         Ok(Self { vectors: stored_vectors(run)?, accounts })
     }
 
+    /// Whether a shot has vectors.
+    pub fn has(&self, shot: u64) -> bool {
+        self.vectors.contains_key(&shot)
+    }
+
     /// Leaves out what a damaged record cannot give again: these shots, and the counts.
     pub fn leave_out(&mut self, is_lost: impl Fn(u64) -> bool) {
         let before = self.vectors.len();
