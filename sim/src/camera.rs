@@ -11,7 +11,7 @@ use lfpiv_hw::{
 };
 
 use crate::{
-    bench::{BenchState, RenderedShot, SharedBench, Stream},
+    shared_bench::{BenchState, RenderedShot, SharedBench, Stream},
     triggers::{Pacing, Trigger},
 };
 

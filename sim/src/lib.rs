@@ -16,6 +16,7 @@ pub mod imaging;
 pub mod particles;
 pub mod scene;
 pub mod sensor;
+mod shared_bench;
 mod stream;
 mod synchroniser;
 #[cfg(test)]

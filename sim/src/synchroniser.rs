@@ -7,7 +7,7 @@ use lfpiv_hw::{
     device::{DeviceError, Synchroniser, SynchroniserState},
 };
 
-use crate::{bench::SharedBench, triggers::NotFired};
+use crate::{shared_bench::SharedBench, triggers::NotFired};
 
 /// Longest burst that the unit takes (BNC 575: `:BCO`).
 const LONGEST_BURST: u64 = 9_999_999;

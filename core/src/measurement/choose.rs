@@ -184,12 +184,12 @@ pub(super) fn choose(scene: &SceneMeasure, allowed: &Allowed<'_>) -> ModelChoice
     };
     let taken = candidates.iter().min_by(by_error).copied();
     let taken = taken.unwrap_or_else(|| allowed.configured());
-    let judge = Judge { scene, allowed, taken, correlation_vox, budget_vox };
+    let comparison = Comparison { scene, allowed, taken, correlation_vox, budget_vox };
     ModelChoice {
         mode: ModelMode::Auto,
         model: allowed.parts(&taken),
         refinement: taken.refinement,
-        parts: PARTS.map(|part| judge.judge(part)).into(),
+        parts: PARTS.map(|part| comparison.choice(part)).into(),
         correlation_error_vox: Some(correlation_vox),
         model_error_vox: Some(error(&taken)),
         scene: Some(*scene),
@@ -205,7 +205,7 @@ fn model_error_vox(scene: &SceneMeasure, combination: &Combination, finest: usiz
 }
 
 /// Says why a part was taken or left out.
-struct Judge<'a> {
+struct Comparison<'a> {
     scene: &'a SceneMeasure,
     allowed: &'a Allowed<'a>,
     taken: Combination,
@@ -213,8 +213,8 @@ struct Judge<'a> {
     budget_vox: f64,
 }
 
-impl Judge<'_> {
-    fn judge(&self, part: Part) -> PartChoice {
+impl Comparison<'_> {
+    fn choice(&self, part: Part) -> PartChoice {
         let finest = self.allowed.finest;
         let without = self.taken.with(part, false, finest);
         let error_vox = errors_without(self.scene, without.refinement, finest).of(part);

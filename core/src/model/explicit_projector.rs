@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::{
     Projector, ViewId,
-    explicit::{Columns, add_column, assemble, column, column_sum},
+    sparse_columns::{Columns, add_column, assemble, column, column_sum},
     weights::WeightSource,
 };
 

@@ -18,6 +18,8 @@ mod point_image;
 mod quadrature;
 mod settings;
 mod sight;
+mod sparse_columns;
+mod table_weights;
 mod tables;
 mod thin_lens;
 mod weights;
@@ -39,8 +41,9 @@ pub use point_image::{LitPixel, PointImager};
 pub use quadrature::QuadratureWeights;
 pub use settings::{ModelMode, ModelSettings, Switch, mode_or_table};
 pub use sight::{Sight, degrees_apart};
+pub use table_weights::TableWeights;
 pub use thin_lens::{ThinLensModel, thin_lens_model, thin_lens_model_of};
-pub use weights::{TableWeights, Weight, WeightSource};
+pub use weights::{Weight, WeightSource};
 
 use crate::lightfield::ViewLayout;
 

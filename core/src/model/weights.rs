@@ -1,11 +1,6 @@
 //! Where the entries of the explicit matrix come from.
 
-use lfpiv_hw::{Optics, Pose};
-
-use super::{
-    ModelError, ModelParts, ViewId, VolumeGrid,
-    thin_lens::{Tabulated, tabulated},
-};
+use super::{ViewId, VolumeGrid};
 use crate::lightfield::ViewLayout;
 
 /// What one voxel gives to one pixel of a view.
@@ -32,48 +27,4 @@ pub trait WeightSource: Send + Sync {
     fn weights(&self, view: ViewId, voxel: u32, out: &mut Vec<Weight>);
     /// Bytes held.
     fn memory_bytes(&self) -> usize;
-}
-
-/// The weights of the thin-lens tables: the explicit matrix filled from the separable footprint.
-pub struct TableWeights(Box<dyn Tabulated>);
-
-impl TableWeights {
-    /// The weights that [`super::thin_lens_model`] of the same arguments uses; the same errors.
-    pub fn new(
-        optics: &Optics,
-        poses: &[Pose],
-        grid: &VolumeGrid,
-        footprint_mm: f64,
-    ) -> Result<Self, ModelError> {
-        Self::with_parts(optics, poses, grid, footprint_mm, &ModelParts::default())
-    }
-
-    /// [`Self::new`] with these parts of the model.
-    pub fn with_parts(
-        optics: &Optics,
-        poses: &[Pose],
-        grid: &VolumeGrid,
-        footprint_mm: f64,
-        parts: &ModelParts,
-    ) -> Result<Self, ModelError> {
-        tabulated(optics, poses, grid, footprint_mm, parts).map(Self)
-    }
-}
-
-impl WeightSource for TableWeights {
-    fn grid(&self) -> &VolumeGrid {
-        WeightSource::grid(&*self.0)
-    }
-
-    fn layouts(&self) -> &[ViewLayout] {
-        WeightSource::layouts(&*self.0)
-    }
-
-    fn weights(&self, view: ViewId, voxel: u32, out: &mut Vec<Weight>) {
-        self.0.weights(view, voxel, out);
-    }
-
-    fn memory_bytes(&self) -> usize {
-        WeightSource::memory_bytes(&*self.0)
-    }
 }

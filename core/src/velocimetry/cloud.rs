@@ -5,7 +5,6 @@
 //! nothing where there is no light. True particles take the same path, which is what makes them
 //! the floor that a reconstruction is measured against.
 
-use super::raster::Raster;
 use crate::{model::VolumeGrid, reconstruction::SparseVolume};
 
 /// Points of light in units of a grid's voxels: voxel (i, j, k) has its centre at (i, j, k).
@@ -48,12 +47,5 @@ impl PointCloud {
             light: particles.iter().map(|&(_, light)| light as f32).collect(),
             grain_vox: 0.0,
         }
-    }
-
-    /// The cloud on the voxels of `grid` (z, y, x), whose voxels its positions count: see
-    /// [`Raster::render`].
-    pub fn render(&self, grid: &VolumeGrid) -> Vec<f32> {
-        let raster = Raster { cells: grid.voxels, first_vox: [0.0; 3], cell_vox: 1.0 };
-        raster.render(self, None)
     }
 }

@@ -98,7 +98,7 @@ impl Lattice {
     /// The field at a position: cubic convolution (Keys 1981) between the nodes, linear outside.
     #[inline(always)]
     pub fn at(&self, position_vox: [f32; 3]) -> [f32; 3] {
-        let along = |axis: usize| -> Taps {
+        let along = |axis: usize| -> AxisTaps {
             let t = (position_vox[axis] - self.first_vox[axis]) / self.step_vox;
             axis_taps(t, self.nodes[axis])
         };
@@ -124,12 +124,12 @@ impl Lattice {
 }
 
 /// Four nodes along an axis and their weights.
-pub type Taps = ([usize; 4], [f32; 4]);
+pub type AxisTaps = ([usize; 4], [f32; 4]);
 
 /// Four nodes and their weights at node coordinate `t`. A node beyond an end is replaced by the
 /// linear extrapolation of the two nodes at that end.
 #[inline(always)]
-pub fn axis_taps(t: f32, count: usize) -> Taps {
+pub fn axis_taps(t: f32, count: usize) -> AxisTaps {
     if count == 1 {
         return ([0; 4], [1.0, 0.0, 0.0, 0.0]);
     }

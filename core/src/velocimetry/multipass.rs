@@ -18,7 +18,7 @@ use super::{
     peak::{Peak, highest_peak},
     raster::{Image, Raster},
     settings::Sizes,
-    tracks::{Settled, follow, is_fine},
+    tracks::{Refined, follow, is_fine},
     uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
 };
@@ -218,7 +218,7 @@ impl Interrogation {
             Some(frames) => follow(&field, &uncertainty_vox, frames),
             None => {
                 let by_particles = vec![false; vectors.len()];
-                Settled { field, uncertainty_vox, by_particles }
+                Refined { field, uncertainty_vox, by_particles }
             }
         };
         for (n, vector) in vectors.iter_mut().enumerate() {

@@ -3,6 +3,7 @@
 use multiversion::multiversion;
 
 use super::{cloud::PointCloud, lattice::Lattice};
+use crate::model::VolumeGrid;
 
 /// A box of cubic cells in space. Rows along x are contiguous, z is slowest.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +35,15 @@ impl Raster {
         let mut image = vec![0.0f32; self.len()];
         splat(self, cloud, shift_vox, &mut image);
         image
+    }
+}
+
+impl PointCloud {
+    /// The cloud on the voxels of `grid` (z, y, x), whose voxels its positions count: see
+    /// [`Raster::render`].
+    pub fn render(&self, grid: &VolumeGrid) -> Vec<f32> {
+        let raster = Raster { cells: grid.voxels, first_vox: [0.0; 3], cell_vox: 1.0 };
+        raster.render(self, None)
     }
 }
 

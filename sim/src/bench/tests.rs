@@ -1,12 +1,15 @@
-use std::thread;
+use std::{
+    thread,
+    time::{Duration, Instant},
+};
 
 use lfpiv_hw::{
-    TimingSettings,
-    device::{DeviceError, Frame, SynchroniserState},
+    PulseSchedule, TimingSettings,
+    device::{DeviceError, Frame, StreamStatistics, SynchroniserState},
 };
 
 use super::*;
-use crate::{flow::Uniform, test_bench};
+use crate::{flow::Uniform, shared_bench::SHOTS_KEPT, test_bench};
 
 const PATIENCE: Duration = Duration::from_secs(20);
 const MOMENT: Duration = Duration::from_millis(30);

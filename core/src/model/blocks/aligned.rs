@@ -6,55 +6,21 @@ use lfpiv_hw::{Optics, Pose};
 
 use super::{
     BlockModel, BlockProjector, Darkness, LitBlocks,
-    axis_table::{PairTable, PairTap},
+    aligned_tables::{AlignedCamera, AlignedModel, Axes},
+    axis_table::PairTable,
     block_indices, lit,
     projector::AlignedProjector,
 };
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     model::{
-        ModelError, ModelParts, ViewId, VolumeGrid,
+        ModelError, ModelParts, VolumeGrid,
         camera::CameraView,
         footprint::RayMap,
         tables::AxisGeometry,
         thin_lens::{camera_views, coverage_bytes},
     },
 };
-
-/// The separable footprint of every block in every view, from tables of up to `L` microlenses per
-/// pair of voxels and axis, for `D` depths per block: 1 where both voxels may take the depth
-/// between them, 2 where each needs its own (see [`DepthsPerBlock`]).
-#[derive(Debug)]
-pub struct AlignedModel<const L: usize, const D: usize> {
-    pub(super) grid: VolumeGrid,
-    pub(super) layouts: Vec<ViewLayout>,
-    pub(super) cameras: Vec<AlignedCamera<L>>,
-}
-
-/// One camera's tables, and how its axes lie in the grid.
-#[derive(Debug)]
-pub(super) struct AlignedCamera<const L: usize> {
-    pub axes: Axes,
-    pub columns: Arc<PairTable<L>>,
-    pub rows: Arc<PairTable<L>>,
-    /// Pixels per row of the window.
-    pub width: usize,
-}
-
-/// The grid axes (0, 1, 2 for x, y, z) along a camera's columns, rows and depth.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Axes {
-    pub column: usize,
-    pub row: usize,
-    pub depth: usize,
-}
-
-/// Where in a camera's two tables a block's taps are.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
-    pub column: u32,
-    pub row: u32,
-}
 
 /// The depths at which a block's voxels are tabulated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,33 +60,6 @@ pub(super) fn aligned_views(
     Ok(aligned.then_some(views))
 }
 
-impl Axes {
-    fn of(view: &CameraView) -> Option<Self> {
-        Some(Self { column: view.xi.along?, row: view.eta.along?, depth: view.depth.along? })
-    }
-
-    /// Every way to look along a grid.
-    pub const ALL: [Self; 6] = [
-        Self { column: 0, row: 1, depth: 2 },
-        Self { column: 0, row: 2, depth: 1 },
-        Self { column: 1, row: 0, depth: 2 },
-        Self { column: 1, row: 2, depth: 0 },
-        Self { column: 2, row: 0, depth: 1 },
-        Self { column: 2, row: 1, depth: 0 },
-    ];
-
-    /// Position in [`Self::ALL`].
-    pub fn number(self) -> usize {
-        2 * self.column + usize::from(self.row > self.depth)
-    }
-
-    /// For row r and column c of a block as the camera sees it, the near and the far child.
-    pub const fn children(self) -> [[[usize; 2]; 2]; 2] {
-        let (c, r, d) = (1 << self.column, 1 << self.row, 1 << self.depth);
-        [[[0, d], [c, c + d]], [[r, r + d], [r + c, r + c + d]]]
-    }
-}
-
 impl<const L: usize, const D: usize> AlignedModel<L, D> {
     /// `None` when pairs of voxels reach more than `L` microlenses, when voxels are too small for
     /// the hull's bits, or a camera is not aligned.
@@ -151,20 +90,6 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
         drop(tables);
         Some(Self { grid: grid.clone(), layouts, cameras })
     }
-
-    /// Half-open view onto one view's tables: columns, rows, coverage.
-    pub(super) fn view(&self, id: ViewId) -> ViewTables<'_, L> {
-        let camera = &self.cameras[id.camera];
-        let view = &self.layouts[id.camera].views[id.view];
-        ViewTables {
-            columns: camera.columns.of_view(view.k),
-            column_pairs: camera.columns.pairs(),
-            rows: camera.rows.of_view(view.l),
-            row_pairs: camera.rows.pairs(),
-            width: camera.width,
-            coverage: view.coverage.as_deref(),
-        }
-    }
 }
 
 /// Tables with what each was made from: two cameras at right angles often see the same along the
@@ -188,29 +113,6 @@ impl<'a, const L: usize> SharedTables<'a, L> {
 fn voxels_per_microlens(optics: &Optics, grid: &VolumeGrid) -> f64 {
     let magnification = RayMap::at_depth(optics, 0.0).position.abs();
     optics.microlens.pitch_mm / (magnification * grid.voxel_mm)
-}
-
-/// What projects into one view.
-pub(super) struct ViewTables<'a, const L: usize> {
-    pub columns: &'a [PairTap<L>],
-    /// From one depth's taps to the next one's.
-    pub column_pairs: usize,
-    pub rows: &'a [PairTap<L>],
-    pub row_pairs: usize,
-    pub width: usize,
-    pub coverage: Option<&'a [f32]>,
-}
-
-impl<const L: usize> AlignedCamera<L> {
-    /// Where the taps of a block's first layer of `layers` are; the next layer's are a row of
-    /// pairs further.
-    fn place(&self, block: [usize; 3], layers: usize) -> Place {
-        let Axes { column, row, depth } = self.axes;
-        Place {
-            column: (layers * block[depth] * self.columns.pairs() + block[column]) as u32,
-            row: (layers * block[depth] * self.rows.pairs() + block[row]) as u32,
-        }
-    }
 }
 
 impl<const L: usize, const D: usize> BlockModel for AlignedModel<L, D> {

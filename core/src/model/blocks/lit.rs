@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 use super::{
     Darkness, LitBlocks,
-    aligned::{AlignedCamera, AlignedModel, Axes},
+    aligned_tables::{AlignedCamera, AlignedModel, Axes},
     blocks_along,
     dark_counts::Line,
 };

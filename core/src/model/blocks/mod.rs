@@ -9,9 +9,11 @@
 //! grid has an odd number of voxels, the children beyond its end stay dark.
 
 mod aligned;
+mod aligned_tables;
 mod axis_table;
 mod dark_counts;
 mod lit;
+mod pair_tap;
 mod prefetch;
 mod projector;
 mod row_shares;
@@ -25,7 +27,8 @@ use lfpiv_hw::{Optics, Pose};
 
 use super::{ModelError, ModelParts, ViewId, VolumeGrid, camera::CameraView, thin_lens_model_of};
 use crate::lightfield::{ViewLayout, ViewStack};
-use aligned::{AlignedModel, DepthsPerBlock, aligned_views};
+use aligned::{DepthsPerBlock, aligned_views};
+use aligned_tables::AlignedModel;
 pub use voxelwise::VoxelwiseBlocks;
 
 /// Light of a block's eight voxels, in the order of its children.

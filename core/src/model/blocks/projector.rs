@@ -18,8 +18,8 @@ use multiversion::multiversion;
 
 use super::{
     BlockLight, BlockProjector,
-    aligned::{AlignedModel, Axes, Place, ViewTables},
-    axis_table::{PairTap, SHARE_UNIT},
+    aligned_tables::{AlignedModel, Axes, Place, ViewTables},
+    pair_tap::{PairTap, SHARE_UNIT},
     prefetch::prefetch,
 };
 use crate::model::ViewId;

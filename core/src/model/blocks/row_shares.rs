@@ -6,7 +6,7 @@
 
 use multiversion::multiversion;
 
-use super::axis_table::{PairTap, SHARE_UNIT, pair_tap};
+use super::pair_tap::{PairTap, SHARE_UNIT, first_of_pair, pair_tap};
 use crate::model::{
     footprint::{POINT_WIDTH, RayMap, STEP_WIDTH_MM},
     tables::AxisGeometry,
@@ -129,14 +129,6 @@ impl<'a> RowShares<'a> {
             }
         }));
     }
-}
-
-/// The first microlens of a pair's tap, counted from the start of the array. A footprint that
-/// leaves the window keeps its true shares on what remains of it.
-pub(super) fn first_of_pair<const L: usize>(geometry: &AxisGeometry<'_>, reached: i64) -> usize {
-    let window = &geometry.window;
-    let last_first = (window.end as i64 - L as i64).max(window.start as i64);
-    reached.clamp(window.start as i64, last_first) as usize
 }
 
 impl RowOptics {

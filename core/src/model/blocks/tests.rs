@@ -54,7 +54,7 @@ fn all_blocks(grid: &VolumeGrid) -> Vec<u32> {
 
 #[test]
 fn axes_are_numbered_as_they_are_listed() {
-    for (n, axes) in aligned::Axes::ALL.into_iter().enumerate() {
+    for (n, axes) in aligned_tables::Axes::ALL.into_iter().enumerate() {
         assert_eq!(axes.number(), n);
         for (r, columns) in axes.children().into_iter().enumerate() {
             for (c, depths) in columns.into_iter().enumerate() {

@@ -44,9 +44,9 @@ pub fn is_fine(cloud: &PointCloud) -> bool {
     cloud.grain_vox <= COARSEST_GRAIN_VOX
 }
 
-/// A displacement field and its standard uncertainty, in voxels.
+/// A displacement field after particles were followed, and its standard uncertainty, in voxels.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Settled {
+pub struct Refined {
     /// The vectors.
     pub field: Lattice,
     /// Along x, y, z, for every node; greater than zero. `None` where neither a vector nor a particle
@@ -63,7 +63,7 @@ pub fn follow(
     field: &Lattice,
     uncertainty_vox: &[Option<[f32; 3]>],
     frames: [&PointCloud; 2],
-) -> Settled {
+) -> Refined {
     let [a, b] = frames;
     let (a, b) = rayon::join(|| particles(a), || particles(b));
     let mut spline = Spline::through(field);
@@ -80,7 +80,7 @@ pub fn follow(
     let pairs = pairs(&spline, [&a, &b], NEAREST_VOX);
     let samples = Samples::new(field.nodes, &spline, &pairs);
     fit.adjust(&mut spline, &samples);
-    Settled {
+    Refined {
         field: spline.on_nodes(field),
         uncertainty_vox: fit.uncertainty_vox(),
         by_particles: samples.agree(&spline, NEAREST_VOX),

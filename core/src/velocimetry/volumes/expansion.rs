@@ -2,7 +2,7 @@
 
 use multiversion::multiversion;
 
-use crate::velocimetry::lattice::{Lattice, Taps, axis_taps};
+use crate::velocimetry::lattice::{AxisTaps, Lattice, axis_taps};
 
 /// One component of a lattice on the cells of a box, as [`Lattice::at`] has it.
 ///
@@ -12,7 +12,7 @@ use crate::velocimetry::lattice::{Lattice, Taps, axis_taps};
 pub struct Expansion {
     cells: [usize; 2],
     planes: Vec<f32>,
-    along_z: Vec<Taps>,
+    along_z: Vec<AxisTaps>,
 }
 
 /// Cells along an axis.
@@ -29,7 +29,7 @@ pub struct Axis {
 impl Expansion {
     /// Component `component` of `field` on the cells of `axes`.
     pub fn new(field: &Lattice, component: usize, axes: [Axis; 3]) -> Self {
-        let [xs, ys, along_z]: [Vec<Taps>; 3] = std::array::from_fn(|axis| {
+        let [xs, ys, along_z]: [Vec<AxisTaps>; 3] = std::array::from_fn(|axis| {
             let Axis { first_vox, step_vox, count } = axes[axis];
             (0..count)
                 .map(|n| {
@@ -67,7 +67,7 @@ impl Expansion {
 
 /// Writes `scale` times the weighted sum of four rows that lie `stride` apart.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn weighted(taps: &Taps, stride: usize, from: &[f32], scale: f32, row: &mut [f32]) {
+fn weighted(taps: &AxisTaps, stride: usize, from: &[f32], scale: f32, row: &mut [f32]) {
     let (at, weights) = taps;
     let length = row.len();
     let [a, b, c, d] = at.map(|n| &from[n * stride..][..length]);

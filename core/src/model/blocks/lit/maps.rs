@@ -5,8 +5,9 @@ use std::ops::Range;
 use crate::model::{
     SUPPORT_SHARE,
     blocks::{
-        axis_table::{PairTable, PairTap, SHARE_UNIT},
+        axis_table::PairTable,
         dark_counts::Line,
+        pair_tap::{PairTap, SHARE_UNIT},
     },
     tables::LEAST_SEEN_SHARE,
 };

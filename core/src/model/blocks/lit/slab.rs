@@ -15,7 +15,7 @@ use super::{
 use crate::{
     lightfield::{View, ViewLayout},
     model::blocks::{
-        aligned::AlignedCamera,
+        aligned_tables::AlignedCamera,
         dark_counts::{DarkCounts, Line},
     },
 };
