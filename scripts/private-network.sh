@@ -1,10 +1,11 @@
 #!/bin/sh
 # Runs a command in a network of its own whose loopback interface has the addresses 127.0.0.1 and
-# 127.0.0.2: two simulated cameras need two. As a user it takes a user namespace, as root none.
+# 127.0.0.2: two simulated cameras need two. As root it takes no user namespace, in which nobody may
+# raise the priority of the threads that receive frames.
 # Usage: scripts/private-network.sh COMMAND [ARGUMENT...]
 set -eu
 
-for options in -rn -n; do
+for options in -n -rn; do
     if unshare $options true 2>/dev/null; then
         # A line's rate: without it a frame larger than the receive buffer arrives faster than
         # anybody can take it. Not every kernel has it.
