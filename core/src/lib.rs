@@ -1,4 +1,4 @@
-//! Light-field images to velocity: no files and no devices.
+//! Light-field images to velocity: no files, no devices and no clock.
 //!
 //! The rooms, lowest floor first: [`lightfield`] decodes images into views, [`model`] says which pixel
 //! sees which voxel, [`reconstruction`] finds the volume behind the views, [`velocimetry`] the

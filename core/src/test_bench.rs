@@ -1,4 +1,4 @@
-//! The bench of docs/theory.md, section 1, for unit tests.
+//! The bench of docs/theory.md, section 1, for the tests of this crate.
 
 use lfpiv_hw::{MicrolensArray, Optics, Pose, Sensor};
 use nalgebra::Vector3;

@@ -11,24 +11,15 @@ use lfpiv_core::{
         thin_lens_model,
     },
 };
-use lfpiv_hw::{CameraName, MicrolensArray, Optics, Pose, Sensor};
+use lfpiv_hw::{CameraName, Optics, Pose};
 use lfpiv_sim::imaging::{ElectronImage, PointSource, RaySettings, RayTracer};
 use nalgebra::Vector3;
+
+use crate::test_bench::{optics, poses};
 
 /// Light that a traced source sends through the pupil.
 const ELECTRONS: f64 = 1e6;
 const BOX_RAYS: u64 = 1 << 22;
-
-/// The bench of docs/theory.md, section 1.
-fn optics() -> Optics {
-    Optics {
-        focal_length_mm: 100.0,
-        f_number: 4.0,
-        object_distance_mm: 200.0,
-        microlens: MicrolensArray { pitch_mm: 0.1, focal_length_mm: 0.8, columns: 129, rows: 97 },
-        sensor: Sensor { columns: 2352, rows: 1768, pixel_pitch_um: 5.5 },
-    }
-}
 
 /// A camera turned about x from camera 1 towards camera 2.
 fn turned(degrees: f64) -> Pose {
@@ -39,12 +30,6 @@ fn turned(degrees: f64) -> Pose {
         axis: Vector3::new(0.0, sin, cos),
         origin_mm: Vector3::zeros(),
     }
-}
-
-/// Both cameras of docs/theory.md, section 2.
-fn poses() -> Vec<Pose> {
-    let camera_2 = Pose { up: -Vector3::z(), axis: Vector3::y(), ..turned(0.0) };
-    vec![turned(0.0), camera_2]
 }
 
 fn voxel_at(centre_mm: [f64; 3], voxel_mm: f64) -> VolumeGrid {

@@ -11,3 +11,5 @@ mod model_fit;
 mod model_parts;
 mod reconstruction_paper;
 mod support;
+#[path = "../src/test_bench.rs"]
+mod test_bench;

@@ -12,13 +12,14 @@ use lfpiv_core::{
     },
     untimed,
 };
-use lfpiv_hw::{MicrolensArray, Optics, Pose, RawImage, Sensor};
+use lfpiv_hw::{Optics, RawImage};
 use lfpiv_sim::{
     Placement,
     imaging::{PointSource, RaySettings, RayTracer},
     particles::Seeding,
 };
-use nalgebra::Vector3;
+
+use crate::test_bench::{optics, poses};
 
 /// Photo-electrons, here also counts, of one particle: 3852 per open pupil cell.
 const PARTICLE_COUNTS: f64 = 1e6;
@@ -28,27 +29,6 @@ const POINT_MM: f64 = 0.001;
 
 /// Ordered subsets per camera: 16 of 16 views.
 const SUBSETS: usize = 16;
-
-fn optics() -> Optics {
-    Optics {
-        focal_length_mm: 100.0,
-        f_number: 4.0,
-        object_distance_mm: 200.0,
-        microlens: MicrolensArray { pitch_mm: 0.1, focal_length_mm: 0.8, columns: 129, rows: 97 },
-        sensor: Sensor { columns: 2352, rows: 1768, pixel_pitch_um: 5.5 },
-    }
-}
-
-fn poses(cameras: usize) -> Vec<Pose> {
-    let along_z = Pose {
-        right: Vector3::x(),
-        up: Vector3::y(),
-        axis: Vector3::z(),
-        origin_mm: Vector3::zeros(),
-    };
-    let along_y = Pose { up: -Vector3::z(), axis: Vector3::y(), ..along_z.clone() };
-    [along_z, along_y][..cameras].to_vec()
-}
 
 /// A reconstruction problem whose answer is known.
 struct Case {
@@ -60,7 +40,7 @@ struct Case {
 impl Case {
     fn new(cameras: usize, grid: VolumeGrid, particles: &[[f64; 3]]) -> Self {
         let optics = optics();
-        let poses = poses(cameras);
+        let poses = poses()[..cameras].to_vec();
         let model = thin_lens_model(&optics, &poses, &grid, POINT_MM).unwrap();
         let settings = RaySettings { rays_per_particle: 40_000, diffraction_nm: None };
         let images = poses.iter().zip(0..).map(|(pose, camera)| {

@@ -150,9 +150,19 @@ fn a_killed_run_counts_what_was_fired() {
 /// What the daemon says it has processed is recorded, whatever happens next.
 #[test]
 fn what_was_processed_is_recorded_after_a_kill() {
+    what_was_processed_is_recorded(6);
+}
+
+#[test]
+#[ignore = "long: make soak"]
+fn long_what_was_processed_is_recorded_after_twenty_kills() {
+    what_was_processed_is_recorded(20);
+}
+
+fn what_was_processed_is_recorded(kills: u64) {
     let root = tempfile::tempdir().expect("a folder");
     let config = configuration(root.path(), RAW_LOG);
-    for seed in 0..6 {
+    for seed in 0..kills {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let running = Running::start(&config, &["--shots", REFERENCE_SHOTS]);
         let end = Instant::now() + Duration::from_micros(random.random_range(200_000..900_000));

@@ -28,6 +28,12 @@ pub use frame_ids::FrameIds;
 pub use pixel::PixelFormat;
 pub use settings::{CameraSettings, ImageSize, TriggerActivation};
 
+/// Real-time priority that a thread which receives frames asks for, of 1 to 99. Any of them comes before
+/// every thread that has none; the kernel's own stand at 50.
+pub const RECEIVING_REALTIME_PRIORITY: i32 = 10;
+/// Nice level of such a thread where real-time scheduling is not granted.
+pub const RECEIVING_NICE: i32 = -10;
+
 /// A camera on the network.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FoundCamera {

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use lfpiv_hw::gige::{RECEIVING_NICE, RECEIVING_REALTIME_PRIORITY};
 use rustix::process::{Resource, getrlimit};
 
 use super::{
@@ -14,10 +15,6 @@ use crate::{config::ServerSettings, server::open_files_needed};
 const PROGRAM_BYTES: f64 = 512e6;
 /// Below this a run itself may be short of files.
 const LEAST_FILES: u64 = 256;
-/// Real-time priority of the threads that receive frames, and how many nice levels they are raised
-/// where that is not granted; see `lfpiv_hw::gige`.
-const RECEIVING_REALTIME: u64 = 10;
-const RECEIVING_NICENESS: u64 = 10;
 
 /// Everything about the machine that needs no configuration, though one sharpens it.
 pub fn examine(need: Option<&Need>, server: &ServerSettings) -> Vec<Finding> {
@@ -150,10 +147,12 @@ fn priority(may: &Priorities) -> Finding {
     const TODO: &str = "frames may be lost while other programs are busy: run as the service \
         (packaging/lfpiv.service), or sudo setcap cap_sys_nice+ep on the program, or \
         `@video - rtprio 20` in /etc/security/limits.conf for a group of yours";
-    let at_least = |limit: Option<u64>, wanted: u64| limit.is_none_or(|limit| limit >= wanted);
-    if may.capability || at_least(may.realtime, RECEIVING_REALTIME) {
+    let at_least = |limit: Option<u64>, wanted: i32| {
+        limit.is_none_or(|limit| limit >= u64::from(wanted.unsigned_abs()))
+    };
+    if may.capability || at_least(may.realtime, RECEIVING_REALTIME_PRIORITY) {
         Finding::ok(CHECK, "threads that receive frames run before all others")
-    } else if at_least(may.nice, 20 + RECEIVING_NICENESS) {
+    } else if at_least(may.nice, 20 - RECEIVING_NICE) {
         Finding::advice(CHECK, "threads that receive frames run first within this session", TODO)
     } else {
         Finding::advice(CHECK, "threads that receive frames run like any other", TODO)

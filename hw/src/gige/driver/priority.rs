@@ -2,7 +2,7 @@
 //!
 //! Packets wait in a buffer that is full within milliseconds. A thread that shares its processor with a
 //! measurement, or with another program, may be kept waiting for longer. Real-time scheduling is asked
-//! for first: the kernel weighs "nice" levels only within a session or a service.
+//! for first: the kernel weighs nice levels only within a session or a service.
 
 use std::{ffi::c_void, ptr};
 
@@ -18,10 +18,7 @@ use aravis_sys::{
     arv_make_thread_high_priority, arv_make_thread_realtime,
 };
 
-/// Real-time priority of a receiving thread, 1 to 99: above no thread of the kernel that matters to it.
-const REALTIME_PRIORITY: i32 = 10;
-/// Nice level where real-time scheduling is not granted.
-const NICE: i32 = -10;
+use crate::gige::{RECEIVING_NICE, RECEIVING_REALTIME_PRIORITY};
 
 /// Makes a camera's stream, whose thread raises its own priority.
 ///
@@ -55,8 +52,8 @@ unsafe extern "C" fn raise_priority(
     }
     // SAFETY: the calls have no precondition; they act on the thread that makes them.
     let raised = unsafe {
-        from_glib(arv_make_thread_realtime(REALTIME_PRIORITY))
-            || from_glib(arv_make_thread_high_priority(NICE))
+        from_glib(arv_make_thread_realtime(RECEIVING_REALTIME_PRIORITY))
+            || from_glib(arv_make_thread_high_priority(RECEIVING_NICE))
     };
     if !raised {
         tracing::warn!(
