@@ -9,8 +9,8 @@ use lfpiv_hw::{
 };
 
 use super::{
-    AcquisitionError, BurstStart, Closed, Mode, OverloadPolicy, ScriptedBurst, absence::Presence,
-    controller::Run, journal::Entry,
+    AcquisitionError, BurstStart, Closed, Mode, OverloadPolicy, ScriptedBurst, controller::Run,
+    journal::Entry, presence::Presence,
 };
 
 /// How often the run loop looks at the time.

@@ -13,12 +13,12 @@ use tokio_util::sync::{CancellationToken, DropGuard};
 use super::{
     AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, Heartbeat, HostClock,
     Journal, Ledger, Mode, RunClock, ShotSender, SynchroniserThread,
-    absence::Presence,
     bench_loss::{Loss, Reconnection, Waiting},
     control::control,
     devices::{CameraEvent, join, spawn_camera},
     journal::Entry,
     pairing::{FrameCounters, Pairing, PairingSettings},
+    presence::Presence,
     synchroniser::SynchroniserCalls,
     trigger_times::TriggerTimes,
 };

@@ -23,6 +23,7 @@ mod kernel_clock;
 mod ledger;
 mod outcome;
 pub mod pairing;
+mod presence;
 mod queue;
 mod record;
 pub mod replay;

@@ -16,7 +16,7 @@ use parking_lot::Mutex;
 use rustix::time::{ClockId, clock_gettime};
 use tokio_util::sync::CancellationToken;
 
-use super::{daemon::frame_bytes, instruments::open, streamed::Streamed};
+use super::{daemon_plan::frame_bytes, instruments::open, streamed::Streamed};
 use crate::{
     acquisition::{
         AcquisitionLinks, AcquisitionSettings, AfterBenchLoss, Bench, Ledger, Outcome,

@@ -10,6 +10,7 @@ mod check;
 mod compare;
 mod correlate;
 pub mod daemon;
+mod daemon_plan;
 mod demo_table;
 mod devices;
 mod doctor;

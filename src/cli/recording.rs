@@ -11,7 +11,7 @@ use lfpiv_rawlog::{
     regular_file::{open_regular, open_regular_with},
 };
 
-use super::daemon::DaemonPlan;
+use super::daemon_plan::DaemonPlan;
 use crate::acquisition::{
     AcquisitionSettings, Journal,
     journal::{Description, JOURNAL_VERSION, RAW_FOLDER},

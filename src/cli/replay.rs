@@ -13,7 +13,8 @@ use lfpiv_sim::faults::{FaultSettings, FaultyCamera};
 
 use super::{
     compare::{Results, compare},
-    daemon::{Daemon, DaemonPlan, RunScript},
+    daemon::{Daemon, RunScript},
+    daemon_plan::DaemonPlan,
     losses::Losses,
     output::print,
     recording::refuse_running,

@@ -13,7 +13,8 @@ use lfpiv_sim::{Flow, Pacing, connect};
 use parking_lot::Mutex;
 
 use super::{
-    daemon::{Daemon, DaemonPlan, DaemonReport},
+    daemon::{Daemon, DaemonReport},
+    daemon_plan::DaemonPlan,
     demo_table::{Row, Table, stream_table},
     instruments,
     logging::is_journal,

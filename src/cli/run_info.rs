@@ -5,7 +5,7 @@ use std::path::Path;
 use lfpiv_core::model::ModelMode;
 use lfpiv_hw::CameraName;
 
-use super::{daemon::DaemonPlan, solver::solver_name};
+use super::{daemon_plan::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
     server::{ConfigurationSummary, RunInfo},
