@@ -1,7 +1,10 @@
 //! Whether the parts of a configuration fit together: every value may be in its range, and the whole
 //! still describe nothing that can be measured.
 
-use lfpiv_core::model::{Sight, VolumeGrid, degrees_apart};
+use lfpiv_core::{
+    model::{Sight, VolumeGrid, degrees_apart},
+    reconstruction::{Domain, ReconstructionSettings, Solver},
+};
 use lfpiv_hw::{
     CameraName,
     timing::{PulseSchedule, Violation},
@@ -44,6 +47,7 @@ impl Misfit {
 pub(super) fn misfits(config: &Config, purpose: Purpose) -> Vec<Misfit> {
     let mut found = windows(config);
     if purpose != Purpose::Volumes {
+        found.extend(domain(config));
         found.extend(common_view(config));
         found.extend(same_camera(config));
     }
@@ -51,6 +55,16 @@ pub(super) fn misfits(config: &Config, purpose: Purpose) -> Vec<Misfit> {
         found.extend(schedule(config));
     }
     found
+}
+
+/// OS-MART works on active voxels only.
+fn domain(config: &Config) -> Option<Misfit> {
+    let ReconstructionSettings { solver, domain, .. } = config.reconstruction;
+    (solver == Solver::OsMart && domain == Domain::Volume).then(|| {
+        let message = "os-mart works on active voxels only; use domain = \"active\", or solver = \
+                       \"sart\", \"os-sart\" or \"pr-sart\"";
+        Misfit::new("reconstruction.domain", message.to_owned())
+    })
 }
 
 fn windows(config: &Config) -> Vec<Misfit> {

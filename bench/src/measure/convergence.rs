@@ -1,6 +1,6 @@
 //! Q and ε after every pass (paper, Figs. 4 and 13).
 //!
-//! The solvers of the SART family are watched pass by pass; any other method gives one row, as a
+//! The solvers over the whole volume are watched pass by pass; any other method gives one row, as a
 //! [volume](super::volume) measurement does. Time is that of the passes alone: neither the residual
 //! nor the comparison with the truth counts.
 
@@ -8,8 +8,8 @@ use lfpiv::pipeline::monotonic;
 use lfpiv_core::{
     model::thin_lens_model,
     reconstruction::{
-        ConvergenceLog, Footprint, ReconstructionSettings, Reconstructor, SartOptions, Solver,
-        pr_sart, sart, subsets::balanced_subsets,
+        ConvergenceLog, Domain, Footprint, ReconstructionSettings, Reconstructor, SartOptions,
+        Solver, pr_sart, sart, subsets::balanced_subsets,
     },
 };
 
@@ -72,7 +72,9 @@ pub(super) fn measure(
 /// Passes of a solver that can be watched.
 fn watched_passes(settings: &ReconstructionSettings) -> Option<usize> {
     match settings.solver {
-        Solver::Sart | Solver::OsSart | Solver::PrSart => settings.passes,
+        Solver::Sart | Solver::OsSart | Solver::PrSart if settings.domain == Domain::Volume => {
+            settings.passes
+        }
         _ => None,
     }
 }

@@ -12,7 +12,7 @@ use crate::{
     Clock,
     lightfield::ImagePair,
     model::{ModelChoice, ModelError, ModelMode},
-    reconstruction::{Footprint, ReconstructionSettings, Reconstructor, Solver},
+    reconstruction::{Footprint, ReconstructionSettings, Reconstructor},
 };
 
 /// A model, its tables and why it is this one.
@@ -100,12 +100,12 @@ impl Models {
     }
 }
 
-/// What the configuration leaves open. Only OS-MART has grids other than the volume's, and points
+/// What the configuration leaves open. Only solvers on active voxels have grids other than the volume's, and points
 /// on voxel centres need none.
 fn allowed(measurement: &Measurement) -> Allowed<'_> {
-    let ReconstructionSettings { solver, footprint, refinement, .. } = measurement.reconstruction;
+    let ReconstructionSettings { footprint, refinement, .. } = measurement.reconstruction;
     let fine = measurement.model.mode == ModelMode::Explicit
-        || (solver == Solver::OsMart && footprint != Footprint::Point);
+        || (measurement.reconstruction.on_active_voxels() && footprint != Footprint::Point);
     Allowed { settings: &measurement.model, finest: if fine { refinement } else { 1 } }
 }
 

@@ -1,4 +1,4 @@
-//! OS-MART over grids from coarse to fine.
+//! The iterative solvers over grids from coarse to fine.
 //!
 //! The hull and a pass over a part of the views on the coarse grid leave the voxels near particles;
 //! only these are split and corrected on the fine one.
@@ -8,8 +8,11 @@ use rayon::prelude::*;
 use super::{
     BlockVolume, PassReport, ReconstructionSettings, SparseVolume,
     levels::{ViewLevels, dark_below},
-    os_mart::{OsMart, Settled},
+    os_mart::OsMart,
+    os_sart::OsSart,
+    pass::{Clearance, Problem, Update},
     probes::{ProjectedView, probes},
+    scheme::{Correction, Scheme, Stage},
 };
 use crate::{
     Clock,
@@ -18,30 +21,8 @@ use crate::{
     model::{BlockModel, Darkness, ModelParts, ViewId, VolumeGrid},
 };
 
-/// How OS-MART works on one grid.
-#[derive(Debug, Clone, Copy)]
-struct Stage {
-    /// Passes over `share_of_views` of the views.
-    passes: usize,
-    share_of_views: f64,
-    /// Many small subsets find the light quickly, the mean of large ones settles its place.
-    views_per_subset: usize,
-    /// A voxel with less than this share of a particle's light, divided by the number of the
-    /// stage's voxels in one voxel of the volume, is given up.
-    prune_share: f32,
-}
-
-/// The coarse grid only has to find where light is, for which a part of the views is enough: the
-/// fine one has no more to do after 0.2 of them than after 0.3.
-const COARSE_STAGE: Stage =
-    Stage { passes: 1, share_of_views: 0.2, views_per_subset: 2, prune_share: 0.1 };
-const FINE_STAGE: Stage =
-    Stage { passes: 1, share_of_views: 1.0, views_per_subset: 4, prune_share: 0.4 };
-const ONLY_STAGE: Stage =
-    Stage { passes: 2, share_of_views: 1.0, views_per_subset: 8, prune_share: 0.02 };
-
 /// The hull asks the views on every third diagonal of the pupil. All of them leave a tenth (0.3 ppm)
-/// to a fifth (1 ppm) fewer blocks, which the first views of OS-MART give up anyway, and cost three
+/// to a fifth (1 ppm) fewer blocks, which the first views of the solver give up anyway, and cost three
 /// times as much.
 const HULL_DIAGONALS: i32 = 3;
 
@@ -55,9 +36,11 @@ const NOISE_SHARE: f64 = 0.03;
 /// β without noise weighting, in counts: far below any light, and no division by zero.
 const UNWEIGHTED_COUNTS: f32 = 1e-3;
 
-/// What OS-MART needs to know beside the models and the views.
+/// What a solver needs to know beside the models and the views.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CoarseToFine<'a> {
+    /// What tells the solver from others.
+    pub scheme: Scheme,
     pub settings: &'a ReconstructionSettings,
     pub parts: &'a ModelParts,
     /// Edge of the volume's own voxels.
@@ -69,9 +52,13 @@ pub(super) struct CoarseToFine<'a> {
 }
 
 impl CoarseToFine<'_> {
-    /// Views per ordered subset on the finest of `levels` grids.
-    pub fn views_per_subset(&self, levels: usize) -> usize {
-        self.stage(levels - 1, levels).views_per_subset
+    /// Ordered subsets in one pass on the finest of `levels` grids.
+    pub fn subsets_per_pass(&self, layouts: &[ViewLayout], levels: usize) -> usize {
+        self.subsets(&self.scheme.stage(levels - 1, levels, self.settings), layouts).len()
+    }
+
+    fn subsets(&self, stage: &Stage, layouts: &[ViewLayout]) -> Vec<Vec<ViewId>> {
+        stage.subsets.of(layouts, self.order, stage.share_of_views)
     }
 
     /// Reconstructs a frame with `models`, coarse to fine, each of half the voxel's edge of the one
@@ -92,19 +79,16 @@ impl CoarseToFine<'_> {
             if n > 0 {
                 volume = volume.split();
             }
-            let stage = self.stage(n, models.len());
-            let update = self.os_mart_update(levels, &stage, model.grid());
-            let order = &self.order[..(self.order.len() as f64 * stage.share_of_views) as usize];
-            let mut projector = model.projector(&volume.blocks);
-            for pass in 0..stage.passes {
-                let settled = if pass == 0 { Settled::No } else { Settled::Yes };
-                let started = (self.clock)();
-                let (model, projector) = (model.as_ref(), projector.as_mut());
-                let residual = update.pass(model, views, order, &mut volume, projector, settled);
-                done += 1;
-                let active_voxels = volume.active_voxels();
-                let seconds = seconds_since(self.clock, started);
-                note(&PassReport { pass: done, residual, active_voxels, seconds });
+            let stage = self.scheme.stage(n, models.len(), self.settings);
+            let problem = Problem { model: model.as_ref(), views };
+            let mut run = Run { problem, stage, volume: &mut volume, done: &mut done };
+            match self.scheme.correction {
+                Correction::Multiplicative => {
+                    self.passes(&self.os_mart(levels), levels, &mut run, note);
+                }
+                Correction::Additive => {
+                    self.passes(&self.os_sart(levels, model.grid()), levels, &mut run, note);
+                }
             }
         }
         let projected = self.projected(models[models.len() - 1].as_ref(), &volume);
@@ -125,36 +109,73 @@ impl CoarseToFine<'_> {
             .collect()
     }
 
-    /// What to do on grid `level` of `levels`, coarse to fine.
-    fn stage(&self, level: usize, levels: usize) -> Stage {
-        let default = match (level, levels) {
-            (_, 1) => ONLY_STAGE,
-            (0, _) => COARSE_STAGE,
-            _ => FINE_STAGE,
-        };
-        let finest = level + 1 == levels;
-        Stage {
-            passes: self.settings.passes.filter(|_| finest).unwrap_or(default.passes),
-            views_per_subset: self.settings.views_per_subset.unwrap_or(default.views_per_subset),
-            ..default
+    /// The passes of one stage.
+    fn passes<U: Update>(
+        &self,
+        update: &U,
+        levels: &[ViewLevels],
+        run: &mut Run<'_>,
+        note: &mut dyn FnMut(&PassReport),
+    ) {
+        let Run { problem, stage, volume, done } = run;
+        let subsets = self.subsets(stage, problem.model.layouts());
+        let particle = self.particle_counts_per_voxel(levels, problem.model.grid());
+        let mut projector = problem.model.projector(&volume.blocks);
+        for pass in 0..stage.passes {
+            let clearance = Clearance {
+                prune_below: stage.prune_share * particle.0 / particle.1,
+                rising_passes: stage.rising_passes,
+                passes_done: pass,
+            };
+            let started = (self.clock)();
+            let residual = problem.pass(update, &subsets, clearance, volume, projector.as_mut());
+            **done += 1;
+            let active_voxels = volume.active_voxels();
+            let seconds = seconds_since(self.clock, started);
+            note(&PassReport { pass: **done, residual, active_voxels, seconds });
         }
     }
 
-    fn os_mart_update(&self, levels: &[ViewLevels], stage: &Stage, grid: &VolumeGrid) -> OsMart {
+    /// Light of the brightest camera's particles, in counts, and voxels of `grid` in one of the volume.
+    fn particle_counts_per_voxel(&self, levels: &[ViewLevels], grid: &VolumeGrid) -> (f32, f32) {
         let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
         let refinement = (self.voxel_mm / grid.voxel_mm) as f32;
+        (brightest, refinement.powi(3))
+    }
+
+    fn os_mart(&self, levels: &[ViewLevels]) -> OsMart {
         OsMart {
             // Above 1 the multiplicative update turns intensities negative.
             relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
-            views_per_subset: stage.views_per_subset,
             noise_counts: if self.parts.noise_weighting {
                 levels.iter().map(|l| l.noise_counts as f32).collect()
             } else {
                 vec![UNWEIGHTED_COUNTS; levels.len()]
             },
-            prune_below: stage.prune_share * brightest / refinement.powi(3),
         }
     }
+
+    fn os_sart(&self, levels: &[ViewLevels], grid: &VolumeGrid) -> OsSart {
+        let (brightest, voxels) = self.particle_counts_per_voxel(levels, grid);
+        let weighted = self.parts.noise_weighting && brightest > 0.0;
+        let share = |level: &ViewLevels| match weighted {
+            true => level.noise_counts as f32 * voxels / brightest,
+            false => 0.0,
+        };
+        OsSart {
+            relaxation: self.settings.relaxation.unwrap_or(1.0) as f32,
+            noise_share: levels.iter().map(share).collect(),
+        }
+    }
+}
+
+/// One stage of a reconstruction.
+struct Run<'a> {
+    problem: Problem<'a>,
+    stage: Stage,
+    volume: &'a mut BlockVolume,
+    /// Passes of all stages so far.
+    done: &'a mut usize,
 }
 
 /// The hull's rule: see [`HULL_DIAGONALS`], [`FORGIVEN`] and [`NOISE_SHARE`].

@@ -17,7 +17,7 @@ const CHUNK_VOXELS: usize = 8192;
 
 /// Pixels and voxels with a smaller sum of weights have no part in the reconstruction: it is the
 /// rounding left at the edge of a footprint, and dividing by it would only amplify noise.
-const LEAST_SUM: f32 = 1e-6;
+pub(super) const LEAST_SUM: f32 = 1e-6;
 
 /// Column sums are kept between passes while they take no more memory than this; beyond it they
 /// are made anew at each use, which costs as much as back-projection.

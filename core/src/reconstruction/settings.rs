@@ -28,6 +28,17 @@ impl fmt::Display for Solver {
     }
 }
 
+/// The voxels that a solver of the SART family works on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Domain {
+    /// Those that may hold light, coarse to fine, as OS-MART does.
+    Active,
+    /// All voxels of the volume, none of them refined: the paper's own form (PR-SART: those that
+    /// pre-recognition keeps). OS-MART has no such form.
+    Volume,
+}
+
 /// What a voxel of the model looks like to the cameras.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -66,6 +77,9 @@ pub struct ReconstructionSettings {
     /// The algorithm.
     #[garde(skip)]
     pub solver: Solver,
+    /// The voxels that SART, OS-SART and PR-SART work on.
+    #[garde(skip)]
+    pub domain: Domain,
     /// Passes over all views; the solver's own default when absent.
     #[garde(inner(range(min = 1, max = 100_000)))]
     pub passes: Option<usize>,
@@ -76,8 +90,9 @@ pub struct ReconstructionSettings {
     #[garde(inner(range(min = 0.01, max = 1.99)))]
     pub relaxation: Option<f64>,
     /// How many voxels the solver uses along the edge of a voxel of the volume: particles between
-    /// the voxels of a coarse grid fit none of them, and a finer one costs time. `os-mart` starts
-    /// coarse and refines only what holds light; the other solvers work on the volume's own voxels.
+    /// the voxels of a coarse grid fit none of them, and a finer one costs time. Solvers on
+    /// active voxels start coarse and refine only what holds light; `mlos` and `domain = "volume"`
+    /// work on the volume's own voxels.
     #[garde(range(min = 1, max = 4))]
     pub refinement: usize,
     /// What a voxel looks like to the cameras.
@@ -85,12 +100,21 @@ pub struct ReconstructionSettings {
     pub footprint: Footprint,
 }
 
-/// SART's passes by default. The paper takes 400 and more; these show the method at a bearable
+/// SART's passes over the whole volume by default. The paper takes 400 and more; these show the method at a bearable
 /// cost.
 const SART_PASSES: usize = 20;
 
 impl ReconstructionSettings {
-    /// Passes of SART and its kin.
+    /// Whether the solver works on active voxels in blocks, coarse to fine.
+    pub fn on_active_voxels(&self) -> bool {
+        match self.solver {
+            Solver::Mlos => false,
+            Solver::OsMart => true,
+            Solver::Sart | Solver::OsSart | Solver::PrSart => self.domain == Domain::Active,
+        }
+    }
+
+    /// Passes of SART and its kin over the whole volume.
     pub fn sart_passes(&self) -> usize {
         self.passes.unwrap_or(SART_PASSES)
     }
@@ -100,6 +124,7 @@ impl Default for ReconstructionSettings {
     fn default() -> Self {
         Self {
             solver: Solver::OsMart,
+            domain: Domain::Active,
             passes: None,
             views_per_subset: None,
             relaxation: None,

@@ -10,6 +10,7 @@ use super::{
     pr_sart,
     probes::{ProjectedView, projected},
     sart,
+    scheme::Scheme,
     settings::Footprint,
     subsets::{alternating_views, balanced_subsets},
 };
@@ -23,7 +24,7 @@ use crate::{
     },
 };
 
-/// Ordered subsets per camera by default: the paper's memory falls to 1/12.
+/// Ordered subsets per camera by default, over the whole volume: the paper's memory falls to 1/12.
 const SUBSETS_PER_CAMERA: usize = 12;
 
 /// Points on voxel centres are taken for the truth when the share of the views' light energy that
@@ -35,8 +36,8 @@ const ON_GRID_UNEXPLAINED: f64 = 0.35;
 pub struct Reconstruction {
     /// The light.
     pub volume: SparseVolume,
-    /// One report per pass over all views, coarse grids first. The residual of SART and its kin
-    /// is that of the volume after the pass; that of OS-MART is what the pass itself met, each
+    /// One report per pass over all views, coarse grids first. The residual of a solver over
+    /// the whole volume is that after the pass; on active voxels it is what the pass itself met, each
     /// view's before its own correction.
     pub passes: Vec<PassReport>,
     /// What the model makes of the volume in some views of every camera, to be held against the
@@ -59,9 +60,9 @@ pub struct Reconstructor {
 
 /// What the solver works on.
 enum Models {
-    /// OS-MART: blocks of active voxels, coarse to fine.
+    /// Blocks of active voxels, coarse to fine.
     Blocks(Vec<Box<dyn BlockModel>>),
-    /// The others: single voxels of the volume's own grid, filled or as points.
+    /// Single voxels of the volume's own grid, filled or as points.
     Voxels { filled: Box<dyn ForwardModel>, points: Option<Box<dyn ForwardModel>> },
 }
 
@@ -104,7 +105,7 @@ impl Reconstructor {
     ) -> Result<Self, ModelError> {
         let auto = settings.footprint == Footprint::Auto;
         let points = || thin_lens_model_of(optics, poses, grid, 0.0, &parts);
-        let models = if settings.solver == Solver::OsMart {
+        let models = if settings.on_active_voxels() {
             let mut models: Vec<Box<dyn BlockModel>> = Vec::new();
             for refinement in refinements(settings) {
                 let grid = grid.refined(refinement);
@@ -164,13 +165,12 @@ impl Reconstructor {
 
     /// Ordered subsets in one pass over all views on the finest grid.
     pub fn subsets_per_pass(&self) -> usize {
-        match self.settings.solver {
-            Solver::Mlos => 1,
-            Solver::OsMart => {
-                let levels = self.grids().len();
-                self.order.len().div_ceil(self.coarse_to_fine().views_per_subset(levels))
+        match (&self.models, self.settings.solver) {
+            (Models::Blocks(models), _) => {
+                self.coarse_to_fine().subsets_per_pass(self.layouts(), models.len())
             }
-            Solver::Sart | Solver::OsSart | Solver::PrSart => self.balanced().len(),
+            (_, Solver::Mlos) => 1,
+            _ => self.balanced().len(),
         }
     }
 
@@ -251,12 +251,20 @@ impl Reconstructor {
 
     fn coarse_to_fine(&self) -> CoarseToFine<'_> {
         CoarseToFine {
+            scheme: self.scheme(),
             settings: &self.settings,
             parts: &self.parts,
             voxel_mm: self.voxel_mm,
             order: &self.order,
             clock: self.clock,
         }
+    }
+
+    /// The solver on active voxels. Solvers over the whole volume leave it to OS-MART to say whether
+    /// particles sit on voxel centres.
+    fn scheme(&self) -> Scheme {
+        let own = Scheme::of(self.settings.solver).filter(|_| self.settings.on_active_voxels());
+        own.unwrap_or(Scheme::OS_MART)
     }
 
     /// What points on the volume's own grid make of the views, if they explain them.
@@ -289,10 +297,9 @@ fn unexplained_share(residual: f64, views: &[ViewStack], levels: &[ViewLevels]) 
 /// Refinements of the solver's grids, coarse to fine. The coarsest is half the finest: on a
 /// coarser one particles between voxels fit so badly that nothing can be given up.
 fn refinements(settings: &ReconstructionSettings) -> Vec<usize> {
-    match (settings.solver, settings.refinement) {
-        (Solver::OsMart, n) if n.is_multiple_of(4) => vec![n / 2, n],
-        (Solver::OsMart, n) => vec![n],
-        _ => vec![1],
+    match settings.refinement {
+        n if n.is_multiple_of(4) => vec![n / 2, n],
+        n => vec![n],
     }
 }
 

@@ -3,7 +3,7 @@
 use lfpiv_core::{
     lightfield::{ImageSettings, PhotometricZones},
     reconstruction::{
-        Reconstruction, ReconstructionSettings, Reconstructor, Solver, ViewLevels,
+        Domain, Reconstruction, ReconstructionSettings, Reconstructor, Solver, ViewLevels,
         quality::quality_factor,
     },
 };
@@ -46,6 +46,7 @@ fn settings(solver: Solver, passes: usize, relaxation: Option<f64>) -> Reconstru
     let refinement = if solver == Solver::OsMart { 2 } else { 1 };
     ReconstructionSettings {
         solver,
+        domain: if solver == Solver::OsMart { Domain::Active } else { Domain::Volume },
         passes: Some(passes),
         relaxation,
         refinement,

@@ -7,7 +7,7 @@
 //! The piece is a slab across an axis that every camera sees from the side: depths, and so the
 //! widths of shadows and the share of false voxels, are those of the whole volume. Where a camera
 //! looks along no axis of the grid, the solver takes a slower path (`model::VoxelwiseBlocks`): a
-//! second slab with the cameras turned to the nearest axes tells how much slower. SART visits every
+//! second slab with the cameras turned to the nearest axes tells how much slower. SART over the whole volume visits every
 //! voxel in every pass, so one pass over a cube says all.
 
 use anyhow::Context;
@@ -67,7 +67,9 @@ fn expected_by(
     config: &Config,
     measure: &dyn Fn(&Config) -> anyhow::Result<StageSeconds>,
 ) -> anyhow::Result<Expected> {
-    let sart = matches!(config.reconstruction.solver, Solver::Sart | Solver::OsSart);
+    let settings = &config.reconstruction;
+    let sart =
+        matches!(settings.solver, Solver::Sart | Solver::OsSart) && !settings.on_active_voxels();
     let aligned = aligned(&config.camera);
     let oblique = aligned != config.camera && !sart;
     let piece = if sart { one_pass(cube(config)) } else { slab(config, config.camera.clone()) };

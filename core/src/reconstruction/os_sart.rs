@@ -1,0 +1,41 @@
+//! The additive update of SART, OS-SART and PR-SART (paper, Eq. 2) on active voxels.
+//!
+//! E_j ← max(0, E_j + μ Σ_{i∈N_β} w_ji (I_i − p_i)/(r_i + β_i/ē) / Σ_{i∈N_β} w_ji)
+//!
+//! with p_i = Σ_m w_mi E_m and the row sums r_i = Σ_m w_mi over the active voxels m alone: in the whole
+//! volume's, most of a correction goes to voxels that hold no light. β_i is the noise of a dark pixel
+//! and ē the light of a particle in a voxel that it fills: a pixel that sees so few voxels that their
+//! light would be within the noise says little about any of them. Without noise weighting β is 0 and
+//! this is Eq. 2 as it is written.
+
+use super::{pass::Update, sart::LEAST_SUM};
+
+/// Light of an active voxel that was corrected down to nothing, in counts: later views may light it
+/// again. Below any light that is measured, and far from numbers that arithmetic is slow on.
+pub const DARK: f32 = 1e-20;
+
+/// Parameters of the additive update.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OsSart {
+    /// Relaxation factor μ, between 0 and 2.
+    pub relaxation: f32,
+    /// β/ē of each camera.
+    pub noise_share: Vec<f32>,
+}
+
+impl Update for OsSart {
+    const NEEDS_SUMS: bool = true;
+
+    fn ask(&self, camera: usize, measured: f32, projected: f32, row_sum: f32) -> f32 {
+        if row_sum >= LEAST_SUM {
+            (measured - projected) / (row_sum + self.noise_share[camera])
+        } else {
+            0.0
+        }
+    }
+
+    fn answer(&self, light: f32, asked: f32, column_sum: f32, _: usize) -> f32 {
+        let step = if column_sum >= LEAST_SUM { self.relaxation / column_sum } else { 0.0 };
+        (light + step * asked).max(DARK)
+    }
+}

@@ -1,0 +1,136 @@
+//! What tells the iterative solvers apart: their update, their subsets of views, and their passes from
+//! grid to grid. All else is [`Problem::pass`](super::pass::Problem::pass).
+
+use super::{Solver, settings::ReconstructionSettings, subsets::balanced_subsets};
+use crate::{lightfield::ViewLayout, model::ViewId};
+
+/// How a solver corrects the light.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Correction {
+    /// [`OsMart`](super::os_mart::OsMart).
+    Multiplicative,
+    /// [`OsSart`](super::os_sart::OsSart).
+    Additive,
+}
+
+/// The views that are corrected together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Subsets {
+    /// So many views in random order, cameras alternating within a subset.
+    Random(usize),
+    /// So many views of one camera, spread evenly over the pupil; cameras take turns (Eq. 4).
+    Balanced(usize),
+    /// All views of a camera.
+    Camera,
+}
+
+impl Subsets {
+    /// Divides a share of the views. `order` is all of them in random order.
+    pub fn of(self, layouts: &[ViewLayout], order: &[ViewId], share: f64) -> Vec<Vec<ViewId>> {
+        let per_camera = match self {
+            Self::Random(views) => {
+                let asked = &order[..(order.len() as f64 * share) as usize];
+                return asked.chunks(views.max(1)).map(<[ViewId]>::to_vec).collect();
+            }
+            Self::Balanced(views) => layouts[0].views.len().div_ceil(views.max(1)),
+            Self::Camera => 1,
+        };
+        let mut subsets = balanced_subsets(layouts, per_camera);
+        subsets.truncate((subsets.len() as f64 * share).ceil() as usize);
+        subsets
+    }
+}
+
+/// How a solver works on one grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stage {
+    /// Passes over `share_of_views` of the views.
+    pub passes: usize,
+    pub share_of_views: f64,
+    /// Many small subsets find the light quickly, the mean of large ones settles its place.
+    pub subsets: Subsets,
+    /// A voxel with less than this share of a particle's light, divided by the number of the
+    /// stage's voxels in one voxel of the volume, is given up.
+    pub prune_share: f32,
+    /// Passes in which that threshold rises to its full height.
+    pub rising_passes: usize,
+}
+
+/// A solver on active voxels.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scheme {
+    pub correction: Correction,
+    /// On the grid of half the finest voxel count, where there are two.
+    coarse: Stage,
+    /// On the finest of two grids.
+    fine: Stage,
+    /// On a single grid.
+    only: Stage,
+}
+
+/// A pass with the threshold rising over it; the coarse grid only has to find where light is, for which
+/// a part of the views is enough: OS-MART's fine one has no more to do after 0.2 of them than after 0.3.
+const fn stage(passes: usize, share_of_views: f64, subsets: Subsets, prune_share: f32) -> Stage {
+    Stage { passes, share_of_views, subsets, prune_share, rising_passes: 1 }
+}
+
+const OS_SART: Scheme = Scheme {
+    correction: Correction::Additive,
+    coarse: stage(1, 0.2, Subsets::Balanced(2), 0.1),
+    fine: stage(1, 1.0, Subsets::Balanced(4), 0.4),
+    only: stage(3, 1.0, Subsets::Balanced(4), 0.02),
+};
+
+/// Two corrections a pass: dim voxels are told only after several of them.
+const SART: Scheme = Scheme {
+    correction: Correction::Additive,
+    coarse: Stage { rising_passes: 2, ..stage(2, 1.0, Subsets::Camera, 0.1) },
+    fine: Stage { rising_passes: 8, ..stage(8, 1.0, Subsets::Camera, 0.4) },
+    only: Stage { rising_passes: 20, ..stage(20, 1.0, Subsets::Camera, 0.02) },
+};
+
+/// SART on what the photo-hull leaves; no voxel is given up later.
+const PR_SART: Scheme = Scheme {
+    correction: Correction::Additive,
+    coarse: stage(0, 1.0, Subsets::Camera, 0.0),
+    fine: stage(8, 1.0, Subsets::Camera, 0.0),
+    only: stage(20, 1.0, Subsets::Camera, 0.0),
+};
+
+impl Scheme {
+    /// OS-MART's.
+    pub const OS_MART: Self = Self {
+        correction: Correction::Multiplicative,
+        coarse: stage(1, 0.2, Subsets::Random(2), 0.1),
+        fine: stage(1, 1.0, Subsets::Random(4), 0.4),
+        only: stage(2, 1.0, Subsets::Random(8), 0.02),
+    };
+
+    /// `None` for a solver that does not iterate.
+    pub fn of(solver: Solver) -> Option<Self> {
+        match solver {
+            Solver::Mlos => None,
+            Solver::OsMart => Some(Self::OS_MART),
+            Solver::OsSart => Some(OS_SART),
+            Solver::Sart => Some(SART),
+            Solver::PrSart => Some(PR_SART),
+        }
+    }
+
+    /// What to do on grid `level` of `levels`, coarse to fine, as the settings want it.
+    pub fn stage(&self, level: usize, levels: usize, settings: &ReconstructionSettings) -> Stage {
+        let default = match (level, levels) {
+            (_, 1) => self.only,
+            (0, _) => self.coarse,
+            _ => self.fine,
+        };
+        let finest = level + 1 == levels;
+        let subsets = match (default.subsets, settings.views_per_subset) {
+            (Subsets::Random(_), Some(views)) => Subsets::Random(views),
+            (Subsets::Balanced(_), Some(views)) => Subsets::Balanced(views),
+            (subsets, _) => subsets,
+        };
+        let passes = settings.passes.filter(|_| finest).unwrap_or(default.passes);
+        Stage { passes, subsets, ..default }
+    }
+}
