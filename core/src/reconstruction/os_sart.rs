@@ -39,3 +39,6 @@ impl Update for OsSart {
         (light + step * asked).max(DARK)
     }
 }
+
+#[cfg(test)]
+mod tests;

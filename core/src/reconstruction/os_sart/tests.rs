@@ -1,0 +1,145 @@
+//! Eq. 2 on active voxels against the form over the whole volume, and that against the explicit matrix.
+
+use super::*;
+use crate::{
+    lightfield::ViewStack,
+    model::{
+        BlockModel, ExplicitModel, ForwardModel, LitBlocks, ModelParts, TableWeights, ViewId,
+        VolumeGrid, VoxelwiseBlocks, block_model, blocks_along, child_voxel, thin_lens_model,
+    },
+    reconstruction::{
+        BlockVolume, Domain, ReconstructionSettings, Reconstructor, SartOptions, Solver,
+        SparseVolume, ViewLevels,
+        pass::{Clearance, Problem},
+        sart,
+        subsets::balanced_subsets,
+    },
+    test_bench, untimed,
+};
+
+const RELAXATION: f32 = 0.8;
+const PASSES: usize = 2;
+
+fn grid() -> VolumeGrid {
+    VolumeGrid { voxels: [5, 4, 3], voxel_mm: 0.1, centre_mm: [0.0; 3] }
+}
+
+fn voxelwise() -> Box<dyn ForwardModel> {
+    thin_lens_model(&test_bench::optics(), &test_bench::poses(), &grid(), 0.1).unwrap()
+}
+
+/// Uneven views, some pixels below the black level, that no volume explains.
+fn views(layouts: &[crate::lightfield::ViewLayout]) -> Vec<ViewStack> {
+    let stack = |layout: &crate::lightfield::ViewLayout| {
+        let values = (0..layout.window.len() * layout.views.len())
+            .map(|n| ((n * 7919) % 101) as f32 - 20.0)
+            .collect();
+        ViewStack::new(layout.window.len(), values)
+    };
+    layouts.iter().map(stack).collect()
+}
+
+fn over_the_volume(model: &dyn ForwardModel, subsets: Vec<Vec<ViewId>>) -> SparseVolume {
+    let voxels = (0..model.grid().len() as u32).collect();
+    let views = views(model.layouts());
+    let options = SartOptions { relaxation: RELAXATION, passes: PASSES, subsets, clock: untimed };
+    sart(model, &views, voxels, &options, &mut |_, _| {})
+}
+
+/// The same passes in blocks whose voxels are all active and stay so.
+fn all_active(model: &dyn BlockModel, subsets: &[Vec<ViewId>]) -> SparseVolume {
+    let blocks: Vec<u32> =
+        (0..blocks_along(model.grid()).into_iter().product::<usize>() as u32).collect();
+    let inside = |&block: &u32| {
+        let child = |child| u8::from(child_voxel(model.grid(), block, child).is_some()) << child;
+        (0..8).map(child).sum()
+    };
+    let children = blocks.iter().map(inside).collect();
+    let mut volume = BlockVolume::evenly(model.grid(), LitBlocks { blocks, children });
+    volume.light.as_flattened_mut().iter_mut().for_each(|light| *light *= DARK);
+    let views = views(model.layouts());
+    let problem = Problem { model, views: &views };
+    let update = OsSart { relaxation: RELAXATION, noise_share: vec![0.0; 2] };
+    let mut projector = model.projector(&volume.blocks);
+    for passes_done in 0..PASSES {
+        let clearance = Clearance { prune_below: 0.0, rising_passes: 1, passes_done };
+        problem.pass(&update, subsets, clearance, &mut volume, projector.as_mut());
+    }
+    assert_eq!(volume.active_voxels(), grid().len());
+    volume.into_voxels()
+}
+
+/// Largest difference over the largest light.
+fn apart(a: &SparseVolume, b: &SparseVolume) -> f32 {
+    assert_eq!(a.voxels, b.voxels);
+    let brightest = a.intensity.iter().copied().fold(0.0, f32::max);
+    assert!(brightest > 1.0, "nothing to compare");
+    let differences = a.intensity.iter().zip(&b.intensity).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, f32::max) / brightest
+}
+
+#[test]
+fn where_every_voxel_is_active_both_forms_are_the_same() {
+    let model = voxelwise();
+    for per_camera in [1, 7] {
+        let subsets = balanced_subsets(model.layouts(), per_camera);
+        let whole = over_the_volume(model.as_ref(), subsets.clone());
+        let active = all_active(&VoxelwiseBlocks::new(voxelwise()), &subsets);
+        let difference = apart(&whole, &active);
+        assert!(difference < 1e-4, "{per_camera} subsets: {difference}");
+    }
+}
+
+/// The tables of blocks hold 16-bit shares and no more than four taps.
+#[test]
+fn the_fast_blocks_solve_as_the_whole_volume_does() {
+    let (optics, poses) = (test_bench::optics(), test_bench::poses());
+    let model = voxelwise();
+    let subsets = balanced_subsets(model.layouts(), 7);
+    let fast = block_model(&optics, &poses, &grid(), 0.1, &ModelParts::default()).unwrap();
+    let difference = apart(
+        &over_the_volume(model.as_ref(), subsets.clone()),
+        &all_active(fast.as_ref(), &subsets),
+    );
+    assert!(difference < 0.03, "{difference}");
+}
+
+#[test]
+fn the_whole_volume_solves_as_the_explicit_matrix_does() {
+    let (optics, poses) = (test_bench::optics(), test_bench::poses());
+    let model = voxelwise();
+    let weights = TableWeights::new(&optics, &poses, &grid(), 0.1).unwrap();
+    let explicit = ExplicitModel::new(weights);
+    for per_camera in [1, 7] {
+        let subsets = balanced_subsets(model.layouts(), per_camera);
+        let (tables, matrix) =
+            (over_the_volume(model.as_ref(), subsets.clone()), over_the_volume(&explicit, subsets));
+        let difference = apart(&tables, &matrix);
+        assert!(difference < 1e-4, "{per_camera} subsets: {difference}");
+    }
+}
+
+#[test]
+fn every_solver_gives_the_same_bits_on_any_number_of_threads() {
+    let grid = VolumeGrid { voxels: [12, 10, 8], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+    for solver in [Solver::OsSart, Solver::Sart, Solver::PrSart, Solver::OsMart] {
+        let settings = ReconstructionSettings {
+            solver,
+            domain: Domain::Active,
+            ..ReconstructionSettings::default()
+        };
+        let (optics, poses) = (test_bench::optics(), test_bench::poses());
+        let reconstructor = Reconstructor::new(&optics, &poses, &grid, &settings).unwrap();
+        let views = views(reconstructor.layouts());
+        let levels: Vec<ViewLevels> = views.iter().map(|view| ViewLevels::of(view, 2.0)).collect();
+        let run = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| reconstructor.reconstruct(&views, &levels))
+        };
+        let (one, three) = (run(1), run(3));
+        assert!(one.volume.intensity.iter().all(|light| light.is_finite() && *light >= 0.0));
+        assert!(!one.volume.voxels.is_empty(), "{solver}");
+        assert_eq!(one.volume, three.volume, "{solver}");
+        assert_eq!(one.passes, three.passes, "{solver}");
+    }
+}
