@@ -101,6 +101,19 @@ fn windows_larger_than_the_volume_are_refused() {
     ConfigFile::load_for(Purpose::Volumes, &whole).expect("as large as the volume");
 }
 
+#[test]
+fn os_mart_has_no_form_over_the_whole_volume() {
+    let line = line_of("bench", "solver") + 1;
+    let whole = |solver: &str| format!("solver = \"{solver}\"\ndomain = \"volume\"");
+    let os_mart = "solver = \"os-mart\"";
+    let said = refusal(Purpose::Images, "bench", &[(os_mart, &whole("os-mart"))]);
+    let place = format!("changed.toml:{line}:10: reconstruction.domain = \"volume\": ");
+    assert!(said.starts_with(&place) && said.contains("os-sart"), "{said}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let paper = changed(folder.path(), "bench", &[(os_mart, &whole("os-sart"))]);
+    ConfigFile::load_for(Purpose::Images, &paper).expect("the paper's own form");
+}
+
 /// Images can be measured that were taken at any rate, volumes that came from any cameras.
 #[test]
 fn only_what_is_used_must_fit() {

@@ -57,13 +57,24 @@ fn instruments(folder: &Path) -> (WireBench, PathBuf) {
     (instruments, config)
 }
 
-fn daemon(config: &Path, shots: Option<u64>) -> Child {
+/// A daemon that a failing test does not leave behind: it would wait for its instruments for ever, and
+/// whoever waits for the test's output with it.
+struct Daemon(Child);
+
+impl Drop for Daemon {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+fn daemon(config: &Path, shots: Option<u64>) -> Daemon {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
     command.args(["run", "--config"]).arg(config).stdout(Stdio::piped()).stderr(Stdio::null());
     if let Some(shots) = shots {
         command.args(["--shots", &shots.to_string()]);
     }
-    command.spawn().expect("the binary starts")
+    Daemon(command.spawn().expect("the binary starts"))
 }
 
 fn q_switch_pulses(instruments: &WireBench) -> u64 {
@@ -71,7 +82,7 @@ fn q_switch_pulses(instruments: &WireBench) -> u64 {
 }
 
 /// Waits until so many Q-switch pulses have come.
-fn wait_for_pulses(instruments: &WireBench, count: u64, daemon: &mut Child) {
+fn wait_for_pulses(instruments: &WireBench, count: u64, Daemon(daemon): &mut Daemon) {
     let began = Instant::now();
     while q_switch_pulses(instruments) < count {
         assert!(began.elapsed() < LONG, "no shots: {:?}", daemon.try_wait());
@@ -87,7 +98,7 @@ fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
         let folder = tempfile::tempdir().unwrap();
         let (instruments, config) = instruments(folder.path());
         let mut daemon = daemon(&config, None);
-        let mut lines = BufReader::new(daemon.stdout.take().unwrap()).lines();
+        let mut lines = BufReader::new(daemon.0.stdout.take().unwrap()).lines();
         let status = lines.next().unwrap().unwrap();
         wait_for_pulses(&instruments, 30, &mut daemon);
 
@@ -101,8 +112,8 @@ fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
         assert_eq!(counted.count(), 2, "{told}");
 
         let at_end = q_switch_pulses(&instruments);
-        Command::new("kill").arg(daemon.id().to_string()).status().unwrap();
-        assert!(daemon.wait().unwrap().success());
+        Command::new("kill").arg(daemon.0.id().to_string()).status().unwrap();
+        assert!(daemon.0.wait().unwrap().success());
         let after = q_switch_pulses(&instruments);
         // Signal, command and read-back take a few periods on a busy machine, a burst 100.
         assert!(after - at_end <= 30, "{at_end} {after}");
@@ -126,7 +137,7 @@ fn a_daemon_that_is_told_twice_ends_after_the_read_back() {
         wait_for_pulses(&instruments, 10, &mut daemon);
 
         let terminate =
-            || Command::new("kill").arg(daemon.id().to_string()).status().unwrap().success();
+            || Command::new("kill").arg(daemon.0.id().to_string()).status().unwrap().success();
         let heard = || fs::read_to_string(&transcript).unwrap();
         let orders = |text: &str| text.matches(&off(2)).count();
         let before = orders(&heard());
@@ -137,7 +148,7 @@ fn a_daemon_that_is_told_twice_ends_after_the_read_back() {
             thread::sleep(Duration::from_millis(5));
         }
         assert!(terminate());
-        assert_eq!(daemon.wait().unwrap().code(), Some(130));
+        assert_eq!(daemon.0.wait().unwrap().code(), Some(130));
 
         let text = heard();
         let last = &text[text.rfind(&off(2)).unwrap()..];
@@ -167,9 +178,9 @@ fn a_killed_daemon_leaves_no_more_than_one_burst() {
 
         let mut first = daemon(&config, None);
         wait_for_pulses(&instruments, 30, &mut first);
-        first.kill().unwrap();
+        first.0.kill().unwrap();
         let at_kill = q_switch_pulses(&instruments);
-        first.wait().unwrap();
+        first.0.wait().unwrap();
         // Five seconds are the longest burst.
         thread::sleep(Duration::from_secs(7));
         let after = q_switch_pulses(&instruments);
@@ -178,7 +189,7 @@ fn a_killed_daemon_leaves_no_more_than_one_burst() {
         thread::sleep(Duration::from_secs(2));
         assert_eq!(q_switch_pulses(&instruments), after);
 
-        let status = daemon(&config, Some(2)).wait().unwrap();
+        let status = daemon(&config, Some(2)).0.wait().unwrap();
         assert!(status.success(), "{status}");
         assert_eq!(q_switch_pulses(&instruments), after + 2);
     });

@@ -35,8 +35,11 @@ pub fn configuration(root: &Path, more: &str) -> PathBuf {
     path
 }
 
+/// Runs the program to its end. One that waits for longer than [`PATIENCE`] is told to end, and so
+/// says what it has waited for.
 pub fn lfpiv(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+    Command::new("timeout")
+        .args(["--kill-after=30", &PATIENCE.as_secs().to_string(), env!("CARGO_BIN_EXE_lfpiv")])
         .args(arguments)
         .env_remove("RUST_LOG")
         .output()

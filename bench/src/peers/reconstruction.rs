@@ -6,8 +6,8 @@ use lfpiv_core::{
     lightfield::{ViewLayout, ViewStack},
     model::{ExplicitModel, ModelError, TableWeights, VolumeGrid, thin_lens_model},
     reconstruction::{
-        DenseVolume, ReconstructionSettings, Reconstructor, ViewLevels, hull::photo_hull,
-        quality::quality_factor, subsets::alternating_views,
+        DenseVolume, ReconstructionSettings, Reconstructor, ViewLevels, hull::mlos,
+        quality::quality_factor,
     },
 };
 use lfpiv_sim::{BenchGeometry, FrameOfPair, Scene, Truth};
@@ -84,9 +84,7 @@ impl ReconstructionCase {
         let (optics, poses) = (&bench.optics, &bench.poses);
         let model = thin_lens_model(optics, poses, grid, POINT_MM)?;
         let dark_below: Vec<f32> = self.levels.iter().map(ViewLevels::dark_below).collect();
-        let order = alternating_views(model.layouts());
-        let (hull, hull_seconds) =
-            timed(|| photo_hull(model.as_ref(), &self.views, &dark_below, &order));
+        let (hull, hull_seconds) = timed(|| mlos(model.as_ref(), &self.views, &dark_below));
         let explicit = ExplicitModel::new(TableWeights::new(optics, poses, grid, POINT_MM)?);
         let matrix = write_matrix(&explicit, &explicit.views(), folder)?;
         let rows = self.rows(matrix.rows_per_view);

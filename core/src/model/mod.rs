@@ -13,6 +13,7 @@ mod explicit;
 mod explicit_projector;
 pub mod footprint;
 mod grid;
+mod hull;
 mod parts;
 mod point_image;
 mod quadrature;
@@ -36,6 +37,7 @@ pub use blocks::{
 pub use choice::{ModelChoice, Part, PartChoice, SceneMeasure};
 pub use explicit::{ExplicitModel, SubsetMatrix};
 pub use grid::VolumeGrid;
+pub use hull::{Hull, photo_hull};
 pub use parts::{Blur, ModelParts};
 pub use point_image::{LitPixel, PointImager};
 pub use quadrature::QuadratureWeights;

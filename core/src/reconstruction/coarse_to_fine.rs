@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use super::{
     BlockVolume, PassReport, ReconstructionSettings, SparseVolume,
+    hull::some_views,
     levels::{ViewLevels, dark_below},
     os_mart::OsMart,
     os_sart::OsSart,
@@ -18,20 +19,8 @@ use crate::{
     Clock,
     clock::seconds_since,
     lightfield::{ViewLayout, ViewStack},
-    model::{BlockModel, Darkness, ModelParts, ViewId, VolumeGrid},
+    model::{BlockModel, ModelParts, ViewId, VolumeGrid},
 };
-
-/// The hull asks the views on every third diagonal of the pupil. All of them leave a tenth (0.3 ppm)
-/// to a fifth (1 ppm) fewer blocks, which the first views of the solver give up anyway, and cost three
-/// times as much.
-const HULL_DIAGONALS: i32 = 3;
-
-/// Cameras with fewer views than this are asked for all of them.
-const LEAST_VIEWS_TO_CHOOSE: usize = 120;
-
-/// Views of a camera that may find a lit voxel dark: a few always, a share of them by noise.
-const FORGIVEN: f64 = 1.0;
-const NOISE_SHARE: f64 = 0.03;
 
 /// β without noise weighting, in counts: far below any light, and no division by zero.
 const UNWEIGHTED_COUNTS: f32 = 1e-3;
@@ -71,7 +60,7 @@ impl CoarseToFine<'_> {
         note: &mut dyn FnMut(&PassReport),
     ) -> (SparseVolume, Vec<ProjectedView>) {
         let coarsest = models[0].as_ref();
-        let lit = coarsest.lit(views, &darkness(coarsest.layouts(), levels));
+        let lit = coarsest.lit(views, &some_views(coarsest.layouts(), dark_below(levels)));
         let mut volume = BlockVolume::evenly(coarsest.grid(), lit);
         scale_to_measured(coarsest, views, self.order[0], &mut volume);
         let mut done = 0;
@@ -176,26 +165,6 @@ struct Run<'a> {
     volume: &'a mut BlockVolume,
     /// Passes of all stages so far.
     done: &'a mut usize,
-}
-
-/// The hull's rule: see [`HULL_DIAGONALS`], [`FORGIVEN`] and [`NOISE_SHARE`].
-fn darkness(layouts: &[ViewLayout], levels: &[ViewLevels]) -> Darkness {
-    let asked: Vec<Vec<usize>> = layouts.iter().map(asked_views).collect();
-    let forgiven = |asked: &Vec<usize>| (FORGIVEN + NOISE_SHARE * asked.len() as f64) as usize;
-    Darkness {
-        dark_below: dark_below(levels),
-        forgiven: asked.iter().map(forgiven).collect(),
-        asked,
-    }
-}
-
-fn asked_views(layout: &ViewLayout) -> Vec<usize> {
-    let all = layout.views.len();
-    let is_asked = |&n: &usize| {
-        let view = &layout.views[n];
-        all < LEAST_VIEWS_TO_CHOOSE || (view.k + view.l).rem_euclid(HULL_DIAGONALS) == 0
-    };
-    (0..all).filter(is_asked).collect()
 }
 
 /// Scales the volume so that one view's light is right: the hull says nothing about brightness.

@@ -1,20 +1,17 @@
 //! PR-SART: pre-recognition before SART.
 
-use super::{PassReport, SartOptions, SparseVolume, hull::photo_hull, sart};
-use crate::{
-    lightfield::ViewStack,
-    model::{ForwardModel, ViewId},
-};
+use super::{PassReport, SartOptions, SparseVolume, hull::mlos, sart};
+use crate::{lightfield::ViewStack, model::ForwardModel};
 
 /// SART on the voxels that pre-recognition keeps (the paper's reference 23).
 ///
 /// Pre-recognition zeroes every voxel that lines of sight find dark and leaves it out of the
 /// weight matrix: its light cannot be elongated into such voxels, and the row sums of Eq. 2 run
 /// over the others. The reference drops a voxel for a single dark line; here
-/// [`photo_hull`] forgives as many as noise explains.
+/// [`mlos`] forgives as many as noise explains.
 ///
-/// `views` and `dark_below`, the count under which a pixel is dark, are per camera; one camera or
-/// several, as the subsets of `options` name. `observer` is called after each pass.
+/// `views` and `dark_below`, the count under which a pixel is dark, are per camera of the model.
+/// `observer` is called after each pass.
 pub fn pr_sart(
     model: &dyn ForwardModel,
     views: &[ViewStack],
@@ -22,7 +19,6 @@ pub fn pr_sart(
     options: &SartOptions,
     observer: &mut dyn FnMut(&PassReport, &SparseVolume),
 ) -> SparseVolume {
-    let order: Vec<ViewId> = options.subsets.iter().flatten().copied().collect();
-    let recognised = photo_hull(model, views, dark_below, &order);
+    let recognised = mlos(model, views, dark_below);
     sart(model, views, recognised.voxels, options, observer)
 }

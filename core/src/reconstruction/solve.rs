@@ -5,7 +5,7 @@ use lfpiv_hw::{Optics, Pose};
 use super::{
     PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
     coarse_to_fine::CoarseToFine,
-    hull::photo_hull,
+    hull::mlos,
     levels::{ViewLevels, dark_below},
     pr_sart,
     probes::{ProjectedView, projected},
@@ -224,9 +224,7 @@ impl Reconstructor {
                 pr_sart(model, views, &dark_below(levels), &self.sart_options(), &mut note)
             }
             // OS-MART has blocks; what is left of it here is its start.
-            Solver::Mlos | Solver::OsMart => {
-                photo_hull(model, views, &dark_below(levels), &self.order)
-            }
+            Solver::Mlos | Solver::OsMart => mlos(model, views, &dark_below(levels)),
         }
     }
 

@@ -2,14 +2,12 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::{
     BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, blocks_along, child_voxel,
 };
 use crate::{
     lightfield::{ViewLayout, ViewStack},
-    model::{ForwardModel, Projector, ViewId, VolumeGrid, retain},
+    model::{ForwardModel, Projector, ViewId, VolumeGrid, hull::photo_hull},
 };
 
 /// A [`ForwardModel`] seen as a [`BlockModel`].
@@ -21,9 +19,6 @@ impl VoxelwiseBlocks {
         Self(model)
     }
 }
-
-/// Voxels whose views are asked together: bounds the memory of a whole grid.
-const SLAB_VOXELS: usize = 250_000;
 
 impl BlockModel for VoxelwiseBlocks {
     fn grid(&self) -> &VolumeGrid {
@@ -49,15 +44,7 @@ impl BlockModel for VoxelwiseBlocks {
         let block_count: usize = blocks_along(grid).into_iter().product();
         let mut children = vec![0u8; block_count];
         let [nx, ny, _] = blocks_along(grid);
-        let slabs: Vec<Vec<u32>> = (0..grid.len().div_ceil(SLAB_VOXELS))
-            .into_par_iter()
-            .map(|slab| {
-                let start = slab * SLAB_VOXELS;
-                let end = (start + SLAB_VOXELS).min(grid.len());
-                self.lit_voxels((start as u32..end as u32).collect(), views, darkness)
-            })
-            .collect();
-        for voxel in slabs.into_iter().flatten() {
+        for voxel in photo_hull(self.0.as_ref(), views, darkness).voxels {
             let ijk = grid.indices(voxel);
             let block = (ijk[2] / 2 * ny + ijk[1] / 2) * nx + ijk[0] / 2;
             children[block] |= 1 << ((ijk[0] & 1) | (ijk[1] & 1) << 1 | (ijk[2] & 1) << 2);
@@ -76,92 +63,6 @@ impl BlockModel for VoxelwiseBlocks {
 
     fn memory_bytes(&self) -> usize {
         self.0.memory_bytes()
-    }
-}
-
-impl VoxelwiseBlocks {
-    /// Those of `voxels` that are lit, in their order. Most voxels are dark in the first few views;
-    /// the others need not be asked about them.
-    fn lit_voxels(&self, voxels: Vec<u32>, views: &[ViewStack], darkness: &Darkness) -> Vec<u32> {
-        let mut left = Left::new(self.0.as_ref(), voxels);
-        for (camera, stack) in views.iter().enumerate() {
-            left.dark.fill(0);
-            for &view in &darkness.asked[camera] {
-                let id = ViewId { camera, view };
-                left.ask(id, stack.view(view), darkness.dark_below[camera]);
-                left.drop_darker_than(darkness.forgiven[camera], SHARE_WORTH_DROPPING);
-            }
-            left.drop_darker_than(darkness.forgiven[camera], 0.0);
-        }
-        self.seen_by_another(&mut left, views, darkness);
-        let seen = |&(_, &seen): &(&u32, &bool)| seen;
-        left.voxels.iter().zip(&left.seen).filter(seen).map(|(&voxel, _)| voxel).collect()
-    }
-
-    /// Looks for a view that sees the voxels that no asked view saw.
-    fn seen_by_another(&self, left: &mut Left, views: &[ViewStack], darkness: &Darkness) {
-        let unseen: Vec<usize> = (0..left.voxels.len()).filter(|&n| !left.seen[n]).collect();
-        if unseen.is_empty() {
-            return;
-        }
-        let voxels: Vec<u32> = unseen.iter().map(|&n| left.voxels[n]).collect();
-        let projector = self.0.projector(&voxels);
-        let mut brightest = vec![0.0; voxels.len()];
-        for (camera, stack) in views.iter().enumerate() {
-            for view in (0..stack.len()).filter(|view| !darkness.asked[camera].contains(view)) {
-                let id = ViewId { camera, view };
-                projector.brightest(id, stack.view(view), 0..voxels.len(), &mut brightest);
-                for (&n, light) in unseen.iter().zip(&brightest) {
-                    left.seen[n] |= light.is_finite();
-                }
-            }
-        }
-    }
-}
-
-/// Share of dark voxels from which on dropping them costs less than asking about them again.
-const SHARE_WORTH_DROPPING: f64 = 0.25;
-
-/// Voxels that may be lit.
-struct Left<'a> {
-    projector: Box<dyn Projector + 'a>,
-    voxels: Vec<u32>,
-    /// Views of the present camera that find the voxel dark.
-    dark: Vec<usize>,
-    /// Whether a view has seen the voxel.
-    seen: Vec<bool>,
-    /// Of each voxel's support in the last view asked.
-    brightest: Vec<f32>,
-}
-
-impl<'a> Left<'a> {
-    fn new(model: &'a dyn ForwardModel, voxels: Vec<u32>) -> Self {
-        let n = voxels.len();
-        let projector = model.projector(&voxels);
-        Self { projector, voxels, dark: vec![0; n], seen: vec![false; n], brightest: vec![0.0; n] }
-    }
-
-    fn ask(&mut self, id: ViewId, image: &[f32], dark_below: f32) {
-        let n = self.voxels.len();
-        let brightest = &mut self.brightest[..n];
-        self.projector.brightest(id, image, 0..n, brightest);
-        for ((dark, seen), &mut light) in self.dark.iter_mut().zip(&mut self.seen).zip(brightest) {
-            *dark += usize::from(light < dark_below);
-            *seen |= light.is_finite();
-        }
-    }
-
-    /// Drops the voxels that more than `forgiven` views find dark, if their share exceeds `share`.
-    fn drop_darker_than(&mut self, forgiven: usize, share: f64) {
-        let keep: Vec<bool> = self.dark.iter().map(|&dark| dark <= forgiven).collect();
-        let dropped = keep.iter().filter(|&&keep| !keep).count();
-        if dropped as f64 <= share * keep.len() as f64 {
-            return;
-        }
-        self.projector.retain(&keep);
-        retain(&mut self.voxels, &keep);
-        retain(&mut self.dark, &keep);
-        retain(&mut self.seen, &keep);
     }
 }
 

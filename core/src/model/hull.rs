@@ -1,0 +1,149 @@
+//! The photo-hull: voxels that every line of sight finds lit.
+//!
+//! The MLOS start of tomographic PIV keeps a voxel when all the pixels it projects onto hold
+//! light. Here a view speaks against a voxel when even the brightest pixel that the voxel reaches
+//! is dark, and a voxel is dropped when more views of a camera do so than noise explains. A particle
+//! anywhere inside a voxel always puts its light into that voxel's support, so the test is safe for
+//! particles off the grid, at any voxel size.
+//!
+//! This is the form voxel by voxel, for any model; [`BlockModel::lit`](super::BlockModel::lit) has a
+//! fast one for cameras along the grid's axes, which is tested against it.
+
+use rayon::prelude::*;
+
+use super::{Darkness, ForwardModel, Projector, ViewId, retain};
+use crate::lightfield::ViewStack;
+
+/// Voxels worked on together: enough to pay for what each view prepares, few enough to bound the
+/// memory that all voxels of a grid would need.
+const SLAB_VOXELS: usize = 250_000;
+
+/// Share of dark voxels from which on dropping them costs less than asking about them again.
+const SHARE_WORTH_DROPPING: f64 = 0.25;
+
+/// Voxels that may hold light.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Hull {
+    /// Positions in the grid's z, y, x order, ascending.
+    pub voxels: Vec<u32>,
+    /// Of each voxel, the light that the dimmest of the views allows, in counts: of the asked views,
+    /// or of the others where no asked one sees the voxel.
+    pub light: Vec<f32>,
+}
+
+/// The voxels of the model's grid that may hold light: see [`super::BlockModel::lit`] for the rule.
+pub fn photo_hull(model: &dyn ForwardModel, views: &[ViewStack], darkness: &Darkness) -> Hull {
+    let total = model.grid().len();
+    let slabs: Vec<Hull> = (0..total.div_ceil(SLAB_VOXELS))
+        .into_par_iter()
+        .map(|slab| {
+            let start = slab * SLAB_VOXELS;
+            let end = (start + SLAB_VOXELS).min(total);
+            lit_voxels(model, (start as u32..end as u32).collect(), views, darkness)
+        })
+        .collect();
+    let mut hull = Hull::default();
+    for slab in slabs {
+        hull.voxels.extend(slab.voxels);
+        hull.light.extend(slab.light);
+    }
+    hull
+}
+
+/// Those of `voxels` that are lit, in their order. Most voxels are dark in the first few views;
+/// the others need not be asked about them.
+fn lit_voxels(
+    model: &dyn ForwardModel,
+    voxels: Vec<u32>,
+    views: &[ViewStack],
+    darkness: &Darkness,
+) -> Hull {
+    let mut left = Left::new(model, voxels);
+    for (camera, stack) in views.iter().enumerate() {
+        left.dark.fill(0);
+        for &view in &darkness.asked[camera] {
+            let id = ViewId { camera, view };
+            left.ask(id, stack.view(view), darkness.dark_below[camera]);
+            left.drop_darker_than(darkness.forgiven[camera], SHARE_WORTH_DROPPING);
+        }
+        left.drop_darker_than(darkness.forgiven[camera], 0.0);
+    }
+    left.ask_others_about_the_unseen(model, views, darkness);
+    // A voxel that no view sees holds no light that anybody could measure.
+    let seen: Vec<bool> = left.light.iter().map(|light| light.is_finite()).collect();
+    retain(&mut left.voxels, &seen);
+    retain(&mut left.light, &seen);
+    Hull { voxels: left.voxels, light: left.light }
+}
+
+/// Voxels that may be lit.
+struct Left<'a> {
+    projector: Box<dyn Projector + 'a>,
+    voxels: Vec<u32>,
+    /// Views of the present camera that find the voxel dark.
+    dark: Vec<usize>,
+    /// What the dimmest view so far allows; infinite while no view has seen the voxel.
+    light: Vec<f32>,
+    /// Of each voxel's support in the last view asked.
+    brightest: Vec<f32>,
+}
+
+impl<'a> Left<'a> {
+    fn new(model: &'a dyn ForwardModel, voxels: Vec<u32>) -> Self {
+        let n = voxels.len();
+        let projector = model.projector(&voxels);
+        let light = vec![f32::INFINITY; n];
+        Self { projector, voxels, dark: vec![0; n], light, brightest: vec![0.0; n] }
+    }
+
+    fn ask(&mut self, id: ViewId, image: &[f32], dark_below: f32) {
+        let n = self.voxels.len();
+        let brightest = &mut self.brightest[..n];
+        self.projector.brightest(id, image, 0..n, brightest);
+        for ((dark, light), &brightest) in
+            self.dark.iter_mut().zip(&mut self.light).zip(&*brightest)
+        {
+            *dark += usize::from(brightest < dark_below);
+            *light = light.min(brightest);
+        }
+    }
+
+    /// Drops the voxels that more than `forgiven` views find dark, if their share exceeds `share`.
+    fn drop_darker_than(&mut self, forgiven: usize, share: f64) {
+        let keep: Vec<bool> = self.dark.iter().map(|&dark| dark <= forgiven).collect();
+        let dropped = keep.iter().filter(|&&keep| !keep).count();
+        if dropped as f64 <= share * keep.len() as f64 {
+            return;
+        }
+        self.projector.retain(&keep);
+        retain(&mut self.voxels, &keep);
+        retain(&mut self.dark, &keep);
+        retain(&mut self.light, &keep);
+    }
+
+    /// Looks for views that see the voxels that no asked view saw.
+    fn ask_others_about_the_unseen(
+        &mut self,
+        model: &dyn ForwardModel,
+        views: &[ViewStack],
+        darkness: &Darkness,
+    ) {
+        let unseen: Vec<usize> =
+            (0..self.voxels.len()).filter(|&n| self.light[n].is_infinite()).collect();
+        if unseen.is_empty() {
+            return;
+        }
+        let voxels: Vec<u32> = unseen.iter().map(|&n| self.voxels[n]).collect();
+        let projector = model.projector(&voxels);
+        let mut brightest = vec![0.0; voxels.len()];
+        for (camera, stack) in views.iter().enumerate() {
+            for view in (0..stack.len()).filter(|view| !darkness.asked[camera].contains(view)) {
+                let id = ViewId { camera, view };
+                projector.brightest(id, stack.view(view), 0..voxels.len(), &mut brightest);
+                for (&n, &brightest) in unseen.iter().zip(&brightest) {
+                    self.light[n] = self.light[n].min(brightest);
+                }
+            }
+        }
+    }
+}
