@@ -2,19 +2,37 @@
 //!
 //! Rays leave a point through equal-area strata of the circular pupil and follow the thin-lens
 //! rules of docs/theory.md, section 2, ray by ray. Nothing here knows voxel weights, so these images can
-//! judge a reconstruction. Simplifications: every particle sends the same light through the pupil
-//! wherever it is (no fall-off with distance), and lenses are free of aberrations.
+//! judge a reconstruction; nor the map that a calibration fits, so they can judge that. What is not as
+//! drawn in a camera ([`CameraFlaws`]) is where the rays go. Simplifications: every particle sends the
+//! same light through the pupil wherever it is (no fall-off with distance, nothing reflected by a
+//! wall), and lenses are free of aberrations but distortion.
 
+mod blemishes;
+mod cells;
 mod detector;
+mod electron_image;
+mod flaws;
+mod main_lens;
+mod microlenses;
 mod pupil;
+mod wall;
+mod white;
 
-use lfpiv_hw::{CameraPoint, Optics, Pose};
-use nalgebra::Point3;
+use lfpiv_hw::{Optics, Pose};
+use nalgebra::{Point3, Rotation3, Vector3};
+use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::stream::{Purpose, random_stream};
+use blemishes::Blemishes;
 use detector::Detector;
+use main_lens::{ImagedPoint, MainLens, RayBundle};
 use pupil::{LowDiscrepancy, PupilStrata, concentric_disc};
+use wall::{RefractedPoint, WallView};
+
+pub use electron_image::ElectronImage;
+pub use flaws::{CameraFlaws, Distortion, Dust, SecondAperture, WallSettings};
+pub use white::MicroImageGrid;
 
 /// Particles traced in parallel before they are added to the image: bounds the memory of the
 /// footprints, about 20 kB each.
@@ -44,67 +62,58 @@ pub struct PointSource {
     pub electrons: f64,
 }
 
-/// What a sensor collected, in photo-electrons; row-major, row 0 at the top.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ElectronImage {
-    columns: usize,
-    rows: usize,
-    electrons: Vec<f32>,
-}
-
-impl ElectronImage {
-    /// A dark image of the sensor's size.
-    pub fn dark(optics: &Optics) -> Self {
-        Self::uniform(optics.sensor.columns, optics.sensor.rows, 0.0)
-    }
-
-    /// The same light on every pixel.
-    pub fn uniform(columns: usize, rows: usize, electrons: f32) -> Self {
-        Self { columns, rows, electrons: vec![electrons; columns * rows] }
-    }
-
-    /// Number of pixel columns.
-    pub fn columns(&self) -> usize {
-        self.columns
-    }
-
-    /// Number of pixel rows.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-
-    /// Mean photo-electrons per pixel, row-major, length `columns × rows`.
-    pub fn electrons(&self) -> &[f32] {
-        &self.electrons
-    }
-
-    /// Adds the light of another exposure of the same sensor.
-    pub fn add(&mut self, other: &Self) {
-        for (mine, others) in self.electrons.iter_mut().zip(&other.electrons) {
-            *mine += others;
-        }
-    }
-
-    /// Sum over all pixels.
-    pub fn total(&self) -> f64 {
-        self.electrons.iter().map(|&electrons| f64::from(electrons)).sum()
-    }
-}
-
 /// Traces rays through one camera.
 #[derive(Debug, Clone)]
 pub struct RayTracer<'a> {
     optics: &'a Optics,
-    pose: &'a Pose,
+    pose: Pose,
+    lens: MainLens,
+    wall: Option<WallView>,
     strata: PupilStrata,
     detector: Detector,
+    blemishes: Blemishes,
+}
+
+/// The rays of one point.
+enum Bundle {
+    InAir(ImagedPoint),
+    ThroughWall(Box<RefractedPoint>),
 }
 
 impl<'a> RayTracer<'a> {
     /// A tracer through `optics` standing at `pose`.
-    pub fn new(optics: &'a Optics, pose: &'a Pose, settings: &RaySettings) -> Self {
-        let strata = PupilStrata::new(optics.pupil_diameter_mm() / 2.0, settings.rays_per_particle);
-        Self { optics, pose, strata, detector: Detector::new(optics, settings.diffraction_nm) }
+    pub fn new(optics: &'a Optics, pose: &Pose, settings: &RaySettings) -> Self {
+        Self::imperfect(optics, pose, [0.0; 3], &CameraFlaws::default(), settings)
+    }
+
+    /// A tracer through a camera that should have these `optics` and stand at `pose`, but stands
+    /// `shift_mm` beside it (x, y, z of the world) and has `flaws`.
+    pub fn imperfect(
+        optics: &'a Optics,
+        pose: &Pose,
+        shift_mm: [f64; 3],
+        flaws: &CameraFlaws,
+        settings: &RaySettings,
+    ) -> Self {
+        let lens = MainLens::new(optics, flaws);
+        let shift_mm = Vector3::from(shift_mm);
+        let [x, y, z] = flaws.turn_deg.map(f64::to_radians);
+        let turn = Rotation3::from_euler_angles(x, y, z);
+        let wall = flaws.wall.as_ref();
+        Self {
+            optics,
+            wall: wall.map(|wall| WallView::new(wall, &lens, pose, &turn, shift_mm)),
+            pose: Pose {
+                right: turn * pose.right,
+                up: turn * pose.up,
+                axis: turn * pose.axis,
+                origin_mm: pose.origin_mm + shift_mm,
+            },
+            strata: PupilStrata::new(lens.stop_radius_mm, settings.rays_per_particle),
+            detector: Detector::new(optics, &lens, flaws, settings.diffraction_nm),
+            blemishes: Blemishes::new(optics, flaws),
+            lens,
+        }
     }
 
     /// The image of `sources`. `stream` (seed, shot, camera, frame…) and each source's id choose
@@ -118,10 +127,11 @@ impl<'a> RayTracer<'a> {
             for (source, footprint) in batch.iter().zip(footprints) {
                 let per_ray = source.electrons / self.strata.rays() as f64;
                 for (pixel, rays) in footprint {
-                    image.electrons[pixel as usize] += (per_ray * f64::from(rays)) as f32;
+                    image.electrons_mut()[pixel as usize] += (per_ray * f64::from(rays)) as f32;
                 }
             }
         }
+        self.blemishes.apply(&mut image);
         image
     }
 
@@ -149,8 +159,9 @@ impl<'a> RayTracer<'a> {
             .collect();
         let mut image = ElectronImage::dark(self.optics);
         for (pixel, rays) in hits.into_iter().flatten() {
-            image.electrons[pixel as usize] += (per_ray * f64::from(rays)) as f32;
+            image.electrons_mut()[pixel as usize] += (per_ray * f64::from(rays)) as f32;
         }
+        self.blemishes.apply(&mut image);
         image
     }
 
@@ -163,16 +174,16 @@ impl<'a> RayTracer<'a> {
         seed: u64,
     ) -> Vec<(u32, u32)> {
         let mut rng = random_stream(Purpose::Box, &[seed, task]);
-        let radius_mm = self.optics.pupil_diameter_mm() / 2.0;
+        let radius_mm = self.lens.stop_radius_mm;
         let first = task * RAYS_PER_BOX_TASK;
         let mut pixels: Vec<u32> = (first..first + RAYS_PER_BOX_TASK)
             .filter_map(|ray| {
                 let [u, v, fractions @ ..] = sequence.point(ray);
                 let start_mm: [f64; 3] =
                     std::array::from_fn(|axis| centre_mm[axis] + (fractions[axis] - 0.5) * edge_mm);
-                let on_pupil_mm = concentric_disc([2.0 * u - 1.0, 2.0 * v - 1.0], radius_mm);
-                let imaging = self.point_imaging(start_mm)?;
-                self.detector.pixel(imaging.on_microlenses_mm(on_pupil_mm), on_pupil_mm, &mut rng)
+                let stop_mm = concentric_disc([2.0 * u - 1.0, 2.0 * v - 1.0], radius_mm);
+                let plane_mm = self.on_microlenses_mm(start_mm, stop_mm)?;
+                self.hit(plane_mm, stop_mm, &mut rng)
             })
             .collect();
         count_runs(&mut pixels)
@@ -180,16 +191,21 @@ impl<'a> RayTracer<'a> {
 
     /// Pixels hit by the rays of one source and by how many in a row; a pixel may come again.
     fn footprint(&self, source: &PointSource, stream: &[u64]) -> Vec<(u32, u32)> {
-        let Some(imaging) = self.point_imaging(source.position_mm) else {
-            return Vec::new();
-        };
         let key: Vec<u64> = stream.iter().copied().chain([source.id]).collect();
-        let mut rng = random_stream(Purpose::Rays, &key);
-        let mut diffraction_rng = random_stream(Purpose::Diffraction, &key);
+        match self.bundle(source.position_mm) {
+            None => Vec::new(),
+            Some(Bundle::InAir(bundle)) => self.runs(&bundle, &key),
+            Some(Bundle::ThroughWall(bundle)) => self.runs(&*bundle, &key),
+        }
+    }
+
+    fn runs(&self, bundle: &impl RayBundle, key: &[u64]) -> Vec<(u32, u32)> {
+        let mut rng = random_stream(Purpose::Rays, key);
+        let mut diffraction_rng = random_stream(Purpose::Diffraction, key);
         let mut runs: Vec<(u32, u32)> = Vec::with_capacity(self.strata.rays() / 2);
-        self.strata.jittered(&mut rng, |on_pupil_mm| {
-            let plane_mm = imaging.on_microlenses_mm(on_pupil_mm);
-            let pixel = self.detector.pixel(plane_mm, on_pupil_mm, &mut diffraction_rng);
+        self.strata.jittered(&mut rng, |stop_mm| {
+            let plane_mm = bundle.on_microlenses_mm(stop_mm);
+            let pixel = self.hit(plane_mm, stop_mm, &mut diffraction_rng);
             // Neighbouring strata mostly hit the same pixel.
             match (pixel, runs.last_mut()) {
                 (None, _) => {}
@@ -200,41 +216,32 @@ impl<'a> RayTracer<'a> {
         runs
     }
 
-    /// How the main lens images a world point, or `None` for a point not in front of the lens.
-    fn point_imaging(&self, position_mm: [f64; 3]) -> Option<PointImaging> {
-        let seen = self.pose.to_camera(&Point3::from(position_mm));
-        PointImaging::new(self.optics, seen)
-    }
-}
-
-/// Where the rays of one point meet the microlens plane: x = a U + b ξ, and likewise in y.
-///
-/// From docs/theory.md, section 2: x = U + (ξ' − U) s_i/s' with ξ' = −ξ s'/s gives a = 1 − s_i/s' and
-/// b = −s_i/s; with 1/s' = 1/F − 1/s it holds for points inside the focal length, too.
-struct PointImaging {
-    pupil_factor: f64,
-    centre_mm: [f64; 2],
-}
-
-impl PointImaging {
-    fn new(optics: &Optics, seen: CameraPoint) -> Option<Self> {
-        let object_distance_mm = optics.object_distance_mm - seen.depth_mm;
-        if object_distance_mm.is_nan() || object_distance_mm <= 0.0 {
-            return None;
-        }
-        let image_distance_mm = optics.image_distance_mm();
-        let inverse_conjugate = 1.0 / optics.focal_length_mm - 1.0 / object_distance_mm;
-        let magnification = -image_distance_mm / object_distance_mm;
-        Some(Self {
-            pupil_factor: 1.0 - image_distance_mm * inverse_conjugate,
-            centre_mm: [magnification * seen.xi_mm, magnification * seen.eta_mm],
+    /// Where the ray of a world point through a place on the stop meets the microlens plane, both
+    /// in mm along the sensor's right and up; `None` for a point that the camera cannot see.
+    pub fn on_microlenses_mm(&self, position_mm: [f64; 3], stop_mm: [f64; 2]) -> Option<[f64; 2]> {
+        Some(match self.bundle(position_mm)? {
+            Bundle::InAir(bundle) => bundle.on_microlenses_mm(stop_mm),
+            Bundle::ThroughWall(bundle) => bundle.on_microlenses_mm(stop_mm),
         })
     }
 
-    /// Where the ray through `pupil_mm` meets the microlens plane, in mm.
+    /// The rays of a world point, or `None` for one that is not in front of the camera, or that a
+    /// wall should separate from it and does not.
+    fn bundle(&self, position_mm: [f64; 3]) -> Option<Bundle> {
+        let position_mm = Point3::from(position_mm);
+        Some(match &self.wall {
+            None => Bundle::InAir(self.lens.bundle(self.pose.to_camera(&position_mm))?),
+            Some(wall) => Bundle::ThroughWall(Box::new(wall.bundle(&position_mm)?)),
+        })
+    }
+
+    /// The pixel hit by the ray through `stop_mm` that meets the microlens plane at `plane_mm`.
     #[inline]
-    fn on_microlenses_mm(&self, pupil_mm: [f64; 2]) -> [f64; 2] {
-        std::array::from_fn(|axis| self.pupil_factor * pupil_mm[axis] + self.centre_mm[axis])
+    fn hit(&self, plane_mm: [f64; 2], stop_mm: [f64; 2], rng: &mut Pcg64Mcg) -> Option<u32> {
+        if !self.lens.lets_pass(plane_mm, stop_mm) {
+            return None;
+        }
+        self.detector.pixel(plane_mm, stop_mm, rng)
     }
 }
 

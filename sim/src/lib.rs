@@ -27,6 +27,7 @@ pub mod wire;
 pub use bench::{SimulatedBench, connect};
 pub use flow::Flow;
 pub use geometry::{BenchGeometry, Volume};
+pub use imaging::{CameraFlaws, MicroImageGrid};
 pub use particles::{FrameOfPair, Particle, Placement};
 pub use scene::{LightPulse, Lighting, Scene, SceneError, SimulatedShot, Truth};
 pub use sensor::SensorSettings;

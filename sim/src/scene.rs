@@ -2,17 +2,17 @@
 
 mod lighting;
 mod pulses;
+mod white;
 
 use garde::Validate;
-use lfpiv_hw::{Pose, RawImage, check::finite};
-use nalgebra::Vector3;
+use lfpiv_hw::{RawImage, check::finite};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::{
     flow::Flow,
     geometry::BenchGeometry,
-    imaging::{ElectronImage, PointSource, RaySettings, RayTracer},
+    imaging::{CameraFlaws, ElectronImage, PointSource, RaySettings, RayTracer},
     particles::{FrameOfPair, Particle, Placement, Seeding},
     sensor::SensorSettings,
 };
@@ -32,6 +32,23 @@ pub enum SceneError {
          {PARTICLE_LIMIT:.0}"
     )]
     TooManyParticles { particles: f64 },
+    /// A stop or an aperture that would stand at the microlenses or behind them.
+    #[error(
+        "simulation.camera[{camera}].{key} = {behind_lens_mm}: allowed: less than the image distance, \
+         {image_distance_mm} mm: light passes it before it reaches the microlenses"
+    )]
+    BehindMicrolenses {
+        camera: usize,
+        key: &'static str,
+        behind_lens_mm: f64,
+        image_distance_mm: f64,
+    },
+    /// A wall that stands among the particles, or behind the lens.
+    #[error(
+        "simulation.camera[{camera}].wall: allowed: a wall between all of the light sheet and the lens; \
+         change its distance_mm, thickness_mm or tilt_deg"
+    )]
+    WallElsewhere { camera: usize },
 }
 
 /// Flow, particles, light and sensor of a simulated run.
@@ -67,7 +84,12 @@ pub struct Scene {
     /// How this light differs between frames and between cameras.
     #[garde(dive)]
     pub lighting: Lighting,
-    /// Rays per particle and frame, rounded up to a square number.
+    /// What is not as drawn in each camera, in the order of the cameras; those that are not listed
+    /// are perfect.
+    #[garde(dive)]
+    pub camera: Vec<CameraFlaws>,
+    /// Rays per particle and frame, rounded up to a square number. A white image has 8 times as
+    /// many per microlens.
     #[garde(range(min = 1, max = 4_000_000))]
     pub rays_per_particle: usize,
     /// Whether light is spread by diffraction at the main lens and at the microlenses.
@@ -95,6 +117,7 @@ impl Default for Scene {
             camera_shift_mm: Vec::new(),
             particle_photoelectrons: 100_000.0,
             lighting: Lighting::default(),
+            camera: Vec::new(),
             rays_per_particle: 4096,
             diffraction: false,
             wavelength_nm: 532.0,
@@ -131,15 +154,45 @@ pub struct Truth {
 impl Scene {
     /// Whether this scene can be simulated on `bench`; call it once before asking for shots.
     ///
-    /// Errors: more particles than [`PARTICLE_LIMIT`].
+    /// Errors: more particles than [`PARTICLE_LIMIT`]; a stop, an aperture or a wall where it cannot
+    /// be.
     pub fn check(&self, bench: &BenchGeometry) -> Result<(), SceneError> {
         let particles =
             self.seeding().drawn(&bench.volume, bench.object_pitch_mm(), &self.flow, bench.dt_s);
-        if particles <= PARTICLE_LIMIT {
-            Ok(())
-        } else {
-            Err(SceneError::TooManyParticles { particles })
+        if particles > PARTICLE_LIMIT {
+            return Err(SceneError::TooManyParticles { particles });
         }
+        (0..bench.poses.len()).try_for_each(|camera| self.check_camera(bench, camera))
+    }
+
+    fn check_camera(&self, bench: &BenchGeometry, camera: usize) -> Result<(), SceneError> {
+        let (flaws, image_distance_mm) = (self.flaws(camera), bench.optics.image_distance_mm());
+        let second_mm = flaws.vignetting.as_ref().map_or(0.0, |aperture| aperture.behind_lens_mm);
+        for (key, behind_lens_mm) in
+            [("exit_pupil_mm", flaws.exit_pupil_mm), ("vignetting.behind_lens_mm", second_mm)]
+        {
+            if behind_lens_mm >= image_distance_mm {
+                return Err(SceneError::BehindMicrolenses {
+                    camera,
+                    key,
+                    behind_lens_mm,
+                    image_distance_mm,
+                });
+            }
+        }
+        let tracer = self.tracer(bench, camera);
+        let extents_mm = self.sheet_mm.unwrap_or(bench.volume.extents_mm());
+        let corner_mm = |corner: usize| {
+            std::array::from_fn(|axis| {
+                let side = if corner >> axis & 1 == 0 { -0.5 } else { 0.5 };
+                bench.volume.centre_mm[axis] + side * extents_mm[axis]
+            })
+        };
+        let seen = |corner| tracer.as_ref()?.on_microlenses_mm(corner_mm(corner), [0.0; 2]);
+        if flaws.wall.is_some() && (0..8).any(|corner| seen(corner).is_none()) {
+            return Err(SceneError::WallElsewhere { camera });
+        }
+        Ok(())
     }
 
     /// The particles of one shot: the truth without the images.
@@ -162,7 +215,7 @@ impl Scene {
             .map(|camera| {
                 [FrameOfPair::A, FrameOfPair::B].map(|frame| {
                     let light = self.light(bench, &truth, camera, frame);
-                    self.sensor.expose(&light, &stream_key(&truth, camera, frame))
+                    self.sensor_of(camera).expose(&light, &stream_key(&truth, camera, frame))
                 })
             })
             .collect();
@@ -177,19 +230,31 @@ impl Scene {
         camera: usize,
         frame: FrameOfPair,
     ) -> ElectronImage {
-        let Some(pose) = bench.poses.get(camera) else {
+        let Some(tracer) = self.tracer(bench, camera) else {
             return ElectronImage::dark(&bench.optics);
         };
         let key = stream_key(truth, camera, frame);
-        let sources = self.sources(&truth.particles, frame, key);
-        let pose = self.standing(pose, camera);
-        RayTracer::new(&bench.optics, &pose, &self.rays()).trace(&sources, &key)
+        tracer.trace(&self.sources(&truth.particles, frame, key), &key)
     }
 
-    /// Where a camera really stands.
-    fn standing(&self, pose: &Pose, camera: usize) -> Pose {
+    /// The rays of a camera as it really is; `None` for one that the bench does not have. It tells
+    /// where a ray meets the microlens plane, and where micro-images are centred.
+    pub fn tracer<'a>(&self, bench: &'a BenchGeometry, camera: usize) -> Option<RayTracer<'a>> {
+        let pose = bench.poses.get(camera)?;
         let shift_mm = self.camera_shift_mm.get(camera).copied().unwrap_or_default();
-        Pose { origin_mm: pose.origin_mm + Vector3::from(shift_mm), ..pose.clone() }
+        let flaws = self.flaws(camera);
+        Some(RayTracer::imperfect(&bench.optics, pose, shift_mm, &flaws, &self.rays()))
+    }
+
+    /// What is not as drawn in a camera.
+    fn flaws(&self, camera: usize) -> CameraFlaws {
+        self.camera.get(camera).cloned().unwrap_or_default()
+    }
+
+    /// How a camera's sensor turns light into counts.
+    fn sensor_of(&self, camera: usize) -> SensorSettings {
+        let gain = self.sensor.gain_counts_per_electron * self.flaws(camera).gain;
+        SensorSettings { gain_counts_per_electron: gain, ..self.sensor.clone() }
     }
 
     fn rays(&self) -> RaySettings {

@@ -15,6 +15,9 @@ pub(crate) enum Purpose {
     LineFaults = 7,
     FrameLight = 8,
     CameraLight = 9,
+    Dust = 10,
+    DeadMicrolenses = 11,
+    White = 12,
 }
 
 /// A generator of its own for every (purpose, key).

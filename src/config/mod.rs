@@ -223,6 +223,7 @@ fn no_more_than_cameras(
         let listed = [
             ("camera_shift_mm", scene.camera_shift_mm.len()),
             ("lighting.camera_light", scene.lighting.camera_light.len()),
+            ("camera", scene.camera.len()),
         ];
         match listed.into_iter().find(|(_, count)| *count > cameras.len()) {
             Some((key, count)) => Err(garde::Error::new(format!(

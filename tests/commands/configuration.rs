@@ -93,9 +93,11 @@ fn instruments_are_one_camera_for_each_and_no_simulation_beside_them() {
 #[test]
 fn a_scene_lists_no_more_cameras_than_there_are() {
     let text = shipped("sim");
-    for key in
-        ["camera_shift_mm = [[0,0,0], [0,0,0], [0,0,0]]", "lighting.camera_light = [1, 1, 1]"]
-    {
+    for key in [
+        "camera_shift_mm = [[0,0,0], [0,0,0], [0,0,0]]",
+        "lighting.camera_light = [1, 1, 1]",
+        "camera = [{}, {}, { gain = 0.8 }]",
+    ] {
         let text = text.replacen("[simulation]\n", &format!("[simulation]\n{key}\n"), 1);
         let said = Config::parse("three", &text).unwrap_err().to_string();
         assert!(said.contains("lists 3 for 2 [[camera]] tables"), "{said}");

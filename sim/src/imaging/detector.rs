@@ -1,40 +1,17 @@
-//! Microlenses and pixels: from a ray on the microlens plane to the pixel it hits.
+//! From a ray on the microlens plane to the pixel it hits.
 
 use lfpiv_hw::Optics;
 use rand::RngExt;
 use rand_distr::StandardNormal;
 use rand_pcg::Pcg64Mcg;
 
-/// A row of equal cells centred on the optical axis, laid out for fast lookup.
-#[derive(Debug, Clone)]
-struct Cells {
-    per_mm: f64,
-    count: f64,
-}
-
-impl Cells {
-    fn new(pitch_mm: f64, count: usize) -> Self {
-        Self { per_mm: 1.0 / pitch_mm, count: count as f64 }
-    }
-
-    /// Index of the cell whose centre is nearest, or `None` outside the row.
-    #[inline]
-    fn nearest(&self, position_mm: f64) -> Option<u32> {
-        let from_edge = position_mm * self.per_mm + self.count / 2.0;
-        // Casting cuts the fraction off; `floor` would be a call on processors without SSE 4.1.
-        (from_edge >= 0.0 && from_edge < self.count).then_some(from_edge as u32)
-    }
-}
+use super::{cells::Cells, flaws::CameraFlaws, main_lens::MainLens, microlenses::Microlenses};
 
 /// Microlens array and sensor.
 #[derive(Debug, Clone)]
 pub(super) struct Detector {
-    microlens_columns: Cells,
-    microlens_rows: Cells,
-    microlens_pitch_mm: f64,
-    /// Centre of microlens (0, 0), in mm.
-    first_microlens_mm: [f64; 2],
-    /// f_m / s_i.
+    microlenses: Microlenses,
+    /// f_m / (s_i − d): d is how far the stop stands behind the main lens.
     slope: f64,
     pixel_columns: Cells,
     pixel_rows: Cells,
@@ -63,15 +40,17 @@ impl DiffractionBlur {
 }
 
 impl Detector {
-    pub(super) fn new(optics: &Optics, diffraction_nm: Option<f64>) -> Self {
-        let (lens, sensor) = (&optics.microlens, &optics.sensor);
+    pub(super) fn new(
+        optics: &Optics,
+        lens: &MainLens,
+        flaws: &CameraFlaws,
+        diffraction_nm: Option<f64>,
+    ) -> Self {
+        let (microlens, sensor) = (&optics.microlens, &optics.sensor);
         let pixel_pitch_mm = optics.pixel_pitch_mm();
         Self {
-            microlens_columns: Cells::new(lens.pitch_mm, lens.columns),
-            microlens_rows: Cells::new(lens.pitch_mm, lens.rows),
-            microlens_pitch_mm: lens.pitch_mm,
-            first_microlens_mm: [lens.column_centre_mm(0), lens.row_centre_mm(0)],
-            slope: lens.focal_length_mm / optics.image_distance_mm(),
+            microlenses: Microlenses::new(microlens, flaws),
+            slope: microlens.focal_length_mm / lens.stop_to_microlenses_mm(),
             pixel_columns: Cells::new(pixel_pitch_mm, sensor.columns),
             pixel_rows: Cells::new(pixel_pitch_mm, sensor.rows),
             columns: sensor.columns as u32,
@@ -80,26 +59,22 @@ impl Detector {
     }
 
     /// Index of the pixel hit by the ray that meets the microlens plane at `plane_mm` and comes
-    /// from `pupil_mm`: the microlens with the nearest centre X_c sends it to
-    /// X_c + f_m (x − U)/s_i. `None` beyond the array or the sensor.
+    /// from `stop_mm`: the microlens with the nearest centre X_c sends it to
+    /// X_c + f_m (x − u)/(s_i − d). `None` beyond the array or the sensor, or where the microlens
+    /// lets no light through.
     #[inline]
     pub(super) fn pixel(
         &self,
         mut plane_mm: [f64; 2],
-        pupil_mm: [f64; 2],
+        stop_mm: [f64; 2],
         rng: &mut Pcg64Mcg,
     ) -> Option<u32> {
         if let Some(blur) = &self.diffraction {
             spread(&mut plane_mm, blur.on_microlenses_mm, rng);
         }
-        let lens = [
-            self.microlens_columns.nearest(plane_mm[0])?,
-            self.microlens_rows.nearest(plane_mm[1])?,
-        ];
+        let centre_mm = self.microlenses.nearest_centre_mm(plane_mm)?;
         let mut sensor_mm: [f64; 2] = std::array::from_fn(|axis| {
-            self.first_microlens_mm[axis]
-                + f64::from(lens[axis]) * self.microlens_pitch_mm
-                + self.slope * (plane_mm[axis] - pupil_mm[axis])
+            centre_mm[axis] + self.slope * (plane_mm[axis] - stop_mm[axis])
         });
         if let Some(blur) = &self.diffraction {
             spread(&mut sensor_mm, blur.on_sensor_mm, rng);
@@ -108,6 +83,19 @@ impl Detector {
         // Rows count downwards, against `up`.
         let row = self.pixel_rows.nearest(-sensor_mm[1])?;
         Some(row * self.columns + column)
+    }
+
+    /// Column and row, from 0 in the middle of the first pixel, where the ray through the middle of
+    /// the stop and of a microlens lands: X_c (1 + f_m/(s_i − d)).
+    pub(super) fn micro_image_centre_px(&self, lens: [f64; 2]) -> [f64; 2] {
+        let [x_mm, y_mm] =
+            self.microlenses.place_mm(lens).map(|place_mm| place_mm * (1.0 + self.slope));
+        [self.pixel_columns.place(x_mm), self.pixel_rows.place(-y_mm)]
+    }
+
+    /// The microlens array.
+    pub(super) fn microlenses(&self) -> &Microlenses {
+        &self.microlenses
     }
 }
 

@@ -103,6 +103,19 @@ impl<const D: usize> LowDiscrepancy<D> {
     pub(super) fn point(&self, index: u64) -> [f64; D] {
         std::array::from_fn(|axis| (self.shift[axis] + index as f64 * self.step[axis]).fract())
     }
+
+    /// All points in turn, each from the one before it: faster than one by one, and the same within
+    /// rounding for millions of them.
+    #[inline]
+    pub(super) fn points(&self) -> impl Iterator<Item = [f64; D]> + use<D> {
+        let Self { shift, step } = self.clone();
+        std::iter::successors(Some(shift), move |point| {
+            Some(std::array::from_fn(|axis| {
+                let next = point[axis] + step[axis];
+                if next < 1.0 { next } else { next - 1.0 }
+            }))
+        })
+    }
 }
 
 #[cfg(test)]
@@ -148,6 +161,18 @@ mod tests {
             }
             // Independent draws would scatter by 30.
             assert!(counts.iter().all(|count| count.abs_diff(1000) < 20), "{counts:?}");
+        }
+    }
+
+    #[test]
+    fn the_sequence_in_turn_is_the_sequence() {
+        let sequence = LowDiscrepancy::<4>::shifted(&mut random_stream(Purpose::White, &[2]));
+        for (index, point) in (0..100_000).zip(sequence.points()) {
+            let expected = sequence.point(index);
+            // A difference of one is none: the sequence is periodic.
+            let apart = |axis: usize| (point[axis] - expected[axis] + 0.5).rem_euclid(1.0) - 0.5;
+            assert!((0..4).all(|axis| apart(axis).abs() < 1e-9), "point {index}");
+            assert!(point.iter().all(|coordinate| (0.0..1.0).contains(coordinate)));
         }
     }
 

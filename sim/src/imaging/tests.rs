@@ -1,3 +1,7 @@
+mod flaws;
+mod wall;
+mod white;
+
 use proptest::prelude::*;
 use rayon::ThreadPoolBuilder;
 
@@ -85,11 +89,8 @@ fn one_ray_lands_where_design_section_2_says() {
     let on_sensor = lens_centre + 0.8 * (x - pupil) / 200.0;
     let column = (on_sensor / 0.0055 + 1175.5).round() as u32;
     let mut rng = random_stream(Purpose::Rays, &[0]);
-    let imaging = tracer.point_imaging([xi, 0.0, depth]).unwrap();
-    let pixel = tracer
-        .detector
-        .pixel(imaging.on_microlenses_mm([pupil, 0.0]), [pupil, 0.0], &mut rng)
-        .unwrap();
+    let plane_mm = tracer.on_microlenses_mm([xi, 0.0, depth], [pupil, 0.0]).unwrap();
+    let pixel = tracer.detector.pixel(plane_mm, [pupil, 0.0], &mut rng).unwrap();
     assert_eq!(pixel % 2352, column);
 }
 
@@ -105,9 +106,8 @@ fn disparity_with_depth_has_the_closed_form() {
         assert_eq!((low, high), (64 - half_width, 64 + half_width), "depth {depth}");
         let (optics, poses) = (optics(), poses());
         let tracer = RayTracer::new(&optics, &poses[0], &settings(1));
-        let imaging = tracer.point_imaging([0.0, 0.0, depth]).unwrap();
         let mut rng = random_stream(Purpose::Rays, &[0]);
-        let plane_mm = imaging.on_microlenses_mm([12.0, 0.0]);
+        let plane_mm = tracer.on_microlenses_mm([0.0, 0.0, depth], [12.0, 0.0]).unwrap();
         let pixel = tracer.detector.pixel(plane_mm, [12.0, 0.0], &mut rng).unwrap() % 2352;
         assert_eq!(pixel > 1176, depth > 0.0, "depth {depth}: pixel {pixel}");
     }
@@ -141,6 +141,33 @@ fn diffraction_widens_a_micro_image_and_keeps_its_energy() {
     let added = spread(Some(532.0)) - spread(None);
     let expected = 1.21 * (0.42 * 532e-6 * 8.0_f64).powi(2);
     assert!((added / expected - 1.0).abs() < 0.1, "{added} instead of {expected}");
+}
+
+/// What a perfect camera shows is fixed, bit for bit: recorded runs and references stay as they are.
+#[test]
+fn a_perfect_camera_shows_what_it_always_did() {
+    let (optics, poses) = (optics(), poses());
+    let sources: Vec<PointSource> = (0..40)
+        .map(|id| {
+            let at = |step: f64| (id as f64 * step).fract() - 0.5;
+            let position_mm = [11.0 * at(0.618), 8.0 * at(0.755), 8.0 * at(0.570)];
+            PointSource { id, position_mm, electrons: 1000.0 + id as f64 }
+        })
+        .collect();
+    let cases = [
+        (0, None, 0x8847_f8d9_62e6_3d25),
+        (1, None, 0x0714_07d4_2546_2925),
+        (1, Some(532.0), 0x5e9f_e407_9db7_7525),
+    ];
+    for (camera, diffraction_nm, expected) in cases {
+        let settings = RaySettings { rays_per_particle: 1000, diffraction_nm };
+        let image = RayTracer::new(&optics, &poses[camera], &settings).trace(&sources, &[3, 1]);
+        // The hash of Fowler, Noll and Vo over the pixels' bits.
+        let digest = image.electrons().iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, electrons| {
+            (hash ^ u64::from(electrons.to_bits())).wrapping_mul(0x0100_0000_01b3)
+        });
+        assert_eq!(digest, expected, "camera {camera}, diffraction {diffraction_nm:?}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::{FrameOfPair, Scene, SimulatedShot, Truth, stream_key};
 use crate::{
     geometry::BenchGeometry,
-    imaging::{ElectronImage, PointSource, RayTracer},
+    imaging::{ElectronImage, PointSource},
     particles::Particle,
 };
 
@@ -40,7 +40,7 @@ impl Scene {
                     let pulses = light.get(camera).map_or(&[][..], |l| &l[frame as usize]);
                     let key = stream_key(&truth, camera, frame);
                     let light = self.light_of_pulses(bench, &particles, camera, pulses, key);
-                    self.sensor.expose(&light, &key)
+                    self.sensor_of(camera).expose(&light, &key)
                 })
             })
             .collect();
@@ -67,8 +67,9 @@ impl Scene {
         pulses: &[LightPulse],
         key: [u64; 4],
     ) -> ElectronImage {
-        let pose = self.standing(&bench.poses[camera], camera);
-        let tracer = RayTracer::new(&bench.optics, &pose, &self.rays());
+        let Some(tracer) = self.tracer(bench, camera) else {
+            return ElectronImage::dark(&bench.optics);
+        };
         let mut images = pulses
             .iter()
             .filter(|pulse| pulse.energy > 0.0)

@@ -1,7 +1,11 @@
 use rayon::ThreadPoolBuilder;
 
 use super::*;
-use crate::{flow::Uniform, test_bench};
+use crate::{
+    flow::Uniform,
+    imaging::{Distortion, Dust, SecondAperture, WallSettings},
+    test_bench,
+};
 
 fn scene() -> Scene {
     Scene { rays_per_particle: 400, ..Scene::default() }
@@ -93,6 +97,109 @@ fn the_second_pulse_and_the_second_camera_may_be_dimmer() {
     }
 }
 
+/// Everything that a camera can have, at once.
+fn flawed() -> CameraFlaws {
+    CameraFlaws {
+        turn_deg: [0.2, -0.1, 0.3],
+        array_rotation_deg: 0.5,
+        array_shift_mm: [0.01, -0.02],
+        array_pitch_scale: [1.003, 0.999],
+        distortion: Distortion { radial: 0.005, tangential: [0.001, -0.001] },
+        exit_pupil_mm: 30.0,
+        f_number_scale: 1.05,
+        vignetting: Some(SecondAperture { radius_mm: 12.0, behind_lens_mm: -40.0 }),
+        wall: Some(WallSettings { tilt_deg: [5.0, 0.0], ..WallSettings::default() }),
+        dust: Dust { specks: 10, ..Dust::default() },
+        dead_microlenses: 2,
+        blemish_seed: 7,
+        blur_px: 0.3,
+        gain: 0.8,
+    }
+}
+
+#[test]
+fn imperfect_cameras_are_the_same_whatever_the_threads() {
+    let bench = test_bench::small();
+    let scene = Scene { camera: vec![CameraFlaws::default(), flawed()], ..scene() };
+    let white =
+        |scene: &Scene, camera| scene.white_images(&bench, camera, 3, 2).collect::<Vec<_>>();
+    let with_threads = |threads| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| (scene.shot(&bench, 3, 1), white(&scene, 1)))
+    };
+    let alone = with_threads(1);
+    assert!(alone == with_threads(2));
+    // Of a camera without flaws nothing changes.
+    let perfect = Scene { camera: Vec::new(), ..scene.clone() }.shot(&bench, 3, 1);
+    assert!(alone.0.images[0] == perfect.images[0] && alone.0.images[1] != perfect.images[1]);
+}
+
+#[test]
+fn a_cameras_gain_scales_counts_and_not_electrons() {
+    let bench = test_bench::small();
+    let gain = CameraFlaws { gain: 0.8, ..CameraFlaws::default() };
+    let sensor = SensorSettings { read_noise_electrons: 0.0, ..SensorSettings::default() };
+    let usual = Scene { sensor, ..scene() };
+    let dimmer = Scene { camera: vec![gain], ..usual.clone() };
+    let [expected, got] = [&usual, &dimmer].map(|scene| scene.shot(&bench, 1, 0).images);
+    assert_eq!(expected[1], got[1]);
+    // Shot noise is drawn before the gain.
+    for (expected, got) in expected[0][0].counts().iter().zip(got[0][0].counts()) {
+        let counts = 64.0 + 0.8 * (f64::from(*expected) - 64.0);
+        assert!((f64::from(*got) - counts).abs() <= 0.5 || *expected == 4095);
+    }
+}
+
+/// A white image fills 0.7 of the range, and noise is of its own in each; a dark one is black level
+/// and read noise.
+#[test]
+fn white_and_dark_images_are_exposed_as_pairs_are() {
+    let bench = test_bench::small();
+    let sensor = SensorSettings { background_electrons: 20.0, ..SensorSettings::default() };
+    let scene = Scene { sensor, camera: vec![flawed()], rays_per_particle: 100, ..scene() };
+    for camera in [0, 1] {
+        let white: Vec<_> = scene.white_images(&bench, camera, 1, 2).collect();
+        assert_ne!(white[0], white[1]);
+        let light = scene.white_light(&bench, camera);
+        let brightest = light.electrons().iter().copied().fold(0.0, f32::max);
+        let gain = [0.8, 1.0][camera];
+        let expected = 0.7 * (4095.0 - 64.0) / gain - 20.0;
+        assert!((f64::from(brightest) / expected - 1.0).abs() < 1e-6, "{brightest}");
+        let top = white[0].counts().iter().max().copied().unwrap_or(0);
+        assert!((2700..3300).contains(&top), "{top}");
+        let dark = scene.dark_images(&bench, camera, 1, 1).next().unwrap();
+        let mean =
+            dark.counts().iter().map(|&c| f64::from(c)).sum::<f64>() / dark.counts().len() as f64;
+        assert!((mean - 64.0).abs() < 0.1, "{mean}");
+    }
+    assert_eq!(scene.white_light(&bench, 2).total(), 0.0);
+    assert_eq!(scene.micro_image_grid(&bench, 2), None);
+}
+
+#[test]
+fn what_cannot_stand_where_it_should_is_refused() {
+    let bench = test_bench::small();
+    let refused = |flaws: CameraFlaws| {
+        let scene = Scene { camera: vec![CameraFlaws::default(), flaws], ..scene() };
+        scene.check(&bench).unwrap_err().to_string()
+    };
+    let wall = |distance_mm, thickness_mm| CameraFlaws {
+        wall: Some(WallSettings { distance_mm, thickness_mm, ..WallSettings::default() }),
+        ..CameraFlaws::default()
+    };
+    let said = refused(CameraFlaws { exit_pupil_mm: 200.0, ..CameraFlaws::default() });
+    assert!(said.contains("simulation.camera[1].exit_pupil_mm = 200: allowed"), "{said}");
+    let vignetting = Some(SecondAperture { radius_mm: 10.0, behind_lens_mm: 250.0 });
+    let said = refused(CameraFlaws { vignetting, ..CameraFlaws::default() });
+    assert!(said.contains("camera[1].vignetting.behind_lens_mm = 250"), "{said}");
+    // Among the particles; and so far away that the lens stands in the water.
+    for wall in [wall(0.3, 5.0), wall(300.0, 5.0)] {
+        assert!(refused(wall).contains("simulation.camera[1].wall: allowed"));
+    }
+    let good = Scene { camera: vec![wall(30.0, 5.0)], ..scene() };
+    assert!(good.check(&bench).is_ok());
+}
+
 #[test]
 fn an_empty_scene_and_an_unknown_camera_are_dark() {
     let bench = test_bench::small();
@@ -125,6 +232,15 @@ fn the_table_has_defaults_and_refuses_unknown_keys_and_bad_values() {
     assert_eq!(scene.sensor.bits, 8);
     assert!(read("ppn = 1.0").is_err());
     assert!(read("[sensor]\nbit = 8").is_err());
+    assert!(read("[[camera]]\nturn = 1.0").is_err());
+    assert!(read("[[camera]]\nvignetting = { radius_mm = 9.0 }").is_err());
+    let text =
+        "[[camera]]\n[[camera]]\nturn_deg = [0.2, 0.0, 0.0]\nwall = { tilt_deg = [5.0, 0.0] }";
+    let scene = read(text).unwrap();
+    assert!(scene.validate().is_ok());
+    assert_eq!(scene.camera[0], CameraFlaws::default());
+    assert_eq!(scene.camera[1].wall.as_ref().unwrap().medium_index, 1.333);
+    assert_eq!(read(&toml::to_string(&scene).unwrap()).unwrap(), scene);
     assert!(read("[lighting]\npulse_energies = [1.0, 1.0]").is_err());
     for bad in [
         "ppm = nan",
@@ -134,6 +250,9 @@ fn the_table_has_defaults_and_refuses_unknown_keys_and_bad_values() {
         "camera_shift_mm = [[0.0, 11.0, 0.0]]",
         "lighting = { pulse_energy = [1.0, -1.0] }",
         "lighting = { camera_spread = 2.0 }",
+        "camera = [{ array_pitch_scale = [1.0, 3.0] }]",
+        "camera = [{ wall = { medium_index = 0.9 } }]",
+        "camera = [{ distortion = { radial = nan } }]",
     ] {
         let key = bad.split(' ').next().unwrap();
         assert!(read(bad).unwrap().validate().unwrap_err().to_string().contains(key), "{bad}");

@@ -1,0 +1,116 @@
+//! White images, and where their micro-images truly are.
+
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::{
+    ElectronImage, RayTracer,
+    pupil::{LowDiscrepancy, PupilStrata},
+};
+use crate::stream::{Purpose, random_stream};
+
+/// Where the micro-images of a camera's microlenses are centred on its sensor: where the ray through
+/// the middle of the stop and of the microlens lands.
+///
+/// Microlens (i, j) stands in the array's own axes: i counts along its `right`, j along its `up`, from
+/// (0, 0) in the first corner. Its micro-image is centred at column a₀ + a₁ i + a₂ j and row
+/// b₀ + b₁ i + b₂ j; pixel centres are at whole numbers from 0, and rows count downwards.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MicroImageGrid {
+    /// Microlenses along i and along j.
+    pub microlenses: [usize; 2],
+    /// a₀, a₁, a₂.
+    pub column_px: [f64; 3],
+    /// b₀, b₁, b₂.
+    pub row_px: [f64; 3],
+}
+
+impl MicroImageGrid {
+    /// Column and row of the centre of a microlens' micro-image, in pixels.
+    pub fn centre_px(&self, i: usize, j: usize) -> [f64; 2] {
+        [self.column_px, self.row_px]
+            .map(|[first, along_i, along_j]| first + along_i * i as f64 + along_j * j as f64)
+    }
+}
+
+impl RayTracer<'_> {
+    /// Where this camera's micro-images are centred.
+    pub fn micro_image_grid(&self) -> MicroImageGrid {
+        let centre = |lens: [f64; 2]| self.detector.micro_image_centre_px(lens);
+        let (first, next_i, next_j) = (centre([0.0, 0.0]), centre([1.0, 0.0]), centre([0.0, 1.0]));
+        let [column_px, row_px] = std::array::from_fn(|axis| {
+            [first[axis], next_i[axis] - first[axis], next_j[axis] - first[axis]]
+        });
+        MicroImageGrid { microlenses: self.detector.microlenses().counts(), column_px, row_px }
+    }
+
+    /// The image of a diffuser that sends the same light through every part of the stop to every
+    /// part of the array, scaled so that the brightest pixel collects `brightest_electrons`.
+    ///
+    /// `rays` per microlens (rounded up to a square number), spread evenly over microlens and stop, go through the same stop,
+    /// apertures, microlenses and pixels as those of a particle. `stream` chooses the random
+    /// numbers: the result is the same bit for bit whatever the number of threads.
+    pub fn trace_white(
+        &self,
+        rays: usize,
+        brightest_electrons: f64,
+        stream: &[u64],
+    ) -> ElectronImage {
+        let mut image = ElectronImage::dark(self.optics);
+        // Whole numbers: their sums do not depend on the order.
+        let hits: Vec<AtomicU32> = image.electrons().iter().map(|_| AtomicU32::new(0)).collect();
+        let [columns, rows] = self.detector.microlenses().counts();
+        let strata = PupilStrata::new(self.lens.stop_radius_mm, rays);
+        (0..columns * rows).into_par_iter().for_each(|lens| {
+            self.shine_on([lens % columns, lens / columns], &strata, stream, |pixel, rays| {
+                hits[pixel as usize].fetch_add(rays, Relaxed);
+            });
+        });
+        for (electrons, hits) in image.electrons_mut().iter_mut().zip(hits) {
+            *electrons = hits.into_inner() as f32;
+        }
+        self.blemishes.apply(&mut image);
+        let brightest = image.electrons().iter().copied().fold(0.0, f32::max);
+        if brightest > 0.0 {
+            let scale = brightest_electrons as f32 / brightest;
+            image.electrons_mut().iter_mut().for_each(|electrons| *electrons *= scale);
+        }
+        image
+    }
+
+    /// Traces a ray from every stratum of the stop to one microlens, each to another place on it, and
+    /// calls `hit` with pixels and how many rays hit them; a pixel may come again.
+    fn shine_on(
+        &self,
+        lens: [usize; 2],
+        strata: &PupilStrata,
+        stream: &[u64],
+        mut hit: impl FnMut(u32, u32),
+    ) {
+        let number = lens.map(|index| index as u64);
+        let key: Vec<u64> = stream.iter().copied().chain(number).collect();
+        let mut rng = random_stream(Purpose::White, &key);
+        let mut diffraction_rng = random_stream(Purpose::Diffraction, &key);
+        let mut places = LowDiscrepancy::<2>::shifted(&mut rng).points();
+        let mut run: Option<(u32, u32)> = None;
+        strata.jittered(&mut rng, |stop_mm| {
+            let [x, y] = places.next().unwrap_or_default();
+            let place = [lens[0] as f64 + x - 0.5, lens[1] as f64 + y - 0.5];
+            let plane_mm = self.detector.microlenses().place_mm(place);
+            let Some(pixel) = self.hit(plane_mm, stop_mm, &mut diffraction_rng) else { return };
+            match &mut run {
+                Some((last, rays)) if *last == pixel => *rays += 1,
+                _ => {
+                    if let Some((last, rays)) = run.replace((pixel, 1)) {
+                        hit(last, rays);
+                    }
+                }
+            }
+        });
+        if let Some((last, rays)) = run {
+            hit(last, rays);
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! White and dark images: what a camera shows of a diffuser, and with its cap on.
+
+use lfpiv_hw::RawImage;
+
+use super::Scene;
+use crate::{
+    geometry::BenchGeometry,
+    imaging::{ElectronImage, MicroImageGrid},
+    sensor::SensorSettings,
+};
+
+/// Rays per microlens of a white image, relative to the rays of a particle. By default a pixel's
+/// light then scatters by 2.3 %, about as much as by shot noise.
+const WHITE_RAYS: usize = 8;
+
+/// Share of the sensor's range, from the black level up, that the brightest pixel of a white image
+/// fills.
+const WHITE_LEVEL: f64 = 0.7;
+
+/// Which exposure of a camera: pairs have 0 and 1.
+#[derive(Debug, Clone, Copy)]
+enum Exposure {
+    White = 2,
+    Dark = 3,
+}
+
+impl Scene {
+    /// Light on a camera's sensor from a diffuser that fills the pupil, exposed so that the brightest
+    /// pixel fills 0.7 of the sensor's range; background and noise are not in it. The same for all
+    /// white images of a camera. Dark for a camera that the bench does not have.
+    pub fn white_light(&self, bench: &BenchGeometry, camera: usize) -> ElectronImage {
+        let sensor = self.sensor_of(camera);
+        let range_counts = f64::from(sensor.saturation_counts()) - sensor.offset_counts;
+        let electrons = WHITE_LEVEL * range_counts / sensor.gain_counts_per_electron
+            - sensor.background_electrons;
+        match self.tracer(bench, camera) {
+            None => ElectronImage::dark(&bench.optics),
+            Some(tracer) => tracer.trace_white(
+                WHITE_RAYS * self.rays_per_particle,
+                electrons.max(0.0),
+                &[camera as u64],
+            ),
+        }
+    }
+
+    /// White images number 0 … `count` − 1 of a camera: equal light, traced once, and noise of their
+    /// own.
+    pub fn white_images(
+        &self,
+        bench: &BenchGeometry,
+        camera: usize,
+        seed: u64,
+        count: u64,
+    ) -> impl Iterator<Item = RawImage> + use<> {
+        let (light, sensor) = (self.white_light(bench, camera), self.sensor_of(camera));
+        let key = move |n| [seed, n, camera as u64, Exposure::White as u64];
+        (0..count).map(move |n| sensor.expose(&light, &key(n)))
+    }
+
+    /// Dark images number 0 … `count` − 1 of a camera: no light, black level and read noise.
+    pub fn dark_images(
+        &self,
+        bench: &BenchGeometry,
+        camera: usize,
+        seed: u64,
+        count: u64,
+    ) -> impl Iterator<Item = RawImage> + use<> {
+        let light = ElectronImage::dark(&bench.optics);
+        let sensor = SensorSettings { background_electrons: 0.0, ..self.sensor_of(camera) };
+        let key = move |n| [seed, n, camera as u64, Exposure::Dark as u64];
+        (0..count).map(move |n| sensor.expose(&light, &key(n)))
+    }
+
+    /// Where a camera's micro-images are centred; `None` for a camera that the bench does not have.
+    pub fn micro_image_grid(&self, bench: &BenchGeometry, camera: usize) -> Option<MicroImageGrid> {
+        self.tracer(bench, camera).map(|tracer| tracer.micro_image_grid())
+    }
+}
