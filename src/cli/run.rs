@@ -97,6 +97,7 @@ fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Benc
         None => Pacing::RealTime,
     };
     let seed = scene.seed;
+    scene.check(&config.bench_geometry())?;
     let bench = connect(scene, config.bench_geometry(), seed, pacing);
     Ok(Bench::new(bench.cameras, bench.synchroniser))
 }

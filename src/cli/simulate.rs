@@ -1,4 +1,7 @@
-//! `lfpiv simulate`: image pairs of a known flow, with the truth beside them.
+//! `lfpiv simulate`: image pairs of a known flow, and white and dark images, with the truth beside
+//! them.
+
+mod references;
 
 use std::{
     fs,
@@ -28,13 +31,21 @@ pub struct SimulateArgs {
     /// Number of shots.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub shots: u64,
+    /// White images of each camera, of a diffuser that fills its pupil: white/camK_NN.tif, with
+    /// white/camK_grid_true.json beside them.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub white: u64,
+    /// Dark images of each camera: dark/camK_NN.tif.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub dark: u64,
     /// Seed of the random numbers; the configuration's when absent.
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
 }
 
 /// Writes pair folders with 8- or 16-bit images, as the sensor is, and `truth.json` in each:
-/// particle positions at both pulses in mm, their brightness, the flow and dt.
+/// particle positions at both pulses in mm, their brightness, the flow and dt; and white and dark
+/// images that were asked for.
 pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load(&args.config)?;
     let Some(scene) = &file.config.simulation else {
@@ -45,6 +56,7 @@ pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
     };
     let folders = new_folders(args)?;
     let bench = file.config.bench_geometry();
+    scene.check(&bench)?;
     let seed = args.seed.unwrap_or(scene.seed);
     fs::create_dir_all(&args.out)
         .with_context(|| format!("cannot create {}", args.out.display()))?;
@@ -60,14 +72,31 @@ pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    print(&format!("{} with seed {seed} in {}", count(folders.len(), "shot"), args.out.display()))
+    references::write(scene, &bench, seed, &args.out, [args.white, args.dark])?;
+    print(&format!("{} with seed {seed} in {}", written(args), args.out.display()))
 }
 
-/// The shots' folders; none may exist, so that no recorded pair is overwritten.
+/// "3 shots", or "3 shots, 5 white images and 1 dark image of each camera".
+fn written(args: &SimulateArgs) -> String {
+    let shots = count(args.shots as usize, "shot");
+    let [white, dark] = [(args.white, "white image"), (args.dark, "dark image")]
+        .map(|(images, what)| (images > 0).then(|| count(images as usize, what)));
+    match (white, dark) {
+        (None, None) => shots,
+        (Some(one), None) | (None, Some(one)) => format!("{shots}, {one} of each camera"),
+        (Some(white), Some(dark)) => format!("{shots}, {white} and {dark} of each camera"),
+    }
+}
+
+/// The shots' folders; none may exist, nor those of white and dark images that are asked for, so
+/// that no recorded image is overwritten.
 fn new_folders(args: &SimulateArgs) -> anyhow::Result<Vec<PathBuf>> {
     let folders: Vec<PathBuf> =
         (0..args.shots).map(|shot| args.out.join(format!("shot_{shot:04}"))).collect();
-    if let Some(existing) = folders.iter().find(|folder| folder.exists()) {
+    let [white, dark] = references::folders(&args.out);
+    let references = [(args.white, &white), (args.dark, &dark)];
+    let references = references.iter().filter(|(images, _)| *images > 0).map(|(_, folder)| *folder);
+    if let Some(existing) = folders.iter().chain(references).find(|folder| folder.exists()) {
         bail!("{} exists already: choose another --out or remove it", existing.display());
     }
     Ok(folders)

@@ -8,9 +8,10 @@ use std::{
 use lfpiv_rawlog::regular_file::read_text;
 
 /// Every shipped file by its place in the source.
-const SHIPPED: [(&str, &str); 8] = [
+const SHIPPED: [(&str, &str); 9] = [
     ("config/sim.toml", include_str!("../../config/sim.toml")),
     ("config/bench.toml", include_str!("../../config/bench.toml")),
+    ("config/imperfect.toml", include_str!("../../config/imperfect.toml")),
     ("config/jet.toml", include_str!("../../config/jet.toml")),
     ("config/paper.toml", include_str!("../../config/paper.toml")),
     ("config/loopback.toml", include_str!("../../config/loopback.toml")),

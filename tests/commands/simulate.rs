@@ -69,6 +69,69 @@ fn a_recorded_pair_is_never_overwritten() {
     assert!(before == read(root.path(), "cam1_a.tif"));
 }
 
+/// An array turned by half a degree: rows of micro-images rise to the right, rows of pixels count
+/// downwards.
+#[test]
+fn white_and_dark_images_come_with_the_true_grid() {
+    let root = tempfile::tempdir().unwrap();
+    let turned = "[simulation]\nrays_per_particle = 1024\n\
+                  camera = [{}, { array_rotation_deg = 0.5, gain = 0.8 }]\n";
+    let config = changed_configuration(root.path(), "[simulation]\n", turned);
+    let out = root.path().join("out");
+    let simulate = |extra: &[&str]| {
+        let fixed = ["simulate", "--shots", "0", "--config", config.to_str().unwrap(), "--out"];
+        lfpiv(fixed.into_iter().chain([out.to_str().unwrap()]).chain(extra.iter().copied()))
+    };
+    let done = simulate(&["--white", "2", "--dark", "1", "--seed", "4"]);
+    assert!(done.success, "{}", done.stderr);
+    let expected = "0 shots, 2 white images and 1 dark image of each camera with seed 4 in";
+    assert!(done.stdout.starts_with(expected), "{}", done.stdout);
+    let counts = |name: &str| {
+        let image = ImageReader::open(out.join(name)).unwrap().decode().unwrap().into_luma16();
+        assert_eq!(image.dimensions(), (748, 748));
+        image
+    };
+    for camera in ["cam1", "cam2"] {
+        let [first, second] =
+            ["00", "01"].map(|number| counts(&format!("white/{camera}_{number}.tif")));
+        assert!(first != second, "noise of their own");
+        let brightest = first.pixels().map(|pixel| pixel.0[0]).max().unwrap();
+        assert!((2700..3500).contains(&brightest), "{brightest}");
+        let dark = counts(&format!("dark/{camera}_00.tif"));
+        assert!(dark.pixels().all(|pixel| pixel.0[0] < 110));
+        let text = fs::read_to_string(out.join(format!("white/{camera}_grid_true.json"))).unwrap();
+        let grid: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!((&grid["camera"], &grid["microlenses"][0]), (&camera.into(), &41.into()));
+        let number = |key: &str, index: usize| grid[key][index].as_f64().unwrap();
+        let angle: f64 = if camera == "cam2" { 0.5_f64.to_radians() } else { 0.0 };
+        let pitch_px = 0.1004 / 0.0055;
+        assert!((number("column_px", 1) - pitch_px * angle.cos()).abs() < 1e-9);
+        assert!((number("row_px", 1) + pitch_px * angle.sin()).abs() < 1e-9);
+        assert!(grid["meaning"].as_str().unwrap().contains("j along +up"));
+        // The pixel in the middle of a micro-image is lit, the corner of four is not.
+        let at = |i: f64, j: f64| {
+            let place = |key: &str| number(key, 0) + number(key, 1) * i + number(key, 2) * j;
+            let pixel = [place("column_px"), place("row_px")].map(|px| px.round() as u32);
+            first.get_pixel(pixel[0], pixel[1]).0[0]
+        };
+        let (middle, corner) = (at(3.0, 30.0), at(3.5, 30.5));
+        assert!(middle > 1500 && corner < 200, "{middle} and {corner}");
+    }
+    let again = simulate(&["--dark", "1"]);
+    assert!(!again.success && again.stderr.contains("dark exists already"), "{}", again.stderr);
+}
+
+#[test]
+fn a_camera_that_cannot_be_is_refused_by_its_key() {
+    let root = tempfile::tempdir().unwrap();
+    let behind = "[simulation]\ncamera = [{ exit_pupil_mm = 200 }]\n";
+    let config = changed_configuration(root.path(), "[simulation]\n", behind);
+    let done = simulate(&config, &root.path().join("out"), 1, 5);
+    let expected =
+        "simulation.camera[0].exit_pupil_mm = 200: allowed: less than the image distance";
+    assert!(!done.success && done.stderr.contains(expected), "{}", done.stderr);
+}
+
 #[test]
 fn simulating_without_a_scene_says_what_to_add() {
     let root = tempfile::tempdir().unwrap();

@@ -16,7 +16,8 @@ mod errors;
 pub use errors::*;
 
 /// The configurations in `config/`.
-pub const SHIPPED: [&str; 6] = ["sim", "jet", "bench", "paper", "loopback", "loopback-bench"];
+pub const SHIPPED: [&str; 7] =
+    ["sim", "jet", "bench", "imperfect", "paper", "loopback", "loopback-bench"];
 
 /// The folder of the whole project: tests of other crates share this file.
 fn project() -> &'static Path {
