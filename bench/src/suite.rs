@@ -201,6 +201,12 @@ pub enum Bar {
     ElongationOnGrid,
     /// Width and centroid of particles anywhere.
     ElongationOffGrid,
+    /// OS-SART beside OS-MART: seconds and error of a pair.
+    OsSartPair,
+    /// OS-SART: memory of the whole process.
+    OsSartMemory,
+    /// OS-SART beside OS-MART: seconds to a good Q, particles on voxel centres.
+    OsSartOnGrid,
 }
 
 fn one_seed() -> Vec<u64> {

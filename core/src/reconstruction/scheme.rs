@@ -77,7 +77,7 @@ const fn stage(passes: usize, share_of_views: f64, subsets: Subsets, prune_share
 const OS_SART: Scheme = Scheme {
     correction: Correction::Additive,
     coarse: stage(1, 0.2, Subsets::Balanced(2), 0.1),
-    fine: stage(1, 1.0, Subsets::Balanced(4), 0.4),
+    fine: stage(2, 1.0, Subsets::Balanced(4), 0.4),
     only: stage(3, 1.0, Subsets::Balanced(4), 0.02),
 };
 

@@ -4,7 +4,7 @@ use lfpiv_core::reconstruction::Solver;
 
 use super::{
     super::{Report, figures::convergence::accelerations, svg::number, tables::mean_error},
-    Candidate, at_most,
+    Candidate, all_of, at_most, missed,
 };
 use crate::{Bar, Row};
 
@@ -12,7 +12,7 @@ use crate::{Bar, Row};
 const OURS: &str = "lfpiv";
 
 /// The row of the least time.
-fn fastest<'a>(rows: impl Iterator<Item = &'a Row>) -> Option<&'a Row> {
+pub(super) fn fastest<'a>(rows: impl Iterator<Item = &'a Row>) -> Option<&'a Row> {
     let seconds = |row: &Row| row.seconds.unwrap_or(f64::INFINITY);
     rows.min_by(|a, b| seconds(a).total_cmp(&seconds(b)))
 }
@@ -133,21 +133,4 @@ fn of<'a>(report: &'a Report, program: &str) -> impl Iterator<Item = &'a Row> {
 /// Our own rows in the peers' run that a peer's row can be compared with.
 fn ours_beside<'a>(report: &'a Report, peer: &'a Row) -> impl Iterator<Item = &'a Row> {
     of(report, OURS).filter(|row| row.case == peer.case && row.threads == peer.threads)
-}
-
-/// What must hold of every case.
-fn all_of(candidates: Vec<Candidate>) -> Vec<Candidate> {
-    if candidates.is_empty() {
-        return candidates;
-    }
-    let each: Vec<&str> = candidates.iter().map(|candidate| candidate.measured.as_str()).collect();
-    vec![Candidate {
-        measured: each.join("; "),
-        met: candidates.iter().all(|candidate| candidate.met),
-        distance: candidates.iter().map(|candidate| candidate.distance).fold(0.0, f64::max),
-    }]
-}
-
-fn missed(measured: String) -> Candidate {
-    Candidate { measured, met: false, distance: f64::INFINITY }
 }
