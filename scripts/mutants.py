@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Whether the tests notice faults: seeded mutants of `cargo-mutants`, one after the other.
+
+A mutant is tried against the tests of its own crate first, then against those of the crates above, until
+one fails. What became of it is a line of tests/mutants.csv, so a list can be stopped and resumed. Works
+in the tree it is started in, which must have no changes: use a worktree of its own.
+Usage: scripts/mutants.py [--each 15] [--seed 1], after `cargo install cargo-mutants`
+"""
+
+import argparse
+import csv
+import json
+import os
+import random
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+RECORD = ROOT / "tests" / "mutants.csv"
+# As `scripts/run-tests.py` builds, so that nothing is compiled twice.
+ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
+CARGO = ["cargo", "test", "--workspace", "--locked"]
+LONGEST_S = 1800
+
+# Parts of the code, and the tests that should notice: the quickest first.
+PARTS = {
+    "core/src/": ["-p lfpiv-core --lib", "-p lfpiv-core --test capabilities", "--test claims", "--test commands"],
+    "rawlog/src/": ["-p lfpiv-rawlog", "-p lfpiv --lib", "--test recorded_run", "--test adversary"],
+    "hw/src/timing": ["-p lfpiv-hw --lib", "--test synchroniser", "-p lfpiv --lib", "--test commands", "--test laser"],
+    "src/acquisition/": ["-p lfpiv --lib", "--test recorded_run", "--test laser", "--test daemon", "--test loopback"],
+}
+
+
+def mutants(each, seed):
+    """`each` mutants of every part, the same ones for the same code and seed."""
+    listed = subprocess.run(
+        ["cargo", "mutants", "--list", "--json", "--workspace"],
+        cwd=ROOT, stdout=subprocess.PIPE, check=True,
+    )
+    everything = sorted(json.loads(listed.stdout), key=lambda mutant: mutant["name"])
+    for part, stages in PARTS.items():
+        inside = [mutant for mutant in everything if mutant["file"].startswith(part)]
+        chosen = random.Random(f"{seed} {part}").sample(inside, min(each, len(inside)))
+        yield from ((mutant, stages) for mutant in chosen)
+
+
+def mutated(text, mutant):
+    """The file's text with the mutant's replacement in the place of its span."""
+    lines = text.splitlines(keepends=True)
+
+    def offset(place):
+        return sum(len(line) for line in lines[: place["line"] - 1]) + place["column"] - 1
+
+    span = mutant["span"]
+    return text[: offset(span["start"])] + mutant["replacement"] + text[offset(span["end"]) :]
+
+
+def cargo(arguments):
+    """Whether the command ended well; one that does not end has noticed the mutant, too."""
+    command = [*CARGO, *arguments.split()]
+    try:
+        done = subprocess.run(
+            command, cwd=ROOT, env=ENVIRONMENT, timeout=LONGEST_S,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )
+    except subprocess.TimeoutExpired:
+        return False
+    return done.returncode == 0
+
+
+def outcome(mutant, stages):
+    path = ROOT / mutant["file"]
+    text = path.read_text()
+    try:
+        path.write_text(mutated(text, mutant))
+        for stage in stages:
+            if not cargo(f"{stage} --no-run"):
+                return "does not compile"
+            if not cargo(stage):
+                return f"caught by {stage}"
+        return "survived"
+    finally:
+        path.write_text(text)
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("--each", type=int, default=15, help="mutants of every part")
+    arguments.add_argument("--seed", type=int, default=1)
+    chosen = arguments.parse_args()
+    changes = ["git", "status", "--porcelain", "--", "*.rs"]
+    if subprocess.run(changes, cwd=ROOT, stdout=subprocess.PIPE, check=True).stdout:
+        sys.exit("The tree has changes: commit them, or use a worktree of its own.")
+    known = set()
+    if RECORD.is_file():
+        known = {row[0] for row in csv.reader(RECORD.open())}
+    for mutant, stages in mutants(chosen.each, chosen.seed):
+        if mutant["name"] in known:
+            continue
+        became = outcome(mutant, stages)
+        print(f"{mutant['name']}: {became}", flush=True)
+        with RECORD.open("a", newline="") as file:
+            csv.writer(file).writerow([mutant["name"], became])
+
+
+main()
