@@ -132,12 +132,17 @@ fn a_killed_run_counts_what_was_fired() {
     let output = lfpiv(&["process", folder]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let recorded = RecordedRun::open(&run).expect("a recorded run");
-    let frames = recorded.entries().filter(|placed| {
-        let placed = placed.as_ref().expect("an entry");
-        matches!(placed.entry, Entry::Frame { camera: 0, .. })
-    });
-    // Two frames to a trigger; of the last one perhaps only the first.
-    let seen = frames.count().div_ceil(2) as u64;
+    // What the record knows to have happened: triggers said to be given, and two frames to a trigger
+    // of either camera; of the last one perhaps only the first.
+    let (mut given, mut frames) = (0, [0_u64; 2]);
+    for placed in recorded.entries() {
+        match placed.expect("an entry").entry {
+            Entry::Frame { camera, .. } => frames[camera] += 1,
+            Entry::Given { trigger } => given = given.max(trigger + 1),
+            _ => {}
+        }
+    }
+    let seen = frames.map(|frames| frames.div_ceil(2)).into_iter().fold(given, u64::max);
     let ledger = std::fs::read_to_string(run.join("ledger.json")).expect("a ledger");
     let ledger: serde_json::Value = serde_json::from_str(&ledger).expect("JSON");
     for camera in ledger["cameras"].as_array().expect("cameras") {
