@@ -34,6 +34,8 @@ use tokio_util::sync::CancellationToken;
 
 /// Longest wait for anything that is sure to come, on a loaded machine.
 pub const PATIENCE: Duration = Duration::from_secs(300);
+/// On a loaded machine the unit, which is simulated here, may be kept off the processor for seconds.
+const REPLY_TIMEOUT_MS: u64 = 5000;
 /// So slow that a process which does not wait would end among the commands.
 const PACING_MS: u64 = 10;
 /// Outputs of the unit in the order in which they are switched off; 0 is T0.
@@ -99,14 +101,14 @@ impl Laser {
     }
 
     /// Opens the unit, wherever it is then.
-    fn opening(&self, timing: &TimingSettings, reply_timeout_ms: u64) -> Reopen {
+    fn opening(&self, timing: &TimingSettings) -> Reopen {
         let (port, transcript) = (self.port.clone(), self.transcript.clone());
         let timing = timing.clone();
         Box::new(move || {
             let port = port.lock().clone();
             let settings = SynchroniserSettings {
                 pacing_ms: PACING_MS,
-                reply_timeout_ms,
+                reply_timeout_ms: REPLY_TIMEOUT_MS,
                 ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
             };
             let line = SerialLine::open(&settings.port, settings.baud_rates()[0]);
@@ -121,8 +123,7 @@ impl Laser {
 
     /// Driver and cameras, connected.
     pub fn connect(&self, plan: &Plan, frame_interval: Duration) -> Bench {
-        let reply_timeout_ms = if plan.after_loss.is_some() { 500 } else { 5000 };
-        let mut open = self.opening(&plan.timing, reply_timeout_ms);
+        let mut open = self.opening(&plan.timing);
         let synchroniser = open().unwrap();
         let reconnection = plan.after_loss.map(|AfterLoss { waits_for_operator, patience }| {
             Reconnection { open, patience, waits_for_operator }
@@ -310,7 +311,8 @@ impl Run {
     pub async fn until(&self, what: &str, reached: impl Fn() -> bool) {
         let begun = Instant::now();
         while !reached() {
-            assert!(begun.elapsed() < PATIENCE, "{what}: not within {PATIENCE:?}");
+            let waited = begun.elapsed();
+            assert!(waited < PATIENCE, "{what}: not in {waited:?}: {:?}", self.control.state());
             assert!(!self.task.is_finished(), "{what}: the run is over");
             tokio::time::sleep(Duration::from_millis(2)).await;
         }

@@ -86,7 +86,7 @@ pub fn connect_with(
     let port = wire.port.to_str().expect("a path in UTF-8");
     let settings = SynchroniserSettings {
         pacing_ms: 0,
-        reply_timeout_ms: 1000,
+        reply_timeout_ms: 5000,
         ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
     };
     let synchroniser =

@@ -202,6 +202,8 @@ impl WireBench {
 
 impl Drop for WireBench {
     fn drop(&mut self) {
+        // Gone already if somebody tidied up.
+        let _ = fs::remove_file(&self.link);
         // Unplugged cameras hold nobody; with the unit's observer go the optics, then the cameras'
         // threads.
         self.unit.cut();
@@ -212,8 +214,6 @@ impl Drop for WireBench {
             // A panic has been printed by its thread.
             let _ = thread.join();
         }
-        // Gone already if somebody tidied up.
-        let _ = fs::remove_file(&self.link);
     }
 }
 

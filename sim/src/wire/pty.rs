@@ -1,11 +1,14 @@
 //! A simulated unit at a pseudo-terminal, on a thread of its own.
 
 use std::{
+    env, fs,
     io::{self, Error, ErrorKind},
-    os::fd::OwnedFd,
+    os::{fd::OwnedFd, unix::fs::symlink},
+    path::PathBuf,
+    process,
     sync::{
         Arc, Mutex, MutexGuard, PoisonError,
-        atomic::{AtomicBool, Ordering},
+        atomic::{AtomicBool, AtomicU64, Ordering},
     },
     thread::{self, JoinHandle},
     time::{Duration, Instant},
@@ -13,7 +16,7 @@ use std::{
 
 use rustix::{
     event::{PollFd, PollFlags, Timespec, poll},
-    fs::{Mode, OFlags},
+    fs::{Mode, OFlags, open},
     pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt},
     termios::{OptionalActions, ioctl_tiocnxcl, tcgetattr, tcsetattr},
 };
@@ -87,7 +90,7 @@ impl<U: SerialUnit> Served<U> {
         Ok(Self { unit, path, off, line_cut, new_line, thread: Some(thread) })
     }
 
-    /// The port to open, as `/dev/pts/3`.
+    /// The port to open: a link that nothing else ever has.
     pub fn path(&self) -> &str {
         &self.path
     }
@@ -186,11 +189,18 @@ fn serve<U: SerialUnit>(
 
 /// Both ends of a pseudo-terminal. The host's end is kept open here, too: without it the line
 /// would be hung up whenever the host closes it.
+///
+/// The system gives the number of a closed pseudo-terminal to the next one that is opened, by whomever.
+/// Whoever looks for a unit that is gone must not find another one there, so the port is a link of a name
+/// that is not used again, and goes before the line does.
 struct Terminal {
     unit_end: OwnedFd,
     host_end: OwnedFd,
     path: String,
 }
+
+/// Pseudo-terminals that this process has opened.
+static OPENED: AtomicU64 = AtomicU64::new(0);
 
 impl Terminal {
     fn open() -> io::Result<Self> {
@@ -199,11 +209,13 @@ impl Terminal {
         unlockpt(&unit_end)?;
         let path = ptsname(&unit_end, Vec::new())?;
         let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC;
-        let host_end = rustix::fs::open(&path, flags, Mode::empty())?;
+        let host_end = open(&path, flags, Mode::empty())?;
         let mut settings = tcgetattr(&host_end)?;
         settings.make_raw();
         tcsetattr(&host_end, OptionalActions::Now, &settings)?;
-        let path = path.into_string().map_err(|error| Error::new(ErrorKind::InvalidData, error))?;
+        let terminal =
+            path.into_string().map_err(|error| Error::new(ErrorKind::InvalidData, error))?;
+        let path = linked(&terminal)?;
         Ok(Self { unit_end, host_end, path })
     }
 
@@ -241,4 +253,23 @@ impl Terminal {
             false => Ok(bytes.into_iter().map(|byte| byte.rotate_left(3) | 0x80).collect()),
         }
     }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        // Gone already if somebody tidied up.
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+/// A link to a pseudo-terminal, of a new name.
+fn linked(terminal: &str) -> io::Result<String> {
+    let number = OPENED.fetch_add(1, Ordering::Relaxed);
+    let name = format!("lfpiv-unit-{}-{number}", process::id());
+    let link: PathBuf = env::temp_dir().join(name);
+    // What a killed process of this number has left.
+    let _ = fs::remove_file(&link);
+    symlink(terminal, &link)?;
+    let not_text = |_| Error::new(ErrorKind::InvalidData, "the temporary folder's name is no text");
+    link.into_os_string().into_string().map_err(not_text)
 }

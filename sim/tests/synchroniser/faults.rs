@@ -173,3 +173,15 @@ fn a_port_that_is_not_there_or_taken_is_named() {
     let refusal = message(open(&settings, &timing()));
     assert!(refusal.contains("/dev/no-such-port: connection lost: cannot open"), "{refusal}");
 }
+
+/// The system numbers pseudo-terminals anew: a host that looks for a lost unit must not find another.
+#[test]
+fn the_port_of_a_unit_that_is_gone_leads_to_no_other_unit() {
+    let gone = Bench::usual();
+    let settings = gone.settings();
+    drop(gone);
+    let others: Vec<Bench> = (0..8).map(|_| Bench::usual()).collect();
+    let refusal = message(open(&settings, &timing()));
+    assert!(refusal.contains(&settings.port) && refusal.contains("cannot open"), "{refusal}");
+    assert!(others.iter().all(|other| other.served.path() != settings.port));
+}
