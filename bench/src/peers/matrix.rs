@@ -45,8 +45,8 @@ pub fn write_matrix(
         entries += rows.nnz();
         ends.resize(ends.len() + rows_per_view - rows.rows(), entries as u64);
     }
-    indices.finish(&[entries])?;
-    data.finish(&[entries])?;
+    indices.finish()?;
+    data.finish()?;
     write_array(&folder.join("matrix_indptr.npy"), &[ends.len()], &ends)?;
     let columns = model.grid().len();
     Ok(MatrixSize { views: views.len(), rows_per_view, columns, entries, assembly_seconds })

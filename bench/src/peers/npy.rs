@@ -1,154 +1,101 @@
-//! NumPy's array files (`.npy`, format 1.0), little-endian and in C order.
+//! NumPy's array files (`.npy`), in C order.
 
 use std::{
     fs::File,
-    io::{BufWriter, Seek, Write},
-    marker::PhantomData,
+    io::BufWriter,
     path::{Path, PathBuf},
 };
 
 use lfpiv_rawlog::regular_file::read_regular;
+use npyz::{AutoSerialize, Deserialize, NpyFile, NpyHeader, Order, WriteOptions, WriterBuilder};
 
 use super::PeersError;
 
-const MAGIC: &[u8; 8] = b"\x93NUMPY\x01\x00";
-
-/// Bytes before the data. Fixed, so that the header can be written when the length is known.
-const HEADER_BYTES: usize = 128;
 /// Bytes that the header of another program may have.
-const MOST_DESCRIPTION_BYTES: usize = 1 << 16;
+const MOST_HEADER_BYTES: usize = 1 << 16;
 
 /// A number that an array file can hold.
-pub trait Element: Copy {
-    /// NumPy's name of the type.
-    const DESCRIPTION: &'static str;
-    /// Bytes of one number.
-    const BYTES: usize = size_of::<Self>();
-    /// Appends the little-endian bytes.
-    fn put(self, bytes: &mut Vec<u8>);
-    /// The number in [`Self::BYTES`] little-endian bytes.
-    fn get(bytes: &[u8]) -> Self;
-}
+pub trait Element: AutoSerialize + Deserialize + Copy {}
 
-macro_rules! element {
-    ($number:ty, $description:literal) => {
-        impl Element for $number {
-            const DESCRIPTION: &'static str = $description;
+impl<T: AutoSerialize + Deserialize + Copy> Element for T {}
 
-            fn put(self, bytes: &mut Vec<u8>) {
-                bytes.extend(self.to_le_bytes());
-            }
-
-            fn get(bytes: &[u8]) -> Self {
-                let mut own = [0; size_of::<$number>()];
-                own.copy_from_slice(bytes);
-                Self::from_le_bytes(own)
-            }
-        }
-    };
-}
-
-element!(f32, "<f4");
-element!(u32, "<u4");
-element!(u64, "<u8");
-
-/// Writes an array piece by piece, for arrays that memory need not hold.
-pub struct NpyWriter<T> {
+/// Writes a vector piece by piece, for vectors that memory need not hold.
+pub struct NpyWriter<T: Element> {
     path: PathBuf,
-    file: BufWriter<File>,
-    written: usize,
-    element: PhantomData<T>,
+    writer: npyz::NpyWriter<T, BufWriter<File>>,
 }
 
 impl<T: Element> NpyWriter<T> {
     /// Starts an array file.
     pub fn create(path: &Path) -> Result<Self, PeersError> {
         let start = || {
-            let mut file = BufWriter::new(File::create(path)?);
-            file.write_all(&[0; HEADER_BYTES])?;
-            Ok(file)
+            let file = BufWriter::new(File::create(path)?);
+            WriteOptions::new().default_dtype().writer(file).begin_1d()
         };
-        let file = start().map_err(PeersError::io("write", path))?;
-        Ok(Self { path: path.to_owned(), file, written: 0, element: PhantomData })
+        let writer = start().map_err(PeersError::io("write", path))?;
+        Ok(Self { path: path.to_owned(), writer })
     }
 
     /// Appends numbers.
     pub fn append(&mut self, values: &[T]) -> Result<(), PeersError> {
-        let mut bytes = Vec::with_capacity(values.len() * T::BYTES);
-        values.iter().for_each(|value| value.put(&mut bytes));
-        self.written += values.len();
-        self.file.write_all(&bytes).map_err(PeersError::io("write", &self.path))
+        let written = self.writer.extend(values.iter().copied());
+        written.map_err(PeersError::io("write", &self.path))
     }
 
-    /// Ends the file. Panics when `shape` is not that of as many numbers as were written.
-    pub fn finish(mut self, shape: &[usize]) -> Result<(), PeersError> {
-        assert_eq!(shape.iter().product::<usize>(), self.written, "{}", self.path.display());
-        self.file
-            .rewind()
-            .and_then(|()| self.file.write_all(&header::<T>(shape)))
-            .and_then(|()| self.file.flush())
-            .map_err(PeersError::io("write", &self.path))
+    /// Ends the file, as one axis of all that was written.
+    pub fn finish(self) -> Result<(), PeersError> {
+        self.writer.finish().map_err(PeersError::io("write", &self.path))
     }
 }
 
-/// Writes a whole array. Panics when `shape` is not that of `values`.
+/// Writes a whole array.
+///
+/// # Errors
+/// The file cannot be written, or `shape` is not that of `values`.
 pub fn write_array<T: Element>(
     path: &Path,
     shape: &[usize],
     values: &[T],
 ) -> Result<(), PeersError> {
-    let mut writer = NpyWriter::create(path)?;
-    writer.append(values)?;
-    writer.finish(shape)
+    let write = || {
+        let file = BufWriter::new(File::create(path)?);
+        let options = WriteOptions::new().default_dtype().shape(&lengths(shape));
+        let mut writer = options.writer(file).begin_nd()?;
+        writer.extend(values.iter().copied())?;
+        writer.finish()
+    };
+    write().map_err(PeersError::io("write", path))
 }
 
-/// Reads an array of numbers in C order, as [`NpyWriter`] and NumPy write it (format version 1).
+/// Reads an array of numbers in C order, as [`NpyWriter`] and NumPy write it.
 ///
 /// # Errors
 /// The file cannot be read, or holds another type or another number of elements than `shape`.
 pub fn read_array<T: Element>(path: &Path, shape: &[usize]) -> Result<Vec<T>, PeersError> {
-    let elements: usize = shape.iter().product();
-    let most = (MOST_DESCRIPTION_BYTES + elements * T::BYTES) as u64;
+    let data_bytes = shape.iter().product::<usize>() * size_of::<T>();
+    let most = (MOST_HEADER_BYTES + data_bytes) as u64;
     let bytes = read_regular(path, most).map_err(PeersError::io("read", path))?;
     let wrong = |reason: String| PeersError::WrongArray { path: path.to_owned(), reason };
-    let Some((found, data)) = description(&bytes) else {
-        return Err(wrong(format!("{} bytes without NumPy's header", bytes.len())));
-    };
-    if found != without_spaces(&array_description::<T>(shape)) {
-        return Err(wrong(format!("not {shape:?} of {}", T::DESCRIPTION)));
+    let mut data = bytes.as_slice();
+    let header = NpyHeader::from_reader(&mut data).map_err(|error| wrong(error.to_string()))?;
+    let (found, expected) = (header.dtype(), T::default_dtype());
+    if found != expected {
+        return Err(wrong(format!("numbers of {}, not {}", found.descr(), expected.descr())));
     }
-    if data.len() != elements * T::BYTES {
-        return Err(wrong(format!("{} bytes of data", data.len())));
+    if header.shape() != lengths(shape) {
+        return Err(wrong(format!("shape {:?}, not {shape:?}", header.shape())));
     }
-    Ok(data.chunks_exact(T::BYTES).map(T::get).collect())
+    if header.order() != Order::C {
+        return Err(wrong("its first index runs fastest (Fortran's order)".to_owned()));
+    }
+    if data.len() != data_bytes {
+        return Err(wrong(format!("{} bytes of data, not {data_bytes}", data.len())));
+    }
+    NpyFile::with_header(header, data).into_vec().map_err(|error| wrong(error.to_string()))
 }
 
-/// An array file's description without its spaces, and its data.
-fn description(bytes: &[u8]) -> Option<(String, &[u8])> {
-    let rest = bytes.strip_prefix(MAGIC)?;
-    let (length, rest) = rest.split_first_chunk()?;
-    let (text, data) = rest.split_at_checked(u16::from_le_bytes(*length).into())?;
-    Some((without_spaces(std::str::from_utf8(text).ok()?), data))
-}
-
-/// NumPy and this program put spaces, and a comma after the last length, in different places.
-fn without_spaces(description: &str) -> String {
-    let dense: String = description.chars().filter(|c| !c.is_whitespace()).collect();
-    dense.replace(",)", ")")
-}
-
-fn array_description<T: Element>(shape: &[usize]) -> String {
-    let lengths: String = shape.iter().map(|n| format!("{n},")).collect();
-    format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({lengths}), }}", T::DESCRIPTION)
-}
-
-fn header<T: Element>(shape: &[usize]) -> Vec<u8> {
-    let text = array_description::<T>(shape);
-    let room = HEADER_BYTES - MAGIC.len() - size_of::<u16>();
-    let mut header = MAGIC.to_vec();
-    header.extend((room as u16).to_le_bytes());
-    header.extend(format!("{text:<width$}\n", width = room - 1).bytes());
-    header
+fn lengths(shape: &[usize]) -> Vec<u64> {
+    shape.iter().map(|&length| length as u64).collect()
 }
 
 #[cfg(test)]
@@ -162,48 +109,57 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.npy");
         let values = [1.5f32, -2.0, 0.0, f32::MIN_POSITIVE, 3e8, -0.25];
+        write_array(&path, &[3, 2], &values).unwrap();
+        assert_eq!(read_array::<f32>(&path, &[3, 2]).unwrap(), values);
         let mut writer = NpyWriter::create(&path).unwrap();
         writer.append(&values[..2]).unwrap();
         writer.append(&values[2..]).unwrap();
-        writer.finish(&[3, 2]).unwrap();
-        assert_eq!(read_array::<f32>(&path, &[3, 2]).unwrap(), values);
+        writer.finish().unwrap();
+        assert_eq!(read_array::<f32>(&path, &[6]).unwrap(), values);
+        assert!(write_array(&path, &[3, 3], &values).is_err());
     }
 
-    #[test]
-    fn the_header_is_numpys() {
-        let header = header::<u64>(&[7]);
-        assert_eq!(header.len(), HEADER_BYTES);
-        assert_eq!(&header[..10], b"\x93NUMPY\x01\x00\x76\x00");
-        let text = std::str::from_utf8(&header[10..]).unwrap();
-        assert_eq!(text.trim_end(), "{'descr': '<u8', 'fortran_order': False, 'shape': (7,), }");
-        assert!(text.ends_with('\n'));
-    }
-
-    /// As `numpy.save` writes float32 of shape (1, 2): with spaces, without a last comma.
+    /// As `numpy.save` writes float32 of shape (1, 2).
     #[test]
     fn an_array_that_numpy_wrote_is_read() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.npy");
-        let text = "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2), }";
-        let mut bytes = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
-        bytes.extend(format!("{text:<117}\n").bytes());
-        bytes.extend([1.5f32, -2.0].iter().flat_map(|value| value.to_le_bytes()));
-        fs::write(&path, bytes).unwrap();
+        write_numpys(&path, "False");
         assert_eq!(read_array::<f32>(&path, &[1, 2]).unwrap(), [1.5, -2.0]);
         assert!(read_array::<f32>(&path, &[2, 1]).is_err());
+        write_numpys(&path, "True");
+        assert!(wrong::<f32>(&path, &[1, 2]).contains("Fortran"));
     }
 
     #[test]
-    fn another_type_shape_or_length_is_refused() {
+    fn another_type_shape_or_length_is_refused_and_named() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.npy");
         write_array(&path, &[2], &[1u32, 2]).unwrap();
-        assert!(read_array::<f32>(&path, &[2]).is_err());
-        assert!(read_array::<u32>(&path, &[3]).is_err());
+        let message = wrong::<f32>(&path, &[2]);
+        assert!(message.contains("a.npy") && message.contains("<u4"), "{message}");
+        assert!(wrong::<u32>(&path, &[3]).contains("[2], not [3]"));
         let bytes = fs::read(&path).unwrap();
         fs::write(&path, &bytes[..bytes.len() - 1]).unwrap();
-        assert!(read_array::<u32>(&path, &[2]).is_err());
+        assert!(wrong::<u32>(&path, &[2]).contains("7 bytes of data, not 8"));
+        fs::write(&path, [bytes.as_slice(), &[0]].concat()).unwrap();
+        assert!(wrong::<u32>(&path, &[2]).contains("9 bytes of data, not 8"));
         fs::write(&path, b"short").unwrap();
-        assert!(read_array::<u32>(&path, &[2]).is_err());
+        assert!(wrong::<u32>(&path, &[2]).contains("NPY"));
+    }
+
+    fn wrong<T: Element + std::fmt::Debug>(path: &Path, shape: &[usize]) -> String {
+        let refused = read_array::<T>(path, shape).unwrap_err();
+        assert!(matches!(refused, PeersError::WrongArray { .. }), "{refused}");
+        refused.to_string()
+    }
+
+    fn write_numpys(path: &Path, fortran_order: &str) {
+        let text =
+            format!("{{'descr': '<f4', 'fortran_order': {fortran_order}, 'shape': (1, 2), }}");
+        let mut bytes = b"\x93NUMPY\x01\x00\x76\x00".to_vec();
+        bytes.extend(format!("{text:<117}\n").bytes());
+        bytes.extend([1.5f32, -2.0].iter().flat_map(|value| value.to_le_bytes()));
+        fs::write(path, bytes).unwrap();
     }
 }
