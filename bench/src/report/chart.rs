@@ -1,19 +1,54 @@
-//! Charts of curves and dots on linear or logarithmic axes.
+//! Charts of curves and points on linear or logarithmic axes.
 
-use super::svg::{COLOURS, Svg, number, round_number};
+use std::{iter, ops::Range};
 
-const WIDTH: f64 = 860.0;
-const HEIGHT: f64 = 380.0;
-const LEFT: f64 = 64.0;
-const RIGHT: f64 = 300.0;
-const TOP: f64 = 14.0;
-const BOTTOM: f64 = 48.0;
+use plotters::{
+    coord::{
+        combinators::{BindKeyPoints, LogCoord, WithKeyPoints},
+        ranged1d::{AsRangedCoord, Ranged, ValueFormatter},
+    },
+    element::{DashedPathElement, DynElement, IntoDynElement},
+    prelude::{
+        ChartBuilder, Circle, Cross, IntoLogRange, PathElement, RGBColor, SVGBackend,
+        SeriesLabelPosition, TriangleMarker,
+    },
+    style::{Color, RGBAColor, TRANSPARENT},
+};
 
-/// Least ratio of the ends of a logarithmic axis.
-const DECADE: f64 = 10.0;
+use super::{
+    picture::{Area, Drawn, FINE, INK, RULE, letters, picture},
+    text::round_number,
+};
 
-/// Ticks wanted on a linear axis.
-const TICKS: f64 = 6.0;
+/// Width of the picture, height where the legend needs no more, in units.
+const WIDTH: i32 = 900;
+const HEIGHT: i32 = 380;
+/// Width of the legend, and height of one of its lines.
+const LEGEND: i32 = 340;
+const LEGEND_LINE: i32 = 16;
+/// Room for numbers and names of the axes.
+const X_AXIS: i32 = 46;
+const Y_AXIS: i32 = 62;
+
+/// Numbers wanted on a linear axis, at most.
+const NUMBERS: usize = 7;
+
+/// Radius of a mark; length of a dash and of a legend's line.
+const MARK: i32 = 4 * FINE;
+const DASH: i32 = 5 * FINE;
+const KEY: i32 = 20 * FINE;
+
+/// Colours that most colour-blind readers can tell apart (Okabe and Ito, 2008), without the yellow,
+/// which is too pale on white. Blue, vermillion, green, purple, orange, light blue, black.
+pub const COLOURS: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(0, 0, 0),
+];
 
 /// How values become lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,7 +66,7 @@ pub struct Axis {
     pub label: String,
     /// Its scale.
     pub scale: Scale,
-    /// Ends; the data's own where absent.
+    /// Ends of a linear axis; the data's own where absent.
     pub range: [Option<f64>; 2],
 }
 
@@ -50,6 +85,38 @@ impl Axis {
     pub fn log(label: &str) -> Self {
         Self { label: label.to_owned(), scale: Scale::Log, range: [None; 2] }
     }
+
+    fn limits(&self, values: impl Iterator<Item = f64>) -> Range<f64> {
+        let usable = |v: &f64| v.is_finite() && (self.scale == Scale::Linear || *v > 0.0);
+        let (low, high) = values
+            .filter(usable)
+            .fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
+        let (low, high) = if low <= high { (low, high) } else { (0.1, 1.0) };
+        match self.scale {
+            Scale::Linear => {
+                let length = high - self.range[0].unwrap_or(low);
+                let room = 0.06 * length.max(high.abs() * 1e-3).max(1e-9);
+                let low = self.range[0].unwrap_or(low - room);
+                let high = self.range[1].unwrap_or(high + room);
+                low..if high > low { high } else { low + 1.0 }
+            }
+            Scale::Log => {
+                // At least a decade, or there would be few numbers to read.
+                let room = (10.0 * low / high).max(1.0).sqrt().max(1.25);
+                low / room..high * room
+            }
+        }
+    }
+}
+
+/// A logarithmic axis with numbers at 1, 2 and 5 of every decade, or at the decades alone where
+/// there are many. plotters' own begin with the first whole decade, of which there may be none.
+fn log_scale(range: Range<f64>) -> WithKeyPoints<LogCoord<f64>> {
+    let steps: &[f64] = if range.end / range.start < 100.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+    let decades = range.start.log10().floor() as i32..=range.end.log10().ceil() as i32;
+    let numbers = decades.flat_map(|power| steps.iter().map(move |n| n * 10f64.powi(power)));
+    let numbers = numbers.filter(|number| within(&range, *number)).collect();
+    range.clone().log_scale().with_key_points(numbers)
 }
 
 /// How a series is drawn.
@@ -57,9 +124,9 @@ impl Axis {
 pub enum Style {
     /// A line through the points.
     Line,
-    /// A line and a dot on each point.
+    /// A line and a mark on each point.
     Dots,
-    /// Dots alone.
+    /// Marks alone.
     Scatter,
     /// A dashed grey line: a bar, a reference.
     Reference,
@@ -96,174 +163,201 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
-/// An axis with its ends known.
-struct Ruler {
-    scale: Scale,
-    low: f64,
-    high: f64,
-    from: f64,
-    to: f64,
+/// What a series looks like. When the colours are used up they come again, paler and with another
+/// mark.
+#[derive(Clone, Copy)]
+struct Look {
+    style: Style,
+    colour: RGBAColor,
+    round: usize,
 }
 
 impl Chart {
     /// The chart as SVG; `description` says in words what it shows.
     pub fn svg(&self, description: &str) -> String {
-        let mut svg = Svg::new(WIDTH, HEIGHT);
-        let x = Ruler::new(&self.x, self.values(0), [LEFT, WIDTH - RIGHT]);
-        let y = Ruler::new(&self.y, self.values(1), [HEIGHT - BOTTOM, TOP]);
-        self.frame(&mut svg, &x, &y);
-        let (mut colour, mut entry) = (0, 0);
-        for series in &self.series {
-            let class = match series.style {
-                Style::Reference => "reference".to_owned(),
-                Style::Front => "front".to_owned(),
-                _ => {
-                    colour += 1;
-                    // When the colours are used up they come again, paler.
-                    let again = if colour > COLOURS { " again" } else { "" };
-                    format!("c{}{again}", (colour - 1) % COLOURS)
-                }
-            };
-            draw(&mut svg, series, &class, &x, &y);
-            let at = [WIDTH - RIGHT + 16.0, TOP + 12.0 + 18.0 * f64::from(entry)];
-            legend(&mut svg, series, &class, at);
-            entry += 1;
-        }
-        svg.finish(description)
+        let height = HEIGHT.max((self.series.len() as i32 + 2) * LEGEND_LINE);
+        picture([WIDTH, height], description, |area| {
+            let (plot, legend) = area.split_horizontally((WIDTH - LEGEND) * FINE);
+            let x = self.x.limits(self.values(0));
+            let y = self.y.limits(self.values(1));
+            match (self.x.scale, self.y.scale) {
+                (Scale::Linear, Scale::Linear) => self.plot(&plot, x, y)?,
+                (Scale::Linear, Scale::Log) => self.plot(&plot, x, log_scale(y))?,
+                (Scale::Log, Scale::Linear) => self.plot(&plot, log_scale(x), y)?,
+                (Scale::Log, Scale::Log) => self.plot(&plot, log_scale(x), log_scale(y))?,
+            }
+            self.legend(&legend)
+        })
     }
 
     fn values(&self, axis: usize) -> impl Iterator<Item = f64> {
         self.series.iter().flat_map(move |series| series.points.iter().map(move |p| p[axis]))
     }
 
-    fn frame(&self, svg: &mut Svg, x: &Ruler, y: &Ruler) {
-        for tick in x.ticks() {
-            let at = x.place(tick);
-            svg.line("grid", [at, TOP], [at, HEIGHT - BOTTOM]);
-            svg.text("tick", "middle", [at, HEIGHT - BOTTOM + 16.0], &round_number(tick));
+    fn plot<X, Y>(&self, area: &Area, x: X, y: Y) -> Drawn
+    where
+        X: AsRangedCoord<Value = f64>,
+        Y: AsRangedCoord<Value = f64>,
+        X::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
+        Y::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
+    {
+        let mut chart = ChartBuilder::on(area)
+            .margin(8 * FINE)
+            .x_label_area_size(X_AXIS * FINE)
+            .y_label_area_size(Y_AXIS * FINE)
+            .build_cartesian_2d(x, y)?;
+        chart
+            .configure_mesh()
+            .x_labels(NUMBERS)
+            .y_labels(NUMBERS)
+            .x_label_formatter(&|value| round_number(*value))
+            .y_label_formatter(&|value| round_number(*value))
+            .bold_line_style(RULE.stroke_width(FINE as u32))
+            .light_line_style(TRANSPARENT)
+            .axis_style(INK.stroke_width(FINE as u32))
+            .set_all_tick_mark_size(3 * FINE)
+            .label_style(letters())
+            .x_desc(&self.x.label)
+            .y_desc(&self.y.label)
+            .draw()?;
+        let (x, y) = (chart.x_range(), chart.y_range());
+        for (series, look) in self.series.iter().zip(self.looks()) {
+            let shown = |point: &&[f64; 2]| within(&x, point[0]) && within(&y, point[1]);
+            let points = series.points.iter().filter(shown).map(|&[x, y]| (x, y));
+            let points: Vec<(f64, f64)> = points.collect();
+            chart.draw_series(look.line(points.clone()))?;
+            chart.draw_series(points.into_iter().filter_map(|point| look.mark(point)))?;
         }
-        for tick in y.ticks() {
-            let at = y.place(tick);
-            svg.line("grid", [LEFT, at], [WIDTH - RIGHT, at]);
-            svg.text("tick", "end", [LEFT - 6.0, at + 4.0], &round_number(tick));
+        Ok(())
+    }
+
+    /// The legend, as that of a chart without axes: plotters keeps a legend within its chart.
+    fn legend(&self, area: &Area) -> Drawn {
+        let mut chart = ChartBuilder::on(area).build_cartesian_2d(0..1, 0..1)?;
+        for (series, look) in self.series.iter().zip(self.looks()) {
+            chart
+                .draw_series(iter::empty::<Circle<(i32, i32), i32>>())?
+                .label(&series.label)
+                .legend(move |at| look.key(at));
         }
-        svg.line("axis", [LEFT, HEIGHT - BOTTOM], [WIDTH - RIGHT, HEIGHT - BOTTOM]);
-        svg.line("axis", [LEFT, TOP], [LEFT, HEIGHT - BOTTOM]);
-        let middle = (LEFT + WIDTH - RIGHT) / 2.0;
-        svg.text("label", "middle", [middle, HEIGHT - 10.0], &self.x.label);
-        svg.text_upwards("label", [16.0, (TOP + HEIGHT - BOTTOM) / 2.0], &self.y.label);
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::UpperLeft)
+            .legend_area_size(KEY + 6 * FINE)
+            .margin(6 * FINE)
+            .label_font(letters())
+            .draw()
+    }
+
+    fn looks(&self) -> impl Iterator<Item = Look> {
+        let mut coloured = 0;
+        self.series.iter().map(move |&Series { style, .. }| {
+            if matches!(style, Style::Reference | Style::Front) {
+                return Look { style, colour: INK.mix(0.7), round: 0 };
+            }
+            let round = coloured / COLOURS.len();
+            let colour = COLOURS[coloured % COLOURS.len()].mix(0.6f64.powi(round as i32));
+            coloured += 1;
+            Look { style, colour, round }
+        })
     }
 }
 
-fn draw(svg: &mut Svg, series: &Series, class: &str, x: &Ruler, y: &Ruler) {
-    let shown: Vec<([f64; 2], [f64; 2])> = series
-        .points
-        .iter()
-        .filter(|point| x.shows(point[0]) && y.shows(point[1]))
-        .map(|&point| (point, [x.place(point[0]), y.place(point[1])]))
-        .collect();
-    let places: Vec<[f64; 2]> = shown.iter().map(|&(_, place)| place).collect();
-    if series.style != Style::Scatter {
-        svg.polyline(class, &places);
-    }
-    if matches!(series.style, Style::Dots | Style::Scatter) {
-        for ([vx, vy], place) in shown {
-            let title = format!("{}: {}, {}", series.label, number(vx), number(vy));
-            svg.dot(class, place, 4.0, &title);
+/// Something that plotters draws at points of a kind.
+type Drawable<'a, At> = DynElement<'static, SVGBackend<'a>, At>;
+
+impl Look {
+    /// The line through points, where there is one.
+    fn line<'a, At: Clone + 'static>(self, points: Vec<At>) -> Option<Drawable<'a, At>> {
+        let steps = if matches!(self.style, Style::Line | Style::Dots) { 7 } else { 5 };
+        let stroke = self.colour.stroke_width(steps);
+        match self.style {
+            Style::Scatter => None,
+            Style::Reference => Some(DashedPathElement::new(points, DASH, DASH, stroke).into_dyn()),
+            _ => Some(PathElement::new(points, stroke).into_dyn()),
         }
+    }
+
+    /// The mark on a point, where there is one.
+    fn mark<'a, At: Clone + 'static>(self, at: At) -> Option<Drawable<'a, At>> {
+        let style = self.colour.filled().stroke_width(2 * FINE as u32);
+        matches!(self.style, Style::Dots | Style::Scatter).then(|| match self.round % 3 {
+            0 => Circle::new(at, MARK, style).into_dyn(),
+            1 => TriangleMarker::new(at, MARK + FINE, style).into_dyn(),
+            _ => Cross::new(at, MARK, style).into_dyn(),
+        })
+    }
+
+    /// What stands beside the name in the legend: the mark, or else the line.
+    fn key<'a>(self, (x, y): (i32, i32)) -> Drawable<'a, (i32, i32)> {
+        let line = || self.line(vec![(x, y), (x + KEY, y)]);
+        let nothing = || PathElement::new([], TRANSPARENT).into_dyn();
+        self.mark((x + KEY / 2, y)).or_else(line).unwrap_or_else(nothing)
     }
 }
 
-fn legend(svg: &mut Svg, series: &Series, class: &str, [x, y]: [f64; 2]) {
-    if series.style != Style::Scatter {
-        svg.polyline(class, &[[x, y - 4.0], [x + 18.0, y - 4.0]]);
-    }
-    if matches!(series.style, Style::Dots | Style::Scatter) {
-        svg.dot(class, [x + 9.0, y - 4.0], 4.0, &series.label);
-    }
-    svg.text("legend", "start", [x + 24.0, y], &series.label);
-}
-
-impl Ruler {
-    fn new(axis: &Axis, values: impl Iterator<Item = f64>, [from, to]: [f64; 2]) -> Self {
-        let usable = |v: &f64| v.is_finite() && (axis.scale == Scale::Linear || *v > 0.0);
-        let (low, high) = values
-            .filter(usable)
-            .fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
-        let (low, high) = if low <= high { (low, high) } else { (0.1, 1.0) };
-        let (low, high) = match axis.scale {
-            Scale::Linear => {
-                let room = 0.06 * (high - low).max(high.abs() * 1e-3).max(1e-9);
-                (axis.range[0].unwrap_or(low - room), axis.range[1].unwrap_or(high + room))
-            }
-            Scale::Log => {
-                // At least a decade, or there would be no ticks to read.
-                let widen = (DECADE * low / high).max(1.0).sqrt().max(1.25);
-                (axis.range[0].unwrap_or(low / widen), axis.range[1].unwrap_or(high * widen))
-            }
-        };
-        let high = if high > low { high } else { low + 1.0 };
-        Self { scale: axis.scale, low, high, from, to }
-    }
-
-    fn shows(&self, value: f64) -> bool {
-        let slack = 1e-9 * (self.high - self.low);
-        (self.low - slack..=self.high + slack).contains(&value)
-    }
-
-    fn place(&self, value: f64) -> f64 {
-        let share = match self.scale {
-            Scale::Linear => (value - self.low) / (self.high - self.low),
-            Scale::Log => (value / self.low).ln() / (self.high / self.low).ln(),
-        };
-        self.from + share * (self.to - self.from)
-    }
-
-    fn ticks(&self) -> Vec<f64> {
-        match self.scale {
-            Scale::Linear => {
-                let rough = (self.high - self.low) / TICKS;
-                let power = 10f64.powf(rough.log10().floor());
-                let step = [1.0, 2.0, 5.0, 10.0]
-                    .into_iter()
-                    .map(|n| n * power)
-                    .find(|step| *step >= rough)
-                    .unwrap_or(rough);
-                let first = (self.low / step).ceil() as i64;
-                let last = (self.high / step + 1e-9).floor() as i64;
-                (first..=last).map(|n| n as f64 * step).collect()
-            }
-            Scale::Log => {
-                let within_two_decades = self.high / self.low < 100.0;
-                let steps: &[f64] = if within_two_decades { &[1.0, 2.0, 5.0] } else { &[1.0] };
-                let first = self.low.log10().floor() as i32;
-                let last = self.high.log10().ceil() as i32;
-                (first..=last)
-                    .flat_map(|power| steps.iter().map(move |step| step * 10f64.powi(power)))
-                    .filter(|tick| self.shows(*tick))
-                    .collect()
-            }
-        }
-    }
+fn within(range: &Range<f64>, value: f64) -> bool {
+    let slack = 1e-9 * (range.end - range.start);
+    (range.start - slack..=range.end + slack).contains(&value)
 }
 
 #[cfg(test)]
 mod tests {
+    use plotters::coord::ranged1d::BoldPoints;
+
     use super::*;
 
+    fn chart(series: Vec<Series>) -> Chart {
+        Chart { x: Axis::log("seconds"), y: Axis::between("Q", 0.0, 1.0), series }
+    }
+
     #[test]
-    fn axes_end_where_they_are_told_and_ticks_are_round() {
-        let ruler = Ruler::new(&Axis::between("q", 0.0, 1.0), [0.3].into_iter(), [0.0, 100.0]);
-        let ticks = ruler.ticks();
-        assert_eq!((ticks.len(), ticks[0]), (6, 0.0));
-        assert!((ticks[5] - 1.0).abs() < 1e-12 && (ruler.place(0.5) - 50.0).abs() < 1e-9);
-        let ruler = Ruler::new(&Axis::log("s"), [0.9, 1100.0].into_iter(), [0.0, 300.0]);
-        assert_eq!(ruler.ticks(), [1.0, 10.0, 100.0, 1000.0]);
+    fn every_point_has_its_mark_and_every_series_its_key() {
+        let dots = |name: &str| Series::new(name, Style::Dots, vec![[1.0, 0.5], [3.0, 0.7]]);
+        let mut series = vec![dots("a<b"), dots("b"), Series::new("c", Style::Reference, vec![])];
+        let svg = chart(series.clone()).svg("test");
+        let count = |svg: &str, element: &str, colour: &str| {
+            let of = |line: &&str| line.starts_with(element) && line.contains(colour);
+            svg.lines().filter(of).count()
+        };
+        for colour in ["#0072B2", "#D55E00"] {
+            assert_eq!(count(&svg, "<circle", colour), 3, "{svg}");
+            assert_eq!(count(&svg, "<polyline", colour), 1, "{svg}");
+        }
+        assert!(["a&lt;b", "b", "c", "seconds", "Q"].iter().all(|name| svg.contains(name)));
+        assert!(!svg.contains("a<b"));
+        // Outside of the axes nothing is drawn, and what has no logarithm neither.
+        series[0].points.extend([[2.0, 1.5], [-1.0, 0.5], [0.0, 0.5], [f64::NAN, 0.5]]);
+        assert_eq!(count(&chart(series).svg("test"), "<circle", "#0072B2"), 3);
+    }
+
+    #[test]
+    fn used_up_colours_come_again_with_another_mark() {
+        let series = (0..8).map(|n| Series::new(n.to_string(), Style::Scatter, vec![[1.0, 0.5]]));
+        let svg = chart(series.collect()).svg("test");
+        assert_eq!(svg.matches("<circle").count(), 2 * 7);
+        assert_eq!(svg.matches("<polygon").count(), 2);
+    }
+
+    #[test]
+    fn a_logarithmic_axis_has_round_numbers_within_a_decade_and_over_many() {
+        let numbers = |low: f64, high: f64| {
+            log_scale(Axis::log("s").limits([low, high].into_iter())).key_points(BoldPoints(7))
+        };
+        let near = |found: &[f64], expected: &[f64]| {
+            found.iter().zip(expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-9)
+                && found.len() == expected.len()
+        };
+        assert!(near(&numbers(0.3, 0.4), &[0.2, 0.5, 1.0]), "{:?}", numbers(0.3, 0.4));
+        assert!(near(&numbers(0.9, 1100.0), &[1.0, 10.0, 100.0, 1000.0]));
+        let svg = chart(vec![Series::new("a", Style::Dots, vec![[0.03, 0.1], [0.4, 0.9]])]);
+        let svg = svg.svg("test");
+        assert!(["0.05", "0.1", "0.2", "0.5"].iter().all(|n| svg.contains(&format!("\n{n}\n"))));
     }
 
     #[test]
     fn a_chart_without_points_is_a_chart() {
-        let chart = Chart { x: Axis::log("x"), y: Axis::from_zero("y"), series: Vec::new() };
-        assert!(!chart.svg("nothing").contains("NaN"));
+        let svg = chart(Vec::new()).svg("nothing");
+        assert!(svg.starts_with("<svg") && !svg.contains("NaN"), "{svg}");
     }
 }

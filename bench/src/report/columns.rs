@@ -2,7 +2,7 @@
 
 use super::{
     Report,
-    svg::{number, round_number},
+    text::{number, round_number},
 };
 use crate::Row;
 

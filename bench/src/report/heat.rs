@@ -1,11 +1,21 @@
 //! Pictures of values on a grid of cells, in steps of shade.
 
-use std::fmt::Write;
+use plotters::{
+    prelude::{ChartBuilder, PathElement, Rectangle},
+    style::Color,
+};
 
-use super::svg::{Svg, number};
+use super::{
+    chart::COLOURS,
+    picture::{FINE, RULE, letters, picture},
+    text::number,
+};
 
-/// Shades on each side of zero; classes `h1`..`h8` above it, `n1`..`n8` below.
-const SHADES: usize = 8;
+/// Shades on each side of zero.
+const SHADES: f32 = 8.0;
+
+/// Room for an axis's name, in units.
+const NAME: i32 = 24;
 
 /// Values on a grid, row 0 at the bottom.
 #[derive(Debug, Clone)]
@@ -25,52 +35,51 @@ pub struct HeatMap<'a> {
 impl HeatMap<'_> {
     /// The picture; `description` says in words what it shows.
     pub fn svg(&self, description: &str) -> String {
-        let [columns, rows] = self.size;
-        let (width, height) = (columns as f64 * self.cell, rows as f64 * self.cell);
-        let mut svg = Svg::new(width + 30.0, height + 26.0);
-        svg.raw(&format!(
-            "<rect class=\"dark-field\" x=\"26\" y=\"2\" width=\"{width:.1}\" \
-             height=\"{height:.1}\"/>"
-        ));
-        for shade in (-(SHADES as i32)..=SHADES as i32).filter(|shade| *shade != 0) {
-            let cells = self.cells_of(shade);
-            if !cells.is_empty() {
-                let sign = if shade > 0 { 'h' } else { 'n' };
-                svg.raw(&format!("<path class=\"{sign}{}\" d=\"{cells}\"/>", shade.unsigned_abs()));
-            }
-        }
-        svg.text("tick", "middle", [26.0 + width / 2.0, height + 18.0], self.axes[0]);
-        svg.text_upwards("tick", [16.0, height / 2.0], self.axes[1]);
-        svg.finish(&format!("{description}; deepest shade {}", number(f64::from(self.full))))
+        let size = self.size.map(|cells| (cells as f64 * self.cell).round() as i32 + NAME);
+        let description = format!("{description}; deepest shade {}", number(f64::from(self.full)));
+        picture(size, &description, |area| {
+            let [columns, rows] = self.size;
+            let mut chart = ChartBuilder::on(area)
+                .set_left_and_bottom_label_area_size(NAME * FINE)
+                .build_cartesian_2d(0..columns.max(1), 0..rows.max(1))?;
+            chart
+                .configure_mesh()
+                .disable_mesh()
+                .disable_axes()
+                .x_desc(self.axes[0])
+                .y_desc(self.axes[1])
+                .axis_desc_style(letters())
+                .draw()?;
+            chart.draw_series(self.cells())?;
+            let frame = [(0, 0), (columns, 0), (columns, rows), (0, rows), (0, 0)];
+            chart.draw_series([PathElement::new(frame, RULE.stroke_width(FINE as u32))])?;
+            Ok(())
+        })
     }
 
-    /// The cells of one shade as a path, neighbours in a row as one piece.
-    fn cells_of(&self, shade: i32) -> String {
-        let [columns, rows] = self.size;
-        let mut path = String::new();
-        for row in 0..rows {
-            let y = 2.0 + (rows - 1 - row) as f64 * self.cell;
-            let mut column = 0;
-            while column < columns {
-                let same = |c: &usize| self.shade(row * columns + c) == shade;
-                let run = (column..columns).take_while(same).count();
-                if run > 0 {
-                    let (x, wide) = (26.0 + column as f64 * self.cell, run as f64 * self.cell);
-                    // Writing to a String does not fail.
-                    let _ =
-                        write!(path, "M{x:.1} {y:.1}h{wide:.1}v{c:.1}h-{wide:.1}z", c = self.cell);
+    /// All cells that are not blank, neighbours of one shade in a row as one piece.
+    fn cells(&self) -> Vec<Rectangle<(usize, usize)>> {
+        let mut cells = Vec::new();
+        for (row, values) in self.values.chunks(self.size[0].max(1)).enumerate() {
+            let shades: Vec<i32> = values.iter().map(|value| self.shade(*value)).collect();
+            let mut end = 0;
+            for same in shades.chunk_by(|a, b| a == b) {
+                let (start, shade) = (end, same[0]);
+                end += same.len();
+                if shade != 0 {
+                    let colour = COLOURS[usize::from(shade < 0)];
+                    let depth = f64::from(shade.abs()) / f64::from(SHADES);
+                    let corners = [(start, row + 1), (end, row)];
+                    cells.push(Rectangle::new(corners, colour.mix(depth).filled()));
                 }
-                column += run.max(1);
             }
         }
-        path
+        cells
     }
 
-    fn shade(&self, cell: usize) -> i32 {
-        let share =
-            self.values.get(cell).copied().unwrap_or(0.0) / self.full.max(f32::MIN_POSITIVE);
-        let deepest = SHADES as f32;
-        (share * deepest).round().clamp(-deepest, deepest) as i32
+    fn shade(&self, value: f32) -> i32 {
+        let share = value / self.full.max(f32::MIN_POSITIVE);
+        (share * SHADES).round().clamp(-SHADES, SHADES) as i32
     }
 }
 
@@ -79,11 +88,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn equal_neighbours_are_one_piece() {
+    fn equal_neighbours_are_one_piece_and_each_sign_has_its_colour() {
         let values = [1.0, 1.0, 0.0, -1.0];
         let map = HeatMap { size: [2, 2], values: &values, full: 1.0, axes: ["x", "y"], cell: 4.0 };
-        assert_eq!(map.cells_of(8), "M26.0 6.0h8.0v4.0h-8.0z");
-        assert_eq!(map.cells_of(-8), "M30.0 2.0h4.0v4.0h-4.0z");
-        assert!(map.svg("test").contains("class=\"n8\""));
+        let svg = map.svg("test");
+        assert_eq!(svg.matches("<rect").count(), 2, "{svg}");
+        let cell = |colour: &str| {
+            let cell = svg.lines().find(|line| line.starts_with("<rect") && line.contains(colour));
+            ["x", "y", "width", "height"].map(|name| {
+                let (_, value) = cell.unwrap().split_once(&format!(" {name}=\"")).unwrap();
+                value.split_once('"').unwrap().0.parse::<i32>().unwrap()
+            })
+        };
+        // plotters ends its axes on the last step, not after it.
+        let near = |a: [i32; 4], b: [i32; 4]| a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= 1);
+        assert!(near(cell("#0072B2"), [96, 16, 32, 16]), "{svg}");
+        assert!(near(cell("#D55E00"), [112, 0, 16, 16]), "{svg}");
     }
 }

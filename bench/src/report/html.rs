@@ -7,7 +7,7 @@ use super::{
     columns::COLUMNS,
     figures::sections,
     section::{Compared, Section},
-    svg::{escaped, number},
+    text::{escaped, number},
 };
 use crate::Row;
 

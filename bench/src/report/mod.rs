@@ -6,11 +6,12 @@ mod csv;
 mod figures;
 mod heat;
 mod html;
+mod picture;
 mod reach;
 mod section;
 mod surface;
-mod svg;
 mod tables;
+mod text;
 
 use std::{
     io::{self, Write},

@@ -1,12 +1,19 @@
 //! An iso-surface as shaded triangles: marching tetrahedra, seen from a corner.
 
-use super::svg::Svg;
+use plotters::{
+    element::{PathElement, Polygon},
+    style::{Color, HSLColor},
+};
 
-/// Shades of the surface; classes `s0` (turned away from the light) to `s9`.
-const SHADES: f64 = 9.0;
+use super::picture::{Area, Drawn, FINE, RULE, picture};
 
 /// Steps between the lattice's nodes, by cubic interpolation: a ring on a coarse lattice is round.
 const UPSAMPLING: usize = 2;
+
+/// Hue of the surface, and lightness where it is turned away from the light and towards it.
+const HUE: f64 = 205.0 / 360.0;
+const DARKEST: f64 = 0.28;
+const BRIGHTEST: f64 = 0.76;
 
 /// Where the eye is: turned about z and raised, in radians.
 const TURN: f64 = 0.6;
@@ -30,32 +37,28 @@ type Triangle = [[f64; 3]; 3];
 impl Scalars {
     /// The surface where the values cross `level`, seen from above and one side. `height` is that
     /// of the picture.
-    pub fn surface_svg(&self, level: f64, height: f64, description: &str) -> String {
+    pub fn surface_svg(&self, level: f64, height: i32, description: &str) -> String {
         let fine = (0..3).fold(self.clone(), |scalars, axis| scalars.upsampled(axis));
         let middle = fine.nodes.map(|n| (n as f64 - 1.0) / 2.0);
         let largest = middle.iter().copied().fold(1.0, f64::max);
-        let scale = 0.5 * height / (1.45 * largest);
-        let mut seen: Vec<(f64, usize, [[f64; 2]; 3])> = fine
+        let half = f64::from(height * FINE) / 2.0;
+        let scale = half / (1.45 * largest);
+        let place = |[right, up, _]: [f64; 3]| {
+            ((1.5 * half + scale * right).round() as i32, (half - scale * up).round() as i32)
+        };
+        let mut seen: Vec<Triangle> = fine
             .triangles(level)
             .into_iter()
-            .map(|triangle| {
-                let eye =
-                    triangle.map(|p| turned(std::array::from_fn(|axis| p[axis] - middle[axis])));
-                let depth = eye.iter().map(|p| p[2]).sum::<f64>() / 3.0;
-                let flat = eye.map(|p| [height * 0.75 + scale * p[0], height / 2.0 - scale * p[1]]);
-                (depth, shade(&eye), flat)
-            })
+            .map(|triangle| triangle.map(|p| turned([0, 1, 2].map(|axis| p[axis] - middle[axis]))))
             .collect();
-        seen.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut svg = Svg::new(height * 1.5, height);
-        frame(&mut svg, middle, |p| [height * 0.75 + scale * p[0], height / 2.0 - scale * p[1]]);
-        for (_, shade, [a, b, c]) in seen {
-            svg.raw(&format!(
-                "<path class=\"s{shade}\" d=\"M{:.1} {:.1}L{:.1} {:.1}L{:.1} {:.1}z\"/>",
-                a[0], a[1], b[0], b[1], c[0], c[1]
-            ));
-        }
-        svg.finish(description)
+        // What is nearer is painted over what is behind it.
+        let depth = |eye: &Triangle| eye.iter().map(|p| p[2]).sum::<f64>();
+        seen.sort_by(|a, b| depth(a).total_cmp(&depth(b)));
+        picture([height * 3 / 2, height], description, |area| {
+            frame(area, middle, place)?;
+            seen.iter()
+                .try_for_each(|eye| area.draw(&Polygon::new(eye.map(place), shade(eye).filled())))
+        })
     }
 
     /// Twice the nodes along an axis: Catmull-Rom between them.
@@ -168,24 +171,26 @@ fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 /// Light comes from over the reader's left shoulder.
-fn shade(eye: &Triangle) -> usize {
+fn shade(eye: &Triangle) -> HSLColor {
     const LIGHT: [f64; 3] = [-0.35, 0.55, 0.76];
     let normal = normal(eye);
     let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
     let cosine = (0..3).map(|a| normal[a] * LIGHT[a]).sum::<f64>() / length;
-    (SHADES * (0.25 + 0.75 * cosine.max(0.0))).round() as usize
+    HSLColor(HUE, 0.55, DARKEST + (BRIGHTEST - DARKEST) * cosine.max(0.0))
 }
 
 /// The edges of the volume.
-fn frame(svg: &mut Svg, half: [f64; 3], place: impl Fn([f64; 3]) -> [f64; 2]) {
+fn frame(area: &Area, half: [f64; 3], place: impl Fn([f64; 3]) -> (i32, i32)) -> Drawn {
     let corner = |n: usize| -> [f64; 3] {
         turned(std::array::from_fn(|a| if n >> a & 1 == 1 { half[a] } else { -half[a] }))
     };
     for from in 0..8usize {
         for to in (0..3).map(|a| from | 1 << a).filter(|to| *to != from) {
-            svg.line("grid", place(corner(from)), place(corner(to)));
+            let edge = [from, to].map(|n| place(corner(n)));
+            area.draw(&PathElement::new(edge, RULE.stroke_width(FINE as u32)))?;
         }
     }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -210,6 +215,14 @@ mod tests {
         }
         let expected = 4.0 * std::f64::consts::PI * 25.0;
         assert!((area / expected - 1.0).abs() < 0.03, "{area}");
-        assert!(ball.surface_svg(0.0, 100.0, "ball").contains("class=\"s9\""));
+        let svg = ball.surface_svg(0.0, 100, "ball");
+        let fine = (0..3).fold(ball, |ball, axis| ball.upsampled(axis));
+        assert_eq!(svg.matches("<polygon").count(), fine.triangles(0.0).len());
+        let towards_the_light = HSLColor(HUE, 0.55, BRIGHTEST).rgb();
+        let brightest =
+            svg.lines().filter_map(|line| line.split_once("fill=\"#")).map(|(_, fill)| {
+                u8::from_str_radix(&fill[..2], 16).expect("a colour in hexadecimal digits")
+            });
+        assert!(brightest.max().unwrap().abs_diff(towards_the_light.0) < 3);
     }
 }

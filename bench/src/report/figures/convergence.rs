@@ -8,8 +8,8 @@ use crate::{
         Report,
         chart::{Axis, Chart, Series, Style},
         section::{Compared, Panel, Section},
-        svg::number,
         tables::cameras,
+        text::number,
     },
 };
 

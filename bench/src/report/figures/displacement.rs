@@ -6,8 +6,8 @@ use crate::{
         Report,
         chart::{Axis, Chart, Series, Style},
         section::{Compared, Panel, Section},
-        svg::number,
         tables::{by_volume, cameras, grouped},
+        text::number,
     },
 };
 

@@ -6,8 +6,8 @@ use crate::{
         Report,
         chart::{Axis, Chart, Series, Style},
         section::{Compared, Panel, Section},
-        svg::number,
         tables::{Group, by_case, cameras, grouped},
+        text::number,
     },
 };
 

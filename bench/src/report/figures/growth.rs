@@ -6,7 +6,7 @@ use crate::{
         Report,
         chart::{Axis, Chart, Series, Style},
         section::{Compared, Panel, Section},
-        svg::number,
+        text::number,
     },
 };
 

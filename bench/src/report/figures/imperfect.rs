@@ -6,8 +6,8 @@ use crate::{
     report::{
         Report,
         section::{Compared, Section},
-        svg::number,
         tables::{mean, mean_error, mean_of_components, mean_true_followed},
+        text::number,
     },
 };
 

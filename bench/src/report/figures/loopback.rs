@@ -5,7 +5,7 @@ use crate::{
     report::{
         Report,
         section::{Compared, Section},
-        svg::number,
+        text::number,
     },
 };
 

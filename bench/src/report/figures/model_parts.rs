@@ -5,8 +5,8 @@ use crate::{
     report::{
         Report,
         section::{Compared, Section},
-        svg::number,
         tables::mean_error,
+        text::number,
     },
 };
 

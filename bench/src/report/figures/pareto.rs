@@ -6,10 +6,10 @@ use crate::{
         Report,
         chart::{Axis, Chart, Series, Style},
         section::{Panel, Section},
-        svg::number,
         tables::{
             by_case, grouped, mean, mean_error, mean_true_followed, mean_true_windows, pareto_front,
         },
+        text::number,
     },
 };
 

@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// Height of an iso-surface's picture and width of a slice's, about.
-const SURFACE_HEIGHT: f64 = 240.0;
+const SURFACE_HEIGHT: i32 = 240;
 const SLICE_WIDTH: f64 = 250.0;
 
 /// Where |vorticity| is the paper's level.

@@ -1,7 +1,7 @@
 //! What README says, held against what was measured.
 
 use super::{
-    super::{Report, svg::number, tables::mean_of_components},
+    super::{Report, tables::mean_of_components, text::number},
     Reached, Verdict,
 };
 use crate::{Case, Claim, Row};

@@ -4,8 +4,8 @@ use super::{
     super::{
         Report,
         figures::growth::voxels,
-        svg::number,
         tables::{mean, mean_of_components, median},
+        text::number,
     },
     Candidate, WINDOWS_1_PPM_VOX, at_most, candidates,
 };

@@ -3,7 +3,7 @@
 use lfpiv_core::reconstruction::Solver;
 
 use super::{
-    super::{Report, figures::convergence::accelerations, svg::number, tables::mean_error},
+    super::{Report, figures::convergence::accelerations, tables::mean_error, text::number},
     Candidate, all_of, at_most, missed,
 };
 use crate::{Bar, Row};

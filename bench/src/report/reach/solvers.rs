@@ -5,8 +5,8 @@ use lfpiv_core::reconstruction::Solver;
 use super::{
     super::{
         Report,
-        svg::number,
         tables::{mean_of_components, median},
+        text::number,
     },
     Candidate, all_of, at_most, missed,
     ratios::fastest,
