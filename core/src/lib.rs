@@ -85,6 +85,7 @@ pub mod lightfield;
 pub mod measurement;
 pub mod model;
 pub mod reconstruction;
+pub mod statistics;
 pub mod velocimetry;
 
 pub use clock::{Clock, untimed};

@@ -6,7 +6,7 @@ use lfpiv::{
     archive::{FileDepth, write_pair, write_replacing},
     pipeline::monotonic,
 };
-use lfpiv_core::measurement::Processor;
+use lfpiv_core::{measurement::Processor, statistics::median};
 
 use super::{Findings, Surroundings, velocity};
 use crate::{BenchmarkError, Method, case::Setting, child};
@@ -58,13 +58,9 @@ fn repeated(
     let runs = (0..setting.case.repeats.max(1))
         .map(|_| child::process(surroundings.program, &config, &results, pair))
         .collect::<Result<Vec<_>, _>>()?;
-    let median = |mut values: Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        values.get(values.len() / 2).copied()
-    };
     Ok(child::Taken {
-        seconds: median(runs.iter().map(|run| run.seconds).collect()).unwrap_or_default(),
-        cpu_seconds: median(runs.iter().filter_map(|run| run.cpu_seconds).collect()),
+        seconds: median(runs.iter().map(|run| run.seconds)).unwrap_or_default(),
+        cpu_seconds: median(runs.iter().filter_map(|run| run.cpu_seconds)),
         peak_bytes: runs.iter().filter_map(|run| run.peak_bytes).max(),
     })
 }

@@ -2,6 +2,7 @@
 
 use std::{fs, time::Instant};
 
+use lfpiv_core::statistics::median;
 use serde::Serialize;
 
 use crate::child::high_water_bytes;
@@ -101,8 +102,7 @@ pub(super) fn repeated<T>(repeats: usize, work: impl Fn() -> T) -> (T, Cost) {
     }
     let cpu_seconds = cpu_seconds().zip(cpu_before).map(|(now, before)| now - before);
     let cpu_seconds = cpu_seconds.map(|all| all / seconds.len() as f64);
-    seconds.sort_by(f64::total_cmp);
-    (result, Cost { median_seconds: seconds[seconds.len() / 2], cpu_seconds })
+    (result, Cost { median_seconds: median(seconds).unwrap_or_default(), cpu_seconds })
 }
 
 /// Processor seconds of all threads of this process that still run.

@@ -1,5 +1,7 @@
 //! Rows put together: means over seeds, groups by method.
 
+use lfpiv_core::statistics;
+
 use crate::Row;
 
 /// A group of rows that differ in nothing but `x` and the seed: x and the mean over the seeds.
@@ -71,9 +73,7 @@ pub fn mean(rows: &[&Row], figure: impl Fn(&Row) -> Option<f64>) -> Option<f64> 
 
 /// Median of what rows have of a figure.
 pub fn median(rows: &[&Row], figure: impl Fn(&Row) -> Option<f64>) -> Option<f64> {
-    let mut values: Vec<f64> = rows.iter().filter_map(|row| figure(row)).collect();
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
+    statistics::median(rows.iter().filter_map(|row| figure(row)))
 }
 
 /// Mean of what rows have of a figure along x, y, z, each component by itself.

@@ -1,5 +1,6 @@
 //! From a pair of volumes to a velocity field.
 
+mod b_spline;
 mod cloud;
 mod conjugate_gradients;
 mod correlation;

@@ -131,7 +131,7 @@ impl Interrogation {
         }
         let found = self.pass(a, b, &mut field, WIDE);
         let mut vectors = self.judge(&field, &found.peaks).vectors(&found.uncertainty_vox);
-        self.settle(&mut vectors, particles.then_some([a, b]));
+        self.to_particles(&mut vectors, particles.then_some([a, b]));
         self.report(&vectors, &found.peaks, dt_s)
     }
 
@@ -212,7 +212,7 @@ impl Interrogation {
     /// Moves the last pass's vectors to the likeliest field behind them, and from there to the one
     /// that the particles of `frames` follow. What was replaced is valid where particles measure it; what
     /// is invalid stays so.
-    fn settle(&self, vectors: &mut [Vector], frames: Option<[&PointCloud; 2]>) {
+    fn to_particles(&self, vectors: &mut [Vector], frames: Option<[&PointCloud; 2]>) {
         let (field, uncertainty_vox) = settled(vectors, self.windows.at_rest());
         let settled = match frames {
             Some(frames) => follow(&field, &uncertainty_vox, frames),

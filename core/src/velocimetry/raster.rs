@@ -2,7 +2,7 @@
 
 use multiversion::multiversion;
 
-use super::{cloud::PointCloud, lattice::Lattice};
+use super::{b_spline, cloud::PointCloud, lattice::Lattice};
 use crate::model::VolumeGrid;
 
 /// A box of cubic cells in space. Rows along x are contiguous, z is slowest.
@@ -105,15 +105,7 @@ fn splat(raster: &Raster, cloud: &PointCloud, shift_vox: Option<&Lattice>, image
 #[inline(always)]
 fn spline_taps(at: f32) -> (usize, [f32; 4]) {
     let cell = at as usize;
-    let t = at - cell as f32;
-    let s = 1.0 - t;
-    let weights = [
-        s * s * s / 6.0,
-        2.0 / 3.0 - t * t * (2.0 - t) / 2.0,
-        2.0 / 3.0 - s * s * (2.0 - s) / 2.0,
-        t * t * t / 6.0,
-    ];
-    (cell - 1, weights)
+    (cell - 1, b_spline::weights(at - cell as f32))
 }
 
 #[cfg(test)]

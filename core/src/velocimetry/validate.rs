@@ -5,6 +5,7 @@ mod lanes;
 use rayon::prelude::*;
 
 use super::differences::Layout;
+use crate::statistics::median;
 
 /// Fewer neighbours than this say nothing about a vector.
 const LEAST_NEIGHBOURS: usize = 4;
@@ -180,8 +181,8 @@ fn carried_to_centre(near: &[Neighbour]) -> Vec<[f32; 3]> {
             .filter_map(|n| by_place[n].zip(by_place[n + stride]))
             .collect();
         std::array::from_fn(|c| {
-            let mut slopes: Vec<f32> = pairs.iter().map(|(l, h)| h.value[c] - l.value[c]).collect();
-            if slopes.is_empty() { 0.0 } else { median(&mut slopes) }
+            let slopes = pairs.iter().map(|(l, h)| h.value[c] - l.value[c]);
+            median(slopes).unwrap_or_default() as f32
         })
     });
     let carried = |n: &Neighbour| {
@@ -193,32 +194,9 @@ fn carried_to_centre(near: &[Neighbour]) -> Vec<[f32; 3]> {
     near.iter().map(carried).collect()
 }
 
-/// Median of at least one value, whose order is lost: the mean of the middle two of an even number.
-pub fn median(values: &mut [f32]) -> f32 {
-    let middle = values.len() / 2;
-    let (below, &mut upper, _) = values.select_nth_unstable_by(middle, f32::total_cmp);
-    if below.len() < middle || !values.len().is_multiple_of(2) {
-        return upper;
-    }
-    let lower = values[..middle].iter().copied().fold(f32::NEG_INFINITY, f32::max);
-    (lower + upper) / 2.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn median_agrees_with_sorting(mut values in proptest::collection::vec(-5f32..5.0, 1..30)) {
-            let mut sorted = values.clone();
-            sorted.sort_by(f32::total_cmp);
-            let n = sorted.len();
-            let expected = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2.0;
-            prop_assert_eq!(median(&mut values), expected);
-        }
-    }
 
     impl Candidates<'_> {
         /// The definition, vector by vector.
@@ -229,8 +207,8 @@ mod tests {
                 near.len() < LEAST_NEIGHBOURS
                     || (0..3).all(|c| {
                         let spread = median_residual(near.iter().map(|n| n.value[c]));
-                        let mut around: Vec<f32> = level.iter().map(|v| v[c]).collect();
-                        let residual = (self.values[index][c] - median(&mut around)).abs();
+                        let around = median(level.iter().map(|v| v[c])).expect("neighbours");
+                        let residual = (self.values[index][c] - around as f32).abs();
                         f64::from(residual) <= threshold * (f64::from(spread) + epsilon_vox)
                     })
             }
@@ -239,12 +217,9 @@ mod tests {
 
     /// Median distance of values from their median.
     fn median_residual(values: impl Iterator<Item = f32>) -> f32 {
-        let mut values: Vec<f32> = values.collect();
-        let middle = median(&mut values);
-        for value in &mut values {
-            *value = (*value - middle).abs();
-        }
-        median(&mut values)
+        let values: Vec<f32> = values.collect();
+        let middle = median(values.iter().copied()).expect("neighbours") as f32;
+        median(values.iter().map(|value| (value - middle).abs())).expect("neighbours") as f32
     }
 
     #[test]

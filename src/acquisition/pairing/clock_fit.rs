@@ -9,6 +9,8 @@
 
 use std::collections::VecDeque;
 
+use lfpiv_core::statistics::{median, weighted_median};
+
 /// Points that a line is drawn through.
 const WINDOW: usize = 32;
 /// Points from which on rate and spread are believed.
@@ -137,11 +139,11 @@ impl ClockFit {
         }
         let rate = self.rate.unwrap_or(0.0);
         let mut left: Vec<f64> = points.iter().map(|(at, ahead)| ahead - rate * at).collect();
-        let offset_ns = median(&mut left).unwrap_or(0.0);
+        let offset_ns = median(left.iter().copied()).unwrap_or(0.0);
         self.last_off_ns = -offset_ns;
         if enough {
             left.iter_mut().for_each(|off| *off = (*off - offset_ns).abs());
-            self.spread_ns = MAD_TO_SIGMA * median(&mut left).unwrap_or(0.0);
+            self.spread_ns = MAD_TO_SIGMA * median(left.iter().copied()).unwrap_or(0.0);
             let first_at_ns = points.iter().map(|(at, _)| *at).fold(0.0, f64::min);
             self.rate_uncertainty = RATE_WANDER + 4.0 * self.spread_ns / first_at_ns.abs().max(1.0);
         }
@@ -154,27 +156,6 @@ fn rates(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
         points.iter().enumerate().flat_map(|(n, a)| points[..n].iter().map(move |b| (a, b)));
     let apart = pairs.filter(|(a, b)| a.0 != b.0);
     apart.map(|(a, b)| ((a.1 - b.1) / (a.0 - b.0), (a.0 - b.0).abs())).collect()
-}
-
-/// The value on either side of which lies half of the weight.
-fn weighted_median(mut values: Vec<(f64, f64)>) -> Option<f64> {
-    values.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let half = values.iter().map(|(_, weight)| weight).sum::<f64>() / 2.0;
-    let mut below = 0.0;
-    let middle = values.iter().find(|(_, weight)| {
-        below += weight;
-        below >= half
-    });
-    middle.map(|(value, _)| *value)
-}
-
-/// The middle value, the upper one of two; `None` of nothing. Changes the order.
-fn median(values: &mut [f64]) -> Option<f64> {
-    if values.is_empty() {
-        return None;
-    }
-    let middle = values.len() / 2;
-    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 #[cfg(test)]

@@ -12,7 +12,9 @@ use nalgebra::{Matrix3, Matrix4, Point3, SMatrix, SVector, Vector3, Vector4};
 use rayon::prelude::*;
 
 use super::bench_error::{ConfiguredBench, PARAMETERS, Sensitivity};
-use crate::{lightfield::ViewStack, model::PointImager, reconstruction::ProjectedView};
+use crate::{
+    lightfield::ViewStack, model::PointImager, reconstruction::ProjectedView, statistics::median,
+};
 
 /// Fewer particles than this do not determine a bench error.
 const LEAST_PARTICLES: usize = 40;
@@ -215,12 +217,7 @@ fn prior(equations: &[Equation]) -> SVector<f64, PARAMETERS> {
 
 /// Median squared distance of the particles from a bench error, in variances.
 fn median_distance(equations: &[Equation], parameters: &SVector<f64, PARAMETERS>) -> f64 {
-    let mut distances: Vec<f64> = equations.iter().map(|e| e.distance(parameters)).collect();
-    let middle = distances.len() / 2;
-    match distances.is_empty() {
-        true => 0.0,
-        false => *distances.select_nth_unstable_by(middle, f64::total_cmp).1,
-    }
+    median(equations.iter().map(|e| e.distance(parameters))).unwrap_or_default()
 }
 
 /// Variance of a pixel's residual about the particles of one camera, in counts².

@@ -6,6 +6,7 @@ use super::disparity::Source;
 use crate::{
     model::VolumeGrid,
     reconstruction::SparseVolume,
+    statistics::median,
     velocimetry::{PointCloud, VectorGrid, particles},
 };
 
@@ -40,16 +41,13 @@ pub fn sources(light: &SparseVolume, volume: &VolumeGrid) -> Vec<Source> {
     let every = (light.voxels.len() / (VOXELS_PER_PARTICLE * ENOUGH)).max(1);
     let cloud = in_some_boxes(&PointCloud::from_volume(light, volume), every);
     let found = particles(&cloud);
-    let mut counts: Vec<f32> = found.iter().map(|particle| particle.light).collect();
-    if counts.is_empty() {
+    let Some(median) = median(found.iter().map(|particle| particle.light)) else {
         return Vec::new();
-    }
-    let middle = counts.len() / 2;
-    let (_, &mut median, _) = counts.select_nth_unstable_by(middle, f32::total_cmp);
+    };
     found
         .iter()
         .filter(|particle| {
-            f64::from(particle.light) > LEAST_LIGHT * f64::from(median)
+            f64::from(particle.light) > LEAST_LIGHT * median
                 && (0..3).all(|axis| {
                     let at = f64::from(particle.at_vox[axis]);
                     let inside = (-0.5..volume.voxels[axis] as f64 - 0.5).contains(&at);

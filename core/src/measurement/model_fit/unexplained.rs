@@ -3,6 +3,7 @@
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     reconstruction::{ProjectedView, ViewLevels},
+    statistics::median,
 };
 
 /// Edge of the tiles that are judged by themselves, in microlenses: some particles at the sparsest
@@ -132,10 +133,9 @@ fn counts_per_electron(views: &ViewStack, layout: &ViewLayout, levels: &ViewLeve
     if gains.len() < LEAST_DIFFERENCES {
         return 0.0;
     }
-    let middle = gains.len() / 2;
-    let (_, median, _) = gains.select_nth_unstable_by(middle, f64::total_cmp);
+    let median = median(gains).unwrap_or_default();
     let read = levels.noise_counts.powi(2) / levels.particle_counts.max(1e-9);
-    (*median / MEDIAN_OF_SQUARE - read).max(0.0)
+    (median / MEDIAN_OF_SQUARE - read).max(0.0)
 }
 
 #[cfg(test)]

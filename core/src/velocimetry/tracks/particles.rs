@@ -2,10 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::{
-    super::{cloud::PointCloud, validate::median},
-    neighbours::Neighbours,
-};
+use super::{super::cloud::PointCloud, neighbours::Neighbours};
+use crate::statistics::median;
 
 /// Light nearer than this to the brightest place of a knot belongs to it, in voxels.
 const REACH_VOX: f32 = 0.8;
@@ -66,8 +64,8 @@ pub fn particles(cloud: &PointCloud) -> Vec<Particle> {
         knots = gathered(cloud, &knots).into_iter().map(|particle| particle.at_vox).collect();
     }
     let mut found = gathered(cloud, &knots);
-    let mut light: Vec<f32> = found.iter().map(|particle| particle.light).collect();
-    let least = LEAST_LIGHT * median(&mut light);
+    let median = median(found.iter().map(|particle| particle.light)).unwrap_or_default();
+    let least = LEAST_LIGHT * median as f32;
     found.retain(|particle| particle.light > least);
     found
 }

@@ -7,6 +7,7 @@ use super::{
     pairs::Pair,
     spline::{Spline, Taps},
 };
+use crate::statistics::{lower_quartile, median};
 
 /// Degrees of freedom of the distribution of particles' errors.
 const DEGREES_OF_FREEDOM: f64 = 2.0;
@@ -19,7 +20,7 @@ const SMALLEST_DEVIATION_VOX: f64 = 2e-3;
 const PRIOR_PARTICLES: f64 = 10.0;
 
 /// Largest standard deviation of a single particle's light along any axis, in voxels. Two particles that
-/// overlap are wider.
+/// overlap are wider (docs/decisions.md, constants).
 const SINGLE_SPREAD_VOX: f64 = 0.15;
 
 /// Standard deviation of light along an axis from which on it does not tell a particle's place, in voxels.
@@ -106,7 +107,7 @@ impl<'a> Samples<'a> {
             .zip(&self.relative_variances)
             .map(|(r, relative_variance)| r.abs() / relative_variance[c].sqrt())
             .collect();
-        let common = median(scaled.iter().copied()).powi(2);
+        let common = median(scaled.iter().copied()).unwrap_or_default().powi(2);
         let about: Vec<f64> = (0..self.around.len())
             .map(|node| self.variance_about(node, c, &scaled, common))
             .collect();
@@ -125,7 +126,7 @@ impl<'a> Samples<'a> {
         /// Median of |r| of a normal distribution, in standard deviations.
         const MEDIAN: f64 = 0.6745;
         let near = &self.around[node];
-        let own = median(near.iter().map(|&n| scaled[n as usize])).powi(2);
+        let own = median(near.iter().map(|&n| scaled[n as usize])).unwrap_or_default().powi(2);
         let seen = shrunk(near.len(), own, common) / (MEDIAN * MEDIAN);
         (seen * self.variance_inflation[node][c])
             .max(SMALLEST_DEVIATION_VOX * SMALLEST_DEVIATION_VOX)
@@ -146,7 +147,8 @@ impl<'a> Samples<'a> {
                 .map(|&n| n as usize)
                 .filter(|&n| self.relative_variances[n][c] < RELIABLE_VARIANCE);
             let missed: Vec<f64> = clear.map(|n| missed[n][c]).collect();
-            missed.len() >= LEAST_RELIABLE_PARTICLES && median(missed.into_iter()) <= most
+            missed.len() >= LEAST_RELIABLE_PARTICLES
+                && median(missed).is_some_and(|missed| missed <= most)
         };
         self.around.iter().map(|near| (0..3).all(|c| follow(near, c))).collect()
     }
@@ -176,7 +178,7 @@ fn shrunk(count: usize, own: f64, common: f64) -> f64 {
 /// that of two, whose mixture differs from frame to frame; faint light is what reconstruction has
 /// left over elsewhere.
 fn relative_variances(pairs: &[Pair]) -> Vec<[f64; 3]> {
-    let typical = median(pairs.iter().map(|pair| f64::from(pair.light)));
+    let typical = median(pairs.iter().map(|pair| pair.light)).unwrap_or_default();
     let relative_variance = |pair: &Pair| {
         let faint = FAINT * typical / f64::from(pair.light);
         pair.spread_vox2.map(|spread| {
@@ -194,32 +196,15 @@ fn variance_inflation(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
     let mut variance_inflation = vec![[1.0; 3]; around.len()];
     for c in 0..3 {
         let spread = |n: usize| f64::from(pairs[n].spread_vox2[c]);
-        let common = lower_quartile((0..pairs.len()).map(spread));
+        let common = lower_quartile((0..pairs.len()).map(spread)).unwrap_or_default();
         for (blur, near) in variance_inflation.iter_mut().zip(around) {
-            let own = lower_quartile(near.iter().map(|&n| spread(n as usize)));
+            let own = lower_quartile(near.iter().map(|&n| spread(n as usize))).unwrap_or_default();
             let seen = shrunk(near.len(), own, common);
             let told = 1.0 - seen / (BLURRED_SPREAD_VOX * BLURRED_SPREAD_VOX);
             blur[c] = told.max(0.1).powi(-3);
         }
     }
     variance_inflation
-}
-
-/// The lower median; 0 of nothing.
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    quantile(values, 2)
-}
-
-/// The lower quartile; 0 of nothing.
-fn lower_quartile(values: impl Iterator<Item = f64>) -> f64 {
-    quantile(values, 4)
-}
-
-/// The value below which one part of so many lies; 0 of nothing.
-fn quantile(values: impl Iterator<Item = f64>, parts: usize) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    let Some(place) = values.len().checked_sub(1).map(|last| last / parts) else { return 0.0 };
-    *values.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
 /// Values of a spline at all `taps`: B c.

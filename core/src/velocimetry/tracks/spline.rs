@@ -1,7 +1,7 @@
-//! A vector field as a sum of cubic B-splines (Unser, IEEE Signal Process. Mag. 16, 1999): with two
-//! continuous derivatives and an error of fourth order in the distance of its nodes.
+//! A vector field as a sum of cubic B-splines, with two continuous derivatives and an error of fourth
+//! order in the distance of its nodes.
 
-use super::super::{differences::Layout, lattice::Lattice};
+use super::super::{b_spline, differences::Layout, lattice::Lattice};
 
 /// A vector field on a lattice, which has a coefficient on every node and one beyond each end.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +69,7 @@ impl Spline {
             let t = at[axis].clamp(0.0, last as f32);
             let cell = (t as usize).min(last - 1);
             first += cell * self.layout.stride(axis);
-            weights[axis] = basis(t - cell as f32);
+            weights[axis] = b_spline::weights(t - cell as f32);
         }
         Taps { first, weights }
     }
@@ -98,11 +98,11 @@ impl Taps {
         let first = centre - (0..3).map(|axis| layout.stride(axis)).sum::<usize>();
         // The last cell's end has its four taps one node before, so that they stay inside.
         let place = Layout { nodes }.place(n);
-        let (mut start, mut weights) = (first, [basis(0.0); 3]);
+        let (mut start, mut weights) = (first, [b_spline::weights(0.0); 3]);
         for axis in 0..3 {
             if place[axis] + 1 == nodes[axis] {
                 start -= layout.stride(axis);
-                weights[axis] = basis(1.0);
+                weights[axis] = b_spline::weights(1.0);
             }
         }
         Self { first: start, weights }
@@ -153,14 +153,6 @@ impl Taps {
     fn row(&self, layout: Layout, j: usize, k: usize) -> usize {
         self.first + j * layout.stride(1) + k * layout.stride(2)
     }
-}
-
-/// Cubic B-spline weights of the four coefficients about a place `u` between the middle two.
-fn basis(u: f32) -> [f32; 4] {
-    let v = 1.0 - u;
-    let side = |t: f32| t * t * t / 6.0;
-    let middle = |t: f32| (4.0 - 3.0 * t * t * (2.0 - t)) / 6.0;
-    [side(v), middle(u), middle(v), side(u)]
 }
 
 /// Index of the coefficient on node `n` of a lattice.

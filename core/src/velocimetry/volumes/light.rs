@@ -6,7 +6,10 @@ use super::{
     expansion::{Axis, Expansion},
     profile::{Profile, Rows, add_scaled},
 };
-use crate::{reconstruction::DenseVolume, velocimetry::windows::Windows};
+use crate::{
+    reconstruction::DenseVolume,
+    velocimetry::{b_spline::ON_NODES, windows::Windows},
+};
 
 /// Light on cells of whole voxels, from voxel (0, 0, 0) on; there is none outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,9 +22,6 @@ pub struct Light {
     pub border: usize,
     values: Vec<f32>,
 }
-
-/// The cubic B-spline at no distance from its middle, and at one.
-const SPLINE: [f32; 2] = [2.0 / 3.0, 1.0 / 6.0];
 
 impl Light {
     /// Room after the last value for kernels that read whole lanes.
@@ -88,7 +88,7 @@ impl Light {
         let mut splined = Self::dark(self.cells, self.cell_vox, self.border);
         let taps = |n: usize, count: usize| {
             let beside = n.saturating_sub(1)..(n + 2).min(count);
-            beside.map(move |other| (other, SPLINE[n.abs_diff(other)]))
+            beside.map(move |other| (other, ON_NODES[n.abs_diff(other)]))
         };
         let border = self.border;
         let [row, _] = self.strides();
@@ -107,9 +107,9 @@ impl Light {
                     add_scaled(&mut along_y, weight, &along_z[y * nx..]);
                 }
                 let to = &mut to[(y + border) * row + border..][..nx];
-                add_scaled(to, SPLINE[0], &along_y);
-                add_scaled(&mut to[1..], SPLINE[1], &along_y);
-                add_scaled(to, SPLINE[1], &along_y[1..]);
+                add_scaled(to, ON_NODES[0], &along_y);
+                add_scaled(&mut to[1..], ON_NODES[1], &along_y);
+                add_scaled(to, ON_NODES[1], &along_y[1..]);
             }
         });
         splined

@@ -159,7 +159,7 @@ impl VolumeInterrogation {
         let uncertainty_vox = self.fine.uncertainties([a, &moved], &found.peaks, least);
         let judge = Judge { settings: &self.settings, field: &found.field, peaks: &found.peaks };
         let mut vectors = judge.vectors(&uncertainty_vox);
-        self.settle(&mut vectors);
+        self.to_likeliest(&mut vectors);
         let ratios: Vec<f32> =
             found.peaks.iter().map(|peak| peak.map_or(0.0, |peak| peak.ratio)).collect();
         field_of(self.vector_grid(), &self.grid, dt_s, &vectors, &ratios)
@@ -177,7 +177,7 @@ impl VolumeInterrogation {
 
     /// Moves vectors to the likeliest field behind them, as it is in the middle of the pair. What is
     /// invalid stays so.
-    fn settle(&self, vectors: &mut [Vector]) {
+    fn to_likeliest(&self, vectors: &mut [Vector]) {
         let (field, _) = settled(vectors, self.fine.windows.at_rest());
         let middle = field.carried_to_middle();
         for (vector, displacement_vox) in vectors.iter_mut().zip(middle.values) {

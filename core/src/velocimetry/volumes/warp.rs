@@ -9,7 +9,7 @@ use std::ops::Range;
 use multiversion::multiversion;
 
 use super::{expansion::Expansion, light::Light};
-use crate::velocimetry::lattice::Lattice;
+use crate::velocimetry::{b_spline, lattice::Lattice};
 
 /// Cells that are looked up together.
 const LANES: usize = 16;
@@ -139,7 +139,7 @@ fn look_up_group(light: &[f32], from: Line, steps: &[f32; LANES]) -> [f32; LANES
     for n in low.max(from.low)..=high.min(from.high) {
         let light = &light[(from.origin + n * from.stride) as usize..][..LANES];
         for lane in 0..LANES {
-            sum[lane] += spline(n as f32 - steps[lane]) * light[lane];
+            sum[lane] += b_spline::value(n as f32 - steps[lane]) * light[lane];
         }
     }
     sum
@@ -161,15 +161,6 @@ fn extremes(values: &[f32; LANES]) -> [f32; 2] {
     [low[0], high[0]]
 }
 
-/// The cubic B-spline. Comparisons instead of `max`, which minds what is no number.
-#[inline(always)]
-fn spline(at: f32) -> f32 {
-    let (wide, narrow) = (2.0 - at.abs(), 1.0 - at.abs());
-    let wide = if wide > 0.0 { wide } else { 0.0 };
-    let narrow = if narrow > 0.0 { narrow } else { 0.0 };
-    (wide * wide * wide - 4.0 * narrow * narrow * narrow) * (1.0 / 6.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,7 +168,7 @@ mod tests {
     /// The sum of B-splines at a place, in cells.
     fn naive(source: &Light, at: [f32; 3]) -> f64 {
         let [_, ny, nz] = source.cells;
-        let weight = |n: usize, axis: usize| f64::from(spline(n as f32 - at[axis]));
+        let weight = |n: usize, axis: usize| f64::from(b_spline::value(n as f32 - at[axis]));
         let mut sum = 0.0;
         for (z, y) in (0..nz).flat_map(|z| (0..ny).map(move |y| (z, y))) {
             for (x, light) in source.row([y, z]).iter().enumerate() {

@@ -1,0 +1,54 @@
+//! The cubic B-spline (Unser, IEEE Signal Process. Mag. 16, 1999), nodes 1 apart.
+
+/// Its values on its middle node and on the next one.
+pub const ON_NODES: [f32; 2] = [2.0 / 3.0, 1.0 / 6.0];
+
+/// Its value at a distance from its middle. For vector lanes: comparisons instead of `max`, which minds
+/// what is no number.
+#[inline(always)]
+pub fn value(at: f32) -> f32 {
+    let (wide, narrow) = (2.0 - at.abs(), 1.0 - at.abs());
+    let wide = if wide > 0.0 { wide } else { 0.0 };
+    let narrow = if narrow > 0.0 { narrow } else { 0.0 };
+    (wide * wide * wide - 4.0 * narrow * narrow * narrow) * (1.0 / 6.0)
+}
+
+/// The values of the four splines that reach a place `t`, 0 to 1, between the middle two: those of
+/// [`value`] at `1 + t`, `t`, `1 − t` and `2 − t`.
+#[inline(always)]
+pub fn weights(t: f32) -> [f32; 4] {
+    let s = 1.0 - t;
+    [
+        s * s * s / 6.0,
+        2.0 / 3.0 - t * t * (2.0 - t) / 2.0,
+        2.0 / 3.0 - s * s * (2.0 - s) / 2.0,
+        t * t * t / 6.0,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn weights_are_values_that_sum_to_one_about_the_place(t in 0f32..=1.0) {
+            let weights = weights(t);
+            let values = [1.0 + t, t, 1.0 - t, 2.0 - t].map(value);
+            for (weight, value) in weights.iter().zip(values) {
+                prop_assert!((weight - value).abs() < 1e-6, "{weights:?} {values:?}");
+            }
+            prop_assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6);
+            let mean: f32 = weights.iter().zip([-1.0, 0.0, 1.0, 2.0]).map(|(w, at)| w * at).sum();
+            prop_assert!((mean - t).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn nodes_have_their_values_and_nothing_is_two_nodes_away() {
+        assert_eq!([0.0, 1.0, -1.0].map(value), [ON_NODES[0], ON_NODES[1], ON_NODES[1]]);
+        assert_eq!([2.0, -2.5, 1e9].map(value), [0.0; 3]);
+    }
+}
