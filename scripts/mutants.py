@@ -22,6 +22,8 @@ RECORD = ROOT / "tests" / "mutants.csv"
 ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 CARGO = ["cargo", "test", "--workspace", "--locked"]
 LONGEST_S = 1800
+# What becomes of a replacement that the compiler refuses.
+NO_MUTANT = "does not compile"
 
 # Parts of the code, and the tests that should notice: the quickest first.
 PARTS = {
@@ -32,8 +34,8 @@ PARTS = {
 }
 
 
-def mutants(each, seed):
-    """`each` mutants of every part, the same ones for the same code and seed."""
+def mutants(seed):
+    """The mutants of every part in a random order, the same for the same code and seed."""
     listed = subprocess.run(
         ["cargo", "mutants", "--list", "--json", "--workspace"],
         cwd=ROOT, stdout=subprocess.PIPE, check=True,
@@ -41,8 +43,8 @@ def mutants(each, seed):
     everything = sorted(json.loads(listed.stdout), key=lambda mutant: mutant["name"])
     for part, stages in PARTS.items():
         inside = [mutant for mutant in everything if mutant["file"].startswith(part)]
-        chosen = random.Random(f"{seed} {part}").sample(inside, min(each, len(inside)))
-        yield from ((mutant, stages) for mutant in chosen)
+        random.Random(f"{seed} {part}").shuffle(inside)
+        yield inside, stages
 
 
 def mutated(text, mutant):
@@ -76,7 +78,7 @@ def outcome(mutant, stages):
         path.write_text(mutated(text, mutant))
         for stage in stages:
             if not cargo(f"{stage} --no-run"):
-                return "does not compile"
+                return NO_MUTANT
             if not cargo(stage):
                 return f"caught by {stage}"
         return "survived"
@@ -92,16 +94,21 @@ def main():
     changes = ["git", "status", "--porcelain", "--", "*.rs"]
     if subprocess.run(changes, cwd=ROOT, stdout=subprocess.PIPE, check=True).stdout:
         sys.exit("The tree has changes: commit them, or use a worktree of its own.")
-    known = set()
+    known = {}
     if RECORD.is_file():
-        known = {row[0] for row in csv.reader(RECORD.open())}
-    for mutant, stages in mutants(chosen.each, chosen.seed):
-        if mutant["name"] in known:
-            continue
-        became = outcome(mutant, stages)
-        print(f"{mutant['name']}: {became}", flush=True)
-        with RECORD.open("a", newline="") as file:
-            csv.writer(file).writerow([mutant["name"], became])
+        known = dict(csv.reader(RECORD.open()))
+    for inside, stages in mutants(chosen.seed):
+        tried = 0
+        for mutant in inside:
+            if tried == chosen.each:
+                break
+            became = known.get(mutant["name"]) or outcome(mutant, stages)
+            tried += became != NO_MUTANT
+            if mutant["name"] in known:
+                continue
+            print(f"{mutant['name']}: {became}", flush=True)
+            with RECORD.open("a", newline="") as file:
+                csv.writer(file).writerow([mutant["name"], became])
 
 
 main()

@@ -78,3 +78,21 @@ fn partly_open(layouts: &[ViewLayout]) -> (f64, f64) {
     }
     (partly / views, partly_light / light)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{model::thin_lens_model, test_bench};
+
+    /// A round pupil of 18.2 cells: some 57 of 260 cells lie on its edge, about half open each, and those
+    /// less than a third open are no views.
+    #[test]
+    fn the_aperture_cuts_the_views_on_its_edge_and_about_half_of_their_light() {
+        let grid = VolumeGrid { voxels: [8; 3], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+        let (optics, poses) = (test_bench::optics(), test_bench::poses());
+        let model = thin_lens_model(&optics, &poses, &grid, 0.1).unwrap();
+        let (views, light) = partly_open(model.layouts());
+        assert!((0.1..0.35).contains(&views), "{views}");
+        assert!((0.4 * views..0.95 * views).contains(&light), "{light} of {views}");
+    }
+}
