@@ -199,8 +199,7 @@ impl Interrogation {
                 });
                 let statistics =
                     PeakStatistics::of(images, corner, self.windows.edge, *lag, cutouts)?;
-                let agree = f64::from(statistics.coefficient) >= self.settings.least_correlation;
-                agree.then(|| statistics.uncertainty_vox(*shift))?
+                statistics.trusted_vox(*shift, self.settings.least_correlation)
             })
             .collect()
     }

@@ -68,6 +68,12 @@ impl PeakStatistics {
         }))
     }
 
+    /// [`Self::uncertainty_vox`], where the frames correlate to at least `least_coefficient`.
+    pub fn trusted_vox(&self, residual_vox: [f32; 3], least_coefficient: f64) -> Option<[f32; 3]> {
+        let agree = f64::from(self.coefficient) >= least_coefficient;
+        agree.then(|| self.uncertainty_vox(residual_vox))?
+    }
+
     /// Statistics of a window of edge `window` at `corner`, whose correlation a(x) b(x + s) peaks
     /// near `lag`. `None` where the light has no peak there.
     pub fn of(
@@ -82,14 +88,10 @@ impl PeakStatistics {
         let common = total(COMMON);
         let mut influence = vec![[0.0f32; 4]; cells.sums.len()];
         for axis in 0..3 {
-            let (asymmetry, symmetric) = (total(axis), total(3 + axis));
             // C(1) and C(-1), with as many pairs of voxels as C(0).
             let weight = cells.pairs[0] / cells.pairs[1 + axis].max(1.0);
-            let sides = [symmetric + asymmetry, symmetric - asymmetry].map(|s| weight * s / 2.0);
-            let curvature = log_curvature(sides[1], common, sides[0])?;
-            // The shift is (ln C(1) - ln C(-1)) / 2 curvature, to first order the asymmetry over
-            // the symmetric part and the curvature.
-            let (mean, scale) = (asymmetry / symmetric, 1.0 / (symmetric * curvature));
+            let Influence { mean, scale } =
+                Influence::along(total(axis), total(3 + axis), common, weight)?;
             for (influence, cell) in influence.iter_mut().zip(&cells.sums) {
                 let excess = f64::from(cell[axis]) - mean * f64::from(cell[3 + axis]);
                 influence[axis] = (excess * scale) as f32;
@@ -102,13 +104,40 @@ impl PeakStatistics {
         // So much of the window lies within reach of a cell: by chance alone that share of the
         // other particles is taken for the same one. Contributions that sum to zero lose as much.
         let chance = share_within_reach(cells.counts);
-        let [energy_a, energy_b] = cells.energy;
         Some(Self {
             variance_vox2: std::array::from_fn(|axis| spread[axis] / (1.0 - chance).max(0.1)),
             particles: 1.0 / (spread[3] - chance).max(1.0 / MOST_PARTICLES),
-            coefficient: (common / (energy_a * energy_b).sqrt()) as f32,
+            coefficient: coefficient(common, cells.energy),
         })
     }
+}
+
+/// How a part of a window moves the correlation peak along an axis: an asymmetry A beside a symmetric
+/// part Y by (A − mean · Y) · scale.
+pub struct Influence {
+    /// Asymmetry of the whole window over its symmetric part.
+    pub mean: f64,
+    /// In voxels.
+    pub scale: f64,
+}
+
+impl Influence {
+    /// From the whole window's asymmetry C(1) − C(−1), symmetric part C(1) + C(−1), both times `weight`,
+    /// and C(0). `None` where these make no peak.
+    ///
+    /// The shift is (ln C(1) − ln C(−1)) / 2 curvature, to first order the asymmetry over the symmetric
+    /// part and the curvature.
+    pub fn along(asymmetry: f64, symmetric: f64, common: f64, weight: f64) -> Option<Self> {
+        let [above, below] =
+            [symmetric + asymmetry, symmetric - asymmetry].map(|sum| weight * sum / 2.0);
+        let curvature = log_curvature(below, common, above)?;
+        Some(Self { mean: asymmetry / symmetric, scale: 1.0 / (symmetric * curvature) })
+    }
+}
+
+/// Correlation coefficient of two frames: Σ a b over the root of Σ a² Σ b².
+pub fn coefficient(common: f64, [energy_a, energy_b]: [f64; 2]) -> f32 {
+    (common / (energy_a * energy_b).sqrt()) as f32
 }
 
 /// More particles than this are not told from infinitely many.

@@ -104,9 +104,7 @@ impl Stage {
         least_correlation: f64,
     ) -> Vec<Option<[f32; 3]>> {
         let of_window = |(peak, statistics): (&Option<Peak>, Option<PeakStatistics>)| {
-            let (peak, statistics) = (peak.as_ref()?, statistics?);
-            let agree = f64::from(statistics.coefficient) >= least_correlation;
-            agree.then(|| statistics.uncertainty_vox(peak.shift))?
+            statistics?.trusted_vox(peak.as_ref()?.shift, least_correlation)
         };
         peaks
             .iter()

@@ -14,8 +14,7 @@ use super::{
     profile::{Profile, Span},
 };
 use crate::velocimetry::{
-    peak::log_curvature,
-    uncertainty::{MOST_PARTICLES, PeakStatistics},
+    uncertainty::{Influence, MOST_PARTICLES, PeakStatistics, coefficient},
     windows::Windows,
 };
 
@@ -46,10 +45,8 @@ fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Optio
     let common = sums[COMMON];
     let mut variance_vox2 = [0.0; 3];
     for (axis, variance) in variance_vox2.iter_mut().enumerate() {
-        let (asymmetry, symmetric) = (sums[axis], sums[SYMMETRIC + axis]);
-        let [above, below] = [symmetric + asymmetry, symmetric - asymmetry].map(|s| s / 2.0);
-        let curvature = log_curvature(below, common, above)?;
-        let (mean, scale) = (asymmetry / symmetric, 1.0 / (symmetric * curvature));
+        let Influence { mean, scale } =
+            Influence::along(sums[axis], sums[SYMMETRIC + axis], common, 1.0)?;
         let [aa, ay, yy] = [0, MIXED, SYMMETRIC_SQUARES].map(|first| squares[first + axis]);
         let spread = (aa - 2.0 * mean * ay + mean * mean * yy).max(0.0) * scale * scale;
         *variance = (spread / (1.0 - chance).max(0.1)) as f32;
@@ -60,7 +57,7 @@ fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Optio
     Some(PeakStatistics {
         variance_vox2,
         particles: 1.0 / (of_one as f32).max(1.0 / MOST_PARTICLES),
-        coefficient: (common / (sums[ENERGY] * sums[ENERGY + 1]).sqrt()) as f32,
+        coefficient: coefficient(common, [sums[ENERGY], sums[ENERGY + 1]]),
     })
 }
 
