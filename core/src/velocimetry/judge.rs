@@ -65,6 +65,21 @@ pub fn settled(vectors: &[Vector], at_rest: Lattice) -> (Lattice, Vec<Option<[f3
     (field.likeliest(&uncertainty_vox, &measured), uncertainty_vox)
 }
 
+/// Moves vectors to those of `field`, and lets `change` say what else becomes of each, whose number it is
+/// told. What is invalid stays as it is.
+pub fn move_to(
+    field: &Lattice,
+    vectors: &mut [Vector],
+    mut change: impl FnMut(usize, &mut Vector),
+) {
+    for (n, vector) in vectors.iter_mut().enumerate() {
+        if vector.status != VectorStatus::Invalid {
+            vector.displacement_vox = field.values[n];
+            change(n, vector);
+        }
+    }
+}
+
 /// The vectors between two passes, outliers replaced.
 struct Replaced {
     /// Their own values, what neighbours say in their place, or where these say nothing either, how the

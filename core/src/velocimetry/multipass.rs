@@ -12,7 +12,7 @@ use super::{
     cloud::PointCloud,
     correlation::Frames,
     differences::Layout,
-    judge::{Judge, Vector, field_of, settled},
+    judge::{Judge, Vector, field_of, move_to, settled},
     lags::Lags,
     lattice::Lattice,
     peak::{Peak, highest_peak},
@@ -220,11 +220,7 @@ impl Interrogation {
                 Refined { field, uncertainty_vox, by_particles }
             }
         };
-        for (n, vector) in vectors.iter_mut().enumerate() {
-            if vector.status == VectorStatus::Invalid {
-                continue;
-            }
-            vector.displacement_vox = settled.field.values[n];
+        move_to(&settled.field, vectors, |n, vector| {
             if settled.by_particles[n] {
                 vector.status = VectorStatus::Valid;
             }
@@ -233,7 +229,7 @@ impl Interrogation {
             {
                 vector.uncertainty_vox = uncertainty_vox;
             }
-        }
+        });
     }
 
     fn report(&self, vectors: &[Vector], peaks: &[Option<Peak>], dt_s: f64) -> VelocityField {

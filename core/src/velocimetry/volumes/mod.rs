@@ -20,8 +20,8 @@ mod statistics;
 mod warp;
 
 use super::{
-    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
-    judge::{Judge, Vector, field_of, settled},
+    VectorGrid, VelocimetrySettings, VelocityField,
+    judge::{Judge, Vector, field_of, move_to, settled},
     lags::Lags,
     lattice::Lattice,
     peak::Peak,
@@ -180,12 +180,9 @@ impl VolumeInterrogation {
     fn to_likeliest(&self, vectors: &mut [Vector]) {
         let (field, _) = settled(vectors, self.fine.windows.at_rest());
         let middle = field.carried_to_middle();
-        for (vector, displacement_vox) in vectors.iter_mut().zip(middle.values) {
-            if vector.status != VectorStatus::Invalid {
-                vector.displacement_vox = displacement_vox;
-                vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHED * sigma);
-            }
-        }
+        move_to(&middle, vectors, |_, vector| {
+            vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHED * sigma);
+        });
     }
 }
 

@@ -3,7 +3,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::*;
 use crate::velocimetry::{
-    PointCloud,
+    PointCloud, VectorStatus,
     test_data::{DarkThird, Particles, error_vox, frames, waves},
 };
 
