@@ -28,7 +28,8 @@ use crate::{
 const SUBSETS_PER_CAMERA: usize = 12;
 
 /// Points on voxel centres are taken for the truth when the share of the views' light energy that
-/// they leave unexplained is at most this; particles elsewhere leave nearly all of it.
+/// they leave unexplained is at most this; particles elsewhere leave nearly all of it (docs/decisions.md,
+/// "Constants that were fitted").
 const ON_GRID_UNEXPLAINED: f64 = 0.35;
 
 /// A reconstructed frame and how the solver got there.

@@ -10,8 +10,9 @@ const RESOLUTION_VOX: f64 = 0.009;
 /// differences.
 const RESOLUTION_POWER: f64 = 3.0;
 
-/// What one particle adds (docs/decisions.md, constants), in voxels, and how that grows with the window's edge: it stands for the
-/// flow at its own place, off the window's centre.
+/// What one particle adds, in voxels, and how that grows with the window's edge: it stands for the
+/// flow at its own place, off the window's centre. As all of these: docs/decisions.md, "Constants
+/// that were fitted".
 const PER_PARTICLE_VOX: f64 = 0.041;
 const PER_PARTICLE_POWER: f64 = 1.4;
 

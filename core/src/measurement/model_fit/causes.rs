@@ -2,7 +2,7 @@
 //!
 //! Thresholds are in units of what they spoil: pixels of a micro-image, parts of the light's own
 //! standard deviation, microlens pitches in the volume. `docs/model-fit.md` lists them with what right
-//! and wrong benches show.
+//! and wrong benches show; how they were fitted: docs/decisions.md, "Constants that were fitted".
 
 use lfpiv_hw::CameraName;
 

@@ -5,7 +5,8 @@ use rayon::prelude::*;
 use super::{super::cloud::PointCloud, neighbours::Neighbours};
 use crate::statistics::median;
 
-/// Light nearer than this to the brightest place of a knot belongs to it, in voxels.
+/// Light nearer than this to the brightest place of a knot belongs to it, in voxels. This and the two
+/// below: docs/decisions.md, "Constants that were fitted".
 const REACH_VOX: f32 = 0.8;
 
 /// Standard deviation of the Gaussian that brightness about a point is summed under, in voxels:

@@ -20,7 +20,7 @@ const SMALLEST_DEVIATION_VOX: f64 = 2e-3;
 const PRIOR_PARTICLES: f64 = 10.0;
 
 /// Largest standard deviation of a single particle's light along any axis, in voxels. Two particles that
-/// overlap are wider (docs/decisions.md, constants).
+/// overlap are wider. This and the two below: docs/decisions.md, "Constants that were fitted".
 const SINGLE_SPREAD_VOX: f64 = 0.15;
 
 /// Standard deviation of light along an axis from which on it does not tell a particle's place, in voxels.

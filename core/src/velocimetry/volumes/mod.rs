@@ -59,7 +59,8 @@ const NEAREST: Lags = Lags { reach: 1 };
 /// beyond those that belong to it.
 const BESIDE: Lags = Lags { reach: 3 };
 
-/// Standard uncertainty of vectors found on coarse cells, in cells, as far as a predictor needs it.
+/// Standard uncertainty of vectors found on coarse cells, in cells, as far as a predictor needs it
+/// (docs/decisions.md, "Constants that were fitted").
 const COARSE_UNCERTAINTY: f32 = 0.05;
 
 /// What is left of a vector's uncertainty once its neighbours have had their say: intervals then hold 70
