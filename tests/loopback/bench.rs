@@ -83,10 +83,20 @@ pub fn connect_with(
     size: ImageSize,
     of_camera: impl Fn(usize) -> CameraSettings,
 ) -> Bench {
+    connect_within(wire, size, of_camera, 5000)
+}
+
+/// The same with a synchroniser whose replies are waited for `reply_timeout_ms`.
+pub fn connect_within(
+    wire: &WireSettings,
+    size: ImageSize,
+    of_camera: impl Fn(usize) -> CameraSettings,
+    reply_timeout_ms: u64,
+) -> Bench {
     let port = wire.port.to_str().expect("a path in UTF-8");
     let settings = SynchroniserSettings {
         pacing_ms: 0,
-        reply_timeout_ms: 5000,
+        reply_timeout_ms,
         ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
     };
     let synchroniser =
