@@ -26,9 +26,7 @@ CARGO = ["cargo", "test", "--workspace", "--locked"]
 ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 
 # The longest first: the last to begin should be short.
-LONGEST = ["recorded_run", "capabilities", "adversary", "loopback", "laser", "claims", "daemon"]
-# Daemon and instruments keep real time with each other over wires: nothing runs beside them.
-ALONE = {"loopback"}
+LONGEST = ["recorded_run", "capabilities", "loopback", "adversary", "laser", "claims", "daemon"]
 # Their input is the source text, which no compiled program shows.
 READ_SOURCES = {"rooms"}
 # What the tests of these crates start, or read in the documents.
@@ -218,14 +216,12 @@ def run_all(programs, stamps):
         progress.end(outcome)
         return outcome
 
-    first = [one(program) for program in programs if program.name in ALONE]
     with ThreadPoolExecutor((os.cpu_count() or 1) + 1) as lanes:
-        together = [program for program in programs if program.name not in ALONE]
-        waiting = [lanes.submit(one, program) for program in together]
+        waiting = [lanes.submit(one, program) for program in programs]
         while progress.live and not all(future.done() for future in waiting):
             progress.show()
             time.sleep(0.5)
-        return first + [future.result() for future in waiting]
+        return [future.result() for future in waiting]
 
 
 def documented_examples():
