@@ -2,7 +2,8 @@
 //!
 //! The rooms, lowest floor first: [`lightfield`] decodes images into views, [`model`] says which pixel
 //! sees which voxel, [`reconstruction`] finds the volume behind the views, [`velocimetry`] the
-//! displacement between two volumes, [`measurement`] does all of it for a pair of images.
+//! displacement between two volumes, [`calibration`] where a camera's micro-images are, [`measurement`] does
+//! all of it for a pair of images.
 //!
 //! # Images in, vectors out
 //!
@@ -80,6 +81,7 @@
 //! rayon's threads. The stages can be had one by one: [`reconstruction::Reconstructor`] from views to
 //! a volume, [`velocimetry::Interrogation`] from two volumes to vectors.
 
+pub mod calibration;
 mod clock;
 pub mod lightfield;
 pub mod measurement;

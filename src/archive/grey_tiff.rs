@@ -67,10 +67,22 @@ const TILE_STEP: u32 = 16;
 /// # Errors
 /// It cannot be opened, is no such image, damaged, or of another size.
 pub fn read_grey_tiff(path: &Path, size: ImageSize) -> Result<RawImage, ArchiveError> {
+    read(path, Some(size))
+}
+
+/// The same for an image of whatever size it says it has.
+///
+/// # Errors
+/// It cannot be opened, is no such image, or damaged.
+pub fn read_grey_tiff_of_any_size(path: &Path) -> Result<RawImage, ArchiveError> {
+    read(path, None)
+}
+
+fn read(path: &Path, expected: Option<ImageSize>) -> Result<RawImage, ArchiveError> {
     let file = open_regular(path).map_err(ArchiveError::io("open the image", path))?;
     let failure = |source| describe_failure(path, source);
     let mut decoder = Decoder::new(BufReader::new(file)).map_err(failure)?;
-    check(&mut decoder, path, size)?;
+    let size = check(&mut decoder, path, expected)?;
     let decoded = decoder.read_image().map_err(failure)?;
     if has_second_page(&mut decoder) {
         return Err(ArchiveError::SeveralPages { path: path.into(), size });
@@ -89,12 +101,12 @@ pub fn read_grey_tiff(path: &Path, size: ImageSize) -> Result<RawImage, ArchiveE
     })
 }
 
-/// Whether the image is of a kind and size that is read.
+/// The image's size, if it is of a kind and size that is read.
 fn check<R: Read + Seek>(
     decoder: &mut Decoder<R>,
     path: &Path,
-    expected: ImageSize,
-) -> Result<(), ArchiveError> {
+    expected: Option<ImageSize>,
+) -> Result<ImageSize, ArchiveError> {
     let failure = |source| describe_failure(path, source);
     let not_grey = |found: String| Err(ArchiveError::NotGrey { path: path.into(), found });
     match decoder.colortype().map_err(failure)? {
@@ -112,10 +124,12 @@ fn check<R: Read + Seek>(
     }
     let (columns, rows) = decoder.dimensions().map_err(failure)?;
     let found = ImageSize { columns: columns as usize, rows: rows as usize };
-    if found != expected {
-        return Err(ArchiveError::WrongSize { path: path.into(), found, expected });
+    match expected {
+        Some(expected) if found != expected => {
+            Err(ArchiveError::WrongSize { path: path.into(), found, expected })
+        }
+        _ => Ok(found),
     }
-    Ok(())
 }
 
 /// Whether a second page is as large as the first. Both frames of a pair in one file would otherwise
@@ -209,6 +223,7 @@ mod tests {
         let path = folder.path().join("cam1_a.tif");
         write_grey_tiff(&path, &ramp(), FileDepth::Sixteen).unwrap();
         assert_eq!(read_grey_tiff(&path, RAMP).unwrap(), ramp());
+        assert_eq!(read_grey_tiff_of_any_size(&path).unwrap(), ramp());
         write_grey_tiff(&path, &ramp(), FileDepth::Eight).unwrap();
         assert_eq!(read_grey_tiff(&path, RAMP).unwrap().counts(), [0, 1, 200, 255, 255, 255]);
     }

@@ -31,7 +31,9 @@ mod volume_file;
 
 pub use durable::replace as write_replacing;
 pub use error::ArchiveError;
-pub use grey_tiff::{FileDepth, ImageSize, read_grey_tiff, write_grey_tiff};
+pub use grey_tiff::{
+    FileDepth, ImageSize, read_grey_tiff, read_grey_tiff_of_any_size, write_grey_tiff,
+};
 pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, VtiSource, write_vti};

@@ -1,11 +1,12 @@
-//! The command line: `lfpiv check | timing | simulate | process | correlate | run | replay |
-//! compare | export | sim-bench | devices | doctor | bench | peers`.
+//! The command line: `lfpiv check | timing | simulate | calibrate | process | correlate | run |
+//! replay | compare | export | sim-bench | devices | doctor | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line, 3 when
 //! everything was done that a damaged or incomplete record of a run allows.
 
 mod beside;
+mod calibrate;
 mod check;
 mod compare;
 mod correlate;
@@ -50,6 +51,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 pub use beside::BesideArgs;
+pub use calibrate::CalibrateArgs;
 pub use check::CheckArgs;
 pub use compare::CompareArgs;
 pub use correlate::CorrelateArgs;
@@ -80,6 +82,8 @@ enum Command {
     Timing(TimingArgs),
     /// Make image pairs of a known flow by ray tracing.
     Simulate(SimulateArgs),
+    /// Find out from images made for it what a camera is.
+    Calibrate(CalibrateArgs),
     /// Measure recorded image pairs.
     Process(ProcessArgs),
     /// Measure two volumes that are reconstructed already.
@@ -120,6 +124,7 @@ pub fn main() -> ExitCode {
         Command::Check(args) => check::check(&args),
         Command::Timing(args) => timing::timing(&args),
         Command::Simulate(args) => simulate::simulate(&args),
+        Command::Calibrate(args) => calibrate::calibrate(&args),
         Command::Process(args) => process::process(&args),
         Command::Correlate(args) => correlate::correlate(&args),
         Command::Run(args) => run::run(args),

@@ -8,6 +8,7 @@
 mod support;
 
 mod bad_input;
+mod calibrate;
 mod check;
 mod configuration;
 mod configuration_numbers;

@@ -2,6 +2,7 @@
 
 mod background;
 mod layout;
+mod micro_image_grid;
 mod micro_images;
 mod pair;
 mod photometry;
@@ -11,6 +12,7 @@ mod settings;
 
 pub use background::{Condensation, StationaryLight};
 pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
+pub use micro_image_grid::MicroImageGrid;
 pub use micro_images::MicroImages;
 pub use pair::ImagePair;
 pub use photometry::{LightLevels, PhotometricZones};

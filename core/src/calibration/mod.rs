@@ -1,0 +1,44 @@
+//! What a camera is, from images made for it: where its micro-images are, from white images.
+//!
+//! [`calibrate_grid`] needs nothing but the image of a uniform diffuser: pitch and angle come from its
+//! autocorrelation (`lattice`), phase and radius from its mean cell (`unit_cell`), both followed outwards
+//! (`start`). From there two estimators go their own ways: arcs through points on rims
+//! (`rim_points`, `rim_model`, `edge_arcs`), and rendered micro-images against all pixels
+//! (`rendered_discs`). Both know that a second aperture may cut micro-images (`second_aperture`): the middle
+//! of what is lit is not the middle of the stop. Where they disagree, the calibration says so.
+
+mod affine_fit;
+mod agreement;
+mod cell_light;
+mod edge_arcs;
+mod error;
+mod f_number;
+mod fourier;
+mod geometry;
+mod grid_calibration;
+mod lattice;
+mod lens_states;
+mod numbering;
+mod rendered_discs;
+mod rendering;
+mod rim_model;
+mod rim_points;
+mod second_aperture;
+mod start;
+mod unit_cell;
+mod warnings;
+mod white_image;
+
+pub use agreement::Agreement;
+pub use error::CalibrationError;
+pub use f_number::FNumberMatch;
+pub use grid_calibration::{ArrayKind, GridCalibration, Residual, calibrate_grid};
+pub use lens_states::{Lens, LensState};
+pub use second_aperture::SecondAperture;
+pub use warnings::GridWarning;
+pub use white_image::WhiteImage;
+
+use geometry::{cell_pixels, median, neighbour_numbers, neighbours, pitch_px};
+
+#[cfg(test)]
+mod tests;

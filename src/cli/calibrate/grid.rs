@@ -1,0 +1,127 @@
+//! `lfpiv calibrate grid`: where a camera's micro-images are.
+
+use std::{
+    io::{self, Write},
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context, bail};
+use lfpiv_core::calibration::{GridCalibration, LensState, WhiteImage, calibrate_grid};
+use lfpiv_hw::CameraName;
+
+use super::{
+    grid_file::{GridFile, Inputs},
+    page,
+    reference_images::{InputFile, read_images},
+};
+use crate::{
+    archive::write_replacing,
+    cli::output::{count, print},
+    config::ConfigFile,
+};
+
+/// Arguments of `lfpiv calibrate grid`.
+#[derive(Debug, clap::Args)]
+pub struct GridArgs {
+    /// White images: a uniform diffuser that fills the main lens' pupil; 8- or 16-bit grey TIFF.
+    /// Several are averaged.
+    #[arg(long, value_name = "FILE", required = true, num_args = 1..)]
+    pub white: Vec<PathBuf>,
+    /// Dark images, without light, of the same exposure time; their mean is subtracted.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub dark: Vec<PathBuf>,
+    /// Configuration of the bench: how many microlenses there are, and which is the first. Without
+    /// it, lenses are counted from the first lit one.
+    #[arg(long, value_name = "FILE", requires = "camera")]
+    pub config: Option<PathBuf>,
+    /// Whose images these are: 1 for the first [[camera]] table.
+    #[arg(long, value_name = "N", requires = "config", value_parser = clap::value_parser!(u8).range(1..))]
+    pub camera: Option<u8>,
+    /// The file for the grid (JSON); a page with pictures goes beside it, as .html.
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+/// Writes the grid and its page, and prints what was found. Doubts are part of all three.
+pub fn grid(args: &GridArgs) -> anyhow::Result<()> {
+    let page_path = args.out.with_extension("html");
+    if page_path == args.out {
+        bail!(
+            "{}: the page has this name; give the grid another, as grid.json",
+            args.out.display()
+        );
+    }
+    let config = configured(args)?;
+    let optics = config.as_ref().map(|file| &file.config.optics);
+    let size = optics.map(|optics| (&optics.sensor).into());
+    let (white, white_files) = read_images(&args.white, size)?;
+    let (dark, dark_files) = read_images(&args.dark, size)?;
+    let image = WhiteImage::average(&white, &dark)?;
+    let found = calibrate_grid(&image, optics)
+        .with_context(|| format!("no grid in {}", args.white[0].display()))?;
+    let inputs = Inputs {
+        white: white_files,
+        dark: dark_files,
+        configuration: config
+            .as_ref()
+            .map(|file| InputFile::of_bytes(&file.path, file.text.as_bytes())),
+    };
+    let camera = args.camera.map(|number| CameraName(usize::from(number) - 1).to_string());
+    let file = GridFile::new(camera, &found, inputs)?;
+    write_replacing(&args.out, |writer| {
+        serde_json::to_writer_pretty(&mut *writer, &file).map_err(io::Error::from)?;
+        writeln!(writer)
+    })?;
+    let html = page::page(&image, &found, &file);
+    write_replacing(&page_path, |writer| writer.write_all(html.as_bytes()))?;
+    tell(args, &page_path, &found)
+}
+
+/// The configuration, if it has that camera.
+fn configured(args: &GridArgs) -> anyhow::Result<Option<ConfigFile>> {
+    let Some(path) = &args.config else { return Ok(None) };
+    let file = ConfigFile::load(path)?;
+    let cameras = file.config.camera.len();
+    if args.camera.is_some_and(|number| usize::from(number) > cameras) {
+        bail!("{} has {}: give --camera 1 to {cameras}", path.display(), count(cameras, "camera"));
+    }
+    Ok(Some(file))
+}
+
+fn tell(args: &GridArgs, page: &Path, found: &GridCalibration) -> anyhow::Result<()> {
+    let [columns, rows] = found.grid.microlenses;
+    let [along_i, along_j] = found.grid.pitch_px();
+    let [turned_i, turned_j] = found.grid.turned_deg();
+    let array = format!("{:?}", found.array).to_lowercase();
+    print(&format!(
+        "{columns} x {rows} micro-images, {array}, pitch {along_i:.4} and {along_j:.4} px, turned by \
+         {turned_i:.3} and {turned_j:.3} degrees"
+    ))?;
+    let [x, y] = found.heldout.rms_px;
+    let agreement = found.agreement.map_or(String::new(), |agreement| {
+        format!(
+            "; two estimators agree to {:.3} px at 95 % of the lenses, {:.3} px at the worst",
+            agreement.at_95_percent_px, agreement.worst_px
+        )
+    });
+    print(&format!(
+        "lenses left out of the fit: {x:.3} and {y:.3} px rms (columns, rows){agreement}"
+    ))?;
+    print(&format!(
+        "{} valid, {} partly imaged, {} dark, {} disturbed; vignetting leaves at least {:.0} % of one",
+        found.count(LensState::Valid),
+        found.count(LensState::PartlyImaged),
+        found.count(LensState::Dark),
+        found.count(LensState::Disturbed),
+        100.0 * found.least_open_share()
+    ))?;
+    print(&found.f_number.to_string())?;
+    for warning in &found.warnings {
+        print(&format!("warning: {warning}"))?;
+    }
+    let doubts = match found.warnings.len() {
+        0 => String::new(),
+        doubts => format!(", with {}", count(doubts, "warning")),
+    };
+    print(&format!("{} and {}{doubts}", args.out.display(), page.display()))
+}

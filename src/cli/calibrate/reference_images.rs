@@ -1,0 +1,58 @@
+//! White and dark images as they are given, and what says later which they were.
+
+use std::{
+    fmt::Write,
+    path::{Path, PathBuf},
+};
+
+use anyhow::Context;
+use lfpiv_hw::RawImage;
+use ring::digest::{SHA256, digest};
+use serde::{Deserialize, Serialize};
+
+use crate::archive::{ImageSize, read_grey_tiff, read_grey_tiff_of_any_size};
+
+/// A file that a calibration was made from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InputFile {
+    /// Its path as it was given.
+    pub file: PathBuf,
+    /// SHA-256 of its content.
+    pub sha256: String,
+}
+
+impl InputFile {
+    /// A file of this content.
+    pub fn of_bytes(file: &Path, content: &[u8]) -> Self {
+        Self { file: file.into(), sha256: sha256(content) }
+    }
+}
+
+/// SHA-256 in hexadecimal digits.
+pub fn sha256(content: &[u8]) -> String {
+    let mut text = String::new();
+    for byte in digest(&SHA256, content).as_ref() {
+        // Writing to a String does not fail.
+        let _ = write!(text, "{byte:02x}");
+    }
+    text
+}
+
+/// Reads images, of the configured size if there is one.
+pub fn read_images(
+    paths: &[PathBuf],
+    size: Option<ImageSize>,
+) -> anyhow::Result<(Vec<RawImage>, Vec<InputFile>)> {
+    let mut images = Vec::new();
+    let mut files = Vec::new();
+    for path in paths {
+        images.push(match size {
+            Some(size) => read_grey_tiff(path, size)?,
+            None => read_grey_tiff_of_any_size(path)?,
+        });
+        let content =
+            std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+        files.push(InputFile::of_bytes(path, &content));
+    }
+    Ok((images, files))
+}
