@@ -78,6 +78,13 @@ pub struct Case {
     /// Shots per second that are tried ([`Measure::Loopback`]); the configuration's when empty.
     #[serde(default)]
     pub rates_hz: Vec<f64>,
+    /// Whether the reconstruction is told of everything in which the simulated cameras are not as drawn,
+    /// as by a perfect calibration.
+    #[serde(default)]
+    pub calibrated: bool,
+    /// What this case may cost beside another of the same set.
+    #[serde(default)]
+    pub beside: Option<Beside>,
     /// Figures that show this case.
     #[serde(default)]
     pub figures: Vec<Figure>,
@@ -87,6 +94,23 @@ pub struct Case {
     /// What README says of this case.
     #[serde(rename = "claim", default)]
     pub claims: Vec<Claim>,
+}
+
+/// What a case may cost beside another one of the same run, at every seeding density of both: medians
+/// of the seconds, means of the errors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Beside {
+    /// The other case.
+    pub case: String,
+    /// How many times its error.
+    pub error: f64,
+    /// How many times its seconds.
+    pub seconds: f64,
+    /// What the error is held against instead of the other case's: of the same seeds by the
+    /// voxelwise model, in voxels, mean over the components, for each density.
+    #[serde(default)]
+    pub exact_error_vox: Vec<f64>,
 }
 
 /// What README says of a case with two cameras at one seeding density, the case's first method. The

@@ -28,7 +28,7 @@ impl Frame {
             let light = setting.scene.light(&setting.bench, truth, camera, FrameOfPair::A);
             let key = [truth.seed, truth.shot, camera as u64, 0];
             let image = setting.scene.sensor.expose(&light, &key);
-            let zones = PhotometricZones::new(&setting.bench.optics, &layout.columns, &layout.rows);
+            let zones = PhotometricZones::of(&setting.bench.optics, layout);
             let levels = zones.levels(&image, &setting.config.image);
             let views = layout.decode_above_black(&image, &levels);
             frame.levels.push(ViewLevels::of(&views, levels.noise_counts));

@@ -49,6 +49,7 @@
 //! let processor = Processor::new(Measurement {
 //!     optics,
 //!     cameras,
+//!     calibrations: Vec::new(), // As drawn.
 //!     volume,
 //!     image: ImageSettings::default(),
 //!     model: ModelSettings::default(),

@@ -270,6 +270,7 @@ impl Config {
     /// The part of the configuration that turns image pairs into vectors.
     pub fn measurement(&self) -> Measurement {
         Measurement {
+            calibrations: Vec::new(),
             optics: self.optics.clone(),
             cameras: self.camera.clone(),
             volume: self.volume.clone(),

@@ -3,7 +3,7 @@
 use lfpiv::pipeline::monotonic;
 use lfpiv_core::{
     lightfield::ImagePair,
-    measurement::Processor,
+    measurement::{Measurement, Processor},
     velocimetry::{PairResult, VelocityField},
 };
 use lfpiv_sim::{FrameOfPair, Truth};
@@ -11,6 +11,7 @@ use lfpiv_sim::{FrameOfPair, Truth};
 use super::{Findings, Surroundings};
 use crate::{
     BenchmarkError, Curve, Figure, MeasuredField, Method, Row,
+    calibrated::calibrations,
     case::Setting,
     score::{Score, true_field},
     truth::true_cloud,
@@ -40,7 +41,11 @@ pub(super) fn measure(
     let processors = methods
         .iter()
         .map(|&method| {
-            Ok((method, Processor::timed(setting.config_with(method).measurement(), monotonic)?))
+            let measurement = Measurement {
+                calibrations: calibrations(setting),
+                ..setting.config_with(method).measurement()
+            };
+            Ok((method, Processor::timed(measurement, monotonic)?))
         })
         .collect::<Result<Vec<_>, BenchmarkError>>()?;
     for &seed in &setting.case.seeds {

@@ -9,7 +9,7 @@ use std::{ops::Range, sync::Arc};
 use lfpiv_hw::{Optics, RawImage};
 use rayon::prelude::*;
 
-use super::{photometry::LightLevels, sampling::AxisSampling};
+use super::{GridSampling, photometry::LightLevels, sampling::AxisSampling};
 
 /// Views with a smaller mean coverage carry too little light to be worth their time.
 const LEAST_MEAN_COVERAGE: f64 = 0.3;
@@ -91,6 +91,9 @@ pub struct ViewLayout {
     pub columns: AxisSampling,
     /// Sampling of the sensor's rows.
     pub rows: AxisSampling,
+    /// Sampling of both together where a model takes the array as it stands: it then counts instead
+    /// of the two above, which are those of the array as drawn.
+    pub grid: Option<Arc<GridSampling>>,
     /// Microlenses kept.
     pub window: MicrolensWindow,
     /// The views with enough light, in order of l, then k.
@@ -153,21 +156,40 @@ impl ViewLayout {
                 let (aperture, rows, window) = (&aperture, &rows, &window);
                 (-rows.reach..=rows.reach).filter_map(move |l| {
                     let coverage = aperture.coverage(&strips, rows, window, l)?;
-                    let sum: f64 = coverage.iter().map(|&c| f64::from(c)).sum();
-                    let open = coverage.iter().all(|&c| c == 1.0);
-                    (sum >= LEAST_MEAN_COVERAGE * coverage.len() as f64).then(|| View {
-                        k,
-                        l,
-                        coverage: (!open).then(|| coverage.into()),
-                    })
+                    enough(k, l, coverage)
                 })
             })
             .collect();
         views.sort_by_key(|view| (view.l, view.k));
-        if !edge.partly_open_views && views.iter().any(|view| !view.is_cut()) {
-            views.retain(|view| !view.is_cut());
-        }
-        Self { columns, rows, window, views }
+        leave_cut_views_out(&mut views, edge);
+        Self { columns, rows, grid: None, window, views }
+    }
+
+    /// The layout of a camera whose micro-images stand as `grid` says.
+    pub fn on_grid(
+        optics: &Optics,
+        window: MicrolensWindow,
+        edge: ApertureEdge,
+        grid: GridSampling,
+    ) -> Self {
+        let radius_mm = optics.pupil_diameter_mm() / 2.0;
+        let aperture = Aperture { radius_mm, interval_mm: edge.interval_mm };
+        let indices = -grid.reach..=grid.reach;
+        let mut views: Vec<View> = indices
+            .clone()
+            .into_par_iter()
+            .flat_map_iter(|l| {
+                let (aperture, window, grid) = (&aperture, &window, &grid);
+                indices.clone().filter_map(move |k| {
+                    let coverage = aperture.coverage_on_grid((k, l), grid, window)?;
+                    enough(k, l, coverage)
+                })
+            })
+            .collect();
+        views.sort_by_key(|view| (view.l, view.k));
+        leave_cut_views_out(&mut views, edge);
+        let (columns, rows) = (AxisSampling::columns(optics), AxisSampling::rows(optics));
+        Self { columns, rows, grid: Some(Arc::new(grid)), window, views }
     }
 
     /// Cuts a raw image into views, in counts above its own black level and uniform background.
@@ -179,6 +201,9 @@ impl ViewLayout {
     /// Cuts a raw image into views. Each count becomes `map(column, row, count)`, in counts above
     /// the black level; microlenses without a pixel for a view get 0.
     pub fn decode(&self, image: &RawImage, map: impl Fn(usize, usize, u16) -> f32) -> ViewStack {
+        if let Some(grid) = &self.grid {
+            return self.decode_on_grid(grid, image, map);
+        }
         let view_len = self.window.len();
         let width = self.window.columns.len();
         let mut values = vec![0.0; view_len * self.views.len()];
@@ -203,6 +228,45 @@ impl ViewLayout {
             }
         }
         ViewStack { view_len, values }
+    }
+
+    /// [`Self::decode`] of an array that stands anyhow.
+    fn decode_on_grid(
+        &self,
+        grid: &GridSampling,
+        image: &RawImage,
+        map: impl Fn(usize, usize, u16) -> f32,
+    ) -> ViewStack {
+        let MicrolensWindow { columns, rows } = &self.window;
+        let lenses = rows.clone().flat_map(|j| columns.clone().map(move |i| (i, j)));
+        let nearest: Vec<_> = lenses.map(|(i, j)| grid.nearest_pixel(i, j)).collect();
+        let mut values = Vec::with_capacity(self.window.len() * self.views.len());
+        for view in &self.views {
+            let pixel = grid.pixels((view.k, view.l));
+            values.extend(nearest.iter().map(|nearest| match pixel(nearest) {
+                Some([column, row]) => map(column, row, image.row(row)[column]),
+                None => 0.0,
+            }));
+        }
+        ViewStack { view_len: self.window.len(), values }
+    }
+}
+
+/// A view, if it carries enough light.
+fn enough(k: i32, l: i32, coverage: Vec<f32>) -> Option<View> {
+    let sum: f64 = coverage.iter().map(|&c| f64::from(c)).sum();
+    let open = coverage.iter().all(|&c| c == 1.0);
+    (sum >= LEAST_MEAN_COVERAGE * coverage.len() as f64).then(|| View {
+        k,
+        l,
+        coverage: (!open).then(|| coverage.into()),
+    })
+}
+
+/// Drops the views that the aperture's edge cuts, where they are not wanted and others are left.
+fn leave_cut_views_out(views: &mut Vec<View>, edge: ApertureEdge) {
+    if !edge.partly_open_views && views.iter().any(|view| !view.is_cut()) {
+        views.retain(|view| !view.is_cut());
     }
 }
 
@@ -250,6 +314,44 @@ impl Aperture {
             }));
         }
         Some(coverage)
+    }
+
+    /// Coverage of view (k, l) over the window, row-major. `None` where the whole view is closed.
+    fn coverage_on_grid(
+        &self,
+        (k, l): (i32, i32),
+        grid: &GridSampling,
+        window: &MicrolensWindow,
+    ) -> Option<Vec<f32>> {
+        // A phase is half a cell at most.
+        let nearest = |n: i32| ((f64::from(n.abs()) - 0.5) * grid.cell_mm).max(0.0);
+        let half_mm = self.interval_mm / 2.0;
+        let near = [k, l].map(|n| (nearest(n) - half_mm).max(0.0));
+        if near[0].hypot(near[1]) >= self.radius_mm {
+            return None;
+        }
+        let lenses = window.rows.clone().flat_map(|j| window.columns.clone().map(move |i| (i, j)));
+        let covered = |(i, j)| match grid.pixel((k, l), i, j) {
+            Some(_) => self.covered(grid.pupil_mm((k, l), i, j)) as f32,
+            None => 0.0,
+        };
+        Some(lenses.map(covered).collect())
+    }
+
+    /// Share of the pupil cell around a point that lies within the aperture.
+    fn covered(&self, [u, v]: [f64; 2]) -> f64 {
+        let half_mm = self.interval_mm / 2.0;
+        let square = |u: f64, v: f64| u * u + v * v;
+        let radius_square = self.radius_mm * self.radius_mm;
+        // Nearly all cells lie wholly inside or outside.
+        if square(u.abs() + half_mm, v.abs() + half_mm) <= radius_square {
+            return 1.0;
+        }
+        let near = [u, v].map(|centre| (centre.abs() - half_mm).max(0.0));
+        if square(near[0], near[1]) >= radius_square {
+            return 0.0;
+        }
+        self.strip(u).covered(v, self.interval_mm)
     }
 
     /// The aperture between both edges of a column of pupil intervals.

@@ -1,6 +1,7 @@
 //! From raw images to views.
 
 mod background;
+mod grid_sampling;
 mod layout;
 mod micro_image_grid;
 mod micro_images;
@@ -11,6 +12,7 @@ mod seeding;
 mod settings;
 
 pub use background::{Condensation, StationaryLight};
+pub use grid_sampling::{GridSampling, NearestPixel, TIE_PX};
 pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
 pub use micro_image_grid::MicroImageGrid;
 pub use micro_images::MicroImages;

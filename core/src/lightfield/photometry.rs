@@ -6,8 +6,9 @@
 //! however densely seeded; pixels that see the open aperture then give the uniform background.
 
 use lfpiv_hw::{Optics, RawImage};
+use rayon::prelude::*;
 
-use super::{ImageSettings, sampling::AxisSampling};
+use super::{GridSampling, ImageSettings, ViewLayout, sampling::AxisSampling};
 
 /// Corner pixels count as dark when the nearest point of their pupil cell is this many pupil radii
 /// from the centre: diffraction at the microlens leaks about one pixel beyond the edge.
@@ -48,38 +49,96 @@ pub struct LightLevels {
     pub bright_share: f64,
 }
 
+/// What a pixel shows whatever the scene: the black level, or the light of the open aperture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Zone {
+    Dark,
+    Lit,
+}
+
 /// The parts of a micro-image that are dark, and fully lit, whatever the scene.
 #[derive(Debug, Clone)]
-pub struct PhotometricZones {
-    /// Per pixel column: least and greatest |U| of its pupil interval, in mm.
-    columns: Vec<Option<(f64, f64)>>,
-    rows: Vec<Option<(f64, f64)>>,
-    radius_mm: f64,
+pub enum PhotometricZones {
+    /// Of an array along the sensor's axes. Per pixel column and row: least and greatest |U| of its pupil
+    /// interval, in mm.
+    Axes { columns: Vec<Option<(f64, f64)>>, rows: Vec<Option<(f64, f64)>>, radius_mm: f64 },
+    /// Of an array that stands anyhow, per pixel.
+    Pixels(Vec<Option<Zone>>),
+}
+
+impl Zone {
+    /// Of a pixel whose pupil interval has its middle at (u, v), not negative, and this half width.
+    fn new(u: f64, v: f64, half: f64, radius_mm: f64) -> Option<Self> {
+        let extents = |middle: f64| ((middle - half).max(0.0), middle + half);
+        Self::of_extents(extents(u), extents(v), radius_mm)
+    }
+
+    /// Of a pixel with the least and the greatest |U| and |V| of its pupil interval.
+    fn of_extents(
+        (u_near, u_far): (f64, f64),
+        (v_near, v_far): (f64, f64),
+        radius_mm: f64,
+    ) -> Option<Self> {
+        let dark_mm = radius_mm * DARK_RADII;
+        if u_far * u_far + v_far * v_far < radius_mm * radius_mm {
+            Some(Self::Lit)
+        } else if u_near * u_near + v_near * v_near > dark_mm * dark_mm {
+            Some(Self::Dark)
+        } else {
+            None
+        }
+    }
 }
 
 impl PhotometricZones {
-    /// The zones of a camera's raw images.
+    /// The zones of a camera's raw images whose array lies along the sensor's axes.
     pub fn new(optics: &Optics, columns: &AxisSampling, rows: &AxisSampling) -> Self {
-        Self {
+        Self::Axes {
             columns: pupil_extents(columns, optics.sensor.columns),
             rows: pupil_extents(rows, optics.sensor.rows),
             radius_mm: optics.pupil_diameter_mm() / 2.0,
         }
     }
 
+    /// The zones of images that are cut as `layout` says.
+    pub fn of(optics: &Optics, layout: &ViewLayout) -> Self {
+        match &layout.grid {
+            Some(grid) => Self::on_grid(optics, grid),
+            None => Self::new(optics, &layout.columns, &layout.rows),
+        }
+    }
+
+    /// The zones of images of an array that stands anyhow.
+    fn on_grid(optics: &Optics, grid: &GridSampling) -> Self {
+        let (columns, rows) = (optics.sensor.columns, optics.sensor.rows);
+        let radius_mm = optics.pupil_diameter_mm() / 2.0;
+        let zone = |pixel: usize| {
+            let [u, v] = grid.pupil_of_pixel_mm(pixel % columns, pixel / columns)?;
+            Zone::new(u.abs(), v.abs(), grid.cell_mm / 2.0, radius_mm)
+        };
+        Self::Pixels((0..columns * rows).into_par_iter().map(zone).collect())
+    }
+
     /// Histograms of the dark corners, and of the pixels that see the open aperture.
     fn histograms(&self, image: &RawImage) -> (Histogram, Histogram) {
         let (mut dark, mut lit) = (Histogram::default(), Histogram::default());
-        let dark_square = (self.radius_mm * DARK_RADII).powi(2);
-        let lit_square = self.radius_mm.powi(2);
-        for (row, extent) in self.rows.iter().enumerate() {
-            let Some((v_near, v_far)) = extent else { continue };
-            for (&count, extent) in image.row(row).iter().zip(&self.columns) {
-                let Some((u_near, u_far)) = extent else { continue };
-                if u_far * u_far + v_far * v_far < lit_square {
-                    lit.add(count);
-                } else if u_near * u_near + v_near * v_near > dark_square {
-                    dark.add(count);
+        let mut add = |zone: Option<Zone>, count: u16| match zone {
+            Some(Zone::Lit) => lit.add(count),
+            Some(Zone::Dark) => dark.add(count),
+            None => {}
+        };
+        match self {
+            Self::Axes { columns, rows, radius_mm } => {
+                for (row, v) in rows.iter().enumerate() {
+                    let Some(v) = v else { continue };
+                    for (&count, u) in image.row(row).iter().zip(columns) {
+                        add(u.and_then(|u| Zone::of_extents(u, *v, *radius_mm)), count);
+                    }
+                }
+            }
+            Self::Pixels(zones) => {
+                for (&count, &zone) in image.counts().iter().zip(zones) {
+                    add(zone, count);
                 }
             }
         }
@@ -202,7 +261,7 @@ impl Histogram {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_bench;
+    use crate::{lightfield::MicroImageGrid, test_bench};
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
@@ -211,12 +270,14 @@ mod tests {
     fn image(lit: impl Fn(&mut Pcg64Mcg) -> f64, offset: f64, noise: f64) -> RawImage {
         let optics = test_bench::optics();
         let mut random = Pcg64Mcg::seed_from_u64(7);
-        let zones = zones();
+        let PhotometricZones::Axes { columns, rows, radius_mm } = zones() else {
+            panic!("the bench's array lies along the axes");
+        };
         let mut counts = Vec::new();
-        for row in &zones.rows {
-            for column in &zones.columns {
+        for row in &rows {
+            for column in &columns {
                 let inside = match (column, row) {
-                    (Some((u, _)), Some((v, _))) => u.hypot(*v) < zones.radius_mm,
+                    (Some((u, _)), Some((v, _))) => u.hypot(*v) < radius_mm,
                     _ => false,
                 };
                 let normal = (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0;
@@ -235,6 +296,20 @@ mod tests {
             &AxisSampling::columns(&optics),
             &AxisSampling::rows(&optics),
         )
+    }
+
+    /// Zones pixel by pixel are those along the axes, but for pixels on micro-images' borders.
+    #[test]
+    fn zones_of_a_drawn_array_do_not_depend_on_how_it_is_described() {
+        let optics = test_bench::optics();
+        let sampling = GridSampling::new(&optics, &MicroImageGrid::drawn(&optics));
+        let on_grid = PhotometricZones::on_grid(&optics, &sampling);
+        let image = image(|_| 200.0, 64.0, 0.0);
+        let [along_axes, on_grid] = [zones(), on_grid].map(|zones| zones.histograms(&image));
+        for (a, b) in [(along_axes.0, on_grid.0), (along_axes.1, on_grid.1)] {
+            assert!(a.total.abs_diff(b.total) < a.total / 50, "{} {}", a.total, b.total);
+            assert!((a.mean() - b.mean()).abs() < 2.0, "{} {}", a.mean(), b.mean());
+        }
     }
 
     #[test]

@@ -115,12 +115,12 @@ fn reconstructor(
     choice: &ModelChoice,
     clock: Clock,
 ) -> Result<Reconstructor, ModelError> {
-    let Measurement { optics, cameras, volume, reconstruction, .. } = measurement;
+    let Measurement { optics, cameras, calibrations, volume, reconstruction, .. } = measurement;
     let settings =
         ReconstructionSettings { refinement: choice.refinement, ..reconstruction.clone() };
     let volume = volume.padded(margin);
     let reconstructor =
-        Reconstructor::with_parts(optics, cameras, &volume, &settings, choice.model)?;
+        Reconstructor::with_parts(optics, cameras, calibrations, &volume, &settings, choice.model)?;
     Ok(reconstructor.timed_by(clock))
 }
 

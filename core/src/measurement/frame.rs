@@ -23,7 +23,8 @@ const SATURATED_SHARE: f64 = 1e-3;
 /// What raw images are corrected by.
 pub(super) struct Correction<'a> {
     pub image: &'a ImageSettings,
-    pub zones: &'a PhotometricZones,
+    /// Per camera.
+    pub zones: &'a [PhotometricZones],
     /// Per camera and frame, where stationary light has been learned.
     pub stationary: &'a [[StationaryLight; 2]],
 }
@@ -61,7 +62,7 @@ impl Frame {
                     &corrected
                 }
             };
-            let levels = correction.zones.levels(image, &settings);
+            let levels = correction.zones[camera].levels(image, &settings);
             let views = layout.decode_above_black(image, &levels);
             let name = format!("{}, frame {}", CameraName(camera), ['a', 'b'][frame]);
             decoded.judge(&name, &levels);

@@ -17,7 +17,7 @@ use crate::{
         model_fit,
         plan::Plan,
     },
-    model::{ModelError, ModelSettings, VolumeGrid},
+    model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid},
     reconstruction::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
     },
@@ -31,6 +31,8 @@ pub struct Measurement {
     pub optics: Optics,
     /// Where the cameras stand.
     pub cameras: Vec<Pose>,
+    /// What calibration found of the cameras, in their order; those beyond its end are as drawn.
+    pub calibrations: Vec<CameraCalibration>,
     /// The measurement volume.
     pub volume: VolumeGrid,
     /// What is known about the images.
@@ -43,6 +45,14 @@ pub struct Measurement {
     pub velocimetry: VelocimetrySettings,
     /// Time between the frames, in s.
     pub dt_s: f64,
+}
+
+impl Measurement {
+    /// Whether no camera has a calibration: what compares images with the drawing then says something
+    /// of the bench.
+    pub fn is_drawn(&self) -> bool {
+        self.calibrations.iter().all(CameraCalibration::is_drawn)
+    }
 }
 
 /// Why a measurement cannot be set up.
@@ -80,7 +90,8 @@ pub struct Processor {
     measurement: Measurement,
     models: Models,
     clock: Clock,
-    zones: PhotometricZones,
+    /// Per camera.
+    zones: Vec<PhotometricZones>,
     interrogation: Interrogation,
     /// Per camera and frame, where stationary light has been learned.
     stationary: Vec<[StationaryLight; 2]>,
@@ -101,8 +112,8 @@ impl Processor {
         // Light that crosses a face between the frames must have voxels on both sides of it.
         let margin = (velocimetry.max_displacement_vox / 2.0).ceil() as usize + 1;
         let models = Models::new(&measurement, margin, clock)?;
-        let layout = &models.configured().reconstructor.layouts()[0];
-        let zones = PhotometricZones::new(optics, &layout.columns, &layout.rows);
+        let layouts = models.configured().reconstructor.layouts();
+        let zones = layouts.iter().map(|layout| PhotometricZones::of(optics, layout)).collect();
         let interrogation = Interrogation::new(volume, margin, velocimetry);
         Ok(Self { measurement, models, clock, zones, interrogation, stationary: Vec::new() })
     }

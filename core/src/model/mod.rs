@@ -7,6 +7,7 @@
 //! the reference that the tables are tested against.
 
 mod blocks;
+mod calibration;
 mod camera;
 mod choice;
 mod explicit;
@@ -23,6 +24,7 @@ mod sparse_columns;
 mod table_weights;
 mod tables;
 mod thin_lens;
+mod volume_map;
 mod weights;
 
 use std::ops::Range;
@@ -34,6 +36,7 @@ pub use blocks::{
     BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, VoxelwiseBlocks, block_model,
     block_model_beside, blocks_along, child_voxel,
 };
+pub use calibration::CameraCalibration;
 pub use choice::{ModelChoice, Part, PartChoice, SceneMeasure};
 pub use explicit::{ExplicitModel, SubsetMatrix};
 pub use grid::VolumeGrid;
@@ -45,6 +48,7 @@ pub use settings::{ModelMode, ModelSettings, Switch, mode_or_table};
 pub use sight::{Sight, degrees_apart};
 pub use table_weights::TableWeights;
 pub use thin_lens::{ThinLensModel, thin_lens_model, thin_lens_model_of};
+pub use volume_map::{EquivalentPoint, MapResidual, VolumeMap};
 pub use weights::{Weight, WeightSource};
 
 use crate::lightfield::ViewLayout;
@@ -119,6 +123,24 @@ pub enum ModelError {
          {limit_mm:.1} mm (object distance minus focal length); make [volume] smaller"
     )]
     TooDeep { camera: CameraName, depth_mm: f64, limit_mm: f64 },
+    /// Calibrated cameras where only drawn ones are modelled.
+    #[error(
+        "{camera} is calibrated, and solvers over the whole volume know cameras as drawn only; \
+         leave out reconstruction.domain = \"volume\", or use the solver os-mart"
+    )]
+    CalibratedWholeVolume { camera: CameraName },
+    /// A calibrated camera and voxels whose light reaches too far for its tables.
+    #[error(
+        "{camera} is calibrated, and a voxel's light, {footprint_mm} mm wide, reaches over more \
+         than 8 microlenses; use smaller voxels or a shallower volume"
+    )]
+    CalibratedTooWide { camera: CameraName, footprint_mm: f64 },
+    /// Microlenses that do not stand in squares.
+    #[error(
+        "{camera}: the micro-images of its calibration do not stand in a square grid; hexagonal \
+         arrays are calibrated but not reconstructed: use a camera with a square array"
+    )]
+    NotSquare { camera: CameraName },
     /// A voxel's shadow is wider than the tables hold.
     #[error(
         "{camera}: a voxel's light, {footprint_mm} mm wide, reaches over {pitches:.2} \

@@ -4,7 +4,7 @@ use lfpiv_hw::Optics;
 use serde::{Deserialize, Serialize};
 
 use super::{camera::CameraView, footprint::RayMap};
-use crate::lightfield::{ApertureEdge, ViewLayout};
+use crate::lightfield::{ApertureEdge, GridSampling, MicrolensWindow, ViewLayout};
 
 /// Which parts a forward model has. The default is what every scene can be measured with.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -97,11 +97,24 @@ impl ModelParts {
 
     /// How this model cuts a camera's raw image into views.
     pub(super) fn layout(&self, optics: &Optics, view: &CameraView) -> ViewLayout {
-        let edge = ApertureEdge {
+        ViewLayout::with_edge(optics, view.window.clone(), self.edge(optics))
+    }
+
+    /// How this model cuts the raw image of a camera whose array stands as `sampling` says.
+    pub(super) fn layout_on_grid(
+        &self,
+        optics: &Optics,
+        window: &MicrolensWindow,
+        sampling: &GridSampling,
+    ) -> ViewLayout {
+        ViewLayout::on_grid(optics, window.clone(), self.edge(optics), sampling.clone())
+    }
+
+    fn edge(&self, optics: &Optics) -> ApertureEdge {
+        ApertureEdge {
             partly_open_views: self.aperture_coverage,
             interval_mm: optics.pupil_cell_mm().hypot(self.diffraction(optics).pupil_mm),
-        };
-        ViewLayout::with_edge(optics, view.window.clone(), edge)
+        }
     }
 
     /// The layouts of all cameras. Those whose microlens windows are the same are computed once, and

@@ -11,6 +11,9 @@ use crate::{
 /// times as much.
 const DIAGONALS: i32 = 3;
 
+/// Of cameras that stand anyhow every fourth diagonal is asked: each costs three times as much there.
+const DIAGONALS_ON_GRID: i32 = 4;
+
 /// Cameras with fewer views than this are asked for all of them.
 const LEAST_VIEWS_TO_CHOOSE: usize = 120;
 
@@ -23,9 +26,10 @@ const NOISE_SHARE: f64 = 0.03;
 pub(super) fn some_views(layouts: &[ViewLayout], dark_below: Vec<f32>) -> Darkness {
     let asked = layouts.iter().map(|layout| {
         let all = layout.views.len();
+        let diagonals = if layout.grid.is_some() { DIAGONALS_ON_GRID } else { DIAGONALS };
         let is_asked = |&n: &usize| {
             let view = &layout.views[n];
-            all < LEAST_VIEWS_TO_CHOOSE || (view.k + view.l).rem_euclid(DIAGONALS) == 0
+            all < LEAST_VIEWS_TO_CHOOSE || (view.k + view.l).rem_euclid(diagonals) == 0
         };
         (0..all).filter(is_asked).collect()
     });

@@ -1,6 +1,6 @@
 //! The reconstructor: views in, volume out, by the configured solver.
 
-use lfpiv_hw::{Optics, Pose};
+use lfpiv_hw::{CameraName, Optics, Pose};
 
 use super::{
     PassReport, ReconstructionSettings, SartOptions, Solver, SparseVolume,
@@ -19,7 +19,7 @@ use crate::{
     clock::untimed,
     lightfield::{ViewLayout, ViewStack},
     model::{
-        BlockModel, ForwardModel, ModelError, ModelParts, ViewId, VolumeGrid, block_model,
+        BlockModel, CameraCalibration, ForwardModel, ModelError, ModelParts, ViewId, VolumeGrid,
         block_model_beside, thin_lens_model_of,
     },
 };
@@ -93,13 +93,18 @@ impl Reconstructor {
         grid: &VolumeGrid,
         settings: &ReconstructionSettings,
     ) -> Result<Self, ModelError> {
-        Self::with_parts(optics, poses, grid, settings, ModelParts::default())
+        Self::with_parts(optics, poses, &[], grid, settings, ModelParts::default())
     }
 
-    /// [`Self::new`] with these parts of the forward model.
+    /// [`Self::new`] with these parts of the forward model, for cameras that are as drawn but for
+    /// their `calibrations`, in their order.
+    ///
+    /// # Errors
+    /// A camera does not see the volume, or calibrated cameras and a solver over the whole volume.
     pub fn with_parts(
         optics: &Optics,
         poses: &[Pose],
+        calibrations: &[CameraCalibration],
         grid: &VolumeGrid,
         settings: &ReconstructionSettings,
         parts: ModelParts,
@@ -112,9 +117,19 @@ impl Reconstructor {
                 let grid = grid.refined(refinement);
                 let footprint_mm = footprint_mm(settings, &grid);
                 let known = models.first().map_or(&[][..], |model| model.layouts());
-                models.push(block_model_beside(optics, poses, &grid, footprint_mm, &parts, known)?);
+                models.push(block_model_beside(
+                    optics,
+                    poses,
+                    calibrations,
+                    &grid,
+                    footprint_mm,
+                    &parts,
+                    known,
+                )?);
             }
             Models::Blocks(models)
+        } else if let Some(n) = calibrations.iter().position(|known| !known.is_drawn()) {
+            return Err(ModelError::CalibratedWholeVolume { camera: CameraName(n) });
         } else {
             Models::Voxels {
                 filled: thin_lens_model_of(
@@ -127,8 +142,9 @@ impl Reconstructor {
                 points: auto.then(points).transpose()?,
             }
         };
-        let grid_points =
-            auto.then(|| block_model(optics, poses, grid, 0.0, &parts)).transpose()?;
+        let grid_points = auto
+            .then(|| block_model_beside(optics, poses, calibrations, grid, 0.0, &parts, &[]))
+            .transpose()?;
         let order = alternating_views(models.layouts());
         Ok(Self {
             settings: settings.clone(),

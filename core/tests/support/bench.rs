@@ -72,6 +72,7 @@ impl Bench {
     /// What turns its image pairs into vectors.
     pub fn measurement(&self) -> Measurement {
         Measurement {
+            calibrations: Vec::new(),
             optics: self.optics.clone(),
             cameras: self.camera.clone(),
             volume: self.volume.clone(),

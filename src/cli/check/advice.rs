@@ -4,6 +4,7 @@ use lfpiv_core::{
     lightfield::Background,
     measurement::Plan,
     model::{Sight, degrees_apart},
+    velocimetry::StageSeconds,
 };
 use lfpiv_hw::CameraName;
 
@@ -15,7 +16,7 @@ use super::{
         },
         finding::Finding,
     },
-    sample::{ASSUMED_PPM, Expected, aligned},
+    sample::ASSUMED_PPM,
 };
 use crate::config::Config;
 
@@ -35,10 +36,7 @@ const GOOD_PARTICLES: f64 = 5.0;
 
 /// What needs no measurement.
 pub fn of_configuration(config: &Config) -> Vec<Finding> {
-    let mut findings = vec![view(config)];
-    findings.extend(directions(config));
-    findings.push(f_numbers(config));
-    findings.push(particles(config));
+    let mut findings = vec![view(config), angle(config), f_numbers(config), particles(config)];
     findings.extend(background(config));
     findings
 }
@@ -65,39 +63,23 @@ fn view(config: &Config) -> Finding {
     finding.with("common_share", seen.common)
 }
 
-/// How the cameras stand to each other and to the grid.
-fn directions(config: &Config) -> Vec<Finding> {
-    const CHECK: &str = "directions";
-    let straight = aligned(&config.camera);
-    let turned: Vec<String> = (0..)
-        .zip(config.camera.iter().zip(&straight))
-        .filter(|(_, (camera, straight))| camera != straight)
-        .map(|(camera, _)| CameraName(camera).to_string())
-        .collect();
-    let along = if turned.is_empty() {
-        Finding::ok(CHECK, "all cameras look along axes of the volume")
-    } else {
-        Finding::advice(
-            CHECK,
-            format!("{} looks along none of the volume's axes", turned.join(" and ")),
-            "a pair takes many times longer and tables many times the memory (see time and memory \
-             below): stand the cameras along x, y or z of the volume where the bench allows it",
-        )
-    };
+/// How the cameras stand to each other.
+fn angle(config: &Config) -> Finding {
+    const CHECK: &str = "angle";
     let [one, other] = config.camera.as_slice() else {
         let found = "one camera";
         let todo = "depth comes from its views alone, ten times coarser than the rest: use two";
-        return vec![along, Finding::advice("angle", found, todo)];
+        return Finding::advice(CHECK, found, todo);
     };
     let degrees = degrees_apart(&config.optics, [one, other], &config.volume);
     let found = format!("{degrees:.0} degrees between the cameras");
-    let angle = if degrees.min(180.0 - degrees) < GOOD_DEGREES_APART {
+    let finding = if degrees.min(180.0 - degrees) < GOOD_DEGREES_APART {
         let todo = "depth is measured worse than the rest: 90 degrees are best";
-        Finding::advice("angle", found, todo)
+        Finding::advice(CHECK, found, todo)
     } else {
-        Finding::ok("angle", found)
+        Finding::ok(CHECK, found)
     };
-    vec![along, angle.with("degrees", degrees)]
+    finding.with("degrees", degrees)
 }
 
 fn f_numbers(config: &Config) -> Finding {
@@ -193,10 +175,10 @@ pub fn memory(config: &Config, plan: &Plan) -> Finding {
 }
 
 /// Seconds of a pair against the rate of shots.
-pub fn time(config: &Config, expected: &anyhow::Result<Expected>) -> Finding {
+pub fn time(config: &Config, expected: &anyhow::Result<StageSeconds>) -> Finding {
     const CHECK: &str = "time";
-    let Expected { seconds, slower } = match expected {
-        Ok(expected) => expected,
+    let seconds = match expected {
+        Ok(seconds) => seconds,
         Err(error) => {
             let found = format!("unknown: {error:#}");
             return Finding::advice(CHECK, found, "correct [simulation], or measure a pair");
@@ -207,11 +189,8 @@ pub fn time(config: &Config, expected: &anyhow::Result<Expected>) -> Finding {
         Some(_) => String::new(),
         None => format!(", with {ASSUMED_PPM} particles per microlens"),
     };
-    let longer = slower.map_or(String::new(), |factor| {
-        format!("; {factor:.0} times longer than with cameras along the volume's axes")
-    });
     let digits = in_digits(pair_s);
-    let found = format!("about {digits} s per pair on {} cores{assumed}{longer}", cores());
+    let found = format!("about {digits} s per pair on {} cores{assumed}", cores());
     let load = pair_s * config.shot.rate_hz;
     let finding = if load > 1.0 {
         let todo = format!(

@@ -5,10 +5,8 @@
 //! and measured as any pair is, on this machine as busy as it is, and its seconds are scaled.
 //!
 //! The piece is a slab across an axis that every camera sees from the side: depths, and so the
-//! widths of shadows and the share of false voxels, are those of the whole volume. Where a camera
-//! looks along no axis of the grid, the solver takes a slower path (`model::VoxelwiseBlocks`): a
-//! second slab with the cameras turned to the nearest axes tells how much slower. SART over the whole volume visits every
-//! voxel in every pass, so one pass over a cube says all.
+//! widths of shadows and the share of false voxels, are those of the whole volume. SART over the whole
+//! volume visits every voxel in every pass, so one pass over a cube says all.
 
 use anyhow::Context;
 use lfpiv_core::{
@@ -18,9 +16,7 @@ use lfpiv_core::{
     reconstruction::Solver,
     velocimetry::StageSeconds,
 };
-use lfpiv_hw::Pose;
 use lfpiv_sim::Scene;
-use nalgebra::Vector3;
 use tracing::subscriber::NoSubscriber;
 
 use crate::{config::Config, pipeline::monotonic};
@@ -37,25 +33,12 @@ const LEAST_SLAB_VOX: usize = 16;
 /// Pieces measured in less than this are measured twice: the first pair finds cold caches.
 const SHORT_S: f64 = 1.0;
 
-/// A direction along an axis of the grid, within the rounding that the model allows.
-const ALONG: f64 = 1.0 - 1e-9;
-
-/// What a pair is expected to take.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Expected {
-    /// Per stage, for the whole volume.
-    pub seconds: StageSeconds,
-    /// How many times longer the reconstruction takes than with cameras along the grid's axes,
-    /// where they are not.
-    pub slower: Option<f64>,
-}
-
 /// The seconds that a pair of `config`'s bench will take on this machine; `plan` is that of the whole
 /// volume.
 ///
 /// # Errors
 /// A scene or a piece of the volume that cannot be simulated or measured.
-pub fn expected(config: &Config, plan: &Plan) -> anyhow::Result<Expected> {
+pub fn expected(config: &Config, plan: &Plan) -> anyhow::Result<StageSeconds> {
     // What is logged about a piece is not about the bench.
     tracing::subscriber::with_default(NoSubscriber::default(), || {
         expected_by(config, &|piece| measure(piece, plan))
@@ -66,29 +49,20 @@ pub fn expected(config: &Config, plan: &Plan) -> anyhow::Result<Expected> {
 fn expected_by(
     config: &Config,
     measure: &dyn Fn(&Config) -> anyhow::Result<StageSeconds>,
-) -> anyhow::Result<Expected> {
+) -> anyhow::Result<StageSeconds> {
     let settings = &config.reconstruction;
     let sart =
         matches!(settings.solver, Solver::Sart | Solver::OsSart) && !settings.on_active_voxels();
-    let aligned = aligned(&config.camera);
-    let oblique = aligned != config.camera && !sart;
-    let piece = if sart { one_pass(cube(config)) } else { slab(config, config.camera.clone()) };
+    let piece = if sart { one_pass(cube(config)) } else { slab(config) };
     let measured = measure(&piece).context("a piece of the volume cannot be measured")?;
     let voxels = larger(config, &piece);
     let passes = if sart { config.reconstruction.sart_passes() as f64 } else { 1.0 };
-    let slower = if oblique {
-        let straight = measure(&Config { camera: aligned, ..piece.clone() })?;
-        Some((measured.reconstruct_s / straight.reconstruct_s.max(1e-6)).max(1.0))
-    } else {
-        None
-    };
-    let seconds = StageSeconds {
+    Ok(StageSeconds {
         decode_s: measured.decode_s,
         reconstruct_s: measured.reconstruct_s * voxels * passes,
         correlate_s: measured.correlate_s * voxels,
         judge_s: measured.judge_s * voxels,
-    };
-    Ok(Expected { seconds, slower })
+    })
 }
 
 /// Seconds of a pair of this piece. Decoding is scaled to the views of the whole volume.
@@ -123,8 +97,9 @@ fn larger(config: &Config, piece: &Config) -> f64 {
 }
 
 /// A slab across the longest axis that no camera looks along, seeded as densely as the whole.
-fn slab(config: &Config, camera: Vec<Pose>) -> Config {
-    let from_the_side = |axis: &usize| camera.iter().all(|pose| pose.axis[*axis].abs() < 0.5);
+fn slab(config: &Config) -> Config {
+    let from_the_side =
+        |axis: &usize| config.camera.iter().all(|pose| pose.axis[*axis].abs() < 0.5);
     let across = (0..3).filter(from_the_side).max_by_key(|&axis| config.volume.voxels[axis]);
     let search = config.velocimetry.in_voxels(&config.volume).search;
     let mut most = config.volume.voxels;
@@ -132,7 +107,6 @@ fn slab(config: &Config, camera: Vec<Pose>) -> Config {
         most[axis] = search.max(LEAST_SLAB_VOX);
     }
     let mut slab = cut(config, most);
-    slab.camera = camera;
     // Seeding counts particles per area of the volume's x and y: a thinner z has fewer.
     let thinner = slab.volume.voxels[2] as f64 / config.volume.voxels[2] as f64;
     let scene = scene(config);
@@ -170,38 +144,11 @@ fn cut(config: &Config, most: [usize; 3]) -> Config {
     }
 }
 
-/// The cameras, each turned to the axes of the grid that it looks along most nearly; no two along
-/// the same axis.
-pub fn aligned(cameras: &[Pose]) -> Vec<Pose> {
-    let is_aligned = |pose: &Pose| {
-        [pose.right, pose.up, pose.axis].iter().all(|direction| direction.amax() >= ALONG)
-    };
-    if cameras.iter().all(is_aligned) {
-        return cameras.to_vec();
-    }
-    let mut taken = Vec::new();
-    let turned = cameras.iter().map(|pose| {
-        let axis = nearest(&pose.axis, &taken);
-        taken.push(axis.iamax());
-        let right = nearest(&pose.right, &[axis.iamax()]);
-        Pose { right, up: axis.cross(&right), axis, origin_mm: pose.origin_mm }
-    });
-    turned.collect()
-}
-
-/// The axis nearest to a direction, without these.
-fn nearest(direction: &Vector3<f64>, without: &[usize]) -> Vector3<f64> {
-    let free = (0..3).filter(|axis| !without.contains(axis));
-    let length = |axis: &usize| direction[*axis].abs();
-    let axis = free.max_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or(0);
-    let mut along = Vector3::zeros();
-    along[axis] = if direction[axis] < 0.0 { -1.0 } else { 1.0 };
-    along
-}
-
 #[cfg(test)]
 mod tests {
+    use lfpiv_hw::Pose;
     use lfpiv_sim::FrameOfPair;
+    use nalgebra::Vector3;
 
     use super::*;
     use lfpiv_core::{
@@ -223,18 +170,6 @@ mod tests {
         Config::parse("small", text).unwrap()
     }
 
-    #[test]
-    fn cameras_are_turned_to_the_nearest_free_axes() {
-        let turned = aligned(&cameras(60.0));
-        assert_eq!(turned, small().camera);
-        // Nearer to the first camera's axis, which is taken.
-        assert_eq!(aligned(&cameras(20.0))[1].axis, Vector3::y());
-        for pose in aligned(&cameras(20.0)) {
-            assert_eq!(pose.right.cross(&pose.up), pose.axis);
-        }
-        assert_eq!(aligned(&small().camera), small().camera);
-    }
-
     /// Views times active voxels, summed over the passes: what the solver's time goes with, whatever
     /// the machine does besides.
     fn work(config: &Config) -> anyhow::Result<StageSeconds> {
@@ -247,7 +182,7 @@ mod tests {
         let decode = |(camera, layout): (usize, &ViewLayout)| {
             let light = scene.light(&bench, &truth, camera, FrameOfPair::A);
             let image = scene.sensor.expose(&light, &[1, 0, camera as u64, 0]);
-            let zones = PhotometricZones::new(optics, &layout.columns, &layout.rows);
+            let zones = PhotometricZones::of(optics, layout);
             let levels = zones.levels(&image, &config.image);
             let views = layout.decode_above_black(&image, &levels);
             let levels = ViewLevels::of(&views, levels.noise_counts);
@@ -274,33 +209,16 @@ mod tests {
             config.camera = cameras(degrees);
             let whole = work(&config).unwrap().reconstruct_s;
             let expected = expected_by(&config, &work).unwrap();
-            let ratio = expected.seconds.reconstruct_s / whole;
+            let ratio = expected.reconstruct_s / whole;
             assert!((0.5..2.0).contains(&ratio), "{ppm} per microlens, {degrees} degrees: {ratio}");
-            assert_eq!(expected.slower.is_some(), degrees != 90.0);
         }
-    }
-
-    #[test]
-    fn a_slab_of_cameras_beside_the_axes_is_held_against_one_of_cameras_along_them() {
-        let mut config = small();
-        config.camera = cameras(60.0);
-        let measure = |piece: &Config| {
-            let oblique = piece.camera == config.camera;
-            let reconstruct_s = if oblique { 12.0 } else { 0.5 };
-            Ok(StageSeconds { reconstruct_s, correlate_s: 0.25, ..StageSeconds::default() })
-        };
-        let expected = expected_by(&config, &measure).unwrap();
-        assert_eq!(expected.slower, Some(24.0));
-        let longer = larger(&config, &slab(&config, config.camera.clone()));
-        assert_eq!(expected.seconds.reconstruct_s, 12.0 * longer);
-        assert_eq!(expected.seconds.correlate_s, 0.25 * longer);
     }
 
     #[test]
     fn a_slab_keeps_depths_and_density() {
         let mut config = small();
         config.volume.voxels = [100, 20, 16];
-        let piece = slab(&config, config.camera.clone());
+        let piece = slab(&config);
         assert_eq!(piece.volume.voxels, [16, 20, 16]);
         assert_eq!(piece.simulation.as_ref().unwrap().ppm, scene(&config).ppm);
         assert!((larger(&config, &piece) - 102.0 / 18.0).abs() < 1e-12);
@@ -313,7 +231,8 @@ mod tests {
             origin_mm: Vector3::zeros(),
         };
         let y = config.camera[1].clone();
-        let piece = slab(&config, vec![x, y]);
+        config.camera = vec![x, y];
+        let piece = slab(&config);
         assert_eq!(piece.volume.voxels, [20, 20, 16]);
         let thinner = piece.simulation.unwrap().ppm / scene(&config).ppm;
         assert!((thinner - 0.25).abs() < 1e-12);

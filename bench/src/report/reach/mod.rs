@@ -1,5 +1,6 @@
 //! What the program must reach: bar, measured figure, verdict.
 
+mod beside;
 mod claims;
 mod own;
 mod ratios;
@@ -141,6 +142,7 @@ pub fn reached(report: &Report) -> Vec<Reached> {
             solvers::to_good_q(report),
         ),
     ];
+    reached.extend(beside::beside(report));
     reached.extend(claims::claims(report));
     reached
 }

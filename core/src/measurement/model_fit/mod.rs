@@ -65,6 +65,9 @@ pub(super) fn micro_images(
     measurement: &Measurement,
     pair: &ImagePair,
 ) -> Vec<Option<MicroImages>> {
+    if !measurement.is_drawn() {
+        return vec![None; pair.cameras.len()];
+    }
     pair.cameras.par_iter().map(|[a, _]| MicroImages::find(&measurement.optics, a)).collect()
 }
 
@@ -152,6 +155,9 @@ impl Judged<'_> {
 
     /// The worse of both frames.
     fn agreement(&self) -> Option<Agreement> {
+        if !self.measurement.is_drawn() {
+            return None;
+        }
         let Measurement { optics, cameras, volume, .. } = self.measurement;
         let direction = shared_direction(cameras)?;
         let layouts = self.fitted.reconstructor.layouts();
@@ -175,6 +181,9 @@ impl Judged<'_> {
 
     /// Of frame a.
     fn disparity(&self) -> Option<Disparity> {
+        if !self.measurement.is_drawn() {
+            return None;
+        }
         let Measurement { optics, cameras, volume, .. } = self.measurement;
         let [first, second] = &cameras[..] else { return None };
         let solved = self.solved[0];

@@ -1,9 +1,10 @@
 //! The model in blocks of 2 × 2 × 2 voxels, for solvers that work on active voxels only.
 //!
 //! Neighbouring voxels share most of what a projection costs: where the block's microlenses are,
-//! and the pixels themselves. [`AlignedModel`] uses that where every camera looks along an axis of
-//! the grid; [`VoxelwiseBlocks`] does the same sums voxel by voxel through any [`ForwardModel`]
-//! and is the reference that the fast path is tested against.
+//! and the pixels themselves. [`AlignedModel`] uses that where every camera is as drawn and looks
+//! along an axis of the grid, [`mapped`] does for all others; [`VoxelwiseBlocks`] does the same
+//! sums voxel by voxel through any [`ForwardModel`] and is the reference that they are tested
+//! against.
 //!
 //! Voxel (i, j, k) is child `(i % 2) + 2 (j % 2) + 4 (k % 2)` of block (i/2, j/2, k/2). Where the
 //! grid has an odd number of voxels, the children beyond its end stay dark.
@@ -12,7 +13,9 @@ mod aligned;
 mod aligned_tables;
 mod axis_table;
 mod dark_counts;
+mod kernels;
 mod lit;
+mod mapped;
 mod pair_tap;
 mod prefetch;
 mod projector;
@@ -23,12 +26,16 @@ mod voxelwise;
 
 use std::ops::Range;
 
-use lfpiv_hw::{Optics, Pose};
+use lfpiv_hw::{CameraName, Optics, Pose};
 
-use super::{ModelError, ModelParts, ViewId, VolumeGrid, camera::CameraView, thin_lens_model_of};
+use super::{
+    CameraCalibration, ModelError, ModelParts, ViewId, VolumeGrid, camera::CameraView,
+    thin_lens_model_of,
+};
 use crate::lightfield::{ViewLayout, ViewStack};
 use aligned::{DepthsPerBlock, aligned_views};
 use aligned_tables::AlignedModel;
+use mapped::mapped_model;
 pub use voxelwise::VoxelwiseBlocks;
 
 /// Light of a block's eight voxels, in the order of its children.
@@ -98,8 +105,9 @@ pub trait BlockProjector: Send + Sync {
     fn retain(&mut self, keep: &[bool]);
 }
 
-/// The fastest block model of a bench: [`AlignedModel`] where the cameras allow it. See
-/// [`thin_lens_model`] for `footprint_mm` and the errors.
+/// The fastest block model of a bench: [`AlignedModel`] where all cameras are as drawn and look along
+/// axes of the grid, else one whose cameras stand anyhow. See [`thin_lens_model`] for
+/// `footprint_mm` and the errors.
 pub fn block_model(
     optics: &Optics,
     poses: &[Pose],
@@ -107,20 +115,24 @@ pub fn block_model(
     footprint_mm: f64,
     parts: &ModelParts,
 ) -> Result<Box<dyn BlockModel>, ModelError> {
-    block_model_beside(optics, poses, grid, footprint_mm, parts, &[])
+    block_model_beside(optics, poses, &[], grid, footprint_mm, parts, &[])
 }
 
-/// [`block_model`] beside another model of the same optics and parts, on another grid of the same
-/// volume: layouts of the `known` ones are shared where their windows are the same.
+/// [`block_model`] of cameras that are as drawn but for their `calibrations`, in their order, beside
+/// another model of the same cameras and parts on another grid of the same volume: layouts
+/// of the `known` ones are shared where their windows are the same.
 pub fn block_model_beside(
     optics: &Optics,
     poses: &[Pose],
+    calibrations: &[CameraCalibration],
     grid: &VolumeGrid,
     footprint_mm: f64,
     parts: &ModelParts,
     known: &[ViewLayout],
 ) -> Result<Box<dyn BlockModel>, ModelError> {
-    if let Some(views) = aligned_views(optics, poses, grid, footprint_mm)? {
+    if calibrations.iter().all(CameraCalibration::is_drawn)
+        && let Some(views) = aligned_views(optics, poses, grid, footprint_mm)?
+    {
         let layouts = parts.layouts(optics, &views, known);
         let model = match DepthsPerBlock::needed(optics, grid, footprint_mm) {
             DepthsPerBlock::One => aligned::<1>(optics, &views, layouts, grid, footprint_mm, parts),
@@ -129,6 +141,13 @@ pub fn block_model_beside(
         if let Some(model) = model {
             return Ok(model);
         }
+    }
+    let model = mapped_model(optics, poses, calibrations, grid, footprint_mm, parts, known)?;
+    if let Some(model) = model {
+        return Ok(model);
+    }
+    if let Some(n) = calibrations.iter().position(|known| !known.is_drawn()) {
+        return Err(ModelError::CalibratedTooWide { camera: CameraName(n), footprint_mm });
     }
     let model = thin_lens_model_of(optics, poses, grid, footprint_mm, parts)?;
     Ok(Box::new(VoxelwiseBlocks::new(model)))

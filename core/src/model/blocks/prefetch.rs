@@ -4,8 +4,8 @@
 #[cfg(target_arch = "x86_64")]
 const CACHE_LINE: usize = 64;
 
-/// Asks for the cache lines of a value of at most one line's size, without waiting for them. Does
-/// nothing where the processor has no such instruction.
+/// Asks for the cache lines of value number `at`, of at most one line's size, without waiting for them.
+/// Does nothing where the processor has no such instruction, or beyond the last value.
 #[inline(always)]
 #[cfg_attr(
     target_arch = "x86_64",
@@ -14,12 +14,12 @@ const CACHE_LINE: usize = 64;
         reason = "the instruction takes an address; safe code has no way to say it"
     )
 )]
-pub(super) fn prefetch<T>(value: &T) {
+pub(super) fn prefetch<T>(values: &[T], at: usize) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         const { assert!(size_of::<T>() > 0 && size_of::<T>() <= CACHE_LINE) };
-        let first = std::ptr::from_ref(value).cast::<i8>();
+        let first = values.as_ptr().wrapping_add(at).cast::<i8>();
         // A value may begin in one line and end in the next.
         let last = first.wrapping_add(size_of::<T>() - 1);
         // SAFETY: the instruction is part of SSE, which every x86-64 has; it is a hint, which reads
@@ -30,7 +30,7 @@ pub(super) fn prefetch<T>(value: &T) {
         }
     }
     #[cfg(not(target_arch = "x86_64"))]
-    let _ = value;
+    let _ = (values, at);
 }
 
 #[cfg(test)]
@@ -40,7 +40,7 @@ mod tests {
     #[test]
     fn what_is_asked_for_stays_as_it_is() {
         let values: Vec<[u16; 10]> = (0..1000).map(|n| [n; 10]).collect();
-        values.iter().for_each(prefetch);
+        (0..1001).for_each(|n| prefetch(&values, n));
         assert!((0..1000).zip(&values).all(|(n, value)| *value == [n; 10]));
     }
 }

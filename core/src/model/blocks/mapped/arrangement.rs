@@ -1,0 +1,151 @@
+//! How a block's voxels lie before the microlenses of a camera.
+
+use nalgebra::Point3;
+
+use super::optics::MappedOptics;
+use crate::model::{VolumeGrid, blocks::aligned_tables::Axes, footprint::RayMap};
+
+/// Share of the source's edge by which a shadow may be beside its place where voxels share
+/// one.
+const SHARED_PLACE_TOLERANCE: f64 = 1.0 / 16.0;
+
+/// What a shadow may be beside its place in any case, in microlenses: a step of the tables.
+const LEAST_TOLERANCE: f64 = 1.0 / 64.0;
+
+/// The places of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Layers {
+    /// That of its middle for all voxels, which lie in pairs along columns and rows.
+    One,
+    /// One for each of its two depths.
+    Two,
+    /// One for each voxel.
+    Eight,
+}
+
+/// How the grid lies before a camera's array.
+#[derive(Debug, Clone)]
+pub(super) struct Arrangement {
+    /// The grid axes that run along the array's columns and rows, roughly, and in depth.
+    pub axes: Axes,
+    pub layers: Layers,
+    /// From a pair's first voxel to its second, along columns and rows, in microlenses for a ray map
+    /// with b = 1; 0 where there are no pairs.
+    pub pair_step: [f64; 2],
+    /// Lowest and highest depth of the grid, seen along columns and rows.
+    pub depths_mm: [[f64; 2]; 2],
+}
+
+/// Changes from a voxel to the next along each axis of the grid.
+struct Slopes {
+    /// Of the place along columns and rows, in microlenses.
+    place: [[f64; 3]; 2],
+    /// Of the shadow of a ray through the pupil's edge, less that of the ray through its middle.
+    edge: [[f64; 3]; 2],
+}
+
+impl Arrangement {
+    pub fn new(optics: &MappedOptics, grid: &VolumeGrid, footprint_mm: f64) -> Self {
+        let slopes = Slopes::new(optics, grid);
+        let apart = |axes: &Axes| (slopes.place[0][axes.column] * slopes.place[1][axes.row]).abs();
+        let axes = Axes::ALL
+            .into_iter()
+            .max_by(|a, b| apart(a).total_cmp(&apart(b)))
+            .unwrap_or(Axes::ALL[0]);
+        let position = RayMap::at_depth(&optics.optics, 0.0).position;
+        let pitch_mm = optics.pitch_mm();
+        let tolerance = [0, 1].map(|n| {
+            let source = footprint_mm * position.abs() / pitch_mm[n];
+            (SHARED_PLACE_TOLERANCE * source).max(LEAST_TOLERANCE)
+        });
+        let layers = slopes.layers(axes, tolerance);
+        let pair_step = match layers {
+            Layers::Eight => [0.0; 2],
+            _ => [slopes.place[0][axes.column], slopes.place[1][axes.row]],
+        };
+        let pair_step = pair_step.map(|step| step / position);
+        Self { axes, layers, pair_step, depths_mm: depths_mm(optics, grid) }
+    }
+}
+
+impl Layers {
+    pub fn count(self) -> usize {
+        match self {
+            Self::One => 1,
+            Self::Two => 2,
+            Self::Eight => 8,
+        }
+    }
+
+    /// Where the layers of a block are, in voxels from the block's first.
+    pub fn offsets(self, axes: Axes) -> Vec<[f64; 3]> {
+        let at_depth = |depth: f64| {
+            let mut offset = [0.5; 3];
+            offset[axes.depth] = depth;
+            offset
+        };
+        match self {
+            Self::One => vec![[0.5; 3]],
+            Self::Two => vec![at_depth(0.0), at_depth(1.0)],
+            Self::Eight => {
+                (0..8).map(|child| [0, 1, 2].map(|axis| (child >> axis & 1) as f64)).collect()
+            }
+        }
+    }
+}
+
+impl Slopes {
+    fn new(optics: &MappedOptics, grid: &VolumeGrid) -> Self {
+        let middle = Point3::from(grid.centre_mm);
+        let radius = optics.pupil_radius();
+        let mut slopes = Self { place: [[0.0; 3]; 2], edge: [[0.0; 3]; 2] };
+        for axis in 0..3 {
+            let [before, after] = [-0.5, 0.5].map(|step| {
+                let mut place = middle;
+                place[axis] += step * grid.voxel_mm;
+                optics.see(&place)
+            });
+            for (n, radius) in radius.iter().enumerate() {
+                slopes.place[n][axis] = after.place[n] - before.place[n];
+                slopes.edge[n][axis] = (after.parallax[n] - before.parallax[n]) * radius;
+            }
+        }
+        slopes
+    }
+
+    /// The fewest places that put no shadow further beside than `tolerance`: a voxel lies half a
+    /// step from what it shares.
+    fn layers(&self, axes: Axes, tolerance: [f64; 2]) -> Layers {
+        let exceeds = |shift: [f64; 2]| (0..2).any(|n| shift[n] / 2.0 > tolerance[n]);
+        let (place, edge) = (&self.place, &self.edge);
+        let Axes { column, row, depth } = axes;
+        let all = |axis: usize| [0, 1].map(|n| place[n][axis].abs() + edge[n][axis].abs());
+        // Along its own axis the pair's voxels have places of their own.
+        let along_column = [edge[0][column].abs(), all(column)[1]];
+        let along_row = [all(row)[0], edge[1][row].abs()];
+        if exceeds(along_column) || exceeds(along_row) {
+            Layers::Eight
+        } else if exceeds(all(depth)) {
+            Layers::Two
+        } else {
+            Layers::One
+        }
+    }
+}
+
+/// Lowest and highest depths of the grid's voxels, with a voxel's margin.
+fn depths_mm(optics: &MappedOptics, grid: &VolumeGrid) -> [[f64; 2]; 2] {
+    let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for n in 0..27 {
+        let steps = [n % 3, n / 3 % 3, n / 9];
+        let world: [f64; 3] = std::array::from_fn(|axis| {
+            let last = grid.voxels[axis] as f64 - 1.0;
+            grid.coordinate_mm(axis, steps[axis] as f64 / 2.0 * last)
+        });
+        let depth_mm = optics.see(&Point3::from(world)).depth_mm;
+        for (range, depth) in range.iter_mut().zip(depth_mm) {
+            *range = [range[0].min(depth - grid.voxel_mm), range[1].max(depth + grid.voxel_mm)];
+        }
+    }
+    range
+}

@@ -1,0 +1,308 @@
+//! Which voxels may hold light, for cameras that stand anyhow.
+//!
+//! One camera at a time, tile by tile ([`super::tile`]); tiles so small that a view maps microlenses
+//! onto their voxels linearly.
+
+use rayon::prelude::*;
+
+use super::{
+    MappedModel,
+    arrangement::Layers,
+    lens_phases::LensPhases,
+    lit_bits::LitBits,
+    optics::SeenPoint,
+    places::ViewAddresses,
+    support::Support,
+    tile::{LENSES, MOST_BITS, MOST_LINES, TilePlace, TileVerdict, Views},
+};
+use crate::{
+    lightfield::ViewStack,
+    model::{
+        Darkness, LitBlocks, VolumeGrid,
+        blocks::{aligned_tables::Axes, blocks_along},
+    },
+};
+
+/// How far a voxel of a tile may lie from its linear place in any view, in microlenses. Supports
+/// are widened by what it is.
+const MOST_BENT: f64 = 0.04;
+
+/// Voxels of the smallest tile along an edge.
+const LEAST_EDGE: usize = 8;
+
+/// See [`crate::model::BlockModel::lit`].
+pub(super) fn lit_blocks<const L: usize>(
+    model: &MappedModel<L>,
+    views: &[ViewStack],
+    darkness: &Darkness,
+) -> LitBlocks {
+    let verdicts: Vec<Verdict> = (0..model.cameras.len())
+        .map(|camera| Verdict::new(model, camera, &views[camera], darkness))
+        .collect();
+    let mut lit = LitBlocks::default();
+    for block in 0..blocks_along(&model.grid).into_iter().product() {
+        let possible = verdicts.iter().fold(u8::MAX, |all, camera| all & camera.possible[block]);
+        if possible == 0 {
+            continue;
+        }
+        let children = possible & verdicts.iter().fold(0, |any, camera| any | camera.seen[block]);
+        if children != 0 {
+            lit.blocks.push(block as u32);
+            lit.children.push(children);
+        }
+    }
+    lit
+}
+
+/// What a camera says of every voxel: a bit per child of every block.
+struct Verdict {
+    possible: Vec<u8>,
+    seen: Vec<u8>,
+}
+
+/// Voxels `first..first + count` along the columns and across the rows, at one depth.
+#[derive(Debug, Clone, Copy)]
+struct Span {
+    first: [usize; 2],
+    count: [usize; 2],
+    depth: usize,
+}
+
+/// A camera's sight of tiles.
+struct Tiles<'a> {
+    grid: &'a VolumeGrid,
+    axes: Axes,
+    /// Depths per block that are looked at by themselves.
+    layers: usize,
+    camera: Camera<'a>,
+}
+
+/// What of a camera does not depend on the width of its tables.
+#[derive(Clone, Copy)]
+pub(super) struct Camera<'a> {
+    pub see: &'a (dyn Fn([f64; 3]) -> SeenPoint + Sync),
+    pub support: &'a (dyn Fn([f64; 2]) -> Support + Sync),
+    pub pupil_radius: [f64; 2],
+}
+
+impl Verdict {
+    fn new<const L: usize>(
+        model: &MappedModel<L>,
+        number: usize,
+        stack: &ViewStack,
+        darkness: &Darkness,
+    ) -> Self {
+        let (camera, layout) = (&model.cameras[number], &model.layouts[number]);
+        let bits = LitBits::new(layout, stack, darkness, number);
+        let addresses = |view: usize| camera.view(&layout.views[view]);
+        let is_asked = |view: &usize| darkness.asked[number].binary_search(view).is_ok();
+        let asked: Vec<ViewAddresses> =
+            darkness.asked[number].iter().copied().map(addresses).collect();
+        let others: Vec<ViewAddresses> =
+            (0..layout.views.len()).filter(|view| !is_asked(view)).map(addresses).collect();
+        let phases = LensPhases::new(&addresses(0), &camera.optics.window);
+        let views = Views {
+            asked: &asked,
+            others: &others,
+            bits: &bits,
+            phases: &phases,
+            forgiven: darkness.forgiven[number],
+        };
+        let see = |index: [f64; 3]| camera.see(&model.grid, index);
+        let support = |depth_mm: [f64; 2]| camera.support(depth_mm);
+        let tiles = Tiles {
+            grid: &model.grid,
+            axes: camera.axes,
+            layers: if camera.layers == Layers::One { 1 } else { 2 },
+            camera: Camera { see: &see, support: &support, pupil_radius: camera.pupil_radius() },
+        };
+        let judged: Vec<(Span, TileVerdict)> = tiles
+            .spans()
+            .into_par_iter()
+            .flat_map_iter(|span| tiles.straight(span))
+            .map(|(span, place, support)| (span, place.judge(&views, &support)))
+            .collect();
+        tiles.collect(judged)
+    }
+}
+
+impl Tiles<'_> {
+    /// All tiles, as large as they may be.
+    fn spans(&self) -> Vec<Span> {
+        let Axes { column, row, depth } = self.axes;
+        let most_lenses = LENSES as f64 - self.lenses_beside();
+        let mut lines = MOST_LINES;
+        // Where lines run across the columns, too, fewer of them leave room for more bits.
+        while lines > LEAST_EDGE && lines as f64 * self.lenses_per_voxel(row) > most_lenses / 3.0 {
+            lines /= 2;
+        }
+        let room = most_lenses - lines as f64 * self.lenses_per_voxel(row);
+        let bits = room / self.lenses_per_voxel(column).max(1e-3);
+        let bits = even(bits as usize / 2 * 2).clamp(LEAST_EDGE, MOST_BITS);
+        let depths = self.layers * self.grid.voxels[depth].div_ceil(2);
+        let columns = parts(self.grid.voxels[column], bits);
+        let rows = parts(self.grid.voxels[row], lines);
+        let mut spans = Vec::new();
+        for depth in 0..depths {
+            for &(first_row, lines) in &rows {
+                for &(first_column, bits) in &columns {
+                    let (first, count) = ([first_column, first_row], [bits, lines]);
+                    spans.push(Span { first, count, depth });
+                }
+            }
+        }
+        spans
+    }
+
+    /// Microlenses along the array's columns from a voxel to the next along an axis of the grid, in
+    /// the view where they are most.
+    fn lenses_per_voxel(&self, axis: usize) -> f64 {
+        let middle = self.grid.voxels.map(|n| (n as f64 - 1.0) / 2.0);
+        let mut next = middle;
+        next[axis] += 1.0;
+        let (here, there) = ((self.camera.see)(middle), (self.camera.see)(next));
+        (there.place[0] - here.place[0]).abs()
+            + (there.parallax[0] - here.parallax[0]).abs() * self.camera.pupil_radius[0]
+    }
+
+    /// Microlenses of a row that a tile's light reaches beside those that its voxels span.
+    fn lenses_beside(&self) -> f64 {
+        let middle = self.grid.voxels.map(|n| (n as f64 - 1.0) / 2.0);
+        let beside = [0.0, 1.0].map(|end| {
+            let mut index = middle;
+            index[self.axes.depth] *= 2.0 * end;
+            let support = (self.camera.support)((self.camera.see)(index).depth_mm);
+            2.0 * (support.reach[0] + support.phase[0])
+        });
+        // One more for the row's first microlens, which lies anywhere before the tile, and one for what
+        // reach grows by in the grid's corners.
+        beside[0].max(beside[1]) + 2.0
+    }
+
+    /// A tile, or parts of it in each of which places are linear.
+    fn straight(&self, span: Span) -> Vec<(Span, TilePlace, Support)> {
+        let (place, bent, depth_mm) = self.place(&span);
+        let longest = usize::from(span.count[1] > span.count[0]);
+        if bent > MOST_BENT && span.count[longest] > LEAST_EDGE {
+            let halves = parts(span.count[longest], even(span.count[longest].div_ceil(2)));
+            let part = |(first, count): (usize, usize)| {
+                let mut part = span;
+                part.first[longest] += first;
+                part.count[longest] = count;
+                part
+            };
+            return halves.into_iter().flat_map(|half| self.straight(part(half))).collect();
+        }
+        let mut support = (self.camera.support)(depth_mm);
+        support.reach.iter_mut().for_each(|reach| *reach += bent);
+        vec![(span, place, support)]
+    }
+
+    /// Where a voxel of a tile is, in voxels of the grid; fractions lie between.
+    fn index(&self, span: &Span, voxel: [f64; 2]) -> [f64; 3] {
+        let mut index = [0.0; 3];
+        index[self.axes.column] = span.first[0] as f64 + voxel[0];
+        index[self.axes.row] = span.first[1] as f64 + voxel[1];
+        index[self.axes.depth] = match self.layers {
+            1 => 2.0 * span.depth as f64 + 0.5,
+            _ => span.depth as f64,
+        };
+        index
+    }
+
+    /// The linear places of a tile's voxels, how far from them a corner lies in any view, and the
+    /// middle's depths.
+    fn place(&self, span: &Span) -> (TilePlace, f64, [f64; 2]) {
+        let half = span.count.map(|count| (count as f64 - 1.0) / 2.0);
+        let see = |steps: [f64; 2]| {
+            (self.camera.see)(self.index(span, [0, 1].map(|n| half[n] * (1.0 + steps[n]))))
+        };
+        let middle = see([0.0; 2]);
+        // One voxel is as good as any distance where there is no other.
+        let width = half.map(|half| 2.0 * half.max(0.25));
+        let ends = [[see([-1.0, 0.0]), see([1.0, 0.0])], [see([0.0, -1.0]), see([0.0, 1.0])]];
+        let slope = |value: &dyn Fn(&SeenPoint) -> [f64; 2]| -> [[f64; 2]; 2] {
+            [0, 1]
+                .map(|n| [0, 1].map(|v| (value(&ends[v][1])[n] - value(&ends[v][0])[n]) / width[v]))
+        };
+        let place = TilePlace {
+            place: middle.place,
+            by_voxel: slope(&|seen| seen.place),
+            parallax: middle.parallax,
+            parallax_by_voxel: slope(&|seen| seen.parallax),
+            middle: half,
+            bits: span.count[0],
+            lines: span.count[1],
+        };
+        let bent = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
+            .into_iter()
+            .map(|steps| self.bent(&place, &see(steps), [steps[0] * half[0], steps[1] * half[1]]))
+            .fold(0.0, f64::max);
+        (place, bent, middle.depth_mm)
+    }
+
+    /// How far a point lies from its linear place, in the view where that is farthest.
+    fn bent(&self, place: &TilePlace, seen: &SeenPoint, voxel: [f64; 2]) -> f64 {
+        let of = |n: usize| {
+            let linear = |middle: [f64; 2], slope: [[f64; 2]; 2]| {
+                middle[n] + slope[n][0] * voxel[0] + slope[n][1] * voxel[1]
+            };
+            let beside = seen.place[n] - linear(place.place, place.by_voxel);
+            let parallax = seen.parallax[n] - linear(place.parallax, place.parallax_by_voxel);
+            beside.abs() + parallax.abs() * self.camera.pupil_radius[n]
+        };
+        of(0).max(of(1))
+    }
+
+    /// The verdicts of all tiles, block by block.
+    fn collect(&self, judged: Vec<(Span, TileVerdict)>) -> Verdict {
+        let blocks: usize = blocks_along(self.grid).into_iter().product();
+        let mut verdict = Verdict { possible: vec![0; blocks], seen: vec![0; blocks] };
+        for (span, tile) in &judged {
+            self.add(span, &tile.possible, &mut verdict.possible);
+            self.add(span, &tile.seen, &mut verdict.seen);
+        }
+        verdict
+    }
+
+    /// Adds a tile's voxels to the blocks' children.
+    fn add(&self, span: &Span, lines: &[u64], children: &mut [u8]) {
+        let Axes { column, row, depth } = self.axes;
+        let strides = {
+            let [nx, ny, _] = blocks_along(self.grid);
+            [1, nx, nx * ny]
+        };
+        let (at_depth, of_depth) = match self.layers {
+            1 => {
+                let far = 2 * span.depth + 1 < self.grid.voxels[depth];
+                (span.depth, 1 | u8::from(far) << (1 << depth))
+            }
+            _ => (span.depth / 2, 1 << ((span.depth % 2) << depth)),
+        };
+        if self.layers == 2 && span.depth >= self.grid.voxels[depth] {
+            return;
+        }
+        for (line, &bits) in lines.iter().enumerate() {
+            let r = span.first[1] + line;
+            let mut bits = bits;
+            while bits != 0 {
+                let c = span.first[0] + bits.trailing_zeros() as usize;
+                bits &= bits - 1;
+                let block =
+                    c / 2 * strides[column] + r / 2 * strides[row] + at_depth * strides[depth];
+                children[block] |= of_depth << (((c % 2) << column) + ((r % 2) << row));
+            }
+        }
+    }
+}
+
+fn even(count: usize) -> usize {
+    count.div_ceil(2) * 2
+}
+
+/// `count` voxels in as few and as equal parts of at most `most` as can be, all but the last even: first and
+/// count of each.
+fn parts(count: usize, most: usize) -> Vec<(usize, usize)> {
+    let each = even(count.div_ceil(count.div_ceil(most.max(2)).max(1))).max(2);
+    (0..count).step_by(each).map(|first| (first, each.min(count - first))).collect()
+}

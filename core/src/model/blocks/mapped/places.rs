@@ -1,0 +1,168 @@
+//! Where blocks lie before the microlenses, and which taps of the tables that makes in a view.
+
+use super::{
+    lens_phases::phase_px,
+    optics::SeenPoint,
+    rounding::{nearest, whole},
+    share_table::{LEANS, PHASES, TableLayout},
+};
+use crate::model::blocks::kernels::BATCH;
+
+/// Microlenses beside the window that still have numbers of their own. Nothing is lit so far outside,
+/// and the pixels' numbers stay small.
+const BEYOND: f32 = 64.0;
+
+/// Where blocks, or a layer of each, lie: arrays, so that addresses are computed side by side.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Places {
+    /// Along the array's columns and rows.
+    pub axes: [AxisPlaces; 2],
+}
+
+/// One axis of [`Places`].
+#[derive(Debug, Clone, Default)]
+pub(super) struct AxisPlaces {
+    /// In microlenses, counted from the window's first.
+    place: Vec<f32>,
+    parallax: Vec<f32>,
+    /// Number of the first tap of the depth.
+    depth: Vec<u32>,
+}
+
+/// Which tap of a table, and the microlens that its first is counted from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Addresses {
+    pub tap: [[u32; BATCH]; 2],
+    pub lens: [[i32; BATCH]; 2],
+}
+
+impl Addresses {
+    pub const NONE: Self = Self { tap: [[0; BATCH]; 2], lens: [[0; BATCH]; 2] };
+}
+
+/// What all blocks of a view share.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ViewAddresses {
+    /// The view's pupil point along i and j, in microlenses.
+    pub pupil: [f32; 2],
+    /// Microlenses along i and j per pupil cell along `right` and `up`.
+    pub lenses_per_cell: [[f32; 2]; 2],
+    /// Column and row of the micro-images, of microlenses counted from the window's first.
+    pub column_px: [f32; 3],
+    pub row_px: [f32; 3],
+    pub axes: [AxisAddresses; 2],
+}
+
+/// What all blocks of a view share along one axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AxisAddresses {
+    pub layout: TableLayout,
+    /// The microlens on the optical axis.
+    pub on_axis: f32,
+    /// Microlenses of the window.
+    pub lenses: f32,
+    /// A distance in the plane in focus over its image's.
+    pub object_per_place: f32,
+    /// Classes of lean per microlens.
+    pub leans: f32,
+}
+
+impl Places {
+    pub fn push(&mut self, seen: &SeenPoint, layouts: [&TableLayout; 2]) {
+        for (n, (axis, layout)) in self.axes.iter_mut().zip(layouts).enumerate() {
+            axis.place.push(seen.place[n] as f32);
+            axis.parallax.push(seen.parallax[n] as f32);
+            axis.depth.push(layout.of_depth(seen.depth_mm[n]) as u32);
+        }
+    }
+
+    pub fn append(&mut self, more: &mut Self) {
+        for (axis, more) in self.axes.iter_mut().zip(&mut more.axes) {
+            axis.place.append(&mut more.place);
+            axis.parallax.append(&mut more.parallax);
+            axis.depth.append(&mut more.depth);
+        }
+    }
+
+    pub fn retain(&mut self, keep: &[bool]) {
+        for axis in &mut self.axes {
+            crate::model::retain(&mut axis.place, keep);
+            crate::model::retain(&mut axis.parallax, keep);
+            crate::model::retain(&mut axis.depth, keep);
+        }
+    }
+}
+
+/// A batch of values from number `start` on, zeros after the last.
+#[inline(always)]
+fn batch<T: Copy + Default>(values: &[T], start: usize) -> [T; BATCH] {
+    match values.get(start..).and_then(<[T]>::first_chunk) {
+        Some(batch) => *batch,
+        None => last_batch(values, start),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn last_batch<T: Copy + Default>(values: &[T], start: usize) -> [T; BATCH] {
+    std::array::from_fn(|n| values.get(start + n).copied().unwrap_or_default())
+}
+
+/// The addresses of up to [`BATCH`] blocks from number `start` on. Loops without closures, one thing
+/// in each: so they become vector instructions.
+#[inline(always)]
+pub(super) fn addresses(places: &Places, start: usize, view: &ViewAddresses) -> Addresses {
+    let mut found = Addresses::NONE;
+    let mut place = [[0.0f32; BATCH]; 2];
+    let mut parallax = [[0.0f32; BATCH]; 2];
+    let mut depth = [[0u32; BATCH]; 2];
+    let mut lens = [[0.0f32; BATCH]; 2];
+    let mut beside = [[0.0f32; BATCH]; 2];
+    for n in 0..2 {
+        let axis = &places.axes[n];
+        place[n] = batch(&axis.place, start);
+        parallax[n] = batch(&axis.parallax, start);
+        depth[n] = batch(&axis.depth, start);
+        let (least, most) = (-BEYOND, view.axes[n].lenses + BEYOND);
+        for b in 0..BATCH {
+            let nominal = place[n][b] + parallax[n][b] * view.pupil[n];
+            let nominal = if nominal > least { nominal } else { least };
+            let nominal = if nominal < most { nominal } else { most };
+            lens[n][b] = (nominal + 0.5).floor();
+            beside[n][b] = nominal - lens[n][b];
+        }
+    }
+    let mut phase = [[0.0f32; BATCH]; 2];
+    let [a0, a1, a2] = view.column_px;
+    let [b0, b1, b2] = view.row_px;
+    for b in 0..BATCH {
+        let (i, j) = (lens[0][b], lens[1][b]);
+        [phase[0][b], phase[1][b]] = phase_px(a0 + a1 * i + a2 * j, b0 + b1 * i + b2 * j);
+    }
+    for n in 0..2 {
+        let AxisAddresses { layout, on_axis, leans, object_per_place, .. } = view.axes[n];
+        let [by_right, by_up] = view.lenses_per_cell[n];
+        for b in 0..BATCH {
+            let own = parallax[n][b] * (by_right * phase[0][b] + by_up * phase[1][b]);
+            let node = (beside[n][b] + own - layout.first_place) * layout.places_per_lens;
+            let class = (phase[n][b] + 0.5) * PHASES as f32 - 0.5;
+            // U less the ξ that a point of this place has in focus: close enough for a width.
+            let across = (place[n][b] - on_axis) * object_per_place;
+            let lean = (view.pupil[n] + across).abs() * leans;
+            found.tap[n][b] = depth[n][b]
+                + index(lean, LEANS) * layout.per_lean() as u32
+                + index(class, PHASES) * layout.places as u32
+                + index(node, layout.places);
+            found.lens[n][b] = whole(nearest(lens[n][b] + BEYOND)) - BEYOND as i32;
+        }
+    }
+    found
+}
+
+/// The class, of `count`, whose middle is nearest.
+#[inline(always)]
+fn index(number: f32, count: usize) -> u32 {
+    let last = (count - 1) as f32;
+    let number = if number > 0.0 { number } else { 0.0 };
+    whole(nearest(if number < last { number } else { last })) as u32
+}

@@ -1,0 +1,109 @@
+//! How far a voxel's light reaches on the microlenses at one depth.
+
+use super::share_table::FootprintGeometry;
+use crate::model::{
+    SUPPORT_SHARE,
+    footprint::{RayMap, Trapezoid},
+    tables::LEAST_SEEN_SHARE,
+};
+
+/// Halvings that find where a share falls to a limit.
+const HALVINGS: usize = 24;
+
+/// Places about the middle of a gap between two microlenses at which a voxel is seen too little of
+/// ([`LEAST_SEEN_SHARE`]), in microlenses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct GapZone {
+    /// The narrowest gap that has such places; infinite where phases leave none as wide.
+    pub least: f64,
+    /// Half the zone of that gap, and how much it grows by the gap.
+    pub half: f64,
+    pub half_per_gap: f64,
+}
+
+/// Along columns and rows, in microlenses.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Support {
+    /// How far from a voxel's place the microlenses of its support lie.
+    pub reach: [f64; 2],
+    /// How far phases move places at most.
+    pub phase: [f64; 2],
+    /// How wide a microlens is to the rays of one view.
+    pub lens_width: f64,
+    /// Where gaps between microlenses hide too much of a voxel.
+    pub gaps: [GapZone; 2],
+}
+
+impl Support {
+    /// Of voxels at depths seen along columns and rows; `lenses_per_cell` says how far phases
+    /// reach.
+    pub fn new(
+        geometries: &[FootprintGeometry; 2],
+        depth_mm: [f64; 2],
+        lenses_per_cell: [[f64; 2]; 2],
+    ) -> Self {
+        let maps = [0, 1].map(|n| RayMap::at_depth(&geometries[n].optics, depth_mm[n]));
+        let shadows = [0, 1].map(|n| {
+            let geometry = &geometries[n];
+            geometry.shadow(maps[n], geometry.most_lean_mm / 2.0)
+        });
+        let cell = [0, 1].map(|n| {
+            let [by_right, by_up] = lenses_per_cell[n];
+            maps[n].pupil.abs() * (by_right.abs() + by_up.abs())
+        });
+        let reach = [0, 1].map(|n| {
+            let geometry = &geometries[n];
+            let widest = (maps[n].spread() * geometry.pitch_mm + shadows[n].width()) / 2.0;
+            let share = |place: f64| geometry.share(maps[n], &shadows[n], 0.0, place, 0);
+            let lit = |place: f64| share(place) > f64::from(SUPPORT_SHARE);
+            last_in(0.0, widest / geometry.pitch_mm, lit)
+        });
+        let lens_width = (maps[0].spread() + maps[1].spread()) / 2.0;
+        let gaps = [0, 1].map(|n| {
+            let widest = 1.0 - lens_width + cell[n];
+            GapZone::new(&shadows[n], geometries[n].pitch_mm, widest)
+        });
+        Self { reach, phase: cell.map(|cell| cell / 2.0), lens_width, gaps }
+    }
+
+    /// Whether phases can leave gaps that hide too much of a voxel.
+    pub fn has_gaps(&self) -> bool {
+        self.gaps.iter().any(|zone| zone.least.is_finite())
+    }
+}
+
+impl GapZone {
+    const NONE: Self = Self { least: f64::INFINITY, half: 0.0, half_per_gap: 0.0 };
+
+    /// Of voxels with this shadow, where gaps are at most `widest` microlenses wide.
+    fn new(shadow: &Trapezoid, pitch_mm: f64, widest: f64) -> Self {
+        // What a gap hides of a voxel that lies `beside` microlenses from its middle.
+        let hidden = |gap: f64, beside: f64| {
+            let below = |lenses: f64| shadow.below(lenses * pitch_mm);
+            below(beside + gap / 2.0) - below(beside - gap / 2.0)
+        };
+        let too_much =
+            |gap: f64, beside: f64| hidden(gap, beside) > f64::from(1.0 - LEAST_SEEN_SHARE);
+        if !too_much(widest, 0.0) {
+            return Self::NONE;
+        }
+        let least = last_in(0.0, widest, |gap| !too_much(gap, 0.0));
+        let farthest = widest + shadow.width() / pitch_mm;
+        let half = |gap: f64| last_in(0.0, farthest, |beside| too_much(gap, beside));
+        // A little more than the least, where an even shadow hides as much at many places.
+        let slightly = least + 0.02 * (widest - least);
+        let (first, last) = (half(slightly), half(widest));
+        let half_per_gap = (last - first) / (widest - slightly).max(1e-12);
+        Self { least, half: first, half_per_gap }
+    }
+}
+
+/// The last place between `low` and `high` at which something holds that holds up to some place.
+fn last_in(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let (mut inside, mut outside) = (low, high);
+    for _ in 0..HALVINGS {
+        let middle = (inside + outside) / 2.0;
+        *(if holds(middle) { &mut inside } else { &mut outside }) = middle;
+    }
+    outside
+}

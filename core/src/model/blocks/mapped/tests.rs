@@ -1,0 +1,419 @@
+//! Cameras that stand anyhow, against the definition of a share pixel by pixel, against cameras along
+//! the grid's axes, and against a hull voxel by voxel.
+
+use nalgebra::{Rotation3, Unit, Vector3};
+use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::*;
+use crate::{
+    lightfield::MicroImageGrid,
+    model::{
+        BlockLight, EquivalentPoint, SUPPORT_SHARE, ViewId, VolumeMap, child_voxel,
+        tables::LEAST_SEEN_SHARE,
+    },
+    test_bench,
+};
+
+/// A camera's pose turned about a world axis, in degrees.
+fn turned(pose: &Pose, axis: [f64; 3], degrees: f64) -> Pose {
+    let axis = Unit::new_normalize(Vector3::from(axis));
+    let turn = Rotation3::from_axis_angle(&axis, degrees.to_radians());
+    Pose {
+        right: turn * pose.right,
+        up: turn * pose.up,
+        axis: turn * pose.axis,
+        origin_mm: pose.origin_mm,
+    }
+}
+
+/// A calibration whose array is turned, shifted and stretched.
+fn turned_array(degrees: f64) -> CameraCalibration {
+    let drawn = MicroImageGrid::drawn(&test_bench::optics());
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    let pitch = drawn.column_px[1] * 1.002;
+    let (column_px, row_px) = ([pitch * cosine, -pitch * sine], [-pitch * sine, -pitch * cosine]);
+    let first = |middle: f64, [by_i, by_j]: [f64; 2]| middle - 64.0 * by_i - 48.0 * by_j;
+    let grid = MicroImageGrid {
+        column_px: [first(1178.3, column_px), column_px[0], column_px[1]],
+        row_px: [first(880.1, row_px), row_px[0], row_px[1]],
+        ..drawn
+    };
+    CameraCalibration { grid: Some(grid), map: None }
+}
+
+/// A map as of a lens that distorts a little and sees columns and rows at other depths.
+fn bent_map(pose: &Pose) -> VolumeMap {
+    let seen = |world: [f64; 3]| {
+        let seen = pose.to_camera(&world.into());
+        let square = seen.xi_mm * seen.xi_mm + seen.eta_mm * seen.eta_mm;
+        let stretched = 1.0 + 1e-4 * square;
+        Some(EquivalentPoint {
+            lateral_mm: [seen.xi_mm * stretched, seen.eta_mm * stretched],
+            depth_mm: [0.76 * seen.depth_mm, 0.74 * seen.depth_mm],
+        })
+    };
+    VolumeMap::fit([3.0, -2.0, 2.5], [2.0; 3], 3, seen).unwrap().0
+}
+
+fn grid() -> VolumeGrid {
+    VolumeGrid { voxels: [26, 23, 21], voxel_mm: 0.025, centre_mm: [3.1, -2.0, 2.6] }
+}
+
+struct Case {
+    name: &'static str,
+    pose: Pose,
+    calibration: CameraCalibration,
+    /// Largest L1 distance from the definition, relative to a voxel's light: mean over views.
+    most_apart: f64,
+}
+
+fn cases() -> Vec<Case> {
+    let [first, above] = <[Pose; 2]>::try_from(test_bench::poses()).unwrap();
+    let drawn = CameraCalibration::default;
+    let case = |name, pose, calibration, most_apart| Case { name, pose, calibration, most_apart };
+    let bent = CameraCalibration { grid: None, map: Some(bent_map(&first)) };
+    vec![
+        case("as drawn", first.clone(), drawn(), 0.06),
+        case("turned about x", turned(&above, [1.0, 0.0, 0.0], 0.5), drawn(), 0.06),
+        case("at 60 degrees", turned(&above, [1.0, 0.0, 0.0], -30.0), drawn(), 0.06),
+        case("rolled", turned(&above, [0.0, 1.0, 0.0], 40.0), drawn(), 0.06),
+        case("bent", first.clone(), bent, 0.06),
+        // Rows next to each other have other phases, which separable weights do not know.
+        case("array turned", first.clone(), turned_array(0.5), 0.12),
+        case("array turned back", first, turned_array(-1.0), 0.16),
+    ]
+}
+
+fn model_of(case: &Case, grid: &VolumeGrid, footprint_mm: f64) -> Box<dyn BlockModel> {
+    let calibrations = [case.calibration.clone()];
+    let poses = [case.pose.clone()];
+    let (optics, parts) = (test_bench::optics(), ModelParts::default());
+    mapped_model(&optics, &poses, &calibrations, grid, footprint_mm, &parts, &[]).unwrap().unwrap()
+}
+
+/// The naive reference: the share of a voxel on every microlens by its own phase along both axes.
+struct Definition {
+    optics: MappedOptics,
+    geometries: [FootprintGeometry; 2],
+}
+
+impl Definition {
+    fn new(case: &Case, grid: &VolumeGrid, footprint_mm: f64) -> Self {
+        let (optics, parts) = (test_bench::optics(), ModelParts::default());
+        let calibration = &case.calibration;
+        let camera = CameraName(0);
+        let seen = MappedOptics::new(&optics, &case.pose, calibration, grid, camera).unwrap();
+        let arrangement = Arrangement::new(&seen, grid, footprint_mm);
+        let setup = Setup {
+            seen: vec![seen.clone()],
+            arrangements: vec![arrangement.clone()],
+            layouts: Vec::new(),
+            grid,
+            footprint_mm,
+            parts: &parts,
+        };
+        let geometries = setup.geometries(&seen, &arrangement);
+        Self { optics: seen, geometries }
+    }
+
+    /// Adds a voxel's light to a view.
+    fn project(&self, view: &View, world_mm: &Point3<f64>, image: &mut [f64]) {
+        let seen = self.optics.see(world_mm);
+        let cells = self.optics.lenses_per_cell();
+        let window = &self.optics.window;
+        let width = window.columns.len();
+        let lean = |n: usize| {
+            let [by_right, by_up] = cells[n];
+            let pupil = by_right * f64::from(view.k) + by_up * f64::from(view.l);
+            (pupil + seen.place[n] - self.optics.on_axis()[n]).abs() * self.geometries[n].pitch_mm
+        };
+        let maps = [0, 1].map(|n| RayMap::at_depth(&self.optics.optics, seen.depth_mm[n]));
+        let shadows = [0, 1].map(|n| self.geometries[n].shadow(maps[n], lean(n)));
+        for j in window.rows.clone() {
+            for i in window.columns.clone() {
+                let phase = self.optics.sampling.phase(i, j);
+                let share = |n: usize, lens: usize| {
+                    let [by_right, by_up] = cells[n];
+                    let (k, l) = (f64::from(view.k) + phase[0], f64::from(view.l) + phase[1]);
+                    let place = seen.place[n] + seen.parallax[n] * (by_right * k + by_up * l);
+                    self.geometries[n].share(maps[n], &shadows[n], 0.0, place - lens as f64, 0)
+                };
+                let at = (j - window.rows.start) * width + i - window.columns.start;
+                let open = view.coverage.as_ref().map_or(1.0, |c| f64::from(c[at]));
+                let along_i = share(0, i - window.columns.start);
+                if along_i > 0.0 {
+                    image[at] += along_i * share(1, j - window.rows.start) * open;
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn blocks_are_imaged_as_their_voxels_by_definition() {
+    let mut wrong = false;
+    for case in cases() {
+        for (grid, footprint_mm) in
+            [(grid(), 0.025), (VolumeGrid { voxels: [7, 8, 9], voxel_mm: 0.1, ..grid() }, 0.1)]
+        {
+            let model = model_of(&case, &grid, footprint_mm);
+            let definition = Definition::new(&case, &grid, footprint_mm);
+            let mut random = Pcg64Mcg::seed_from_u64(3);
+            let blocks: Vec<u32> = (0..40)
+                .map(|_| {
+                    random.random_range(
+                        0..super::super::blocks_along(&grid).iter().product::<usize>(),
+                    ) as u32
+                })
+                .collect();
+            let projector = model.projector(&blocks);
+            let layout = &model.layouts()[0];
+            let (mut apart, mut total) = (0.0, 0.0);
+            for view in (0..layout.views.len()).step_by(23) {
+                for (n, &block) in blocks.iter().enumerate() {
+                    let child = n % 8;
+                    let Some(voxel) = child_voxel(&grid, block, child) else { continue };
+                    let mut light = vec![[0.0f32; 8]; blocks.len()];
+                    light[n][child] = 1.0;
+                    let mut image = vec![0.0; model.image_len(0)];
+                    projector.project(ViewId { camera: 0, view }, &light, &mut image);
+                    let mut expected = vec![0.0; layout.window.len()];
+                    let world = grid.centre_of(grid.indices(voxel));
+                    definition.project(&layout.views[view], &world, &mut expected);
+                    let distance = |(a, b): (&f32, &f64)| (f64::from(*a) - b).abs();
+                    apart += image.iter().zip(&expected).map(distance).sum::<f64>();
+                    total += expected.iter().sum::<f64>();
+                }
+            }
+            let share = apart / total;
+            println!("{} {}: {:.2} %", case.name, grid.voxel_mm, 100.0 * share);
+            wrong |= share > case.most_apart;
+        }
+    }
+    assert!(!wrong);
+}
+
+#[test]
+fn back_projection_is_the_adjoint_of_projection() {
+    let mut random = Pcg64Mcg::seed_from_u64(6);
+    for case in cases() {
+        let model = model_of(&case, &grid(), 0.025);
+        let blocks: Vec<u32> = (0..super::super::blocks_along(&grid()).iter().product::<usize>()
+            as u32)
+            .step_by(3)
+            .collect();
+        let mut projector = model.projector(&blocks);
+        let keep: Vec<bool> = (0..blocks.len()).map(|n| n % 4 != 1).collect();
+        projector.retain(&keep);
+        let kept = keep.iter().filter(|&&keep| keep).count();
+        let light: Vec<BlockLight> =
+            (0..kept).map(|_| std::array::from_fn(|_| random.random())).collect();
+        let id = ViewId { camera: 0, view: model.layouts()[0].views.len() / 3 };
+        let pixels = model.layouts()[0].window.len();
+        let mut weights = vec![0.0f32; model.image_len(0)];
+        weights[..pixels].fill_with(|| random.random::<f32>());
+        let mut image = vec![0.0; model.image_len(0)];
+        projector.project(id, &light, &mut image);
+        let mut spread = vec![[0.0; 8]; kept];
+        let mut prepared = weights.clone();
+        projector.prepare(id, &mut prepared);
+        let (low, high) = spread.split_at_mut(kept / 2);
+        projector.back_project(id, &prepared, 0..kept / 2, low);
+        projector.back_project(id, &prepared, kept / 2..kept, high);
+        let dot =
+            |a: &[f32], b: &[f32]| -> f64 { a.iter().zip(b).map(|(a, b)| f64::from(a * b)).sum() };
+        let (there, back) =
+            (dot(&image, &weights), dot(light.as_flattened(), spread.as_flattened()));
+        assert!((there - back).abs() < 1e-5 * there.abs(), "{}: {there} {back}", case.name);
+    }
+}
+
+/// A volume that the array's edge cuts, against the same voxels in a window of their own.
+#[test]
+fn light_beyond_the_window_is_lost_and_nothing_else() {
+    let case = Case { calibration: turned_array(0.5), ..cases().swap_remove(0) };
+    let grid = VolumeGrid { voxels: [40, 20, 20], voxel_mm: 0.1, centre_mm: [6.2, -4.4, 1.0] };
+    let model = model_of(&case, &grid, 0.1);
+    let definition = Definition::new(&case, &grid, 0.1);
+    let all = super::super::blocks_along(&grid).iter().product::<usize>() as u32;
+    let blocks: Vec<u32> = (0..all).step_by(7).collect();
+    let light = vec![[1.0; 8]; blocks.len()];
+    let projector = model.projector(&blocks);
+    let layout = &model.layouts()[0];
+    for view in (0..layout.views.len()).step_by(60) {
+        let mut image = vec![0.0; model.image_len(0)];
+        projector.project(ViewId { camera: 0, view }, &light, &mut image);
+        let mut expected = vec![0.0; layout.window.len()];
+        for &block in &blocks {
+            for voxel in (0..8).filter_map(|child| child_voxel(&grid, block, child)) {
+                let world = grid.centre_of(grid.indices(voxel));
+                definition.project(&layout.views[view], &world, &mut expected);
+            }
+        }
+        let total: f64 = expected.iter().sum();
+        let apart: f64 = image.iter().zip(&expected).map(|(a, b)| (f64::from(*a) - b).abs()).sum();
+        assert!(apart < 0.02 * total, "view {view}: {apart} of {total}");
+        assert!(image[layout.window.len()..].iter().all(|&value| value == 0.0));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// A particle's voxel is never found dark, wherever it is and however the camera stands.
+    #[test]
+    fn a_lit_voxel_is_in_the_hull(seed in 0u64..1_000_000, number in 0usize..7) {
+        let case = cases().swap_remove(number);
+        let grid = VolumeGrid { voxels: [64, 50, 40], voxel_mm: 0.05, centre_mm: [1.7, -1.6, 1.8] };
+        let model = model_of(&case, &grid, 0.05);
+        let definition = Definition::new(&case, &grid, 0.02);
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let particles: Vec<[f64; 3]> = (0..12)
+            .map(|_| grid.voxels.map(|n| random.random_range(0.0..n as f64 - 1.0)))
+            .collect();
+        let layout = &model.layouts()[0];
+        let stack: Vec<f32> = layout
+            .views
+            .iter()
+            .flat_map(|view| {
+                let mut image = vec![0.0; layout.window.len()];
+                for place in &particles {
+                    let world: [f64; 3] =
+                        std::array::from_fn(|axis| grid.coordinate_mm(axis, place[axis]));
+                    definition.project(view, &world.into(), &mut image);
+                }
+                image.into_iter().map(|value| 100.0 * value as f32)
+            })
+            .collect();
+        let views = [ViewStack::new(layout.window.len(), stack)];
+        let asked: Vec<usize> = (0..layout.views.len()).step_by(2).collect();
+        // A particle on the border of four microlenses gives a quarter of its light to each.
+        let darkness = Darkness { asked: vec![asked], dark_below: vec![6.0], forgiven: vec![3] };
+        let lit = model.lit(&views, &darkness);
+        let mut found = vec![false; grid.len()];
+        for (&block, &children) in lit.blocks.iter().zip(&lit.children) {
+            for child in (0..8).filter(|child| children >> child & 1 == 1) {
+                found[child_voxel(&grid, block, child).unwrap() as usize] = true;
+            }
+        }
+        for place in &particles {
+            let voxel = place.map(|index| index.round() as usize);
+            prop_assert!(found[grid.linear(voxel)], "{}: {place:?}", case.name);
+        }
+        let share = found.iter().filter(|&&lit| lit).count() as f64 / grid.len() as f64;
+        prop_assert!(share < 0.2, "{}: {share} of the volume", case.name);
+    }
+}
+
+impl Definition {
+    /// Whether a view finds a voxel dark, by the rule of [`BlockModel::lit`]; `None` where it cannot
+    /// judge it.
+    fn is_dark(&self, view: &View, world_mm: &Point3<f64>, lit: &[bool]) -> Option<bool> {
+        let seen = self.optics.see(world_mm);
+        let cells = self.optics.lenses_per_cell();
+        let window = &self.optics.window;
+        let (columns, rows) = (window.columns.len() as i64, window.rows.len() as i64);
+        let maps = [0, 1].map(|n| RayMap::at_depth(&self.optics.optics, seen.depth_mm[n]));
+        let shares = |i: i64, j: i64| -> [f64; 2] {
+            let (column, row) = (window.columns.start as i64 + i, window.rows.start as i64 + j);
+            let phase = self.optics.sampling.phase(column as usize, row as usize);
+            [0, 1].map(|n| {
+                let geometry = &self.geometries[n];
+                let shadow = geometry.shadow(maps[n], geometry.most_lean_mm / 2.0);
+                let [by_right, by_up] = cells[n];
+                let (k, l) = (f64::from(view.k) + phase[0], f64::from(view.l) + phase[1]);
+                let place = seen.place[n] + seen.parallax[n] * (by_right * k + by_up * l);
+                geometry.share(maps[n], &shadow, 0.0, place - [i, j][n] as f64, 0)
+            })
+        };
+        let nominal = [0, 1].map(|n| {
+            let [by_right, by_up] = cells[n];
+            let pupil = by_right * f64::from(view.k) + by_up * f64::from(view.l);
+            (seen.place[n] + seen.parallax[n] * pupil).round() as i64
+        });
+        let (mut seen_along, mut dark) = ([0.0; 2], true);
+        for j in nominal[1] - 4..=nominal[1] + 4 {
+            for i in nominal[0] - 4..=nominal[0] + 4 {
+                let inside = (0..columns).contains(&i) && (0..rows).contains(&j);
+                if !inside {
+                    continue;
+                }
+                let [along_i, along_j] = shares(i, j);
+                seen_along[0] += if j == nominal[1] { along_i } else { 0.0 };
+                seen_along[1] += if i == nominal[0] { along_j } else { 0.0 };
+                let share = f64::from(SUPPORT_SHARE);
+                dark &= along_i <= share || along_j <= share || !lit[(j * columns + i) as usize];
+            }
+        }
+        let least = f64::from(LEAST_SEEN_SHARE);
+        seen_along.iter().all(|&seen| seen >= least).then_some(dark)
+    }
+}
+
+#[test]
+fn the_hull_is_that_of_voxels_one_by_one() {
+    let grid = VolumeGrid { voxels: [26, 18, 12], voxel_mm: 0.05, centre_mm: [2.4, -2.0, 2.6] };
+    let mut random = Pcg64Mcg::seed_from_u64(9);
+    let mut wrong = false;
+    for case in cases() {
+        let model = model_of(&case, &grid, 0.05);
+        let definition = Definition::new(&case, &grid, 0.05);
+        let layout = &model.layouts()[0];
+        let len = layout.window.len();
+        let value = |_| if random.random::<f32>() < 0.6 { 0.0 } else { 10.0 };
+        let views = [ViewStack::new(len, (0..len * layout.views.len()).map(value).collect())];
+        let asked: Vec<usize> = (0..layout.views.len()).step_by(7).collect();
+        let lit: Vec<Vec<bool>> = asked
+            .iter()
+            .map(|&view| {
+                let coverage = layout.views[view].coverage.as_deref();
+                let is_lit = |(n, &value): (usize, &f32)| {
+                    let open = coverage.map_or(1.0, |coverage| coverage[n]);
+                    open <= 0.5 || value >= 5.0 * open
+                };
+                views[0].view(view).iter().enumerate().map(is_lit).collect()
+            })
+            .collect();
+        let dark: Vec<usize> = (0..grid.len() as u32)
+            .map(|voxel| {
+                let world = grid.centre_of(grid.indices(voxel));
+                let is_dark = |(&view, lit): (&usize, &Vec<bool>)| {
+                    definition.is_dark(&layout.views[view], &world, lit) == Some(true)
+                };
+                asked.iter().zip(&lit).filter(|&view| is_dark(view)).count()
+            })
+            .collect();
+        for forgiven in [7, 9, 12] {
+            let darkness = Darkness {
+                asked: vec![asked.clone()],
+                dark_below: vec![5.0],
+                forgiven: vec![forgiven],
+            };
+            let hull = model.lit(&views, &darkness);
+            let found: u32 = hull.children.iter().map(|mask| mask.count_ones()).sum();
+            let expected = dark.iter().filter(|&&dark| dark <= forgiven).count();
+            let ratio = f64::from(found) / expected as f64;
+            println!("{}, {forgiven} forgiven: {found} voxels of {expected}", case.name);
+            wrong |= expected < 100 || !(0.93..1.35).contains(&ratio);
+        }
+    }
+    assert!(!wrong);
+}
+
+#[test]
+fn a_hexagonal_array_is_refused_by_name() {
+    let case = cases().swap_remove(0);
+    let grid = MicroImageGrid {
+        column_px: [7.5, 18.0, 9.0],
+        row_px: [1700.0, 0.0, -15.6],
+        ..MicroImageGrid::drawn(&test_bench::optics())
+    };
+    let calibration = [CameraCalibration { grid: Some(grid), map: None }];
+    let (optics, parts) = (test_bench::optics(), ModelParts::default());
+    let model =
+        mapped_model(&optics, &[case.pose], &calibration, &self::grid(), 0.025, &parts, &[]);
+    let Err(error) = model else { panic!("a hexagonal array is accepted") };
+    assert!(error.to_string().contains("cam1") && error.to_string().contains("hexagonal"));
+}

@@ -1,0 +1,162 @@
+//! A smooth map from the volume to what an ideal thin lens would see in its place.
+
+use nalgebra::{DMatrix, Point3};
+use serde::{Deserialize, Serialize};
+
+/// The point before an ideal thin lens whose rays meet the microlens plane where those of a real
+/// point do.
+///
+/// A camera that looks through a distorting lens or a tilted wall has no single such point: its rays
+/// may seem to come from different depths along the columns and the rows (astigmatism).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct EquivalentPoint {
+    /// Along the camera's `right` and `up`, in mm.
+    pub lateral_mm: [f64; 2],
+    /// Along the camera's axis, positive towards it, in mm: for what the columns and what the rows
+    /// of the array see.
+    pub depth_mm: [f64; 2],
+}
+
+/// [`EquivalentPoint`]s by polynomials in the world's coordinates.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct VolumeMap {
+    /// Middle of the box that the map holds in, in mm.
+    centre_mm: [f64; 3],
+    /// Half the box's edges, in mm.
+    half_mm: [f64; 3],
+    /// Highest sum of a term's exponents.
+    degree: usize,
+    /// For each term of [`exponents`] the factors of both lateral coordinates and both depths.
+    terms: Vec<[f64; 4]>,
+}
+
+/// How well a map goes through what it was fitted to, in mm: root mean squares over the box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MapResidual {
+    /// Of the lateral coordinates.
+    pub lateral_mm: f64,
+    /// Of the depths.
+    pub depth_mm: f64,
+}
+
+/// Exponents of x, y and z in each term, by falling exponents of x, then y.
+fn exponents(degree: usize) -> impl Iterator<Item = [usize; 3]> {
+    (0..=degree).flat_map(move |x| {
+        (0..=degree - x).flat_map(move |y| (0..=degree - x - y).map(move |z| [x, y, z]))
+    })
+}
+
+impl VolumeMap {
+    /// The least-squares map through what `equivalent` says of places all over a box.
+    ///
+    /// `centre_mm` and `half_mm` are the box's middle and half its edges; `degree` is the highest sum of
+    /// exponents. Places are in mm; are Chebyshev nodes, so that the error is even over the box. `None`
+    /// where the box has no size or `equivalent` does not know a place.
+    pub fn fit(
+        centre_mm: [f64; 3],
+        half_mm: [f64; 3],
+        degree: usize,
+        equivalent: impl Fn([f64; 3]) -> Option<EquivalentPoint>,
+    ) -> Option<(Self, MapResidual)> {
+        if half_mm.iter().any(|&half| !(half.is_finite() && half > 0.0)) {
+            return None;
+        }
+        let nodes = degree + 3;
+        let node = |n: usize| ((n as f64 + 0.5) / nodes as f64 * std::f64::consts::PI).cos();
+        let places: Vec<[f64; 3]> = (0..nodes.pow(3))
+            .map(|n| [n % nodes, n / nodes % nodes, n / (nodes * nodes)].map(node))
+            .collect();
+        let terms: Vec<[usize; 3]> = exponents(degree).collect();
+        let matrix = DMatrix::from_fn(places.len(), terms.len(), |row, term| {
+            monomial(places[row], terms[term])
+        });
+        let mut values = DMatrix::zeros(places.len(), 4);
+        for (row, place) in places.iter().enumerate() {
+            let world: [f64; 3] = std::array::from_fn(|n| centre_mm[n] + place[n] * half_mm[n]);
+            let EquivalentPoint { lateral_mm: [xi, eta], depth_mm: [columns, rows] } =
+                equivalent(world)?;
+            values.row_mut(row).copy_from_slice(&[xi, eta, columns, rows]);
+        }
+        let solved = matrix.clone().svd(true, true).solve(&values, 1e-12).ok()?;
+        let apart = &matrix * &solved - &values;
+        let rms = |columns: std::ops::Range<usize>| {
+            let squares: f64 = columns.clone().map(|n| apart.column(n).norm_squared()).sum();
+            (squares / (columns.len() * places.len()) as f64).sqrt()
+        };
+        let residual = MapResidual { lateral_mm: rms(0..2), depth_mm: rms(2..4) };
+        let terms = (0..terms.len())
+            .map(|term| std::array::from_fn(|value| solved[(term, value)]))
+            .collect();
+        Some((Self { centre_mm, half_mm, degree, terms }, residual))
+    }
+
+    /// What the camera sees in place of a world point, in mm. Outside the box the polynomials go on, and
+    /// soon mean nothing.
+    pub fn at(&self, world_mm: &Point3<f64>) -> EquivalentPoint {
+        let [x, y, z]: [f64; 3] =
+            std::array::from_fn(|n| (world_mm[n] - self.centre_mm[n]) / self.half_mm[n]);
+        let mut sums = [0.0; 4];
+        let mut terms = self.terms.iter();
+        let mut power_x = 1.0;
+        for along_x in 0..=self.degree {
+            let mut power_xy = power_x;
+            for along_y in 0..=self.degree - along_x {
+                let mut power = power_xy;
+                for _ in 0..=self.degree - along_x - along_y {
+                    let Some(term) = terms.next() else { break };
+                    for (sum, factor) in sums.iter_mut().zip(term) {
+                        *sum += factor * power;
+                    }
+                    power *= z;
+                }
+                power_xy *= y;
+            }
+            power_x *= x;
+        }
+        let [xi, eta, columns, rows] = sums;
+        EquivalentPoint { lateral_mm: [xi, eta], depth_mm: [columns, rows] }
+    }
+}
+
+fn monomial(place: [f64; 3], exponents: [usize; 3]) -> f64 {
+    (0..3).map(|n| place[n].powi(exponents[n] as i32)).product()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn cubic(p: &Point3<f64>) -> EquivalentPoint {
+        EquivalentPoint {
+            lateral_mm: [p.x + 1e-3 * p.x * p.y * p.z, p.y - 2e-3 * p.x * p.x],
+            depth_mm: [0.75 * p.z + 0.01 * p.x, 0.74 * p.z + 1e-4 * p.y.powi(3)],
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn polynomials_are_met_exactly(x in -5.0..7.0f64, y in -4.0..4.0f64, z in -6.0..2.0f64) {
+            let (map, residual) =
+                VolumeMap::fit([1.0, 0.0, -2.0], [6.0, 4.0, 4.0], 3, |p| Some(cubic(&p.into()))).unwrap();
+            prop_assert!(residual.lateral_mm < 1e-12 && residual.depth_mm < 1e-12);
+            let (point, expected) = (map.at(&Point3::new(x, y, z)), cubic(&Point3::new(x, y, z)));
+            for n in 0..2 {
+                prop_assert!((point.lateral_mm[n] - expected.lateral_mm[n]).abs() < 1e-11);
+                prop_assert!((point.depth_mm[n] - expected.depth_mm[n]).abs() < 1e-11);
+            }
+        }
+    }
+
+    #[test]
+    fn what_the_terms_cannot_follow_is_in_the_residual() {
+        let steep = |[x, _, _]: [f64; 3]| {
+            Some(EquivalentPoint { lateral_mm: [x.powi(4), 0.0], depth_mm: [0.0; 2] })
+        };
+        let (_, residual) = VolumeMap::fit([0.0; 3], [1.0; 3], 2, steep).unwrap();
+        assert!(residual.lateral_mm > 0.01 && residual.depth_mm < 1e-12);
+        assert!(VolumeMap::fit([0.0; 3], [1.0, 0.0, 1.0], 2, steep).is_none());
+        assert!(VolumeMap::fit([0.0; 3], [1.0; 3], 2, |_| None).is_none());
+    }
+}
