@@ -86,7 +86,8 @@ impl Grey {
     pub fn preview(&self) -> Result<Preview, ApiError> {
         let white = percentile(&self.values, WHITE_PERCENTILE);
         let factor = if white > 0.0 { 255.0 / white } else { 0.0 };
-        let pixels: Vec<u8> = self.values.iter().map(|value| (value * factor) as u8).collect();
+        let pixels: Vec<u8> =
+            self.values.iter().map(|value| (value * factor).round() as u8).collect();
         let mut png = Vec::new();
         PngEncoder::new(&mut png)
             .write_image(&pixels, self.columns as u32, self.rows as u32, ExtendedColorType::L8)

@@ -6,6 +6,7 @@ use lfpiv::{
     acquisition::{Ledger, Outcome, OverloadPolicy},
     archive::ShotResult,
     cli::daemon::{Daemon, DaemonPlan},
+    config::ServerSettings,
     pipeline::{Board, EVENTS_IN_MEMORY, EventKind, ShotRecord, Watermarks},
     server::Phase,
 };
@@ -200,7 +201,8 @@ async fn what_cannot_be_resumed_is_said() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn a_reader_that_does_not_read_holds_up_nobody_and_is_told() {
-    let server = Server::start(Ledger::new(2), Board::new()).await;
+    // However long a busy machine takes until the streams are read.
+    let server = Server::empty(&ServerSettings { client_patience_s: 600.0, ..settings() }).await;
     let mut slow = Watch::open(server.address, None).await;
     let mut quick = Watch::open(server.address, None).await;
     assert_eq!(slow.next().await.unwrap().name, "status");

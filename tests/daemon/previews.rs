@@ -92,11 +92,11 @@ async fn projections_show_the_brightest_voxel_with_the_second_axis_upwards() {
         let lit = image.enumerate_pixels().filter(|(.., pixel)| pixel.0[0] > 0);
         lit.map(|(x, y, pixel)| (x, y, pixel.0[0])).collect::<Vec<_>>()
     };
-    assert_eq!(lit(&xy), [(0, 0, 255), (0, 2, 63), (3, 2, 127)]);
+    assert_eq!(lit(&xy), [(0, 0, 255), (0, 2, 64), (3, 2, 128)]);
     let xz = pixels(&server.get(&projection("xz")).await);
-    assert_eq!((xz.dimensions(), lit(&xz)), ((4, 2), vec![(0, 0, 255), (0, 1, 63), (3, 1, 127)]));
+    assert_eq!((xz.dimensions(), lit(&xz)), ((4, 2), vec![(0, 0, 255), (0, 1, 64), (3, 1, 128)]));
     let yz = pixels(&server.get(&projection("yz")).await);
-    assert_eq!((yz.dimensions(), lit(&yz)), ((3, 2), vec![(2, 0, 255), (0, 1, 127)]));
+    assert_eq!((yz.dimensions(), lit(&yz)), ((3, 2), vec![(2, 0, 255), (0, 1, 128)]));
 }
 
 #[tokio::test]
