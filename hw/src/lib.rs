@@ -6,6 +6,7 @@
 //! that one knows how a volume is reconstructed.
 
 mod camera_name;
+pub mod card;
 pub mod check;
 pub mod device;
 pub mod frame;

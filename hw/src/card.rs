@@ -1,0 +1,261 @@
+//! A calibration card: a flat pattern of marks that both cameras see at known places.
+
+use garde::Validate;
+use nalgebra::{Point3, Vector3};
+use serde::{Deserialize, Serialize};
+
+use crate::check::finite;
+
+/// What a card file says: the card, the walls that the cameras look through, and where the card stood.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct CalibrationCard {
+    /// The card itself.
+    #[garde(dive)]
+    pub card: Card,
+    /// The wall in front of each camera, in the order of the cameras; none where the cameras and the
+    /// volume are in air.
+    #[serde(default)]
+    #[garde(dive)]
+    pub wall: Vec<Wall>,
+    /// White and dark images of each camera, in the order of the cameras.
+    #[serde(default)]
+    #[garde(dive)]
+    pub reference: Vec<ReferenceImages>,
+    /// Where the card stood, and its images there.
+    #[garde(length(min = 1), dive)]
+    pub position: Vec<CardPosition>,
+}
+
+/// The pattern, and which way it faces.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Card {
+    /// What is printed on it.
+    #[garde(skip)]
+    pub pattern: Pattern,
+    /// Distance of neighbouring marks, in mm.
+    #[garde(custom(finite), range(min = 0.01, max = 100.0))]
+    pub spacing_mm: f64,
+    /// Diameter of a dot, in mm. A checkerboard has none.
+    #[serde(default)]
+    #[garde(custom(finite), range(min = 0.0, max = 100.0))]
+    pub dot_diameter_mm: f64,
+    /// Diameter of the three dots that tell origin and axes, in mm.
+    #[garde(custom(finite), range(min = 0.01, max = 100.0))]
+    pub fiducial_diameter_mm: f64,
+    /// Marks along `right` and `up`; odd numbers. Mark (0, 0) is in the middle.
+    #[garde(inner(range(min = 3, max = 999)))]
+    pub marks: [usize; 2],
+    /// Unit vector of the world along the marks' first number.
+    #[garde(skip)]
+    pub right: Vector3<f64>,
+    /// Unit vector of the world along the marks' second number.
+    #[garde(skip)]
+    pub up: Vector3<f64>,
+    /// Thickness of a card that has the same marks on its back, in mm: each back to back with its
+    /// twin. Absent for a card that is printed on one face, which looks along `right` × `up`.
+    #[serde(default)]
+    #[garde(inner(custom(finite), range(min = 0.0, max = 100.0)))]
+    pub two_sided_mm: Option<f64>,
+}
+
+/// What is printed on a card.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Pattern {
+    /// Bright dots on a dark ground. The dots (0, 0), (2, 0) and (0, 1) are the fiducial.
+    Dots,
+    /// Squares, whose corners are the marks: bright from mark (0, 0) to (1, 1). The fiducial are dots of
+    /// the other shade in the middle of the squares from marks (0, 0), (2, 0) and (0, 1) upwards.
+    Checkerboard,
+}
+
+/// A flat wall that a camera should look through at right angles.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct Wall {
+    /// From the camera's point in focus along its axis to the face that the fluid wets, in mm.
+    #[garde(custom(finite), range(min = 0.0, max = 5000.0))]
+    pub distance_mm: f64,
+    /// Thickness of the glass, in mm.
+    #[garde(custom(finite), range(min = 0.0, max = 1000.0))]
+    pub thickness_mm: f64,
+    /// Refractive index of the glass.
+    #[garde(custom(finite), range(min = 1.0, max = 3.0))]
+    pub glass_index: f64,
+    /// Refractive index of the fluid.
+    #[garde(custom(finite), range(min = 1.0, max = 3.0))]
+    pub medium_index: f64,
+}
+
+/// White and dark images of one camera.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct ReferenceImages {
+    /// Files of the diffuser, relative to the card file.
+    #[garde(length(min = 1))]
+    pub white: Vec<String>,
+    /// Files with the cap on, relative to the card file.
+    #[serde(default)]
+    #[garde(skip)]
+    pub dark: Vec<String>,
+}
+
+/// A place of the card.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct CardPosition {
+    /// Where mark (0, 0) is in the world, in mm.
+    #[garde(inner(custom(finite)))]
+    pub origin_mm: [f64; 3],
+    /// The image of each camera, relative to the card file, in the order of the cameras.
+    #[garde(length(min = 1))]
+    pub images: Vec<String>,
+    /// Whether this position is kept out of the fit, to judge it.
+    #[serde(default)]
+    #[garde(skip)]
+    pub held_out: bool,
+}
+
+impl Card {
+    /// Unit vector that the printed face looks along.
+    pub fn normal(&self) -> Vector3<f64> {
+        self.right.cross(&self.up).normalize()
+    }
+
+    /// World place of a point on the card's face that `axis` (from the volume to a camera) shows, in mm.
+    ///
+    /// `along_mm` are coordinates along `right` and `up` from mark (0, 0), which is at `origin_mm`.
+    pub fn place_mm(
+        &self,
+        origin_mm: &Point3<f64>,
+        along_mm: [f64; 2],
+        axis: &Vector3<f64>,
+    ) -> Point3<f64> {
+        let back = match self.two_sided_mm {
+            Some(thickness_mm) if self.normal().dot(axis) < 0.0 => self.normal() * -thickness_mm,
+            _ => Vector3::zeros(),
+        };
+        origin_mm + self.right * along_mm[0] + self.up * along_mm[1] + back
+    }
+
+    /// Numbers of all marks, in order.
+    pub fn numbers(&self) -> impl Iterator<Item = [i32; 2]> + use<> {
+        let [half_u, half_v] = self.marks.map(|count| (count.max(1) as i32 - 1) / 2);
+        (-half_v..=half_v).flat_map(move |v| (-half_u..=half_u).map(move |u| [u, v]))
+    }
+
+    /// Middle of a fiducial dot along `right` and `up`, in mm, by its number (0, 1 or 2).
+    pub fn fiducials_mm(&self) -> [[f64; 2]; 3] {
+        let shift = match self.pattern {
+            Pattern::Dots => 0.0,
+            Pattern::Checkerboard => 0.5,
+        };
+        [[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]].map(|mark| mark.map(|n| (n + shift) * self.spacing_mm))
+    }
+
+    /// Whether a point of the face is bright; `along_mm` as in [`Self::place_mm`].
+    pub fn is_bright(&self, along_mm: [f64; 2]) -> bool {
+        let within = |centre: [f64; 2], diameter_mm: f64| {
+            (along_mm[0] - centre[0]).hypot(along_mm[1] - centre[1]) <= diameter_mm / 2.0
+        };
+        let fiducial =
+            self.fiducials_mm().iter().any(|&dot| within(dot, self.fiducial_diameter_mm));
+        let [u, v] = along_mm.map(|place| place / self.spacing_mm);
+        let half = self.marks.map(|count| (count as f64 - 1.0) / 2.0);
+        match self.pattern {
+            Pattern::Dots => {
+                let nearest = [u.round(), v.round()];
+                let exists = nearest[0].abs() <= half[0] && nearest[1].abs() <= half[1];
+                let centre = nearest.map(|n| n * self.spacing_mm);
+                fiducial || exists && within(centre, self.dot_diameter_mm)
+            }
+            Pattern::Checkerboard => {
+                let inside = u.abs() <= half[0] + 1.0 && v.abs() <= half[1] + 1.0;
+                let bright = (u.floor() + v.floor()).rem_euclid(2.0) == 0.0;
+                inside && bright != fiducial
+            }
+        }
+    }
+
+    /// What is wrong with the card, in words for its owner; `None` if nothing is.
+    pub fn fault(&self) -> Option<String> {
+        let [right, up] = [self.right, self.up];
+        if (right.norm() - 1.0).abs() > 1e-6 || (up.norm() - 1.0).abs() > 1e-6 {
+            return Some("card.right and card.up: allowed: length 1 within 1e-6".into());
+        }
+        if right.dot(&up).abs() > 1e-6 {
+            return Some("card.right and card.up: allowed: at right angles within 1e-6".into());
+        }
+        if self.marks.iter().any(|count| count % 2 == 0) {
+            return Some(format!("card.marks = {:?}: allowed: odd numbers", self.marks));
+        }
+        if self.pattern == Pattern::Dots && self.dot_diameter_mm <= 0.0 {
+            return Some("card.dot_diameter_mm is missing: dots have a diameter".into());
+        }
+        let largest = match self.pattern {
+            Pattern::Dots => self.spacing_mm,
+            Pattern::Checkerboard => 0.6 * self.spacing_mm,
+        };
+        let widest = self.dot_diameter_mm.max(self.fiducial_diameter_mm);
+        (widest >= largest).then(|| {
+            format!(
+                "card: a dot of {widest} mm touches what is beside it: allowed: below {largest} mm"
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn card(pattern: Pattern) -> Card {
+        Card {
+            pattern,
+            spacing_mm: 1.0,
+            dot_diameter_mm: 0.5,
+            fiducial_diameter_mm: 0.55,
+            marks: [5, 3],
+            right: Vector3::x(),
+            up: Vector3::y(),
+            two_sided_mm: Some(2.0),
+        }
+    }
+
+    #[test]
+    fn dots_and_fiducials_are_where_they_are_said() {
+        let dots = card(Pattern::Dots);
+        assert!(
+            dots.is_bright([0.27, 0.0])
+                && !dots.is_bright([1.27, 0.0])
+                && dots.is_bright([2.27, 0.0])
+        );
+        assert!(!dots.is_bright([3.0, 0.0]) && dots.is_bright([-2.0, -1.0]));
+        let squares = card(Pattern::Checkerboard);
+        assert!(squares.is_bright([0.9, 0.9]) && !squares.is_bright([0.5, 0.5]));
+        assert!(!squares.is_bright([-0.1, 0.5]) && squares.is_bright([-0.5, -0.5]));
+        assert_eq!(dots.numbers().count(), 15);
+    }
+
+    #[test]
+    fn the_back_of_a_two_sided_card_lies_its_thickness_behind() {
+        let dots = card(Pattern::Dots);
+        let seen_by = |axis| dots.place_mm(&Point3::origin(), [1.0, 0.0], &axis);
+        assert_eq!(seen_by(Vector3::z()), Point3::new(1.0, 0.0, 0.0));
+        assert_eq!(seen_by(-Vector3::z()), Point3::new(1.0, 0.0, -2.0));
+    }
+
+    #[test]
+    fn faults_are_told() {
+        assert_eq!(card(Pattern::Dots).fault(), None);
+        let long = Card { right: Vector3::new(1.1, 0.0, 0.0), ..card(Pattern::Dots) };
+        assert!(long.fault().unwrap().contains("length"));
+        let even = Card { marks: [4, 3], ..card(Pattern::Dots) };
+        assert!(even.fault().unwrap().contains("odd"));
+        assert!(
+            Card { spacing_mm: 0.5, ..card(Pattern::Dots) }.fault().unwrap().contains("touches")
+        );
+    }
+}
