@@ -38,7 +38,8 @@ fn calibration(setting: &Setting, camera: usize) -> CameraCalibration {
     let map = scene.tracer(bench, camera).and_then(|tracer| {
         let volume = &setting.config.volume;
         let half = |voxels: usize| (voxels as f64 / 2.0 + MARGIN_VOXELS) * volume.voxel_mm;
-        let seen = |world_mm| equivalent(&bench.optics, &tracer, world_mm);
+        let exit_pupil_mm = scene.camera.get(camera).map_or(0.0, |flaws| flaws.exit_pupil_mm);
+        let seen = |world_mm| equivalent(&bench.optics, &tracer, exit_pupil_mm, world_mm);
         VolumeMap::fit(volume.centre_mm, volume.voxels.map(half), DEGREE, seen)
     });
     CameraCalibration { grid, map: map.map(|(map, _)| map) }
@@ -46,26 +47,33 @@ fn calibration(setting: &Setting, camera: usize) -> CameraCalibration {
 
 /// The point before the ideal thin lens whose rays x = a U + b ξ are those of a world point, along
 /// the columns and along the rows.
+///
+/// A reconstruction takes places on the pupil and microlenses from pixels by the drawn distances. A stop
+/// d behind the lens is nearer to the microlenses than the drawn pupil: one pixel sees (s_i - d)/s_i
+/// of the drawn width on it, and micro-images stand further apart.
 fn equivalent(
     optics: &Optics,
     tracer: &RayTracer<'_>,
+    exit_pupil_mm: f64,
     world_mm: [f64; 3],
 ) -> Option<EquivalentPoint> {
+    let image_mm = optics.image_distance_mm();
+    let nearer = (image_mm - exit_pupil_mm) / image_mm;
+    let magnified = (1.0 + optics.microlens.focal_length_mm / (image_mm - exit_pupil_mm))
+        / optics.micro_image_magnification();
     let off_mm = STOP_SHARE * optics.pupil_diameter_mm() / 2.0;
-    let middle = tracer.on_microlenses_mm(world_mm, [0.0; 2])?;
-    let mut point = EquivalentPoint { lateral_mm: [0.0; 2], depth_mm: [0.0; 2] };
-    for axis in 0..2 {
+    let on_microlenses_mm = |pupil_mm: [f64; 2]| {
+        let place_mm = tracer.on_microlenses_mm(world_mm, pupil_mm.map(|u| u * nearer))?;
+        Some(place_mm.map(|x| x * magnified))
+    };
+    let mut slopes = [0.0; 2];
+    for (axis, slope) in slopes.iter_mut().enumerate() {
         let through = |sign: f64| {
-            let mut stop_mm = [0.0; 2];
-            stop_mm[axis] = sign * off_mm;
-            Some(tracer.on_microlenses_mm(world_mm, stop_mm)?[axis])
+            let mut pupil_mm = [0.0; 2];
+            pupil_mm[axis] = sign * off_mm;
+            Some(on_microlenses_mm(pupil_mm)?[axis])
         };
-        let slope = (through(1.0)? - through(-1.0)?) / (2.0 * off_mm);
-        // a = 1 - s_i/s' with 1/s' = 1/F - 1/s, solved for s.
-        let image_mm = optics.image_distance_mm();
-        let distance_mm = 1.0 / (1.0 / optics.focal_length_mm - (1.0 - slope) / image_mm);
-        point.depth_mm[axis] = optics.object_distance_mm - distance_mm;
-        point.lateral_mm[axis] = -middle[axis] * distance_mm / image_mm;
+        *slope = (through(1.0)? - through(-1.0)?) / (2.0 * off_mm);
     }
-    Some(point)
+    Some(EquivalentPoint::of_rays(optics, on_microlenses_mm([0.0; 2])?, slopes))
 }

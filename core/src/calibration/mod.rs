@@ -1,4 +1,5 @@
-//! What a camera is, from images made for it: where its micro-images are, from white images.
+//! What a camera is, from images made for it: where its micro-images are, from white images; and how
+//! it sees the volume, from images of a card (`volume`).
 //!
 //! [`calibrate_grid`] needs nothing but the image of a uniform diffuser: pitch and angle come from its
 //! autocorrelation (`lattice`), phase and radius from its mean cell (`unit_cell`), both followed outwards
@@ -26,6 +27,7 @@ mod rim_points;
 mod second_aperture;
 mod start;
 mod unit_cell;
+mod volume;
 mod warnings;
 mod white_image;
 
@@ -35,6 +37,10 @@ pub use f_number::FNumberMatch;
 pub use grid_calibration::{ArrayKind, GridCalibration, Residual, calibrate_grid};
 pub use lens_states::{Lens, LensState};
 pub use second_aperture::SecondAperture;
+pub use volume::{
+    CalibratedCamera, CardLight, HeldOut, MarkResidual, PARAMETERS, ParameterEstimate,
+    VolumeCalibration, VolumeError, VolumeInput, VolumeWarning, calibrate_volume,
+};
 pub use warnings::GridWarning;
 pub use white_image::WhiteImage;
 

@@ -1,5 +1,6 @@
 //! A smooth map from the volume to what an ideal thin lens would see in its place.
 
+use lfpiv_hw::Optics;
 use nalgebra::{DMatrix, Point3};
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +16,24 @@ pub struct EquivalentPoint {
     /// Along the camera's axis, positive towards it, in mm: for what the columns and what the rows
     /// of the array see.
     pub depth_mm: [f64; 2],
+}
+
+impl EquivalentPoint {
+    /// The point before the ideal thin lens whose rays are those of a real point.
+    ///
+    /// `place_mm` is where the ray through the middle of the pupil meets the microlens plane, `slopes`
+    /// how far that moves per mm on the pupil: a and b ξ of x = a U + b ξ (docs/theory.md, section 2),
+    /// along `right` and `up`.
+    pub fn of_rays(optics: &Optics, place_mm: [f64; 2], slopes: [f64; 2]) -> Self {
+        let image_mm = optics.image_distance_mm();
+        // a = 1 - s_i/s' with 1/s' = 1/F - 1/s, solved for s.
+        let distance_mm =
+            slopes.map(|slope| 1.0 / (1.0 / optics.focal_length_mm - (1.0 - slope) / image_mm));
+        Self {
+            lateral_mm: std::array::from_fn(|axis| -place_mm[axis] * distance_mm[axis] / image_mm),
+            depth_mm: distance_mm.map(|distance_mm| optics.object_distance_mm - distance_mm),
+        }
+    }
 }
 
 /// [`EquivalentPoint`]s by polynomials in the world's coordinates.

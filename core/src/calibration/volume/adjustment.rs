@@ -1,0 +1,304 @@
+//! Parameters of the cameras from where marks were seen: Levenberg and Marquardt with priors.
+
+use lfpiv_hw::{
+    Optics, Pose,
+    card::{Card, Wall},
+};
+use nalgebra::{DMatrix, DVector, Point3, Vector3};
+
+use super::{
+    VolumeError,
+    camera_model::CameraModel,
+    mark_fit::SeenMark,
+    parameters::{CameraParameters, DESCRIPTIONS, PARAMETERS},
+};
+
+/// Standard deviation of a mark's place on the microlens plane, in microlenses: what fits leave on
+/// perfect images. A worse card shows in the residuals, which then scale all uncertainties.
+const PLACE_DEVIATION: f64 = 0.005;
+
+/// Steps of Levenberg and Marquardt; fifteen suffice.
+const MOST_STEPS: usize = 60;
+
+/// A step that changes the cost by less than this share is the last.
+const LAST_CHANGE: f64 = 1e-9;
+
+/// Marks farther off than this many root mean squares of all are left out.
+const OUTLIER: f64 = 6.0;
+
+/// Step of the difference quotients, in prior standard deviations.
+const STEP: f64 = 1e-4;
+
+/// The marks that one camera sees at one position of the card.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Sighting {
+    pub(super) camera: usize,
+    pub(super) position: usize,
+    pub(super) marks: Vec<SeenMark>,
+}
+
+/// What does not change in an adjustment.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bench<'a> {
+    pub(super) optics: &'a Optics,
+    pub(super) poses: &'a [Pose],
+    pub(super) walls: &'a [Wall],
+    pub(super) card: &'a Card,
+    pub(super) origins_mm: &'a [Point3<f64>],
+    /// Standard deviation of the card's true places beside those told, along each axis, in mm; zero
+    /// takes them as they are.
+    pub(super) stage_deviation_mm: f64,
+}
+
+/// Cameras that fit what was seen.
+#[derive(Debug, Clone)]
+pub(super) struct Adjusted {
+    pub(super) cameras: Vec<CameraParameters>,
+    /// How far the card was from each told place, in mm.
+    pub(super) stage_mm: Vec<Vector3<f64>>,
+    /// Posterior standard deviations of the cameras' parameters.
+    pub(super) deviations: Vec<[f64; PARAMETERS]>,
+    /// Of the normal matrix, in prior standard deviations.
+    pub(super) condition_number: f64,
+}
+
+impl Bench<'_> {
+    /// The camera with these parameters.
+    pub(super) fn model(&self, camera: usize, parameters: CameraParameters) -> CameraModel {
+        CameraModel::new(self.optics, &self.poses[camera], self.walls.get(camera), parameters)
+    }
+
+    /// Where a mark of a camera should be seen, and how its rays move with the pupil.
+    pub(super) fn expected(
+        &self,
+        model: &CameraModel,
+        position: usize,
+        stage_mm: &Vector3<f64>,
+        number: [i32; 2],
+    ) -> Option<[[f64; 2]; 2]> {
+        let along_mm = number.map(|n| f64::from(n) * self.card.spacing_mm);
+        let origin_mm = self.origins_mm[position] + stage_mm;
+        model.place_and_slope(&self.card.place_mm(&origin_mm, along_mm, &model.axis()))
+    }
+
+    /// Deviations of place and, through half the pupil's radius, of slope, in mm and mm/mm.
+    fn deviations(&self) -> [f64; 2] {
+        let place_mm = PLACE_DEVIATION * self.optics.microlens.pitch_mm;
+        [place_mm, place_mm / (self.optics.pupil_diameter_mm() / 4.0)]
+    }
+
+    fn stage_moves(&self) -> bool {
+        self.stage_deviation_mm > 0.0
+    }
+
+    /// Numbers of all unknowns, each in prior standard deviations: cameras, then places of the card.
+    fn unknowns(&self) -> usize {
+        let stage = if self.stage_moves() { 3 * self.origins_mm.len() } else { 0 };
+        self.poses.len() * PARAMETERS + stage
+    }
+
+    fn camera(&self, unknowns: &DVector<f64>, camera: usize) -> CameraParameters {
+        let wall = self.walls.get(camera).is_some();
+        CameraParameters(std::array::from_fn(|n| {
+            // Without a wall there is nothing to tilt.
+            let known = wall || n < PARAMETERS - 2;
+            if known { unknowns[camera * PARAMETERS + n] * DESCRIPTIONS[n].2 } else { 0.0 }
+        }))
+    }
+
+    fn stage_mm(&self, unknowns: &DVector<f64>, position: usize) -> Vector3<f64> {
+        if !self.stage_moves() {
+            return Vector3::zeros();
+        }
+        let first = self.poses.len() * PARAMETERS + 3 * position;
+        Vector3::from_fn(|axis, _| unknowns[first + axis] * self.stage_deviation_mm)
+    }
+
+    /// Residuals of one sighting, in standard deviations; `None` where a mark would not be seen.
+    fn residuals(
+        &self,
+        sighting: &Sighting,
+        model: &CameraModel,
+        stage_mm: &Vector3<f64>,
+    ) -> Option<Vec<f64>> {
+        let [place, slope] = self.deviations();
+        let mut residuals = Vec::with_capacity(4 * sighting.marks.len());
+        for mark in &sighting.marks {
+            let [place_mm, slopes] =
+                self.expected(model, sighting.position, stage_mm, mark.number)?;
+            for axis in 0..2 {
+                residuals.push((mark.place_mm[axis] - place_mm[axis]) / place);
+                residuals.push((mark.slopes[axis] - slopes[axis]) / slope);
+            }
+        }
+        Some(residuals)
+    }
+
+    fn residuals_at(&self, sighting: &Sighting, unknowns: &DVector<f64>) -> Option<Vec<f64>> {
+        let model = self.model(sighting.camera, self.camera(unknowns, sighting.camera));
+        self.residuals(sighting, &model, &self.stage_mm(unknowns, sighting.position))
+    }
+
+    /// Which unknowns a sighting depends on.
+    fn touched(&self, sighting: &Sighting) -> Vec<usize> {
+        let first = sighting.camera * PARAMETERS;
+        let stage = self.poses.len() * PARAMETERS + 3 * sighting.position;
+        let moves = if self.stage_moves() { stage..stage + 3 } else { 0..0 };
+        (first..first + PARAMETERS).chain(moves).collect()
+    }
+
+    fn cost(&self, sightings: &[Sighting], unknowns: &DVector<f64>) -> Option<f64> {
+        let mut cost = unknowns.norm_squared();
+        for sighting in sightings {
+            cost += self.residuals_at(sighting, unknowns)?.iter().map(|r| r * r).sum::<f64>();
+        }
+        Some(cost)
+    }
+
+    /// Normal matrix and right side, priors included.
+    fn normal(
+        &self,
+        sightings: &[Sighting],
+        unknowns: &DVector<f64>,
+    ) -> Option<(DMatrix<f64>, DVector<f64>)> {
+        let n = self.unknowns();
+        let mut normal = DMatrix::identity(n, n);
+        let mut right = -unknowns.clone();
+        for sighting in sightings {
+            let here = self.residuals_at(sighting, unknowns)?;
+            let touched = self.touched(sighting);
+            let mut changes = DMatrix::zeros(here.len(), touched.len());
+            for (column, &unknown) in touched.iter().enumerate() {
+                let mut moved = unknowns.clone();
+                moved[unknown] += STEP;
+                let there = self.residuals_at(sighting, &moved)?;
+                for (row, (there, here)) in there.iter().zip(&here).enumerate() {
+                    changes[(row, column)] = (there - here) / STEP;
+                }
+            }
+            let square = changes.transpose() * &changes;
+            let gradient = changes.transpose() * DVector::from_vec(here);
+            for (a, &row) in touched.iter().enumerate() {
+                right[row] -= gradient[a];
+                for (b, &column) in touched.iter().enumerate() {
+                    normal[(row, column)] += square[(a, b)];
+                }
+            }
+        }
+        Some((normal, right))
+    }
+
+    /// The cameras that fit what was seen, begun at `start`.
+    ///
+    /// # Errors
+    /// Rays miss the card or the wall, or nothing fits.
+    pub(super) fn adjust(
+        &self,
+        sightings: &[Sighting],
+        start: Option<&Adjusted>,
+    ) -> Result<Adjusted, VolumeError> {
+        let mut unknowns = self.start(start);
+        let mut cost = self.cost(sightings, &unknowns).ok_or(VolumeError::RaysMiss)?;
+        let mut damping = 1e-4;
+        for _ in 0..MOST_STEPS {
+            let (normal, right) = self.normal(sightings, &unknowns).ok_or(VolumeError::RaysMiss)?;
+            let mut damped = normal.clone();
+            for n in 0..damped.nrows() {
+                damped[(n, n)] *= 1.0 + damping;
+            }
+            let Some(factors) = damped.cholesky() else { return Err(VolumeError::NothingFits) };
+            let trial = &unknowns + factors.solve(&right);
+            match self.cost(sightings, &trial) {
+                Some(lower) if lower <= cost => {
+                    let change = (cost - lower) / cost.max(f64::MIN_POSITIVE);
+                    (unknowns, cost) = (trial, lower);
+                    damping = (damping * 0.1).max(1e-12);
+                    if change < LAST_CHANGE {
+                        break;
+                    }
+                }
+                _ if damping > 1e8 => break,
+                _ => damping *= 10.0,
+            }
+        }
+        self.adjusted(sightings, &unknowns, cost)
+    }
+
+    fn start(&self, start: Option<&Adjusted>) -> DVector<f64> {
+        let mut unknowns = DVector::zeros(self.unknowns());
+        let Some(start) = start else { return unknowns };
+        for (camera, parameters) in start.cameras.iter().enumerate() {
+            for (n, value) in parameters.0.iter().enumerate() {
+                unknowns[camera * PARAMETERS + n] = value / DESCRIPTIONS[n].2;
+            }
+        }
+        if self.stage_moves() {
+            for (position, stage_mm) in start.stage_mm.iter().enumerate() {
+                for axis in 0..3 {
+                    unknowns[self.poses.len() * PARAMETERS + 3 * position + axis] =
+                        stage_mm[axis] / self.stage_deviation_mm;
+                }
+            }
+        }
+        unknowns
+    }
+
+    fn adjusted(
+        &self,
+        sightings: &[Sighting],
+        unknowns: &DVector<f64>,
+        cost: f64,
+    ) -> Result<Adjusted, VolumeError> {
+        let (normal, _) = self.normal(sightings, unknowns).ok_or(VolumeError::RaysMiss)?;
+        let eigenvalues = normal.symmetric_eigenvalues();
+        let condition_number = eigenvalues.max() / eigenvalues.min();
+        let covariance = normal.try_inverse().ok_or(VolumeError::NothingFits)?;
+        let seen: usize = sightings.iter().map(|sighting| 4 * sighting.marks.len()).sum();
+        // Where marks are farther off than was assumed, so are the parameters.
+        let scale = (cost / seen.max(1) as f64).sqrt().max(1.0);
+        let deviation = |unknown: usize| (covariance[(unknown, unknown)].sqrt() * scale).min(1.0);
+        let cameras = self.poses.len();
+        Ok(Adjusted {
+            cameras: (0..cameras).map(|camera| self.camera(unknowns, camera)).collect(),
+            stage_mm: (0..self.origins_mm.len()).map(|n| self.stage_mm(unknowns, n)).collect(),
+            deviations: (0..cameras)
+                .map(|camera| {
+                    std::array::from_fn(|n| deviation(camera * PARAMETERS + n) * DESCRIPTIONS[n].2)
+                })
+                .collect(),
+            condition_number,
+        })
+    }
+
+    /// Leaves out marks that are far from where the cameras should see them; whether there were any.
+    pub(super) fn drop_outliers(&self, sightings: &mut [Sighting], adjusted: &Adjusted) -> bool {
+        let mut all = Vec::new();
+        for sighting in sightings.iter() {
+            all.extend(self.distances(sighting, adjusted));
+        }
+        let mut squares: Vec<f64> = all.iter().map(|d| d * d).filter(|d| d.is_finite()).collect();
+        squares.sort_by(f64::total_cmp);
+        // The median of the square of a normal deviate's length in four dimensions is 3.36, its mean 4.
+        let Some(median) = squares.get(squares.len() / 2) else { return false };
+        let limit = OUTLIER * (median * 4.0 / 3.36).sqrt();
+        let mut dropped = false;
+        for sighting in sightings {
+            let mut distances = self.distances(sighting, adjusted).into_iter();
+            let before = sighting.marks.len();
+            sighting.marks.retain(|_| distances.next().is_some_and(|distance| distance <= limit));
+            dropped |= sighting.marks.len() < before;
+        }
+        dropped
+    }
+
+    /// Length of each mark's residuals, in standard deviations.
+    fn distances(&self, sighting: &Sighting, adjusted: &Adjusted) -> Vec<f64> {
+        let model = self.model(sighting.camera, adjusted.cameras[sighting.camera]);
+        match self.residuals(sighting, &model, &adjusted.stage_mm[sighting.position]) {
+            Some(residuals) => {
+                residuals.chunks(4).map(|r| r.iter().map(|r| r * r).sum::<f64>().sqrt()).collect()
+            }
+            None => vec![f64::INFINITY; sighting.marks.len()],
+        }
+    }
+}

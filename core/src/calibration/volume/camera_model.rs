@@ -1,0 +1,253 @@
+//! Rays of a camera, traced from the microlens array back into the volume.
+//!
+//! A ray is named by where it meets the microlens plane and where it would pass the pupil of the drawn
+//! camera, both in mm along the sensor's `right` and `up`. That is what a pixel tells, whatever the lens
+//! is: microlens and place in the micro-image.
+
+use lfpiv_hw::{Optics, Pose, card::Wall};
+use nalgebra::{Point3, Rotation3, Unit, Vector3};
+
+use super::parameters::CameraParameters;
+use crate::model::EquivalentPoint;
+
+/// Steps of the search for a point's ray: each leaves a few per cent of the distance, as far as
+/// distortion and refraction bend it.
+const MOST_STEPS: usize = 30;
+
+/// A ray that meets the point within this distance is its ray, in mm.
+const MET_MM: f64 = 1e-9;
+
+/// Where rays pass the pupil besides its middle to tell depths, as a share of its radius.
+const PUPIL_SHARE: f64 = 0.5;
+
+/// One camera with all that calibration knows of it.
+#[derive(Debug, Clone)]
+pub(super) struct CameraModel {
+    optics: Optics,
+    parameters: CameraParameters,
+    /// From the main lens to the microlens plane and to the stop.
+    image_distance_mm: f64,
+    stop_mm: f64,
+    half_diagonal_mm: f64,
+    /// Place of the lens and directions of the camera, in the world.
+    lens_mm: Point3<f64>,
+    directions: [Vector3<f64>; 3],
+    origin_mm: Point3<f64>,
+    wall: Option<TiltedWall>,
+}
+
+#[derive(Debug, Clone)]
+struct TiltedWall {
+    /// Towards the camera.
+    normal: Vector3<f64>,
+    wet_mm: Point3<f64>,
+    thickness_mm: f64,
+    glass_index: f64,
+    medium_index: f64,
+}
+
+/// A ray in the volume, towards it.
+#[derive(Debug, Clone, Copy)]
+struct Ray {
+    from_mm: Point3<f64>,
+    direction: Vector3<f64>,
+}
+
+impl CameraModel {
+    pub(super) fn new(
+        optics: &Optics,
+        pose: &Pose,
+        wall: Option<&Wall>,
+        parameters: CameraParameters,
+    ) -> Self {
+        let [about_right, about_up, about_axis] = parameters.turn_rad();
+        let about = |direction: &Vector3<f64>, angle: f64| {
+            Rotation3::from_axis_angle(&Unit::new_normalize(*direction), angle)
+        };
+        let turn = about(&pose.axis, about_axis)
+            * about(&pose.up, about_up)
+            * about(&pose.right, about_right);
+        let [right, up, along] = parameters.shift_mm();
+        let origin_mm = Point3::from(pose.origin_mm);
+        let moved_mm = origin_mm + pose.right * right + pose.up * up + pose.axis * along;
+        let directions = [pose.right, pose.up, pose.axis].map(|direction| turn * direction);
+        // A layer of index n looks 1/n as thick, so that the lens stands farther off by the rest.
+        let beyond_mm = wall.map_or(0.0, |wall| {
+            wall.distance_mm * (1.0 - 1.0 / wall.medium_index)
+                + wall.thickness_mm * (1.0 - 1.0 / wall.glass_index)
+        });
+        let [tilt_right, tilt_up] = parameters.wall_tilt_rad();
+        let wall = wall.map(|wall| TiltedWall {
+            normal: about(&pose.up, tilt_up) * about(&pose.right, tilt_right) * pose.axis,
+            wet_mm: origin_mm + pose.axis * wall.distance_mm,
+            thickness_mm: wall.thickness_mm,
+            glass_index: wall.glass_index,
+            medium_index: wall.medium_index,
+        });
+        let (columns, rows) = (optics.sensor.columns as f64, optics.sensor.rows as f64);
+        Self {
+            image_distance_mm: optics.image_distance_mm() * parameters.image_distance(),
+            stop_mm: parameters.exit_pupil_mm(),
+            half_diagonal_mm: columns.hypot(rows) * optics.pixel_pitch_mm() / 2.0,
+            lens_mm: moved_mm + directions[2] * (optics.object_distance_mm + beyond_mm),
+            directions,
+            origin_mm,
+            wall,
+            optics: optics.clone(),
+            parameters,
+        }
+    }
+
+    /// Along the camera's axis, towards it.
+    pub(super) fn axis(&self) -> Vector3<f64> {
+        self.directions[2]
+    }
+
+    /// Where the ray through `place_mm` of the microlens plane and `pupil_mm` of the drawn pupil meets the
+    /// plane through `on_plane_mm` with this normal. `None` where it misses the wall or the plane.
+    pub(super) fn meets(
+        &self,
+        place_mm: [f64; 2],
+        pupil_mm: [f64; 2],
+        on_plane_mm: &Point3<f64>,
+        normal: &Vector3<f64>,
+    ) -> Option<Point3<f64>> {
+        let stop_mm = self.on_stop_mm(pupil_mm);
+        let slope = self.pupil_slope(on_plane_mm);
+        let principal_mm = self.parameters.principal_point_mm();
+        let plain_mm: [f64; 2] = std::array::from_fn(|axis| {
+            (place_mm[axis] - principal_mm[axis]) / self.parameters.magnification()
+        });
+        // Distortion moves all rays of a point as it moves the one through the pupil's middle.
+        let mut chief_mm: [f64; 2] =
+            std::array::from_fn(|axis| plain_mm[axis] - slope * stop_mm[axis]);
+        let distorted_mm = chief_mm;
+        for _ in 0..3 {
+            let by_mm = self.displacement_mm(chief_mm);
+            chief_mm = std::array::from_fn(|axis| distorted_mm[axis] - by_mm[axis]);
+        }
+        let by_mm = self.displacement_mm(chief_mm);
+        let undistorted_mm = std::array::from_fn(|axis| plain_mm[axis] - by_mm[axis]);
+        let ray = self.into_volume(self.before_lens(undistorted_mm, stop_mm))?;
+        let towards = ray.direction.dot(normal);
+        let along = (on_plane_mm - ray.from_mm).dot(normal) / towards;
+        (along.is_finite() && along > 0.0).then(|| ray.from_mm + ray.direction * along)
+    }
+
+    /// Where the ray of a world point through `pupil_mm` of the drawn pupil meets the microlens plane,
+    /// in mm.
+    pub(super) fn place_mm(&self, point_mm: &Point3<f64>, pupil_mm: [f64; 2]) -> Option<[f64; 2]> {
+        let per_mm = self.optics.image_distance_mm() / self.optics.object_distance_mm;
+        let mut place_mm = [0.0; 2];
+        for _ in 0..MOST_STEPS {
+            let met_mm = self.meets(place_mm, pupil_mm, point_mm, &self.directions[2])?;
+            let missed_mm = met_mm - point_mm;
+            for axis in 0..2 {
+                place_mm[axis] += missed_mm.dot(&self.directions[axis]) * per_mm;
+            }
+            if missed_mm.norm() < MET_MM {
+                return Some(place_mm);
+            }
+        }
+        None
+    }
+
+    /// Place of a point's rays through the pupil's middle, in mm, and how far it moves per mm on the
+    /// drawn pupil, along each axis.
+    pub(super) fn place_and_slope(&self, point_mm: &Point3<f64>) -> Option<[[f64; 2]; 2]> {
+        let off_mm = PUPIL_SHARE * self.optics.pupil_diameter_mm() / 2.0;
+        let mut slopes = [0.0; 2];
+        for (axis, slope) in slopes.iter_mut().enumerate() {
+            let through = |sign: f64| {
+                let mut pupil_mm = [0.0; 2];
+                pupil_mm[axis] = sign * off_mm;
+                Some(self.place_mm(point_mm, pupil_mm)?[axis])
+            };
+            *slope = (through(1.0)? - through(-1.0)?) / (2.0 * off_mm);
+        }
+        Some([self.place_mm(point_mm, [0.0; 2])?, slopes])
+    }
+
+    /// What an ideal camera as drawn would see in place of a world point.
+    pub(super) fn equivalent(&self, point_mm: &Point3<f64>) -> Option<EquivalentPoint> {
+        let [place_mm, slopes] = self.place_and_slope(point_mm)?;
+        Some(EquivalentPoint::of_rays(&self.optics, place_mm, slopes))
+    }
+
+    /// Where a ray passes the stop that would pass the drawn pupil at `pupil_mm`: both send it to the
+    /// same pixel, the pupil through the drawn distances.
+    fn on_stop_mm(&self, pupil_mm: [f64; 2]) -> [f64; 2] {
+        let scale = self.parameters.parallax_slope() * (self.image_distance_mm - self.stop_mm)
+            / self.optics.image_distance_mm();
+        pupil_mm.map(|place| place * scale)
+    }
+
+    /// How far a point's rays move on the microlens plane per mm on the stop, nearly: a = 1 − g/s' of
+    /// docs/theory.md, section 2, from its depth as it is seen through the wall.
+    fn pupil_slope(&self, point_mm: &Point3<f64>) -> f64 {
+        let index = self.wall.as_ref().map_or(1.0, |wall| wall.medium_index);
+        let depth_mm = (point_mm - self.origin_mm).dot(&self.directions[2]) / index;
+        let distance_mm = self.optics.object_distance_mm - depth_mm;
+        let inverse_conjugate = 1.0 / self.optics.focal_length_mm - 1.0 / distance_mm;
+        let towards_image =
+            (self.image_distance_mm - self.stop_mm) / (1.0 - self.stop_mm * inverse_conjugate);
+        1.0 - towards_image * inverse_conjugate
+    }
+
+    /// Distortion after Brown and Conrady, relative to the sensor's half diagonal.
+    fn displacement_mm(&self, chief_mm: [f64; 2]) -> [f64; 2] {
+        let [radial, p1, p2] = self.parameters.distortion();
+        let [x, y] = chief_mm.map(|place_mm| place_mm / self.half_diagonal_mm);
+        let square = x * x + y * y;
+        [
+            radial * x * square + 2.0 * p1 * x * y + p2 * (square + 2.0 * x * x),
+            radial * y * square + p1 * (square + 2.0 * y * y) + 2.0 * p2 * x * y,
+        ]
+        .map(|relative| relative * self.half_diagonal_mm)
+    }
+
+    /// The ray before the lens, away from it.
+    fn before_lens(&self, place_mm: [f64; 2], stop_mm: [f64; 2]) -> Ray {
+        let behind_mm = self.image_distance_mm - self.stop_mm;
+        let slope: [f64; 2] =
+            std::array::from_fn(|axis| (place_mm[axis] - stop_mm[axis]) / behind_mm);
+        let on_lens_mm: [f64; 2] =
+            std::array::from_fn(|axis| place_mm[axis] - slope[axis] * self.image_distance_mm);
+        // A thin lens bends a ray by its place over the focal length.
+        let before: [f64; 2] = std::array::from_fn(|axis| {
+            slope[axis] + on_lens_mm[axis] / self.optics.focal_length_mm
+        });
+        let [right, up, axis] = &self.directions;
+        Ray {
+            from_mm: self.lens_mm + right * on_lens_mm[0] + up * on_lens_mm[1],
+            direction: -(right * before[0] + up * before[1] + axis).normalize(),
+        }
+    }
+
+    fn into_volume(&self, ray: Ray) -> Option<Ray> {
+        let Some(wall) = &self.wall else { return Some(ray) };
+        let dry_mm = wall.wet_mm + wall.normal * wall.thickness_mm;
+        let in_glass = refracted(ray, &dry_mm, &wall.normal, 1.0 / wall.glass_index)?;
+        refracted(in_glass, &wall.wet_mm, &wall.normal, wall.glass_index / wall.medium_index)
+    }
+}
+
+/// The ray behind a plane with this unit normal, which points against it; `ratio` is the refractive
+/// index before over that behind (Snell's law as a vector equation).
+fn refracted(
+    ray: Ray,
+    on_plane_mm: &Point3<f64>,
+    normal: &Vector3<f64>,
+    ratio: f64,
+) -> Option<Ray> {
+    let cosine = -ray.direction.dot(normal);
+    let along = (on_plane_mm - ray.from_mm).dot(normal) / -cosine;
+    if !(along > 0.0 && cosine > 0.0) {
+        return None;
+    }
+    let square = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+    (square > 0.0).then(|| Ray {
+        from_mm: ray.from_mm + ray.direction * along,
+        direction: ray.direction * ratio + normal * (ratio * cosine - square.sqrt()),
+    })
+}

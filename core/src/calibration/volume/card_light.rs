@@ -1,0 +1,157 @@
+//! Images of the card as rays: which place on the array and on the pupil each pixel stands for.
+
+use lfpiv_hw::Optics;
+
+use crate::{calibration::WhiteImage, lightfield::MicroImageGrid};
+
+/// A pixel is used if the white image has at least this share of its microlens' brightest pixel there:
+/// the pupil's rim crosses all others, and their middle is not the pixel's.
+const FULLY_LIT: f32 = 0.85;
+
+/// Light of the card on one camera relative to the white image, and what its pixels see.
+#[derive(Debug, Clone)]
+pub struct CardLight<'a> {
+    optics: &'a Optics,
+    grid: &'a MicroImageGrid,
+    columns: usize,
+    rows: usize,
+    /// Relative to the white image; NaN where a pixel cannot be used.
+    share: Vec<f32>,
+    /// Half the width of a micro-image, in pixels.
+    reach_px: usize,
+}
+
+/// A pixel of a microlens.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LitPixel {
+    /// Number of the pixel in the image, row by row.
+    pub(super) number: usize,
+    /// Light relative to the white image.
+    pub(super) share: f32,
+    /// Microlens.
+    pub(super) lens: [f64; 2],
+    /// The pixel's middle beside that of the micro-image along `right` and `up`, in mm.
+    pub(super) beside_mm: [f64; 2],
+}
+
+impl<'a> CardLight<'a> {
+    /// Divides a card's image by the white image, both without black level and of one size.
+    pub fn new(
+        optics: &'a Optics,
+        grid: &'a MicroImageGrid,
+        white: &WhiteImage,
+        card: &WhiteImage,
+    ) -> Self {
+        let (columns, rows) = (white.columns(), white.rows());
+        let [along_i, along_j] = grid.pitch_px();
+        let reach_px = (along_i.min(along_j) / 2.0).floor() as usize;
+        let mut light =
+            Self { optics, grid, columns, rows, share: vec![f32::NAN; columns * rows], reach_px };
+        for j in 0..grid.microlenses[1] {
+            for i in 0..grid.microlenses[0] {
+                let pixels: Vec<usize> = light.pixels_of(i, j).collect();
+                let lit = |&pixel: &usize| white.light()[pixel];
+                let brightest = pixels.iter().map(lit).fold(0.0, f32::max);
+                for pixel in pixels {
+                    if brightest > 0.0 && white.light()[pixel] >= FULLY_LIT * brightest {
+                        light.share[pixel] = card.light()[pixel] / white.light()[pixel];
+                    }
+                }
+            }
+        }
+        light
+    }
+
+    /// Pixels nearest to a microlens' micro-image, as numbers in the image.
+    fn pixels_of(&self, i: usize, j: usize) -> impl Iterator<Item = usize> + use<'_> {
+        let centre = self.grid.centre_px(i as f64, j as f64).map(f64::round);
+        let reach = self.reach_px as i64;
+        let line = move |at: f64, pixels: usize| {
+            (at as i64 - reach).max(0)..(at as i64 + reach + 1).min(pixels as i64)
+        };
+        let columns = line(centre[0], self.columns);
+        line(centre[1], self.rows).flat_map(move |row| {
+            columns.clone().map(move |column| row as usize * self.columns + column as usize)
+        })
+    }
+
+    /// The pixels of a microlens that can be used.
+    pub(super) fn lit_pixels(
+        &self,
+        i: usize,
+        j: usize,
+    ) -> impl Iterator<Item = LitPixel> + use<'_> {
+        let [column_px, row_px] = self.grid.centre_px(i as f64, j as f64);
+        let pitch_mm = self.optics.pixel_pitch_mm();
+        self.pixels_of(i, j).filter_map(move |number| {
+            let share = self.share[number];
+            let beside_mm = [
+                ((number % self.columns) as f64 - column_px) * pitch_mm,
+                (row_px - (number / self.columns) as f64) * pitch_mm,
+            ];
+            share.is_finite().then_some(LitPixel {
+                number,
+                share,
+                lens: [i as f64, j as f64],
+                beside_mm,
+            })
+        })
+    }
+
+    /// Microlenses along both axes.
+    pub(super) fn microlenses(&self) -> [usize; 2] {
+        self.grid.microlenses
+    }
+
+    /// Where a place of the array lies on the microlens plane, in mm along `right` and `up`: that of a
+    /// drawn camera whose micro-images are there.
+    pub(super) fn place_mm(&self, lens: [f64; 2]) -> [f64; 2] {
+        let [column_px, row_px] = self.grid.centre_px(lens[0], lens[1]);
+        let scale = self.optics.pixel_pitch_mm() / self.optics.micro_image_magnification();
+        [
+            (column_px - (self.columns as f64 - 1.0) / 2.0) * scale,
+            ((self.rows as f64 - 1.0) / 2.0 - row_px) * scale,
+        ]
+    }
+
+    /// The microlens, in fractions, at a place of the microlens plane: the inverse of [`Self::place_mm`].
+    pub(super) fn lens_at(&self, place_mm: [f64; 2]) -> [f64; 2] {
+        let scale = self.optics.pixel_pitch_mm() / self.optics.micro_image_magnification();
+        self.grid.lens_at(
+            place_mm[0] / scale + (self.columns as f64 - 1.0) / 2.0,
+            (self.rows as f64 - 1.0) / 2.0 - place_mm[1] / scale,
+        )
+    }
+
+    /// Where a ray passes the drawn pupil that meets its microlens `off_mm` beside the centre and lands
+    /// `beside_mm` from the micro-image's: U = δ − w s_i/f_m, since a microlens turns no ray through its
+    /// centre and lets parallel ones meet.
+    pub(super) fn pupil_mm(&self, off_mm: [f64; 2], beside_mm: [f64; 2]) -> [f64; 2] {
+        let per_mm = self.optics.image_distance_mm() / self.optics.microlens.focal_length_mm;
+        std::array::from_fn(|axis| off_mm[axis] - beside_mm[axis] * per_mm)
+    }
+
+    /// The optics as drawn.
+    pub(super) fn optics(&self) -> &Optics {
+        self.optics
+    }
+
+    /// Mean share of the pixels of each microlens that see the pupil's inner half; NaN without any.
+    /// Row by row of the array.
+    pub(super) fn middle_view(&self) -> Vec<f32> {
+        let [columns, rows] = self.microlenses();
+        let radius_mm = self.optics.pupil_diameter_mm() / 4.0;
+        let inner = |pixel: &LitPixel| {
+            let [u, v] = self.pupil_mm([0.0; 2], pixel.beside_mm);
+            u.hypot(v) < radius_mm
+        };
+        let mean = |i: usize, j: usize| {
+            let (sum, count) = self
+                .lit_pixels(i, j)
+                .filter(inner)
+                .fold((0.0, 0u32), |(sum, count), pixel| (sum + pixel.share, count + 1));
+            sum / count as f32
+        };
+        (0..columns * rows).map(|lens| mean(lens % columns, lens / columns)).collect()
+    }
+}
