@@ -128,7 +128,7 @@ impl CameraModel {
         }
         let by_mm = self.displacement_mm(chief_mm);
         let undistorted_mm = std::array::from_fn(|axis| plain_mm[axis] - by_mm[axis]);
-        let ray = self.into_volume(self.before_lens(undistorted_mm, stop_mm))?;
+        let ray = self.behind_wall(self.before_lens(undistorted_mm, stop_mm))?;
         let towards = ray.direction.dot(normal);
         let along = (on_plane_mm - ray.from_mm).dot(normal) / towards;
         (along.is_finite() && along > 0.0).then(|| ray.from_mm + ray.direction * along)
@@ -142,8 +142,8 @@ impl CameraModel {
         for _ in 0..MOST_STEPS {
             let met_mm = self.meets(place_mm, pupil_mm, point_mm, &self.directions[2])?;
             let missed_mm = met_mm - point_mm;
-            for axis in 0..2 {
-                place_mm[axis] += missed_mm.dot(&self.directions[axis]) * per_mm;
+            for (place, direction) in place_mm.iter_mut().zip(&self.directions) {
+                *place += missed_mm.dot(direction) * per_mm;
             }
             if missed_mm.norm() < MET_MM {
                 return Some(place_mm);
@@ -224,7 +224,7 @@ impl CameraModel {
         }
     }
 
-    fn into_volume(&self, ray: Ray) -> Option<Ray> {
+    fn behind_wall(&self, ray: Ray) -> Option<Ray> {
         let Some(wall) = &self.wall else { return Some(ray) };
         let dry_mm = wall.wet_mm + wall.normal * wall.thickness_mm;
         let in_glass = refracted(ray, &dry_mm, &wall.normal, 1.0 / wall.glass_index)?;

@@ -18,6 +18,9 @@ mod parameters;
 mod volume_calibration;
 mod warnings;
 
+#[cfg(test)]
+mod tests;
+
 pub use card_light::CardLight;
 pub use error::VolumeError;
 pub use parameters::{PARAMETERS, ParameterEstimate};
