@@ -31,7 +31,7 @@ pub trait Camera: Send {
         true
     }
     /// How long it may take until [`Self::is_connected`] tells of a camera that has vanished.
-    fn notices_absence_within(&self) -> Duration {
+    fn loss_detection_time(&self) -> Duration {
         Duration::ZERO
     }
 }

@@ -1,4 +1,4 @@
-//! Why the raw log cannot be written or read.
+//! Errors of writing and reading the raw log.
 
 use std::{
     fmt,
@@ -12,35 +12,35 @@ use thiserror::Error;
 
 use super::{FORMAT_VERSION, Record, format::HeaderFault, names::sealed_path};
 
-/// Why the raw log cannot be written or read.
+/// Errors of writing and reading the raw log.
 ///
-/// Every message is complete: the reason is part of it, not a `source` to be printed after it.
+/// Every message is complete: it includes the reason, so `source` need not be printed.
 #[derive(Debug, Error)]
 pub enum RawLogError {
-    /// The operating system refused.
+    /// A file operation failed.
     #[error("cannot {action} {}: {reason}", path.display())]
     Io {
-        /// What was tried.
+        /// The operation that failed.
         action: &'static str,
-        /// On which file or folder.
+        /// The file or folder.
         path: PathBuf,
-        /// The system's reason.
+        /// The operating system's error.
         reason: io::Error,
     },
-    /// The disk refused while a run was being recorded: nothing is recorded any more.
+    /// A file operation failed while recording. Recording has stopped for good.
     #[error(
-        "raw data is not recorded any more: cannot {action} {}: {reason}; what was written before \
+        "recording of raw data has stopped: cannot {action} {}: {reason}; what was written before \
          is kept; {}", path.display(), advice(reason, path)
     )]
     DiskFailed {
-        /// What was tried.
+        /// The operation that failed.
         action: &'static str,
-        /// On which file or folder.
+        /// The file or folder.
         path: PathBuf,
-        /// The system's reason.
+        /// The operating system's error.
         reason: io::Error,
     },
-    /// An earlier failure ended the log.
+    /// An earlier failure stopped the log.
     #[error("{0}")]
     Stopped(Arc<RawLogError>),
     /// The log's writer has been closed.
@@ -49,16 +49,16 @@ pub enum RawLogError {
         /// The log's folder.
         folder: PathBuf,
     },
-    /// The writer's thread ended by a panic.
+    /// The writer thread panicked.
     #[error(
-        "raw data is not recorded any more: the writer of {} has panicked; what was written \
+        "recording of raw data has stopped: the writer thread of {} panicked; what was written \
          before is kept; report the panic message above and start a new run", folder.display()
     )]
     WriterPanicked {
         /// The log's folder.
         folder: PathBuf,
     },
-    /// A run's folder is already in use.
+    /// The folder already contains a log.
     #[error(
         "{} already holds a raw log: choose another folder or move it away", folder.display()
     )]
@@ -66,61 +66,61 @@ pub enum RawLogError {
         /// The folder.
         folder: PathBuf,
     },
-    /// A record that the format cannot hold.
+    /// A record exceeds a limit of the format.
     #[error(
         "{what} cannot be recorded, a raw log holds up to {limit}: record smaller images or \
          shorter notes"
     )]
     TooLarge {
-        /// Which part, and its size.
+        /// The part that is too large, and its size.
         what: String,
-        /// What is allowed.
+        /// The limit.
         limit: &'static str,
     },
-    /// There is not room for what is about to be recorded.
+    /// The disk has too little free space for the images about to be recorded.
     #[error(
-        "{} has room for {free_mb} MB and {needed_mb} MB are needed ({wanted_mb} MB of images, \
-         {queued_mb} MB that wait to be written, {reserve_mb} MB that stay free): make room, \
+        "{} has {free_mb} MB free and {needed_mb} MB are needed ({wanted_mb} MB of images, \
+         {queued_mb} MB queued, {reserve_mb} MB reserved): free space, \
          record fewer shots, or lower raw_log.reserve_mb", folder.display()
     )]
-    NoRoom {
+    NoSpace {
         /// The log's folder.
         folder: PathBuf,
-        /// Room on the disk, in MB.
+        /// Free space on the disk, in MB.
         free_mb: u64,
-        /// Sum of the next three, in MB.
+        /// Sum of the next three fields, in MB.
         needed_mb: u64,
         /// Images about to be recorded, in MB.
         wanted_mb: u64,
-        /// Images recorded and not written yet, in MB.
+        /// Images recorded but not yet written, in MB.
         queued_mb: u64,
-        /// Room that must stay free, in MB.
+        /// Space that must stay free, in MB.
         reserve_mb: u64,
     },
-    /// The disk does not keep up.
+    /// The disk is too slow: the queue is more than half full.
     #[error(
-        "{queued_mb} MB wait to be written to {}, more than half of raw_log.queue_mb = {queue_mb}: \
+        "{queued_mb} MB are queued for {}, more than half of raw_log.queue_mb = {queue_mb}: \
          wait until they are written; if this happens often, the disk is too slow for this rate",
         folder.display()
     )]
-    Behind {
+    Backlog {
         /// The log's folder.
         folder: PathBuf,
-        /// Images recorded and not written yet, in MB.
+        /// Images recorded but not yet written, in MB.
         queued_mb: u64,
-        /// Most that may wait, in MB.
+        /// Capacity of the queue, in MB.
         queue_mb: u64,
     },
-    /// There is nothing to read.
+    /// The folder contains no log.
     #[error(
-        "{} holds no raw log: give the folder raw of a recorded run, with segment_000000.raw in it",
+        "{} contains no raw log: give the folder `raw` of a recorded run, which holds segment_000000.raw",
         folder.display()
     )]
     NoSegment {
         /// The folder.
         folder: PathBuf,
     },
-    /// Written by a newer program.
+    /// The log was written by a newer program.
     #[error(
         "{} is in version {found} of the raw log's format and this program reads up to \
          {FORMAT_VERSION}: use the lfpiv that recorded it, or a newer one", path.display()
@@ -128,54 +128,54 @@ pub enum RawLogError {
     NewerVersion {
         /// The segment.
         path: PathBuf,
-        /// Its version.
+        /// Its format version.
         found: u32,
     },
-    /// Bytes that are not what was written.
+    /// Bytes differ from what was written.
     #[error(
-        "{0}; what lies around them is still read: look for another copy of this file, and at the \
+        "{0}; the rest is still read: item_at for another copy of this file, and at the \
          disk"
     )]
     Damaged(Damage),
-    /// Records that are in no segment.
+    /// Records are in no segment.
     #[error(
-        "records {} to {} are missing in {}: {}; look for another copy of the folder",
+        "records {} to {} are missing in {}: {}; item_at for another copy of the folder",
         records.start(), records.end(), folder.display(), lost_segments(segments.as_ref())
     )]
     Missing {
         /// The log's folder.
         folder: PathBuf,
-        /// The records that are not there.
+        /// The missing records.
         records: RangeInclusive<u64>,
-        /// The segments that they were in, where those cannot be read.
+        /// The segments that held them, where those cannot be read.
         segments: Option<RangeInclusive<u32>>,
     },
-    /// The log went on, and how far is not known.
+    /// The log continued in a missing segment, so the number of lost records is unknown.
     #[error(
-        "all records from {first} on are missing in {}: the log went on in {}, which is not there; \
-         look for another copy of the folder",
+        "all records from {first} on are missing in {}: the log continued in {}, which is missing; \
+         item_at for another copy of the folder",
         folder.display(), segment_name(*segment)
     )]
     MissingEnd {
         /// The log's folder.
         folder: PathBuf,
-        /// First record that is not there.
+        /// First missing record.
         first: u64,
-        /// First segment that is not there.
+        /// First missing segment.
         segment: u32,
     },
 }
 
-/// Bytes of a segment that are not what was written.
+/// A damaged range of a segment.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Damage {
     /// The segment.
     pub path: PathBuf,
-    /// Which bytes of it.
+    /// The damaged bytes.
     pub bytes: Range<u64>,
-    /// The records that are lost with them, as far as they are known.
+    /// The lost records, if known.
     pub records: Option<RangeInclusive<u64>>,
-    /// What is wrong there.
+    /// The kind of damage.
     pub what: &'static str,
 }
 
@@ -197,19 +197,19 @@ impl fmt::Display for Damage {
     }
 }
 
-/// Why a record was not taken.
+/// Why a record was not accepted.
 #[derive(Debug, Error)]
 pub enum AppendError {
-    /// As many bytes as allowed wait to be written; here is the record.
-    #[error("the raw log's queue is full: wait for room")]
+    /// The queue is full. Contains the rejected record.
+    #[error("the raw log's queue is full: wait until records are written")]
     Full(Record),
-    /// The log has failed or is closed, or could never hold this record.
+    /// The log has failed or is closed, or the record exceeds the format's limits.
     #[error("{0}")]
     Failed(Arc<RawLogError>),
 }
 
 impl RawLogError {
-    /// Adapter for `map_err`: adds what was tried and on which path.
+    /// Adapter for `map_err`: adds the operation and the path.
     pub(super) fn io(
         action: &'static str,
         path: impl Into<PathBuf>,
@@ -218,7 +218,7 @@ impl RawLogError {
         move |reason| Self::Io { action, path, reason }
     }
 
-    /// The same failure as the end of a log that was being written.
+    /// The same failure, reported as the one that stopped recording.
     pub(super) fn ends_recording(self) -> Self {
         match self {
             Self::Io { action, path, reason } => Self::DiskFailed { action, path, reason },
@@ -226,20 +226,21 @@ impl RawLogError {
         }
     }
 
-    /// Why the first bytes of a segment are no header.
+    /// The error for a segment whose header cannot be read.
     pub(super) fn header(path: impl Into<PathBuf>, fault: HeaderFault) -> Self {
         let path = path.into();
         let damaged = |path, what| Self::Damaged(Damage { path, bytes: 0..0, records: None, what });
         match fault {
             HeaderFault::NewerVersion(found) => Self::NewerVersion { path, found },
-            HeaderFault::Incomplete => damaged(path, "the segment's header is not complete"),
-            HeaderFault::Damaged => {
-                damaged(path, "no copy of the segment's header is whole: its records are lost")
-            }
+            HeaderFault::Incomplete => damaged(path, "the segment's header is incomplete"),
+            HeaderFault::Damaged => damaged(
+                path,
+                "both copies of the segment's header are damaged: its records are lost",
+            ),
         }
     }
 
-    /// Whether recorded data is damaged or missing: other records can still be read.
+    /// Whether this reports damaged or missing data: other records can still be read.
     pub fn is_damage(&self) -> bool {
         matches!(
             self,
@@ -249,7 +250,7 @@ impl RawLogError {
 }
 
 fn lost_segments(segments: Option<&RangeInclusive<u32>>) -> String {
-    let Some(segments) = segments else { return "nothing says where they were".into() };
+    let Some(segments) = segments else { return "their segments are unknown".into() };
     let (first, last) = (segment_name(*segments.start()), segment_name(*segments.end()));
     if first == last {
         return format!("{first} is lost or cannot be read");
@@ -264,17 +265,19 @@ fn segment_name(number: u32) -> String {
 fn advice(reason: &io::Error, path: &Path) -> String {
     match reason.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => format!(
-            "make room on the disk of {}, then `lfpiv process RUN` measures what was recorded",
+            "free space on the disk of {}, then `lfpiv process RUN` measures what was recorded",
             path.display()
         ),
         ErrorKind::ReadOnlyFilesystem => {
-            "the disk is or has become read-only: look for its faults \
+            "the disk is or has become read-only: item_at for its faults \
             in the kernel's log (dmesg) and record the next run on another disk; `lfpiv process \
             RUN` measures what was recorded"
                 .into()
         }
-        _ => "look for the disk's faults in the kernel's log (dmesg) and record the next run on \
+        _ => {
+            "item_at for the disk's faults in the kernel's log (dmesg) and record the next run on \
             another disk; `lfpiv process RUN` measures what was recorded"
-            .into(),
+                .into()
+        }
     }
 }

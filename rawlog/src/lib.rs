@@ -1,10 +1,9 @@
-//! The durable raw log: records of one run, appended and never changed, lossless, checksummed, in
-//! segments.
+//! The durable raw log: an append-only, lossless, checksummed log of one run, in segments.
 //!
-//! [`RawLog`] takes records without blocking the runtime, a thread writes them
-//! ([`RawLogWriter`]), [`RawLogReader`] reads them after the run or beside it, [`recover`] makes a
-//! log whole after a crash. What a record means is no business of the log: a record is a small head
-//! (JSON by convention) and, if there is one, an image.
+//! [`RawLog`] accepts records without blocking the runtime, and a thread ([`RawLogWriter`]) writes
+//! them. [`RawLogReader`] reads a log during or after the run. [`recover`] repairs a log after a
+//! crash. The log does not interpret its records: a record is a small head (JSON by convention) and
+//! an optional image.
 //!
 //! ```no_run
 //! use lfpiv_rawlog::{RawLog, RawLogReader, RawLogSettings, Record};
@@ -21,25 +20,24 @@
 //! # }
 //! ```
 //!
-//! # What is promised
+//! # Durability
 //!
-//! A record with a sequence number below a watermark
+//! A record whose sequence number is below a watermark is
 //!
-//! - *appended* is in memory: it is lost when the process dies;
-//! - *written* is in the kernel's hands: it survives the death of the process, at whatever
-//!   instruction, but not a power cut;
-//! - *synced* is on the disk: it survives a power cut, as far as the disk keeps what it says it has
-//!   flushed.
+//! - *appended*: in memory, lost when the process dies;
+//! - *written*: in the kernel, survives the death of the process at any instruction, but not a power
+//!   cut;
+//! - *synced*: on the disk, survives a power cut if the disk honours a flush.
 //!
-//! Raw data is never dropped: who appends waits for room. When the disk fails (full, read-only,
-//! gone) the log has failed for good: what was written stays readable, what was not is counted
-//! (`appended - written`), and the message says what to do.
+//! Raw data is never dropped: appending waits for queue space. When the disk fails (full, read-only,
+//! removed), the log stops for good: written records stay readable, lost ones are counted
+//! (`appended - written`), and the error says what to do.
 //!
 //! # Files
 //!
-//! `segment_000000.raw` and so on are *sealed*: they end in a footer and are not touched any more.
-//! The one being written is `segment_NNNNNN.raw.part`. What recovery cuts off is kept as
-//! `segment_NNNNNN.raw.torn`. The bytes are described in `format` and in `docs/raw-log.md`.
+//! `segment_000000.raw` and so on are *sealed*: they end in a footer and never change. The segment
+//! being written is `segment_NNNNNN.raw.part`. Recovery keeps a torn tail as
+//! `segment_NNNNNN.raw.torn`. `format` and `docs/raw-log.md` describe the bytes.
 
 mod codec;
 mod error;

@@ -1,4 +1,4 @@
-//! The handle through which records are appended.
+//! The handle for appending records.
 
 use std::{
     path::{Path, PathBuf},
@@ -15,7 +15,7 @@ use super::{
     storage::{Disk, Storage},
 };
 
-/// The log of a run that is being recorded. Clones append to the same log.
+/// The log of a run that is being recorded. Clones share the log.
 #[derive(Debug, Clone)]
 pub struct RawLog {
     queue: Arc<Queue>,
@@ -26,11 +26,10 @@ pub struct RawLog {
 }
 
 impl RawLog {
-    /// Begins a log in `folder`, which is created if need be. `description` is repeated in every
-    /// segment.
+    /// Creates a log in `folder`, which is created if needed. Every segment repeats `description`.
     ///
     /// # Errors
-    /// The folder holds a log already, the disk refuses, or no thread can be started.
+    /// The folder already contains a log, a file operation fails, or the thread cannot be started.
     pub fn create(
         folder: &Path,
         description: &[u8],
@@ -60,46 +59,46 @@ impl RawLog {
         Ok((log, writer))
     }
 
-    /// Takes a record if there is room in the queue; its sequence number. Never waits.
+    /// Appends a record if the queue has space and returns its sequence number. Never waits.
     ///
     /// # Errors
-    /// [`AppendError::Full`] gives the record back; [`AppendError::Failed`] is for good.
+    /// [`AppendError::Full`] returns the record; [`AppendError::Failed`] is permanent.
     pub fn try_append(&self, record: Record) -> Result<u64, AppendError> {
         self.queue.try_append(record)
     }
 
-    /// Takes a record, waiting for room in the queue; its sequence number.
+    /// Appends a record, waiting for queue space, and returns its sequence number.
     ///
     /// # Errors
-    /// The log has failed or is closed, or could never hold this record.
+    /// The log has failed or is closed, or the record exceeds the format's limits.
     pub async fn append(&self, record: Record) -> Result<u64, RawLogError> {
         self.queue.append(record).await.map_err(RawLogError::Stopped)
     }
 
-    /// Takes a record, waiting for room in the queue; its sequence number. Not for async code.
+    /// As [`Self::append`], for threads: blocks while the queue is full.
     ///
     /// # Errors
-    /// The log has failed or is closed, or could never hold this record.
+    /// As [`Self::append`].
     pub fn append_blocking(&self, record: Record) -> Result<u64, RawLogError> {
         self.queue.append_blocking(record).map_err(RawLogError::Stopped)
     }
 
-    /// How far records have got, now. After a failure `appended - written` records are lost.
+    /// The current watermarks. After a failure, `appended - written` records are lost.
     pub fn watermarks(&self) -> Watermarks {
         self.queue.watermarks()
     }
 
-    /// Watermarks that change with each sync, and with a failure.
+    /// Watermarks, updated at each sync and on failure.
     pub fn watch(&self) -> watch::Receiver<Watermarks> {
         self.queue.watch()
     }
 
-    /// Whether `bytes` of images more can be recorded, uncompressed in the worst case, beside what
-    /// waits to be written and the room that must stay free.
+    /// Checks that `bytes` of further images can be recorded, uncompressed in the worst case, besides
+    /// queued records and the reserved disk space.
     ///
     /// # Errors
-    /// There is no room ([`RawLogError::NoRoom`]), the queue is more than half full
-    /// ([`RawLogError::Behind`]), or the log has failed or is closed ([`RawLogError::Stopped`]).
+    /// Too little disk space ([`RawLogError::NoSpace`]), a queue more than half full
+    /// ([`RawLogError::Backlog`]), or a log that has failed or is closed ([`RawLogError::Stopped`]).
     pub fn reserve(&self, bytes: u64) -> Result<(), RawLogError> {
         if let Some(end) = self.queue.ended() {
             return Err(RawLogError::Stopped(end));
@@ -109,15 +108,15 @@ impl RawLog {
         let queued_mb = megabytes(queued_bytes);
         if queued_bytes > self.queue_bytes / 2 {
             let queue_mb = megabytes(self.queue_bytes);
-            return Err(RawLogError::Behind { folder: folder.clone(), queued_mb, queue_mb });
+            return Err(RawLogError::Backlog { folder: folder.clone(), queued_mb, queue_mb });
         }
         let free_bytes = self
             .storage
             .free_bytes(folder)
-            .map_err(RawLogError::io("ask for the free room of", folder))?;
+            .map_err(RawLogError::io("query the free space of", folder))?;
         let needed_bytes = bytes.saturating_add(queued_bytes).saturating_add(self.reserve_bytes);
         if free_bytes < needed_bytes {
-            return Err(RawLogError::NoRoom {
+            return Err(RawLogError::NoSpace {
                 folder: folder.clone(),
                 free_mb: free_bytes / 1_000_000,
                 needed_mb: megabytes(needed_bytes),
@@ -129,12 +128,12 @@ impl RawLog {
         Ok(())
     }
 
-    /// Bytes of heads and images that wait to be written.
+    /// Bytes of heads and images in the queue.
     pub fn queued_bytes(&self) -> u64 {
         self.queue.bytes()
     }
 
-    /// Why the log has failed, if it has. That is for good: nothing is taken any more.
+    /// The failure that stopped the log, if any. It is permanent: no records are accepted any more.
     pub fn failure(&self) -> Option<Arc<RawLogError>> {
         self.queue.failure()
     }

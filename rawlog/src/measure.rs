@@ -1,5 +1,5 @@
-//! What recording costs: codecs in memory, and the whole log beside a plain copy of the same bytes
-//! to the same disk.
+//! Benchmarks of recording: codecs in memory, and the whole log beside a plain copy of the same
+//! bytes to the same disk.
 
 use std::{
     fs::{self, File},
@@ -20,25 +20,25 @@ use super::{
 
 const BYTES_PER_MB: f64 = 1e6;
 
-/// A codec in memory, on one thread. MB are of counts in 16 bit.
+/// Speed of a codec in memory, on one thread. MB refer to 16-bit counts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CodecSpeed {
     /// MB of images stored per second.
     pub encode_mb_per_s: f64,
-    /// MB of images restored per second.
+    /// MB of images decoded per second.
     pub decode_mb_per_s: f64,
-    /// Stored bytes over bytes of counts.
+    /// Compressed size over size of the counts.
     pub share: f64,
 }
 
-/// Images to disk and fsynced.
+/// Speed of writing images to disk, including fsync.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DiskSpeed {
-    /// Wall-clock time until everything is on the disk, in s.
+    /// Wall-clock time until all data is synced, in s.
     pub seconds: f64,
-    /// Processor time of all threads in that, in s.
+    /// Processor time of all threads during that, in s.
     pub processor_s: f64,
-    /// Bytes of counts in 16 bit.
+    /// Bytes of 16-bit counts.
     pub bytes_in: u64,
     /// Bytes of all files.
     pub bytes_written: u64,
@@ -51,10 +51,10 @@ impl DiskSpeed {
     }
 }
 
-/// The fastest of `rounds` over all images.
+/// Measures a codec: the fastest of `rounds` rounds over all images.
 ///
 /// # Errors
-/// There is no memory.
+/// Memory allocation fails.
 pub fn codec_speed(codec: Codec, images: &[RawImage], rounds: usize) -> io::Result<CodecSpeed> {
     let mut encoder = Encoder::new(codec)?;
     let mut stored: Vec<(u32, Vec<u8>)> = images.iter().map(|_| (0, Vec::new())).collect();
@@ -82,10 +82,10 @@ pub fn codec_speed(codec: Codec, images: &[RawImage], rounds: usize) -> io::Resu
     })
 }
 
-/// Records the images, `times` over, in a log of their own.
+/// Records the images `times` times in a new log.
 ///
 /// # Errors
-/// Those of the log.
+/// As for the log.
 pub fn log_speed(
     folder: &Path,
     codec: Codec,
@@ -93,7 +93,7 @@ pub fn log_speed(
     times: usize,
 ) -> Result<DiskSpeed, RawLogError> {
     let settings = RawLogSettings { codec, reserve_mb: 0, ..RawLogSettings::default() };
-    let clocks = Clocks::start();
+    let clocks = Stopwatch::start();
     let (log, writer) = RawLog::create(folder, b"{}", &settings)?;
     for image in (0..times).flat_map(|_| images) {
         let head = br#"{"camera":1,"frame":"a","frame_id":65535}"#.to_vec();
@@ -104,10 +104,10 @@ pub fn log_speed(
     Ok(clocks.stop(bytes_in, marks.bytes_written))
 }
 
-/// Reads the log in `folder` to its end, every image decoded and checked; MB of images per second.
+/// Reads a whole log, decoding and checking every image; returns MB of images per second.
 ///
 /// # Errors
-/// Those of the log.
+/// As for the log.
 pub fn reading_mb_per_s(folder: &Path) -> Result<f64, RawLogError> {
     let started = Instant::now();
     let mut bytes = 0;
@@ -117,18 +117,18 @@ pub fn reading_mb_per_s(folder: &Path) -> Result<f64, RawLogError> {
     Ok(bytes as f64 / BYTES_PER_MB / started.elapsed().as_secs_f64())
 }
 
-/// Writes the images' counts, `times` over, one after the other to a plain file, fsyncs it, and
-/// removes it: the least that recording can cost.
+/// Writes the counts of the images `times` times to a plain file, syncs it and removes it: a lower
+/// bound of the cost of recording.
 ///
 /// # Errors
-/// The disk refuses.
+/// A file operation fails.
 pub fn copy_speed(folder: &Path, images: &[RawImage], times: usize) -> io::Result<DiskSpeed> {
     let bytes: Vec<Vec<u8>> = images
         .iter()
         .map(|image| image.counts().iter().flat_map(|count| count.to_le_bytes()).collect())
         .collect();
     let path = folder.join("plain-copy");
-    let clocks = Clocks::start();
+    let clocks = Stopwatch::start();
     let mut file = File::create(&path)?;
     for bytes in (0..times).flat_map(|_| &bytes) {
         file.write_all(bytes)?;
@@ -140,12 +140,12 @@ pub fn copy_speed(folder: &Path, images: &[RawImage], times: usize) -> io::Resul
     Ok(speed)
 }
 
-struct Clocks {
+struct Stopwatch {
     started: Instant,
     processor_s: f64,
 }
 
-impl Clocks {
+impl Stopwatch {
     fn start() -> Self {
         Self { started: Instant::now(), processor_s: processor_s() }
     }

@@ -1,28 +1,28 @@
-//! Names of the files of a log.
+//! File names of a log.
 
 use std::path::{Path, PathBuf};
 
 const SEALED: &str = ".raw";
 const PART: &str = ".raw.part";
 
-/// A sealed segment.
+/// Path of a sealed segment.
 pub(super) fn sealed_path(folder: &Path, segment: u32) -> PathBuf {
     folder.join(format!("segment_{segment:06}{SEALED}"))
 }
 
-/// A segment that is being written.
+/// Path of the segment being written.
 pub(super) fn part_path(folder: &Path, segment: u32) -> PathBuf {
     folder.join(format!("segment_{segment:06}{PART}"))
 }
 
-/// What recovery cut from a segment, the `attempt`th time (from 1) that it cut something.
+/// Path of the torn tail that recovery cut from a segment at the `attempt`th time (from 1).
 pub(super) fn torn_path(folder: &Path, segment: u32, attempt: u32) -> PathBuf {
     let suffix = if attempt == 1 { String::new() } else { format!(".{attempt}") };
     folder.join(format!("segment_{segment:06}{SEALED}.torn{suffix}"))
 }
 
-/// Number of a segment's file and whether it is sealed; nothing for other files. No log comes to the
-/// highest number, behind which there could be no other.
+/// Number of a segment file and whether it is sealed; `None` for other files. The highest number is
+/// not accepted, because it has no successor.
 pub(super) fn parse(name: &str) -> Option<(u32, bool)> {
     let name = name.strip_prefix("segment_")?;
     let (digits, sealed) = match (name.strip_suffix(SEALED), name.strip_suffix(PART)) {

@@ -1,4 +1,4 @@
-//! Records between those who append them and the thread that writes them: bounded in bytes.
+//! The queue between appenders and the writer thread, bounded in bytes.
 
 use std::{collections::VecDeque, sync::Arc, time::Instant};
 
@@ -7,32 +7,32 @@ use tokio::sync::{Notify, watch};
 
 use super::{AppendError, RawLogError, Record, Watermarks, segments::Progress};
 
-/// Most that the writer takes at once, so that room comes back steadily.
-const TAKEN_BYTES: u64 = 16_000_000;
+/// Most bytes that the writer takes at once, so that space is released steadily.
+const MAX_TAKEN_BYTES: u64 = 16_000_000;
 
-/// The queue, and what is known about what has left it.
+/// The queue, and the state of records that have left it.
 #[derive(Debug)]
 pub(super) struct Queue {
     state: Mutex<State>,
-    most_bytes: u64,
-    /// There is a record, or an end.
-    work: Condvar,
-    /// There is room, or an end: for threads.
-    room: Condvar,
-    /// The same for tasks.
-    room_for_tasks: Notify,
+    max_bytes: u64,
+    /// Notified when a record or the end arrives.
+    not_empty: Condvar,
+    /// Notified when space is released or the log ends: for threads.
+    not_full: Condvar,
+    /// The same for async tasks.
+    not_full_async: Notify,
     watch: watch::Sender<Watermarks>,
 }
 
 #[derive(Debug, Default)]
 struct State {
     waiting: VecDeque<Record>,
-    /// Bytes of records that are appended and not written, those in the writer's hands included.
+    /// Bytes of records appended but not yet written, including those that the writer has taken.
     bytes: u64,
     marks: Watermarks,
-    /// Set by closing: the writer ends when nothing waits any more.
+    /// Set by closing: the writer ends once the queue is empty.
     closed: Option<Arc<RawLogError>>,
-    /// Set by a failure: what waited is lost.
+    /// Set by a failure: queued records are lost.
     failure: Option<Arc<RawLogError>>,
 }
 
@@ -42,38 +42,39 @@ impl State {
     }
 }
 
-/// What the writer finds to do.
+/// What the writer has to do.
 #[derive(Debug, PartialEq)]
-pub(super) enum Work {
+pub(super) enum Job {
     /// Records to be written, in order.
     Records(Vec<Record>),
-    /// The time waited for has come.
+    /// The deadline has passed.
     Timeout,
-    /// Nothing will come any more.
+    /// The queue is closed and empty.
     Closed,
 }
 
 impl Queue {
-    pub fn new(most_bytes: u64, progress: Progress) -> Self {
+    pub fn new(max_bytes: u64, progress: Progress) -> Self {
         let mut state = State::default();
         state.marks.update(progress);
         let watch = watch::Sender::new(state.marks);
         Self {
             state: Mutex::new(state),
-            most_bytes,
-            work: Condvar::new(),
-            room: Condvar::new(),
-            room_for_tasks: Notify::new(),
+            max_bytes,
+            not_empty: Condvar::new(),
+            not_full: Condvar::new(),
+            not_full_async: Notify::new(),
             watch,
         }
     }
 
-    /// Takes a record if there is room. A record larger than the whole queue passes alone.
+    /// Appends a record if there is space. A record larger than the whole queue is accepted when the
+    /// queue is empty.
     pub fn try_append(&self, record: Record) -> Result<u64, AppendError> {
         self.append_to(&mut self.state.lock(), record)
     }
 
-    /// Takes a record, waiting for room.
+    /// Appends a record, blocking until there is space.
     pub fn append_blocking(&self, mut record: Record) -> Result<u64, Arc<RawLogError>> {
         let mut state = self.state.lock();
         loop {
@@ -82,22 +83,22 @@ impl Queue {
                 Err(AppendError::Failed(end)) => return Err(end),
                 Err(AppendError::Full(back)) => record = back,
             }
-            self.room.wait(&mut state);
+            self.not_full.wait(&mut state);
         }
     }
 
-    /// Takes a record, waiting for room.
+    /// Appends a record, waiting until there is space.
     pub async fn append(&self, mut record: Record) -> Result<u64, Arc<RawLogError>> {
         loop {
-            let mut room = std::pin::pin!(self.room_for_tasks.notified());
-            // Registered before looking: room that comes in between is not missed.
-            room.as_mut().enable();
+            let mut not_full = std::pin::pin!(self.not_full_async.notified());
+            // Registered before the check, so that a notification in between is not lost.
+            not_full.as_mut().enable();
             match self.try_append(record) {
                 Ok(sequence) => return Ok(sequence),
                 Err(AppendError::Failed(end)) => return Err(end),
                 Err(AppendError::Full(back)) => record = back,
             }
-            room.await;
+            not_full.await;
         }
     }
 
@@ -109,43 +110,43 @@ impl Queue {
             return Err(AppendError::Failed(Arc::new(too_large)));
         }
         let bytes = record.bytes();
-        if state.bytes > 0 && state.bytes.saturating_add(bytes) > self.most_bytes {
+        if state.bytes > 0 && state.bytes.saturating_add(bytes) > self.max_bytes {
             return Err(AppendError::Full(record));
         }
         state.bytes += bytes;
         state.waiting.push_back(record);
         state.marks.appended += 1;
-        self.work.notify_one();
+        self.not_empty.notify_one();
         Ok(state.marks.appended - 1)
     }
 
-    /// Waits for work, up to `until`.
-    pub fn next(&self, until: Option<Instant>) -> Work {
+    /// Waits for the next job, at most until `until`.
+    pub fn next(&self, until: Option<Instant>) -> Job {
         let mut state = self.state.lock();
         while state.waiting.is_empty() {
             if state.closed.is_some() {
-                return Work::Closed;
+                return Job::Closed;
             }
             match until {
-                None => self.work.wait(&mut state),
-                Some(until) if self.work.wait_until(&mut state, until).timed_out() => {
-                    return Work::Timeout;
+                None => self.not_empty.wait(&mut state),
+                Some(until) if self.not_empty.wait_until(&mut state, until).timed_out() => {
+                    return Job::Timeout;
                 }
                 Some(_) => {}
             }
         }
         let mut taken = Vec::new();
         let mut bytes = 0;
-        while bytes < TAKEN_BYTES
+        while bytes < MAX_TAKEN_BYTES
             && let Some(record) = state.waiting.pop_front()
         {
             bytes += record.bytes();
             taken.push(record);
         }
-        Work::Records(taken)
+        Job::Records(taken)
     }
 
-    /// Gives back the room of records that are written, `bytes` large.
+    /// Releases the space of written records of this many bytes.
     pub fn written(&self, bytes: u64, progress: Progress) {
         let mut state = self.state.lock();
         state.bytes -= bytes;
@@ -155,14 +156,14 @@ impl Queue {
         self.wake_appenders();
     }
 
-    /// Tells everybody how far records are safe.
+    /// Publishes the watermarks after a sync.
     pub fn synced(&self, progress: Progress) {
         let mut state = self.state.lock();
         state.marks.update(progress);
         self.watch.send_replace(state.marks);
     }
 
-    /// Ends the log: nothing is taken any more, what waits is dropped, whoever waits is told.
+    /// Stops the log: rejects further records, drops queued ones and wakes all waiters.
     pub fn fail(&self, reason: RawLogError, progress: Option<Progress>) {
         let mut state = self.state.lock();
         state.failure.get_or_insert_with(|| Arc::new(reason));
@@ -176,39 +177,39 @@ impl Queue {
         self.wake_appenders();
     }
 
-    /// Lets the writer end when everything is written; nothing is taken any more.
+    /// Closes the queue: rejects further records; the writer ends once it is empty.
     pub fn close(&self, reason: RawLogError) {
         self.state.lock().closed.get_or_insert_with(|| Arc::new(reason));
-        self.work.notify_all();
+        self.not_empty.notify_all();
         self.wake_appenders();
     }
 
     fn wake_appenders(&self) {
-        self.room.notify_all();
-        self.room_for_tasks.notify_waiters();
+        self.not_full.notify_all();
+        self.not_full_async.notify_waiters();
     }
 
-    /// Bytes that wait to be written.
+    /// Bytes in the queue.
     pub fn bytes(&self) -> u64 {
         self.state.lock().bytes
     }
 
-    /// How far records have got.
+    /// The current watermarks.
     pub fn watermarks(&self) -> Watermarks {
         self.state.lock().marks
     }
 
-    /// Watermarks that change with each sync.
+    /// Watermarks, updated at each sync.
     pub fn watch(&self) -> watch::Receiver<Watermarks> {
         self.watch.subscribe()
     }
 
-    /// Why nothing is taken any more.
+    /// Why records are no longer accepted, if so.
     pub fn ended(&self) -> Option<Arc<RawLogError>> {
         self.state.lock().end().cloned()
     }
 
-    /// Why the log has failed.
+    /// The failure that stopped the log, if any.
     pub fn failure(&self) -> Option<Arc<RawLogError>> {
         self.state.lock().failure.clone()
     }

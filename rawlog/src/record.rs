@@ -1,16 +1,16 @@
-//! What is recorded, and how far it has got.
+//! Records and watermarks.
 
 use lfpiv_hw::RawImage;
 use serde::Serialize;
 
-use super::{RawLogError, codec::MOST_PIXELS};
+use super::{RawLogError, codec::MAX_PIXELS};
 
-/// One record: a head that the log does not look into, and an image if there is one.
+/// One record: a head that the log does not interpret, and an optional image.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Record {
-    /// A small JSON text by convention of the rooms above.
+    /// A small JSON text, by convention of the callers.
     pub head: Vec<u8>,
-    /// The image; its memory is shared with whoever else holds it.
+    /// The image; its memory may be shared.
     pub image: Option<RawImage>,
 }
 
@@ -24,7 +24,7 @@ impl Record {
     /// Columns and rows of the image; 0 without one.
     ///
     /// # Errors
-    /// Head or image is larger than the format allows.
+    /// Head or image exceeds the format's limits.
     pub(super) fn image_size(&self) -> Result<[u32; 2], RawLogError> {
         if u32::try_from(self.head.len()).is_err() {
             let what = format!("a head of {} bytes", self.head.len());
@@ -32,7 +32,7 @@ impl Record {
         }
         let Some(image) = &self.image else { return Ok([0, 0]) };
         let sides = u32::try_from(image.columns()).ok().zip(u32::try_from(image.rows()).ok());
-        match sides.filter(|_| image.counts().len() as u64 <= MOST_PIXELS) {
+        match sides.filter(|_| image.counts().len() as u64 <= MAX_PIXELS) {
             Some((columns, rows)) => Ok([columns, rows]),
             None => {
                 let what = format!("an image of {} x {} pixels", image.columns(), image.rows());
@@ -42,28 +42,28 @@ impl Record {
     }
 }
 
-/// Where a record lies.
+/// Position of a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
     /// Number of the segment.
     pub segment: u32,
-    /// Its first byte in it.
+    /// Offset of its first byte in the segment.
     pub offset: u64,
 }
 
-/// How far the records have got: all with a sequence number below have got there.
+/// Watermarks: every record with a smaller sequence number has reached this level.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Watermarks {
-    /// Taken into the queue.
+    /// Appended to the queue.
     pub appended: u64,
-    /// Handed to the operating system: they survive the death of this process.
+    /// Written to the operating system: survives the death of this process.
     pub written: u64,
-    /// On the disk: they survive a power cut.
+    /// Synced to disk: survives a power cut.
     pub synced: u64,
-    /// Bytes of heads and images written, as they were in memory.
+    /// Bytes of heads and images written, before encoding.
     pub bytes_in: u64,
     /// Bytes of all segments.
     pub bytes_written: u64,
-    /// Segments begun.
+    /// Segments created.
     pub segments: u32,
 }

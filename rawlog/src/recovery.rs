@@ -1,6 +1,5 @@
-//! After a crash: what the segment that was being written ends in and is no record is cut, and the
-//! segment is sealed. Damage before its last record stays where it is: readers go around it and say
-//! so.
+//! Recovery after a crash: cuts the torn tail of the unsealed segment and seals it. Damage before
+//! its last record stays; readers skip and report it.
 
 use std::{
     fmt,
@@ -12,18 +11,18 @@ use super::{
     RawLogError,
     format::{Ending, Footer, HeaderFault},
     names::{parse, part_path, sealed_path, torn_path},
-    reader::segment_file::{Found, OpenFault, SegmentFile},
-    segments::give_sealed_name,
+    reader::segment_file::{OpenFault, SegmentFile, SegmentItem},
+    segments::rename_sealed,
     storage::{Disk, LogFile, Storage},
 };
 
-/// How much is moved at once.
-const MOVED_BYTES: usize = 1 << 20;
+/// Bytes copied at once.
+const COPY_BYTES: usize = 1 << 20;
 
-/// What recovery found and did.
+/// Result of a recovery.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Recovery {
-    /// Segments that were not sealed: one after a crash, two after one between two segments, none
+    /// Segments that were not sealed: one after a crash, two after a crash between two segments, none
     /// otherwise.
     pub segments: Vec<RecoveredSegment>,
 }
@@ -31,41 +30,41 @@ pub struct Recovery {
 /// A segment that was not sealed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RecoveredSegment {
-    /// Its name now; nothing where no record could be in it, because its header was torn.
+    /// Its new name; `None` if its header was torn, so that it could hold no record.
     pub path: Option<PathBuf>,
-    /// Records in it, those that are damaged included.
+    /// Number of its records, including damaged ones.
     pub records: u64,
-    /// What was cut.
+    /// The tail that was cut.
     pub torn: Option<TornTail>,
 }
 
-/// What was cut from a segment.
+/// The torn tail of a segment.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TornTail {
-    /// The segment as it was named before.
+    /// The segment's former name.
     pub segment: PathBuf,
-    /// Its first byte in the segment.
+    /// Offset of the tail in the segment.
     pub offset: u64,
     /// Its length.
     pub bytes: u64,
-    /// Where it lies now.
+    /// The file that holds it now.
     pub moved_to: PathBuf,
-    /// Sequence number of the record that it can be seen to be a part of.
+    /// Sequence number of the record that it belongs to, if known.
     pub record: Option<u64>,
 }
 
-/// Makes a log whole that a crash or a failed disk has left: cuts what is torn, keeps that beside
-/// the segment as `NAME.torn`, and seals the segment. Sealed segments are not touched; a second
-/// call finds nothing to do. Not beside a running writer.
+/// Repairs a log after a crash or a disk failure: moves the torn tail to `NAME.torn` and seals the
+/// segment. Sealed segments are not touched, and a second call changes nothing. Must not run beside
+/// a writer.
 ///
 /// # Errors
-/// There is no log in `folder`, a newer program wrote it, or the disk refuses.
+/// There is no log in `folder`, a newer program wrote it, or a file operation fails.
 pub fn recover(folder: &Path) -> Result<Recovery, RawLogError> {
     recover_on(&Disk, folder)
 }
 
 pub(super) fn recover_on(storage: &dyn Storage, folder: &Path) -> Result<Recovery, RawLogError> {
-    let work = Work { storage, folder };
+    let work = Repair { storage, folder };
     let names = work.names()?;
     let mut found: Vec<(u32, bool)> = names.iter().filter_map(|name| parse(name)).collect();
     if found.is_empty() && !names.iter().any(|name| name.contains(".torn")) {
@@ -78,29 +77,29 @@ pub(super) fn recover_on(storage: &dyn Storage, folder: &Path) -> Result<Recover
     Ok(Recovery { segments })
 }
 
-struct Work<'s> {
+struct Repair<'s> {
     storage: &'s dyn Storage,
     folder: &'s Path,
 }
 
-/// What is to stay of a segment.
-struct Kept {
-    /// Where it ends, without a footer.
+/// The valid part of a segment.
+struct ValidPart {
+    /// Its end, without the footer.
     end: u64,
-    /// Records up to there, those that cannot be read any more included.
+    /// Number of its records, including unreadable ones.
     records: u64,
     headers: crc32fast::Hasher,
-    /// The footer behind it, if it is the right one.
+    /// The footer after it, if it matches.
     footer: Option<Footer>,
-    /// Sequence number of the record that is torn.
+    /// Sequence number of the torn record.
     torn_record: Option<u64>,
 }
 
-impl Work<'_> {
-    /// Nothing where the segment cannot be read: it stays as it is, and readers say so.
+impl Repair<'_> {
+    /// Seals one segment. `None` if it cannot be read: it is left alone, and readers report it.
     fn recover(&self, number: u32) -> Result<Option<RecoveredSegment>, RawLogError> {
         let path = part_path(self.folder, number);
-        let file = match self.storage.open_to_repair(&path) {
+        let file = match self.storage.open_writable(&path) {
             Err(_) if self.storage.open(&path).is_err() => return Ok(None),
             file => file.map_err(RawLogError::io("open", &path))?,
         };
@@ -117,46 +116,46 @@ impl Work<'_> {
         if !self.belongs_here(&segment, number) {
             return self.set_aside(number, bytes).map(Some);
         }
-        let mut kept = keep(&segment)?;
-        let torn = match kept.torn_from(&segment) {
+        let mut valid = scan_valid(&segment)?;
+        let torn = match valid.cut_offset(&segment) {
             offset if offset < bytes => {
-                Some(self.move_torn(number, &segment, offset..bytes, kept.torn_record)?)
+                Some(self.save_torn_tail(number, &segment, offset..bytes, valid.torn_record)?)
             }
             _ => None,
         };
-        if kept.footer.is_some_and(|footer| footer.ending == Ending::GoesOn)
-            && !self.is_begun(number.saturating_add(1), &segment)?
+        if valid.footer.is_some_and(|footer| footer.ending == Ending::Continues)
+            && !self.exists_in_same_log(number.saturating_add(1), &segment)?
         {
-            // The next segment was never begun: the log ends here.
-            kept.footer = None;
+            // The next segment was never completed: the log ends here.
+            valid.footer = None;
         }
-        complete(&mut segment, &kept)?;
+        complete(&mut segment, &valid)?;
         drop(segment);
-        give_sealed_name(self.storage, self.folder, number)?;
+        rename_sealed(self.storage, self.folder, number)?;
         let path = Some(sealed_path(self.folder, number));
-        Ok(Some(RecoveredSegment { path, records: kept.records, torn }))
+        Ok(Some(RecoveredSegment { path, records: valid.records, torn }))
     }
 
-    /// Whether this segment exists as one of the same log.
-    fn is_begun(&self, number: u32, before: &SegmentFile) -> Result<bool, RawLogError> {
+    /// Whether this segment exists and belongs to the same log.
+    fn exists_in_same_log(&self, number: u32, before: &SegmentFile) -> Result<bool, RawLogError> {
         let next = SegmentFile::find(self.storage, self.folder, number)?;
-        Ok(next.is_some_and(|next| next.header.begun_ns == before.header.begun_ns))
+        Ok(next.is_some_and(|next| next.header.created_ns == before.header.created_ns))
     }
 
-    /// Whether the header is that of a segment of this log, and not what an older file left in the
-    /// disk's blocks.
+    /// Whether the header belongs to a segment of this log, and not to an older file whose blocks the
+    /// disk reused.
     fn belongs_here(&self, segment: &SegmentFile, number: u32) -> bool {
         if number == 0 || segment.header.segment != number {
             return segment.header.segment == number;
         }
         let identity =
-            |segment: &SegmentFile| (segment.header.begun_ns, segment.header.description.clone());
-        // Where the first one cannot be read, nothing speaks against this one.
+            |segment: &SegmentFile| (segment.header.created_ns, segment.header.description.clone());
+        // If the first segment cannot be read, there is no evidence against this one.
         let first = SegmentFile::find(self.storage, self.folder, 0).unwrap_or_default();
         first.is_none_or(|first| identity(&first) == identity(segment))
     }
 
-    /// A segment without a header has no records: the whole file is torn.
+    /// Moves a segment without a header aside: it has no records, so the whole file is torn.
     fn set_aside(&self, number: u32, bytes: u64) -> Result<RecoveredSegment, RawLogError> {
         let path = part_path(self.folder, number);
         let moved_to = self.unused_torn_path(number)?;
@@ -165,8 +164,8 @@ impl Work<'_> {
         Ok(RecoveredSegment { path: None, records: 0, torn: Some(torn) })
     }
 
-    /// Copies the torn tail, safe on disk, before it is cut.
-    fn move_torn(
+    /// Copies the torn tail and syncs the copy before the tail is cut.
+    fn save_torn_tail(
         &self,
         number: u32,
         segment: &SegmentFile,
@@ -177,12 +176,10 @@ impl Work<'_> {
         let mut copy = self
             .storage
             .create(&moved_to)
-            .map_err(RawLogError::io("keep a torn tail in", &moved_to))?;
+            .map_err(RawLogError::io("save a torn tail in", &moved_to))?;
         copy_bytes(segment, bytes.start, &mut *copy, &moved_to)?;
-        copy.sync().map_err(RawLogError::io("flush to disk", &moved_to))?;
-        self.storage
-            .sync_folder(self.folder)
-            .map_err(RawLogError::io("flush to disk", self.folder))?;
+        copy.sync().map_err(RawLogError::io("sync", &moved_to))?;
+        self.storage.sync_folder(self.folder).map_err(RawLogError::io("sync", self.folder))?;
         Ok(TornTail {
             segment: segment.path.clone(),
             offset: bytes.start,
@@ -203,7 +200,7 @@ impl Work<'_> {
 
     fn rename(&self, from: &Path, to: &Path) -> Result<(), RawLogError> {
         self.storage.rename(from, to).map_err(RawLogError::io("rename", from))?;
-        self.storage.sync_folder(self.folder).map_err(RawLogError::io("flush to disk", self.folder))
+        self.storage.sync_folder(self.folder).map_err(RawLogError::io("sync", self.folder))
     }
 
     fn names(&self) -> Result<Vec<String>, RawLogError> {
@@ -211,9 +208,9 @@ impl Work<'_> {
     }
 }
 
-/// Looks through a segment, around what is damaged.
-fn keep(segment: &SegmentFile) -> Result<Kept, RawLogError> {
-    let mut kept = Kept {
+/// Scans a segment, past damaged records.
+fn scan_valid(segment: &SegmentFile) -> Result<ValidPart, RawLogError> {
+    let mut valid = ValidPart {
         end: segment.start,
         records: 0,
         headers: crc32fast::Hasher::new(),
@@ -221,39 +218,39 @@ fn keep(segment: &SegmentFile) -> Result<Kept, RawLogError> {
         torn_record: None,
     };
     loop {
-        let found = segment.look(kept.end)?;
+        let found = segment.item_at(valid.end)?;
         match found {
-            Found::Record(header) => {
-                kept.end += header.record_bytes();
-                kept.records = (header.sequence + 1).saturating_sub(segment.header.first_sequence);
-                kept.headers.update(&header.encode(segment.salt));
+            SegmentItem::Record(header) => {
+                valid.end += header.record_bytes();
+                valid.records = (header.sequence + 1).saturating_sub(segment.header.first_sequence);
+                valid.headers.update(&header.encode(segment.salt));
             }
-            Found::Footer(footer) => {
-                kept.records = footer.records;
-                kept.footer = Some(footer);
-                return Ok(kept);
+            SegmentItem::Footer(footer) => {
+                valid.records = footer.records;
+                valid.footer = Some(footer);
+                return Ok(valid);
             }
-            Found::Torn(header) => {
-                kept.torn_record = Some(header.sequence);
-                return Ok(kept);
+            SegmentItem::Torn(header) => {
+                valid.torn_record = Some(header.sequence);
+                return Ok(valid);
             }
-            Found::Nothing => {
-                if let Some((at, _)) = segment.resynchronise(kept.end + 1)? {
-                    kept.end = at;
+            SegmentItem::Nothing => {
+                if let Some((at, _)) = segment.resynchronise(valid.end + 1)? {
+                    valid.end = at;
                     continue;
                 }
-                if !segment.is_torn(kept.end, &found)? {
-                    kept.end = segment.length()?;
+                if !segment.is_torn(valid.end, &found)? {
+                    valid.end = segment.length()?;
                 }
-                return Ok(kept);
+                return Ok(valid);
             }
         }
     }
 }
 
-impl Kept {
-    /// Where that begins which is to be cut.
-    fn torn_from(&self, segment: &SegmentFile) -> u64 {
+impl ValidPart {
+    /// Offset from which the segment is cut.
+    fn cut_offset(&self, segment: &SegmentFile) -> u64 {
         let footer = self.footer.map_or(0, |_| Footer::bytes(segment.header.version));
         self.end + footer as u64
     }
@@ -269,16 +266,16 @@ impl Kept {
     }
 }
 
-/// Cuts what is torn and writes the footer that is missing, safe on disk.
-fn complete(segment: &mut SegmentFile, kept: &Kept) -> Result<(), RawLogError> {
+/// Cuts the torn tail, writes the missing footer and syncs.
+fn complete(segment: &mut SegmentFile, valid: &ValidPart) -> Result<(), RawLogError> {
     let path = segment.path.clone();
-    let footer = kept.new_footer(segment).encode(segment.header.version, segment.salt);
-    let (end, file) = (kept.torn_from(segment), &mut segment.file);
+    let footer = valid.new_footer(segment).encode(segment.header.version, segment.salt);
+    let (end, file) = (valid.cut_offset(segment), &mut segment.file);
     file.truncate(end).map_err(RawLogError::io("cut the torn end of", &path))?;
-    if kept.footer.is_none() {
+    if valid.footer.is_none() {
         file.append(&footer).map_err(RawLogError::io("write to", &path))?;
     }
-    file.sync().map_err(RawLogError::io("flush to disk", &path))
+    file.sync().map_err(RawLogError::io("sync", &path))
 }
 
 fn copy_bytes(
@@ -287,7 +284,7 @@ fn copy_bytes(
     copy: &mut dyn LogFile,
     copy_path: &Path,
 ) -> Result<(), RawLogError> {
-    let mut bytes = vec![0; MOVED_BYTES];
+    let mut bytes = vec![0; COPY_BYTES];
     loop {
         let read = segment
             .file
@@ -296,7 +293,7 @@ fn copy_bytes(
         if read == 0 {
             return Ok(());
         }
-        copy.append(&bytes[..read]).map_err(RawLogError::io("keep a torn tail in", copy_path))?;
+        copy.append(&bytes[..read]).map_err(RawLogError::io("save a torn tail in", copy_path))?;
         offset += read as u64;
     }
 }
@@ -306,13 +303,13 @@ impl fmt::Display for TornTail {
         let Self { segment, offset, bytes, moved_to, record } = self;
         write!(
             formatter,
-            "{bytes} bytes from byte {offset} of {} on were not written completely and are now in \
+            "{bytes} bytes of {}, from byte {offset} on, were not written completely and are now in \
              {}",
             segment.display(),
             moved_to.display()
         )?;
         match record {
-            Some(record) => write!(formatter, "; they were of record {record}"),
+            Some(record) => write!(formatter, "; they belong to record {record}"),
             None => Ok(()),
         }
     }

@@ -1,7 +1,7 @@
-//! Files that are read: regular ones, and no larger than they may be.
+//! Bounded reading of regular files.
 //!
-//! A pipe under the name of a file would be waited for without end, and so would a terminal. What is
-//! opened is looked at, not the name, which may be given to something else in between.
+//! Opening a pipe or terminal in place of a file would block for ever. The opened file is checked,
+//! not its path, which another process may replace in between.
 
 use std::{
     fs::{File, OpenOptions},
@@ -12,35 +12,35 @@ use std::{
 
 use rustix::fs::OFlags;
 
-/// Most bytes of a text that somebody wrote: configurations, tokens, descriptions. A parser takes up
-/// to a hundred times as much memory.
-const MOST_TEXT_BYTES: u64 = 1 << 20;
+/// Most bytes of a hand-written text: configuration, tokens, description. A parser needs up to a
+/// hundred times as much memory.
+const MAX_TEXT_BYTES: u64 = 1 << 20;
 
-/// Opens a file to read it.
+/// Opens a file for reading.
 ///
 /// # Errors
-/// It cannot be opened, or is no regular file.
+/// It cannot be opened, or is not a regular file.
 pub fn open_regular(path: &Path) -> io::Result<File> {
     open_regular_with(File::options().read(true), path)
 }
 
-/// The same to do more than read.
+/// As [`open_regular`], with other options.
 ///
 /// # Errors
 /// As [`open_regular`].
 pub fn open_regular_with(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
-    // Regular files know no waiting; for others, opening does not wait then.
+    // No effect on regular files; opening anything else then does not block.
     let file = options.custom_flags(OFlags::NONBLOCK.bits() as i32).open(path)?;
     match file.metadata()?.is_file() {
         true => Ok(file),
-        false => Err(io::Error::other("it is no regular file")),
+        false => Err(io::Error::other("it is not a regular file")),
     }
 }
 
-/// The bytes of a file, `most` at most.
+/// The bytes of a file, at most `most`.
 ///
 /// # Errors
-/// As [`open_regular`]; it is larger, or cannot be read.
+/// As [`open_regular`]; or the file is larger, or cannot be read.
 pub fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     bytes_of(open_regular(path)?, most)
 }
@@ -48,29 +48,29 @@ pub fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
 /// The text of a file, 1 MiB at most.
 ///
 /// # Errors
-/// As [`read_regular`]; it is no UTF-8.
+/// As [`read_regular`]; or it is not UTF-8.
 pub fn read_text(path: &Path) -> io::Result<String> {
     text_of(open_regular(path)?)
 }
 
-/// The text of an opened file, as [`read_text`].
+/// The text of an open file, as [`read_text`].
 ///
 /// # Errors
 /// As [`read_text`].
 pub fn text_of(file: File) -> io::Result<String> {
-    let bytes = bytes_of(file, MOST_TEXT_BYTES)?;
+    let bytes = bytes_of(file, MAX_TEXT_BYTES)?;
     String::from_utf8(bytes)
-        .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is no text in UTF-8"))
+        .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8 text"))
 }
 
 fn bytes_of(file: File, most: u64) -> io::Result<Vec<u8>> {
     let length = file.metadata()?.len();
     if length > most {
-        let words = format!("it has {length} bytes, and {most} are the most that are read");
+        let words = format!("it has {length} bytes; at most {most} are read");
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, words));
     }
     let mut bytes = Vec::new();
-    // It may grow meanwhile.
+    // The file may grow in the meantime.
     file.take(most).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
@@ -88,9 +88,9 @@ mod tests {
         assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
         for path in [&pipe, folder.path(), Path::new("/dev/zero")] {
             let said = read_text(path).unwrap_err().to_string();
-            assert_eq!(said, "it is no regular file", "{}", path.display());
+            assert_eq!(said, "it is not a regular file", "{}", path.display());
         }
-        // Nobody reads from it: opening it to write would wait, too.
+        // Nobody reads from the pipe: opening it for writing would block, too.
         assert!(open_regular_with(File::options().append(true), &pipe).is_err());
     }
 
@@ -98,11 +98,11 @@ mod tests {
     fn a_text_has_a_largest_size_and_is_utf_8() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("text");
-        fs::write(&path, vec![b'a'; MOST_TEXT_BYTES as usize]).unwrap();
-        assert_eq!(read_text(&path).unwrap().len() as u64, MOST_TEXT_BYTES);
-        fs::write(&path, vec![b'a'; MOST_TEXT_BYTES as usize + 1]).unwrap();
+        fs::write(&path, vec![b'a'; MAX_TEXT_BYTES as usize]).unwrap();
+        assert_eq!(read_text(&path).unwrap().len() as u64, MAX_TEXT_BYTES);
+        fs::write(&path, vec![b'a'; MAX_TEXT_BYTES as usize + 1]).unwrap();
         let said = read_text(&path).unwrap_err().to_string();
-        assert!(said.contains("1048577 bytes, and 1048576 are the most"), "{said}");
+        assert!(said.contains("1048577 bytes; at most 1048576"), "{said}");
         fs::write(&path, b"\xff").unwrap();
         assert!(read_text(&path).unwrap_err().to_string().contains("UTF-8"));
     }

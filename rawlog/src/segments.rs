@@ -1,14 +1,14 @@
-//! Records into segments, on one thread: the order of writes, syncs and renames.
+//! Writes records into segments, on one thread, in a crash-safe order of writes, syncs and renames.
 //!
-//! What is promised, and why it holds:
+//! The guarantees, and why they hold:
 //!
-//! - *Written* records are in the kernel's hands: the batch's write call has returned.
-//! - *Synced* records survive a power cut: their segment's content was synced after that, and its
+//! - *Written* records are in the kernel: the write call of their batch has returned.
+//! - *Synced* records survive a power cut: their segment was synced after they were written, and its
 //!   name, under which it was created, before the first of them.
-//! - A segment gets its final name only when the next one exists, with its header safe on disk: a
-//!   sealed segment that says "the log goes on" without a next one has lost it. Records go into the
-//!   next one only behind that, so at most one segment that is not sealed lacks its footer.
-//! - A write that fails is cut off again, so that the file ends with the last written record.
+//! - A segment gets its final name only when the next one exists with a synced header. So if a
+//!   sealed segment says "the next segment follows" and there is none, that segment was lost. Records
+//!   go into the next segment only after that rename, so at most one unsealed segment lacks its footer.
+//! - A failed write is truncated, so that the file ends with the last written record.
 
 use std::{
     path::{Path, PathBuf},
@@ -20,7 +20,7 @@ use super::{
     RawLogError, Record,
     codec::{Encoder, STORED_RAW},
     format::{
-        Ending, FORMAT_VERSION, Footer, MOST_HEADER_BYTES, Predecessor, RECORD_HEADER_BYTES,
+        Ending, FORMAT_VERSION, Footer, MAX_HEADER_BYTES, Predecessor, RECORD_HEADER_BYTES,
         RecordHeader, SegmentHeader,
     },
     names::{part_path, sealed_path},
@@ -28,10 +28,10 @@ use super::{
     storage::{LogFile, Storage},
 };
 
-/// Records are gathered up to here before they are written: small ones are not worth a call each.
+/// Records are batched up to this size, because a write call per small record is slow.
 const BATCH_BYTES: usize = 1 << 20;
 
-/// The segments of a log that is being written.
+/// The segments of a log being written.
 pub(super) struct Segments {
     storage: Arc<dyn Storage>,
     folder: PathBuf,
@@ -39,28 +39,28 @@ pub(super) struct Segments {
     segment_bytes: u64,
     encoder: Encoder,
     current: OpenSegment,
-    /// Encoded records that are not written yet.
+    /// Encoded records not yet written.
     batch: Vec<u8>,
     batch_records: u64,
     progress: Progress,
 }
 
-/// How far records have got, and in how many bytes.
+/// Progress of the writer.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Progress {
-    /// Records handed to the operating system.
+    /// Records written to the operating system.
     pub written: u64,
-    /// Records on the disk.
+    /// Records synced to disk.
     pub synced: u64,
     /// Bytes of all segments.
     pub bytes_written: u64,
-    /// Segments begun.
+    /// Segments created.
     pub segments: u32,
 }
 
-/// What is the same in every header.
+/// The fields that all segment headers share.
 struct Identity {
-    begun_ns: u64,
+    created_ns: u64,
     description: Vec<u8>,
 }
 
@@ -74,15 +74,15 @@ struct OpenSegment {
     /// Records written or in the batch.
     records: u64,
     headers: crc32fast::Hasher,
-    /// Whether a sync has failed: another one would prove nothing.
+    /// Whether a sync has failed: a later success would prove nothing.
     sync_failed: bool,
 }
 
 impl Segments {
-    /// Creates the folder and the first segment, safe on disk.
+    /// Creates the folder and the first segment, and syncs both.
     ///
     /// # Errors
-    /// The folder holds a log already, or the disk refuses.
+    /// The folder already contains a log, or a file operation fails.
     pub fn create(
         storage: Arc<dyn Storage>,
         folder: &Path,
@@ -95,15 +95,16 @@ impl Segments {
             return Err(RawLogError::AlreadyUsed { folder: folder.into() });
         }
         if let Some(run) = folder.parent().filter(|run| !run.as_os_str().is_empty()) {
-            storage.sync_folder(run).map_err(RawLogError::io("flush to disk", run))?;
+            storage.sync_folder(run).map_err(RawLogError::io("sync", run))?;
         }
-        if description.len() > MOST_HEADER_BYTES / 2 {
+        if description.len() > MAX_HEADER_BYTES / 2 {
             let what = format!("a description of {} bytes", description.len());
             return Err(RawLogError::TooLarge { what, limit: "33554432 bytes" });
         }
-        let begun_ns = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos();
-        let begun_ns = u64::try_from(begun_ns).unwrap_or_default();
-        let identity = Identity { begun_ns, description: description.into() };
+        let created_ns =
+            SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos();
+        let created_ns = u64::try_from(created_ns).unwrap_or_default();
+        let identity = Identity { created_ns, description: description.into() };
         let encoder = Encoder::new(limits.codec)
             .map_err(RawLogError::io("prepare compression for", folder))?;
         let mut progress = Progress::default();
@@ -121,21 +122,21 @@ impl Segments {
         })
     }
 
-    /// How far records have got.
+    /// The progress so far.
     pub fn progress(&self) -> Progress {
         self.progress
     }
 
-    /// Whether a sync would make records safer.
+    /// Whether any written record is not synced.
     pub fn has_unsynced(&self) -> bool {
         self.progress.synced < self.progress.written
     }
 
-    /// Takes the next record. It is written with the batch: see [`Self::flush`].
+    /// Adds a record to the batch; [`Self::flush`] writes it.
     ///
     /// # Errors
-    /// The record is larger than the format allows, or the disk refuses. After an error nothing but
-    /// [`Self::rescue`] makes sense.
+    /// The record exceeds the format's limits, or a file operation fails. After an error only
+    /// [`Self::rescue`] may be called.
     pub fn append(&mut self, record: &Record) -> Result<(), RawLogError> {
         let mut start = self.batch.len();
         let header = self.encode(record)?;
@@ -146,7 +147,7 @@ impl Segments {
             self.batch = encoded;
             start = 0;
         }
-        // Only now is it known which segment the record lies in, and so its salt.
+        // The salt depends on the segment, which is known only now.
         let header = header.encode(self.current.salt);
         self.batch[start..start + RECORD_HEADER_BYTES].copy_from_slice(&header);
         self.current.headers.update(&header);
@@ -155,10 +156,10 @@ impl Segments {
         if self.batch.len() >= BATCH_BYTES { self.flush() } else { Ok(()) }
     }
 
-    /// Writes the batch: afterwards every record taken is *written*.
+    /// Writes the batch: all records appended so far are then *written*.
     ///
     /// # Errors
-    /// The disk refuses; none of the batch's records is in the file then, unless cutting it fails,
+    /// The write fails. The file then holds none of the batch's records, unless truncating it fails,
     /// too.
     pub fn flush(&mut self) -> Result<(), RawLogError> {
         if self.batch.is_empty() {
@@ -171,49 +172,49 @@ impl Segments {
         Ok(())
     }
 
-    /// Makes every record that is written *synced*.
+    /// Makes all written records *synced*.
     ///
     /// # Errors
-    /// The disk refuses. What of the file is on the disk is unknown then and stays so: a second
-    /// attempt may succeed without having written anything.
+    /// The sync fails. What is on the disk is then unknown for good: a second sync may succeed without
+    /// having written anything.
     pub fn sync(&mut self) -> Result<(), RawLogError> {
         self.current.sync()?;
         self.progress.synced = self.progress.written;
         Ok(())
     }
 
-    /// Writes what is left and seals the last segment; afterwards every record taken is *synced*.
+    /// Writes the batch and seals the last segment: all records are then *synced*.
     ///
     /// # Errors
-    /// The disk refuses.
+    /// A file operation fails.
     pub fn finish(&mut self) -> Result<(), RawLogError> {
         self.flush()?;
         self.seal()
     }
 
-    /// After an error: syncs what was written before it, where that may still be possible.
+    /// After an error: syncs the records written before it, if that is still possible.
     pub fn rescue(&mut self) {
         if !self.current.sync_failed && self.has_unsynced() && self.sync().is_err() {
-            tracing::warn!("{} cannot be flushed to disk", self.current.path.display());
+            tracing::warn!("cannot sync {}", self.current.path.display());
         }
     }
 
     fn begin_next(&mut self) -> Result<(), RawLogError> {
         self.flush()?;
-        let known_as = self.end_segment(Ending::GoesOn)?;
+        let known_as = self.end_segment(Ending::Continues)?;
         let (storage, folder) = (&*self.storage, &self.folder);
         let next = begin(storage, folder, &self.identity, known_as, &mut self.progress)?;
-        give_sealed_name(storage, folder, self.current.number)?;
+        rename_sealed(storage, folder, self.current.number)?;
         self.current = next;
         Ok(())
     }
 
     fn seal(&mut self) -> Result<(), RawLogError> {
         self.end_segment(Ending::Closed)?;
-        give_sealed_name(&*self.storage, &self.folder, self.current.number)
+        rename_sealed(&*self.storage, &self.folder, self.current.number)
     }
 
-    /// Writes the footer, safe on disk; what a next segment says of this one.
+    /// Writes and syncs the footer; returns what the next segment's header states about this one.
     fn end_segment(&mut self, ending: Ending) -> Result<Predecessor, RawLogError> {
         let footer = self.current.footer(ending);
         let bytes = footer.encode(FORMAT_VERSION, self.current.salt);
@@ -224,7 +225,7 @@ impl Segments {
         Ok(Predecessor { records: footer.records, digest })
     }
 
-    /// Appends room for the header, then head and stored image, to the batch.
+    /// Appends space for the header, then head and stored image, to the batch.
     fn encode(&mut self, record: &Record) -> Result<RecordHeader, RawLogError> {
         let sequence = self.progress.written + self.batch_records;
         let [columns, rows] = record.image_size()?;
@@ -250,7 +251,7 @@ impl Segments {
             let stored = &self.batch[stored_at..];
             header.stored_bytes = stored.len() as u32;
             header.stored_crc = crc32fast::hash(stored);
-            // Raw counts are stored as the bytes that their checksum is of.
+            // Raw counts are stored as the same bytes that the image checksum covers.
             let is_raw = header.codec == STORED_RAW;
             header.image_crc = if is_raw { header.stored_crc } else { image.crc32() };
         }
@@ -259,11 +260,11 @@ impl Segments {
 }
 
 impl OpenSegment {
-    /// Appends all bytes or none, if the disk allows that.
+    /// Appends all bytes or none, if truncating works.
     fn append(&mut self, bytes: &[u8]) -> Result<(), RawLogError> {
         if let Err(reason) = self.file.append(bytes) {
             if let Err(error) = self.file.truncate(self.length) {
-                tracing::warn!("{} may end in a torn record: {error}", self.path.display());
+                tracing::warn!("{} may end with a torn record: {error}", self.path.display());
             }
             return Err(RawLogError::io("write to", &self.path)(reason));
         }
@@ -274,7 +275,7 @@ impl OpenSegment {
     fn sync(&mut self) -> Result<(), RawLogError> {
         let synced = self.file.sync();
         self.sync_failed |= synced.is_err();
-        synced.map_err(RawLogError::io("flush to disk", &self.path))
+        synced.map_err(RawLogError::io("sync", &self.path))
     }
 
     fn footer(&self, ending: Ending) -> Footer {
@@ -288,7 +289,7 @@ impl OpenSegment {
     }
 }
 
-/// Creates the next segment, its header and its name safe on disk.
+/// Creates a segment; syncs its header and its name.
 fn begin(
     storage: &dyn Storage,
     folder: &Path,
@@ -299,7 +300,7 @@ fn begin(
     let number = progress.segments;
     let header = SegmentHeader {
         version: FORMAT_VERSION,
-        begun_ns: identity.begun_ns,
+        created_ns: identity.created_ns,
         segment: number,
         predecessor,
         first_sequence: progress.written,
@@ -310,8 +311,8 @@ fn begin(
     let path = part_path(folder, number);
     let mut file = storage.create(&path).map_err(RawLogError::io("create", &path))?;
     file.append(&bytes).map_err(RawLogError::io("write to", &path))?;
-    file.sync().map_err(RawLogError::io("flush to disk", &path))?;
-    storage.sync_folder(folder).map_err(RawLogError::io("flush to disk", folder))?;
+    file.sync().map_err(RawLogError::io("sync", &path))?;
+    storage.sync_folder(folder).map_err(RawLogError::io("sync", folder))?;
     progress.segments += 1;
     progress.bytes_written += bytes.len() as u64;
     Ok(OpenSegment {
@@ -326,8 +327,8 @@ fn begin(
     })
 }
 
-/// Renames a finished, synced segment, so that the new name survives a power cut.
-pub(super) fn give_sealed_name(
+/// Renames a finished, synced segment and syncs the new name.
+pub(super) fn rename_sealed(
     storage: &dyn Storage,
     folder: &Path,
     segment: u32,
@@ -336,5 +337,5 @@ pub(super) fn give_sealed_name(
     storage
         .rename(&part, &sealed_path(folder, segment))
         .map_err(RawLogError::io("give its final name to", &part))?;
-    storage.sync_folder(folder).map_err(RawLogError::io("flush to disk", folder))
+    storage.sync_folder(folder).map_err(RawLogError::io("sync", folder))
 }

@@ -9,26 +9,26 @@ use super::Codec;
 
 const BYTES_PER_MB: u64 = 1_000_000;
 
-/// How raw data is recorded.
+/// Settings of recording.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct RawLogSettings {
-    /// Whether raw data is kept at all.
+    /// Whether raw data is recorded at all.
     #[garde(skip)]
     pub keep: bool,
     /// How images are stored.
     #[garde(skip)]
     pub codec: Codec,
-    /// Size at which a segment is sealed and the next one begun, in MB.
+    /// Size at which a segment is sealed and the next one created, in MB.
     #[garde(range(min = 1, max = 1_000_000))]
     pub segment_mb: u64,
-    /// Longest time from written to safe on disk, in ms, while the disk keeps up.
+    /// Longest time between a write and its sync, in ms, if the disk is fast enough.
     #[garde(range(min = 1, max = 60_000))]
     pub sync_ms: u64,
-    /// Most memory of images that wait to be written, in MB.
+    /// Memory limit of queued images, in MB.
     #[garde(range(min = 1, max = 1_000_000))]
     pub queue_mb: u64,
-    /// Room on the disk that must stay free when shots are armed, in MB: results need some, too.
+    /// Disk space that must stay free when shots are armed, in MB; results need some of it.
     #[garde(range(max = 1_000_000_000))]
     pub reserve_mb: u64,
 }
@@ -52,23 +52,23 @@ impl RawLogSettings {
         self.segment_mb.saturating_mul(BYTES_PER_MB)
     }
 
-    /// Longest time from written to safe on disk, while the disk keeps up.
+    /// Longest time between a write and its sync.
     pub fn sync_interval(&self) -> Duration {
         Duration::from_millis(self.sync_ms)
     }
 
-    /// Most memory of images that wait to be written.
+    /// Memory limit of queued images.
     pub fn queue_bytes(&self) -> u64 {
         self.queue_mb.saturating_mul(BYTES_PER_MB)
     }
 
-    /// Room on the disk that must stay free when shots are armed.
+    /// Disk space that must stay free when shots are armed.
     pub fn reserve_bytes(&self) -> u64 {
         self.reserve_mb.saturating_mul(BYTES_PER_MB)
     }
 }
 
-/// The same in bytes: tests need segments of a few records.
+/// The limits in bytes: tests need segments of a few records.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     pub codec: Codec,

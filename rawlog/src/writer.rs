@@ -1,4 +1,4 @@
-//! The thread that writes.
+//! The writer thread.
 
 use std::{
     io,
@@ -10,11 +10,11 @@ use std::{
 
 use super::{
     RawLogError, Record, Watermarks,
-    queue::{Queue, Work},
+    queue::{Job, Queue},
     segments::Segments,
 };
 
-/// The owner of the writer's thread. Dropping it closes the log.
+/// Owns the writer thread. Dropping it closes the log.
 #[derive(Debug)]
 pub struct RawLogWriter {
     queue: Arc<Queue>,
@@ -41,11 +41,11 @@ impl RawLogWriter {
         Ok(Self { queue, folder: folder.into(), thread: Some(thread) })
     }
 
-    /// Writes and syncs what was appended, seals the last segment and ends the thread. Handles of
-    /// the log take nothing any more.
+    /// Writes and syncs all appended records, seals the last segment and joins the thread. Handles of
+    /// the log then reject records.
     ///
     /// # Errors
-    /// What made the log fail, now or earlier.
+    /// The failure that stopped the log, now or earlier.
     pub fn close(mut self) -> Result<Watermarks, RawLogError> {
         self.end()
     }
@@ -53,7 +53,7 @@ impl RawLogWriter {
     fn end(&mut self) -> Result<Watermarks, RawLogError> {
         let Some(thread) = self.thread.take() else { return Ok(self.queue.watermarks()) };
         self.queue.close(RawLogError::Closed { folder: self.folder.clone() });
-        // A panic has been reported to the queue on its way out.
+        // The queue has already been told of a panic.
         let _ = thread.join();
         match self.queue.failure() {
             Some(failure) => Err(RawLogError::Stopped(failure)),
@@ -75,7 +75,7 @@ struct Writing {
     folder: PathBuf,
     segments: Segments,
     sync_interval: Duration,
-    /// When what was written first after the last sync has waited long enough.
+    /// When the oldest unsynced record must be synced.
     sync_due: Option<Instant>,
     is_over: bool,
 }
@@ -95,9 +95,9 @@ impl Writing {
     fn write_all(&mut self) -> Result<(), RawLogError> {
         loop {
             match self.queue.next(self.sync_due) {
-                Work::Records(records) => self.write(&records)?,
-                Work::Timeout => {}
-                Work::Closed => break,
+                Job::Records(records) => self.write(&records)?,
+                Job::Timeout => {}
+                Job::Closed => break,
             }
             if self.sync_due.is_some_and(|due| due <= Instant::now()) {
                 self.segments.sync()?;
@@ -130,7 +130,7 @@ impl Writing {
 
 impl Drop for Writing {
     fn drop(&mut self) {
-        // Whoever waits for room must not wait for a thread that has panicked.
+        // Appenders must not wait for a thread that has panicked.
         if !self.is_over {
             self.queue.fail(RawLogError::WriterPanicked { folder: self.folder.clone() }, None);
         }

@@ -1,9 +1,9 @@
-//! A log that an earlier version of the format wrote is read by every later program.
+//! Every later program reads logs that an earlier version of the format wrote.
 //!
-//! `tests/fixtures/v1` and `v2` are not to be written again: a new version of the format gets
-//! a folder of its own beside them.
+//! `tests/fixtures/v1` and `v2` must not be rewritten: a new version of the format gets a folder of
+//! its own beside them.
 
-// All of this crate is test; clippy's exception covers only the functions marked as such.
+// This whole crate is a test; clippy's exception covers only functions marked as tests.
 #![allow(clippy::unwrap_used)]
 
 use std::{fs, path::PathBuf};
@@ -21,7 +21,7 @@ fn fixture(version: u32, codec: &str) -> PathBuf {
     fixtures.join(format!("v{version}")).join(codec)
 }
 
-/// What the fixture holds, by arithmetic that is written out here.
+/// The records of the fixture, computed from this formula.
 fn record(number: u64) -> Record {
     let head = format!(r#"{{"number":{number},"note":"µm"}}"#).into_bytes();
     let image = |columns: u64, rows: u64, count: &dyn Fn(u64) -> u64| {
@@ -29,7 +29,7 @@ fn record(number: u64) -> Record {
         RawImage::new(columns as usize, rows as usize, counts).ok()
     };
     let image = match number {
-        // 12-bit noise on a black level, over a whole block of the packing and a part of one.
+        // 12-bit noise on a black level: one whole block and part of another.
         0 => image(20, 11, &|n| 64 + (n * n * 7919 + n) % 97),
         1 => None,
         // 8 bits, 16 bits, and a constant.
@@ -47,7 +47,7 @@ fn a_log_of_every_version_is_read() {
         assert_eq!(reader.description(), DESCRIPTION);
         let read: Vec<_> = reader.records().map(Result::unwrap).collect();
         let wanted: Vec<_> = (0..RECORDS).map(|number| (number, record(number))).collect();
-        assert!(read == wanted, "{name} of version {version} holds something else");
+        assert!(read == wanted, "{name} of version {version} has other records");
         for (sequence, position, head, has_image) in reader.heads().map(Result::unwrap) {
             let wanted = record(sequence);
             assert_eq!((head, has_image), (wanted.head.clone(), wanted.image.is_some()));
@@ -56,7 +56,7 @@ fn a_log_of_every_version_is_read() {
     }
 }
 
-/// Holds the first record of a segment, its image stored as it is, against the document.
+/// Compares the first record of a segment, with its raw image, to the documented bytes.
 fn check_first_record(bytes: &[u8], first: usize) {
     let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     let head = record(0).head;
@@ -86,7 +86,7 @@ fn version_2_is_as_the_document_says_byte_for_byte() {
     let length = 52 + DESCRIPTION.len();
     assert_eq!(&bytes[..8], b"LFPIVRAW");
     assert_eq!([u32_at(8), u32_at(12)], [2, length as u32]);
-    // Segment, the first: nothing before it, and its records begin at 0.
+    // First segment: no predecessor, and its records begin at 0.
     assert_eq!(bytes[24..48], [0; 24]);
     assert_eq!(&bytes[48..length - 4], DESCRIPTION);
     assert_eq!(u32_at(length - 4), crc32fast::hash(&bytes[..length - 4]));
@@ -94,7 +94,7 @@ fn version_2_is_as_the_document_says_byte_for_byte() {
     check_first_record(&bytes, 2 * length);
     let footer = bytes.len() - 36;
     assert_eq!(&bytes[footer..footer + 4], b"LFEN");
-    // Five records, and the log was closed behind them.
+    // Five records, closed log.
     assert_eq!([4, 8, 12, 28].map(|at| u32_at(footer + at)), [0, 5, 0, 2]);
     assert_eq!([u32_at(footer + 16), u32_at(footer + 20)], [footer as u32, 0]);
 }
@@ -113,7 +113,7 @@ fn a_crash_of_version_1_is_recovered() {
     assert_eq!(read, (0..RECORDS - 1).map(|number| (number, record(number))).collect::<Vec<_>>());
 }
 
-/// Writes the folder for a new version of the format, once.
+/// Writes the fixture for a new version of the format; run once.
 #[test]
 #[ignore = "writes the fixture of a new format version"]
 fn write_the_fixture() {

@@ -1,4 +1,4 @@
-//! Cameras that vanish: nothing is fired without them, and they are waited for.
+//! Lost cameras: the run fires nothing without them and waits for their return.
 
 use std::time::Instant;
 
@@ -7,63 +7,63 @@ use lfpiv_hw::CameraName;
 use super::{AcquisitionError, controller::Run, presence::Presence};
 
 impl Run {
-    /// Whether every camera answers.
+    /// Whether every camera is connected.
     pub(super) fn all_connected(&self) -> bool {
         self.presence.iter().all(|camera| !camera.away)
     }
 
-    /// Whether any camera does.
+    /// Whether any camera is connected.
     pub(super) fn any_connected(&self) -> bool {
         self.presence.iter().any(|camera| !camera.away)
     }
 
-    /// Waits until every camera answers, laser safe; false when the run is stopped meanwhile. How
-    /// long, the drivers decide: a camera that is given up ends the run. After a loss of the
-    /// synchroniser each camera has to show itself, or its driver has time to notice that it is gone.
+    /// Waits, with the laser safe, until every camera is connected; false when the run is stopped
+    /// meanwhile. The drivers decide how long: a driver that gives up ends the run. After a loss of the
+    /// synchroniser each camera must prove its presence, or outlast its driver's detection time.
     pub(super) async fn await_cameras(&mut self) -> Result<bool, AcquisitionError> {
         if !self.all_connected() {
             self.make_safe().await?;
-            tracing::warn!("nothing is fired until every camera answers again");
+            tracing::warn!("firing is suspended until every camera answers again");
         }
-        while !self.all_connected() || self.presence.iter().any(Presence::is_unsure) {
+        while !self.all_connected() || self.presence.iter().any(Presence::is_unconfirmed) {
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(false),
                 error = self.synchroniser.fault() => return Err(error),
-                () = self.heartbeat.turn() => {}
+                () = self.heartbeat.keep_alive() => {}
                 event = self.events.recv() => self.handle(event).await?,
                 request = self.control.next() => self.handle_request(request).await?,
             }
         }
         if self.presence.iter().any(|camera| camera.returned) {
-            self.take_up_again().await?;
+            self.resume_after_absence().await?;
         }
         Ok(true)
     }
 
-    /// The unit is programmed anew, and pairing learns the clock of each camera that was away.
-    async fn take_up_again(&mut self) -> Result<(), AcquisitionError> {
+    /// Reprograms the synchroniser and restarts the clock fit of each camera that was away.
+    async fn resume_after_absence(&mut self) -> Result<(), AcquisitionError> {
         self.make_safe().await?;
         self.program().await?;
         for (index, camera) in self.presence.iter_mut().enumerate() {
             if std::mem::take(&mut camera.returned) {
                 camera.silent = 0;
                 self.pairing.camera_returned(index);
-                tracing::info!(camera = %CameraName(index), "is back and taken up again");
+                tracing::info!(camera = %CameraName(index), "is back");
             }
         }
         Ok(())
     }
 
-    /// A camera is silent: whether its driver finds, in the time it needs, that it has vanished.
+    /// After a camera fell silent: whether its driver reports a lost connection within its detection time.
     pub(super) async fn has_vanished(&mut self, camera: usize) -> Result<bool, AcquisitionError> {
         self.make_safe().await?;
-        let noticed_by = Instant::now() + self.presence[camera].notices_absence_within;
+        let noticed_by = Instant::now() + self.presence[camera].loss_detection_time;
         while !self.presence[camera].away && !self.presence[camera].returned {
             let left = noticed_by.saturating_duration_since(Instant::now());
             tokio::select! {
                 () = self.stop.cancelled() => return Ok(true),
                 error = self.synchroniser.fault() => return Err(error),
-                () = self.heartbeat.turn() => {}
+                () = self.heartbeat.keep_alive() => {}
                 event = self.events.recv() => self.handle(event).await?,
                 request = self.control.next() => self.handle_request(request).await?,
                 () = tokio::time::sleep(left) => return Ok(false),

@@ -1,9 +1,9 @@
-//! A synchroniser that does not answer any more: nothing is fired without it, and it is looked for.
+//! Loss of the synchroniser: the run fires nothing without it and searches for it.
 //!
-//! The burst in hand ends in the unit by itself. Cameras are heard until nothing more can come of
-//! it; what was due and nobody saw is `not_fired`. The unit that answers again is made safe, read
-//! back and programmed from scratch. Then the run waits for an operator, unless its configuration
-//! lets it go on by itself.
+//! The unit ends the current burst by itself. Frames are accepted until no more can arrive; triggers
+//! that were due and that no camera saw are `not_fired`. A unit that answers again is made safe, read
+//! back and programmed from scratch. The run resume_mode waits for an operator, unless the configuration
+//! lets it resume by itself.
 
 use std::time::{Duration, Instant};
 
@@ -14,129 +14,127 @@ use super::{
     burst::TICK,
     controller::Run,
     journal::Entry,
-    synchroniser::{Reopen, Unsafe, thread_ended},
+    synchroniser::{Reopen, UnsafeState, thread_ended},
 };
 
-/// Between looks for a unit that is lost: a plug may just have slipped.
-const SOON: Duration = Duration::from_secs(1);
-/// The same once it has been away for longer than [`FRESH`].
-const LATER: Duration = Duration::from_secs(10);
-const FRESH: Duration = Duration::from_secs(60);
-/// How often the run loop turns while it waits for nothing but the unit.
-const LOOK_ROUND: Duration = Duration::from_millis(100);
+/// Interval between search attempts at first: a plug may just have slipped.
+const EARLY_INTERVAL: Duration = Duration::from_secs(1);
+/// The interval once the unit has been lost for longer than [`EARLY_PHASE`].
+const LATE_INTERVAL: Duration = Duration::from_secs(10);
+const EARLY_PHASE: Duration = Duration::from_secs(60);
+/// Poll interval of the run loop while it waits for the unit only.
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
-/// How a synchroniser that was lost is had again.
+/// How a lost synchroniser is reopened.
 pub struct Reconnection {
     /// Opens it.
     pub open: Reopen,
-    /// How long it is looked for; without end when absent.
+    /// How long to search; without limit when absent.
     pub patience: Option<Duration>,
-    /// Whether an operator has to say that shots may be taken again.
+    /// Whether an operator must permit firing again.
     pub waits_for_operator: bool,
 }
 
-/// What of it the run loop needs.
+/// The part of [`Reconnection`] that the run loop needs.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Waiting {
+pub(super) struct SearchPolicy {
     pub patience: Option<Duration>,
     pub waits_for_operator: bool,
 }
 
-/// A unit that is away.
+/// A lost unit.
 #[derive(Debug)]
 pub(super) struct Loss {
     since: Instant,
-    /// What the run does once the unit is back.
-    pub then: Mode,
-    /// What was said of it last.
-    told: String,
-    next_look: Instant,
-    look: Option<oneshot::Receiver<Result<String, Unsafe>>>,
+    /// The mode in which the run continues once the unit is back.
+    pub resume_mode: Mode,
+    /// The last message, so that it is not repeated.
+    last_message: String,
+    next_attempt: Instant,
+    attempt: Option<oneshot::Receiver<Result<String, UnsafeState>>>,
 }
 
 impl Run {
-    /// Whether the run outlasts this error.
-    pub(super) fn may_wait(&self, error: &AcquisitionError) -> bool {
-        // A run that is played again does what it did.
+    /// Whether the run survives this error.
+    pub(super) fn survives(&self, error: &AcquisitionError) -> bool {
+        // A replayed run does what the recorded run did.
         error.is_loss() && (self.waiting.is_some() || self.bursts.is_some())
     }
 
-    /// The unit is lost: waits until it is back, safe and programmed anew. False when the run is
-    /// over: it was told to stop, or there is nothing left to fire.
+    /// Handles a lost unit: waits until it is back, safe and programmed. False when the run is over: it
+    /// was stopped, or nothing is left to fire.
     ///
     /// # Errors
     ///
-    /// It has not come back in time, or something else ended the run; a loss when it is lost once
-    /// more.
+    /// The unit did not return in time, or another error ended the run. A loss error when the unit was
+    /// lost again.
     pub(super) async fn await_bench(
         &mut self,
         error: AcquisitionError,
     ) -> Result<bool, AcquisitionError> {
         if self.bursts.is_some() {
             self.close_lost_burst().await?;
-            return self.rule_on_all().await;
+            return self.settle_all_triggers().await;
         }
-        self.note_loss(&error).await?;
-        if !self.look_for_the_unit(error).await? {
+        self.record_loss(&error).await?;
+        if !self.search_unit(error).await? {
             return Ok(false);
         }
         self.program().await?;
-        self.take_up_with_the_bench();
+        self.resume_with_bench();
         Ok(true)
     }
 
-    /// Waits until every trigger is ruled on; false when the run is stopped meanwhile.
-    async fn rule_on_all(&mut self) -> Result<bool, AcquisitionError> {
+    /// Waits until every trigger has an outcome; false when the run is stopped meanwhile.
+    async fn settle_all_triggers(&mut self) -> Result<bool, AcquisitionError> {
         while self.pairing.open_triggers() > 0 && !self.stop.is_cancelled() {
-            self.look_at_the_time().await?;
-            self.attend(TICK).await?;
+            self.tick().await?;
+            self.handle_next_event(TICK).await?;
         }
         Ok(!self.stop.is_cancelled())
     }
 
-    async fn note_loss(&mut self, error: &AcquisitionError) -> Result<(), AcquisitionError> {
-        // Nothing that was asked of the unit is known to hold.
-        (self.is_programmed, self.is_armed, self.broken_off) = (false, false, true);
+    async fn record_loss(&mut self, error: &AcquisitionError) -> Result<(), AcquisitionError> {
+        // The state of the unit is unknown.
+        (self.is_programmed, self.is_armed, self.is_aborted) = (false, false, true);
         self.synchroniser.forget_fault();
         let now = Instant::now();
         let reason = error.to_string();
         if let Some(loss) = &mut self.loss {
-            // Lost once more before it was programmed: the next look is not at once.
-            loss.next_look = now + interval(loss.since.elapsed());
+            // Lost again before it was programmed: the next attempt is not immediate.
+            loss.next_attempt = now + interval(loss.since.elapsed());
             return Ok(());
         }
         for camera in &mut self.presence {
-            camera.may_have_gone(now);
+            camera.suspect_loss(now);
         }
-        let then = self.awaits_operator.take().unwrap_or_else(|| self.mode());
-        let told = format!("the synchroniser does not answer and is looked for: {reason}");
-        tracing::error!("the bench is lost, nothing is fired. {told}");
+        let resume_mode = self.awaits_operator.take().unwrap_or_else(|| self.mode());
+        let last_message = format!("the synchroniser does not answer; searching for it: {reason}");
+        tracing::error!("the bench is lost and firing is suspended. {last_message}");
         {
             let mut state = self.control.state.lock();
-            (state.mode, state.held) = (Mode::Lost, vec![told.clone()]);
+            (state.mode, state.held) = (Mode::Lost, vec![last_message.clone()]);
         }
-        self.loss = Some(Loss { since: now, then, told, next_look: now, look: None });
+        self.loss =
+            Some(Loss { since: now, resume_mode, last_message, next_attempt: now, attempt: None });
         self.note(Entry::SynchroniserLost { at_ns: self.at_ns(), reason }).await.map(|_| ())
     }
 
-    /// Looks for the unit, and meanwhile closes the books of the burst in hand.
-    async fn look_for_the_unit(
-        &mut self,
-        error: AcquisitionError,
-    ) -> Result<bool, AcquisitionError> {
+    /// Searches for the unit and meanwhile finishes the accounts of the current burst.
+    async fn search_unit(&mut self, error: AcquisitionError) -> Result<bool, AcquisitionError> {
         let mut identity = None;
         loop {
-            self.note_serial().await?;
-            self.look_at_the_time().await?;
-            if self.is_burst_open && self.is_burst_past() {
+            self.record_serial().await?;
+            self.tick().await?;
+            if self.is_burst_open && self.is_burst_over() {
                 self.close_lost_burst().await?;
             }
             let settled = !self.is_burst_open && self.pairing.open_triggers() == 0;
-            if self.stop.is_cancelled() || settled && self.has_nothing_left() {
+            if self.stop.is_cancelled() || settled && self.has_fired_all() {
                 return Ok(false);
             }
             if identity.is_none() {
-                identity = self.look_once()?;
+                identity = self.poll_attempt()?;
             }
             if let Some(identity) = identity.take_if(|_| settled) {
                 tracing::warn!(identity, "the synchroniser is back and safe");
@@ -144,104 +142,104 @@ impl Run {
                 self.note(Entry::SynchroniserBack { at_ns: self.at_ns(), identity }).await?;
                 return Ok(true);
             }
-            if let Some(patience) = self.ended_patience().filter(|_| identity.is_none()) {
+            if let Some(patience) = self.expired_patience().filter(|_| identity.is_none()) {
                 let (seconds, before) = (patience.as_secs_f64(), Box::new(error));
-                return Err(AcquisitionError::BenchGone { seconds, before });
+                return Err(AcquisitionError::NotReconnected { seconds, before });
             }
-            self.attend(if settled { LOOK_ROUND } else { TICK }).await?;
+            self.handle_next_event(if settled { POLL_INTERVAL } else { TICK }).await?;
         }
     }
 
-    /// Begins to look when it is time, or takes what came of it: what the unit says that it is.
-    fn look_once(&mut self) -> Result<Option<String>, AcquisitionError> {
+    /// Starts a search attempt when it is due, or collects its result: the unit's identity.
+    fn poll_attempt(&mut self) -> Result<Option<String>, AcquisitionError> {
         let Some(loss) = &mut self.loss else { return Ok(None) };
         let now = Instant::now();
-        let Some(look) = &mut loss.look else {
-            if now >= loss.next_look {
-                loss.look = Some(self.synchroniser.look_for_it()?);
+        let Some(attempt) = &mut loss.attempt else {
+            if now >= loss.next_attempt {
+                loss.attempt = Some(self.synchroniser.start_search()?);
             }
             return Ok(None);
         };
-        let found = match look.try_recv() {
+        let found = match attempt.try_recv() {
             Ok(found) => found,
             Err(TryRecvError::Empty) => return Ok(None),
             Err(TryRecvError::Closed) => return Err(thread_ended()),
         };
-        loss.look = None;
-        loss.next_look = now + interval(now.saturating_duration_since(loss.since));
+        loss.attempt = None;
+        loss.next_attempt = now + interval(now.saturating_duration_since(loss.since));
         let why = match found {
             Ok(identity) => return Ok(Some(identity)),
-            Err(Unsafe { reason, .. }) => reason,
+            Err(UnsafeState { reason, .. }) => reason,
         };
-        let told = format!("the synchroniser does not answer and is looked for: {why}");
-        if told != loss.told {
-            tracing::warn!("{told}");
-            loss.told.clone_from(&told);
-            self.control.state.lock().held = vec![told];
+        let last_message = format!("the synchroniser does not answer; searching for it: {why}");
+        if last_message != loss.last_message {
+            tracing::warn!("{last_message}");
+            loss.last_message.clone_from(&last_message);
+            self.control.state.lock().held = vec![last_message];
         }
         Ok(None)
     }
 
-    /// How long the unit was to be looked for, when that is over and no look is under way.
-    fn ended_patience(&self) -> Option<Duration> {
-        let loss = self.loss.as_ref().filter(|loss| loss.look.is_none())?;
+    /// The search time limit, if it has passed and no attempt is running.
+    fn expired_patience(&self) -> Option<Duration> {
+        let loss = self.loss.as_ref().filter(|loss| loss.attempt.is_none())?;
         self.waiting?.patience.filter(|patience| loss.since.elapsed() > *patience)
     }
 
-    fn has_nothing_left(&self) -> bool {
+    fn has_fired_all(&self) -> bool {
         self.settings.shots.is_some_and(|shots| self.fired >= shots.get())
     }
 
-    /// Whether no more can come of the burst in hand.
-    fn is_burst_past(&self) -> bool {
+    /// Whether no more frames of the current burst can arrive.
+    fn is_burst_over(&self) -> bool {
         let last_sign = self.burst_ends.max(self.last_frame);
         self.pairing.open_triggers() == 0
             || self.time > last_sign + self.settings.patience
             || !self.any_connected()
     }
 
-    /// The unit cannot be asked how many triggers of the burst it gave.
+    /// Closes a burst whose trigger count cannot be queried.
     async fn close_lost_burst(&mut self) -> Result<(), AcquisitionError> {
         if !std::mem::take(&mut self.is_burst_open) {
             return Ok(());
         }
         if self.bursts.is_some() {
-            // What was due then is due now.
-            self.time_passes(self.clock.now()).await?;
+            // What was due by resume_mode is due now.
+            self.advance_time(self.clock.now()).await?;
         }
-        if !self.is_burst_begun {
-            // It was not asked for it at all.
+        if !self.is_burst_accepted {
+            // The unit was never asked to fire.
             let given = self.pairing.due_by(Duration::ZERO);
             self.note(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
-            let rulings = self.pairing.burst_ended(given)?;
-            return self.apply(rulings).await;
+            let decisions = self.pairing.burst_ended(given)?;
+            return self.apply(decisions).await;
         }
-        let (given, rulings) = self.pairing.burst_lost();
+        let (given, decisions) = self.pairing.burst_lost();
         self.note(Entry::BurstLost { at_ns: self.at_ns(), given }).await?;
-        self.apply(rulings).await
+        self.apply(decisions).await
     }
 
-    /// The unit is back and programmed.
-    fn take_up_with_the_bench(&mut self) {
+    /// Resumes with the unit back and programmed.
+    fn resume_with_bench(&mut self) {
         let Some(loss) = self.loss.take() else { return };
         let waits = self.waiting.is_some_and(|waiting| waiting.waits_for_operator);
-        if !waits || loss.then == Mode::Disarmed {
-            tracing::warn!(mode = ?loss.then, "the bench is back: the run goes on");
-            return self.set_mode(loss.then);
+        if !waits || loss.resume_mode == Mode::Disarmed {
+            tracing::warn!(mode = ?loss.resume_mode, "the bench is back: the run continues");
+            return self.set_mode(loss.resume_mode);
         }
         let words = format!(
-            "the bench was lost and is back, programmed and safe; shots are taken once an operator \
-             says so: kill -USR1 {} on this machine, or arm and start over HTTP",
+            "the bench was lost and is back, programmed and safe; firing resumes when an operator \
+             permits it: kill -USR1 {} on this machine, or arm and start over HTTP",
             std::process::id()
         );
         tracing::warn!("{words}");
         self.set_mode(Mode::Disarmed);
         self.control.state.lock().held = vec![words];
-        self.awaits_operator = Some(loss.then);
+        self.awaits_operator = Some(loss.resume_mode);
     }
 }
 
-/// How long after a look in vain the next one comes, when the unit has been away for so long.
+/// Interval to the next search attempt, for a unit that has been lost this long.
 fn interval(away: Duration) -> Duration {
-    if away < FRESH { SOON } else { LATER }
+    if away < EARLY_PHASE { EARLY_INTERVAL } else { LATE_INTERVAL }
 }

@@ -1,4 +1,4 @@
-//! Bounded bursts: fired, waited for, counted, renewed.
+//! Bounded bursts: fired, awaited, counted, renewed.
 
 use std::time::{Duration, Instant};
 
@@ -13,31 +13,31 @@ use super::{
     journal::Entry, presence::Presence,
 };
 
-/// How often the run loop looks at the time.
+/// Time step of the run loop.
 pub(super) const TICK: Duration = Duration::from_millis(20);
-/// Triggers without a frame after which a camera counts as silent and firing ends.
+/// Triggers without a frame after which a camera counts as silent and firing stops.
 const SILENT_TRIGGERS: u64 = 5;
 /// How much longer than planned a burst may take.
 const BURST_GRACE: Duration = Duration::from_secs(2);
-/// How long frames on their way are waited for once the run is being stopped.
+/// How long the run waits for frames in transit once it is being stopped.
 const STOP_GRACE: Duration = Duration::from_secs(5);
 
 impl Run {
-    /// Shots of the next burst, armed and ready to be fired; `None` when the run is over.
+    /// Number of shots of the next burst, with the unit armed; `None` when the run is over.
     pub(super) async fn next_burst(&mut self) -> Result<Option<u64>, AcquisitionError> {
         loop {
-            self.note_serial().await?;
+            self.record_serial().await?;
             if !self.await_cameras().await? || self.stop.is_cancelled() {
                 return Ok(None);
             }
             match self.mode() {
                 Mode::Firing => {}
                 mode => {
-                    self.rest(mode).await?;
+                    self.idle(mode).await?;
                     continue;
                 }
             }
-            let Some(shots) = self.size_of_burst().await? else { return Ok(None) };
+            let Some(shots) = self.next_burst_size().await? else { return Ok(None) };
             if shots == 0 || !self.may_fire(shots).await? {
                 continue;
             }
@@ -50,11 +50,11 @@ impl Run {
         }
     }
 
-    /// Shots that the next burst should have; zero when there is no room for them yet, `None` when
-    /// there is nothing left to do.
-    async fn size_of_burst(&mut self) -> Result<Option<u64>, AcquisitionError> {
+    /// Number of shots for the next burst: zero while the queue has no space, `None` when nothing is left
+    /// to do.
+    async fn next_burst_size(&mut self) -> Result<Option<u64>, AcquisitionError> {
         if let Some(script) = self.bursts.clone() {
-            return self.size_of_scripted_burst(script.next()).await;
+            return self.scripted_burst_size(script.next()).await;
         }
         let left = self.settings.shots.map_or(u64::MAX, |shots| shots.get() - self.fired);
         if left == 0 {
@@ -65,24 +65,24 @@ impl Run {
         let wanted = left.min(longest);
         Ok(Some(match self.settings.overload {
             OverloadPolicy::Shed => wanted,
-            OverloadPolicy::Wait => self.room(1).await?.min(wanted),
+            OverloadPolicy::Wait => self.free_places(1).await?.min(wanted),
         }))
     }
 
-    /// As [`Self::size_of_burst`], where a script decides.
-    async fn size_of_scripted_burst(
+    /// As [`Self::next_burst_size`], decided by a script.
+    async fn scripted_burst_size(
         &mut self,
         scripted: ScriptedBurst,
     ) -> Result<Option<u64>, AcquisitionError> {
         let (shots, schedule) = match scripted {
             ScriptedBurst::Over => return Ok(None),
             ScriptedBurst::NotYet => {
-                self.attend(TICK).await?;
+                self.handle_next_event(TICK).await?;
                 return Ok(Some(0));
             }
             ScriptedBurst::Fire { shots, schedule } => (shots, schedule),
         };
-        // What was recorded before this burst has been delivered; it comes first.
+        // Events recorded before this burst have been delivered and come first.
         if let Ok(event) = self.events.try_recv() {
             self.handle(Some(event)).await?;
             return Ok(Some(0));
@@ -91,30 +91,29 @@ impl Run {
             self.settings.schedule = (*schedule).clone();
             self.is_programmed = false;
         }
-        Ok(Some(if self.room(shots).await? < shots { 0 } else { shots }))
+        Ok(Some(if self.free_places(shots).await? < shots { 0 } else { shots }))
     }
 
-    /// Places in the queue, `least` of them when there are so many; zero when something else
-    /// happened before there was room.
-    async fn room(&mut self, least: u64) -> Result<u64, AcquisitionError> {
+    /// Free places in the queue, waiting for `least` of them; zero when another event came first.
+    async fn free_places(&mut self, least: u64) -> Result<u64, AcquisitionError> {
         let stop = self.stop.clone();
         let least = usize::try_from(least).unwrap_or(usize::MAX);
         tokio::select! {
             biased;
             () = stop.cancelled() => Ok(0),
             error = self.synchroniser.fault() => Err(error),
-            room = self.queue.room(least) => match room {
+            room = self.queue.free_places(least) => match room {
                 Ok(room) => Ok(room as u64),
                 Err(Closed) => Err(AcquisitionError::QueueClosed),
             },
-            () = self.heartbeat.turn() => Ok(0),
+            () = self.heartbeat.keep_alive() => Ok(0),
             event = self.events.recv() => self.handle(event).await.map(|()| 0),
             request = self.control.next() => self.handle_request(request).await.map(|()| 0),
         }
     }
 
-    /// Fires one burst and waits until each of its triggers is ruled on, or, once the run is
-    /// being stopped, for as long as [`STOP_GRACE`].
+    /// Fires one burst and waits until each of its triggers has an outcome, or, once the run is being
+    /// stopped, for [`STOP_GRACE`].
     pub(super) async fn run_burst(&mut self, shots: u64) -> Result<(), AcquisitionError> {
         let fired_before = self.fired;
         self.fire(shots).await?;
@@ -126,7 +125,7 @@ impl Run {
             self.heartbeat.beat();
             tokio::select! {
                 event = self.events.recv() => self.handle(event).await?,
-                _ = tick.tick() => self.look_at_the_time().await?,
+                _ = tick.tick() => self.tick().await?,
                 request = self.control.next() => self.handle_request(request).await?,
                 error = self.synchroniser.fault() => return Err(error),
                 () = stop.cancelled(), if stop_by.is_none() => {
@@ -135,29 +134,29 @@ impl Run {
                     stop_by = Some(Instant::now() + STOP_GRACE);
                 }
             }
-            if !self.broken_off && !self.all_connected() {
-                self.break_off().await?;
+            if !self.is_aborted && !self.all_connected() {
+                self.abort_burst().await?;
             }
             let all_ruled = self.pairing.open_triggers() == 0;
             let scripted = self.bursts.as_ref().is_some_and(|script| script.burst_is_over());
             let over = self.time >= planned_end
                 || all_ruled
-                || self.broken_off
+                || self.is_aborted
                 || stop_by.is_some()
                 || scripted && self.events.is_empty();
             if !ended && over {
                 ended = self.try_end_burst().await?;
             }
-            // Frames may set the pace of a simulated bench: a burst ends late while they come.
+            // Frames may set the pace of a simulated bench: a burst lasts as long as they keep coming.
             let last_sign = planned_end.max(self.last_frame);
             if !ended && self.time > last_sign + self.settings.patience + BURST_GRACE {
-                return Err(AcquisitionError::Endless { shots });
+                return Err(AcquisitionError::BurstOverrun { shots });
             }
             if stop_by.is_some_and(|end| Instant::now() > end) {
                 break;
             }
         }
-        if self.stop.is_cancelled() || self.broken_off {
+        if self.stop.is_cancelled() || self.is_aborted {
             return Ok(());
         }
         if self.fired == fired_before {
@@ -166,15 +165,15 @@ impl Run {
         self.check_silence().await
     }
 
-    /// Time goes on while nothing is seen. It must not overtake what was seen and waits to be
-    /// taken: that is looked for after the clock was read.
-    pub(super) async fn look_at_the_time(&mut self) -> Result<(), AcquisitionError> {
+    /// Advances time while no event arrives. Events that are waiting must come first: they are checked
+    /// after the clock was read.
+    pub(super) async fn tick(&mut self) -> Result<(), AcquisitionError> {
         let now = self.clock.now();
-        if self.events.is_empty() { self.time_passes(now).await } else { Ok(()) }
+        if self.events.is_empty() { self.advance_time(now).await } else { Ok(()) }
     }
 
-    /// Lets the lamps warm up, if they need to; false when the run is stopped meanwhile, or when
-    /// something else is asked of it.
+    /// Lets the lamps warm up if necessary; false when the run is stopped or receives another request
+    /// meanwhile.
     async fn wait_until_armed(&mut self) -> Result<bool, AcquisitionError> {
         let wait = self.synchroniser.call(|unit| unit.arm()).await?;
         let armed = tokio::time::sleep(wait);
@@ -182,33 +181,33 @@ impl Run {
         let stop = self.stop.clone();
         loop {
             tokio::select! {
-                // Whoever wants the laser safe is heard before it is ready.
+                // A request for the safe state comes before the end of the warm-up.
                 biased;
                 () = stop.cancelled() => return Ok(false),
                 error = self.synchroniser.fault() => return Err(error),
                 request = self.control.next() => self.handle_request(request).await?,
                 event = self.events.recv() => self.handle(event).await?,
                 () = &mut armed => break,
-                () = self.heartbeat.turn() => {}
+                () = self.heartbeat.keep_alive() => {}
             }
         }
         Ok(self.mode() == Mode::Firing && self.is_programmed && self.all_connected())
     }
 
     async fn fire(&mut self, shots: u64) -> Result<(), AcquisitionError> {
-        self.broken_off = false;
-        self.time_passes(self.clock.now()).await?;
+        self.is_aborted = false;
+        self.advance_time(self.clock.now()).await?;
         self.burst_ends = self.time + self.planned_duration(shots);
-        (self.is_burst_open, self.is_burst_begun) = (true, false);
+        (self.is_burst_open, self.is_burst_accepted) = (true, false);
         let first = self.pairing.fired(shots, self.time);
         self.fired += shots;
         self.presence.iter_mut().for_each(|camera| camera.silent += shots);
         self.note(Entry::Fired { at_ns: self.at_ns(), first, shots }).await?;
-        // The disk may have had to be waited for, laser safe: then this burst ends before it begins.
-        if self.broken_off || !self.is_programmed || self.stop.is_cancelled() {
+        // If the disk had to be waited for, the laser was made safe: the burst ends before it begins.
+        if self.is_aborted || !self.is_programmed || self.stop.is_cancelled() {
             return Ok(());
         }
-        self.is_burst_begun = true;
+        self.is_burst_accepted = true;
         let started = self.synchroniser.call(move |unit| {
             unit.fire(shots)?;
             Ok(unit.started_after())
@@ -218,8 +217,7 @@ impl Run {
         self.note(Entry::BurstStarted { first, start }).await.map(|_| ())
     }
 
-    /// How the burst that was just accepted began, and what UTC is. One that is played again began
-    /// as it did then.
+    /// Start of the burst that was just accepted, with UTC. In a replay, the recorded start.
     fn burst_start(&self, started_after: Option<Instant>) -> BurstStart {
         let fired = BurstStart { not_before_ns: self.at_ns(), clock: None };
         if let Some(script) = &self.bursts {
@@ -231,12 +229,12 @@ impl Run {
         BurstStart { not_before_ns: not_before.as_nanos() as u64, clock: self.clock.pair() }
     }
 
-    /// A period more than the triggers need: the last one's frames must be read out.
+    /// One period more than the triggers need, so that the last frames are read out.
     fn planned_duration(&self, shots: u64) -> Duration {
         self.settings.period() * u32::try_from(shots).unwrap_or(u32::MAX).saturating_add(1)
     }
 
-    /// Once the unit no longer fires, compares its count with what was asked for.
+    /// Once the unit has stopped firing, compares its trigger count with the number requested.
     pub(super) async fn try_end_burst(&mut self) -> Result<bool, AcquisitionError> {
         let state = self.synchroniser.call(|unit| unit.state()).await?;
         if state == SynchroniserState::Firing {
@@ -249,19 +247,19 @@ impl Run {
         }
         let given = match (counted, self.first_count) {
             (Some(counted), Some(first)) => self.given_before + counted.saturating_sub(first),
-            // A unit that does not count is taken at its word, up to now; frames say the rest.
-            _ if self.is_burst_begun => self.pairing.due_by(self.clock.now()),
+            // Without a counter, assume the triggers due so far; frames show the rest.
+            _ if self.is_burst_accepted => self.pairing.due_by(self.clock.now()),
             _ => self.pairing.due_by(Duration::ZERO),
         };
         self.is_burst_open = false;
         self.note(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
-        let rulings = self.pairing.burst_ended(given)?;
-        self.apply(rulings).await?;
+        let decisions = self.pairing.burst_ended(given)?;
+        self.apply(decisions).await?;
         Ok(true)
     }
 
-    /// Firing goes on only while every camera delivers. One that has vanished is waited for by
-    /// [`Run::await_cameras`]; one that is there and says nothing ends the run.
+    /// Stops firing unless every camera delivers. A lost camera is handled by [`Run::await_cameras`]; a
+    /// connected but silent one ends the run.
     async fn check_silence(&mut self) -> Result<(), AcquisitionError> {
         let silent = |camera: &Presence| camera.silent >= SILENT_TRIGGERS;
         let Some(camera) = self.presence.iter().position(silent) else { return Ok(()) };

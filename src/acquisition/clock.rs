@@ -1,18 +1,17 @@
-//! The time by which frames are due, late and given up.
+//! The clock that decides when frames are due or late.
 //!
-//! Every decision that depends on time is made by the times of events: of a frame's arrival, of a
-//! burst's beginning. They are recorded, so that a replay decides as the run did, however fast it
-//! goes.
+//! Every time-dependent decision uses the time of an event, such as a frame's arrival or a burst's
+//! start. These times are recorded, so that a replay at any speed decides as the run did.
 
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use super::{ClockPair, kernel_clock};
 
-/// A clock that begins with a run.
+/// A clock that starts with a run.
 pub trait RunClock: Send + Sync {
-    /// Time since the run began.
+    /// Time since the start of the run.
     fn now(&self) -> Duration;
-    /// This clock and UTC at one moment; `None` where this clock is not that of the host.
+    /// This clock and UTC at the same moment; `None` if this clock is not the host's.
     fn pair(&self) -> Option<ClockPair> {
         None
     }
@@ -23,7 +22,7 @@ pub trait RunClock: Send + Sync {
 pub struct HostClock(Instant);
 
 impl HostClock {
-    /// A clock that shows zero now.
+    /// A clock that starts at zero now.
     pub fn start() -> Self {
         Self(Instant::now())
     }
@@ -34,7 +33,7 @@ impl RunClock for HostClock {
         self.0.elapsed()
     }
 
-    /// UTC is read between two looks at this clock, three times; the closest two count.
+    /// Reads UTC between two readings of this clock, three times, and takes the closest pair.
     fn pair(&self) -> Option<ClockPair> {
         let read = || {
             let before = self.now();

@@ -1,12 +1,12 @@
-//! What whoever runs the bench may ask of a run under way.
+//! Requests to a run in progress.
 //!
 //! ```text
 //! disarmed <-> armed (lamps fire) <-> firing
 //! any of them -> lost (the synchroniser does not answer) -> disarmed, or what it was
 //! ```
 //!
-//! Requests go through a channel to the run loop, which answers when it has taken them up; nothing
-//! else touches the synchroniser.
+//! Requests pass through a channel to the run loop, which answers after carrying them out. Nothing
+//! else uses the synchroniser.
 
 use std::sync::Arc;
 
@@ -15,57 +15,57 @@ use parking_lot::Mutex;
 use serde::Serialize;
 use tokio::sync::{mpsc, oneshot};
 
-/// A request.
+/// A request to the run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "command", rename_all = "snake_case")]
 pub enum Command {
-    /// Take shots.
+    /// Takes shots.
     Start,
-    /// End the burst that runs, laser safe, and take no more shots; the lamps are warmed anew.
+    /// Ends the current burst with the laser safe and takes no more shots. The lamps must warm up again.
     Stop,
-    /// Warm the lamps, fire nothing.
+    /// Warms up the lamps without firing.
     Arm,
     /// Safe state: Q-switches off, lamps off.
     Disarm,
-    /// After a loss of the bench: what the run did before.
-    GoOn,
-    /// Another time between the light pulses, from the next burst on.
+    /// After a loss of the bench: resumes the previous mode.
+    Resume,
+    /// Changes the time between the light pulses from the next burst on.
     SetDt { dt_us: f64 },
-    /// A remark for the run's record.
+    /// Adds a note to the record of the run.
     Note { text: String },
 }
 
-/// What the run does.
+/// Mode of the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mode {
     /// Outputs off.
     Disarmed,
-    /// Lamps warm, nothing fired.
+    /// Lamps warm, not firing.
     Armed,
-    /// Shots are taken, or held for the reasons given.
+    /// Taking shots, or holding for the stated reasons.
     Firing,
-    /// The synchroniser does not answer, nothing is fired, and it is looked for.
+    /// The synchroniser does not answer. Nothing is fired, and the run searches for it.
     Lost,
     /// The run is ending.
     Stopping,
 }
 
-/// What the run does, and why it may not.
+/// State of the run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ControlState {
-    /// What it does.
+    /// The mode.
     pub mode: Mode,
     /// Time between the light pulses of the next burst.
     pub dt_us: f64,
-    /// Why nothing is fired although it should be; empty when all is well.
+    /// Reasons why firing is on hold; empty when it is not.
     pub held: Vec<String>,
 }
 
-/// A request was not taken up.
+/// A refused request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refusal {
-    /// Why, one by one.
+    /// All reasons.
     pub reasons: Vec<String>,
 }
 
@@ -75,35 +75,35 @@ impl Refusal {
     }
 }
 
-/// Plans the schedule for a time between the pulses in µs, or says why there is none.
+/// Plans the schedule for a time between the pulses in µs; the error says why there is none.
 pub type Planner = Box<dyn Fn(f64) -> Result<PulseSchedule, String> + Send + Sync>;
 
 type Answer = Result<ControlState, Refusal>;
 
-/// One request on its way to the run loop.
+/// A request in transit to the run loop.
 pub(super) struct Request {
     pub command: Command,
     pub answer: oneshot::Sender<Answer>,
 }
 
-/// Asks. Clones ask the same run.
+/// Handle for requests. Clones address the same run.
 #[derive(Clone)]
 pub struct Control {
     requests: mpsc::Sender<Request>,
     state: Arc<Mutex<ControlState>>,
 }
 
-/// The run loop's end.
+/// Receiving end, owned by the run loop.
 pub struct ControlInbox {
     pub(super) requests: mpsc::Receiver<Request>,
     pub(super) state: Arc<Mutex<ControlState>>,
     pub(super) plan: Planner,
 }
 
-/// Requests that may wait.
+/// Capacity of the request channel.
 const REQUESTS: usize = 16;
 
-/// Both ends of a control that begins in `mode`.
+/// Creates both ends of a control that starts in `mode`.
 pub fn control(mode: Mode, dt_us: f64, plan: Planner) -> (Control, ControlInbox) {
     let (sender, requests) = mpsc::channel(REQUESTS);
     let state = Arc::new(Mutex::new(ControlState { mode, dt_us, held: Vec::new() }));
@@ -111,7 +111,7 @@ pub fn control(mode: Mode, dt_us: f64, plan: Planner) -> (Control, ControlInbox)
 }
 
 impl ControlInbox {
-    /// The next request; never when nobody can ask.
+    /// The next request; pending for ever when all handles are gone.
     pub(super) async fn next(&mut self) -> Request {
         match self.requests.recv().await {
             Some(request) => request,
@@ -121,11 +121,11 @@ impl ControlInbox {
 }
 
 impl Control {
-    /// Asks, and waits until the run loop has taken it up.
+    /// Sends a request and waits until the run loop has carried it out.
     ///
     /// # Errors
     ///
-    /// [`Refusal`], also when the run is over.
+    /// [`Refusal`], including when the run is over.
     pub async fn request(&self, command: Command) -> Answer {
         let over = || Refusal::because("the run is over");
         let (answer, answered) = oneshot::channel();
@@ -133,7 +133,7 @@ impl Control {
         answered.await.map_err(|_| over())?
     }
 
-    /// What the run does.
+    /// The current state.
     pub fn state(&self) -> ControlState {
         self.state.lock().clone()
     }

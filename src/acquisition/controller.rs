@@ -1,4 +1,4 @@
-//! The run: its parts, its beginning and its end.
+//! The run: its parts, start and end.
 
 use std::{sync::Arc, thread::JoinHandle, time::Duration};
 
@@ -13,7 +13,7 @@ use tokio_util::sync::{CancellationToken, DropGuard};
 use super::{
     AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, Heartbeat, HostClock,
     Journal, Ledger, Mode, RunClock, ShotSender, SynchroniserThread,
-    bench_loss::{Loss, Reconnection, Waiting},
+    bench_loss::{Loss, Reconnection, SearchPolicy},
     control::control,
     devices::{CameraEvent, join, spawn_camera},
     journal::Entry,
@@ -27,16 +27,16 @@ use super::{
 pub struct Bench {
     /// In the order of the configuration.
     pub cameras: Vec<Box<dyn Camera>>,
-    /// The unit that triggers them.
+    /// Triggers the cameras.
     pub synchroniser: Box<dyn Synchroniser>,
-    /// What goes over the unit's line, to be recorded.
+    /// Bytes on the synchroniser's line, to be recorded.
     pub transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
-    /// How the unit is had again once it is lost; the run ends then when absent.
+    /// How a lost synchroniser is reopened; without this a loss ends the run.
     pub reconnection: Option<Reconnection>,
 }
 
 impl Bench {
-    /// A bench without a line that could be listened to, or be lost.
+    /// A bench without transcript and reconnection.
     pub fn new(cameras: Vec<Box<dyn Camera>>, synchroniser: Box<dyn Synchroniser>) -> Self {
         Self { cameras, synchroniser, transcript: None, reconnection: None }
     }
@@ -44,29 +44,29 @@ impl Bench {
 
 /// What acquisition shares with the rest of the daemon.
 pub struct AcquisitionLinks {
-    /// What becomes of each trigger.
+    /// Receives the outcome of each trigger.
     pub ledger: Arc<Mutex<Ledger>>,
-    /// Where paired shots go.
+    /// Receives paired shots.
     pub queue: ShotSender,
-    /// The run's own record.
+    /// The record of the run.
     pub journal: Journal,
-    /// By which frames are due and late.
+    /// Decides when frames are due and late.
     pub clock: Arc<dyn RunClock>,
-    /// Decides the bursts of a run that is played again; the run loop does when absent.
+    /// Decides the bursts of a replay; absent in a live run.
     pub bursts: Option<Arc<dyn BurstScript>>,
-    /// What is asked of the run under way.
+    /// Requests to the run.
     pub control: ControlInbox,
-    /// Beats while the run loop turns.
+    /// Beats while the run loop is alive.
     pub heartbeat: Heartbeat,
-    /// Owns the synchroniser's thread. Whoever keeps a clone outside the task of [`acquire`] can
-    /// wait for the safe state whatever becomes of the task.
+    /// Owns the synchroniser's thread. A clone held outside the task of [`acquire`] can wait for the safe
+    /// state whatever happens to that task.
     pub synchroniser: SynchroniserThread,
     /// Ends the run.
     pub stop: CancellationToken,
 }
 
 impl AcquisitionLinks {
-    /// A run that keeps no record, goes by the host's clock and cannot be controlled.
+    /// A run without record and control, on the host's clock.
     pub fn new(ledger: Arc<Mutex<Ledger>>, queue: ShotSender, stop: CancellationToken) -> Self {
         let fixed = Box::new(|_| Err("the schedule of this run is fixed".to_owned()));
         let (_, control) = control(Mode::Firing, 0.0, fixed);
@@ -84,7 +84,7 @@ impl AcquisitionLinks {
     }
 }
 
-/// What acquisition has to tell when it ends.
+/// Summary of a finished acquisition.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AcquisitionReport {
     /// The synchroniser's identity string.
@@ -95,20 +95,19 @@ pub struct AcquisitionReport {
     pub frames: FrameCounters,
 }
 
-/// Frames that may wait between a camera's thread and the run loop.
+/// Capacity of the channel from a camera's thread to the run loop.
 const EVENT_QUEUE: usize = 8;
-/// How far a frame interval may be off, in ns: a camera's timestamps are good to some µs.
+/// Tolerance of a frame interval, in ns; camera timestamps are accurate to some µs.
 const FRAME_INTERVAL_TOLERANCE_NS: u64 = 20_000;
 
-/// Takes shots until `settings.shots` triggers are given or the run is stopped, and sends them,
-/// paired, into the queue. What becomes of each trigger is written to the ledger, and everything
-/// that is seen to the journal; shots that were sent on are settled by whoever takes them from the
-/// queue.
+/// Takes shots until `settings.shots` triggers are given or the run is stopped, and sends paired
+/// shots to the queue. The ledger receives the outcome of each trigger and the journal every event;
+/// the receiver of the queue settles the shots that it takes.
 ///
 /// # Errors
 ///
-/// See [`AcquisitionError`]. In every case the synchroniser is made safe first, then the cameras
-/// are stopped, then the open triggers are ruled on.
+/// See [`AcquisitionError`]. In every case the synchroniser is made safe first, then the cameras are
+/// stopped, then open triggers are settled.
 pub async fn acquire(
     bench: Bench,
     settings: AcquisitionSettings,
@@ -117,7 +116,7 @@ pub async fn acquire(
     let mut run = Run::start(bench, settings, links)?;
     let ended = run.take_shots().await;
     let closed = run.close(ended.as_ref().err()).await;
-    // What ended the run matters more than what went wrong afterwards, except for the laser.
+    // The error that ended the run has precedence over later ones, except one about the laser.
     match (ended, closed) {
         (Err(error), Err(AcquisitionError::NotSafe { reason, is_lost, .. })) => {
             Err(AcquisitionError::NotSafe { reason, is_lost, before: Some(Box::new(error)) })
@@ -127,14 +126,15 @@ pub async fn acquire(
     }
 }
 
-/// A run under way; `burst.rs` fires, `requests.rs` obeys, `rulings.rs` deals with what comes of
-/// it, `record.rs` writes it down, `absence.rs` and `bench_loss.rs` wait for what has vanished.
+/// A run in progress. `burst.rs` fires, `requests.rs` handles requests, `decisions.rs` applies
+/// pairing decisions, `record.rs` writes the journal, `absence.rs` and `bench_loss.rs` wait for lost
+/// devices.
 pub(super) struct Run {
     pub(super) settings: AcquisitionSettings,
     pub(super) ledger: Arc<Mutex<Ledger>>,
     pub(super) queue: ShotSender,
     pub(super) journal: Journal,
-    /// The raw log has failed, and the run is ending for it.
+    /// The raw log has failed, which ends the run.
     pub(super) log_failed: bool,
     pub(super) clock: Arc<dyn RunClock>,
     pub(super) bursts: Option<Arc<dyn BurstScript>>,
@@ -144,44 +144,44 @@ pub(super) struct Run {
     pub(super) stop: CancellationToken,
     pub(super) synchroniser: SynchroniserCalls,
     synchroniser_thread: SynchroniserThread,
-    /// Not started yet: the laser is disabled before anything else is touched.
+    /// Not started yet: the laser is disabled before any camera is used.
     idle_cameras: Vec<Box<dyn Camera>>,
     cameras: Vec<JoinHandle<()>>,
     stop_cameras: CancellationToken,
-    /// Stops the cameras' threads when the run is dropped half-way.
+    /// Stops the camera threads if the run is dropped early.
     _stop_on_drop: DropGuard,
     event_sender: Option<mpsc::Sender<CameraEvent>>,
     pub(super) events: mpsc::Receiver<CameraEvent>,
     pub(super) pairing: Pairing,
     pub(super) times: TriggerTimes,
     pub(super) identity: String,
-    /// The time of what was seen last.
+    /// Time of the last event.
     pub(super) time: Duration,
     pub(super) last_frame: Duration,
     pub(super) fired: u64,
-    /// The unit's count when it was programmed; `None` from a unit that does not count.
+    /// Trigger count of the unit when it was programmed; `None` without a counter.
     pub(super) first_count: Option<u64>,
     /// Triggers given before that.
     pub(super) given_before: u64,
-    /// The unit was made safe since, or another schedule is asked for.
+    /// False once the unit was made safe or another schedule was requested.
     pub(super) is_programmed: bool,
     /// A burst was fired, and its triggers have not been counted.
     pub(super) is_burst_open: bool,
-    /// The unit was told to begin it.
-    pub(super) is_burst_begun: bool,
+    /// The unit was told to start it.
+    pub(super) is_burst_accepted: bool,
     /// The lamps fire although no shots are taken.
     pub(super) is_armed: bool,
-    /// The burst that runs was ended before its time.
-    pub(super) broken_off: bool,
-    /// When the burst that was fired last should be over.
+    /// The current burst was ended early.
+    pub(super) is_aborted: bool,
+    /// When the last burst should be over.
     pub(super) burst_ends: Duration,
-    /// Whether each camera is there.
+    /// Connection state of each camera.
     pub(super) presence: Vec<Presence>,
-    /// Whether and how a synchroniser that is lost is waited for.
-    pub(super) waiting: Option<Waiting>,
-    /// It is lost.
+    /// Whether and how to wait for a lost synchroniser.
+    pub(super) waiting: Option<SearchPolicy>,
+    /// Present while the synchroniser is lost.
     pub(super) loss: Option<Loss>,
-    /// It was, and an operator has not said yet that the run may do this again.
+    /// The mode to resume once an operator permits it.
     pub(super) awaits_operator: Option<Mode>,
 }
 
@@ -206,7 +206,7 @@ impl Run {
         // First of all: from here on the unit is made safe whatever happens.
         let (waiting, reopen) = match bench.reconnection {
             Some(Reconnection { open, patience, waits_for_operator }) => {
-                (Some(Waiting { patience, waits_for_operator }), Some(open))
+                (Some(SearchPolicy { patience, waits_for_operator }), Some(open))
             }
             None => (None, None),
         };
@@ -245,9 +245,9 @@ impl Run {
             given_before: 0,
             is_programmed: false,
             is_burst_open: false,
-            is_burst_begun: false,
+            is_burst_accepted: false,
             is_armed: false,
-            broken_off: false,
+            is_aborted: false,
             burst_ends: Duration::ZERO,
             presence: vec![Presence::default(); count],
             waiting,
@@ -256,14 +256,14 @@ impl Run {
         })
     }
 
-    /// Everything up to the last shot, and beyond losses of the synchroniser.
+    /// Takes all shots, surviving losses of the synchroniser.
     async fn take_shots(&mut self) -> Result<(), AcquisitionError> {
         let mut ended = self.begin().await;
         loop {
             ended = match ended {
                 Ok(true) => self.turn().await,
                 Ok(false) => return Ok(()),
-                Err(error) if self.may_wait(&error) => self.await_bench(error).await,
+                Err(error) if self.survives(&error) => self.await_bench(error).await,
                 Err(error) => return Err(error),
             };
         }
@@ -276,7 +276,7 @@ impl Run {
         Ok(true)
     }
 
-    /// One burst; false when there is none left.
+    /// Runs one burst; false when there is none left.
     async fn turn(&mut self) -> Result<bool, AcquisitionError> {
         self.start_cameras().await?;
         let Some(shots) = self.next_burst().await? else { return Ok(false) };
@@ -284,7 +284,7 @@ impl Run {
         Ok(true)
     }
 
-    /// Writes the schedule; from here on the unit's count starts anew.
+    /// Programs the schedule; the unit's trigger count restarts here.
     pub(super) async fn program(&mut self) -> Result<(), AcquisitionError> {
         let schedule = self.settings.schedule.clone();
         self.synchroniser.call(move |unit| unit.program(&schedule)).await?;
@@ -297,7 +297,7 @@ impl Run {
         Ok(())
     }
 
-    /// A thread per camera, once; returns when all of them wait for triggers.
+    /// Starts a thread per camera, once; returns when all of them wait for triggers.
     async fn start_cameras(&mut self) -> Result<(), AcquisitionError> {
         let Some(events) = self.event_sender.take() else { return Ok(()) };
         for (index, camera) in std::mem::take(&mut self.idle_cameras).into_iter().enumerate() {
@@ -316,7 +316,7 @@ impl Run {
         Ok(())
     }
 
-    /// Laser first, cameras second, books last.
+    /// Ends the run: laser first, cameras second, ledger last.
     async fn close(
         mut self,
         error: Option<&AcquisitionError>,
@@ -325,15 +325,15 @@ impl Run {
         let safe = self.make_safe().await;
         self.stop_cameras.cancel();
         drop(self.event_sender.take());
-        // The channel ends with the camera threads; what was on its way still counts.
+        // The channel closes with the camera threads; frames in transit still count.
         while let Some(event) = self.events.recv().await {
             self.handle_leftover(event).await;
         }
         for camera in std::mem::take(&mut self.cameras) {
             join(camera).await;
         }
-        // What was asked for and not given any more is no trigger. Where the unit cannot be asked,
-        // pairing goes by what the cameras saw, and by what was due.
+        // Triggers that were requested but not given do not count. If the unit cannot be asked, pairing
+        // uses the frames and the schedule.
         if self.is_burst_open
             && self.loss.is_none()
             && safe.is_ok()
@@ -341,8 +341,8 @@ impl Run {
         {
             tracing::warn!(%error, "the last burst could not be counted");
         }
-        let rulings = self.pairing.finish();
-        let ruled = self.apply(rulings).await;
+        let decisions = self.pairing.finish();
+        let ruled = self.apply(decisions).await;
         let error = error.map(ToString::to_string);
         let noted = self.note(Entry::Ended { at_ns: self.at_ns(), error }).await;
         let left = self.synchroniser_thread.join().await;
@@ -355,7 +355,7 @@ impl Run {
         })
     }
 
-    /// Safe, and read back. The schedule has to be programmed anew after this.
+    /// Makes the unit safe and reads it back. The schedule must be programmed again after this.
     pub(super) async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
         (self.is_programmed, self.is_armed) = (false, false);
         self.synchroniser.make_safe().await

@@ -1,5 +1,5 @@
-//! A thread per camera: device calls block, and nothing else may wait for them. The synchroniser
-//! has one, too ([`super::synchroniser`]).
+//! One thread per camera, because device calls block. The synchroniser has its own thread, too
+//! ([`super::synchroniser`]).
 
 use std::{
     any::Any,
@@ -15,23 +15,23 @@ use tokio_util::sync::CancellationToken;
 
 use super::{AcquisitionError, RunClock};
 
-/// How long a camera thread waits for a frame before it looks whether it should stop.
+/// How long a camera thread waits for a frame before it checks for cancellation.
 const FRAME_WAIT: Duration = Duration::from_millis(50);
 
 /// What a camera thread reports.
 #[derive(Debug)]
 pub(super) enum CameraEvent {
-    /// The camera waits for triggers; it may be away for so long before that is noticed.
-    Started { camera: usize, notices_absence_within: Duration },
-    /// A frame came, when, and what the stream has counted since the start.
+    /// The camera waits for triggers; its driver detects a lost connection within this time.
+    Started { camera: usize, loss_detection_time: Duration },
+    /// A frame, its arrival time, and the stream's counters since the start.
     Frame { camera: usize, frame: Frame, arrived: Duration, statistics: StreamStatistics },
-    /// The camera has vanished or is back, or it has stopped: what its stream has counted.
+    /// The connection was lost or restored, or the stream ended; with the stream's counters.
     Stream { camera: usize, connected: bool, at: Duration, statistics: StreamStatistics },
-    /// The camera is of no more use; its thread has ended.
+    /// The camera has failed; its thread has ended.
     Failed { error: DeviceError },
 }
 
-/// Starts the camera on a thread of its own; the thread stops the camera once `stop` is cancelled.
+/// Starts the camera on its own thread, which stops the camera once `stop` is cancelled.
 pub(super) fn spawn_camera(
     index: usize,
     mut camera: Box<dyn Camera>,
@@ -47,7 +47,7 @@ pub(super) fn spawn_camera(
             guarded(&device, || stream(index, camera.as_mut(), &events, clock.as_ref(), &stop));
         let stopped = guarded(&device, || camera.stop());
         if let Err(error) = streamed.and(stopped) {
-            // With the receiver gone nobody is left to tell but the log.
+            // The receiver is gone: only the log remains.
             if events.blocking_send(CameraEvent::Failed { error }).is_err() {
                 tracing::warn!(camera = device, "failed while the run was ending");
             }
@@ -64,8 +64,8 @@ fn stream(
     stop: &CancellationToken,
 ) -> Result<(), DeviceError> {
     camera.start()?;
-    let notices_absence_within = camera.notices_absence_within();
-    let started = CameraEvent::Started { camera: index, notices_absence_within };
+    let loss_detection_time = camera.loss_detection_time();
+    let started = CameraEvent::Started { camera: index, loss_detection_time };
     let mut listening = events.blocking_send(started).is_ok();
     let mut connected = true;
     while listening && !stop.is_cancelled() {
@@ -81,7 +81,7 @@ fn stream(
             listening = events.blocking_send(event).is_ok();
         }
     }
-    // Frames that were lost last have no frame behind them to tell.
+    // No later frame reports the loss of the last ones.
     let _ = events.blocking_send(stream_event(index, camera, connected, clock.now()));
     Ok(())
 }
@@ -90,7 +90,7 @@ fn stream_event(index: usize, camera: &dyn Camera, connected: bool, at: Duration
     CameraEvent::Stream { camera: index, connected, at, statistics: camera.statistics() }
 }
 
-/// A driver's panic must not leave the laser on or a thread silently dead.
+/// Turns a driver's panic into an error: it must not leave the laser on or a thread silently dead.
 pub(super) fn guarded<T>(
     device: &str,
     call: impl FnOnce() -> Result<T, DeviceError>,
@@ -101,7 +101,7 @@ pub(super) fn guarded<T>(
     })
 }
 
-/// The words of a panic.
+/// The message of a panic.
 pub fn panic_message(panic: &(dyn Any + Send)) -> String {
     let words = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
     words
@@ -109,7 +109,7 @@ pub fn panic_message(panic: &(dyn Any + Send)) -> String {
         .unwrap_or_else(|| "no message".to_owned())
 }
 
-/// Waits for a thread without blocking the runtime.
+/// Joins a thread without blocking the runtime.
 pub(super) async fn join(thread: JoinHandle<()>) {
     let name = thread.thread().name().unwrap_or("unnamed").to_owned();
     let joined = tokio::task::spawn_blocking(move || thread.join()).await;

@@ -1,4 +1,4 @@
-//! Why acquisition ended.
+//! Errors that end acquisition.
 
 use lfpiv_hw::{CameraName, device::DeviceError};
 use lfpiv_rawlog::RawLogError;
@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::pairing::ExtraTriggers;
 
-/// Why acquisition could not begin or go on. The synchroniser has been made safe by then, or the
+/// Why acquisition could not start or continue. The synchroniser has been made safe by then, or the
 /// error says that it has not.
 #[derive(Debug, Error)]
 pub enum AcquisitionError {
@@ -18,11 +18,11 @@ pub enum AcquisitionError {
     /// The synchroniser does not answer any more.
     #[error(transparent)]
     SynchroniserLost(DeviceError),
-    /// It was looked for and did not come back.
-    #[error("the synchroniser has not come back within {seconds:.0} s: {before}")]
-    BenchGone { seconds: f64, before: Box<AcquisitionError> },
-    /// The operating system gave no thread.
-    #[error("{device}: no thread for it")]
+    /// The search for it failed.
+    #[error("the synchroniser did not come back within {seconds:.0} s: {before}")]
+    NotReconnected { seconds: f64, before: Box<AcquisitionError> },
+    /// A thread could not be started.
+    #[error("{device}: cannot start its thread")]
     Thread { device: String, source: std::io::Error },
     /// A camera answers, but sends no frames.
     #[error(
@@ -30,7 +30,7 @@ pub enum AcquisitionError {
          and the synchroniser's camera channel"
     )]
     Silent { camera: CameraName, triggers: u64 },
-    /// The unit accepted a burst and gave none of it.
+    /// The unit accepted a burst but gave no trigger.
     #[error(
         "the synchroniser gave none of the {shots} triggers asked for: check its interlock and its \
          trigger mode"
@@ -39,22 +39,22 @@ pub enum AcquisitionError {
     /// No camera thread is left.
     #[error("every camera has stopped; see the log for the reasons")]
     NoCamera,
-    /// A burst runs on after its time.
+    /// A burst did not end in time.
     #[error("the burst of {shots} shots is still firing long after its time: use the interlock")]
-    Endless { shots: u64 },
-    /// Triggers from elsewhere.
+    BurstOverrun { shots: u64 },
+    /// Triggers from another source.
     #[error(transparent)]
     ExtraTriggers(#[from] ExtraTriggers),
-    /// The run's raw data can no longer be kept.
+    /// Raw data can no longer be recorded.
     #[error(transparent)]
     RawLog(#[from] Arc<RawLogError>),
-    /// The disk takes no more, and says nothing about it.
+    /// The disk does not write, and reports no error.
     #[error(
-        "the disk has taken nothing for {seconds} s and frames wait to be written: check the disk \
+        "the disk has written nothing for {seconds} s while frames are waiting: check the disk \
          that holds the results"
     )]
     DiskHangs { seconds: u64 },
-    /// Nobody takes the shots.
+    /// The receiver of the shots is gone.
     #[error("the worker pool no longer takes shots")]
     QueueClosed,
     /// The synchroniser does not confirm its safe state.
@@ -64,17 +64,17 @@ pub enum AcquisitionError {
         before.as_ref().map_or(String::new(), |error| format!(". Before that: {error}"))
     )]
     NotSafe {
-        /// What it answered instead.
+        /// Its answer, or the reason why there is none.
         reason: String,
         /// It did not answer at all.
         is_lost: bool,
-        /// What had ended the run before.
+        /// The error that ended the run before.
         before: Option<Box<AcquisitionError>>,
     },
 }
 
 impl AcquisitionError {
-    /// Whether the synchroniser did not answer: it may come back.
+    /// Whether the synchroniser did not answer and may come back.
     pub(super) fn is_loss(&self) -> bool {
         matches!(self, Self::SynchroniserLost(_) | Self::NotSafe { is_lost: true, .. })
     }

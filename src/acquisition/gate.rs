@@ -1,19 +1,19 @@
 //! The arm gate: whether a burst may be fired, and why not.
 //!
-//! That the unit has taken the schedule is checked where it is programmed: what it reads back is
-//! compared there, and without it there is no burst at all.
+//! The programmed schedule is not checked here: programming compares it with the read-back, and
+//! without that there is no burst at all.
 
 use std::time::Duration;
 
 use super::{AcquisitionError, controller::Run};
 
-/// How long the gate stays shut before it is tried again.
+/// Interval between checks while the gate is closed.
 const LOOK_AGAIN: Duration = Duration::from_millis(250);
 /// A shot has two exposures.
 const FRAMES_PER_SHOT: u64 = 2;
 
 impl Run {
-    /// Every reason why a burst of `shots` must not be fired now.
+    /// All reasons against firing a burst of `shots` now.
     fn reasons_against(&self, shots: u64) -> Vec<String> {
         let mut reasons = Vec::new();
         if let Some(log) = self.journal.log() {
@@ -23,12 +23,12 @@ impl Run {
             }
         }
         if self.events.len() == self.events.max_capacity() {
-            reasons.push("frames of the last burst still wait to be taken".to_owned());
+            reasons.push("frames of the last burst have not been received yet".to_owned());
         }
         reasons
     }
 
-    /// Whether the burst may be fired; where not, says why and lets some time pass.
+    /// Whether the burst may be fired; if not, logs the reasons and waits a little.
     pub(super) async fn may_fire(&mut self, shots: u64) -> Result<bool, AcquisitionError> {
         let reasons = self.reasons_against(shots);
         let told = std::mem::replace(&mut self.control.state.lock().held, reasons.clone());
@@ -36,9 +36,9 @@ impl Run {
             return Ok(true);
         }
         if told != reasons {
-            tracing::warn!("nothing is fired: {}", reasons.join("; "));
+            tracing::warn!("firing is on hold: {}", reasons.join("; "));
         }
-        self.attend(LOOK_AGAIN).await?;
+        self.handle_next_event(LOOK_AGAIN).await?;
         Ok(false)
     }
 }

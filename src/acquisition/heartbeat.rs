@@ -1,4 +1,4 @@
-//! Signs of life of a loop, for whoever watches over it.
+//! Liveness of a loop, for a watchdog.
 
 use std::{
     sync::Arc,
@@ -7,15 +7,15 @@ use std::{
 
 use parking_lot::Mutex;
 
-/// How long a loop that has nothing to do may wait before it shows that it still turns.
+/// How long an idle loop may wait before it beats again.
 const IDLE_TURN: Duration = Duration::from_millis(200);
 
-/// A loop beats at every turn, and rests where nothing is expected of it; clones are the same one.
+/// A loop beats in every iteration and rests while nothing is expected of it. Clones share the state.
 #[derive(Debug, Clone, Default)]
-pub struct Heartbeat(Arc<Mutex<Pulse>>);
+pub struct Heartbeat(Arc<Mutex<State>>);
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-enum Pulse {
+enum State {
     #[default]
     NotBegun,
     Beat(Instant),
@@ -23,33 +23,32 @@ enum Pulse {
 }
 
 impl Heartbeat {
-    /// The loop has turned.
+    /// Records an iteration of the loop.
     pub fn beat(&self) {
-        *self.0.lock() = Pulse::Beat(Instant::now());
+        *self.0.lock() = State::Beat(Instant::now());
     }
 
-    /// Nothing is expected of the loop until it beats again.
+    /// Suspends the expectation of beats until the next one.
     pub fn rest(&self) {
-        *self.0.lock() = Pulse::Resting;
+        *self.0.lock() = State::Resting;
     }
 
-    /// Beats now and completes a little later: a branch for loops that wait for something else,
-    /// so that they turn meanwhile.
-    pub async fn turn(&self) {
+    /// Beats now and completes a little later: a `select!` branch that keeps a waiting loop alive.
+    pub async fn keep_alive(&self) {
         self.beat();
         tokio::time::sleep(IDLE_TURN).await;
     }
 
-    /// Whether the loop has ever turned.
+    /// Whether the loop has ever beaten.
     pub fn has_begun(&self) -> bool {
-        *self.0.lock() != Pulse::NotBegun
+        *self.0.lock() != State::NotBegun
     }
 
-    /// How long ago the last beat was; zero where none is expected.
+    /// Time since the last beat; zero while none is expected.
     pub fn silent_for(&self, now: Instant) -> Duration {
         match *self.0.lock() {
-            Pulse::Beat(last) => now.saturating_duration_since(last),
-            Pulse::NotBegun | Pulse::Resting => Duration::ZERO,
+            State::Beat(last) => now.saturating_duration_since(last),
+            State::NotBegun | State::Resting => Duration::ZERO,
         }
     }
 }
@@ -72,7 +71,7 @@ mod tests {
     #[tokio::test]
     async fn waiting_beats_too() {
         let heartbeat = Heartbeat::default();
-        heartbeat.turn().await;
+        heartbeat.keep_alive().await;
         let silent = heartbeat.silent_for(Instant::now());
         assert!(silent >= IDLE_TURN && silent < 10 * IDLE_TURN, "{silent:?}");
     }

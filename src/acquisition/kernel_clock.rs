@@ -1,20 +1,20 @@
-//! What the kernel believes of the host's clock.
+//! The kernel's estimate of the host clock's error.
 
 use std::{io, mem::MaybeUninit};
 
-/// The kernel's opinion.
+/// The kernel's estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KernelClock {
-    /// Somebody keeps it in step with UTC.
+    /// Whether the clock is synchronised with UTC.
     pub synchronised: bool,
-    /// Largest error believed possible, in µs.
+    /// Maximum error, in µs.
     pub max_error_us: i64,
 }
 
-/// Asks the kernel; changes nothing.
+/// Queries the kernel without changing anything.
 ///
 /// # Errors
-/// The kernel does not allow the question, as some containers do not.
+/// The kernel refuses the query, as in some containers.
 pub fn kernel_clock() -> io::Result<KernelClock> {
     let (state, answer) = adjtimex()?;
     let synchronised = state != libc::TIME_ERROR && answer.status & libc::STA_UNSYNC == 0;
@@ -26,9 +26,9 @@ pub fn kernel_clock() -> io::Result<KernelClock> {
 #[expect(unsafe_code)]
 fn adjtimex() -> io::Result<(i32, libc::timex)> {
     let mut answer = MaybeUninit::<libc::timex>::zeroed();
-    // SAFETY: the pointer is to memory of a whole `timex`, which lives until the call returns and
-    // of which all zeros is a valid value: `modes` 0 asks and sets nothing. The kernel writes no
-    // further than that.
+    // SAFETY: the pointer is to memory of a whole `timex` that lives until the call returns, and for
+    // which all zeros is a valid value. `modes` 0 only queries. The kernel writes no further than the
+    // struct.
     let (state, answer) = unsafe { (libc::adjtimex(answer.as_mut_ptr()), answer.assume_init()) };
     if state < 0 { Err(io::Error::last_os_error()) } else { Ok((state, answer)) }
 }
@@ -37,7 +37,7 @@ fn adjtimex() -> io::Result<(i32, libc::timex)> {
 mod tests {
     use super::*;
 
-    /// The kernel is asked for real; asking twice shows that asking changes nothing.
+    /// Queries the real kernel; a second query shows that the first changed nothing.
     #[test]
     fn the_kernel_answers_or_refuses() {
         match (kernel_clock(), kernel_clock()) {

@@ -1,15 +1,15 @@
-//! What became of every trigger, per camera: a ledger with a conservation law.
+//! The ledger of triggers, per camera, with a conservation law.
 //!
-//! A trigger is entered once it is known to have been given, or to have been due where nobody can
-//! say. From then on it counts: no count ever falls. It ends, for each camera, as exactly one
-//! [`Outcome`]. At any time and for every camera
+//! A trigger is entered once it is known to have been given, or to have been due where that cannot
+//! be determined. From then on it counts: no count ever decreases. It ends, for each camera, with
+//! exactly one [`Outcome`]. At any time and for every camera
 //!
 //! ```text
 //! triggers = complete + missing packets + underrun + missed trigger + late + unpaired
 //!          + shed + write failed + not fired + open
 //! ```
 //!
-//! and at the end of a run `open` is zero. The ledger refuses whatever would break the law.
+//! and at the end of a run `open` is zero. The ledger refuses any change that would break the law.
 
 use std::collections::BTreeMap;
 
@@ -20,16 +20,16 @@ use thiserror::Error;
 use super::{Account, Outcome};
 use crate::archive::ShotTime;
 
-/// What the ledger remembers of one trigger.
+/// Entry of one trigger.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct TriggerEntry {
-    /// Trigger number since the synchroniser was programmed, from 0. It is the shot's number.
+    /// Trigger number since the synchroniser was programmed, from 0. It is also the shot number.
     pub trigger: u64,
-    /// When it was given; from the schedule alone until its frames are paired.
+    /// When it was given; derived from the schedule alone until its frames are paired.
     pub time: Option<ShotTime>,
-    /// Whether the shot was paired and handed on.
+    /// Whether the shot was paired and queued.
     pub queued: bool,
-    /// Evidence that disagrees with the pairing; empty for a shot in order.
+    /// Evidence against the pairing; empty for a normal shot.
     pub suspect: Vec<String>,
     /// Outcome per camera; absent while open.
     pub cameras: Vec<Option<Outcome>>,
@@ -47,33 +47,31 @@ impl TriggerEntry {
     }
 }
 
-/// An entry that would break the conservation law; the ledger stays as it was.
+/// A refused change that would break the conservation law; the ledger is unchanged.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum LedgerError {
-    /// Settled before, or never entered.
+    /// Already settled, or never entered.
     #[error("trigger {trigger}, {camera}: not open, cannot end as {}", outcome.name())]
     NotOpen { trigger: u64, camera: CameraName, outcome: Outcome },
-    /// Entered before.
-    #[error("trigger {trigger} is entered already")]
+    /// Already entered.
+    #[error("trigger {trigger} was already entered")]
     Entered { trigger: u64 },
-    /// A record names a trigger that no run can have given after those before it.
-    #[error(
-        "the record names trigger {trigger} after trigger {last}, without a word of those between"
-    )]
+    /// A record names an impossible trigger number.
+    #[error("the record names trigger {trigger} after trigger {last} without those in between")]
     FarAhead { trigger: u64, last: u64 },
 }
 
-/// Settled triggers whose entries are kept for inquiry; their counts are kept for ever.
+/// Settled triggers whose entries are kept; their counts are kept for ever.
 const HISTORY: usize = 10_000;
 
-/// The accounts of a run.
+/// The accounts of a run, one per camera.
 #[derive(Debug, Clone)]
 pub struct Ledger {
     accounts: Vec<Account>,
     streams: Vec<StreamStatistics>,
     entries: BTreeMap<u64, TriggerEntry>,
-    /// Triggers below this may have been forgotten, and cannot be entered again.
-    forgotten_below: u64,
+    /// Entries below this may have been dropped, and cannot be entered again.
+    dropped_below: u64,
 }
 
 impl Ledger {
@@ -83,13 +81,13 @@ impl Ledger {
             accounts: vec![Account::default(); cameras],
             streams: vec![StreamStatistics::default(); cameras],
             entries: BTreeMap::new(),
-            forgotten_below: 0,
+            dropped_below: 0,
         }
     }
 
     /// Enters a trigger: from now on it is open for every camera.
     pub fn enter(&mut self, trigger: u64) -> Result<(), LedgerError> {
-        if trigger < self.forgotten_below || self.entries.contains_key(&trigger) {
+        if trigger < self.dropped_below || self.entries.contains_key(&trigger) {
             return Err(LedgerError::Entered { trigger });
         }
         let cameras = vec![None; self.accounts.len()];
@@ -104,16 +102,16 @@ impl Ledger {
         Ok(())
     }
 
-    /// Notes that a trigger's frames were paired and handed on.
-    pub fn queued(&mut self, trigger: u64, suspect: &[String]) {
+    /// Marks a trigger as paired and queued.
+    pub fn mark_queued(&mut self, trigger: u64, suspect: &[String]) {
         if let Some(entry) = self.entries.get_mut(&trigger) {
             entry.queued = true;
             entry.suspect = suspect.to_vec();
         }
     }
 
-    /// Notes when a trigger was given, as far as that is known.
-    pub fn timed(&mut self, trigger: u64, time: Option<ShotTime>) {
+    /// Sets the time of a trigger, if it is known.
+    pub fn set_time(&mut self, trigger: u64, time: Option<ShotTime>) {
         if let Some(entry) = self.entries.get_mut(&trigger) {
             entry.time = time.or(entry.time);
         }
@@ -138,7 +136,7 @@ impl Ledger {
         Ok(())
     }
 
-    /// Settles a trigger for all cameras, or, where one of them is settled already, for none.
+    /// Settles a trigger for all cameras, or for none if one of them is already settled.
     pub fn settle_all(&mut self, trigger: u64, outcome: Outcome) -> Result<(), LedgerError> {
         let entry = self.entries.get(&trigger);
         let settled = entry.map_or(Some(0), |entry| entry.cameras.iter().position(Option::is_some));
@@ -149,20 +147,20 @@ impl Ledger {
         (0..self.accounts.len()).try_for_each(|camera| self.settle(trigger, camera, outcome))
     }
 
-    /// Settles a trigger for those cameras for which it is open.
+    /// Settles a trigger for the cameras for which it is open.
     pub fn settle_open(&mut self, trigger: u64, outcome: Outcome) {
         for camera in 0..self.accounts.len() {
-            // What is refused is settled already, or unknown: it stays as it is.
+            // A refusal means that it is already settled or unknown: it stays as it is.
             let _ = self.settle(trigger, camera, outcome);
         }
     }
 
-    /// Notes what a camera's driver has counted since the start of its stream.
-    pub fn streamed(&mut self, camera: usize, statistics: StreamStatistics) {
+    /// Stores the counters of a camera's driver since the start of its stream.
+    pub fn set_stream_statistics(&mut self, camera: usize, statistics: StreamStatistics) {
         self.streams[camera] = statistics;
     }
 
-    /// What each camera's driver has counted; evidence beside the accounts, not part of the law.
+    /// The counters of each camera's driver: evidence besides the accounts, not part of the law.
     pub fn streams(&self) -> &[StreamStatistics] {
         &self.streams
     }
@@ -172,22 +170,22 @@ impl Ledger {
         &self.accounts
     }
 
-    /// What is known of a trigger; `None` before it and long after it.
+    /// The entry of a trigger; `None` before it is entered and after it is dropped.
     pub fn entry(&self, trigger: u64) -> Option<&TriggerEntry> {
         self.entries.get(&trigger)
     }
 
-    /// The triggers remembered, oldest first.
+    /// The entries kept, oldest first.
     pub fn entries(&self) -> impl DoubleEndedIterator<Item = &TriggerEntry> {
         self.entries.values()
     }
 
-    /// Shots that were handed on and are not settled: queued or with a worker.
-    pub fn handed_on(&self) -> u64 {
+    /// Shots queued or in process.
+    pub fn in_pool(&self) -> u64 {
         self.unsettled(|entry| entry.queued)
     }
 
-    /// Triggers whose frames are still waited for.
+    /// Triggers whose frames are still awaited.
     pub fn awaiting_frames(&self) -> u64 {
         self.unsettled(|entry| !entry.queued)
     }
@@ -201,8 +199,7 @@ impl Ledger {
         self.accounts.iter().all(Account::is_balanced)
     }
 
-    /// After every transition. Books that do not balance are a fault of this program: whoever reads
-    /// them has to know.
+    /// Checks the law after every change. An imbalance is a bug of this program and must be reported.
     fn check_conservation(&self) {
         if !self.is_balanced() {
             debug_assert!(false, "the ledger does not balance: {:?}", self.accounts);
@@ -210,12 +207,12 @@ impl Ledger {
         }
     }
 
-    /// Open entries stay: forgetting one would break the law.
+    /// Open entries are kept: dropping one would break the law.
     fn forget_oldest(&mut self) {
         while self.entries.len() > HISTORY {
             match self.entries.first_entry() {
                 Some(oldest) if oldest.get().is_settled() => {
-                    self.forgotten_below = oldest.remove().trigger + 1;
+                    self.dropped_below = oldest.remove().trigger + 1;
                 }
                 _ => break,
             }

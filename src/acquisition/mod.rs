@@ -1,12 +1,12 @@
-//! From triggers to shots: owns cameras and synchroniser, fires bounded bursts, pairs what comes
-//! back, and keeps the ledger.
+//! From triggers to shots: owns cameras and synchroniser, fires bounded bursts, pairs the frames,
+//! and keeps the ledger.
 //!
-//! A thread per device makes the blocking calls; the run loop ([`acquire`]) is a task that fires,
-//! listens and waits; [`pairing`] decides, as a state machine without clocks or devices, which
-//! frames belong together; the [`Ledger`] accounts for every trigger.
+//! Blocking device calls run on one thread per device. The run loop ([`acquire`]) is a task that
+//! fires and handles events. [`pairing`] is a state machine without clocks or devices that decides
+//! which frames belong together. The [`Ledger`] accounts for every trigger.
 //!
-//! On every way out, errors and panics included, the synchroniser is made safe first. Its thread is
-//! owned outside the task of the run loop ([`SynchroniserThread`]), and waited for.
+//! On every exit, including errors and panics, the synchroniser is made safe first. Its thread is
+//! owned outside the run loop's task ([`SynchroniserThread`]), which waits for it.
 
 mod absence;
 mod bench_loss;
@@ -14,6 +14,7 @@ mod burst;
 mod clock;
 mod control;
 mod controller;
+mod decisions;
 mod devices;
 mod error;
 mod gate;
@@ -28,7 +29,6 @@ mod queue;
 mod record;
 pub mod replay;
 mod requests;
-mod rulings;
 mod settings;
 mod shot;
 mod synchroniser;

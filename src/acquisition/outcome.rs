@@ -1,4 +1,4 @@
-//! How triggers end, and one camera's count of it.
+//! Outcomes of triggers, and their count per camera.
 
 use serde::{Deserialize, Serialize, Serializer};
 
@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize, Serializer};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// Both frames arrived whole, were paired and processed. Whether processing found vectors is
-    /// the shot's story, not the trigger's.
+    /// Both frames arrived intact, were paired and processed. Whether processing found vectors is a
+    /// property of the shot, not of the trigger.
     Complete,
     /// A frame arrived damaged, or was sent and never arrived.
     MissingPackets,
@@ -15,21 +15,21 @@ pub enum Outcome {
     Underrun,
     /// The camera did not see the trigger.
     MissedTrigger,
-    /// Both frames arrived whole, but after the shot was given up.
+    /// Both frames arrived intact, but after the deadline.
     Late,
-    /// Both frames arrived whole, but another camera's did not.
+    /// Both frames arrived intact, but another camera's did not.
     Unpaired,
-    /// Not processed although nothing is wrong with it: the queue was full or the run ended.
+    /// Not processed although intact: the queue was full or the run ended.
     Shed,
     /// The result or the raw images could not be written.
     WriteFailed,
-    /// It was due, and nothing shows that it was given: no camera saw it, and the synchroniser could
-    /// not be asked how many it gave.
+    /// It was due, but there is no evidence that it was given: no camera saw it, and the synchroniser's
+    /// trigger count could not be read.
     NotFired,
 }
 
 impl Outcome {
-    /// Every outcome, in the order of their counts.
+    /// Every outcome, in the order of their counters.
     pub const ALL: [Self; 9] = [
         Self::Complete,
         Self::MissingPackets,
@@ -79,7 +79,7 @@ impl Serialize for OutcomeCounts {
     }
 }
 
-/// One camera's account.
+/// The account of one camera.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Account {
     /// Triggers entered.
@@ -91,7 +91,7 @@ pub struct Account {
 }
 
 impl Account {
-    /// One open trigger ends.
+    /// Settles one open trigger.
     pub(super) fn settle(&mut self, outcome: Outcome) {
         self.open -= 1;
         self.outcomes.0[outcome as usize] += 1;

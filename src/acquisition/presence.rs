@@ -1,45 +1,45 @@
-//! Whether a camera answers.
+//! Connection state of a camera.
 
 use std::time::{Duration, Instant};
 
-/// Whether a camera is there, as far as is known.
+/// Connection state of a camera, as far as is known.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Presence {
     /// Triggers given since its last frame.
     pub silent: u64,
-    /// How long it may be away before its driver notices.
-    pub notices_absence_within: Duration,
-    /// Its driver says that it does not answer.
+    /// Time within which its driver detects a lost connection.
+    pub loss_detection_time: Duration,
+    /// Its driver reports a lost connection.
     pub away: bool,
-    /// It may have gone with the synchroniser; by then its driver has noticed.
-    unsure_until: Option<Instant>,
-    /// It was away and pairing does not know yet.
+    /// The camera may have been lost with the synchroniser; by this time its driver would have noticed.
+    unconfirmed_until: Option<Instant>,
+    /// It was away, and pairing has not been told yet.
     pub returned: bool,
 }
 
 impl Presence {
-    /// What its driver says.
-    pub fn tell(&mut self, connected: bool) {
+    /// Updates the state with the driver's report.
+    pub fn set_connected(&mut self, connected: bool) {
         self.returned |= self.away && connected;
         self.away = !connected;
-        self.unsure_until = None;
+        self.unconfirmed_until = None;
     }
 
-    /// A frame has come from it.
+    /// Records that a frame arrived.
     pub fn delivered(&mut self) {
         self.silent = 0;
-        self.unsure_until = None;
+        self.unconfirmed_until = None;
     }
 
-    /// The synchroniser was lost at `now`, and the camera perhaps with it.
-    pub fn may_have_gone(&mut self, now: Instant) {
+    /// Records that the synchroniser was lost at `now`, and the camera perhaps with it.
+    pub fn suspect_loss(&mut self, now: Instant) {
         if !self.away {
-            self.unsure_until = Some(now + self.notices_absence_within);
+            self.unconfirmed_until = Some(now + self.loss_detection_time);
         }
     }
 
-    /// Whether its driver has yet to notice whether it has gone.
-    pub fn is_unsure(&self) -> bool {
-        self.unsure_until.is_some_and(|until| Instant::now() < until)
+    /// Whether its driver may still detect a loss.
+    pub fn is_unconfirmed(&self) -> bool {
+        self.unconfirmed_until.is_some_and(|until| Instant::now() < until)
     }
 }

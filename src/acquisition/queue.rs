@@ -1,7 +1,7 @@
-//! Shots on their way to the workers: a bounded queue that sheds its oldest.
+//! The bounded queue of shots for the workers, which sheds its oldest shot.
 //!
-//! What is shown live should be as fresh as can be, and what is shed is measured later from the
-//! raw log: so a full queue gives up the shot that has waited longest, not the one that comes.
+//! Live results should be as recent as possible, and shed shots are measured later from the raw log.
+//! A full queue therefore drops the shot that has waited longest, not the newest one.
 
 use std::{collections::VecDeque, sync::Arc};
 
@@ -21,14 +21,14 @@ pub fn shot_queue(capacity: usize) -> (ShotSender, ShotReceiver) {
     (ShotSender(shared.clone()), ShotReceiver(shared))
 }
 
-/// Nobody takes shots any more.
+/// The receiver is gone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Closed;
 
-/// The end into which shots go; there is one.
+/// The only sending end.
 pub struct ShotSender(Arc<Shared>);
 
-/// The end from which shots come; there is one.
+/// The only receiving end.
 pub struct ShotReceiver(Arc<Shared>);
 
 struct Shared {
@@ -46,11 +46,11 @@ struct State {
 }
 
 impl ShotSender {
-    /// Adds a shot. The oldest comes back when there is no room for both.
+    /// Adds a shot. Returns the oldest one if the queue is full.
     ///
     /// # Errors
     ///
-    /// [`Closed`]: nobody is left to take it, and it is dropped.
+    /// [`Closed`]: the receiver is gone, and the shot is dropped.
     pub fn push(&self, shot: Shot) -> Result<Option<Shot>, Closed> {
         let mut state = self.0.state.lock();
         if state.receiver_gone {
@@ -64,13 +64,13 @@ impl ShotSender {
         Ok(shed)
     }
 
-    /// Shots that can be added without shedding one; waits until there is room for `least`, or
+    /// Number of shots that can be added without shedding. Waits until there are `least` free places, or
     /// until the queue is empty.
     ///
     /// # Errors
     ///
     /// [`Closed`].
-    pub async fn room(&self, least: usize) -> Result<usize, Closed> {
+    pub async fn free_places(&self, least: usize) -> Result<usize, Closed> {
         loop {
             {
                 let state = self.0.state.lock();
@@ -149,11 +149,11 @@ mod tests {
     #[tokio::test]
     async fn room_is_waited_for() {
         let (sender, mut receiver) = shot_queue(2);
-        assert_eq!(sender.room(1).await, Ok(2));
+        assert_eq!(sender.free_places(1).await, Ok(2));
         assert!(sender.push(shot(0)).unwrap().is_none());
         assert!(sender.push(shot(1)).unwrap().is_none());
         let waiting = tokio::spawn(async move {
-            let room = sender.room(1).await;
+            let room = sender.free_places(1).await;
             (sender, room)
         });
         tokio::task::yield_now().await;
@@ -162,7 +162,7 @@ mod tests {
         let (sender, room) = waiting.await.unwrap();
         assert_eq!(room, Ok(1));
         drop(receiver);
-        assert_eq!(sender.room(1).await, Err(Closed));
+        assert_eq!(sender.free_places(1).await, Err(Closed));
         assert_eq!(sender.push(shot(2)).map(|_| ()), Err(Closed));
     }
 }

@@ -1,4 +1,4 @@
-//! The run writes down what it sees and decides.
+//! Writes the run's events and decisions to the journal.
 
 use std::time::Duration;
 
@@ -11,23 +11,23 @@ use super::{
     journal::{Entry, Offered},
 };
 
-/// How long the disk may take nothing before the run is given up.
+/// How long the disk may stall before the run ends.
 const DISK_PATIENCE: Duration = Duration::from_secs(60);
 
 impl Run {
-    /// The time of what was seen last, for the record.
+    /// Time of the last event, for the journal.
     pub(super) fn at_ns(&self) -> u64 {
         u64::try_from(self.time.as_nanos()).unwrap_or(u64::MAX)
     }
 
-    /// Writes an entry down; its number, when a record is kept.
+    /// Writes an entry; returns its number if a record is kept.
     pub(super) async fn note(&mut self, entry: Entry) -> Result<Option<u64>, AcquisitionError> {
-        self.note_serial().await?;
+        self.record_serial().await?;
         self.append(&entry, None).await
     }
 
-    /// Writes a frame down.
-    pub(super) async fn note_frame(
+    /// Writes a frame.
+    pub(super) async fn record_frame(
         &mut self,
         entry: Entry,
         image: &RawImage,
@@ -48,22 +48,21 @@ impl Run {
             Ok(Offered::Taken(number)) => Ok(number),
             Ok(Offered::Full(record)) => self.wait_for_disk(record).await,
             Err(error) => {
-                // It is told once; what follows is the run's end.
+                // Reported once; the run ends after this.
                 self.log_failed = true;
                 Err(error.into())
             }
         }
     }
 
-    /// Frames come faster than the disk takes them. Nothing is dropped: the burst ends, and the
-    /// run waits.
+    /// Handles back-pressure from the disk. Nothing is dropped: the burst ends and the run waits.
     async fn wait_for_disk(&mut self, record: Record) -> Result<Option<u64>, AcquisitionError> {
         let mut safe = Ok(());
-        // A burst may run although another schedule is asked for already.
-        let may_fire = self.is_programmed || self.is_burst_open && !self.broken_off;
+        // A burst may be running although another schedule was already requested.
+        let may_fire = self.is_programmed || self.is_burst_open && !self.is_aborted;
         if may_fire {
             tracing::warn!("the disk is slower than the cameras: the laser is made safe");
-            safe = self.break_off().await;
+            safe = self.abort_burst().await;
         }
         let journal = self.journal.clone();
         let added = journal.add(record);
@@ -74,19 +73,19 @@ impl Run {
             tokio::select! {
                 added = &mut added => {
                     self.log_failed = added.is_err();
-                    // A laser that is not safe matters more than a record that is kept.
+                    // An unsafe laser matters more than a failed record.
                     return safe.and(added.map_err(Into::into));
                 }
                 () = &mut given_up => break,
-                () = self.heartbeat.turn() => {}
+                () = self.heartbeat.keep_alive() => {}
             }
         }
         self.log_failed = true;
         safe.and(Err(AcquisitionError::DiskHangs { seconds: DISK_PATIENCE.as_secs() }))
     }
 
-    /// Bytes that went over the synchroniser's line since.
-    pub(super) async fn note_serial(&mut self) -> Result<(), AcquisitionError> {
+    /// Records the bytes on the synchroniser's line since the last call.
+    pub(super) async fn record_serial(&mut self) -> Result<(), AcquisitionError> {
         while let Some(Ok(bytes)) = self.transcript.as_mut().map(|transcript| transcript.try_recv())
         {
             let line::Entry { host_time_ns, direction, bytes } = bytes;

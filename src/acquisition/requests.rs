@@ -1,4 +1,4 @@
-//! The run does what it is asked, between bursts or by ending one.
+//! Handles requests, between bursts or by ending one.
 
 use std::time::Duration;
 
@@ -8,15 +8,15 @@ use super::{
     AcquisitionError, Command, Mode, Refusal, control::Request, controller::Run, journal::Entry,
 };
 
-/// How long the run loop sleeps at most while nothing is asked of it.
-const REST: Duration = Duration::from_millis(500);
+/// Longest wait of the run loop between requests.
+const IDLE_WAIT: Duration = Duration::from_millis(500);
 
 impl Run {
     pub(super) fn mode(&self) -> Mode {
         self.control.state.lock().mode
     }
 
-    /// Takes up a request and answers it.
+    /// Carries out a request and answers it.
     pub(super) async fn handle_request(
         &mut self,
         request: Request,
@@ -27,7 +27,7 @@ impl Run {
             Err(error) => (Err(Refusal::because(error.to_string())), Err(error)),
         };
         let state = self.control.state.lock().clone();
-        // Whoever asked may have gone.
+        // The requester may be gone.
         let _ = request.answer.send(done.map(|()| state));
         ended
     }
@@ -37,7 +37,7 @@ impl Run {
         command: Command,
     ) -> Result<Result<(), Refusal>, AcquisitionError> {
         if self.loss.is_some()
-            && let Some(refusal) = self.without_the_unit(&command)
+            && let Some(refusal) = self.refuse_without_unit(&command)
         {
             return Ok(Err(refusal));
         }
@@ -46,20 +46,20 @@ impl Run {
                 self.set_mode(Mode::Firing);
                 Ok(Ok(()))
             }
-            Command::GoOn => match self.awaits_operator {
+            Command::Resume => match self.awaits_operator {
                 Some(mode) => {
                     self.set_mode(mode);
                     Ok(Ok(()))
                 }
-                None => Ok(Err(Refusal::because("the run waits for nobody"))),
+                None => Ok(Err(Refusal::because("the run is not waiting for an operator"))),
             },
             Command::Stop if self.mode() == Mode::Disarmed => {
                 Ok(Err(Refusal::because("no shots are being taken: it is disarmed")))
             }
             Command::Stop => {
-                // The wish first: it holds even where the unit is found to be lost.
+                // The mode first: it holds even if the unit turns out to be lost.
                 self.set_mode(Mode::Armed);
-                self.break_off().await?;
+                self.abort_burst().await?;
                 Ok(Ok(()))
             }
             Command::Arm if self.mode() == Mode::Firing => {
@@ -71,7 +71,7 @@ impl Run {
             }
             Command::Disarm => {
                 self.set_mode(Mode::Disarmed);
-                self.break_off().await?;
+                self.abort_burst().await?;
                 Ok(Ok(()))
             }
             Command::SetDt { dt_us } => Ok(self.set_dt(dt_us)),
@@ -82,15 +82,15 @@ impl Run {
         }
     }
 
-    /// Why this cannot be done while the unit is lost; `None` for what does not need it. A wish for
-    /// less is kept until it is back, a wish to fire is not.
-    fn without_the_unit(&mut self, command: &Command) -> Option<Refusal> {
-        let then = &mut self.loss.as_mut()?.then;
+    /// Why a request cannot be carried out while the unit is lost; `None` if it needs no unit. A request
+    /// for a safer mode is remembered until the unit is back, a request to fire is not.
+    fn refuse_without_unit(&mut self, command: &Command) -> Option<Refusal> {
+        let resume_mode = &mut self.loss.as_mut()?.resume_mode;
         match command {
             Command::SetDt { .. } | Command::Note { .. } => return None,
-            Command::Disarm => *then = Mode::Disarmed,
-            Command::Stop if *then == Mode::Firing => *then = Mode::Armed,
-            Command::Stop | Command::Start | Command::Arm | Command::GoOn => {}
+            Command::Disarm => *resume_mode = Mode::Disarmed,
+            Command::Stop if *resume_mode == Mode::Firing => *resume_mode = Mode::Armed,
+            Command::Stop | Command::Start | Command::Arm | Command::Resume => {}
         }
         let reason = match command {
             Command::Disarm => format!("it stays disarmed once it answers; {USE_INTERLOCK}"),
@@ -107,9 +107,9 @@ impl Run {
         state.held.clear();
     }
 
-    /// The laser is safe from now on; a burst that runs is over.
-    pub(super) async fn break_off(&mut self) -> Result<(), AcquisitionError> {
-        self.broken_off = true;
+    /// Makes the laser safe; a running burst is over.
+    pub(super) async fn abort_burst(&mut self) -> Result<(), AcquisitionError> {
+        self.is_aborted = true;
         self.make_safe().await
     }
 
@@ -120,8 +120,8 @@ impl Run {
         Ok(())
     }
 
-    /// Nothing is fired: brings the unit to the state asked for and waits for what comes.
-    pub(super) async fn rest(&mut self, mode: Mode) -> Result<(), AcquisitionError> {
+    /// While not firing: brings the unit to the requested state and waits for events.
+    pub(super) async fn idle(&mut self, mode: Mode) -> Result<(), AcquisitionError> {
         if mode == Mode::Armed && !self.is_armed {
             if !self.is_programmed {
                 self.program().await?;
@@ -129,16 +129,19 @@ impl Run {
             self.synchroniser.call(|unit| unit.arm()).await?;
             self.is_armed = true;
         }
-        self.attend(REST).await
+        self.handle_next_event(IDLE_WAIT).await
     }
 
-    /// Waits for one thing to happen, a while at most, and deals with it.
-    pub(super) async fn attend(&mut self, at_most: Duration) -> Result<(), AcquisitionError> {
+    /// Waits for one event, up to a limit, and handles it.
+    pub(super) async fn handle_next_event(
+        &mut self,
+        at_most: Duration,
+    ) -> Result<(), AcquisitionError> {
         let stop = self.stop.clone();
         tokio::select! {
             () = stop.cancelled() => Ok(()),
             error = self.synchroniser.fault() => Err(error),
-            () = self.heartbeat.turn() => Ok(()),
+            () = self.heartbeat.keep_alive() => Ok(()),
             event = self.events.recv() => self.handle(event).await,
             request = self.control.next() => self.handle_request(request).await,
             () = tokio::time::sleep(at_most) => Ok(()),

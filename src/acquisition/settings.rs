@@ -1,4 +1,4 @@
-//! What acquisition needs to know, passed in by value.
+//! Settings of acquisition.
 
 use std::{num::NonZeroU64, sync::Arc, time::Duration};
 
@@ -7,26 +7,24 @@ use serde::{Deserialize, Serialize};
 
 use super::BurstStart;
 
-/// What happens when shots come faster than they are processed.
+/// What happens when shots arrive faster than they are processed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OverloadPolicy {
-    /// A shot that finds the queue full is not processed, and that is recorded: a real bench does
-    /// not wait.
+    /// A shot that finds the queue full is shed, and this is recorded. A real bench cannot wait.
     Shed,
-    /// Triggers are given only as there is room in the queue: for bounded simulated runs, in
-    /// which every shot counts.
+    /// Triggers are given only as the queue has space: for bounded simulated runs in which every shot
+    /// counts.
     Wait,
 }
 
-/// What a run does when its synchroniser does not answer any more.
+/// What a run does when its synchroniser no longer answers.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AfterBenchLoss {
-    /// It looks for the unit, makes it safe and programs it, and waits until an operator says that
-    /// shots may be taken.
+    /// It searches for the unit, makes it safe, programs it, and waits until an operator permits firing.
     #[default]
     WaitForArm,
-    /// The same, without waiting for anybody: the laser fires again by itself.
+    /// The same, without an operator: the laser fires again by itself.
     GoOn,
     /// It ends.
     End,
@@ -41,9 +39,9 @@ pub struct AcquisitionSettings {
     pub shots: Option<NonZeroU64>,
     /// What happens when the queue is full.
     pub overload: OverloadPolicy,
-    /// How long a frame that is due is waited for.
+    /// How long a due frame is awaited.
     pub patience: Duration,
-    /// Memory of one frame: room for each of a burst must be on the disk before it is fired.
+    /// Memory of one frame. Before a burst is fired, the disk must have space for all of its frames.
     pub frame_bytes: u64,
 }
 
@@ -53,7 +51,7 @@ impl AcquisitionSettings {
         Duration::from_secs_f64(self.schedule.period_us * 1e-6)
     }
 
-    /// From the start of exposure 1, which stamps frame a, to that of exposure 2.
+    /// From the start of exposure 1, which timestamps frame a, to that of exposure 2.
     pub fn frame_interval(&self) -> Duration {
         let [frame_a_us, frame_b_us] =
             [self.schedule.exposure_1_us[0], self.schedule.exposure_2_us[0]];
@@ -67,25 +65,25 @@ impl AcquisitionSettings {
     }
 }
 
-/// Longest burst. A dead host or a lost line ends the firing within this time by itself.
+/// Longest burst. If the host dies or the line is lost, firing ends within this time.
 pub const MAX_BURST: Duration = Duration::from_secs(5);
 
-/// Decides the bursts in the run loop's place, to play a run again.
+/// Decides the bursts in place of the run loop, for a replay.
 pub trait BurstScript: Send + Sync {
-    /// What the run loop should do when it has nothing else to do.
+    /// What the run loop should do when it is idle.
     fn next(&self) -> ScriptedBurst;
-    /// How the burst that was fired last began then; `None` where the record does not say.
+    /// How the last burst began in the record; `None` if it does not say.
     fn burst_start(&self) -> Option<BurstStart>;
-    /// Whether the burst that runs was over by now, for whatever reason.
+    /// Whether the record shows the current burst as over by now.
     fn burst_is_over(&self) -> bool;
 }
 
 /// See [`BurstScript`].
 #[derive(Debug, Clone)]
 pub enum ScriptedBurst {
-    /// Fire so many shots with this schedule.
+    /// Fire this many shots with this schedule.
     Fire { shots: u64, schedule: Arc<PulseSchedule> },
-    /// Wait for what comes.
+    /// Wait for events.
     NotYet,
     /// End the run.
     Over,

@@ -1,4 +1,4 @@
-//! One shot: what all cameras saw of one trigger.
+//! One shot: the frames of all cameras for one trigger.
 
 use std::time::Duration;
 
@@ -13,17 +13,17 @@ pub struct Shot {
     pub trigger: u64,
     /// Exposures 1 and 2 of each camera, in the order of the configuration's cameras.
     pub cameras: Vec<[Frame; 2]>,
-    /// When the trigger was given, as far as that is known.
+    /// When the trigger was given, if known.
     pub time: Option<ShotTime>,
-    /// When the trigger was due, by the run's clock.
+    /// When the trigger was due, on the run's clock.
     pub due: Duration,
     /// Time between the light pulses, in µs.
     pub dt_us: f64,
-    /// Evidence that disagrees with the pairing, in words; empty for a shot in order. A suspect
-    /// shot is kept and marked, and whoever reads its result must see the mark.
+    /// Evidence against the pairing; empty for a normal shot. A suspect shot is kept and marked, and
+    /// the mark is shown with its result.
     pub suspect: Vec<String>,
-    /// How far the timestamp of each camera's frame a is off its fitted clock, in ns: of the first
-    /// against the triggers of the burst, of every other camera against the first. 0 for a clock
-    /// that begins with this shot.
+    /// Deviation of the timestamp of each camera's frame a from its fitted clock, in ns: of the first
+    /// camera from the triggers of the burst, of every other camera from the first. 0 if the clock fit
+    /// starts with this shot.
     pub residuals_ns: Vec<i64>,
 }

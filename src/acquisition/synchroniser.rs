@@ -1,9 +1,9 @@
-//! The synchroniser on a thread of its own, which outlives whatever asks it.
+//! The synchroniser's thread, which outlives its callers.
 //!
-//! The run loop holds [`SynchroniserCalls`], and may panic. The thread belongs to whoever holds
-//! [`SynchroniserThread`], outside the run loop's task: when nobody calls any more, or when it is
-//! told to end, the thread makes the unit safe, reads that back and ends, and its owners wait for
-//! it. So the process does not end in the middle of the commands that make the laser safe.
+//! The run loop holds [`SynchroniserCalls`] and may panic. The thread is owned by the holders of
+//! [`SynchroniserThread`], outside the run loop's task. When all callers are gone, or when it is told
+//! to end, the thread makes the unit safe, reads that back and ends; its owners wait for it. So the
+//! process never exits in the middle of the commands that make the laser safe.
 
 mod unit;
 
@@ -21,20 +21,20 @@ use lfpiv_hw::device::{DeviceError, Synchroniser, WATCH_INTERVAL};
 use parking_lot::{Condvar, Mutex};
 use tokio::sync::{Notify, oneshot};
 
-use self::unit::{Left, is_loss};
-pub(super) use self::unit::{Unit, Unsafe};
+use self::unit::{FinalState, is_loss};
+pub(super) use self::unit::{Unit, UnsafeState};
 use super::{AcquisitionError, Bench};
 
-/// How late the thread notices that it should end.
+/// Poll interval of the thread for its end.
 const TICK: Duration = Duration::from_millis(50);
 const THREAD_ENDED: &str = "its thread has ended";
-/// For messages, and the thread's name.
+/// Device name in messages, and the thread's name.
 const SYNCHRONISER: &str = "synchroniser";
 
-/// Opens a synchroniser that was lost: disabled before anything else, as the first time.
+/// Reopens a lost synchroniser; as at the first opening, disabling comes before anything else.
 pub type Reopen = Box<dyn FnMut() -> Result<Box<dyn Synchroniser>, DeviceError> + Send>;
 
-/// Owns the synchroniser's thread. Clones own the same one; the last to go waits for it.
+/// Owns the synchroniser's thread. Clones share it; dropping the last one joins the thread.
 #[derive(Clone, Default)]
 pub struct SynchroniserThread(Arc<Owned>);
 
@@ -44,22 +44,22 @@ struct Owned {
     shared: Arc<Shared>,
 }
 
-/// What the thread and its owners share.
+/// State shared between the thread and its owners.
 #[derive(Default)]
 pub(super) struct Shared {
     started: AtomicBool,
-    /// The thread should end.
+    /// Tells the thread to end.
     ending: AtomicBool,
-    left: Mutex<Option<Left>>,
-    has_left: Condvar,
-    /// What [`Synchroniser::watch`] found, for the run loop.
+    final_state: Mutex<Option<FinalState>>,
+    has_ended: Condvar,
+    /// Fault found by [`Synchroniser::watch`], for the run loop.
     fault: Mutex<Option<DeviceError>>,
     found_fault: Notify,
 }
 
 impl SynchroniserThread {
-    /// Puts the unit on the thread. From here on it is made safe whatever happens. `reopen` is how
-    /// it is opened again once it is lost.
+    /// Moves the unit to the thread. From here on it is made safe whatever happens. `reopen` opens it
+    /// again after a loss.
     pub(super) fn start(
         &self,
         device: Box<dyn Synchroniser>,
@@ -77,12 +77,12 @@ impl SynchroniserThread {
         Ok(SynchroniserCalls { orders, shared })
     }
 
-    /// Ends the thread, safe state first, and waits for the read-back at most `limit`. At once
-    /// where no unit was ever started.
+    /// Ends the thread, safe state first, and waits at most `limit` for the read-back. Returns at once if
+    /// no unit was started.
     ///
     /// # Errors
     ///
-    /// [`AcquisitionError::NotSafe`], also when it takes longer.
+    /// [`AcquisitionError::NotSafe`], also on timeout.
     pub fn make_safe_within(&self, limit: Duration) -> Result<(), AcquisitionError> {
         let shared = &self.0.shared;
         shared.ending.store(true, Ordering::SeqCst);
@@ -90,18 +90,20 @@ impl SynchroniserThread {
             return Ok(());
         }
         let deadline = Instant::now() + limit;
-        let mut left = shared.left.lock();
-        while left.is_none() {
-            if shared.has_left.wait_until(&mut left, deadline).timed_out() {
+        let mut state = shared.final_state.lock();
+        while state.is_none() {
+            if shared.has_ended.wait_until(&mut state, deadline).timed_out() {
                 let seconds = limit.as_secs_f64();
-                return Err(no_answer(format!("it was not read back within {seconds:.1} s")));
+                return Err(no_answer(format!(
+                    "its state was not read back within {seconds:.1} s"
+                )));
             }
         }
-        drop(left);
-        self.0.left()
+        drop(state);
+        self.0.result()
     }
 
-    /// As [`Self::make_safe_within`], for as long as it takes and without blocking the runtime.
+    /// As [`Self::make_safe_within`], without a limit and without blocking the runtime.
     ///
     /// # Errors
     ///
@@ -121,15 +123,15 @@ impl Owned {
         if let Some(thread) = thread.take()
             && thread.join().is_err()
         {
-            tracing::error!(thread = SYNCHRONISER, "ended by a panic");
+            tracing::error!(thread = SYNCHRONISER, "panicked");
             let reason = "its thread panicked".to_owned();
-            self.shared.leave(Err(Unsafe { reason, is_lost: false }));
+            self.shared.end(Err(UnsafeState { reason, is_lost: false }));
         }
-        self.left()
+        self.result()
     }
 
-    fn left(&self) -> Result<(), AcquisitionError> {
-        match &*self.shared.left.lock() {
+    fn result(&self) -> Result<(), AcquisitionError> {
+        match &*self.shared.final_state.lock() {
             Some(Err(why)) => Err(not_safe(why.clone())),
             Some(Ok(())) | None => Ok(()),
         }
@@ -137,47 +139,47 @@ impl Owned {
 }
 
 impl Drop for Owned {
-    /// Where a task is torn down, by its panic or with its runtime, nobody else waits.
+    /// When a task is dropped, by its panic or with its runtime, nothing else joins the thread.
     fn drop(&mut self) {
-        // What came of it has been logged by the thread.
+        // The thread has logged its result.
         let _ = self.join();
     }
 }
 
 impl Shared {
-    fn leave(&self, left: Left) {
-        if let Err(Unsafe { reason, .. }) = &left {
-            tracing::error!(reason, "the synchroniser was not left safe");
+    fn end(&self, state: FinalState) {
+        if let Err(UnsafeState { reason, .. }) = &state {
+            tracing::error!(reason, "the synchroniser was not safe at the end");
         }
-        *self.left.lock() = Some(left);
-        self.has_left.notify_all();
+        *self.final_state.lock() = Some(state);
+        self.has_ended.notify_all();
     }
 }
 
-fn not_safe(Unsafe { reason, is_lost }: Unsafe) -> AcquisitionError {
+fn not_safe(UnsafeState { reason, is_lost }: UnsafeState) -> AcquisitionError {
     tracing::error!(reason, "state unknown: use the hardware interlock");
     AcquisitionError::NotSafe { reason, is_lost, before: None }
 }
 
-/// There is nobody to ask, or no time.
+/// The thread cannot be asked, or did not answer in time.
 fn no_answer(reason: String) -> AcquisitionError {
-    not_safe(Unsafe { reason, is_lost: false })
+    not_safe(UnsafeState { reason, is_lost: false })
 }
 
-/// Nobody may ask any more: the process was told to end at once.
+/// The thread has ended because the process is exiting.
 pub(super) fn thread_ended() -> AcquisitionError {
     let (device, detail) = (SYNCHRONISER.to_owned(), THREAD_ENDED.to_owned());
     DeviceError::Lost { device, detail }.into()
 }
 
-/// What a unit says, or that it says nothing.
+/// The error of a call, or a loss if the unit did not answer.
 fn unit_error(error: DeviceError) -> AcquisitionError {
     if is_loss(&error) { AcquisitionError::SynchroniserLost(error) } else { error.into() }
 }
 
 type Order = Box<dyn FnOnce(&mut Unit) + Send>;
 
-/// Obeys, and looks after the unit in between; safe state last.
+/// Main loop of the thread: executes calls, watches the unit in between, and makes it safe at the end.
 fn serve(mut unit: Unit, inbox: std_mpsc::Receiver<Order>) {
     let mut look = Instant::now() + WATCH_INTERVAL;
     while !unit.shared().ending.load(Ordering::SeqCst) {
@@ -192,33 +194,33 @@ fn serve(mut unit: Unit, inbox: std_mpsc::Receiver<Order>) {
             look = Instant::now() + WATCH_INTERVAL;
         }
     }
-    let left = unit.leave();
-    unit.shared().leave(left);
+    let state = unit.ensure_safe();
+    unit.shared().end(state);
 }
 
-/// Makes the synchroniser safe and reads it back: the first thing a run does, before anything
-/// that takes time. What an earlier run left behind must not fire while tables are built.
+/// Makes the synchroniser safe and reads it back. A run does this first, before anything that takes
+/// time: what an earlier run left behind must not fire while tables are built.
 ///
 /// # Errors
 ///
 /// [`AcquisitionError::NotSafe`].
 pub async fn secure(mut bench: Bench) -> Result<Bench, AcquisitionError> {
     let secured = tokio::task::spawn_blocking(move || {
-        let left = unit::make_safe(bench.synchroniser.as_mut());
-        (bench, left)
+        let state = unit::make_safe(bench.synchroniser.as_mut());
+        (bench, state)
     });
-    let (bench, left) = secured.await.map_err(|error| no_answer(error.to_string()))?;
-    left.map_err(not_safe).map(|()| bench)
+    let (bench, state) = secured.await.map_err(|error| no_answer(error.to_string()))?;
+    state.map_err(not_safe).map(|()| bench)
 }
 
-/// Asks the synchroniser. When this goes, the thread ends, safe state first.
+/// Handle for calls. Dropping it ends the thread, safe state first.
 pub(super) struct SynchroniserCalls {
     orders: std_mpsc::Sender<Order>,
     shared: Arc<Shared>,
 }
 
 impl SynchroniserCalls {
-    /// Runs one call on the synchroniser's thread and waits for its answer.
+    /// Runs a closure on the synchroniser's thread and waits for its result.
     pub async fn call<T: Send + 'static>(
         &self,
         call: impl FnOnce(&mut dyn Synchroniser) -> Result<T, DeviceError> + Send + 'static,
@@ -227,32 +229,32 @@ impl SynchroniserCalls {
         answered.ok_or_else(thread_ended)?.map_err(unit_error)
     }
 
-    /// Safe, and read back.
+    /// Makes the unit safe and reads it back.
     pub async fn make_safe(&self) -> Result<(), AcquisitionError> {
         let made = self.order(Unit::make_safe).await;
-        // A thread that has ended has done so before.
-        let left = made.or_else(|| self.shared.left.lock().clone());
-        left.ok_or_else(|| no_answer(THREAD_ENDED.to_owned()))?.map_err(not_safe)
+        // A thread that has ended has made it safe before.
+        let state = made.or_else(|| self.shared.final_state.lock().clone());
+        state.ok_or_else(|| no_answer(THREAD_ENDED.to_owned()))?.map_err(not_safe)
     }
 
-    /// Begins to look for a lost unit, once: [`Unit::reopen`]. The answer comes when it comes.
+    /// Starts one attempt to reopen a lost unit ([`Unit::reopen`]); the result arrives on the channel.
     ///
     /// # Errors
     ///
-    /// Its thread has ended.
-    pub fn look_for_it(
+    /// The thread has ended.
+    pub fn start_search(
         &self,
-    ) -> Result<oneshot::Receiver<Result<String, Unsafe>>, AcquisitionError> {
+    ) -> Result<oneshot::Receiver<Result<String, UnsafeState>>, AcquisitionError> {
         self.begin(Unit::reopen).ok_or_else(thread_ended)
     }
 
-    /// What watching found of a unit that is lost by now is of no more use.
+    /// Discards a fault that was found before the unit was lost.
     pub fn forget_fault(&self) {
         *self.shared.fault.lock() = None;
     }
 
-    /// Completes once watching over the unit has found a fault; the unit has been made safe then,
-    /// or the fault says that it has not.
+    /// Completes once watching the unit has found a fault. The unit has been made safe by then, or the
+    /// fault says that it has not.
     pub async fn fault(&self) -> AcquisitionError {
         loop {
             if let Some(fault) = self.shared.fault.lock().take() {
@@ -276,7 +278,7 @@ impl SynchroniserCalls {
     ) -> Option<oneshot::Receiver<T>> {
         let (answer, answered) = oneshot::channel();
         let order: Order = Box::new(move |unit| {
-            // Nobody waits for the answer when the run is being torn down.
+            // During shutdown nobody waits for the answer.
             let _ = answer.send(order(unit));
         });
         self.orders.send(order).ok().map(|()| answered)

@@ -104,15 +104,11 @@ pub(super) fn free_bytes(folder: &Path) -> u64 {
 /// Moves a finished, closed `.part` file to its final name, so that it survives a power cut.
 pub(super) fn seal(path: &Path) -> Result<(), ArchiveError> {
     let part = part_path(path);
-    File::open(&part)
-        .and_then(|file| file.sync_all())
-        .map_err(ArchiveError::io("flush to disk", &part))?;
+    File::open(&part).and_then(|file| file.sync_all()).map_err(ArchiveError::io("sync", &part))?;
     fs::rename(&part, path).map_err(ArchiveError::io("give its final name to", &part))?;
     // The new name itself lives in the folder.
     let folder = path.parent().unwrap_or(Path::new("."));
-    File::open(folder)
-        .and_then(|file| file.sync_all())
-        .map_err(ArchiveError::io("flush to disk", folder))
+    File::open(folder).and_then(|file| file.sync_all()).map_err(ArchiveError::io("sync", folder))
 }
 
 /// Writes a convenience file (one that can be made again): a reader sees the old or the new

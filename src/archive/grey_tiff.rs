@@ -322,7 +322,7 @@ mod tests {
         let path = folder.path().join("cam1_a.tif");
         assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
         let said = refusal(&path, [8, 8]);
-        assert!(said.contains("cam1_a.tif: it is no regular file"), "{said}");
+        assert!(said.contains("cam1_a.tif: it is not a regular file"), "{said}");
     }
 
     #[test]

@@ -11,7 +11,7 @@ pub(super) fn go_on_on_signal(control: Control) -> anyhow::Result<()> {
     let mut told = signal(SignalKind::user_defined1()).context("cannot listen for SIGUSR1")?;
     tokio::spawn(async move {
         while told.recv().await.is_some() {
-            if let Err(refusal) = control.request(Command::GoOn).await {
+            if let Err(refusal) = control.request(Command::Resume).await {
                 tracing::warn!("SIGUSR1 is for nothing: {}", refusal.reasons.join("; "));
             }
         }

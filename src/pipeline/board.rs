@@ -1,5 +1,5 @@
-//! What became of the shots that were handed on: shared by the pool, which writes, and the
-//! server, which reads. Whatever changes here is told to the log of events.
+//! The state of shots handed to the pool. The pool writes it and the server reads it; every change
+//! is published to the event log.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -17,20 +17,20 @@ use super::{
 };
 use crate::{acquisition::Heartbeat, archive::ShotResult};
 
-/// Results kept in memory; older ones are on disk only.
+/// Number of results kept in memory; older ones are on disk only.
 pub const RESULTS_IN_MEMORY: usize = 32;
-/// Records kept in memory: a few hours of shots.
+/// Number of records kept in memory: a few hours of shots.
 const RECORDS_IN_MEMORY: usize = 10_000;
 
-/// How far a shot got in the pool.
+/// Stage of a shot in the pool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stage {
-    /// A worker has it.
+    /// In process by a worker.
     Processing,
     /// Measured and written.
     Done,
-    /// It gave no result; `message` says why.
+    /// No result; `message` says why.
     Failed,
     /// Measured, but not written; `message` says why.
     WriteFailed,
@@ -41,17 +41,17 @@ pub enum Stage {
 pub struct ShotRecord {
     /// Shot number.
     pub shot: u64,
-    /// How far it got.
+    /// Its stage.
     pub stage: Stage,
     /// Why there is no result, or no file.
     pub message: Option<String>,
-    /// What the reader of the result should know, suspect pairing included.
+    /// Warnings for readers of the result, including suspect pairing.
     pub warnings: Vec<String>,
-    /// Whether its images are of the configured bench; absent without a result.
+    /// Whether the images match the configured bench; absent without a result.
     pub fit: Option<ModelFit>,
     /// Number of vectors; absent without a result.
     pub vectors: Option<usize>,
-    /// Share of vectors measured and accepted, 0 to 1; absent without a result.
+    /// Share of vectors that are valid, 0 to 1; absent without a result.
     pub valid_share: Option<f64>,
     /// Seconds per stage; absent without a result.
     pub seconds: Option<StageSeconds>,
@@ -76,10 +76,10 @@ impl ShotRecord {
     }
 }
 
-/// How many shots are where.
+/// Number of shots per stage.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct PoolCounts {
-    /// With a worker now.
+    /// In process now.
     pub processing: u64,
     /// Measured and written.
     pub done: u64,
@@ -89,33 +89,33 @@ pub struct PoolCounts {
     pub write_failed: u64,
 }
 
-/// How far the run's data is safe: how many shots have got that far.
+/// Durability of the run's data: the number of shots at each level.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Watermarks {
     /// Their frames have arrived.
     pub acquired: u64,
     /// Their frames are paired.
     pub paired: u64,
-    /// Their raw data is with the kernel: it survives a crash of this program.
+    /// Their raw data has been written to the kernel: it survives a crash of this program.
     pub written: u64,
-    /// Their raw data is on the disk: it survives a power cut.
+    /// Their raw data has been synced to disk: it survives a power cut.
     pub fsynced: u64,
-    /// Their velocity is stored, and their raw data is written at least.
+    /// Their velocity is stored, and their raw data is at least written.
     pub processed: u64,
 }
 
-/// What is known of a shot's result.
+/// Result of a lookup.
 #[derive(Debug, Clone)]
 // One answer at a time: its size costs nothing.
 #[allow(clippy::large_enum_variant)]
 pub enum Lookup {
     /// In memory.
     Here(Arc<ShotResult>),
-    /// Was in memory; it is on disk only.
+    /// No longer in memory, but on disk.
     OnDisk,
     /// The shot has no result (yet); its record says why.
     NoResult(ShotRecord),
-    /// The pool knows no such shot.
+    /// The pool has no such shot.
     Unknown,
 }
 
@@ -136,12 +136,12 @@ struct State {
     processing: BTreeSet<u64>,
     counts: PoolCounts,
     latencies: Latencies,
-    /// Behind the result that came last.
+    /// The model of the last result.
     model: Option<Arc<ModelChoice>>,
-    /// `None` until something is recorded.
+    /// `None` if nothing is recorded.
     watermarks: Option<Watermarks>,
-    /// Highest number of a record that was forgotten.
-    forgotten: Option<u64>,
+    /// Highest shot number whose record was dropped.
+    highest_dropped: Option<u64>,
 }
 
 impl Board {
@@ -150,61 +150,61 @@ impl Board {
         Self::default()
     }
 
-    /// Beats when the writer of results begins with a shot, rests when it is done.
+    /// Beats when the result writer starts a shot, rests when it is done.
     pub fn writing(&self) -> &Heartbeat {
         &self.writing
     }
 
-    /// An empty board on which the first pair may take so long.
+    /// An empty board with this time limit for the first pair.
     pub fn with_patience(first_pair: Duration) -> Self {
         Self { pair_times: PairTimes::new(first_pair), ..Self::default() }
     }
 
-    /// How long pairs take, and which one takes too long.
+    /// Processing times and hung workers.
     pub fn pair_times(&self) -> &PairTimes {
         &self.pair_times
     }
 
-    /// What happened, for whoever watches.
+    /// The event log.
     pub fn events(&self) -> &EventLog {
         &self.events
     }
 
-    /// What the latest shots looked like.
+    /// Images of the latest shots.
     pub fn gallery(&self) -> &Gallery {
         &self.gallery
     }
 
-    /// A worker begins with a shot.
+    /// Records that a worker has started a shot.
     pub fn processing(&self, shot: u64) {
         let mut state = self.state.lock();
         state.processing.insert(shot);
         state.record(ShotRecord::new(shot, Stage::Processing, None));
     }
 
-    /// A shot gave no result.
+    /// Records that a shot gave no result.
     pub fn failed(&self, shot: u64, message: String) -> ShotRecord {
         self.finish(ShotRecord::new(shot, Stage::Failed, Some(message)), None)
     }
 
-    /// A shot was measured and written.
+    /// Records that a shot was measured and written.
     pub fn done(&self, shot: u64, result: Arc<ShotResult>) -> ShotRecord {
         self.finish(ShotRecord::of_result(shot, Stage::Done, None, &result), Some(result))
     }
 
-    /// A shot was measured, but its result could not be written.
+    /// Records that a shot was measured, but its result could not be written.
     pub fn write_failed(&self, shot: u64, result: Arc<ShotResult>, message: String) -> ShotRecord {
         let record = ShotRecord::of_result(shot, Stage::WriteFailed, Some(message), &result);
         self.finish(record, Some(result))
     }
 
-    /// A shot was measured, and its result was lost on the way to disk.
+    /// Records that a shot was measured, and its result was lost before it was written.
     pub fn write_lost(&self, shot: u64, message: String) -> ShotRecord {
         self.finish(ShotRecord::new(shot, Stage::WriteFailed, Some(message)), None)
     }
 
-    /// Events are published under the lock: who hears of a shot finds it here, and its last event
-    /// is that of its end.
+    /// Events are published under the lock, so that a reader of an event finds the shot here, and the
+    /// last event of a shot is that of its end.
     fn finish(&self, record: ShotRecord, result: Option<Arc<ShotResult>>) -> ShotRecord {
         let mut state = self.state.lock();
         match record.stage {
@@ -223,7 +223,7 @@ impl Board {
         record
     }
 
-    /// Data reached these levels; told to whoever watches when it is news.
+    /// Sets the watermarks, and publishes them if they have changed.
     pub fn set_watermarks(&self, watermarks: Watermarks) {
         let mut state = self.state.lock();
         if state.watermarks != Some(watermarks) {
@@ -232,28 +232,28 @@ impl Board {
         }
     }
 
-    /// How far the data is safe; `None` where nothing is recorded.
+    /// The watermarks; `None` if nothing is recorded.
     pub fn watermarks(&self) -> Option<Watermarks> {
         self.state.lock().watermarks
     }
 
-    /// So long after its trigger a shot's velocity was stored.
-    pub fn took(&self, latency: Duration) {
+    /// Records the time from a shot's trigger to its stored velocity.
+    pub fn record_latency(&self, latency: Duration) {
         self.state.lock().latencies.add(latency);
     }
 
-    /// How long the last shots took; `None` before the first.
+    /// Latency of the last shots; `None` before the first.
     pub fn latency(&self) -> Option<LatencyQuantiles> {
         self.state.lock().latencies.quantiles()
     }
 
-    /// How many shots are where.
+    /// Number of shots per stage.
     pub fn counts(&self) -> PoolCounts {
         let state = self.state.lock();
         PoolCounts { processing: state.processing.len() as u64, ..state.counts }
     }
 
-    /// Shots that workers have now.
+    /// Shots in process.
     pub fn in_process(&self) -> Vec<u64> {
         self.state.lock().processing.iter().copied().collect()
     }
@@ -269,19 +269,21 @@ impl Board {
         state.results.last_key_value().map(|(shot, result)| (*shot, result.clone()))
     }
 
-    /// The forward model behind the last result; `None` before the first.
+    /// The forward model of the last result; `None` before the first.
     pub fn model(&self) -> Option<Arc<ModelChoice>> {
         self.state.lock().model.clone()
     }
 
-    /// What is known of a shot's result.
+    /// Looks up a shot's result.
     pub fn result(&self, shot: u64) -> Lookup {
         let state = self.state.lock();
         match (state.results.get(&shot), state.records.get(&shot)) {
             (Some(result), _) => Lookup::Here(result.clone()),
             (None, Some(record)) if record.stage == Stage::Done => Lookup::OnDisk,
             (None, Some(record)) => Lookup::NoResult(record.clone()),
-            (None, None) if state.forgotten.is_some_and(|last| shot <= last) => Lookup::OnDisk,
+            (None, None) if state.highest_dropped.is_some_and(|last| shot <= last) => {
+                Lookup::OnDisk
+            }
             (None, None) => Lookup::Unknown,
         }
     }
@@ -300,7 +302,7 @@ impl State {
         self.records.insert(record.shot, record);
         while self.records.len() > RECORDS_IN_MEMORY {
             let oldest = self.records.pop_first().map(|(shot, _)| shot);
-            self.forgotten = self.forgotten.max(oldest);
+            self.highest_dropped = self.highest_dropped.max(oldest);
         }
     }
 }

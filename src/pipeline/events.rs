@@ -1,8 +1,8 @@
-//! What happens in a run, as numbered events for whoever watches it.
+//! The numbered events of a run.
 //!
-//! One log of the latest events serves every reader: each keeps its own place in it, so that no
-//! reader holds up another one or whoever publishes. A reader that falls behind further than the
-//! log reaches is told how many events it has missed.
+//! One log of the latest events serves all readers. Each reader keeps its own position, so that no
+//! reader delays another reader or the publisher. A reader that falls too far behind is told how many
+//! events it has missed.
 
 use std::{
     collections::VecDeque,
@@ -14,21 +14,21 @@ use parking_lot::Mutex;
 use serde::Serialize;
 use tokio::sync::watch;
 
-/// Events that are remembered: a minute of shots at 15 Hz, with room.
+/// Capacity of the log: more than a minute of shots at 15 Hz.
 pub const EVENTS_IN_MEMORY: usize = 2048;
 
-/// What an event tells of.
+/// Subject of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EventKind {
-    /// The run goes on to another state, or shots moved on.
+    /// The run's state or the queue has changed.
     Status,
-    /// A shot ended in the pool: its record.
+    /// A shot has ended in the pool; carries its record.
     Shot,
-    /// A result can be fetched.
+    /// A result is available.
     Result,
-    /// Data reached another level of safety.
+    /// The watermarks have advanced.
     Watermarks,
-    /// Somebody asked the run for something, and it was granted.
+    /// A control request was granted.
     Control,
 }
 
@@ -37,7 +37,7 @@ impl EventKind {
     pub const ALL: [Self; 5] =
         [Self::Status, Self::Shot, Self::Result, Self::Watermarks, Self::Control];
 
-    /// Name as readers see it.
+    /// Name in the HTTP interface.
     pub fn name(self) -> &'static str {
         match self {
             Self::Status => "status",
@@ -54,16 +54,16 @@ impl EventKind {
 pub struct Event {
     /// Number within the run, from 1, without gaps.
     pub id: u64,
-    /// What it tells of.
+    /// Its subject.
     pub kind: EventKind,
-    /// JSON.
+    /// Payload, in JSON.
     pub data: Arc<str>,
 }
 
-/// What a reader gets at once.
+/// Events returned by one read.
 #[derive(Debug, Clone, Default)]
 pub struct Batch {
-    /// Events that the log does not hold any more; they came before `events`.
+    /// Number of events before `events` that the log no longer holds.
     pub missed: u64,
     /// In order.
     pub events: Vec<Event>,
@@ -90,7 +90,7 @@ impl Default for EventLog {
 }
 
 impl EventLog {
-    /// Tells this run's events from another's: its beginning, in µs since 1970.
+    /// Identifies the run: its start, in µs since 1970.
     pub fn run(&self) -> u64 {
         self.run
     }
@@ -100,7 +100,7 @@ impl EventLog {
         let data: Arc<str> = match serde_json::to_string(data) {
             Ok(json) => json.into(),
             Err(error) => {
-                tracing::error!(%error, kind = kind.name(), "an event cannot be put into JSON");
+                tracing::error!(%error, kind = kind.name(), "cannot serialise an event");
                 return;
             }
         };
@@ -119,7 +119,7 @@ impl EventLog {
         *self.last.borrow()
     }
 
-    /// Changes with every event.
+    /// Notified at every event.
     pub fn watch(&self) -> watch::Receiver<u64> {
         self.last.subscribe()
     }

@@ -1,5 +1,4 @@
-//! What the latest shots looked like: raw frames, volumes and projections, within a fixed amount
-//! of memory.
+//! Images of the latest shots (raw frames, volumes and projections), within a fixed memory budget.
 
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -9,106 +8,106 @@ use lfpiv_core::{
 };
 use parking_lot::Mutex;
 
-/// Bytes that the volumes of the last shots may take. Eight bytes per lit voxel: 64 MB hold some
-/// ten shots of 100³ voxels at 1 ppm.
+/// Memory budget for volumes. At eight bytes per lit voxel, 64 MB hold about ten shots of 100³ voxels
+/// at 1 ppm.
 pub const VOLUME_MEMORY_BYTES: usize = 64 << 20;
-/// Bytes that the projections of the last shots may take: 130 shots of 100³ voxels.
+/// Memory budget for projections: 130 shots of 100³ voxels.
 pub const PROJECTION_MEMORY_BYTES: usize = 32 << 20;
 
-/// Shots whose volumes and projections are kept at most, however little room they take.
-pub const SHOTS_SHOWN: usize = 200;
+/// Largest number of shots whose volumes and projections are kept.
+pub const MAX_SHOTS: usize = 200;
 
 /// See the module.
 #[derive(Debug)]
 pub struct Gallery {
-    shelves: Mutex<Shelves>,
+    stored: Mutex<Stored>,
 }
 
 #[derive(Debug)]
-struct Shelves {
-    /// Of the shot that came to a worker last: its images are in memory anyway.
+struct Stored {
+    /// Frames of the shot that a worker took last: they are in memory anyway.
     frames: Option<(u64, Vec<[lfpiv_hw::RawImage; 2]>)>,
-    volumes: Shelf<Arc<[SparseVolume; 2]>>,
-    projections: Shelf<Arc<[[MaximumProjection; 3]; 2]>>,
+    volumes: BudgetedItems<Arc<[SparseVolume; 2]>>,
+    projections: BudgetedItems<Arc<[[MaximumProjection; 3]; 2]>>,
 }
 
 impl Default for Gallery {
     fn default() -> Self {
-        let shelves = Shelves {
+        let stored = Stored {
             frames: None,
-            volumes: Shelf::new(VOLUME_MEMORY_BYTES),
-            projections: Shelf::new(PROJECTION_MEMORY_BYTES),
+            volumes: BudgetedItems::new(VOLUME_MEMORY_BYTES),
+            projections: BudgetedItems::new(PROJECTION_MEMORY_BYTES),
         };
-        Self { shelves: Mutex::new(shelves) }
+        Self { stored: Mutex::new(stored) }
     }
 }
 
 impl Gallery {
-    /// Shows the raw frames of a shot; they share their memory with the pair.
+    /// Stores the raw frames of a shot; they share memory with the pair.
     pub fn show_frames(&self, shot: u64, pair: &ImagePair) {
-        self.shelves.lock().frames = Some((shot, pair.cameras.clone()));
+        self.stored.lock().frames = Some((shot, pair.cameras.clone()));
     }
 
-    /// Shows the light of frames a and b of a shot.
+    /// Stores the light of frames a and b of a shot.
     pub fn show_light(&self, shot: u64, light: [FrameLight; 2]) {
         let volume_bytes = light.iter().map(FrameLight::volume_bytes).sum();
         let projection_bytes = light.iter().map(FrameLight::projection_bytes).sum();
         let [a, b] = light;
-        let mut shelves = self.shelves.lock();
-        shelves.volumes.put(shot, volume_bytes, Arc::new([a.volume, b.volume]));
-        shelves.projections.put(shot, projection_bytes, Arc::new([a.projections, b.projections]));
+        let mut stored = self.stored.lock();
+        stored.volumes.put(shot, volume_bytes, Arc::new([a.volume, b.volume]));
+        stored.projections.put(shot, projection_bytes, Arc::new([a.projections, b.projections]));
     }
 
     /// The shot whose frames are shown.
     pub fn latest_frames(&self) -> Option<u64> {
-        self.shelves.lock().frames.as_ref().map(|(shot, _)| *shot)
+        self.stored.lock().frames.as_ref().map(|(shot, _)| *shot)
     }
 
     /// Frame a (0) or b (1) of a camera, from 0, while the shot is the latest.
     pub fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<lfpiv_hw::RawImage> {
-        let shelves = self.shelves.lock();
-        let (latest, cameras) = shelves.frames.as_ref()?;
+        let stored = self.stored.lock();
+        let (latest, cameras) = stored.frames.as_ref()?;
         (*latest == shot).then(|| cameras.get(camera)?.get(half).cloned())?
     }
 
     /// The volumes of frames a and b.
     pub fn volumes(&self, shot: u64) -> Option<Arc<[SparseVolume; 2]>> {
-        self.shelves.lock().volumes.get(shot)
+        self.stored.lock().volumes.get(shot)
     }
 
     /// The projections of frames a and b.
     pub fn projections(&self, shot: u64) -> Option<Arc<[[MaximumProjection; 3]; 2]>> {
-        self.shelves.lock().projections.get(shot)
+        self.stored.lock().projections.get(shot)
     }
 }
 
-/// Things of the latest shots, as many as a number of bytes allows.
+/// Items of the latest shots within a memory budget.
 #[derive(Debug)]
-struct Shelf<T> {
-    most_bytes: usize,
+struct BudgetedItems<T> {
+    max_bytes: usize,
     bytes: usize,
     things: BTreeMap<u64, (usize, T)>,
 }
 
-impl<T: Clone> Shelf<T> {
-    fn new(most_bytes: usize) -> Self {
-        Self { most_bytes, bytes: 0, things: BTreeMap::new() }
+impl<T: Clone> BudgetedItems<T> {
+    fn new(max_bytes: usize) -> Self {
+        Self { max_bytes, bytes: 0, things: BTreeMap::new() }
     }
 
-    /// Makes room by dropping the oldest. What is too large by itself is not kept.
-    fn put(&mut self, shot: u64, bytes: usize, thing: T) {
-        if let Some((earlier, _)) = self.things.insert(shot, (bytes, thing)) {
+    /// Adds an item and drops the oldest ones as needed. An item above the budget is not kept.
+    fn put(&mut self, shot: u64, bytes: usize, item: T) {
+        if let Some((earlier, _)) = self.things.insert(shot, (bytes, item)) {
             self.bytes -= earlier;
         }
         self.bytes += bytes;
-        while self.bytes > self.most_bytes || self.things.len() > SHOTS_SHOWN {
+        while self.bytes > self.max_bytes || self.things.len() > MAX_SHOTS {
             let Some((_, (freed, _))) = self.things.pop_first() else { break };
             self.bytes -= freed;
         }
     }
 
     fn get(&self, shot: u64) -> Option<T> {
-        self.things.get(&shot).map(|(_, thing)| thing.clone())
+        self.things.get(&shot).map(|(_, item)| item.clone())
     }
 }
 
@@ -119,7 +118,7 @@ mod tests {
 
     #[test]
     fn the_oldest_makes_room_and_the_sum_is_kept() {
-        let mut shelf = Shelf::new(100);
+        let mut shelf = BudgetedItems::new(100);
         for shot in 0..4 {
             shelf.put(shot, 40, shot);
         }
@@ -132,12 +131,12 @@ mod tests {
 
     #[test]
     fn small_things_are_kept_of_so_many_shots_and_no_more() {
-        let mut shelf = Shelf::new(usize::MAX);
-        let shots = 3 * SHOTS_SHOWN as u64;
+        let mut shelf = BudgetedItems::new(usize::MAX);
+        let shots = 3 * MAX_SHOTS as u64;
         for shot in 0..shots {
             shelf.put(shot, 1, shot);
         }
-        assert_eq!((shelf.bytes, shelf.things.len()), (SHOTS_SHOWN, SHOTS_SHOWN));
+        assert_eq!((shelf.bytes, shelf.things.len()), (MAX_SHOTS, MAX_SHOTS));
         assert_eq!(shelf.get(shots - 1), Some(shots - 1));
     }
 

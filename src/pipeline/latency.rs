@@ -1,22 +1,22 @@
-//! From trigger to stored velocity: how long the last shots took.
+//! Latency of the last shots, from trigger to stored velocity.
 
 use std::{collections::VecDeque, time::Duration};
 
 use serde::Serialize;
 
-/// Shots that the quantiles are taken over.
+/// Shots over which quantiles are computed.
 const REMEMBERED: usize = 1000;
 
-/// Times from trigger to stored velocity, in s, over the last thousand shots.
+/// Quantiles of the latency, in s, over the last thousand shots.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LatencyQuantiles {
-    /// Shots behind the numbers.
+    /// Number of shots.
     pub shots: usize,
-    /// Half of the shots took less.
+    /// Median.
     pub p50_s: f64,
-    /// 95 % did.
+    /// 95th percentile.
     pub p95_s: f64,
-    /// 99 % did.
+    /// 99th percentile.
     pub p99_s: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Workers that measure shots, and what is known of each: queue, results in memory, events, files.
+//! Worker pool and the state of shots: results in memory, events, result files.
 
 mod board;
 mod events;

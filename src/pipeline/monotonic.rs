@@ -1,11 +1,11 @@
-//! The clock that measurements are timed by.
+//! The clock that times the stages.
 
 use std::{
     sync::LazyLock,
     time::{Duration, Instant},
 };
 
-/// Monotonic time since this was first asked for: a [`lfpiv_core::Clock`].
+/// Monotonic time since the first call: a [`lfpiv_core::Clock`].
 pub fn monotonic() -> Duration {
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
     START.elapsed()

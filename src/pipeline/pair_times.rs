@@ -1,7 +1,8 @@
-//! How long pairs take, and which one takes too long: its worker hangs.
+//! Processing times of pairs, to detect hung workers.
 //!
-//! How long a pair should take depends on volume, seeding and machine. The longest that gave a
-//! result so far says; before there is one, the configuration does. Time is passed in.
+//! The expected time depends on volume, seeding and machine. The limit therefore follows from the
+//! longest pair so far that gave a result, and from the configuration before there is one. The
+//! current time is passed in.
 
 use std::{
     collections::BTreeMap,
@@ -11,13 +12,12 @@ use std::{
 
 use parking_lot::Mutex;
 
-/// A pair may take so many times as long as the longest before it: the number of particles may
-/// have changed, and other programs may be running.
-const ALLOWANCE: u32 = 10;
-/// It may always take so long.
-const LEAST: Duration = Duration::from_secs(60);
-/// What the first pair may take unless configured.
-const FIRST: Duration = Duration::from_secs(900);
+/// Limit in multiples of the longest pair so far: seeding may change, and other programs may run.
+const LIMIT_FACTOR: u32 = 10;
+/// Lower bound of the limit.
+const MIN_LIMIT: Duration = Duration::from_secs(60);
+/// Default limit of the first pair.
+const DEFAULT_FIRST_LIMIT: Duration = Duration::from_secs(900);
 
 /// See the module.
 #[derive(Debug)]
@@ -25,22 +25,22 @@ pub struct PairTimes(Mutex<State>);
 
 #[derive(Debug)]
 struct State {
-    /// What the first pair may take.
+    /// Limit of the first pair.
     first: Duration,
-    /// The longest that a pair with a result has taken.
+    /// Longest time of a pair with a result.
     longest: Option<Duration>,
-    /// Since when each shot is with a worker.
+    /// Start time of each shot in process.
     running: BTreeMap<u64, Instant>,
 }
 
-/// A pair that takes too long.
+/// A pair that exceeds its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HungPair {
-    /// Its shot.
+    /// Its shot number.
     pub shot: u64,
-    /// How long it has taken until now.
+    /// Time taken so far.
     pub taken: Duration,
-    /// How long it may take.
+    /// Its limit.
     pub allowed: Duration,
 }
 
@@ -50,7 +50,7 @@ impl fmt::Display for HungPair {
         let (taken, allowed) = (taken.as_secs_f64(), allowed.as_secs_f64());
         write!(
             f,
-            "the worker of shot {shot} hangs: it has had the pair for {taken:.1} s, and {allowed:.1} \
+            "the worker of shot {shot} hangs: it has taken {taken:.1} s, and {allowed:.1} \
              s are allowed (pipeline.first_pair_patience_s)"
         )
     }
@@ -58,23 +58,23 @@ impl fmt::Display for HungPair {
 
 impl Default for PairTimes {
     fn default() -> Self {
-        Self::new(FIRST)
+        Self::new(DEFAULT_FIRST_LIMIT)
     }
 }
 
 impl PairTimes {
-    /// The first pair may take so long.
+    /// With this limit for the first pair.
     pub fn new(first: Duration) -> Self {
         let (longest, running) = (None, BTreeMap::new());
         Self(Mutex::new(State { first, longest, running }))
     }
 
-    /// A worker is given a pair.
+    /// Records that a worker has started a pair.
     pub fn begin(&self, shot: u64, now: Instant) {
         self.0.lock().running.insert(shot, now);
     }
 
-    /// The worker is done with it. What gave no result says nothing of how long one takes.
+    /// Records that a pair is done. A pair without a result does not change the limit.
     pub fn end(&self, shot: u64, now: Instant, has_result: bool) {
         let mut state = self.0.lock();
         let Some(began) = state.running.remove(&shot).filter(|_| has_result) else { return };
@@ -82,10 +82,11 @@ impl PairTimes {
         state.longest = state.longest.max(Some(taken));
     }
 
-    /// The pair that takes too long, and has for longest.
+    /// The hung pair that has been running longest.
     pub fn hung(&self, now: Instant) -> Option<HungPair> {
         let state = self.0.lock();
-        let allowed = state.longest.map_or(state.first, |longest| LEAST.max(ALLOWANCE * longest));
+        let allowed =
+            state.longest.map_or(state.first, |longest| MIN_LIMIT.max(LIMIT_FACTOR * longest));
         let (shot, began) = state.running.iter().min_by_key(|(_, began)| **began)?;
         let taken = now.saturating_duration_since(*began);
         (taken > allowed).then_some(HungPair { shot: *shot, taken, allowed })
@@ -107,7 +108,7 @@ mod tests {
         assert_eq!(hung(200), None);
         assert_eq!(hung(201), Some((0, 200 * S)));
         times.end(0, began + 20 * S, true);
-        // A shorter one changes nothing.
+        // A shorter time changes nothing.
         times.begin(1, began + 20 * S);
         times.end(1, began + 21 * S, true);
         times.begin(2, began + 100 * S);
@@ -126,7 +127,7 @@ mod tests {
         assert_eq!(times.hung(began + 200 * S), None);
         times.end(1, began, true);
         times.begin(2, began);
-        assert_eq!(times.hung(began + LEAST), None);
-        assert_eq!(times.hung(began + LEAST + S).map(|hung| hung.shot), Some(2));
+        assert_eq!(times.hung(began + MIN_LIMIT), None);
+        assert_eq!(times.hung(began + MIN_LIMIT + S).map(|hung| hung.shot), Some(2));
     }
 }

@@ -1,11 +1,11 @@
 //! The worker pool: shots from the queue to results on disk.
 //!
-//! One shot at a time by default: a shot's own stages run on all cores through rayon, a second
-//! shot in hand would cost some 100 MB and gain only the serial ends. Between the queue and the
-//! disk at most `workers` shots are in hand, however slow the disk is.
+//! By default one shot is processed at a time: its stages use all cores through rayon, and a second
+//! concurrent shot would cost some 100 MB and gain only the serial parts. At most `workers` shots are
+//! in flight between queue and disk, however slow the disk is.
 //!
-//! A shot that cannot be processed, or whose worker panics, costs that shot and nothing else. Once
-//! `stop` is cancelled the shots in hand are finished and those still queued are shed.
+//! A failure or panic while processing costs that shot only. Once `stop` is cancelled, the shots in
+//! process are finished and queued ones are shed.
 
 use std::{
     fmt::Display,
@@ -33,12 +33,12 @@ use crate::{
     archive::{RawLevel, ShotResult},
 };
 
-/// How many workers, on how many threads.
+/// Number of workers and threads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PoolSettings {
     /// Shots processed at the same time.
     pub workers: usize,
-    /// Threads that they share; 0 for one per core.
+    /// Threads shared by the workers; 0 for one per core.
     pub threads: usize,
 }
 
@@ -48,14 +48,14 @@ impl Default for PoolSettings {
     }
 }
 
-/// Why the pool could not begin, or how it ended.
+/// Why the pool could not start, or how it ended.
 #[derive(Debug, Error)]
 pub enum PoolError {
-    /// No worker threads.
-    #[error("no threads for the workers")]
+    /// The worker threads could not be started.
+    #[error("cannot start the worker threads")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-    /// No writer thread.
-    #[error("no thread for the writer of results")]
+    /// The writer thread could not be started.
+    #[error("cannot start the writer thread of results")]
     WriterThread(#[source] std::io::Error),
     /// Closing the results panicked.
     #[error("closing the results panicked: {0}; the last of them are not on disk")]
@@ -68,19 +68,19 @@ pub enum PoolError {
 /// What the pool shares with the rest of the daemon.
 #[derive(Clone)]
 pub struct PoolLinks {
-    /// Where each shot's end is settled.
+    /// Receives the outcome of each shot.
     pub ledger: Arc<Mutex<Ledger>>,
-    /// How safe each shot's raw data is.
+    /// Knows how durable each shot's raw data is.
     pub journal: Journal,
-    /// By which triggers were due.
+    /// The clock of trigger due times.
     pub clock: Arc<dyn RunClock>,
-    /// Where records and results are shown.
+    /// Receives records and results.
     pub board: Arc<Board>,
-    /// Cancelled when shots that wait shall not be processed any more.
+    /// Cancelled when queued shots shall no longer be processed.
     pub stop: CancellationToken,
 }
 
-/// The pool, built and idle.
+/// The pool, not started yet.
 pub struct Pool<P> {
     process: Arc<P>,
     threads: ThreadPool,
@@ -95,8 +95,8 @@ where
     P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
     E: Display,
 {
-    /// Starts the threads. `process` turns a pair into a result, `sink` stores results, and
-    /// `observer` sees every shot that ends here, on the writer's thread.
+    /// Starts the threads. `process` turns a pair into a result, `sink` stores results, and `observer`
+    /// is called for every finished shot on the writer thread.
     ///
     /// # Errors
     ///
@@ -131,7 +131,7 @@ where
     pub async fn run(self, mut queue: ShotReceiver) -> Result<(), PoolError> {
         let free = Arc::new(Semaphore::new(self.workers));
         loop {
-            // A worker first, a shot second: what no worker can take stays in the queue.
+            // First a free worker, then a shot: a shot without a worker stays in the queue.
             let Ok(worker) = free.clone().acquire_owned().await else { break };
             let Some(shot) = queue.recv().await else { break };
             if self.links.stop.is_cancelled() {
@@ -166,14 +166,14 @@ where
             let result = result.map(|measured| ShotResult { time, ..measured.into() });
             let finished = Finished { shot: trigger, due, result, worker };
             if let Err(std_mpsc::SendError(lost)) = results.send(finished) {
-                links.write_failed(lost, "the writer of results has ended");
+                links.write_failed(lost, "the writer thread has ended");
             }
         });
     }
 }
 
 impl PoolLinks {
-    /// Nobody is left to write this one.
+    /// Settles a shot whose result cannot be written because the writer has ended.
     fn write_failed(&self, lost: Finished, message: &str) {
         let shot = lost.shot;
         match lost.result {
@@ -186,8 +186,8 @@ impl PoolLinks {
         };
     }
 
-    /// Ends a shot on the board and in the ledger at once: whoever holds the ledger's lock sees
-    /// both or neither.
+    /// Settles a shot on the board and in the ledger together: a holder of the ledger's lock sees both or
+    /// neither.
     pub(super) fn conclude(
         &self,
         shot: u64,
@@ -203,22 +203,22 @@ impl PoolLinks {
     }
 }
 
-/// How many steps nicer the workers' threads are than those that receive, pair and record frames. With
-/// five, `scripts/beside-busy.sh 1 scripts/loopback.sh` takes a third of the time that it takes with ten.
+/// Niceness of worker threads relative to the threads that receive, pair and record frames. With five,
+/// `scripts/beside-busy.sh 1 scripts/loopback.sh` takes a third of the time that it takes with ten.
 const WORKERS_NICENESS: i32 = 5;
 
-/// Lets the calling thread wait while threads of acquisition have work: a measurement may take longer,
-/// a frame may not be lost. Linux counts niceness by thread.
+/// Lowers the priority of the calling thread below acquisition: a measurement may take longer, but no
+/// frame may be lost. Linux counts niceness per thread.
 fn run_after_acquisition() {
     if let Err(error) = rustix::process::nice(WORKERS_NICENESS) {
-        tracing::debug!(%error, "the workers run at the priority of acquisition");
+        tracing::debug!(%error, "workers run at the same priority as acquisition");
     }
 }
 
-/// A refused entry is a fault of this program: it is told, and the run goes on.
+/// A refused entry is a bug of this program: it is logged, and the run continues.
 fn note(entry: Result<(), LedgerError>) {
     if let Err(error) = entry {
-        tracing::error!(%error, "the ledger refused an entry");
+        tracing::error!(%error, "the ledger refused an entry (a fault of this program)");
     }
 }
 
@@ -232,7 +232,7 @@ fn process_guarded<E: Display>(
     let mut result = processed
         .map_err(|panic| format!("the worker panicked: {}", panic_message(panic.as_ref())))?
         .map_err(|error| error.to_string())?;
-    // Whoever runs the bench may have changed it since the start.
+    // The operator may have changed it since the start.
     result.field.dt_s = dt_us * 1e-6;
     result.warnings.extend(suspect.into_iter().map(|words| format!("suspect pairing: {words}")));
     Ok(result)

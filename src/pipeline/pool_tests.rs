@@ -1,4 +1,4 @@
-//! What the pool does with panics, failures, full disks and stops.
+//! The pool under panics, failures, full disks and stops.
 
 use std::{
     io,
@@ -17,14 +17,14 @@ use crate::{
     pipeline::{Lookup, RESULTS_IN_MEMORY, ShotRecord, Stage, test_data::result},
 };
 
-/// Keeps shot numbers; refuses shot 2 and panics at shot 7.
+/// Stores shot numbers; returns an error at shot 2 and panics at shot 7.
 #[derive(Clone, Default)]
-struct Shelf {
+struct TestSink {
     kept: Arc<Mutex<Vec<u64>>>,
     closed: Arc<AtomicUsize>,
 }
 
-impl ResultSink for Shelf {
+impl ResultSink for TestSink {
     type Error = io::Error;
 
     fn append(&mut self, shot: u64, _: &ShotResult) -> Result<(), io::Error> {
@@ -42,7 +42,7 @@ impl ResultSink for Shelf {
     }
 }
 
-/// A shot whose one image holds its number.
+/// A shot whose single image encodes its number.
 fn shot(trigger: u64) -> Shot {
     let frame = || Frame {
         image: RawImage::new(1, 1, vec![trigger as u16]).unwrap(),
@@ -63,7 +63,7 @@ fn number(pair: &ImagePair) -> u16 {
 
 struct Rig {
     links: PoolLinks,
-    shelf: Shelf,
+    shelf: TestSink,
     seen: Arc<Mutex<Vec<ShotRecord>>>,
 }
 
@@ -78,7 +78,7 @@ impl Rig {
             board: Arc::new(Board::new()),
             stop: CancellationToken::new(),
         };
-        Self { links, shelf: Shelf::default(), seen: Arc::default() }
+        Self { links, shelf: TestSink::default(), seen: Arc::default() }
     }
 
     fn pool<P>(&self, workers: usize, process: P) -> Pool<P>

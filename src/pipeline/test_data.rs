@@ -1,4 +1,4 @@
-//! A result that needs no measuring.
+//! A result for tests.
 
 use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 

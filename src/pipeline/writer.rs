@@ -1,4 +1,4 @@
-//! The end of the pool: one thread that stores results and settles shots.
+//! The writer thread of the pool: stores results and settles shots.
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
@@ -17,22 +17,22 @@ use crate::{
     archive::{ArchiveError, RawLevel, ResultStore, ShotResult},
 };
 
-/// How often a shot's raw data is looked at that is on its way to the disk.
-const LOOK: Duration = Duration::from_millis(1);
-/// Silence after which the sink may tidy up.
-const PAUSE: Duration = Duration::from_secs(1);
+/// Poll interval while a shot's raw data is being written.
+const POLL: Duration = Duration::from_millis(1);
+/// Idle time after which the sink may do housekeeping.
+const IDLE_AFTER: Duration = Duration::from_secs(1);
 
-/// Where results are kept.
+/// Stores results.
 pub trait ResultSink: Send + 'static {
-    /// Why a result cannot be kept.
+    /// Why a result cannot be stored.
     type Error: std::error::Error;
-    /// Keeps the result of one shot.
+    /// Stores the result of one shot.
     fn append(&mut self, shot: u64, result: &ShotResult) -> Result<(), Self::Error>;
-    /// Called when nothing has come for a while.
+    /// Called after [`IDLE_AFTER`] without results.
     fn idle(&mut self) -> Result<(), Self::Error> {
         Ok(())
     }
-    /// Seals what was kept.
+    /// Seals the stored results.
     fn close(self) -> Result<(), Self::Error>;
 }
 
@@ -52,10 +52,10 @@ impl ResultSink for ResultStore {
     }
 }
 
-/// Sees every shot that ends in the pool, with its result when there is one.
+/// Called for every shot that ends in the pool, with its result if there is one.
 pub type Observer = Box<dyn FnMut(&ShotRecord, Option<&ShotResult>) + Send>;
 
-/// A shot that a worker is done with. The worker is free again once this is written.
+/// A processed shot. Its worker is free again once this is written.
 pub(super) struct Finished {
     pub shot: u64,
     /// When its trigger was due.
@@ -75,11 +75,11 @@ impl<S: ResultSink> Writer<S> {
         Self { sink, observer, links }
     }
 
-    /// Writes until every worker is gone; the error is that of closing.
+    /// Writes until all workers are gone; returns the error of closing.
     pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
         let heartbeat = self.links.board.writing().clone();
         loop {
-            match inbox.recv_timeout(PAUSE) {
+            match inbox.recv_timeout(IDLE_AFTER) {
                 Ok(finished) => {
                     heartbeat.beat();
                     self.take(finished);
@@ -117,7 +117,7 @@ impl<S: ResultSink> Writer<S> {
         drop(worker);
     }
 
-    /// A panic while writing costs the shot its file, not the run its conservation law.
+    /// Settles a shot whose writing panicked, so that the conservation law holds.
     fn end_after_panic(&self, shot: u64, message: &str) {
         let message = format!("the writer panicked: {message}");
         tracing::error!(shot, message);
@@ -134,7 +134,7 @@ impl<S: ResultSink> Writer<S> {
         let kept = result.clone();
         let record = match self.sink.append(shot, &result) {
             Ok(()) => {
-                self.links.board.took(self.links.clock.now().saturating_sub(due));
+                self.links.board.record_latency(self.links.clock.now().saturating_sub(due));
                 self.links.conclude(shot, Outcome::Complete, |board| board.done(shot, kept))
             }
             Err(error) => {
@@ -148,18 +148,18 @@ impl<S: ResultSink> Writer<S> {
         (self.observer)(&record, Some(&result));
     }
 
-    /// How safe the raw data of a shot is, once it is written: no result outlives a kill whose images
-    /// do not. Mostly they were written before the shot was measured.
+    /// Durability of a shot's raw data, once it is at least written: no result survives a kill that its
+    /// images do not survive. Usually they were written before the shot was measured.
     fn raw_level(&self, shot: u64) -> RawLevel {
         loop {
             match self.links.journal.level(shot) {
-                RawLevel::Acquired => std::thread::sleep(LOOK),
+                RawLevel::Acquired => std::thread::sleep(POLL),
                 level => return level,
             }
         }
     }
 
-    /// The frames were whole: what failed is the shot's processing, not the trigger.
+    /// Settles a failed shot. Its frames were intact: processing failed, not the trigger.
     fn fail(&mut self, shot: u64, message: String) {
         tracing::error!(shot, message, "no result");
         let conclude = |board: &Board| board.failed(shot, message);

@@ -32,7 +32,7 @@ const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Whether a laser may fire because of it.
 fn lets_fire(command: &Command) -> bool {
-    matches!(command, Command::Start | Command::Arm | Command::GoOn)
+    matches!(command, Command::Start | Command::Arm | Command::Resume)
 }
 
 /// The run's side.

@@ -67,17 +67,17 @@ impl ShotCounts {
         let ledger = state.ledger.lock();
         let pool = state.board.counts();
         let account = ledger.accounts().first().copied().unwrap_or_default();
-        let (handed_on, awaiting_frames) = (ledger.handed_on(), ledger.awaiting_frames());
+        let (in_pool, awaiting_frames) = (ledger.in_pool(), ledger.awaiting_frames());
         drop(ledger);
         let shed = account.outcomes.of(Outcome::Shed);
         let not_fired = account.outcomes.of(Outcome::NotFired);
         let ended_unseen = shed + not_fired;
-        let pooled = handed_on + pool.done + pool.failed + pool.write_failed;
-        let processing = pool.processing.min(handed_on);
+        let pooled = in_pool + pool.done + pool.failed + pool.write_failed;
+        let processing = pool.processing.min(in_pool);
         Self {
             triggered: account.triggers,
             awaiting_frames,
-            queued: handed_on - processing,
+            queued: in_pool - processing,
             processing,
             done: pool.done,
             failed: pool.failed,

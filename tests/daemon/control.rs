@@ -64,7 +64,7 @@ impl Controls for Bench {
                 Command::Start => state.mode = Mode::Firing,
                 Command::Stop => state.mode = Mode::Armed,
                 Command::Disarm => state.mode = Mode::Disarmed,
-                Command::GoOn | Command::Note { .. } => {}
+                Command::Resume | Command::Note { .. } => {}
             }
             Ok(state.clone())
         })

@@ -21,7 +21,7 @@ pub async fn busy_server() -> (Server, u64) {
         ledger.enter(shot).unwrap();
     }
     for shot in 0..done {
-        ledger.queued(shot, &[]);
+        ledger.mark_queued(shot, &[]);
         board.processing(shot);
         board.done(shot, ShotResult::from(quick_result(&pair)).into());
         ledger.settle_all(shot, Outcome::Complete).unwrap();
@@ -31,12 +31,12 @@ pub async fn busy_server() -> (Server, u64) {
     ledger.settle_all(done + 1, Outcome::Shed).unwrap();
     ledger.settle(done + 2, 0, Outcome::Unpaired).unwrap();
     ledger.settle(done + 2, 1, Outcome::MissingPackets).unwrap();
-    ledger.queued(done + 3, &["camera 1: frame b came late".to_owned()]);
+    ledger.mark_queued(done + 3, &["camera 1: frame b came late".to_owned()]);
     board.processing(done + 3);
-    ledger.queued(done + 4, &[]);
+    ledger.mark_queued(done + 4, &[]);
     let utc_ns = 1_700_000_000_250_000_000;
     let time = ShotTime { utc_ns, uncertainty_ns: 1_500_000, clock_synchronised: true };
-    ledger.timed(done + 4, Some(time));
+    ledger.set_time(done + 4, Some(time));
     (Server::start(ledger, board).await, done)
 }
 

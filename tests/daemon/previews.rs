@@ -47,7 +47,7 @@ async fn lit_server() -> Server {
     let mut ledger = Ledger::new(2);
     ledger.enter(7).unwrap();
     ledger.enter(8).unwrap();
-    ledger.queued(7, &[]);
+    ledger.mark_queued(7, &[]);
     Server::start(ledger, lit_board([4, 3, 2])).await
 }
 

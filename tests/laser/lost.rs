@@ -64,11 +64,11 @@ async fn goes_on_and_stops(laser: &Laser, run: Run) {
 async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
     let laser = Laser::start();
     let run = firing(&laser, WAIT).await;
-    assert!(run.control.request(Command::GoOn).await.is_err(), "it waits for nobody");
+    assert!(run.control.request(Command::Resume).await.is_err(), "it waits for nobody");
     laser.served.unit().fall_silent_after(0);
     run.until("the loss", || run.control.state().mode == Mode::Lost).await;
     assert!(run.control.state().held[0].contains("looked for"), "{:?}", run.control.state());
-    for command in [Command::Start, Command::Arm, Command::GoOn] {
+    for command in [Command::Start, Command::Arm, Command::Resume] {
         assert!(run.control.request(command).await.is_err(), "there is nothing to fire with");
     }
     laser.served.unit().speak_again();
@@ -78,7 +78,7 @@ async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
     let before = laser.pulses();
     tokio::time::sleep(Duration::from_secs(1)).await;
     assert_eq!(laser.pulses(), before, "neither lamps nor Q-switches");
-    run.control.request(Command::GoOn).await.unwrap();
+    run.control.request(Command::Resume).await.unwrap();
     goes_on_and_stops(&laser, run).await;
 }
 
@@ -100,7 +100,7 @@ async fn a_run_that_is_disarmed_while_its_unit_is_lost_stays_disarmed() {
     laser.plug_in_line();
     run.until("the return", || run.control.state().mode == Mode::Disarmed).await;
     assert_eq!(run.control.state().held, Vec::<String>::new());
-    assert!(run.control.request(Command::GoOn).await.is_err());
+    assert!(run.control.request(Command::Resume).await.is_err());
     let before = laser.pulses();
     tokio::time::sleep(Duration::from_secs(1)).await;
     assert_eq!(laser.pulses(), before);
@@ -135,7 +135,7 @@ async fn a_unit_that_does_not_come_back_in_time_ends_the_run() {
     let patience = Some(Duration::ZERO);
     let run = pulled(&laser, AfterLoss { patience, ..WAIT }).await;
     let error = run.end().await.unwrap_err().to_string();
-    assert!(error.contains("has not come back within 0 s"), "{error}");
+    assert!(error.contains("did not come back within 0 s"), "{error}");
     assert!(error.contains("Use the hardware interlock"), "{error}");
 }
 

@@ -242,7 +242,7 @@ fn a_pipe_in_the_folder_of_a_run_is_not_waited_for() {
                 "compare" => !name.starts_with("raw"),
                 _ => true,
             };
-            let words = "it is no regular file";
+            let words = "it is not a regular file";
             assert_eq!(said.contains(words), is_read, "{name}, {}: {said}", arguments[0]);
         }
         fs::remove_dir_all(&run).expect("a run");

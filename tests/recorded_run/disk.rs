@@ -130,7 +130,7 @@ fn half_of_a_full_disk() {
     fs::write(&ballast, vec![1; 35 << 20]).expect("room for ballast");
     let config = configuration(root.path(), "[raw_log]\nreserve_mb = 2\nsync_ms = 5\n");
     let mut daemon = Daemon::start(root.path(), &config, "20");
-    daemon.wait_for("nothing is fired");
+    daemon.wait_for("firing is on hold");
     assert!(daemon.log().contains("make room"), "{}", daemon.log());
     fs::remove_file(&ballast).expect("the ballast");
     daemon.wait_for_the_end();
@@ -226,7 +226,7 @@ fn half_of_the_first_shot() {
     fs::write(&ballast, vec![1; DISK - FREE]).expect("room for ballast");
     let config = configuration(root.path(), "[raw_log]\nreserve_mb = 4\nsync_ms = 5\n");
     let mut daemon = Daemon::start(root.path(), &config, "1");
-    daemon.wait_for("nothing is fired");
+    daemon.wait_for("firing is on hold");
     assert!(daemon.log().contains("1 MB of images"), "{}", daemon.log());
     fs::remove_file(&ballast).expect("the ballast");
     daemon.wait_for_the_end();

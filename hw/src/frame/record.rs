@@ -82,7 +82,7 @@ impl Camera for RecordedCamera {
         self.inner.is_connected()
     }
 
-    fn notices_absence_within(&self) -> Duration {
-        self.inner.notices_absence_within()
+    fn loss_detection_time(&self) -> Duration {
+        self.inner.loss_detection_time()
     }
 }

@@ -1,4 +1,4 @@
-//! How images are stored. Lossless, whatever the codec.
+//! Lossless storage of images.
 
 mod packed;
 mod planes;
@@ -11,10 +11,10 @@ use garde::Validate;
 use lfpiv_hw::RawImage;
 use serde::{Deserialize, Serialize};
 
-/// Largest image that is stored, in pixels: bounds what a damaged length can make a reader allocate.
-pub(super) const MOST_PIXELS: u64 = 1 << 28;
+/// Largest image that can be stored, in pixels. It bounds what a corrupt length makes a reader allocate.
+pub(super) const MAX_PIXELS: u64 = 1 << 28;
 
-/// zstd's level: higher ones are slower and no smaller on images with noise.
+/// zstd level. Higher levels are slower and do not compress noisy images better.
 const ZSTD_LEVEL: i32 = 1;
 
 /// How a log stores its images.
@@ -22,18 +22,18 @@ const ZSTD_LEVEL: i32 = 1;
 #[serde(rename_all = "kebab-case")]
 #[garde(allow_unvalidated)]
 pub enum Codec {
-    /// 16-bit counts as they are.
+    /// Plain 16-bit counts.
     Raw,
-    /// Blocks of counts as differences with as few bits as they need.
+    /// Frame-of-reference bit packing in blocks of counts.
     Packed,
-    /// Low and high bytes apart, then zstd: smaller, at several times the processor time.
+    /// Byte shuffling, then zstd: smaller files at several times the processor time.
     Zstd,
-    /// What measurement recommends (`docs/raw-log.md`): packed.
+    /// The recommended codec (`docs/raw-log.md`): packed.
     #[default]
     Auto,
 }
 
-/// How one image is stored: the number in its record.
+/// The codec number in a record header.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum StoredAs {
     Raw = 1,
@@ -41,10 +41,10 @@ enum StoredAs {
     Zstd = 3,
 }
 
-/// The number of a record whose image is stored as 16-bit counts, low byte first.
+/// Codec number of plain 16-bit little-endian counts.
 pub(super) const STORED_RAW: u32 = StoredAs::Raw as u32;
 
-/// Encodes images, with what is worth keeping from one to the next.
+/// Encodes images; reuses its buffers and compression context.
 pub(super) struct Encoder {
     codec: Codec,
     planes: Vec<u8>,
@@ -53,17 +53,17 @@ pub(super) struct Encoder {
 
 impl Encoder {
     /// # Errors
-    /// zstd has no memory.
+    /// zstd cannot allocate its context.
     pub fn new(codec: Codec) -> io::Result<Self> {
         let zstd = zstd::bulk::Compressor::new(ZSTD_LEVEL)?;
         Ok(Self { codec, planes: Vec::new(), zstd })
     }
 
-    /// Appends the stored image to `stored`; how it is stored, as the record's number. What would
-    /// grow is stored raw, so that no image needs more room than its counts.
+    /// Appends the stored image to `stored` and returns the codec number for the record header. An
+    /// image that the codec would enlarge is stored raw, so stored images never exceed their counts.
     ///
     /// # Errors
-    /// zstd has no memory.
+    /// zstd cannot allocate memory.
     pub fn encode(&mut self, image: &RawImage, stored: &mut Vec<u8>) -> io::Result<u32> {
         let start = stored.len();
         let counts = image.counts();
@@ -89,10 +89,10 @@ impl Encoder {
     }
 }
 
-/// The image that was stored; nothing where number, size and bytes do not fit together.
+/// Decodes a stored image. `None` if codec number, size and bytes do not fit together.
 pub(super) fn decode(stored: &[u8], codec: u32, columns: u32, rows: u32) -> Option<RawImage> {
     let pixels = u64::from(columns) * u64::from(rows);
-    let pixels = usize::try_from(pixels).ok().filter(|pixels| *pixels as u64 <= MOST_PIXELS)?;
+    let pixels = usize::try_from(pixels).ok().filter(|pixels| *pixels as u64 <= MAX_PIXELS)?;
     let counts = match codec {
         1 => decode_raw(stored, pixels)?,
         2 => decode_packed(stored, pixels)?,
@@ -104,7 +104,7 @@ pub(super) fn decode(stored: &[u8], codec: u32, columns: u32, rows: u32) -> Opti
 
 fn append_raw(counts: &[u16], stored: &mut Vec<u8>) {
     stored.reserve(2 * counts.len());
-    // In pieces: byte by byte into a growing vector is several times slower.
+    // In chunks: pushing byte by byte into a growing vector is several times slower.
     let mut bytes = [0; 4096];
     for counts in counts.chunks(bytes.len() / 2) {
         for (pair, count) in bytes.chunks_exact_mut(2).zip(counts) {
@@ -121,7 +121,7 @@ fn decode_raw(stored: &[u8], pixels: usize) -> Option<Vec<u16>> {
 }
 
 fn decode_packed(stored: &[u8], pixels: usize) -> Option<Vec<u16>> {
-    if pixels > packed::most_counts(stored.len()) {
+    if pixels > packed::max_counts(stored.len()) {
         return None;
     }
     let mut counts = vec![0; pixels];
@@ -130,7 +130,7 @@ fn decode_packed(stored: &[u8], pixels: usize) -> Option<Vec<u16>> {
 }
 
 fn decode_zstd(stored: &[u8], pixels: usize) -> Option<Vec<u16>> {
-    // The frame itself says how long its content is: a wrong one costs no memory.
+    // The zstd frame states its content size, so a wrong size allocates nothing.
     let content_bytes = zstd::zstd_safe::get_frame_content_size(stored).ok()??;
     if content_bytes != 2 * pixels as u64 {
         return None;

@@ -1,21 +1,21 @@
-//! Frame-of-reference bit packing: what 12- and 8-bit sensors leave unused costs nothing.
+//! Frame-of-reference bit packing: unused bits of 12- and 8-bit sensors take no space.
 //!
-//! Counts are taken in blocks of 128, the last one filled up with its first count. A block is its
-//! smallest count (2 bytes), the width W in bits of the largest difference from it (1 byte), and
-//! the 128 differences with W bits each in 16·W bytes. Difference n lies in lane n mod 8, so that
-//! eight of them are shifted at once: each lane is a string of 16 differences, lowest bits first,
-//! cut into W words of 16 bits; word w of lane l is number 8·w + l of the block's words.
+//! Counts are packed in blocks of 128; the last block is padded with its first count. A block
+//! consists of its smallest count (2 bytes), the width W in bits of the largest difference from it
+//! (1 byte), and the 128 differences of W bits each, in 16·W bytes. Difference n is in lane n mod 8,
+//! so that one vector operation shifts eight of them. Each lane is a string of 16 differences,
+//! lowest bits first, cut into W words of 16 bits; word w of lane l is word 8·w + l of the block.
 
 use std::array;
 
 const LANES: usize = 8;
-/// Differences in a lane: a word's bits, so that a lane is W whole words.
+/// Differences per lane: the bits of a word, so that a lane is W whole words.
 const DEPTH: usize = 16;
 const BLOCK: usize = LANES * DEPTH;
 const BLOCK_HEADER_BYTES: usize = 3;
 const WORD_ROW_BYTES: usize = 2 * LANES;
 
-/// A loop for every width, so that all shifts are constants and the compiler unrolls it.
+/// One loop per width, so that all shifts are constants and the compiler unrolls it.
 macro_rules! with_width {
     ($width:expr, $function:ident $arguments:tt) => {
         with_width!(@ $width, $function $arguments, 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15)
@@ -28,8 +28,8 @@ macro_rules! with_width {
     };
 }
 
-/// Most counts that so many stored bytes can hold.
-pub(super) fn most_counts(stored_bytes: usize) -> usize {
+/// Upper bound of the counts that this many stored bytes can encode.
+pub(super) fn max_counts(stored_bytes: usize) -> usize {
     (stored_bytes / BLOCK_HEADER_BYTES).saturating_mul(BLOCK)
 }
 
@@ -46,7 +46,8 @@ pub(super) fn pack(counts: &[u16], packed: &mut Vec<u8>) {
     }
 }
 
-/// Fills `counts` from what [`pack`] made of as many; nothing where the bytes are not that.
+/// Fills `counts` from the output of [`pack`] for the same number of counts. `None` if the bytes are
+/// not such output.
 pub(super) fn unpack(mut packed: &[u8], counts: &mut [u16]) -> Option<()> {
     let (blocks, rest) = counts.as_chunks_mut::<BLOCK>();
     for block in blocks {

@@ -1,4 +1,4 @@
-//! Counts as two planes of bytes: the high ones hardly change, and compressors see that.
+//! Counts as two byte planes: the high bytes vary little and compress well.
 
 /// All low bytes, then all high bytes.
 pub(super) fn split(counts: &[u16], planes: &mut Vec<u8>) {

@@ -19,7 +19,7 @@ fn decoded(codec: u32, stored: &[u8], like: &RawImage) -> Option<RawImage> {
     decode(stored, codec, like.columns() as u32, like.rows() as u32)
 }
 
-/// Counts with every width of differences, in every order of magnitude.
+/// Counts with all widths of differences and all magnitudes.
 fn counts() -> impl Strategy<Value = Vec<u16>> {
     (0..=16_u32, any::<u16>(), 0..700_usize).prop_flat_map(|(width, base, length)| {
         let most = ((1_u32 << width) - 1) as u16;
@@ -32,7 +32,7 @@ proptest! {
     #![proptest_config(ProptestConfig { rng_seed: prop::test_runner::RngSeed::Fixed(41), ..ProptestConfig::with_cases(400) })]
 
     #[test]
-    fn every_codec_gives_back_what_it_was_given_in_no_more_room(counts in counts()) {
+    fn every_codec_gives_back_what_it_was_given_in_no_more_space(counts in counts()) {
         let image = image(1, counts);
         for codec in CODECS {
             let (number, stored) = stored(codec, &image);

@@ -1,38 +1,38 @@
-//! The last bytes of a sealed segment.
+//! The footer of a sealed segment.
 
 use super::{fields::Fields, salted_crc};
 
-/// How a footer begins.
+/// Magic number of a footer.
 pub(in super::super) const FOOTER_MAGIC: [u8; 4] = *b"LFEN";
 
 const FOOTER_BYTES: usize = 36;
 const FOOTER_BYTES_V1: usize = 32;
 
-/// What a segment must hold to be whole.
+/// Size and checksum of a sealed segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) struct Footer {
     /// Number of the segment.
     pub segment: u32,
-    /// Number of its records, those that cannot be read any more included.
+    /// Number of its records, including unreadable ones.
     pub records: u64,
     /// Bytes before the footer.
     pub length: u64,
-    /// CRC of all record headers, in order.
+    /// CRC over all record headers, in order.
     pub headers_crc: u32,
-    /// What comes behind the segment.
+    /// Whether another segment follows.
     pub ending: Ending,
 }
 
-/// What comes behind a segment.
+/// Whether another segment follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) enum Ending {
-    /// Version 1 does not say.
+    /// Not stored by version 1.
     Unknown,
-    /// The log goes on in the next segment, which existed before this one got its final name.
-    GoesOn,
-    /// The log ends here as it should.
+    /// The next segment follows. It existed before this one got its final name.
+    Continues,
+    /// Last segment of a log that was closed.
     Closed,
-    /// The log ends here because it was cut off: recovery has sealed the segment.
+    /// Last segment of a log that was not closed; sealed by recovery.
     CutOff,
 }
 
@@ -40,7 +40,7 @@ impl Ending {
     fn number(self) -> u32 {
         match self {
             Self::Unknown => 0,
-            Self::GoesOn => 1,
+            Self::Continues => 1,
             Self::Closed => 2,
             Self::CutOff => 3,
         }
@@ -48,19 +48,19 @@ impl Ending {
 }
 
 impl Footer {
-    /// Length of a footer in this version of the format.
+    /// Length of a footer in this format version.
     pub fn bytes(version: u32) -> usize {
         if version == 1 { FOOTER_BYTES_V1 } else { FOOTER_BYTES }
     }
 
-    /// The footer's bytes in the segment with this salt.
+    /// Encodes the footer with the segment's salt.
     pub fn encode(&self, version: u32, salt: u32) -> Vec<u8> {
         let mut bytes = self.content(version);
         bytes.extend(salted_crc(salt, &bytes).to_le_bytes());
         bytes
     }
 
-    /// The footer's checksum: what the next segment knows this one by.
+    /// The footer's checksum, by which the next segment identifies this one.
     pub fn digest(&self, version: u32, salt: u32) -> u32 {
         salted_crc(salt, &self.content(version))
     }
@@ -78,7 +78,7 @@ impl Footer {
         bytes
     }
 
-    /// The footer at the start of `bytes`, if there is one.
+    /// Decodes the footer at the start of `bytes`, if there is one.
     pub fn decode(bytes: &[u8], version: u32, salt: u32) -> Option<Self> {
         let (content, stored_crc) = bytes.get(..Self::bytes(version))?.split_last_chunk()?;
         let mut fields = Fields(content);
@@ -92,7 +92,7 @@ impl Footer {
             length: fields.u64()?,
             headers_crc: fields.u32()?,
             ending: match fields.u32() {
-                Some(1) => Ending::GoesOn,
+                Some(1) => Ending::Continues,
                 Some(2) => Ending::Closed,
                 Some(3) => Ending::CutOff,
                 _ => Ending::Unknown,
@@ -108,7 +108,7 @@ mod tests {
     #[test]
     fn a_footer_belongs_to_its_segment_and_every_flipped_bit_is_noticed() {
         for (version, ending) in
-            [(1, Ending::Unknown), (2, Ending::GoesOn), (2, Ending::Closed), (2, Ending::CutOff)]
+            [(1, Ending::Unknown), (2, Ending::Continues), (2, Ending::Closed), (2, Ending::CutOff)]
         {
             let footer =
                 Footer { segment: 7, records: 11, length: 1 << 35, headers_crc: 5, ending };

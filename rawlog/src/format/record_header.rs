@@ -1,25 +1,25 @@
-//! What stands before every record.
+//! The header of a record.
 
 use super::{fields::Fields, salted_crc};
 
-/// How a record begins.
+/// Magic number of a record.
 pub(in super::super) const RECORD_MAGIC: [u8; 4] = *b"LFRC";
 
 /// Length of a record's header.
 pub(in super::super) const RECORD_HEADER_BYTES: usize = 48;
 
-/// Length, number and checksums of a record.
+/// Lengths, sequence number and checksums of a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) struct RecordHeader {
     /// Bytes of the head.
     pub head_bytes: u32,
-    /// Number of the record, from 0 through the whole log.
+    /// Sequence number, counted from 0 over the whole log.
     pub sequence: u64,
-    /// Size of the image; 0 without one.
+    /// Columns of the image; 0 without one.
     pub columns: u32,
-    /// Size of the image; 0 without one.
+    /// Rows of the image; 0 without one.
     pub rows: u32,
-    /// How the image is stored; 0 without one.
+    /// Codec number of the image; 0 without one.
     pub codec: u32,
     /// Bytes of the stored image.
     pub stored_bytes: u32,
@@ -32,7 +32,7 @@ pub(in super::super) struct RecordHeader {
 }
 
 impl RecordHeader {
-    /// The header's bytes in the segment with this salt.
+    /// Encodes the header with the segment's salt.
     pub fn encode(&self, salt: u32) -> [u8; RECORD_HEADER_BYTES] {
         let mut bytes = Vec::with_capacity(RECORD_HEADER_BYTES);
         bytes.extend(RECORD_MAGIC);
@@ -55,8 +55,8 @@ impl RecordHeader {
         header
     }
 
-    /// The header at the start of `bytes`; nothing where there is none, or a damaged one, or one of
-    /// another segment.
+    /// Decodes the header at the start of `bytes`. `None` if there is none, if it is damaged, or if it
+    /// belongs to another segment.
     pub fn decode(bytes: &[u8], salt: u32) -> Option<Self> {
         let bytes = bytes.get(..RECORD_HEADER_BYTES)?;
         let (content, stored_crc) = bytes.split_at(RECORD_HEADER_BYTES - 4);
@@ -78,7 +78,7 @@ impl RecordHeader {
         })
     }
 
-    /// Bytes of header, head and stored image together.
+    /// Bytes of header, head and stored image.
     pub fn record_bytes(&self) -> u64 {
         RECORD_HEADER_BYTES as u64 + u64::from(self.head_bytes) + u64::from(self.stored_bytes)
     }

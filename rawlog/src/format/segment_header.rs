@@ -1,28 +1,28 @@
-//! The first bytes of a segment.
+//! The header of a segment.
 
 use super::{FORMAT_VERSION, fields::Fields};
 
-/// How a segment begins.
+/// Magic number of a segment.
 pub(in super::super) const SEGMENT_MAGIC: [u8; 8] = *b"LFPIVRAW";
 
 /// Bytes before the description.
 const FIXED_BYTES: usize = 48;
 const FIXED_BYTES_V1: usize = 28;
 
-/// Longest header: more is not looked for in a damaged file.
-pub(in super::super) const MOST_HEADER_BYTES: usize = 1 << 26;
+/// Longest header: a bound for the search in a damaged file.
+pub(in super::super) const MAX_HEADER_BYTES: usize = 1 << 26;
 
-/// What a segment says about itself before its first record.
+/// The header of a segment.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in super::super) struct SegmentHeader {
     /// Version of the format.
     pub version: u32,
-    /// When the log was begun, UTC in ns: tells two logs of the same description apart. 0 in
+    /// Creation time of the log, UTC in ns. It tells logs with the same description apart. 0 in
     /// version 1.
-    pub begun_ns: u64,
+    pub created_ns: u64,
     /// Number of the segment, from 0.
     pub segment: u32,
-    /// The segment before it; nothing before the first, and in version 1.
+    /// The previous segment; `None` in the first segment and in version 1.
     pub predecessor: Predecessor,
     /// Sequence number of its first record.
     pub first_sequence: u64,
@@ -30,48 +30,48 @@ pub(in super::super) struct SegmentHeader {
     pub description: Vec<u8>,
 }
 
-/// What a segment knows of the one before it.
+/// What a segment stores about the previous one.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(in super::super) struct Predecessor {
     /// Number of its records.
     pub records: u64,
-    /// The checksum of its footer, which covers the checksums of all its records.
+    /// The checksum of its footer, which covers all record checksums.
     pub digest: u32,
 }
 
-/// Why bytes are no header that this program can use.
+/// Why bytes are not a usable header.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) enum HeaderFault {
-    /// No header, and no trace of a record: the segment was never begun.
+    /// The header is cut off and no record follows: the program died while creating the segment.
     Incomplete,
-    /// Another file, or damaged.
+    /// Damaged, or another kind of file.
     Damaged,
-    /// Written by a newer program, in this version of the format.
+    /// Written by a newer program, in this format version.
     NewerVersion(u32),
 }
 
-/// A header that is whole.
+/// An intact header.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in super::super) struct DecodedHeader {
     pub header: SegmentHeader,
-    /// The checksum, which the segment's records are bound to.
+    /// The checksum, to which the segment's records are bound.
     pub salt: u32,
-    /// Bytes of one copy of it.
+    /// Length of one copy in bytes.
     pub length: usize,
 }
 
 impl SegmentHeader {
-    /// Enough bytes from a header's start to know its length.
+    /// Bytes from which the length of any header can be read.
     pub const START_BYTES: usize = FIXED_BYTES_V1;
 
-    /// The bytes of one copy of the header, and the segment's salt.
+    /// Encodes one copy of the header; returns it with the segment's salt.
     pub fn encode(&self) -> (Vec<u8>, u32) {
         let length = FIXED_BYTES + self.description.len() + 4;
         let mut bytes = Vec::with_capacity(length);
         bytes.extend(SEGMENT_MAGIC);
         bytes.extend(self.version.to_le_bytes());
         bytes.extend((length as u32).to_le_bytes());
-        bytes.extend(self.begun_ns.to_le_bytes());
+        bytes.extend(self.created_ns.to_le_bytes());
         bytes.extend(self.segment.to_le_bytes());
         bytes.extend(self.predecessor.digest.to_le_bytes());
         bytes.extend(self.predecessor.records.to_le_bytes());
@@ -82,17 +82,17 @@ impl SegmentHeader {
         (bytes, salt)
     }
 
-    /// Bytes that are enough to decode the header that begins like this, in whichever layout.
+    /// Number of bytes needed to decode the header that begins like this, in any version.
     pub fn needed_bytes(start: &[u8]) -> usize {
         let number = |at: usize| Some(Fields(start.get(at..)?).u32()? as usize);
         let since_v2 = number(12).unwrap_or_default();
         let v1 = number(24).map_or(0, |length| FIXED_BYTES_V1.saturating_add(length) + 4);
-        let allowed = |length: usize| if length <= MOST_HEADER_BYTES { length } else { 0 };
+        let allowed = |length: usize| if length <= MAX_HEADER_BYTES { length } else { 0 };
         allowed(since_v2).max(allowed(v1)).max(start.len())
     }
 
-    /// The header at the start of `bytes`. The checksum is judged before the version: a flipped
-    /// bit makes no newer program.
+    /// Decodes the header at the start of `bytes`. The checksum is checked before the version, so that
+    /// a flipped bit is not taken for a newer program.
     pub fn decode(bytes: &[u8]) -> Result<DecodedHeader, HeaderFault> {
         if !bytes.starts_with(&SEGMENT_MAGIC) {
             return Err(HeaderFault::Damaged);
@@ -107,14 +107,14 @@ impl SegmentHeader {
         }
     }
 
-    /// How many copies of the header stand before the first record.
+    /// Number of copies of the header before the first record.
     pub fn copies(&self) -> usize {
         if self.version == 1 { 1 } else { 2 }
     }
 }
 
-/// Version, checked bytes and checksum of a header of version 2 or later: all of them say at the
-/// same place how long they are, and end in their checksum.
+/// Version, checked bytes and checksum of a header of version 2 or later. All of these store their
+/// length at the same place and end in their checksum.
 fn since_v2(bytes: &[u8]) -> Option<(u32, &[u8], u32)> {
     let mut fields = Fields(bytes.get(SEGMENT_MAGIC.len()..)?);
     let (version, length) = (fields.u32()?, fields.u32()? as usize);
@@ -125,12 +125,19 @@ fn since_v2(bytes: &[u8]) -> Option<(u32, &[u8], u32)> {
 
 fn decode_v2(content: &[u8]) -> Option<SegmentHeader> {
     let mut fields = Fields(content.get(16..)?);
-    let (begun_ns, segment) = (fields.u64()?, fields.u32()?);
+    let (created_ns, segment) = (fields.u64()?, fields.u32()?);
     let digest = fields.u32()?;
     let predecessor = Predecessor { records: fields.u64()?, digest };
     let first_sequence = fields.u64()?;
     let description = fields.0.to_vec();
-    Some(SegmentHeader { version: 2, begun_ns, segment, predecessor, first_sequence, description })
+    Some(SegmentHeader {
+        version: 2,
+        created_ns,
+        segment,
+        predecessor,
+        first_sequence,
+        description,
+    })
 }
 
 fn decode_v1(bytes: &[u8]) -> Option<DecodedHeader> {
@@ -144,7 +151,7 @@ fn decode_v1(bytes: &[u8]) -> Option<DecodedHeader> {
     let salt = crc32fast::hash(&bytes[..length - 4]);
     let predecessor = Predecessor::default();
     let header =
-        SegmentHeader { version, begun_ns: 0, segment, predecessor, first_sequence, description };
+        SegmentHeader { version, created_ns: 0, segment, predecessor, first_sequence, description };
     (version == 1 && salt == stored).then_some(DecodedHeader { header, salt, length })
 }
 
@@ -155,7 +162,7 @@ mod tests {
     fn header() -> SegmentHeader {
         SegmentHeader {
             version: FORMAT_VERSION,
-            begun_ns: 1 << 60,
+            created_ns: 1 << 60,
             segment: 3,
             predecessor: Predecessor { records: 17, digest: 5 },
             first_sequence: 1 << 40,

@@ -1,10 +1,10 @@
-//! The header of an opened segment, from whichever of its copies is whole.
+//! Reads a segment's header from whichever copy is intact.
 
 use std::io;
 
 use super::super::{
     format::{
-        DecodedHeader, HeaderFault, MOST_HEADER_BYTES, RECORD_MAGIC, SEGMENT_MAGIC, SegmentHeader,
+        DecodedHeader, HeaderFault, MAX_HEADER_BYTES, RECORD_MAGIC, SEGMENT_MAGIC, SegmentHeader,
     },
     storage::LogFile,
 };
@@ -12,16 +12,16 @@ use super::search::find_bytes;
 
 /// Why a segment cannot be opened.
 pub(in super::super) enum OpenFault {
-    /// Its header.
+    /// The header is unusable.
     Header(HeaderFault),
-    /// The operating system.
+    /// A file operation failed.
     Io(io::Error),
 }
 
-/// A header and which of its copies is damaged.
+/// A header, and which of its copies is damaged.
 pub(super) struct HeaderCopies {
     pub decoded: DecodedHeader,
-    /// Where the damaged copy begins, if one is.
+    /// Offset of the damaged copy, if there is one.
     pub damaged: Option<u64>,
 }
 
@@ -41,7 +41,7 @@ pub(super) fn read_header(file: &dyn LogFile) -> Result<HeaderCopies, OpenFault>
             None => return Err(without_header(file)?),
         },
     };
-    // The copies are one write, and records come after it.
+    // Both copies are one write, and records are written after it.
     let all = found.decoded.length as u64 * found.decoded.header.copies() as u64;
     if length < all {
         return Err(without_header(file)?);
@@ -49,11 +49,11 @@ pub(super) fn read_header(file: &dyn LogFile) -> Result<HeaderCopies, OpenFault>
     Ok(found)
 }
 
-/// The copy behind a first one that is damaged: it begins where that ended.
+/// The second copy, after a damaged first one: it begins where the first ended.
 fn second_copy(file: &dyn LogFile) -> Result<Option<DecodedHeader>, OpenFault> {
     let mut from = 1;
     loop {
-        let found = find_bytes(file, from, MOST_HEADER_BYTES as u64, &[&SEGMENT_MAGIC]);
+        let found = find_bytes(file, from, MAX_HEADER_BYTES as u64, &[&SEGMENT_MAGIC]);
         let Some(at) = found.map_err(OpenFault::Io)? else { return Ok(None) };
         match decode_at(file, at)? {
             Ok(decoded) if decoded.length as u64 == at => return Ok(Some(decoded)),
@@ -63,7 +63,8 @@ fn second_copy(file: &dyn LogFile) -> Result<Option<DecodedHeader>, OpenFault> {
     }
 }
 
-/// A segment that was being begun when the program died has no header, but no records either.
+/// The fault of a file without a header. A program that died while creating a segment left neither
+/// header nor records.
 fn without_header(file: &dyn LogFile) -> Result<OpenFault, OpenFault> {
     let record = find_bytes(file, 0, u64::MAX, &[&RECORD_MAGIC]).map_err(OpenFault::Io)?;
     let fault = if record.is_some() { HeaderFault::Damaged } else { HeaderFault::Incomplete };
@@ -81,7 +82,7 @@ fn decode_at(
         Ok(bytes)
     };
     let needed = SegmentHeader::needed_bytes(&read(SegmentHeader::START_BYTES)?) as u64;
-    // A damaged length asks for no more memory than there are bytes.
+    // A corrupt length must not allocate more memory than the file has bytes.
     let there = file.length().map_err(OpenFault::Io)?.saturating_sub(offset);
     Ok(SegmentHeader::decode(&read(needed.min(there) as usize)?))
 }

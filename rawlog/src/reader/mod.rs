@@ -1,4 +1,4 @@
-//! Reads a log: after its run, or beside the writer.
+//! Reads a log during or after its run.
 
 mod header_copies;
 mod scan;
@@ -18,31 +18,31 @@ use super::{
     storage::{Disk, Storage},
 };
 use scan::Scan;
-use segment_file::{Found, SegmentFile};
+use segment_file::{SegmentFile, SegmentItem};
 
-/// A log that can be read. It holds no file open.
+/// Reads a log. It keeps no file open.
 ///
-/// Beside a running writer it reads up to what is whole; an iterator that has ended goes on when
-/// it is asked again and there is more. After it ([`Self::finished`]) everything is said that cannot
-/// be read. What a crash has left is read without [`super::recover`], too.
+/// During a run it reads up to the last complete record; an exhausted iterator continues when it is
+/// polled again and there is more. After the run ([`Self::finished`]) all unreadable data is
+/// reported. A log left by a crash can be read without [`super::recover`].
 #[derive(Debug, Clone)]
 pub struct RawLogReader {
     storage: Arc<dyn Storage>,
     folder: PathBuf,
-    /// When the log was begun, and what it was described as.
+    /// Creation time and description of the log.
     identity: (u64, Vec<u8>),
-    /// Nobody writes the log any more.
+    /// The log has no writer any more.
     is_finished: bool,
 }
 
-/// Sequence number, place and head of a record, and whether it has an image.
+/// Sequence number, position and head of a record, and whether it has an image.
 pub type Head = (u64, Position, Vec<u8>, bool);
 
 impl RawLogReader {
     /// Opens the log in `folder`.
     ///
     /// # Errors
-    /// There is none, it was written by a newer program, or no segment has a readable header.
+    /// There is no log, it was written by a newer program, or no segment has a readable header.
     pub fn open(folder: &Path) -> Result<Self, RawLogError> {
         Self::open_on(Arc::new(Disk), folder)
     }
@@ -55,7 +55,7 @@ impl RawLogReader {
         for number in reader.numbers()? {
             match SegmentFile::find(&*reader.storage, folder, number) {
                 Ok(Some(segment)) => {
-                    reader.identity = (segment.header.begun_ns, segment.header.description);
+                    reader.identity = (segment.header.created_ns, segment.header.description);
                     return Ok(reader);
                 }
                 Ok(None) => {
@@ -69,20 +69,20 @@ impl RawLogReader {
         Err(fault)
     }
 
-    /// The same log, of which is known that nobody writes it any more: bytes at its end that are no
-    /// record are damage then, and told.
+    /// The same log, known to have no writer any more: trailing bytes that are no record are then
+    /// reported as damage.
     #[must_use]
     pub fn finished(self) -> Self {
         Self { is_finished: true, ..self }
     }
 
-    /// What the run was described as.
+    /// The description of the run.
     pub fn description(&self) -> &[u8] {
         &self.identity.1
     }
 
-    /// All heads in order, without their images. An item is an error where something is damaged or
-    /// missing; those behind it follow. Images are not checked.
+    /// All heads in order, without their images. An error marks damaged or missing data; iteration
+    /// continues after it. Images are not checked.
     pub fn heads(&self) -> impl Iterator<Item = Result<Head, RawLogError>> + Send + use<> {
         let mut scan = Scan::new(self);
         iter::from_fn(move || {
@@ -95,8 +95,8 @@ impl RawLogReader {
         })
     }
 
-    /// All records in order, with their sequence numbers. An item is an error where something is
-    /// damaged or missing; those behind it follow.
+    /// All records in order, with their sequence numbers. An error marks damaged or missing data;
+    /// iteration continues after it.
     pub fn records(
         &self,
     ) -> impl Iterator<Item = Result<(u64, Record), RawLogError>> + Send + use<> {
@@ -110,10 +110,10 @@ impl RawLogReader {
         })
     }
 
-    /// The record at a place that [`Self::heads`] gave.
+    /// The record at a position that [`Self::heads`] returned.
     ///
     /// # Errors
-    /// There is no record, or it is damaged.
+    /// There is no record at this position, or it is damaged.
     pub fn read(&self, position: Position) -> Result<Record, RawLogError> {
         let Position { segment: number, offset } = position;
         let path = names::sealed_path(&self.folder, number);
@@ -122,9 +122,11 @@ impl RawLogReader {
             RawLogError::Damaged(Damage { path, bytes, records: None, what })
         };
         let segment = self.segment(number)?.ok_or_else(|| nothing(path))?;
-        match segment.look(offset)? {
-            Found::Record(header) => read_record(&segment, offset, &header),
-            Found::Torn(_) | Found::Footer(_) | Found::Nothing => Err(nothing(segment.path)),
+        match segment.item_at(offset)? {
+            SegmentItem::Record(header) => read_record(&segment, offset, &header),
+            SegmentItem::Torn(_) | SegmentItem::Footer(_) | SegmentItem::Nothing => {
+                Err(nothing(segment.path))
+            }
         }
     }
 
@@ -132,13 +134,13 @@ impl RawLogReader {
         &self.folder
     }
 
-    /// The segment, if it is there and its header is whole.
+    /// The segment, if it exists and its header is intact.
     fn segment(&self, number: u32) -> Result<Option<SegmentFile>, RawLogError> {
         let segment = SegmentFile::find(&*self.storage, &self.folder, number)?;
         let is_foreign = |segment: &SegmentFile| {
             let header = &segment.header;
-            let (begun_ns, description) = &self.identity;
-            (header.segment, header.begun_ns) != (number, *begun_ns)
+            let (created_ns, description) = &self.identity;
+            (header.segment, header.created_ns) != (number, *created_ns)
                 || header.description != *description
         };
         match segment {
@@ -149,13 +151,13 @@ impl RawLogReader {
         }
     }
 
-    /// The first segment behind this one that was begun, whatever there is in between.
-    fn next_begun_segment(&self, number: u32) -> Result<Option<u32>, RawLogError> {
+    /// Number of the next segment that exists, gaps skipped.
+    fn next_existing_segment(&self, number: u32) -> Result<Option<u32>, RawLogError> {
         let later = self.numbers()?.into_iter().filter(|later| *later > number);
-        let is_begun = |later: &u32| {
+        let exists_in_same_log = |later: &u32| {
             !matches!(SegmentFile::find(&*self.storage, &self.folder, *later), Ok(None))
         };
-        Ok({ later }.find(is_begun))
+        Ok({ later }.find(exists_in_same_log))
     }
 
     /// Whether the segment has its final name.
@@ -163,7 +165,7 @@ impl RawLogReader {
         self.storage.open(&names::sealed_path(&self.folder, number)).is_ok()
     }
 
-    /// Numbers of all segments, sealed or not, ascending.
+    /// Numbers of all segments, sealed or not, in ascending order.
     fn numbers(&self) -> Result<Vec<u32>, RawLogError> {
         let list = self.storage.list(&self.folder);
         let list = list.map_err(RawLogError::io("list the folder", &self.folder))?;

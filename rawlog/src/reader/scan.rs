@@ -1,4 +1,4 @@
-//! Along a log, record by record, through all segments, around whatever is damaged or missing.
+//! Scans a log record by record, across segments, past damaged and missing data.
 
 use std::collections::VecDeque;
 
@@ -9,53 +9,53 @@ use crate::{
 
 use super::{
     RawLogReader,
-    segment_file::{Found, SegmentFile},
+    segment_file::{SegmentFile, SegmentItem},
 };
 
-/// A place in the log, and what has been seen on the way.
+/// A position in the log, and what was found before it.
 pub(super) struct Scan {
     reader: RawLogReader,
     /// The segment that is or will be read.
     number: u32,
-    open: Option<OpenSegment>,
+    open: Option<SegmentScan>,
     /// Sequence number of the next record, if none is missing.
     expected: u64,
-    /// The segment before this one, if it was read to its end.
-    left: Option<Left>,
-    /// The first segment that was not there to be read since the last that was.
-    first_unread: Option<u32>,
-    /// What is wrong before the next record, to be told first.
-    untold: VecDeque<RawLogError>,
-    /// The end has been judged.
-    is_over: bool,
+    /// The previous segment, if it was read to its end.
+    previous: Option<FinishedSegment>,
+    /// The first of the segments that could not be read since the last readable one.
+    first_unreadable: Option<u32>,
+    /// Errors to report before the next record.
+    pending_errors: VecDeque<RawLogError>,
+    /// The end of the log has been checked.
+    end_reported: bool,
 }
 
-/// A segment and what its footer must agree with.
-struct OpenSegment {
+/// A segment being read, with the totals to compare with its footer.
+struct SegmentScan {
     segment: SegmentFile,
     offset: u64,
     headers: crc32fast::Hasher,
-    /// Something was wrong and has been told.
+    /// Damage in this segment has been reported.
     is_damaged: bool,
 }
 
 /// A segment that was read to its end.
-struct Left {
+struct FinishedSegment {
     number: u32,
-    /// What the next segment must say of it.
-    known_as: Predecessor,
+    /// What the next segment's header must state about it.
+    expected_predecessor: Predecessor,
     ending: Ending,
 }
 
-/// Where a record lies, and its header. It is in [`Scan::scanned`].
+/// Position and header of a record in [`Scan::scanned`].
 pub(super) type Step = Result<(Position, RecordHeader), RawLogError>;
 
-/// What one look gave.
-enum Look {
+/// Result of one attempt to advance.
+enum Advance {
     Record(Position, RecordHeader),
-    /// Something else: look again.
-    Onward,
-    /// The end of what is whole.
+    /// The scan has moved: try again.
+    Moved,
+    /// No further complete record.
     End,
 }
 
@@ -66,153 +66,158 @@ impl Scan {
             number: 0,
             open: None,
             expected: 0,
-            left: None,
-            first_unread: None,
-            untold: VecDeque::new(),
-            is_over: false,
+            previous: None,
+            first_unreadable: None,
+            pending_errors: VecDeque::new(),
+            end_reported: false,
         }
     }
 
-    /// The segment that the last step was in.
+    /// The segment of the last step.
     ///
     /// # Errors
-    /// There was no step.
+    /// No step was taken yet.
     pub fn scanned(&self) -> Result<&SegmentFile, RawLogError> {
         let segment = self.open.as_ref().map(|open| &open.segment);
         segment.ok_or_else(|| RawLogError::NoSegment { folder: self.reader.folder().to_owned() })
     }
 
-    /// The next record, or what is wrong before it; nothing at the end of what is whole. Beside a
-    /// running writer there may be more later.
+    /// The next record or the next error; `None` after the last complete record. During a run there may
+    /// be more later.
     pub fn step(&mut self) -> Option<Step> {
         loop {
-            if let Some(error) = self.untold.pop_front() {
+            if let Some(error) = self.pending_errors.pop_front() {
                 return Some(Err(error));
             }
-            let look = if self.open.is_some() { self.advance() } else { self.enter() };
-            match look {
-                Ok(Look::Onward) => {}
-                Ok(Look::Record(position, header)) => return Some(Ok((position, header))),
-                Ok(Look::End) if self.untold.is_empty() => return None,
-                Ok(Look::End) => {}
+            let advance = if self.open.is_some() { self.advance() } else { self.enter() };
+            match advance {
+                Ok(Advance::Moved) => {}
+                Ok(Advance::Record(position, header)) => return Some(Ok((position, header))),
+                Ok(Advance::End) if self.pending_errors.is_empty() => return None,
+                Ok(Advance::End) => {}
                 Err(error) => return Some(Err(error)),
             }
         }
     }
 
     /// Opens the next segment.
-    fn enter(&mut self) -> Result<Look, RawLogError> {
+    fn enter(&mut self) -> Result<Advance, RawLogError> {
         if self.number == u32::MAX {
-            return Ok(Look::End);
+            return Ok(Advance::End);
         }
         let segment = match self.reader.segment(self.number) {
             Ok(Some(segment)) => segment,
             Ok(None) => return self.skip_segment(),
             Err(error) => {
-                self.note_unread();
+                self.note_unreadable();
                 self.number = self.number.saturating_add(1);
                 return Err(error);
             }
         };
         if let Some(copy) = &segment.damaged_header {
-            let what = "one of the two copies of the segment's header; no record is lost";
-            self.untold.push_back(segment.damaged(copy.clone(), None, what));
+            let what =
+                "one of the two copies of the segment's header is damaged; no record is lost";
+            self.pending_errors.push_back(segment.damaged(copy.clone(), None, what));
         }
         self.check_chain(&segment);
-        self.note_missing(segment.header.first_sequence);
-        self.first_unread = None;
-        self.open = Some(OpenSegment {
+        self.report_missing(segment.header.first_sequence);
+        self.first_unreadable = None;
+        self.open = Some(SegmentScan {
             offset: segment.start,
             segment,
             headers: crc32fast::Hasher::new(),
             is_damaged: false,
         });
-        Ok(Look::Onward)
+        Ok(Advance::Moved)
     }
 
-    /// Goes to the next segment that is there.
-    fn skip_segment(&mut self) -> Result<Look, RawLogError> {
-        if let Some(next) = self.reader.next_begun_segment(self.number)? {
-            self.note_unread();
+    /// Moves to the next segment that exists.
+    fn skip_segment(&mut self) -> Result<Advance, RawLogError> {
+        if let Some(next) = self.reader.next_existing_segment(self.number)? {
+            self.note_unreadable();
             self.number = next;
-            return Ok(Look::Onward);
+            return Ok(Advance::Moved);
         }
         // A segment gets its final name only when the next one exists.
-        if let Some(Left { number, ending: Ending::GoesOn, .. }) = self.left
-            && !self.is_over
+        if let Some(FinishedSegment { number, ending: Ending::Continues, .. }) = self.previous
+            && !self.end_reported
             && number.checked_add(1) == Some(self.number)
             && self.reader.is_sealed(number)
             && self.reader.segment(self.number)?.is_none()
         {
-            self.is_over = true;
-            self.untold.push_back(RawLogError::MissingEnd {
+            self.end_reported = true;
+            self.pending_errors.push_back(RawLogError::MissingEnd {
                 folder: self.reader.folder().into(),
                 first: self.expected,
                 segment: self.number,
             });
         }
-        Ok(Look::End)
+        Ok(Advance::End)
     }
 
-    fn note_unread(&mut self) {
-        self.first_unread.get_or_insert(self.number);
+    fn note_unreadable(&mut self) {
+        self.first_unreadable.get_or_insert(self.number);
     }
 
-    /// Whether the segment follows the one that was read before it.
+    /// Checks that the segment follows the one that was read before it.
     fn check_chain(&mut self, segment: &SegmentFile) {
         let header = &segment.header;
-        let before =
-            self.left.take().filter(|left| left.number.checked_add(1) == Some(self.number));
+        let before = self
+            .previous
+            .take()
+            .filter(|previous| previous.number.checked_add(1) == Some(self.number));
         let is_chained = header.version > 1 && before.is_some();
-        if is_chained && before.is_some_and(|left| left.known_as != header.predecessor) {
+        if is_chained
+            && before.is_some_and(|previous| previous.expected_predecessor != header.predecessor)
+        {
             let what = "the header does not name the segment before this one: one of the two is of \
-                another log, or was written anew";
-            self.untold.push_back(segment.damaged(0..segment.start, None, what));
+                another log, or was rewritten";
+            self.pending_errors.push_back(segment.damaged(0..segment.start, None, what));
         }
     }
 
-    /// Notes records that are left out, once.
-    fn note_missing(&mut self, found: u64) {
+    /// Reports missing records once.
+    fn report_missing(&mut self, found: u64) {
         let first = std::mem::replace(&mut self.expected, found);
         if found > first {
             let last_segment = self.number.saturating_sub(1);
-            self.untold.push_back(RawLogError::Missing {
+            self.pending_errors.push_back(RawLogError::Missing {
                 folder: self.reader.folder().into(),
                 records: first..=found - 1,
-                segments: self.first_unread.map(|first| first..=last_segment),
+                segments: self.first_unreadable.map(|first| first..=last_segment),
             });
         }
     }
 
-    /// Goes one record on, or out of the segment at its end.
-    fn advance(&mut self) -> Result<Look, RawLogError> {
-        let Some(open) = &mut self.open else { return Ok(Look::Onward) };
+    /// Advances by one record, or leaves the segment at its end.
+    fn advance(&mut self) -> Result<Advance, RawLogError> {
+        let Some(open) = &mut self.open else { return Ok(Advance::Moved) };
         let offset = open.offset;
-        let mut found = open.segment.look(offset);
-        let is_end = matches!(found, Ok(Found::Nothing | Found::Torn(_)));
+        let mut found = open.segment.item_at(offset);
+        let is_end = matches!(found, Ok(SegmentItem::Nothing | SegmentItem::Torn(_)));
         if is_end && !open.segment.is_sealed {
-            if self.reader.next_begun_segment(self.number)?.is_none() {
+            if self.reader.next_existing_segment(self.number)?.is_none() {
                 return self.end_of_unsealed(offset);
             }
-            // The segment was finished after the first look.
-            found = open.segment.look(offset);
+            // The writer has sealed the segment since the first item_at.
+            found = open.segment.item_at(offset);
         }
         match found {
-            Ok(Found::Record(header)) if header.sequence != self.expected => {
-                // Told first; then the record is looked at again.
-                self.note_missing(header.sequence);
-                Ok(Look::Onward)
+            Ok(SegmentItem::Record(header)) if header.sequence != self.expected => {
+                // The gap is reported first; then the record is read again.
+                self.report_missing(header.sequence);
+                Ok(Advance::Moved)
             }
-            Ok(Found::Record(header)) => {
+            Ok(SegmentItem::Record(header)) => {
                 self.expected += 1;
-                open.pass(&header);
-                Ok(Look::Record(Position { segment: self.number, offset }, header))
+                open.add(&header);
+                Ok(Advance::Record(Position { segment: self.number, offset }, header))
             }
-            Ok(Found::Footer(footer)) => {
-                self.pass_footer(&footer);
-                Ok(Look::Onward)
+            Ok(SegmentItem::Footer(footer)) => {
+                self.check_footer(&footer);
+                Ok(Advance::Moved)
             }
-            Ok(Found::Nothing | Found::Torn(_)) => self.skip_damage(offset),
+            Ok(SegmentItem::Nothing | SegmentItem::Torn(_)) => self.skip_damage(offset),
             Err(error) => {
                 self.leave();
                 Err(error)
@@ -220,29 +225,33 @@ impl Scan {
         }
     }
 
-    /// At the end of what is whole in a segment without a successor: beside a running writer there
-    /// may be more later; after it, what lies there is damaged, or was not written completely.
-    fn end_of_unsealed(&mut self, offset: u64) -> Result<Look, RawLogError> {
-        let Some(open) = &self.open else { return Ok(Look::End) };
-        let found = open.segment.look(offset)?;
+    /// Handles the end of complete records in a segment without a successor. During a run more may
+    /// follow; after it, the rest is damaged or torn.
+    fn end_of_unsealed(&mut self, offset: u64) -> Result<Advance, RawLogError> {
+        let Some(open) = &self.open else { return Ok(Advance::End) };
+        let found = open.segment.item_at(offset)?;
         let is_torn = open.segment.is_torn(offset, &found)?;
         if !is_torn && open.segment.resynchronise(offset + 1)?.is_some() {
-            return match open.segment.look(offset)? {
-                Found::Nothing => self.skip_damage(offset),
-                // A running writer has come by here in between.
-                _ => Ok(Look::Onward),
+            return match open.segment.item_at(offset)? {
+                SegmentItem::Nothing => self.skip_damage(offset),
+                // A running writer has advanced in the meantime.
+                _ => Ok(Advance::Moved),
             };
         }
-        if !is_torn && self.reader.is_finished && !std::mem::replace(&mut self.is_over, true) {
+        if !is_torn && self.reader.is_finished && !std::mem::replace(&mut self.end_reported, true) {
             let bytes = offset..open.segment.length()?;
-            self.untold.push_back(open.segment.damaged(bytes, None, NEITHER));
+            self.pending_errors.push_back(open.segment.damaged(
+                bytes,
+                None,
+                NEITHER_RECORD_NOR_FOOTER,
+            ));
         }
-        Ok(Look::End)
+        Ok(Advance::End)
     }
 
-    /// Goes to the next record, or the footer, behind bytes that are none.
-    fn skip_damage(&mut self, offset: u64) -> Result<Look, RawLogError> {
-        let Some(open) = &mut self.open else { return Ok(Look::Onward) };
+    /// Skips damaged bytes up to the next record or footer.
+    fn skip_damage(&mut self, offset: u64) -> Result<Advance, RawLogError> {
+        let Some(open) = &mut self.open else { return Ok(Advance::Moved) };
         open.is_damaged = true;
         let (segment, expected) = (&open.segment, self.expected);
         let ahead = match segment.resynchronise(offset + 1) {
@@ -253,27 +262,29 @@ impl Scan {
             }
         };
         let length = segment.length()?;
-        // The sequence number of the record behind the damage, if anything says it.
+        // Sequence number of the record after the damage, if it is known.
         let next = match ahead {
-            Some((_, Found::Record(header) | Found::Torn(header))) => Some(header.sequence),
-            Some((_, Found::Footer(footer))) => {
+            Some((_, SegmentItem::Record(header) | SegmentItem::Torn(header))) => {
+                Some(header.sequence)
+            }
+            Some((_, SegmentItem::Footer(footer))) => {
                 Some(segment.header.first_sequence.saturating_add(footer.records))
             }
             _ => None,
         };
         let lost = next.filter(|next| *next > expected).map(|next| expected..=next - 1);
-        let what = if offset >= length { NO_FOOTER } else { NEITHER };
+        let what = if offset >= length { NO_FOOTER } else { NEITHER_RECORD_NOR_FOOTER };
         let bytes = offset.min(length)..ahead.map_or(length, |(at, _)| at);
-        self.untold.push_back(segment.damaged(bytes, lost, what));
+        self.pending_errors.push_back(segment.damaged(bytes, lost, what));
         self.expected = next.unwrap_or(expected).max(expected);
         match ahead {
             Some((at, _)) => open.offset = at,
             None => self.leave(),
         }
-        Ok(Look::Onward)
+        Ok(Advance::Moved)
     }
 
-    fn pass_footer(&mut self, footer: &Footer) {
+    fn check_footer(&mut self, footer: &Footer) {
         let Some(open) = &self.open else { return };
         let header = &open.segment.header;
         let seen = Footer {
@@ -283,15 +294,19 @@ impl Scan {
             headers_crc: open.headers.clone().finalize(),
             ending: footer.ending,
         };
-        // What is wrong has been told where it is wrong.
+        // Damage was reported where it was found.
         if !open.is_damaged && seen != *footer {
             let bytes = open.offset..open.offset + Footer::bytes(header.version) as u64;
-            let what = "the footer counts other records than there are";
-            self.untold.push_back(open.segment.damaged(bytes, None, what));
+            let what = "the footer does not match the records before it";
+            self.pending_errors.push_back(open.segment.damaged(bytes, None, what));
         }
         let digest = footer.digest(header.version, open.segment.salt);
-        let known_as = Predecessor { records: footer.records, digest };
-        self.left = Some(Left { number: self.number, known_as, ending: footer.ending });
+        let expected_predecessor = Predecessor { records: footer.records, digest };
+        self.previous = Some(FinishedSegment {
+            number: self.number,
+            expected_predecessor,
+            ending: footer.ending,
+        });
         self.leave();
     }
 
@@ -301,12 +316,12 @@ impl Scan {
     }
 }
 
-const NEITHER: &str = "neither a record nor the segment's end";
+const NEITHER_RECORD_NOR_FOOTER: &str = "neither a record nor the segment's end";
 const NO_FOOTER: &str =
     "the segment ends without its footer: it was cut, and what followed is lost";
 
-impl OpenSegment {
-    fn pass(&mut self, header: &RecordHeader) {
+impl SegmentScan {
+    fn add(&mut self, header: &RecordHeader) {
         self.offset += header.record_bytes();
         self.headers.update(&header.encode(self.segment.salt));
     }

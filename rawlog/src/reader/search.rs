@@ -1,13 +1,13 @@
-//! Where something begins in a file that is damaged before it.
+//! Searches a damaged file for the next magic number.
 
 use std::io;
 
 use super::super::storage::LogFile;
 
-/// How much is read at once.
-const SEARCHED_BYTES: usize = 1 << 16;
+/// Bytes per read.
+const READ_BYTES: usize = 1 << 16;
 
-/// Where the first of these patterns begins, at `from` or behind it, but before `end`.
+/// Offset of the first of these patterns that begins in `from..end`.
 pub(super) fn find_bytes(
     file: &dyn LogFile,
     mut from: u64,
@@ -15,7 +15,7 @@ pub(super) fn find_bytes(
     patterns: &[&[u8]],
 ) -> io::Result<Option<u64>> {
     let longest = patterns.iter().map(|pattern| pattern.len()).max().unwrap_or_default();
-    let mut bytes = vec![0; SEARCHED_BYTES];
+    let mut bytes = vec![0; READ_BYTES];
     while from < end {
         let read = file.read_at(from, &mut bytes)?;
         let bytes = &bytes[..read];
@@ -25,10 +25,10 @@ pub(super) fn find_bytes(
             let found = from + at as u64;
             return Ok((found < end).then_some(found));
         }
-        if read < SEARCHED_BYTES {
+        if read < READ_BYTES {
             return Ok(None);
         }
-        // A pattern may lie across the border.
+        // A pattern may straddle two reads.
         from += (read + 1 - longest) as u64;
     }
     Ok(None)
@@ -45,7 +45,7 @@ mod tests {
     fn a_pattern_is_found_across_the_border_of_two_reads_and_not_beyond_the_end() {
         let disk = ModelDisk::default();
         let mut file = disk.create(Path::new("file")).unwrap();
-        let at = SEARCHED_BYTES as u64 - 2;
+        let at = READ_BYTES as u64 - 2;
         file.append(&vec![b'L'; at as usize]).unwrap();
         file.append(b"LFRC and LFEN").unwrap();
         let find = |from, end| find_bytes(&*file, from, end, &[b"LFRC", b"LFEN"]).unwrap();

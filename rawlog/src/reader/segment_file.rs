@@ -1,4 +1,4 @@
-//! One segment, opened for reading.
+//! A segment opened for reading.
 
 use std::{
     io::{self, ErrorKind},
@@ -21,42 +21,42 @@ use super::super::{
 pub(in super::super) use super::header_copies::OpenFault;
 use super::{header_copies::read_header, search::find_bytes};
 
-/// A segment whose header can be read.
+/// A segment with a readable header.
 pub(in super::super) struct SegmentFile {
     pub file: Box<dyn LogFile>,
     pub path: PathBuf,
     pub header: SegmentHeader,
     pub salt: u32,
-    /// Where its first record begins.
+    /// Offset of its first record.
     pub start: u64,
     /// Whether it had its final name when it was opened.
     pub is_sealed: bool,
-    /// The copy of the header that is damaged.
+    /// Range of the damaged copy of the header, if any.
     pub damaged_header: Option<Range<u64>>,
 }
 
-/// What lies at a place in a segment.
+/// What is at an offset of a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) enum Found {
-    /// A record that is there to its last byte.
+pub(in super::super) enum SegmentItem {
+    /// A complete record.
     Record(RecordHeader),
-    /// A record that the file ends in.
+    /// A record cut off by the end of the file.
     Torn(RecordHeader),
-    /// The segment's end.
+    /// The footer.
     Footer(Footer),
-    /// None of these: the end of the file, or damage.
+    /// Neither: the end of the file, or damage.
     Nothing,
 }
 
 impl SegmentFile {
-    /// Opens a segment under the name it has; nothing where it does not exist, or was never begun.
+    /// Opens a segment, sealed or not; `None` if it does not exist or its header was never completed.
     pub fn find(
         storage: &dyn Storage,
         folder: &Path,
         number: u32,
     ) -> Result<Option<Self>, RawLogError> {
         let sealed = sealed_path(folder, number);
-        // It may be given its final name between the first look and the second.
+        // The writer may rename it between the first and the second attempt.
         for path in [&sealed, &part_path(folder, number), &sealed] {
             let file = match storage.open(path) {
                 Ok(file) => file,
@@ -84,19 +84,19 @@ impl SegmentFile {
         Ok(Self { file, path: path.into(), header, salt, start, is_sealed, damaged_header })
     }
 
-    /// What lies at `offset`.
-    pub fn look(&self, offset: u64) -> Result<Found, RawLogError> {
+    /// Identifies what is at `offset`.
+    pub fn item_at(&self, offset: u64) -> Result<SegmentItem, RawLogError> {
         let mut bytes = [0; RECORD_HEADER_BYTES];
         let read = self.file.read_at(offset, &mut bytes).map_err(self.io())?;
         let bytes = &bytes[..read];
         if let Some(footer) = Footer::decode(bytes, self.header.version, self.salt) {
-            return Ok(Found::Footer(footer));
+            return Ok(SegmentItem::Footer(footer));
         }
         let Some(header) = RecordHeader::decode(bytes, self.salt) else {
-            return Ok(Found::Nothing);
+            return Ok(SegmentItem::Nothing);
         };
         let is_whole = offset + header.record_bytes() <= self.length()?;
-        Ok(if is_whole { Found::Record(header) } else { Found::Torn(header) })
+        Ok(if is_whole { SegmentItem::Record(header) } else { SegmentItem::Torn(header) })
     }
 
     /// The head of the record at `offset`.
@@ -108,7 +108,7 @@ impl SegmentFile {
         Ok(head)
     }
 
-    /// The image of the record at `offset`, checked against the checksum of what was recorded.
+    /// The image of the record at `offset`, checked against the checksum of the recorded counts.
     pub fn image(
         &self,
         offset: u64,
@@ -128,26 +128,29 @@ impl SegmentFile {
             .ok_or_else(|| self.damaged_record(offset, header, "the image cannot be decoded"))
     }
 
-    /// Where a record or the footer begins at `offset` or behind it, by magic number, checksum and
-    /// length, and what it is. A record that the file ends in counts, too.
-    pub fn resynchronise(&self, mut offset: u64) -> Result<Option<(u64, Found)>, RawLogError> {
+    /// Finds the next record or footer at or after `offset`, by magic number, checksum and length. A
+    /// record cut off by the end of the file counts.
+    pub fn resynchronise(
+        &self,
+        mut offset: u64,
+    ) -> Result<Option<(u64, SegmentItem)>, RawLogError> {
         let magics: [&[u8]; 2] = [&RECORD_MAGIC, &FOOTER_MAGIC];
         while let Some(at) =
             find_bytes(&*self.file, offset, u64::MAX, &magics).map_err(self.io())?
         {
-            match self.look(at)? {
-                Found::Nothing => offset = at + 1,
+            match self.item_at(at)? {
+                SegmentItem::Nothing => offset = at + 1,
                 found => return Ok(Some((at, found))),
             }
         }
         Ok(None)
     }
 
-    /// Whether the bytes from `offset` to the end of the file are what a death of the program may
-    /// leave of a record: fewer than a header has, or fewer than the header announces.
-    pub fn is_torn(&self, offset: u64, found: &Found) -> Result<bool, RawLogError> {
+    /// Whether the bytes from `offset` to the end of the file can be the torn tail of a killed program:
+    /// shorter than a header, or than the record that the header announces.
+    pub fn is_torn(&self, offset: u64, found: &SegmentItem) -> Result<bool, RawLogError> {
         let left = self.length()?.saturating_sub(offset);
-        Ok(matches!(found, Found::Torn(_)) || left < RECORD_HEADER_BYTES as u64)
+        Ok(matches!(found, SegmentItem::Torn(_)) || left < RECORD_HEADER_BYTES as u64)
     }
 
     /// Bytes in the file.
@@ -155,8 +158,7 @@ impl SegmentFile {
         self.file.length().map_err(self.io())
     }
 
-    /// The error for bytes that are not what was written, and the records lost with them as far as
-    /// they are known.
+    /// The error for damaged bytes, with the lost records if they are known.
     pub fn damaged(
         &self,
         bytes: Range<u64>,

@@ -1,4 +1,4 @@
-//! The real disk.
+//! The real file system.
 
 use std::{
     fs::{self, File, OpenOptions},
@@ -31,7 +31,7 @@ impl Storage for Disk {
     }
 
     fn create(&self, path: &Path) -> io::Result<Box<dyn LogFile>> {
-        // Every write goes to the end, wherever a cut has put that.
+        // Append mode: after truncation, writes go to the new end.
         let file = OpenOptions::new().read(true).append(true).create_new(true).open(path)?;
         Ok(Box::new(file))
     }
@@ -40,7 +40,7 @@ impl Storage for Disk {
         Ok(Box::new(open_regular(path)?))
     }
 
-    fn open_to_repair(&self, path: &Path) -> io::Result<Box<dyn LogFile>> {
+    fn open_writable(&self, path: &Path) -> io::Result<Box<dyn LogFile>> {
         Ok(Box::new(open_regular_with(OpenOptions::new().read(true).append(true), path)?))
     }
 
@@ -58,18 +58,19 @@ impl Storage for Disk {
     }
 }
 
-/// Fails where the file system takes no changes any more, so that the sync before it proves nothing.
+/// Fails if the file system has stopped accepting changes, in which case the sync before it proves
+/// nothing.
 ///
-/// When an error makes ext4 read-only it ends its journal first: transactions that are not committed
-/// by then are thrown away, and a sync whose transaction is neither running nor being committed any more has
-/// nothing to wait for and succeeds (`jbd2_complete_transaction`), until the whole file system is marked some
-/// time later. To allocate a byte that the file has already changes nothing, and begins a transaction,
-/// which a journal that has ended refuses. Once it has ended it never comes back: where this
-/// succeeds, the sync before it was done by a journal that worked.
-fn ask_file_system(file: &File) -> io::Result<()> {
+/// When an error makes ext4 read-only, it first aborts its journal and discards uncommitted
+/// transactions. The whole file system is marked some time later. In between, a sync succeeds if its
+/// transaction is neither running nor being committed (`jbd2_complete_transaction`). Allocating a byte
+/// that the file already has changes nothing but starts a transaction, which an aborted journal
+/// refuses. An aborted journal never recovers, so if this call succeeds, the journal worked during
+/// the sync.
+fn probe_journal(file: &File) -> io::Result<()> {
     match retry_on_intr(|| fallocate(file, FallocateFlags::KEEP_SIZE, 0, 1)) {
         Err(refused @ (Errno::ROFS | Errno::IO)) => Err(refused.into()),
-        // A file system without this call, or without room for it, says nothing of the sync.
+        // File systems without this call, or without free space, give no evidence about the sync.
         _ => Ok(()),
     }
 }
@@ -81,7 +82,7 @@ impl LogFile for File {
 
     fn sync(&mut self) -> io::Result<()> {
         self.sync_data()?;
-        ask_file_system(self)
+        probe_journal(self)
     }
 
     fn truncate(&mut self, length: u64) -> io::Result<()> {

@@ -1,5 +1,5 @@
-//! A disk for tests: it remembers every operation, fails on demand, and says what would be left
-//! had the process died or the power gone at any of them.
+//! A model of a disk for tests: it logs every operation, fails on demand, and computes what a
+//! process death or a power cut at any operation would leave.
 
 use std::{
     collections::BTreeMap,
@@ -21,11 +21,11 @@ pub(in super::super) struct ModelDisk(Arc<Mutex<State>>);
 #[derive(Debug, Default)]
 struct State {
     content: Content,
-    /// What is on the disk for certain, before any of the operations.
+    /// The durable content before the first operation.
     durable: Content,
     operations: Vec<Operation>,
     faults: Faults,
-    /// Operations that change something, tried since the faults were set.
+    /// Modifying operations attempted since the faults were set.
     tried: u64,
 }
 
@@ -36,22 +36,22 @@ pub(in super::super) struct Content {
     names: BTreeMap<PathBuf, usize>,
 }
 
-/// What the disk does wrong.
+/// Injected faults.
 #[derive(Debug, Clone, Default)]
 pub(in super::super) struct Faults {
-    /// Bytes of all files together, above which the disk is full.
+    /// Total size of all files above which the disk is full.
     pub quota_bytes: Option<u64>,
-    /// The operation (from 0) that fails, and with what.
+    /// Index of the operation that fails, and its error.
     pub fails_at: Option<(u64, ErrorKind)>,
-    /// Whether all after that one fail, too.
+    /// Whether all later operations fail, too.
     pub stays_failed: bool,
     /// Whether the next operation panics.
     pub panics: bool,
-    /// Time that a write or a sync takes.
+    /// Duration of a write or a sync.
     pub delay: Duration,
 }
 
-/// What was done, as far as it succeeded.
+/// A completed operation.
 #[derive(Debug, Clone)]
 pub(in super::super) enum Operation {
     Create { path: PathBuf, file: usize },
@@ -63,20 +63,20 @@ pub(in super::super) enum Operation {
 }
 
 impl ModelDisk {
-    /// A disk with this content, all of it durable.
+    /// A disk with this content, all durable.
     pub fn holding(content: Content) -> Self {
         let state = State { durable: content.clone(), content, ..State::default() };
         Self(Arc::new(Mutex::new(state)))
     }
 
-    /// Operations are counted from now on.
+    /// Sets the faults and restarts the operation count.
     pub fn set_faults(&self, faults: Faults) {
         let mut state = self.0.lock();
         state.faults = faults;
         state.tried = 0;
     }
 
-    /// What is seen while the power is on.
+    /// The content as seen while power is on.
     pub fn content(&self) -> Content {
         self.0.lock().content.clone()
     }
@@ -85,8 +85,8 @@ impl ModelDisk {
         self.0.lock().operations.len()
     }
 
-    /// What a death of the process leaves: the first operations, and of the next one, if it is a
-    /// write, a part of its bytes (`share` of 256).
+    /// The content after the process dies: the first `operations`, and `share`/256 of the bytes of the
+    /// next one if it is a write.
     pub fn after_death(&self, operations: usize, share: u8) -> Content {
         let state = self.0.lock();
         let mut content = state.durable.clone();
@@ -100,7 +100,8 @@ impl ModelDisk {
         content
     }
 
-    /// What a power cut leaves after the first operations: what was synced, and any of the rest.
+    /// The content after a power cut: what was synced in the first `operations`, and a random part of the
+    /// rest.
     pub fn after_power_cut(&self, operations: usize, random: &mut impl Rng) -> Content {
         let state = self.0.lock();
         let done = &state.operations[..operations];
@@ -120,7 +121,7 @@ impl ModelDisk {
     }
 }
 
-/// What a power cut leaves of a write: nothing, a part, zeros, or what an older file left there.
+/// What a power cut leaves of a write: nothing, a part, zeros, or blocks of an older file.
 fn torn(bytes: &[u8], offset: usize, older: &Content, random: &mut impl Rng) -> Vec<u8> {
     match random.random_range(0..4) {
         0 => Vec::new(),
@@ -150,17 +151,17 @@ impl Operation {
 }
 
 impl Content {
-    /// Bytes of a file by name.
+    /// Content of a file by name.
     pub fn file(&self, path: &Path) -> Option<&Vec<u8>> {
         Some(&self.files[*self.names.get(path)?])
     }
 
-    /// The same, to be damaged.
+    /// Mutable content of a file, to damage it.
     pub fn file_mut(&mut self, path: &Path) -> Option<&mut Vec<u8>> {
         Some(&mut self.files[*self.names.get(path)?])
     }
 
-    /// Every name with its bytes.
+    /// All names with their content.
     pub fn named(&self) -> BTreeMap<&Path, &[u8]> {
         self.names.iter().map(|(name, file)| (name.as_path(), &self.files[*file][..])).collect()
     }
@@ -171,7 +172,7 @@ impl Content {
         self.files.push(bytes);
     }
 
-    /// Takes a file away.
+    /// Removes a file.
     pub fn remove(&mut self, path: &Path) {
         self.names.remove(path);
     }
@@ -227,7 +228,7 @@ impl State {
         self.operations.push(operation);
     }
 
-    fn room(&self) -> u64 {
+    fn free(&self) -> u64 {
         self.faults.quota_bytes.map_or(u64::MAX, |quota| quota.saturating_sub(self.content.bytes()))
     }
 }
@@ -260,7 +261,7 @@ impl Storage for ModelDisk {
         Ok(Box::new(ModelFile { disk: self.clone(), file }))
     }
 
-    fn open_to_repair(&self, path: &Path) -> io::Result<Box<dyn LogFile>> {
+    fn open_writable(&self, path: &Path) -> io::Result<Box<dyn LogFile>> {
         self.open(path)
     }
 
@@ -281,7 +282,7 @@ impl Storage for ModelDisk {
     }
 
     fn free_bytes(&self, _: &Path) -> io::Result<u64> {
-        Ok(self.0.lock().room())
+        Ok(self.0.lock().free())
     }
 }
 
@@ -304,9 +305,9 @@ impl LogFile for ModelFile {
         self.wait();
         let mut state = self.disk.0.lock();
         let tried = state.try_next();
-        // A write that fails may have written something.
+        // A failed write may have written some bytes.
         let fits = match &tried {
-            Ok(()) => state.room().min(bytes.len() as u64) as usize,
+            Ok(()) => state.free().min(bytes.len() as u64) as usize,
             Err(_) => bytes.len() / 2,
         };
         let offset = state.content.files[self.file].len();

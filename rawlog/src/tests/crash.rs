@@ -1,4 +1,4 @@
-//! Power cuts and deaths at every operation: what was promised is there, in order, once.
+//! Power cuts and process deaths at every operation: acknowledged records survive, in order, once.
 
 use std::{io::ErrorKind, sync::Arc};
 
@@ -27,13 +27,13 @@ enum Action {
 
 #[derive(Debug, Clone)]
 struct Fault {
-    /// Share of 256 of the operations after which the disk fails.
+    /// Share (of 256) of the operations after which the disk fails.
     after: u8,
     kind: ErrorKind,
     stays_failed: bool,
 }
 
-/// What had been acknowledged when so many operations had been done.
+/// Watermarks after this many operations.
 #[derive(Debug, Clone, Copy)]
 struct Acknowledged {
     operations: usize,
@@ -62,7 +62,7 @@ fn fault() -> impl Strategy<Value = Option<Fault>> {
 
 const OLDER_DESCRIPTION: &[u8] = br#"{"run":"past"}"#;
 
-/// What lay on the disk before: the same records of another run, whose blocks may come back.
+/// An earlier log on the same disk, whose blocks may reappear.
 fn older_log() -> Content {
     let disk = ModelDisk::default();
     let mut segments =
@@ -75,7 +75,7 @@ fn older_log() -> Content {
     disk.content()
 }
 
-/// Writes until the actions or the disk end; what was acknowledged after each action.
+/// Runs the actions until they or the disk end; returns the watermarks after each action.
 fn write(disk: &ModelDisk, actions: &[Action]) -> Vec<Acknowledged> {
     let mut acknowledged = Vec::new();
     let mut note = |progress| {
@@ -109,8 +109,7 @@ fn write(disk: &ModelDisk, actions: &[Action]) -> Vec<Acknowledged> {
     acknowledged
 }
 
-/// The numbers of the records that are read, all of them the right ones in the right order, and
-/// whether anything was said of others.
+/// The sequence numbers read, after checking content and order, and whether damage was reported.
 fn right_records(disk: &ModelDisk) -> (Vec<u64>, bool) {
     let reader = match RawLogReader::open_on(Arc::new(disk.clone()), folder()) {
         Ok(reader) => reader.finished(),
@@ -118,7 +117,7 @@ fn right_records(disk: &ModelDisk) -> (Vec<u64>, bool) {
         Err(error) => panic!("{error}"),
     };
     if reader.description() == OLDER_DESCRIPTION {
-        // The very first bytes of the log are lost and its place shows an older one.
+        // The first bytes of the log are lost and an older log shows in their place.
         return (Vec::new(), false);
     }
     assert_eq!(reader.description(), DESCRIPTION);
@@ -126,7 +125,7 @@ fn right_records(disk: &ModelDisk) -> (Vec<u64>, bool) {
     (right, !errors.is_empty())
 }
 
-/// The same where nothing may be missing in between.
+/// The number of records read, none of which may be missing in between.
 fn count_right_records(disk: &ModelDisk) -> u64 {
     let (right, is_damaged) = right_records(disk);
     assert!(!is_damaged && right.iter().copied().eq(0..right.len() as u64), "{right:?}");
@@ -140,7 +139,7 @@ fn sealed_files(content: &Content) -> Vec<(String, Vec<u8>)> {
     sealed.map(|(path, bytes)| (path.display().to_string(), bytes.to_vec())).collect()
 }
 
-/// Recovers what a crash left and holds it against what was acknowledged; the recovered disk.
+/// Recovers what a crash left and checks it against the watermarks; returns the recovered disk.
 fn check_recovery(left: Content, at_least: u64) -> ModelDisk {
     let sealed_before = sealed_files(&left);
     let disk = ModelDisk::holding(left);
@@ -153,12 +152,12 @@ fn check_recovery(left: Content, at_least: u64) -> ModelDisk {
     for (path, bytes) in sealed_before {
         assert!(content.file(path.as_ref()) == Some(&bytes), "{path} was touched");
     }
-    // A power cut may leave later records without earlier ones: none of them was promised.
+    // A power cut may keep later records without earlier ones, but only unacknowledged ones.
     let (right, is_damaged) = right_records(&disk);
     let promised = right.iter().take_while(|number| **number < at_least).count() as u64;
     assert_eq!(promised, at_least, "{at_least} records were promised: {right:?}");
     let has_holes = !right.iter().copied().eq(0..right.len() as u64);
-    assert!(is_damaged || !has_holes, "not a word about what is missing in {right:?}");
+    assert!(is_damaged || !has_holes, "missing records were not reported: {right:?}");
     if let Ok(again) = recover_on(&disk, folder()) {
         assert!(again.segments.is_empty(), "{again:?}");
     }
@@ -171,7 +170,7 @@ fn last_before(acknowledged: &[Acknowledged], operations: usize) -> Progress {
     before.last().map(|noted| noted.progress).unwrap_or_default()
 }
 
-/// Cuts the recovery itself at some operation, and recovers from that.
+/// Interrupts the recovery at some operation, and recovers from that.
 fn check_recovery_that_is_cut(left: &Content, at_least: u64, random: &mut impl Rng) {
     let disk = ModelDisk::holding(left.clone());
     let _ = recover_on(&disk, folder());
@@ -215,7 +214,7 @@ proptest! {
     }
 }
 
-/// The test above would not notice a model disk that loses nothing, or a log that syncs nothing.
+/// Guards the test above against a model disk that loses nothing and a log that syncs nothing.
 #[test]
 fn the_model_disk_loses_what_was_not_synced() {
     let disk = ModelDisk::default();

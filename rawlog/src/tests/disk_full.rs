@@ -1,4 +1,4 @@
-//! A real disk that is full: a small file system in memory, in namespaces of its own.
+//! A real full disk: a small tmpfs in namespaces of its own.
 
 use std::{
     path::Path,
@@ -10,11 +10,11 @@ use super::{
     DESCRIPTION, Record,
 };
 
-/// Where the test, started again inside the namespaces, finds its small disk.
+/// Environment variable that tells the test, when run inside the namespaces, where the disk is.
 const DISK: &str = "LFPIV_TEST_SMALL_DISK";
 const NAME: &str = "tests::disk_full::on_a_small_disk";
 
-/// Mounts 4 MiB over the folder, seen by this command alone.
+/// Mounts 4 MiB over the folder, visible to this command only.
 const MOUNT: &str = r#"mount -t tmpfs -o size=4m tmpfs "$0" && exec "$@""#;
 
 #[test]
@@ -25,7 +25,7 @@ fn a_real_disk_that_fills_up_keeps_what_was_written() {
         tried.is_ok_and(|output| output.status.success())
     };
     let Some(options) = ["-Urm", "-m"].into_iter().find(may_mount) else {
-        eprintln!("SKIPPED: no file system of its own can be mounted here (unshare, mount)");
+        eprintln!("SKIPPED: cannot mount a private file system (unshare, mount)");
         return;
     };
     let test = std::env::current_exe().unwrap();
@@ -61,11 +61,11 @@ fn on_a_small_disk() {
     let (log, writer) = RawLog::create(&folder, DESCRIPTION, &settings).unwrap();
     log.reserve(1_000_000).unwrap();
     let message = log.reserve(1_000_000_000).unwrap_err().to_string();
-    assert!(message.contains("has room for 4 MB"), "{message}");
+    assert!(message.contains("has 4 MB free"), "{message}");
     let taken = (0..).take_while(|number| log.append_blocking(noise(*number)).is_ok()).count();
     let message = writer.close().unwrap_err().to_string();
     assert!(message.contains("No space left on device"), "{message}");
-    assert!(message.contains("make room on the disk of"), "{message}");
+    assert!(message.contains("free space on the disk of"), "{message}");
     let marks = log.watermarks();
     assert_eq!(marks.synced, marks.written);
     assert!(marks.written > 30 && marks.written < taken as u64, "{marks:?}");
@@ -75,7 +75,7 @@ fn on_a_small_disk() {
         reader.records().map(Result::unwrap).map(right).filter(|is_right| *is_right).count() as u64
     };
     assert_eq!(count_right(), marks.written);
-    // Somebody makes room.
+    // Space is freed.
     std::fs::remove_file(folder.join("segment_000000.raw")).unwrap();
     let recovery = recover(&folder).unwrap();
     assert_eq!(recovery.segments.len(), 1);

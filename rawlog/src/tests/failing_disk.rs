@@ -1,4 +1,4 @@
-//! The whole log, thread and all, on a disk that fills up, breaks, or is slow.
+//! The whole log, including its thread, on a disk that fills up, fails, or is slow.
 
 use std::{
     io::ErrorKind,
@@ -19,7 +19,7 @@ fn log_on(disk: &ModelDisk, limits: &Limits) -> (RawLog, RawLogWriter) {
     RawLog::create_on(Arc::new(disk.clone()), folder(), DESCRIPTION, limits).unwrap()
 }
 
-/// Appends until the log refuses; how many it took.
+/// Appends until the log rejects a record; returns the number accepted.
 fn append_until_it_fails(log: &RawLog) -> u64 {
     (0..).take_while(|number| log.append_blocking(record(*number)).is_ok()).count() as u64
 }
@@ -32,7 +32,7 @@ fn wait_until(mut is_so: impl FnMut() -> bool) {
     }
 }
 
-/// The number of records on the disk, all of them the right ones.
+/// The number of records on the disk, after checking content and order.
 fn records_on(disk: &ModelDisk) -> u64 {
     recover_on(disk, folder()).unwrap();
     let reader = RawLogReader::open_on(Arc::new(disk.clone()), folder()).unwrap();
@@ -52,7 +52,7 @@ fn a_full_disk_ends_the_log_and_everything_written_is_there() {
         disk.set_faults(Faults { quota_bytes: Some(quota_bytes), ..Default::default() });
         let taken = append_until_it_fails(&log);
         let failure = log.failure().unwrap().to_string();
-        assert!(failure.contains("make room on the disk of run/raw/segment_"), "{failure}");
+        assert!(failure.contains("free space on the disk of run/raw/segment_"), "{failure}");
         assert!(failure.contains("`lfpiv process RUN` measures what was recorded"), "{failure}");
         let marks = log.watermarks();
         assert_eq!(marks.appended, taken);
@@ -92,11 +92,14 @@ fn any_operation_may_fail_and_what_was_written_is_there() {
             assert_eq!(closed.is_err(), log.failure().is_some());
             failed += usize::from(closed.is_err());
             if let Some(failure) = log.failure() {
-                assert!(failure.to_string().contains("not recorded any more"), "{failure}");
+                assert!(
+                    failure.to_string().contains("recording of raw data has stopped"),
+                    "{failure}"
+                );
                 assert!(failure.to_string().contains("dmesg"), "{failure}");
             }
             disk.set_faults(Faults::default());
-            // More may be there than was promised: a batch whose cutting failed, too.
+            // There may be more: a batch whose truncation failed, too.
             assert!(records_on(&disk) >= marks.written, "{at}: {marks:?}");
         }
     }
@@ -134,7 +137,7 @@ fn a_slow_disk_makes_those_wait_who_append_and_nothing_is_lost() {
 }
 
 #[test]
-fn tasks_wait_for_room_without_blocking_their_thread() {
+fn tasks_wait_for_space_without_blocking_their_thread() {
     let disk = ModelDisk::default();
     let (log, writer) = log_on(&disk, &Limits { queue_bytes: 2000, ..limits() });
     disk.set_faults(Faults { delay: Duration::from_millis(2), ..Default::default() });
@@ -179,7 +182,7 @@ fn the_arm_gate_refuses_with_reasons() {
     let (log, writer) = log_on(&disk, &limits);
     log.reserve(5_900_000).unwrap();
     let message = log.reserve(6_100_000).unwrap_err().to_string();
-    assert!(message.contains("has room for 9 MB and 11 MB are needed (7 MB of"), "{message}");
+    assert!(message.contains("has 9 MB free and 11 MB are needed (7 MB of"), "{message}");
     let delay = Duration::from_millis(300);
     disk.set_faults(Faults { delay, ..Default::default() });
     let mut number = 0;
@@ -187,7 +190,7 @@ fn the_arm_gate_refuses_with_reasons() {
         number += 1;
     }
     let error = log.reserve(1).unwrap_err();
-    assert!(matches!(error, RawLogError::Behind { .. }), "{error}");
+    assert!(matches!(error, RawLogError::Backlog { .. }), "{error}");
     disk.set_faults(Faults::default());
     writer.close().unwrap();
     let message = log.reserve(1).unwrap_err().to_string();
@@ -223,7 +226,7 @@ fn whoever_waits_for_a_writer_that_panics_is_told() {
     disk.set_faults(Faults { panics: true, ..Default::default() });
     append_until_it_fails(&log);
     let failure = log.failure().unwrap().to_string();
-    assert!(failure.contains("the writer of run/raw has panicked"), "{failure}");
+    assert!(failure.contains("the writer thread of run/raw panicked"), "{failure}");
     assert!(writer.close().is_err());
 }
 
@@ -254,7 +257,7 @@ fn a_folder_with_a_log_is_not_written_to() {
 fn a_record_that_the_format_cannot_hold_is_refused_and_the_log_goes_on() {
     let disk = ModelDisk::default();
     let (log, writer) = log_on(&disk, &limits());
-    // No pixels, so no memory, but more columns than 32 bits count.
+    // No pixels, so no memory, but more columns than fit into 32 bits.
     let image = lfpiv_hw::RawImage::new(1 << 33, 0, Vec::new()).unwrap();
     let too_large = super::Record { head: Vec::new(), image: Some(image) };
     let message = log.append_blocking(too_large).unwrap_err().to_string();

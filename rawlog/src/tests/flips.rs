@@ -1,4 +1,4 @@
-//! One flipped bit anywhere costs at most the record that it hit, and is always told.
+//! A flipped bit anywhere costs at most the record that it hits, and is always reported.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -17,7 +17,7 @@ use super::{
 const RECORDS: u64 = 30;
 const FLIPS: usize = 500;
 
-/// Flips one bit of one of the log's files; what was flipped, in words.
+/// Flips one bit of one of the log's files; returns a description.
 fn flip(content: &mut Content, random: &mut Pcg64Mcg) -> String {
     let paths: Vec<_> = content.named().keys().map(|path| path.to_path_buf()).collect();
     let all: usize = content.named().values().map(|bytes| bytes.len()).sum();
@@ -33,10 +33,10 @@ fn flip(content: &mut Content, random: &mut Pcg64Mcg) -> String {
     unreachable!("the bit lies in one of the files")
 }
 
-/// At most one record is gone, and something was said.
+/// At most one record is lost, and an error was reported.
 fn assert_one_at_most(right: &[u64], said: usize, place: &str) {
     assert!(right.len() as u64 + 1 >= RECORDS, "{place}: only {right:?} are left");
-    assert!(said > 0, "{place}: not a word");
+    assert!(said > 0, "{place}: nothing was reported");
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn a_flipped_bit_of_a_closed_log_costs_one_record_at_most() {
         let place = flip(&mut content, &mut random);
         let (right, errors) = read_all(&reader(&content).expect(&place));
         assert_one_at_most(&right, errors.len(), &place);
-        // There is nothing to recover, and nothing is touched.
+        // Nothing needs recovery, so nothing is changed.
         let disk = ModelDisk::holding(content.clone());
         assert!(recover_on(&disk, super::folder()).unwrap().segments.is_empty());
         assert!(disk.content() == content);

@@ -1,4 +1,4 @@
-//! Reading beside a running writer, on the real disk.
+//! Reading during a run, on the real disk.
 
 use std::{thread, time::Duration};
 

@@ -1,4 +1,4 @@
-//! Segments that are gone, swapped or of another log: the chain of headers tells.
+//! Segments that are missing, swapped or from another log are detected by the chain of headers.
 
 use super::{
     super::{
@@ -63,7 +63,7 @@ fn a_log_without_any_damage_says_nothing() {
 #[test]
 fn a_segment_of_another_log_is_not_taken_for_one_of_this() {
     let mut content = sealed_log(RECORDS, &limits()).content();
-    // The same records and the same description, another day.
+    // The same records and description, created at another time.
     let other = sealed_log(RECORDS, &limits()).content();
     let path = sealed_path(folder(), 1);
     *content.file_mut(&path).unwrap() = other.file(&path).unwrap().clone();
@@ -76,7 +76,7 @@ fn a_segment_of_another_log_is_not_taken_for_one_of_this() {
 fn a_segment_that_was_written_anew_breaks_the_chain() {
     let mut content = sealed_log(RECORDS, &limits()).content();
     let path = sealed_path(folder(), 1);
-    // A whole segment of this log, of which its successor knows nothing: cut and recovered.
+    // A whole segment of this log, but not the one that its successor names: cut and recovered.
     let file = content.file_mut(&path).unwrap();
     file.truncate(file.len() - 40);
     let bytes = file.clone();

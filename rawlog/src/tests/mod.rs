@@ -1,4 +1,4 @@
-//! The log as a whole: on a disk that fails, on the real one, and on damaged files.
+//! The log as a whole: on a failing disk, on a real one, and from damaged files.
 
 mod crash;
 mod disk_full;
@@ -28,7 +28,7 @@ fn folder() -> &'static Path {
     Path::new("run/raw")
 }
 
-/// Segments of a few small records.
+/// Limits that give segments of a few small records.
 fn limits() -> Limits {
     Limits {
         codec: Codec::Auto,
@@ -39,7 +39,7 @@ fn limits() -> Limits {
     }
 }
 
-/// A record of any kind, the same for the same number.
+/// Record number `number`: all kinds, reproducible.
 fn record(number: u64) -> Record {
     let mut random = Pcg64Mcg::seed_from_u64(number);
     let head = format!(r#"{{"number":{number},"note":"{}"}}"#, "n".repeat((number % 23) as usize));
@@ -50,7 +50,7 @@ fn record(number: u64) -> Record {
     Record { head: head.into_bytes(), image: (!number.is_multiple_of(4)).then_some(image) }
 }
 
-/// A closed log of the first records, on a disk of its own.
+/// A closed log of the first records, on its own disk.
 fn sealed_log(records: u64, limits: &Limits) -> ModelDisk {
     let disk = ModelDisk::default();
     let storage = Arc::new(disk.clone());
@@ -62,7 +62,7 @@ fn sealed_log(records: u64, limits: &Limits) -> ModelDisk {
     disk
 }
 
-/// A reader of a log that nobody writes any more.
+/// A reader of a log without a writer.
 fn reader(content: &Content) -> Result<RawLogReader, RawLogError> {
     let disk = Arc::new(ModelDisk::holding(content.clone()));
     Ok(RawLogReader::open_on(disk, folder())?.finished())

@@ -1,4 +1,4 @@
-//! Reading what is damaged, cut, mixed up, or no log at all: errors, and never a wrong record.
+//! Reading damaged, truncated, mixed-up or foreign files gives errors, and never a wrong record.
 
 use std::path::Path;
 
@@ -18,13 +18,13 @@ const RECORDS: u64 = 30;
 /// Bytes of a segment's header, both copies.
 const HEADERS: usize = 2 * (52 + DESCRIPTION.len());
 
-/// What is read and right, and the errors; a panic where a record is wrong.
+/// The sequence numbers read and the errors; panics if a record is wrong.
 pub(super) fn read_all(reader: &RawLogReader) -> (Vec<u64>, Vec<RawLogError>) {
     let (mut right, mut errors) = (Vec::new(), Vec::new());
     for read in reader.records() {
         match read {
             Ok((sequence, read)) => {
-                assert!(read == record(sequence), "record {sequence} is another one");
+                assert!(read == record(sequence), "record {sequence} has other content");
                 right.push(sequence);
             }
             Err(error) => errors.push(error),
@@ -82,7 +82,7 @@ fn a_sealed_segment_that_is_cut_is_damaged_and_an_unsealed_one_is_not() {
         running.remove(&sealed);
         running.add(&part_path(folder(), last), bytes[..length].to_vec());
         let (_, errors) = read_all(&reader(&running).unwrap());
-        // The segment before it was sealed only when this one had its header.
+        // The previous segment was sealed only after this one had its header.
         match errors[..] {
             [] => assert!(length >= HEADERS, "{length}"),
             [RawLogError::MissingEnd { .. }] => assert!(length < HEADERS, "{length}"),
@@ -91,7 +91,7 @@ fn a_sealed_segment_that_is_cut_is_damaged_and_an_unsealed_one_is_not() {
     }
 }
 
-/// The same log as a later program might have written it, as far as a header says.
+/// The same log with the version number of a later program.
 pub(super) fn newer(mut content: Content, path: &Path) -> Content {
     let file = content.file_mut(path).unwrap();
     let length = u32::from_le_bytes(file[12..16].try_into().unwrap()) as usize;
@@ -131,7 +131,7 @@ fn damaged(mut content: Content, damages: &[(u16, u32, u8)]) -> Content {
     content
 }
 
-/// Opens, reads and recovers whatever it is; what is read must be right.
+/// Opens, reads and recovers arbitrary content; whatever is read must be right.
 fn use_whatever_it_is(content: Content) {
     if let Ok(reader) = reader(&content) {
         read_all(&reader);

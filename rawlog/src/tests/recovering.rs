@@ -1,4 +1,4 @@
-//! Recovery in particular: what it says, and what it leaves alone.
+//! What recovery reports and what it leaves alone.
 
 use super::{
     super::{
@@ -12,7 +12,7 @@ use super::{
     record, sealed_log,
 };
 
-/// The last segment of a closed log as it was before it was sealed.
+/// The last segment of a closed log, as it was before sealing.
 pub(super) fn unsealed(disk: &ModelDisk) -> (Content, u32) {
     let content = disk.content();
     let last = (0..).take_while(|n| content.file(&sealed_path(folder(), *n)).is_some()).count() - 1;
@@ -59,7 +59,7 @@ fn whole_records_behind_a_damaged_one_stay_in_the_log() {
     let heads = reader(&whole).unwrap().heads().map(Result::unwrap);
     let in_last: Vec<_> = heads.filter(|(_, position, ..)| position.segment == last).collect();
     for (number, position, ..) in in_last {
-        // Of its header, and of its head.
+        // One byte in the header, one in the head.
         for byte in [9, 50] {
             let mut left = whole.clone();
             left.file_mut(&part).unwrap()[position.offset as usize + byte] ^= 1;
@@ -145,7 +145,7 @@ fn a_newer_version_is_refused_and_not_touched() {
 #[test]
 fn a_folder_without_a_log_is_no_log() {
     let error = recover_on(&ModelDisk::default(), folder()).unwrap_err();
-    assert!(error.to_string().contains("holds no raw log"), "{error}");
+    assert!(error.to_string().contains("contains no raw log"), "{error}");
 }
 
 #[test]

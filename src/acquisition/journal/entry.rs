@@ -1,4 +1,4 @@
-//! What a run says to its raw log, in the order in which the run loop saw it.
+//! The entries of the journal, in the order in which the run loop saw the events.
 
 use lfpiv_hw::{
     device::{Frame, FrameStatus, StreamStatistics},
@@ -9,12 +9,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::acquisition::{BurstStart, Outcome};
 
-/// Version of the entries; a reader refuses a later one. Since version 2 there is
-/// [`Entry::BurstStarted`], since version 3 [`Entry::Given`] and [`Outcome::NotFired`], since version 4
-/// [`Entry::BurstLost`], [`Entry::SynchroniserLost`] and [`Entry::SynchroniserBack`].
+/// Version of the entries; a reader refuses a later one. Version 2 added [`Entry::BurstStarted`],
+/// version 3 [`Entry::Given`] and [`Outcome::NotFired`], version 4 [`Entry::BurstLost`],
+/// [`Entry::SynchroniserLost`] and [`Entry::SynchroniserBack`].
 pub const JOURNAL_VERSION: u32 = 4;
 
-/// The raw log's description: what a reader must know before the first entry.
+/// The raw log's description, which a reader needs before the first entry.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Description {
     /// Version of the entries.
@@ -23,9 +23,9 @@ pub struct Description {
     pub code_version: String,
     /// Number of cameras.
     pub cameras: usize,
-    /// How long a frame that is due was waited for, in ns.
+    /// How long due frames were awaited, in ns.
     pub patience_ns: u64,
-    /// The configuration, TOML as it was used.
+    /// The configuration used, in TOML.
     pub configuration: String,
 }
 
@@ -33,22 +33,22 @@ pub struct Description {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "entry", rename_all = "snake_case")]
 pub enum Entry {
-    /// The unit took this schedule, and its count starts anew.
+    /// The unit was programmed with this schedule, and its trigger count restarts.
     Programmed { at_ns: u64, identity: String, schedule: PulseSchedule },
     /// A burst of triggers `first` to `first + shots - 1` begins.
     Fired { at_ns: u64, first: u64, shots: u64 },
     /// The unit has accepted the burst that begins with trigger `first`.
     BurstStarted { first: u64, start: BurstStart },
-    /// The unit no longer fires; it has given so many triggers since the run began.
+    /// The unit has stopped firing; `given` is the number of triggers since the run began.
     BurstEnded { at_ns: u64, given: u64 },
-    /// The unit is lost in a burst, and nothing more is seen of it: so many triggers count since the run
+    /// The unit was lost during a burst; `given` is the number of triggers that count since the run
     /// began.
     BurstLost { at_ns: u64, given: u64 },
-    /// The unit does not answer any more.
+    /// The unit no longer answers.
     SynchroniserLost { at_ns: u64, reason: String },
     /// It answers again, and was read back as safe.
     SynchroniserBack { at_ns: u64, identity: String },
-    /// The image of this record, as it came, damaged or not.
+    /// A frame; its image, damaged or not, belongs to the same record.
     Frame {
         at_ns: u64,
         camera: usize,
@@ -56,9 +56,9 @@ pub enum Entry {
         frame: FrameHead,
         statistics: StreamStatistics,
     },
-    /// What a camera's stream says of itself: that it is away, back, or has ended.
+    /// State of a camera's stream: lost, back, or ended.
     Stream { at_ns: u64, camera: usize, connected: bool, statistics: StreamStatistics },
-    /// These frames are one shot: frames a and b of each camera.
+    /// These frames were paired: frames a and b of each camera.
     Shot {
         trigger: u64,
         frames: Vec<[FrameKey; 2]>,
@@ -66,26 +66,26 @@ pub enum Entry {
         suspect: Vec<String>,
         dt_us: f64,
     },
-    /// The trigger counts from now on: it was given, or was due where nobody can be asked.
+    /// The trigger counts from now on: it was given, or was due and the synchroniser cannot be asked.
     Given { trigger: u64 },
-    /// How a trigger ended for one camera, as far as acquisition decides it.
+    /// The outcome of a trigger for one camera, if acquisition decided it.
     Settled { trigger: u64, camera: usize, outcome: Outcome },
-    /// The trigger was asked for and never given.
+    /// The trigger was requested but not given.
     Withdrawn { trigger: u64 },
-    /// Shed from the queue: nothing is wrong with it, and it can be processed later.
+    /// Shed from the queue; it can be processed later.
     Shed { trigger: u64 },
-    /// Bytes on the synchroniser's line; the text has all but printable ASCII escaped.
+    /// Bytes on the synchroniser's line; all but printable ASCII is escaped.
     Serial { host_time_ns: u64, direction: Direction, bytes: String },
-    /// Words of whoever runs the bench.
+    /// A note by the operator.
     Note { at_ns: u64, text: String },
     /// The run was told to stop.
     Stopping { at_ns: u64 },
-    /// The run is over and every trigger is ruled on; the reason where it ended before its time.
+    /// The run is over and every trigger is settled; `error` if it ended early.
     Ended { at_ns: u64, error: Option<String> },
 }
 
 impl Entry {
-    /// When it was, in ns since the run began; `None` for one that does not say.
+    /// Time in ns since the run began; `None` for entries without a time.
     pub fn at_ns(&self) -> Option<u64> {
         match self {
             Self::Programmed { at_ns, .. }
@@ -123,7 +123,7 @@ pub struct FrameHead {
     pub status: FrameStatus,
 }
 
-/// Which of a camera's frames is meant: numbers alone repeat where a camera has restarted.
+/// Identifies a frame of a camera: numbers alone repeat after a restart of the camera.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct FrameKey {
     /// See [`Frame::frame_id`].
@@ -139,7 +139,7 @@ impl From<&Frame> for FrameKey {
 }
 
 impl FrameHead {
-    /// What tells this frame from the camera's others.
+    /// Identifies this frame among the camera's frames.
     pub fn key(&self) -> FrameKey {
         FrameKey { frame_id: self.frame_id, device_timestamp_ns: self.device_timestamp_ns }
     }

@@ -1,4 +1,4 @@
-//! How far each shot's raw data has got.
+//! Durability of each shot's raw data.
 
 use std::collections::VecDeque;
 
@@ -7,32 +7,32 @@ use serde::Serialize;
 
 use crate::archive::RawLevel;
 
-/// In the place of a record's number: there is none, although there should be.
+/// Record number of a shot whose record was lost.
 pub(super) const LOST: u64 = u64::MAX;
 
-/// Shots remembered one by one.
+/// Number of shots kept individually.
 const REMEMBERED: usize = 10_000;
 
-/// Numbers of shots that have got so far (acquired, paired, written, fsynced).
+/// Number of shots per durability level (acquired, paired, written, synced).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct ShotMarks {
-    /// Paired: all frames are there and belong together.
+    /// Paired: all frames arrived and belong together.
     pub paired: u64,
-    /// Handed to the operating system: they survive the end of this process.
+    /// Written to the operating system: survives the end of this process.
     pub written: u64,
-    /// On the disk: they survive a power cut.
+    /// Synced to disk: survives a power cut.
     pub synced: u64,
-    /// The highest shot number that is on the disk.
+    /// The highest synced shot number.
     pub last_synced: Option<u64>,
 }
 
-/// Where each shot's record lies.
+/// Record number of each shot.
 #[derive(Debug, Default)]
 pub(super) struct Levels {
-    /// Shot and the number of its record, in the order of the records.
+    /// Shot and record number, in the order of the records.
     shots: VecDeque<(u64, u64)>,
     forgotten: u64,
-    /// The highest shot forgotten; those before it were on the disk then.
+    /// The highest dropped shot; all up to it are synced.
     last_forgotten: Option<u64>,
 }
 

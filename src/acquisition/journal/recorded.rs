@@ -1,4 +1,4 @@
-//! A recorded run, read back.
+//! Reads a recorded run.
 
 use std::{
     collections::{BTreeMap, BTreeSet, HashMap},
@@ -13,7 +13,7 @@ use thiserror::Error;
 use super::{Description, Entry, FrameKey, JOURNAL_VERSION};
 use crate::{acquisition::trigger_times::TriggerTimes, archive::ShotTime};
 
-/// Where a run's raw log lies in its folder.
+/// Folder of the raw log in a run's folder.
 pub const RAW_FOLDER: &str = "raw";
 
 /// Why a recorded run cannot be read.
@@ -22,24 +22,24 @@ pub enum RecordedRunError {
     /// The log itself cannot be read.
     #[error(transparent)]
     RawLog(#[from] RawLogError),
-    /// Its description or an entry is not what this program writes.
-    #[error("{}: {what} cannot be understood: {reason}", folder.display())]
+    /// Its description or an entry has an unknown form.
+    #[error("{}: {what} has an unknown form: {reason}", folder.display())]
     NotAJournal { folder: PathBuf, what: String, reason: serde_json::Error },
-    /// A later program wrote it.
+    /// Written by a later program.
     #[error(
-        "{}: written as journal version {found}, this program knows up to {JOURNAL_VERSION}: use \
+        "{}: written in journal version {found}, and this program reads up to {JOURNAL_VERSION}: use \
          the lfpiv that recorded it, or a later one", folder.display()
     )]
     NewerVersion { folder: PathBuf, found: u32 },
-    /// An entry that should have an image has none.
+    /// A frame entry without an image.
     #[error("{}: a frame of the record has no image", folder.display())]
     NoImage { folder: PathBuf },
-    /// No such shot.
+    /// The shot does not exist.
     #[error("{}: there is no shot {shot} in the record", folder.display())]
     NoShot { folder: PathBuf, shot: u64 },
 }
 
-/// A recorded run. It holds no file open, and can be read beside the run that still writes it.
+/// A recorded run. It keeps no file open, and can be read while the run is still being written.
 #[derive(Debug, Clone)]
 pub struct RecordedRun {
     folder: PathBuf,
@@ -47,9 +47,9 @@ pub struct RecordedRun {
     description: Description,
 }
 
-/// An entry and where its record lies.
+/// An entry and the position of its record.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Placed {
+pub struct LocatedEntry {
     pub position: Position,
     pub entry: Entry,
 }
@@ -59,11 +59,11 @@ pub struct Placed {
 pub struct RecordedShot {
     /// Its number.
     pub trigger: u64,
-    /// Where frames a and b of each camera lie.
+    /// Positions of frames a and b of each camera.
     pub frames: Vec<[Position; 2]>,
     /// Time between the light pulses, in µs.
     pub dt_us: f64,
-    /// Evidence that disagrees with the pairing.
+    /// Evidence against the pairing.
     pub suspect: Vec<String>,
     /// When its trigger was given.
     pub time: Option<ShotTime>,
@@ -72,28 +72,27 @@ pub struct RecordedShot {
 /// The end of a run.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RunEnd {
-    /// What ended it before its time.
+    /// The error that ended it early, if any.
     pub error: Option<String>,
 }
 
-/// What a run holds.
+/// Contents of a recorded run.
 #[derive(Debug, Clone, Default)]
 pub struct RunIndex {
     /// Its shots by number.
     pub shots: BTreeMap<u64, RecordedShot>,
-    /// How the run ended; a run that was killed has no end.
+    /// The end of the run; `None` if it was killed.
     pub end: Option<RunEnd>,
-    /// What is damaged or missing in the log, in words.
+    /// Damaged or missing parts of the log, described for the user.
     pub damaged: Vec<String>,
-    /// Shots that were recorded and are not whole any more, and why.
+    /// Recorded shots that are incomplete now, with the reason.
     pub lost: BTreeMap<u64, String>,
-    /// Triggers of which the record says, or must have said, how they ended, and nothing is found.
-    /// None where nothing is damaged.
+    /// TriggerSets whose outcome must have been recorded but is missing. Empty if nothing is damaged.
     pub unknown: BTreeSet<u64>,
 }
 
 impl RecordedRunError {
-    /// Whether recorded data is damaged or missing: the rest can still be read.
+    /// Whether recorded data is damaged or missing; the rest can still be read.
     pub fn is_damage(&self) -> bool {
         match self {
             Self::RawLog(error) => error.is_damage(),
@@ -107,7 +106,7 @@ impl RecordedRun {
     /// Opens the record of the run in `run`.
     ///
     /// # Errors
-    /// There is none, or it cannot be read.
+    /// There is no record, or it cannot be read.
     pub fn open(run: &Path) -> Result<Self, RecordedRunError> {
         let folder = run.join(RAW_FOLDER);
         let reader = RawLogReader::open(&folder)?;
@@ -123,21 +122,22 @@ impl RecordedRun {
         Ok(Self { folder, reader, description })
     }
 
-    /// The same record, of which is known that nobody writes it any more: see
-    /// [`RawLogReader::finished`].
+    /// The same record, known to have no writer any more: see [`RawLogReader::finished`].
     #[must_use]
     pub fn finished(self) -> Self {
         Self { reader: self.reader.finished(), ..self }
     }
 
-    /// What the run was.
+    /// The description of the run.
     pub fn description(&self) -> &Description {
         &self.description
     }
 
-    /// All entries in order. An item is an error where the log is damaged; those behind it follow.
-    /// Beside a run that is being written, one that has ended goes on when there is more.
-    pub fn entries(&self) -> impl Iterator<Item = Result<Placed, RecordedRunError>> + Send + use<> {
+    /// All entries in order. An error marks damage; iteration continues after it. During a run, an
+    /// exhausted iterator continues when there is more.
+    pub fn entries(
+        &self,
+    ) -> impl Iterator<Item = Result<LocatedEntry, RecordedRunError>> + Send + use<> {
         let folder = self.folder.clone();
         self.reader.heads().map(move |head| {
             let (number, position, head, _) = head?;
@@ -145,16 +145,16 @@ impl RecordedRun {
                 let what = format!("record {number}");
                 RecordedRunError::NotAJournal { folder: folder.clone(), what, reason }
             })?;
-            Ok(Placed { position, entry })
+            Ok(LocatedEntry { position, entry })
         })
     }
 
-    /// Finds every shot and where its frames lie, around whatever is damaged.
+    /// Finds every shot and the positions of its frames, past damage.
     pub fn index(&self) -> RunIndex {
         let mut index = RunIndex::default();
         let mut finder = ShotFinder::default();
-        let mut triggers = Triggers::default();
-        // Damage since the last whole shot: frames come shortly before their shot.
+        let mut triggers = TriggerSets::default();
+        // Damage since the last complete shot: frames precede their shot closely.
         let mut recent = 0;
         for item in self.entries() {
             let placed = match item {
@@ -205,22 +205,22 @@ impl RecordedRun {
     }
 }
 
-/// More than a burst or a run has: a record that says so takes no more memory and time than this.
-const MOST_TRIGGERS: usize = 10_000_000;
+/// Bound on the triggers of a run, to limit memory and time for a corrupt record.
+const MAX_TRIGGERS: usize = 10_000_000;
 
-/// Which triggers there were, and of which the record says how they ended.
+/// TriggerSets given, and those with a recorded outcome.
 #[derive(Debug, Default)]
-struct Triggers {
+struct TriggerSets {
     entered: BTreeSet<u64>,
     known: BTreeSet<u64>,
 }
 
-impl Triggers {
+impl TriggerSets {
     fn see(&mut self, entry: &Entry) {
         match entry {
             Entry::Fired { first, shots, .. } => {
                 let triggers = *first..first.saturating_add(*shots);
-                self.entered.extend(triggers.take(MOST_TRIGGERS));
+                self.entered.extend(triggers.take(MAX_TRIGGERS));
             }
             Entry::Withdrawn { trigger } => drop(self.entered.remove(trigger)),
             Entry::Shot { trigger, .. } | Entry::Settled { trigger, .. } => {
@@ -230,31 +230,31 @@ impl Triggers {
         }
     }
 
-    /// A run that was cut off had no time for its last triggers; one that has ended has ruled on
-    /// all.
+    /// TriggerSets without an outcome. A run that was cut off did not settle its last ones; a completed run
+    /// settled all.
     fn unknown(&self, has_ended: bool) -> BTreeSet<u64> {
         let last_entered = self.entered.last().filter(|_| has_ended);
         let Some(last) = self.known.last().max(last_entered) else { return BTreeSet::new() };
         let unknown = (0..=*last).filter(|trigger| !self.known.contains(trigger));
-        unknown.take(MOST_TRIGGERS).collect()
+        unknown.take(MAX_TRIGGERS).collect()
     }
 }
 
-/// Finds the shots in a record, entry by entry.
+/// Assembles shots from the entries of a record.
 #[derive(Debug, Default)]
 pub(super) struct ShotFinder {
-    /// Frames of no shot so far, and their host times in ns.
+    /// Frames not yet part of a shot, and their host times in ns.
     frames: HashMap<(usize, FrameKey), (Position, u64)>,
     times: TriggerTimes,
 }
 
 impl ShotFinder {
-    /// The shot that this entry completes; its number where a frame of it is not in the record.
-    pub fn take(&mut self, placed: Placed) -> Option<Result<RecordedShot, u64>> {
+    /// The shot that this entry completes; its number as error if one of its frames is missing.
+    pub fn take(&mut self, placed: LocatedEntry) -> Option<Result<RecordedShot, u64>> {
         self.times.see(&placed.entry);
         match placed.entry {
             Entry::Frame { camera, frame, .. } => {
-                // Of a frame that came twice, the first was used.
+                // Of a duplicate frame, the first was used.
                 let found = (placed.position, frame.host_timestamp_ns);
                 self.frames.entry((camera, frame.key())).or_insert(found);
                 None
@@ -275,7 +275,7 @@ impl ShotFinder {
         }
     }
 
-    /// When the triggers seen so far were given.
+    /// Times of the triggers seen so far.
     pub fn times(&self) -> &TriggerTimes {
         &self.times
     }

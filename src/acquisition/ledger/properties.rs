@@ -1,5 +1,5 @@
-//! The law under random interleavings of transitions, allowed or not, against a model that counts
-//! by hand.
+//! The conservation law under random sequences of transitions, valid or not, compared with a model
+//! that counts naively.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +20,7 @@ enum Transition {
     SettleAll(u64, Outcome),
 }
 
-/// Few triggers, so that most transitions meet others; one camera that does not exist.
+/// Few triggers, so that most transitions interact; one camera that does not exist.
 fn transition() -> impl Strategy<Value = Transition> {
     let trigger = 0_u64..12;
     let outcome = prop::sample::select(Outcome::ALL.to_vec());
@@ -33,10 +33,10 @@ fn transition() -> impl Strategy<Value = Transition> {
     ]
 }
 
-/// What the ledger should say: the outcome of each trigger and camera that is entered.
+/// The expected state: the outcome of each entered trigger and camera.
 type Model = BTreeMap<u64, [Option<Outcome>; CAMERAS]>;
 
-/// Applies a transition to the model; `false` where it is against the rules.
+/// Applies a transition to the model; `false` if it is not allowed.
 fn model_allows(model: &mut Model, transition: &Transition) -> bool {
     match *transition {
         Transition::Enter(trigger) => {
@@ -69,7 +69,7 @@ fn apply(ledger: &mut Ledger, transition: &Transition) -> Result<(), LedgerError
         Transition::Enter(trigger) => ledger.enter(trigger),
         Transition::Queue(trigger, odd) => {
             let suspect = if odd { vec!["odd".to_owned()] } else { Vec::new() };
-            ledger.queued(trigger, &suspect);
+            ledger.mark_queued(trigger, &suspect);
             Ok(())
         }
         Transition::Settle(trigger, camera, outcome) => ledger.settle(trigger, camera, outcome),
@@ -77,7 +77,7 @@ fn apply(ledger: &mut Ledger, transition: &Transition) -> Result<(), LedgerError
     }
 }
 
-/// All that a ledger says.
+/// The observable state of a ledger.
 fn said(ledger: &Ledger) -> (Vec<Account>, Vec<TriggerEntry>) {
     (ledger.accounts().to_vec(), ledger.entries().cloned().collect())
 }
@@ -95,11 +95,11 @@ fn agrees(ledger: &Ledger, model: &Model) -> Result<(), TestCaseError> {
         }
     }
     let open = model.values().filter(|cameras| cameras.contains(&None)).count() as u64;
-    prop_assert_eq!(ledger.handed_on() + ledger.awaiting_frames(), open);
+    prop_assert_eq!(ledger.in_pool() + ledger.awaiting_frames(), open);
     Ok(())
 }
 
-/// After every transition the law holds and the sums are the model's; a refused one changes
+/// After every transition the law holds and the sums match the model; a refused transition changes
 /// nothing.
 #[test]
 fn conservation_holds_after_every_transition() {

@@ -1,10 +1,10 @@
-//! The rules by which the state machine decides.
+//! The decision rules of the state machine.
 
 use std::{ops::Range, time::Duration};
 
 use lfpiv_hw::{CameraName, device::Frame};
 
-use super::{OpenTrigger, Outcome, Pairing, Ruling, Shot, Slot};
+use super::{Decision, OpenTrigger, Outcome, Pairing, Shot, Slot};
 
 impl Pairing {
     /// Keeps a frame; `false` when it is a duplicate or belongs to no open trigger.
@@ -34,7 +34,7 @@ impl Pairing {
         true
     }
 
-    /// The camera went on to `trigger`: whatever it still owes of earlier ones is probably lost.
+    /// The camera has delivered a frame of `trigger`: its missing frames of earlier ones are probably lost.
     pub(super) fn mark_passed(&mut self, camera: usize, trigger: u64, now: Duration) {
         for (_, open) in self.open.range_mut(..trigger) {
             let slot = &mut open.slots[camera];
@@ -49,37 +49,37 @@ impl Pairing {
         &mut self,
         camera: usize,
         triggers: Range<u64>,
-        rulings: &mut Vec<Ruling>,
+        decisions: &mut Vec<Decision>,
     ) {
         let triggers: Vec<u64> = self.open.range(triggers).map(|(trigger, _)| *trigger).collect();
         for trigger in triggers {
             if let Some(open) = self.open.get_mut(&trigger) {
                 open.slots[camera].missed = true;
             }
-            self.give_up(trigger, rulings);
-            self.close_slots(trigger, |slot| slot.missed && slot.is_empty(), rulings);
+            self.close_unpaired(trigger, decisions);
+            self.close_slots(trigger, |slot| slot.missed && slot.is_empty(), decisions);
         }
     }
 
-    /// A frame was added: pair the shot when it was the last one.
-    pub(super) fn examine(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+    /// A frame was added: pairs the shot when it was the last one.
+    pub(super) fn try_pair(&mut self, trigger: u64, decisions: &mut Vec<Decision>) {
         let Some(open) = self.open.get(&trigger) else { return };
         if open.given_up {
-            return self.settle_full_slots(trigger, rulings);
+            return self.settle_full_slots(trigger, decisions);
         }
         if !open.slots.iter().all(Slot::is_full) {
             return;
         }
         if let Some((camera, missed)) = self.find_camera_behind(open) {
-            return self.move_on(camera, missed, rulings);
+            return self.reassign_frames(camera, missed, decisions);
         }
         if let Some(open) = self.open.remove(&trigger) {
-            self.pair(trigger, open, rulings);
+            self.pair(trigger, open, decisions);
         }
     }
 
-    /// The camera whose frames are whole periods after the others', given the differences between
-    /// their clocks, and by how many periods.
+    /// The camera whose frames lag the others' by whole periods, given the clock differences, and the
+    /// number of periods.
     fn find_camera_behind(&self, open: &OpenTrigger) -> Option<(usize, u64)> {
         if open.slots.iter().any(|slot| !slot.disagreement.is_empty()) {
             return None;
@@ -94,8 +94,8 @@ impl Pairing {
         })
     }
 
-    /// The camera missed the burst's first `missed` triggers: its frames belong to later ones.
-    fn move_on(&mut self, camera: usize, missed: u64, rulings: &mut Vec<Ruling>) {
+    /// The camera missed the burst's first `missed` triggers: reassigns its frames to later ones.
+    fn reassign_frames(&mut self, camera: usize, missed: u64, decisions: &mut Vec<Decision>) {
         let track = &mut self.tracks[camera];
         track.missed += missed;
         if let Some((trigger, _)) = &mut track.clock {
@@ -111,9 +111,9 @@ impl Pairing {
                 }
             }
         }
-        self.mark_missed(camera, burst.first..(burst.first + missed).min(burst.end), rulings);
+        self.mark_missed(camera, burst.first..(burst.first + missed).min(burst.end), decisions);
         for trigger in triggers {
-            self.examine(trigger, rulings);
+            self.try_pair(trigger, decisions);
         }
     }
 
@@ -124,12 +124,12 @@ impl Pairing {
         }
     }
 
-    /// Every camera has delivered: a shot, unless a frame is damaged.
-    fn pair(&mut self, trigger: u64, mut open: OpenTrigger, rulings: &mut Vec<Ruling>) {
+    /// Every camera has delivered: makes a shot, unless a frame is damaged.
+    fn pair(&mut self, trigger: u64, mut open: OpenTrigger, decisions: &mut Vec<Decision>) {
         if open.slots.iter().any(Slot::is_damaged) {
             for (camera, slot) in open.slots.iter().enumerate() {
                 let outcome = slot.outcome_without_partner();
-                rulings.push(Ruling::Settled { trigger, camera, outcome });
+                decisions.push(Decision::Settled { trigger, camera, outcome });
                 self.counters.unpaired += slot.frames_held();
             }
             return;
@@ -146,13 +146,13 @@ impl Pairing {
         self.counters.paired += 2 * cameras.len() as u64;
         let residuals_ns = compared.residuals_ns;
         let dt_us = self.settings.dt_us;
-        // Pairing is without clocks: whoever has them adds the time.
+        // Pairing has no clock: the caller adds the time.
         let (time, due) = (None, open.due);
         let shot = Shot { trigger, cameras, time, due, dt_us, suspect, residuals_ns };
-        rulings.push(Ruling::Paired(shot));
+        decisions.push(Decision::Paired(shot));
     }
 
-    /// Frame b must follow frame a after the time the schedule sets.
+    /// Checks that frame b follows frame a after the scheduled interval.
     fn check_intervals(&self, cameras: &[[Frame; 2]]) -> Vec<String> {
         let expected = i128::from(self.settings.frame_interval_ns);
         let tolerance = i128::from(self.settings.frame_interval_tolerance_ns);
@@ -166,61 +166,61 @@ impl Pairing {
         wrong.collect()
     }
 
-    /// Looks for frames that will not come.
-    pub(super) fn wait_or_give_up(
+    /// Ends the wait for overdue frames.
+    pub(super) fn expire_overdue(
         &mut self,
         trigger: u64,
         now: Duration,
-        rulings: &mut Vec<Ruling>,
+        decisions: &mut Vec<Decision>,
     ) {
         let patience = self.settings.patience;
         let Some(open) = self.open.get_mut(&trigger) else { return };
-        if trigger >= self.given && open.is_untouched() {
+        if trigger >= self.given && open.has_no_evidence() {
             return;
         }
         let mut any_overdue = false;
         for (slot, last_arrival) in open.slots.iter_mut().zip(&self.last_arrival) {
-            // A camera that still delivers is slow, not silent: its clock runs from its last frame.
+            // A camera that still delivers is slow, not silent: count from its last frame.
             let due = open.due.max(*last_arrival);
             if !slot.settled && !slot.is_full() && slot.is_overdue(due, now, patience) {
-                // The moment when patience ended, not that at which somebody looked.
+                // The deadline itself, not the time of this check.
                 slot.overdue_at.get_or_insert(slot.deadline(due, patience));
                 any_overdue = true;
             }
         }
         if any_overdue {
-            self.give_up(trigger, rulings);
+            self.close_unpaired(trigger, decisions);
         }
         let over = |slot: &Slot| slot.overdue_at.is_some_and(|since| now > since + patience);
-        self.close_slots(trigger, over, rulings);
+        self.close_slots(trigger, over, decisions);
     }
 
-    /// The shot will not be paired: what is there of it is settled.
-    pub(super) fn give_up(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+    /// The shot cannot be paired: settles the complete slots.
+    pub(super) fn close_unpaired(&mut self, trigger: u64, decisions: &mut Vec<Decision>) {
         if let Some(open) = self.open.get_mut(&trigger) {
             open.given_up = true;
         }
-        self.settle_full_slots(trigger, rulings);
+        self.settle_full_slots(trigger, decisions);
     }
 
-    fn settle_full_slots(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+    fn settle_full_slots(&mut self, trigger: u64, decisions: &mut Vec<Decision>) {
         let Some(open) = self.open.get_mut(&trigger) else { return };
         for (camera, slot) in open.slots.iter_mut().enumerate() {
             if !slot.settled && slot.is_full() {
                 let outcome = slot.outcome_without_partner();
-                rulings.push(Ruling::Settled { trigger, camera, outcome });
+                decisions.push(Decision::Settled { trigger, camera, outcome });
                 self.counters.unpaired += slot.settle();
             }
         }
         self.drop_when_settled(trigger);
     }
 
-    /// Rules on the unfinished slots that `choose` picks.
+    /// Settles the incomplete slots that `choose` selects.
     pub(super) fn close_slots(
         &mut self,
         trigger: u64,
         choose: impl Fn(&Slot) -> bool,
-        rulings: &mut Vec<Ruling>,
+        decisions: &mut Vec<Decision>,
     ) {
         let Some(open) = self.open.get_mut(&trigger) else { return };
         for (camera, slot) in open.slots.iter_mut().enumerate() {
@@ -233,42 +233,42 @@ impl Pairing {
             } else if (0..slot.frames_missing()).filter(|_| track.charge_underrun()).count() > 0 {
                 Outcome::Underrun
             } else if slot.is_empty() && slot.passed_at.is_none() {
-                // No frame, and no later one whose id would show that this was sent.
+                // Neither a frame nor a later one whose id would prove that this one was sent.
                 Outcome::MissedTrigger
             } else {
                 Outcome::MissingPackets
             };
-            rulings.push(Ruling::Settled { trigger, camera, outcome });
+            decisions.push(Decision::Settled { trigger, camera, outcome });
             self.counters.unpaired += slot.settle();
         }
         self.drop_when_settled(trigger);
     }
 
-    /// The run ends before there was time for these: nothing says that anything is lost.
-    pub(super) fn shed_unfinished(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+    /// Sheds the rest at the end of the run: there is no evidence of a loss.
+    pub(super) fn shed_incomplete(&mut self, trigger: u64, decisions: &mut Vec<Decision>) {
         let Some(open) = self.open.get_mut(&trigger) else { return };
         for (camera, slot) in open.slots.iter_mut().enumerate() {
             let lost = slot.missed || slot.passed_at.is_some() || slot.overdue_at.is_some();
             if !slot.settled && !lost {
-                rulings.push(Ruling::Settled { trigger, camera, outcome: Outcome::Shed });
+                decisions.push(Decision::Settled { trigger, camera, outcome: Outcome::Shed });
                 self.counters.unpaired += slot.settle();
             }
         }
         self.drop_when_settled(trigger);
     }
 
-    /// The run ends, and nothing shows that the trigger was given.
-    pub(super) fn close_unseen(&mut self, trigger: u64, rulings: &mut Vec<Ruling>) {
+    /// Closes a trigger at the end of the run without evidence that it was given.
+    pub(super) fn close_unseen(&mut self, trigger: u64, decisions: &mut Vec<Decision>) {
         let Some(open) = self.open.remove(&trigger) else { return };
         if open.due > self.now {
-            rulings.push(Ruling::Withdrawn { trigger });
+            decisions.push(Decision::Withdrawn { trigger });
             return;
         }
-        rulings.push(Ruling::Given { trigger });
-        self.told_given = trigger + 1;
+        decisions.push(Decision::Given { trigger });
+        self.announced_given = trigger + 1;
         let cameras = 0..open.slots.len();
         let outcome = Outcome::NotFired;
-        rulings.extend(cameras.map(|camera| Ruling::Settled { trigger, camera, outcome }));
+        decisions.extend(cameras.map(|camera| Decision::Settled { trigger, camera, outcome }));
     }
 
     fn drop_when_settled(&mut self, trigger: u64) {

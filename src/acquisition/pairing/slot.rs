@@ -1,4 +1,4 @@
-//! What one camera has delivered of one trigger.
+//! The frames of one camera for one trigger.
 
 use std::time::Duration;
 
@@ -6,15 +6,15 @@ use lfpiv_hw::device::{Frame, FrameStatus};
 
 use crate::acquisition::Outcome;
 
-/// Frames a and b of one camera, and what is known about those that are not there.
+/// Frames a and b of one camera, and the state of missing ones.
 #[derive(Debug, Default)]
 pub(super) struct Slot {
     pub frames: [Option<Frame>; 2],
     /// The camera did not see this trigger.
     pub missed: bool,
-    /// When a frame of a later trigger arrived first.
+    /// When the first frame of a later trigger arrived.
     pub passed_at: Option<Duration>,
-    /// When the wait for the frames was given up.
+    /// When the wait for the frames ended.
     pub overdue_at: Option<Duration>,
     pub settled: bool,
     pub disagreement: Vec<String>,
@@ -29,8 +29,8 @@ impl Slot {
         self.frames.iter().all(Option::is_none)
     }
 
-    /// Whether nothing is known that shows that the trigger was given.
-    pub fn is_untouched(&self) -> bool {
+    /// Whether there is no evidence that the trigger was given.
+    pub fn has_no_evidence(&self) -> bool {
         self.is_empty() && !self.settled && !self.missed && self.passed_at.is_none()
     }
 
@@ -42,8 +42,8 @@ impl Slot {
         2 - self.frames_missing()
     }
 
-    /// Puts a frame in its place, unless it is there already. A frame of another number in that
-    /// place was taken for this half before it was known where the numbers begin.
+    /// Stores a frame unless it is a duplicate. A frame of another number in this place was assigned to
+    /// this half before the start of the numbering was known.
     pub fn put(&mut self, half: usize, frame: Frame) -> bool {
         if let Some(there) = self.frames[half].take() {
             let misplaced = there.frame_id != frame.frame_id && self.frames[1 - half].is_none();
@@ -66,7 +66,7 @@ impl Slot {
         self.frames[0].as_ref().map(|frame| i128::from(frame.device_timestamp_ns))
     }
 
-    /// What a full slot of a shot that cannot be paired ends as.
+    /// Outcome of a complete slot in a shot that cannot be paired.
     pub fn outcome_without_partner(&self) -> Outcome {
         if self.is_damaged() {
             Outcome::MissingPackets
@@ -77,18 +77,18 @@ impl Slot {
         }
     }
 
-    /// Whether the wait is over: `patience` after the frame was due and the camera last spoke, or
-    /// after the camera went on to a later trigger.
+    /// Whether the wait is over: `patience` after the frame was due and after the camera's last frame, or
+    /// after a frame of a later trigger.
     pub fn is_overdue(&self, due: Duration, now: Duration, patience: Duration) -> bool {
         now > self.deadline(due, patience)
     }
 
-    /// When the wait is over.
+    /// When the wait ends.
     pub fn deadline(&self, due: Duration, patience: Duration) -> Duration {
         self.passed_at.unwrap_or(due) + patience
     }
 
-    /// Drops the pictures: what is settled needs no memory. Returns how many frames there were.
+    /// Drops the images to free memory; returns the number of frames.
     pub fn settle(&mut self) -> u64 {
         let held = self.frames_held();
         self.settled = true;

@@ -1,4 +1,4 @@
-//! Pairing against cameras that lose, damage, repeat and delay frames and miss triggers.
+//! Pairing of frames that are lost, damaged, duplicated or delayed, with missed triggers.
 
 mod rig;
 
@@ -20,12 +20,11 @@ fn fate() -> impl Strategy<Value = Fate> {
     ]
 }
 
-/// Fates and jitter of each shot, and triggers that are not given.
+/// Fates and jitter of each shot, and the number of triggers not given.
 type BurstPlan = (Vec<(Vec<Fate>, Vec<u64>)>, usize);
 
-/// One jump of a camera's clock: before which burst, of which camera, by how much. A jump by a
-/// whole number of periods, or two that make one, look like missed triggers: nothing tells them
-/// apart.
+/// One jump of a camera's clock: before which burst, of which camera, by how much. Jumps that add up
+/// to whole periods are excluded: they cannot be distinguished from missed triggers.
 fn jump() -> impl Strategy<Value = (usize, usize, i64)> {
     let periods = (-30_i64..30, 20_i64..80)
         .prop_map(|(whole, parts)| (100 * whole + parts) * PERIOD_NS as i64 / 100);
@@ -41,7 +40,7 @@ fn burst_plan() -> impl Strategy<Value = BurstPlan> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// Whatever the cameras do: the sums match, and a shot that mixes two triggers is marked.
+    /// Whatever the cameras do: the sums match, and a shot that mixes two triggers is suspect.
     #[test]
     fn every_trigger_ends_once_and_no_shot_mixes_triggers_unmarked(
         plans in prop::collection::vec(burst_plan(), 1..8),
@@ -53,7 +52,7 @@ proptest! {
             if burst == jump_at {
                 rig.jumped_ns[camera] = jump_ns;
             }
-            // As the daemon does: single shots until the clocks are known.
+            // As the daemon: single shots until the clock differences are known.
             let (length, cut) = if rig.pairing.has_reference(rig.now) { (shots.len(), cut) } else { (1, 0) };
             let (fates, jitter): (Vec<_>, Vec<_>) = shots.into_iter().take(length).unzip();
             none_missed &= fates.iter().flatten().all(|fate| *fate != Fate::Missed);
@@ -89,7 +88,7 @@ fn outcomes_say_what_happened() {
             rig.burst(&[vec![one, two]], &[vec![1, 2]], 0);
             continue;
         }
-        // A good shot on either side shows that the stream went on.
+        // A good shot on either side shows that the stream continued.
         let good = vec![Fate::Delivered; 2];
         rig.burst(&[good.clone(), vec![one, two], good], &vec![vec![1, 2]; 3], 0);
     }
@@ -137,11 +136,11 @@ fn underruns_reported_by_the_stream_are_charged_to_lost_frames() {
     let late = Duration::from_millis(100);
     for id in [2, 3] {
         let at = 1_000_000_000 + PERIOD_NS + (id - 2) * INTERVAL_NS;
-        let rulings = rig.pairing.frame(0, frame(id, at, 1), late);
-        rig.apply(rulings);
+        let decisions = rig.pairing.frame(0, frame(id, at, 1), late);
+        rig.apply(decisions);
     }
-    let rulings = rig.pairing.finish();
-    rig.apply(rulings);
+    let decisions = rig.pairing.finish();
+    rig.apply(decisions);
     assert_eq!(rig.ledger.entry(0).unwrap().cameras, [Some(Outcome::Underrun)]);
     assert_eq!(rig.ledger.entry(1).unwrap().cameras, [Some(Outcome::Complete)]);
 }
@@ -150,10 +149,10 @@ fn underruns_reported_by_the_stream_are_charged_to_lost_frames() {
 fn the_end_of_a_run_sheds_what_was_under_way() {
     let mut rig = Rig::new(1);
     rig.fire(2);
-    let rulings = rig.pairing.frame(0, frame(0, 0, 0), Duration::ZERO);
-    rig.apply(rulings);
-    let rulings = rig.pairing.finish();
-    rig.apply(rulings);
+    let decisions = rig.pairing.frame(0, frame(0, 0, 0), Duration::ZERO);
+    rig.apply(decisions);
+    let decisions = rig.pairing.finish();
+    rig.apply(decisions);
     // The second trigger was not due yet.
     let account = rig.ledger.accounts()[0];
     assert_eq!((account.triggers, account.outcomes.of(Outcome::Shed)), (1, 1));
@@ -166,18 +165,19 @@ fn what_was_due_and_nobody_saw_was_not_fired() {
     rig.fire(50);
     for camera in [0, 1] {
         for id in 0..2 {
-            let rulings = rig.pairing.frame(camera, frame(id, id * INTERVAL_NS, 0), Duration::ZERO);
-            rig.apply(rulings);
+            let decisions =
+                rig.pairing.frame(camera, frame(id, id * INTERVAL_NS, 0), Duration::ZERO);
+            rig.apply(decisions);
         }
     }
     assert_eq!(rig.ledger.accounts()[0].triggers, 1, "of fifty, one was given so far");
-    // The bench is gone; it takes some periods to notice.
+    // The bench is lost; detection takes some periods.
     let now = Duration::from_nanos(PERIOD_NS * 7 / 2);
-    let rulings = rig.pairing.tick(now);
-    rig.apply(rulings);
+    let decisions = rig.pairing.tick(now);
+    rig.apply(decisions);
     assert_eq!(rig.pairing.due_by(now), 4);
-    let rulings = rig.pairing.finish();
-    rig.apply(rulings);
+    let decisions = rig.pairing.finish();
+    rig.apply(decisions);
     for account in rig.ledger.accounts() {
         let of = |outcome| account.outcomes.of(outcome);
         assert_eq!((account.triggers, of(Outcome::Complete)), (4, 1));
@@ -189,16 +189,16 @@ fn what_was_due_and_nobody_saw_was_not_fired() {
 fn a_burst_whose_synchroniser_is_lost_leaves_numbers_and_books_in_order() {
     let mut rig = Rig::new(2);
     rig.fire(10);
-    // Trigger 0 is whole, of trigger 1 one camera has sent a frame.
+    // Trigger 0 is complete; for trigger 1 one camera has sent a frame.
     for (camera, id) in [(0, 0), (0, 1), (1, 0), (1, 1), (0, 2)] {
         let at_ns = PERIOD_NS * (id / 2) + INTERVAL_NS * (id % 2);
         rig.now = Duration::from_nanos(at_ns);
-        let rulings = rig.pairing.frame(camera, frame(id, at_ns, id / 2), rig.now);
-        rig.apply(rulings);
+        let decisions = rig.pairing.frame(camera, frame(id, at_ns, id / 2), rig.now);
+        rig.apply(decisions);
     }
     rig.wait_until(Duration::from_nanos(PERIOD_NS * 7 / 2));
-    let (given, rulings) = rig.pairing.burst_lost();
-    rig.apply(rulings);
+    let (given, decisions) = rig.pairing.burst_lost();
+    rig.apply(decisions);
     // Triggers 2 and 3 were due, 4 to 9 were not.
     assert_eq!((given, rig.pairing.open_triggers()), (4, 1));
     rig.wait_until(rig.now + 4 * PATIENCE);
@@ -210,16 +210,16 @@ fn a_burst_whose_synchroniser_is_lost_leaves_numbers_and_books_in_order() {
         assert_eq!((account.triggers, account.open), (4, 0));
         assert_eq!((of(Outcome::Complete), of(Outcome::NotFired), of(of_trigger_1)), (1, 2, 1));
     }
-    assert_eq!(rig.fire(5), 4, "the next burst goes on with the next number");
+    assert_eq!(rig.fire(5), 4, "the next burst continues the numbering");
 }
 
 #[test]
 fn a_wrong_interval_makes_a_shot_suspect_and_keeps_it() {
     let mut rig = Rig::new(1);
     rig.fire(1);
-    let mut rulings = rig.pairing.frame(0, frame(0, 1_000, 0), Duration::ZERO);
-    rulings.extend(rig.pairing.frame(0, frame(1, 5_001_000, 0), Duration::ZERO));
-    rig.apply(rulings);
+    let mut decisions = rig.pairing.frame(0, frame(0, 1_000, 0), Duration::ZERO);
+    decisions.extend(rig.pairing.frame(0, frame(1, 5_001_000, 0), Duration::ZERO));
+    rig.apply(decisions);
     assert!(rig.shots[0].suspect[0].contains("5000000 ns after frame a"));
 }
 
@@ -228,11 +228,11 @@ fn a_slow_camera_is_waited_for_as_long_as_it_delivers() {
     let mut rig = Rig::new(1);
     rig.fire(4);
     for id in 0..8 {
-        // Each frame comes just inside the patience, long after it was due.
+        // Each frame arrives just within the patience, long after it was due.
         rig.wait_until(rig.now + PATIENCE * 9 / 10);
         let at = id / 2 * PERIOD_NS + id % 2 * INTERVAL_NS;
-        let rulings = rig.pairing.frame(0, frame(id, at, id / 2), rig.now);
-        rig.apply(rulings);
+        let decisions = rig.pairing.frame(0, frame(id, at, id / 2), rig.now);
+        rig.apply(decisions);
     }
     assert_eq!(rig.shots.len(), 4);
 }
@@ -297,7 +297,7 @@ fn a_camera_that_restarts_and_has_missed_triggers_meanwhile_is_paired_again() {
     good_bursts(&mut rig, &[1, 4]);
     let away = vec![vec![Fate::Delivered, Fate::Missed]; 3];
     rig.burst(&away, &vec![vec![1, 2]; 3], 0);
-    // Its clock begins at zero; its frames go on with the number after the last one.
+    // Its clock starts at zero; its driver continues the numbering.
     rig.jumped_ns[1] = -((2 * CLOCK_NS) as i64);
     good_bursts(&mut rig, &[1, 1, 1, 4]);
     assert_all_right(&rig);
@@ -306,7 +306,7 @@ fn a_camera_that_restarts_and_has_missed_triggers_meanwhile_is_paired_again() {
     assert!(suspects(&rig).starts_with(&[8]) && !suspects(&rig).contains(&11));
 }
 
-/// A stream begins with frame b, because frame a got lost: the driver gives it number 0.
+/// A stream whose first frame a was lost: the driver numbers frame b 0.
 #[test]
 fn a_stream_that_begins_with_a_frame_b_is_paired_from_the_next_trigger_on() {
     for bursts in [&[1, 1, 1, 3][..], &[6]] {
@@ -320,14 +320,14 @@ fn a_stream_that_begins_with_a_frame_b_is_paired_from_the_next_trigger_on() {
                 let at_ns = CLOCK_NS + rig.now.as_nanos() as u64;
                 for half in (0..2).filter(|half| trigger + half > 0) {
                     let sent = frame(number, at_ns + half * INTERVAL_NS, 2 * trigger + half);
-                    let rulings = rig.pairing.frame(0, sent, rig.now);
-                    rig.apply(rulings);
+                    let decisions = rig.pairing.frame(0, sent, rig.now);
+                    rig.apply(decisions);
                     number += 1;
                 }
             }
             rig.given += shots;
-            let rulings = rig.pairing.burst_ended(rig.given).unwrap();
-            rig.apply(rulings);
+            let decisions = rig.pairing.burst_ended(rig.given).unwrap();
+            rig.apply(decisions);
             rig.wait_until(rig.now + 4 * PATIENCE);
         }
         let paired: Vec<u64> = rig.shots.iter().map(|shot| shot.trigger).collect();

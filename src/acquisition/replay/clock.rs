@@ -1,4 +1,4 @@
-//! A clock that shows the times of a record.
+//! A clock that shows recorded times.
 
 use std::{
     sync::atomic::{AtomicU64, Ordering},
@@ -11,7 +11,7 @@ use crate::acquisition::RunClock;
 pub(super) struct ReplayClock(AtomicU64);
 
 impl ReplayClock {
-    /// It is `at_ns` now, or later.
+    /// Advances the clock to at least `at_ns`.
     pub fn advance(&self, at_ns: u64) {
         self.0.fetch_max(at_ns, Ordering::SeqCst);
     }

@@ -1,4 +1,4 @@
-//! Cameras and synchroniser of a recorded run.
+//! Replaying cameras and synchroniser.
 
 use std::{sync::Arc, time::Duration};
 
@@ -10,12 +10,12 @@ use lfpiv_hw::{
 
 use super::script::{BurstState, Script, Turn};
 
-/// Delivers what one camera delivered.
+/// Delivers the recorded frames of one camera.
 pub(super) struct ReplayCamera {
     name: String,
     index: usize,
     script: Arc<Script>,
-    /// Its step has been played, and whoever asked for it has passed it on when asking again.
+    /// Its step has been delivered, and ends with the next call.
     is_playing: bool,
     connected: bool,
     statistics: StreamStatistics,
@@ -79,13 +79,13 @@ impl Camera for ReplayCamera {
     }
 }
 
-/// Fires what was fired; there is no laser.
+/// Replays the recorded bursts; there is no laser.
 pub(super) struct ReplayUnit {
     script: Arc<Script>,
     state: SynchroniserState,
-    /// A burst was fired, and its end has not been read.
+    /// A burst was fired, and its end has not been observed.
     is_burst_open: bool,
-    /// It was made safe, and this has not been read.
+    /// It was made safe, and this has not been read back.
     is_safe_unread: bool,
 }
 
@@ -121,7 +121,7 @@ impl Synchroniser for ReplayUnit {
 
     fn state(&mut self) -> Result<SynchroniserState, DeviceError> {
         if !std::mem::take(&mut self.is_safe_unread) && self.is_burst_open {
-            // However the burst ended, the record says when the run loop knew.
+            // However the burst ended, the record has the time at which the run loop noticed.
             let burst = self.script.burst_state();
             self.is_burst_open = burst == BurstState::Firing;
             match burst {

@@ -1,9 +1,9 @@
-//! A recorded run played again: cameras and a synchroniser that do what their originals did, for
-//! the same run loop.
+//! Replay of a recorded run: cameras and a synchroniser that repeat recorded events, for the same run
+//! loop.
 //!
-//! The record says in which order the run loop saw frames, bursts and their ends, and when. The
-//! replay keeps that order, and its clock shows the recorded times; so every decision is the same,
-//! at the speed of then or as fast as the frames can be read.
+//! The record has the order and times in which the run loop saw frames, bursts and their ends. The
+//! replay keeps this order, and its clock shows the recorded times. Every decision is therefore the
+//! same, at the original speed or as fast as the frames can be read.
 
 mod clock;
 mod devices;
@@ -23,9 +23,9 @@ use super::{
 };
 pub use script::Speed;
 
-/// What is needed to play a run again.
+/// The parts of a replay.
 pub struct Replay {
-    /// What the run was.
+    /// The description of the run.
     pub description: Description,
     /// The instruments.
     pub bench: Bench,
@@ -33,28 +33,28 @@ pub struct Replay {
     pub clock: Arc<dyn RunClock>,
     /// Which bursts are fired when.
     pub bursts: Arc<dyn BurstScript>,
-    /// Shots in the longest burst: the queue must have room for them.
+    /// Shots in the longest burst: minimum capacity of the queue.
     pub longest_burst: u64,
-    /// What could not be read, once the run has been played.
+    /// Frames that turned out to be unreadable, once the run has been replayed.
     pub unread: UnreadFrames,
 }
 
-/// Frames of a record whose images turned out to be damaged when they were played.
+/// Frames of a record whose images turned out to be damaged during the replay.
 pub struct UnreadFrames(Arc<Script>);
 
 impl UnreadFrames {
-    /// Where they lie, and what is wrong there.
+    /// Their positions and errors.
     pub fn take(&self) -> Vec<(Position, RecordedRunError)> {
         self.0.unread()
     }
 }
 
-/// Opens the record of the run in `run`. `stop` is cancelled where the record says that the run
-/// was told to stop, or where it breaks off.
+/// Opens the record of the run in `run`. `stop` is cancelled where the record was told to stop or is
+/// cut off.
 ///
 /// # Errors
 ///
-/// There is no record, or it cannot be opened. A damaged one is played around what is lost.
+/// There is no record, or it cannot be opened. Damage is skipped.
 pub fn replay(
     run: &Path,
     speed: Speed,

@@ -1,8 +1,8 @@
-//! Whose turn it is.
+//! Keeps cameras and run loop in the recorded order.
 //!
-//! A step of the record belongs to a camera (a frame, a connection lost) or to the run loop (a
-//! burst fired, a burst ended). A camera's step is over when the camera asks for the next frame,
-//! for by then the run loop has been told of this one: so the run loop sees the steps in order.
+//! Each step of the record belongs to a camera (a frame, a lost connection) or to the run loop (a
+//! burst fired, a burst ended). A camera's step ends when the camera asks for its next frame, because
+//! by then the run loop has received this one. So the run loop sees the steps in order.
 
 use std::{
     collections::BTreeSet,
@@ -27,24 +27,24 @@ use crate::acquisition::{
     journal::{Entry, FrameHead, RecordedRun, RecordedRunError},
 };
 
-/// How fast a run is played.
+/// Speed of a replay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Speed {
-    /// As it was.
+    /// The original speed.
     Recorded,
-    /// As fast as the frames can be read and taken.
+    /// As fast as the frames can be read and processed.
     Max,
 }
 
-/// How long a camera looks at whose turn it is before it looks again.
-const LOOK: Duration = Duration::from_millis(1);
-/// How far the clock goes on in that time while only the run loop can act, in ns.
-const LOOK_AHEAD_NS: u64 = 20_000_000;
-/// For so long the run loop may let a step of its own wait before the clock goes on beyond it:
-/// longer than the run loop takes for a turn.
+/// Poll interval of a camera waiting for its turn.
+const POLL: Duration = Duration::from_millis(1);
+/// Advance of the clock per poll while only the run loop can act, in ns.
+const CLOCK_STEP_NS: u64 = 20_000_000;
+/// How long a step of the run loop may be pending before the clock advances beyond it: longer than
+/// one iteration of the run loop.
 const STALLED: Duration = Duration::from_secs(1);
 
-/// The record as it is played.
+/// The record being replayed.
 pub(super) struct Script {
     recorded: RecordedRun,
     steps: Vec<Step>,
@@ -54,7 +54,7 @@ pub(super) struct Script {
     state: Mutex<State>,
     changed: Condvar,
     stop: CancellationToken,
-    /// Triggers that were seen to be given, all in all; `None` where the record does not say.
+    /// Total number of triggers shown to have been given; `None` if the record does not say.
     seen: Option<u64>,
     unread: Mutex<Vec<(Position, RecordedRunError)>>,
 }
@@ -63,15 +63,15 @@ struct State {
     next: usize,
     /// When the last step was taken.
     moved: Instant,
-    /// Triggers that the unit has given, as far as the steps taken say.
+    /// Triggers given according to the steps so far.
     given: u64,
-    /// Triggers that it was asked for.
+    /// Triggers requested.
     fired: u64,
-    /// How the burst that was fired last began.
+    /// Start of the last burst.
     start: Option<BurstStart>,
 }
 
-/// What a camera gets from its turn.
+/// What a camera receives in its turn.
 pub(super) enum Turn {
     Frame {
         frame: Frame,
@@ -81,16 +81,16 @@ pub(super) enum Turn {
         connected: bool,
         statistics: StreamStatistics,
     },
-    /// Nothing within the time given.
+    /// Timeout.
     None,
 }
 
-/// How it stands with the burst that was fired last.
+/// State of the last burst.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum BurstState {
     Firing,
     Over,
-    /// The unit was lost in it.
+    /// The unit was lost during it.
     Lost,
 }
 
@@ -102,7 +102,7 @@ impl Script {
         stop: CancellationToken,
     ) -> Self {
         let mut steps = Steps::new(recorded.description().cameras);
-        let mut seen = Seen::of(&recorded);
+        let mut seen = GivenTriggers::of(&recorded);
         for placed in recorded.entries() {
             match placed {
                 Ok(placed) => {
@@ -110,8 +110,8 @@ impl Script {
                     steps.take(placed);
                 }
                 Err(_) => {
-                    seen.note_gap();
-                    steps.note_gap();
+                    seen.record_gap();
+                    steps.record_gap();
                 }
             }
         }
@@ -130,7 +130,7 @@ impl Script {
         }
     }
 
-    /// Frames whose images could not be read, and why. They are lost in the run played again.
+    /// Unreadable frames and their errors. They are lost in the replay.
     pub fn unread(&self) -> Vec<(Position, RecordedRunError)> {
         std::mem::take(&mut self.unread.lock())
     }
@@ -143,8 +143,7 @@ impl Script {
         shots.max().unwrap_or(0)
     }
 
-    /// The camera's step, if its turn comes within `timeout`. The turn lasts until
-    /// [`Self::finish`].
+    /// The camera's next step, if its turn comes within `timeout`. The turn lasts until [`Self::finish`].
     pub fn turn(&self, camera: usize, timeout: Duration) -> Turn {
         let until = Instant::now() + timeout;
         let mut state = self.state.lock();
@@ -170,23 +169,23 @@ impl Script {
                     continue;
                 }
                 Some(step @ (Step::Fired { .. } | Step::BurstEnded { .. })) => {
-                    self.let_time_pass(step, &state);
+                    self.advance_clock(step, &state);
                 }
                 Some(_) => {}
-                // A record that breaks off ends the run; one that is whole has ended it already.
+                // A record that is cut off ends the run; a complete one has already ended it.
                 None => self.stop.cancel(),
             }
-            self.changed.wait_for(&mut state, LOOK);
+            self.changed.wait_for(&mut state, POLL);
         }
         Turn::None
     }
 
-    /// The step that [`Self::turn`] gave is over.
+    /// Ends the step that [`Self::turn`] returned.
     pub fn finish(&self) {
         self.advance(&mut self.state.lock());
     }
 
-    /// What the unit does: it fires until the end of the burst is the next step.
+    /// State of the unit: it fires until the end of the burst is the next step.
     pub fn burst_state(&self) -> BurstState {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
@@ -198,19 +197,19 @@ impl Script {
             }
             Some(_) => BurstState::Firing,
             None => {
-                // The record breaks off: what nobody saw is taken for not given.
+                // The record is cut off: triggers that nobody saw count as not given.
                 state.given = self.seen.unwrap_or(state.fired);
                 BurstState::Over
             }
         }
     }
 
-    /// Triggers given.
+    /// Number of triggers given.
     pub fn given(&self) -> u64 {
         self.state.lock().given
     }
 
-    /// A burst begins.
+    /// Starts a burst.
     pub fn fire(&self, shots: u64) -> Result<(), String> {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
@@ -220,7 +219,7 @@ impl Script {
                 self.advance(&mut state);
                 Ok(())
             }
-            _ => Err(format!("a burst of {shots} is not what the record says comes next")),
+            _ => Err(format!("the record does not continue with a burst of {shots}")),
         }
     }
 
@@ -234,11 +233,11 @@ impl Script {
         self.speed == Speed::Max || self.began.elapsed().as_nanos() as u64 >= step.at_ns()
     }
 
-    /// Only the run loop can act: the clock goes on, up to the time at which it did, and beyond
-    /// only when it does not.
-    fn let_time_pass(&self, step: &Step, state: &State) {
+    /// Only the run loop can act: advances the clock up to the recorded time of its step, and beyond it
+    /// only if the run loop stalls.
+    fn advance_clock(&self, step: &Step, state: &State) {
         let mut to_ns = match self.speed {
-            Speed::Max => self.clock.now_ns() + LOOK_AHEAD_NS,
+            Speed::Max => self.clock.now_ns() + CLOCK_STEP_NS,
             Speed::Recorded => self.began.elapsed().as_nanos() as u64,
         };
         if state.moved.elapsed() < STALLED {
@@ -247,7 +246,7 @@ impl Script {
         self.clock.advance(to_ns);
     }
 
-    /// Nothing where the image of a frame cannot be read.
+    /// `None` if the image of a frame cannot be read.
     fn play(&self, step: Step) -> Option<Turn> {
         self.clock.advance(step.at_ns());
         match step {
@@ -272,7 +271,7 @@ impl BurstScript for Script {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
             Some(Step::Fired { shots, schedule, at_ns, .. }) => {
-                // The run loop is here: it may have to wait for room, and time must not pass for it.
+                // The run loop is active: it may wait for queue space, and time must not pass meanwhile.
                 state.moved = Instant::now();
                 if !self.is_due(&self.steps[state.next]) {
                     return ScriptedBurst::NotYet;
@@ -299,18 +298,18 @@ impl BurstScript for Script {
     }
 }
 
-/// Which triggers a record shows to have been given.
-struct Seen {
-    /// The journal says so of each since version 3.
-    is_told: bool,
+/// Counts the triggers that a record shows to have been given.
+struct GivenTriggers {
+    /// The journal states each of them (since version 3).
+    is_explicit: bool,
     given: u64,
     unseen: BTreeSet<u64>,
 }
 
-impl Seen {
+impl GivenTriggers {
     fn of(recorded: &RecordedRun) -> Self {
-        let is_told = recorded.description().journal_version >= 3;
-        Self { is_told, given: 0, unseen: BTreeSet::new() }
+        let is_explicit = recorded.description().journal_version >= 3;
+        Self { is_explicit, given: 0, unseen: BTreeSet::new() }
     }
 
     fn take(&mut self, entry: &Entry) {
@@ -323,13 +322,13 @@ impl Seen {
         }
     }
 
-    /// An entry is missing, which may have been one of these.
-    fn note_gap(&mut self) {
-        self.is_told = false;
+    /// A missing entry may have been one of these.
+    fn record_gap(&mut self) {
+        self.is_explicit = false;
     }
 
     fn triggers(&self) -> Option<u64> {
-        self.is_told.then(|| self.given - self.unseen.len() as u64)
+        self.is_explicit.then(|| self.given - self.unseen.len() as u64)
     }
 }
 

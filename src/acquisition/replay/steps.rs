@@ -1,6 +1,6 @@
-//! The steps of a record. Where the record is damaged or contradicts itself, bursts that lost their
-//! beginning or their end are given one or left out, so that every trigger keeps its number and nobody
-//! is waited for who never comes.
+//! The steps of a record. Where the record is damaged or inconsistent, bursts without a start or end
+//! get one or are left out, so that triggers keep their numbers and the replay never waits for a step
+//! that does not exist.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use lfpiv_rawlog::Position;
 
 use crate::acquisition::{
     BurstStart,
-    journal::{Entry, FrameHead, Placed},
+    journal::{Entry, FrameHead, LocatedEntry},
 };
 
 #[derive(Debug, Clone)]
@@ -36,7 +36,7 @@ pub(super) enum Step {
     BurstEnded {
         at_ns: u64,
         given: u64,
-        /// The unit was lost, and could not be asked.
+        /// The unit was lost, and its count unknown.
         lost: bool,
     },
     Stopping {
@@ -56,23 +56,23 @@ impl Step {
     }
 }
 
-/// Makes steps of entries.
+/// Converts entries to steps.
 #[derive(Debug)]
 pub(super) struct Steps {
     steps: Vec<Step>,
     cameras: usize,
     schedule: Option<Arc<PulseSchedule>>,
-    /// Triggers that were given, or are being given.
+    /// Number of triggers of all bursts so far.
     fired: u64,
     is_burst_open: bool,
-    /// Before which step entries are missing, until the next burst begins or ends.
+    /// Step before which entries are missing, until the next burst starts or ends.
     gap: Option<usize>,
-    /// What each camera's stream has counted, of those that are away.
+    /// Stream counters of the cameras that are away.
     away: Vec<(usize, StreamStatistics)>,
 }
 
 impl Steps {
-    /// No step yet of a run with this many cameras.
+    /// No steps yet, for this many cameras.
     pub fn new(cameras: usize) -> Self {
         Self {
             steps: Vec::new(),
@@ -85,13 +85,13 @@ impl Steps {
         }
     }
 
-    /// Entries are missing here.
-    pub fn note_gap(&mut self) {
+    /// Notes missing entries.
+    pub fn record_gap(&mut self) {
         self.gap = Some(self.steps.len());
     }
 
-    pub fn take(&mut self, placed: Placed) {
-        let Placed { position: place, entry } = placed;
+    pub fn take(&mut self, placed: LocatedEntry) {
+        let LocatedEntry { position: place, entry } = placed;
         match entry {
             Entry::Programmed { schedule, .. } => self.schedule = Some(Arc::new(schedule)),
             Entry::Fired { at_ns, first, shots } => self.fire(at_ns, first, shots),
@@ -106,7 +106,7 @@ impl Steps {
             }
             Entry::BurstEnded { at_ns, given } => self.end_burst(at_ns, given, false),
             Entry::BurstLost { at_ns, given } => self.end_burst(at_ns, given, true),
-            // Nobody plays the steps of a camera that the run did not have.
+            // The run had no such camera, so nothing would play its steps.
             Entry::Frame { camera, .. } | Entry::Stream { camera, .. }
                 if camera >= self.cameras => {}
             Entry::Frame { at_ns, camera, frame: head, statistics } => {
@@ -129,10 +129,10 @@ impl Steps {
     }
 
     fn fire(&mut self, at_ns: u64, first: u64, shots: u64) {
-        // A whole record says before what it fires.
+        // In an undamaged record the schedule comes first.
         let Some(schedule) = self.schedule.clone() else { return };
         let (mut at_ns, mut all) = (at_ns, shots);
-        // No burst begins within another: its end is missing.
+        // Bursts do not nest: the end of the previous one is missing.
         if self.gap.take().is_some() || self.is_burst_open {
             let last_ns = self.steps.last().map_or(0, Step::at_ns);
             if self.is_burst_open {
@@ -140,7 +140,7 @@ impl Steps {
                 self.steps.push(Step::BurstEnded { at_ns: last_ns, given, lost: false });
                 self.fired = given;
             }
-            // Bursts are fired only while every camera is there.
+            // Bursts are fired only while every camera is connected.
             for (camera, statistics) in std::mem::take(&mut self.away) {
                 self.steps.push(Step::Stream {
                     at_ns: last_ns,
@@ -149,7 +149,7 @@ impl Steps {
                     statistics,
                 });
             }
-            // Triggers of which nothing is left come before this burst's, as part of it.
+            // Triggers that are missing from the record become part of this burst.
             let missing = first.saturating_sub(self.fired);
             let period_ns = (schedule.period_us * 1e3) as u64;
             at_ns = at_ns.saturating_sub(missing.saturating_mul(period_ns)).max(last_ns);
@@ -167,7 +167,7 @@ impl Steps {
             self.gap = None;
             self.insert_burst(gap, given);
         }
-        // The end of a burst that never began is nobody's step.
+        // The end of a burst without a start is dropped.
         if self.is_burst_open {
             self.steps.push(Step::BurstEnded { at_ns, given, lost });
             self.fired = given;
@@ -175,7 +175,7 @@ impl Steps {
         }
     }
 
-    /// The burst that ends with this number of triggers was fired where entries are missing.
+    /// Inserts the start of a burst that ends with this number of triggers, where entries are missing.
     fn insert_burst(&mut self, gap: usize, given: u64) {
         let Some(schedule) = self.schedule.clone().filter(|_| given > self.fired) else { return };
         let at_ns = gap.checked_sub(1).map_or(0, |before| self.steps[before].at_ns());
@@ -194,17 +194,17 @@ mod tests {
 
     use super::*;
 
-    /// Steps of entries with some left out: `None` is where an entry is missing.
+    /// Steps of entries with gaps: `None` marks a missing entry.
     fn steps(entries: Vec<Option<Entry>>) -> Vec<String> {
         let mut steps = Steps::new(2);
         let schedule = PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap();
         let programmed = Entry::Programmed { at_ns: 0, identity: String::new(), schedule };
         let position = Position { segment: 0, offset: 0 };
-        steps.take(Placed { position, entry: programmed });
+        steps.take(LocatedEntry { position, entry: programmed });
         for entry in entries {
             match entry {
-                Some(entry) => steps.take(Placed { position, entry }),
-                None => steps.note_gap(),
+                Some(entry) => steps.take(LocatedEntry { position, entry }),
+                None => steps.record_gap(),
             }
         }
         let named = steps.finish().into_iter().map(|step| match step {
@@ -264,7 +264,7 @@ mod tests {
     fn a_burst_without_its_beginning_begins_where_it_is_missing() {
         let entries = vec![fired(0, 3), ended(3), None, frame(), ended(7)];
         assert_eq!(steps(entries), ["3 fired", "3 given", "4 fired", "frame", "7 given"]);
-        // The end of the burst before it is missing, too.
+        // The end of the previous burst is missing, too.
         let entries = vec![fired(0, 3), frame(), None, frame(), ended(7)];
         assert_eq!(steps(entries), ["3 fired", "frame", "3 given", "4 fired", "frame", "7 given"]);
     }

@@ -1,4 +1,4 @@
-//! The unit on its thread: what is asked of it, its safe state, and how it is opened again.
+//! The unit on its thread: calls, safe state, and reopening.
 
 use std::{
     sync::Arc,
@@ -10,36 +10,36 @@ use lfpiv_hw::device::{DeviceError, Synchroniser, SynchroniserState};
 use super::{Reopen, SYNCHRONISER, Shared};
 use crate::acquisition::devices::guarded;
 
-/// How the unit was left: safe and read back so, or why not.
-pub(super) type Left = Result<(), Unsafe>;
+/// Final state of the unit: safe and read back, or the reason why not.
+pub(super) type FinalState = Result<(), UnsafeState>;
 
 /// Why a unit is not known to be safe.
 #[derive(Debug, Clone)]
-pub(in crate::acquisition) struct Unsafe {
+pub(in crate::acquisition) struct UnsafeState {
     pub reason: String,
     /// It does not answer at all.
     pub is_lost: bool,
 }
 
-/// For so long after a unit was looked for in vain it is not looked for only to make it safe: the
-/// process may be waiting for its end.
-const JUST_LOOKED: Duration = Duration::from_secs(1);
+/// After a failed search, the unit is not searched again within this time merely to make it safe: the
+/// process may be waiting to exit.
+const SEARCH_COOLDOWN: Duration = Duration::from_secs(1);
 
-/// The unit.
+/// The unit, or its absence.
 pub(in crate::acquisition) struct Unit {
     /// `None` while it is lost.
     device: Option<Box<dyn Synchroniser>>,
     reopen: Option<Reopen>,
-    /// It was read back as safe, and nothing has been asked of it since.
+    /// It was read back as safe, and no call was made since.
     is_safe: bool,
-    /// When it was looked for in vain, and what came of it.
-    missed: Option<(Instant, Unsafe)>,
+    /// Time and error of the last failed search.
+    last_failed_search: Option<(Instant, UnsafeState)>,
     shared: Arc<Shared>,
 }
 
 impl Unit {
     pub fn new(device: Box<dyn Synchroniser>, reopen: Option<Reopen>, shared: Arc<Shared>) -> Self {
-        Self { device: Some(device), reopen, is_safe: false, missed: None, shared }
+        Self { device: Some(device), reopen, is_safe: false, last_failed_search: None, shared }
     }
 
     pub fn shared(&self) -> &Shared {
@@ -54,14 +54,14 @@ impl Unit {
             return Err(fault);
         }
         let Some(device) = &mut self.device else {
-            let detail = "it is being looked for".to_owned();
+            let detail = "a search for it is in progress".to_owned();
             return Err(DeviceError::Lost { device: SYNCHRONISER.to_owned(), detail });
         };
         self.is_safe = false;
         guarded(SYNCHRONISER, || call(device.as_mut()))
     }
 
-    /// What it finds is told to whoever calls next or waits for it.
+    /// Watches the unit; a fault is reported to the next caller or waiter.
     pub fn watch(&mut self) {
         let Some(device) = &mut self.device else { return };
         if let Err(fault) = guarded(SYNCHRONISER, || device.watch()) {
@@ -70,49 +70,48 @@ impl Unit {
         }
     }
 
-    pub fn make_safe(&mut self) -> Left {
-        let left = match (&mut self.device, &self.missed) {
+    pub fn make_safe(&mut self) -> FinalState {
+        let state = match (&mut self.device, &self.last_failed_search) {
             (Some(device), _) => make_safe(device.as_mut()),
-            (None, Some((at, why))) if at.elapsed() < JUST_LOOKED => Err(why.clone()),
+            (None, Some((at, why))) if at.elapsed() < SEARCH_COOLDOWN => Err(why.clone()),
             (None, _) => self.reopen().map(drop),
         };
-        self.is_safe = left.is_ok();
-        left
+        self.is_safe = state.is_ok();
+        state
     }
 
-    /// Makes it safe unless it is known to be.
-    pub fn leave(&mut self) -> Left {
+    /// Makes it safe unless it is known to be safe.
+    pub fn ensure_safe(&mut self) -> FinalState {
         if self.is_safe { Ok(()) } else { self.make_safe() }
     }
 
-    /// Looks for a lost unit once: opens it again, makes it safe, reads that back; returns what it
-    /// is.
-    pub fn reopen(&mut self) -> Result<String, Unsafe> {
-        // A port is open once at a time: the old line goes first.
+    /// One attempt to reopen a lost unit: opens it, makes it safe, reads that back; returns its identity.
+    pub fn reopen(&mut self) -> Result<String, UnsafeState> {
+        // A port can be open only once: the old line is closed first.
         self.device = None;
-        let opened = self.open_anew();
+        let opened = self.reopen_device();
         self.is_safe = opened.is_ok();
-        self.missed = opened.as_ref().err().map(|why| (Instant::now(), why.clone()));
+        self.last_failed_search = opened.as_ref().err().map(|why| (Instant::now(), why.clone()));
         opened
     }
 
-    fn open_anew(&mut self) -> Result<String, Unsafe> {
+    fn reopen_device(&mut self) -> Result<String, UnsafeState> {
         let Some(reopen) = &mut self.reopen else {
-            let reason = "nothing says how it is opened again".to_owned();
-            return Err(Unsafe { reason, is_lost: true });
+            let reason = "no way to reopen it is configured".to_owned();
+            return Err(UnsafeState { reason, is_lost: true });
         };
         let mut device = guarded(SYNCHRONISER, reopen)?;
         make_safe(device.as_mut())?;
         let identity = guarded(SYNCHRONISER, || device.identify())?;
-        // What watching found before was about what it did before.
+        // An earlier fault refers to the state before the loss.
         *self.shared.fault.lock() = None;
         self.device = Some(device);
         Ok(identity)
     }
 }
 
-/// Safe is what is read back as safe; an error on the way there is not.
-pub(super) fn make_safe(device: &mut dyn Synchroniser) -> Left {
+/// Only a successful read-back counts as safe; errors before it do not matter.
+pub(super) fn make_safe(device: &mut dyn Synchroniser) -> FinalState {
     let made = guarded(SYNCHRONISER, || device.make_safe());
     let state = guarded(SYNCHRONISER, || device.state());
     match (made, state) {
@@ -120,17 +119,17 @@ pub(super) fn make_safe(device: &mut dyn Synchroniser) -> Left {
         (Err(error), _) | (_, Err(error)) => Err(error.into()),
         (Ok(()), Ok(state)) => {
             let is_lost = state == SynchroniserState::Unknown;
-            Err(Unsafe { reason: format!("it reads back {state:?}"), is_lost })
+            Err(UnsafeState { reason: format!("it reads back {state:?}"), is_lost })
         }
     }
 }
 
-/// Whether the device did not answer: it may come back.
+/// Whether the device did not answer and may come back.
 pub(super) fn is_loss(error: &DeviceError) -> bool {
     matches!(error, DeviceError::Lost { .. } | DeviceError::NotFound { .. })
 }
 
-impl From<DeviceError> for Unsafe {
+impl From<DeviceError> for UnsafeState {
     fn from(error: DeviceError) -> Self {
         Self { is_lost: is_loss(&error), reason: error.to_string() }
     }

@@ -7,17 +7,17 @@ use lfpiv_hw::{
 use super::*;
 use crate::acquisition::journal::FrameHead;
 
-/// UTC when the run began.
+/// UTC at the start of the run.
 const BEGAN_NS: u64 = 1_700_000_000_000_000_000;
 const MS: u64 = 1_000_000;
 const PERIOD_NS: u64 = 100 * MS;
 /// End of exposure 1 after T0, at 10 Hz and 100 µs between the pulses.
 const EXPOSED_NS: u64 = 329_000;
 
-/// A run whose true triggers are known.
+/// A run with known true trigger times.
 struct Run {
     times: TriggerTimes,
-    /// Where the host's clock was set to, from what it should show.
+    /// Offset by which the host's clock was set wrong.
     clock_set_by_ns: i64,
 }
 
@@ -42,14 +42,14 @@ impl Run {
         self.times.see(&Entry::Fired { at_ns, first, shots });
     }
 
-    /// The burst was accepted at `at_ns`, and started no earlier than `not_before_ns`.
+    /// The burst was accepted at `at_ns` and started no earlier than `not_before_ns`.
     fn started(&mut self, first: u64, not_before_ns: u64, at_ns: u64, error_ns: Option<u64>) {
         let utc_ns = self.utc_ns(at_ns);
         let clock = Some(ClockPair { at_ns, utc_ns, clock_error_ns: error_ns });
         self.times.see(&Entry::BurstStarted { first, start: BurstStart { not_before_ns, clock } });
     }
 
-    /// The frames of a trigger given at `t0_ns`: received and taken so long after exposure 1.
+    /// The frames of a trigger at `t0_ns`, received and handled this long after exposure 1.
     fn shot(&mut self, trigger: u64, t0_ns: u64, received_ns: u64, taken_ns: u64) -> ShotTime {
         let host_ns = self.utc_ns(t0_ns + EXPOSED_NS + received_ns);
         self.frame(t0_ns + EXPOSED_NS + taken_ns, host_ns);
@@ -64,7 +64,7 @@ impl Run {
     }
 }
 
-/// Time told less true time, in ns.
+/// Estimated minus true time, in ns.
 fn error_ns(told: ShotTime, t0_ns: u64) -> f64 {
     (told.utc_ns - (BEGAN_NS + t0_ns) as i64) as f64
 }
@@ -74,11 +74,11 @@ fn a_trigger_lies_between_the_start_of_its_burst_and_its_frame() {
     let mut run = Run::new();
     run.fired(1000 * MS, 0, 3);
     run.started(0, 1400 * MS, 1420 * MS, None);
-    // The burst's first trigger came 8 ms after the command, the frame 2 ms after its exposure.
+    // The first trigger came 8 ms after the command, the frame 2 ms after its exposure.
     for (trigger, t0_ns) in [(0, 1408 * MS), (1, 1508 * MS), (2, 1608 * MS)] {
         let told = run.shot(trigger, t0_ns, 2 * MS, 30 * MS);
         let expected_ns = (10 * MS) as f64 / 12.0_f64.sqrt();
-        // Two quartz clocks may part by 10 µs in a period, in either direction.
+        // Two quartz clocks may diverge by 10 µs per period, in either direction.
         let uncertainty_ns = told.uncertainty_ns as f64;
         assert!((uncertainty_ns - expected_ns).abs() < 20e3, "{told:?}");
         assert!((error_ns(told, t0_ns) + 3e6).abs() < 20e3, "{told:?}");
@@ -103,7 +103,7 @@ fn the_clocks_own_error_is_part_of_the_uncertainty() {
     run.fired(0, 0, 1);
     run.started(0, 50 * MS, 60 * MS, Some(20 * MS));
     let told = run.shot(0, 52 * MS, MS, 2 * MS);
-    // Bounds 3 ms apart, and 20 ms either way.
+    // Bounds 3 ms apart, and a clock error of ±20 ms.
     let expected_ns = 1.5e6_f64.hypot(20e6) / 3.0_f64.sqrt();
     assert!((told.uncertainty_ns as f64 - expected_ns).abs() < 20e3, "{told:?}");
     assert!(told.clock_synchronised);
@@ -117,7 +117,7 @@ fn a_clock_that_is_set_during_a_burst_misplaces_no_shot() {
         run.started(0, 50 * MS, 51 * MS, None);
         run.clock_set_by_ns = set_by_ns;
         let told = run.shot(0, 52 * MS, MS, 4 * MS);
-        // Frames' arrival by the run's clock is a bound that no setting moves.
+        // The arrival on the run's clock is a bound that no clock setting moves.
         assert!(error_ns(told, 52 * MS).abs() <= 2.0 * MS as f64, "{set_by_ns}: {told:?}");
     }
 }
@@ -134,7 +134,7 @@ fn a_source_of_its_own_is_bounded_by_each_shots_frame_alone() {
     run.started(0, 10 * MS, 11 * MS, None);
     assert_eq!(run.times.expected(1), None);
     run.shot(0, 40 * MS, MS, 2 * MS);
-    // 240 ms later, where the fastest source allowed would take 100.
+    // 240 ms later, where the fastest allowed source would take 100 ms.
     let told = run.shot(1, 280 * MS, MS, 2 * MS);
     assert!(error_ns(told, 280 * MS).abs() < 1.8 * told.uncertainty_ns as f64, "{told:?}");
     assert!(told.uncertainty_ns as f64 > (170 * MS) as f64 / 12.0_f64.sqrt(), "{told:?}");
@@ -155,7 +155,7 @@ fn a_trigger_without_frames_is_expected_by_the_schedule() {
 
 #[test]
 fn frames_that_run_ahead_of_the_schedule_bound_their_triggers() {
-    // As a simulated bench that waits for nobody delivers them.
+    // As a simulated bench delivers them that runs without real time.
     let mut run = Run::new();
     run.fired(0, 0, 9);
     run.started(0, 50 * MS, 51 * MS, None);
@@ -175,7 +175,7 @@ fn a_record_without_clock_pairs_goes_by_the_frames_host_times() {
     run.fired(50 * MS, 0, 2);
     for (trigger, t0_ns) in [(0, 55 * MS), (1, 155 * MS)] {
         let told = run.shot(trigger, t0_ns, MS, 3 * MS);
-        // Frames were taken 2 ms after they were received: so much is not known of the run's clock.
+        // Frames were handled 2 ms after reception, which limits what is known of the run's clock.
         assert!(error_ns(told, t0_ns).abs() < 1.8 * told.uncertainty_ns as f64, "{told:?}");
         assert!(told.uncertainty_ns < 5 * MS, "{told:?}");
     }

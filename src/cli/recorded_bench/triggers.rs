@@ -14,7 +14,7 @@ use lfpiv_rawlog::Position;
 
 use crate::acquisition::{
     Outcome,
-    journal::{Entry, FrameKey, Placed, RecordedRun},
+    journal::{Entry, FrameKey, LocatedEntry, RecordedRun},
 };
 
 /// What a camera made of a trigger.
@@ -72,7 +72,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn take(&mut self, Placed { position, entry }: Placed) {
+    fn take(&mut self, LocatedEntry { position, entry }: LocatedEntry) {
         match entry {
             Entry::Programmed { schedule, .. } => self.programmed = Some(Arc::new(schedule)),
             Entry::Fired { first, shots, .. } => {
@@ -174,7 +174,7 @@ mod tests {
         }
 
         fn entry(&mut self, entry: Entry) {
-            self.0.take(Placed { position: place(0, 0), entry });
+            self.0.take(LocatedEntry { position: place(0, 0), entry });
         }
 
         fn frame(&mut self, camera: usize, frame_id: u64, status: FrameStatus) {
@@ -182,7 +182,7 @@ mod tests {
             let frame = FrameHead { frame_id, device_timestamp_ns, host_timestamp_ns: 0, status };
             let statistics = StreamStatistics::default();
             let entry = Entry::Frame { at_ns: 0, camera, frame, statistics };
-            self.0.take(Placed { position: place(camera, frame_id), entry });
+            self.0.take(LocatedEntry { position: place(camera, frame_id), entry });
         }
 
         fn shot(&mut self, trigger: u64, first_ids: [u64; 2]) {

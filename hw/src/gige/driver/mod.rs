@@ -251,7 +251,7 @@ impl Camera for GigeCamera {
         matches!(&self.link, Link::Up { connection, .. } if !connection.is_lost())
     }
 
-    fn notices_absence_within(&self) -> Duration {
+    fn loss_detection_time(&self) -> Duration {
         NOTICES_ABSENCE_WITHIN
     }
 }

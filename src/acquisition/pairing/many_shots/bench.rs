@@ -1,5 +1,5 @@
-//! A model of bench and daemon: what the cameras do, what becomes of their frames on the way, and
-//! the calls that the run loop makes. It knows the truth and counts its deliveries.
+//! A model of bench and daemon: exposures of the cameras, faults in transit, and the calls of the run
+//! loop. It knows the true trigger of each frame and counts deliveries.
 
 use std::{collections::BTreeSet, time::Duration};
 
@@ -13,21 +13,22 @@ use rand_pcg::Pcg64Mcg;
 use super::camera::{FrameTruth, ModelCamera};
 use crate::acquisition::{
     Ledger, Outcome, Shot,
-    pairing::{Pairing, PairingSettings, Ruling},
+    pairing::{Decision, Pairing, PairingSettings},
 };
 
 pub const PERIOD: Duration = Duration::from_millis(100);
 pub const INTERVAL_NS: u64 = 202_000;
 const PATIENCE: Duration = Duration::from_millis(400);
-/// How often the run loop looks at the time.
+/// Time step of the run loop.
 const TICK: Duration = Duration::from_millis(20);
 
-/// How likely faults are.
+/// Probabilities of faults.
 #[derive(Debug, Clone, Copy)]
 pub struct Faults {
-    /// Each of: frame dropped, twice, late, damaged, lost for want of a buffer; trigger missed.
+    /// Per frame or trigger, each of: frame dropped, duplicated, late, damaged, lost to an underrun;
+    /// trigger missed.
     pub share: f64,
-    /// Triggers whose frames take so long that others overtake them.
+    /// Share of triggers whose frames are overtaken by later ones.
     pub overtaking: f64,
     /// Per burst, each of: a camera restarts, a clock jumps, triggers are not given.
     pub burst_share: f64,
@@ -37,7 +38,7 @@ impl Faults {
     pub const NONE: Self = Self { share: 0.0, overtaking: 0.0, burst_share: 0.0 };
 }
 
-/// A frame on its way.
+/// A frame in transit.
 struct Flight {
     arrives: Duration,
     camera: usize,
@@ -93,7 +94,7 @@ impl ModelBench {
         }
     }
 
-    /// A burst of random length with its faults, and the pause after it.
+    /// A burst of random length with random faults, and the pause after it.
     pub fn random_burst(&mut self) {
         let asked = match self.pairing.has_reference(self.now) {
             true => self.random.random_range(1..=20),
@@ -117,11 +118,11 @@ impl ModelBench {
         self.advance(self.now + Duration::from_millis(pause_ms));
     }
 
-    /// Fires `asked` triggers, of which `given` are given. `vanishing`: a camera, and the shot
-    /// of the burst at which it vanishes; firing is broken off soon after.
+    /// Fires `asked` triggers, of which `given` are given. `vanishing`: a camera, and the shot of the
+    /// burst at which it is lost; the burst is aborted soon after.
     pub fn burst(&mut self, asked: u64, mut given: u64, vanishing: Option<(usize, u64)>) {
         let first = self.pairing.fired(asked, self.now);
-        assert_eq!(first, self.given, "withdrawn triggers are given again");
+        assert_eq!(first, self.given, "the numbers of withdrawn triggers are used again");
         let start = self.now;
         if let Some((camera, shot)) = vanishing {
             given = given.min(shot + 1 + self.random.random_range(0..3));
@@ -136,12 +137,12 @@ impl ModelBench {
         }
         self.given += given;
         self.advance(start + PERIOD * given as u32);
-        let rulings = self.pairing.burst_ended(self.given).unwrap();
-        self.apply(rulings);
+        let decisions = self.pairing.burst_ended(self.given).unwrap();
+        self.apply(decisions);
         let patience_ends = self.now + 20 * PATIENCE;
         while self.pairing.open_triggers() > 0 {
             self.advance(self.now + TICK);
-            assert!(self.now < patience_ends, "every trigger is ruled on in time");
+            assert!(self.now < patience_ends, "every trigger is settled in time");
         }
         if let Some((camera, _)) = vanishing {
             self.restarts += 1;
@@ -153,11 +154,11 @@ impl ModelBench {
 
     /// The end of the run.
     pub fn finish(&mut self) {
-        let rulings = self.pairing.finish();
-        self.apply(rulings);
+        let decisions = self.pairing.finish();
+        self.apply(decisions);
     }
 
-    /// What one camera makes of one trigger; whether it saw it.
+    /// Response of one camera to a trigger; whether it saw it.
     fn trigger(&mut self, camera: usize, trigger: u64, at: Duration) -> bool {
         let share = self.faults.share;
         let away = self.cameras[camera].gone_at.is_some_and(|gone| at >= gone);
@@ -185,7 +186,7 @@ impl ModelBench {
         true
     }
 
-    /// The way of a frame: it may get lost, come twice, or late.
+    /// Puts a frame in transit: it may be lost, duplicated or delayed.
     fn send(&mut self, mut flight: Flight) {
         let share = self.faults.share;
         if self.random.random_bool(share) {
@@ -206,7 +207,7 @@ impl ModelBench {
         self.flights.push(flight);
     }
 
-    /// Lets time pass: frames arrive, the run loop looks at the time.
+    /// Advances time: frames arrive, and the run loop ticks.
     pub fn advance(&mut self, end: Duration) {
         self.flights.sort_by_key(|flight| flight.arrives);
         while self.now < end {
@@ -218,12 +219,12 @@ impl ModelBench {
                 let flight = self.flights.remove(0);
                 self.arrive(flight);
             }
-            let rulings = self.pairing.tick(self.now);
-            self.apply(rulings);
+            let decisions = self.pairing.tick(self.now);
+            self.apply(decisions);
         }
     }
 
-    /// As the driver does: the counter becomes a number.
+    /// As the driver: unwraps the counter.
     fn arrive(&mut self, Flight { arrives, camera, counter, mut frame }: Flight) {
         let gone = self.cameras[camera].gone_at.is_some_and(|gone| arrives >= gone);
         let Some(number) = self.cameras[camera].ids.number(counter).filter(|_| !gone) else {
@@ -232,23 +233,23 @@ impl ModelBench {
         frame.frame_id = number;
         self.delivered += 1;
         self.pairing.underruns(camera, self.cameras[camera].underruns);
-        let rulings = self.pairing.frame(camera, frame, self.now);
-        self.apply(rulings);
+        let decisions = self.pairing.frame(camera, frame, self.now);
+        self.apply(decisions);
     }
 
-    /// As the run loop does; both conservation laws hold after every ruling.
-    fn apply(&mut self, rulings: Vec<Ruling>) {
-        for ruling in rulings {
+    /// As the run loop; checks both conservation laws after every decision.
+    fn apply(&mut self, decisions: Vec<Decision>) {
+        for ruling in decisions {
             match ruling {
-                Ruling::Paired(shot) => {
+                Decision::Paired(shot) => {
                     self.ledger.settle_all(shot.trigger, Outcome::Complete).unwrap();
                     self.shots.push(shot);
                 }
-                Ruling::Settled { trigger, camera, outcome } => {
+                Decision::Settled { trigger, camera, outcome } => {
                     self.ledger.settle(trigger, camera, outcome).unwrap();
                 }
-                Ruling::Given { trigger } => self.ledger.enter(trigger).unwrap(),
-                Ruling::Withdrawn { trigger } => {
+                Decision::Given { trigger } => self.ledger.enter(trigger).unwrap(),
+                Decision::Withdrawn { trigger } => {
                     assert!(self.ledger.entry(trigger).is_none(), "it was counted");
                     self.withdrawn += 1;
                 }
@@ -262,7 +263,7 @@ impl ModelBench {
     }
 }
 
-/// A number of either sign, `least` to `most` from zero.
+/// A random number with magnitude `least` to `most` and random sign.
 pub fn either_way(random: &mut impl Rng, least: i128, most: i128) -> i128 {
     let size = random.random_range(least..most);
     if random.random_bool(0.5) { size } else { -size }

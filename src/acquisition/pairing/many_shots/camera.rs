@@ -1,4 +1,4 @@
-//! A model of a camera and of its driver's frame numbers.
+//! A model of a camera and its driver's frame numbers.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use rand::{Rng, RngExt};
 
 use super::bench::{INTERVAL_NS, PERIOD, either_way};
 
-/// What a frame truly is: its only pixel says it, and nothing else does.
+/// The true identity of a frame, encoded in its only pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FrameTruth {
     pub trigger: u64,
@@ -16,7 +16,7 @@ pub struct FrameTruth {
 }
 
 impl FrameTruth {
-    /// Triggers that a pixel can tell apart.
+    /// Number of triggers that a pixel can encode.
     pub const TRIGGERS: u64 = 1 << 14;
 
     pub fn count(self) -> u16 {
@@ -34,17 +34,17 @@ pub struct ModelCamera {
     pub ids: FrameIds,
     pub underruns: u64,
     pub gone_at: Option<Duration>,
-    /// What the clock showed at `clock_set`, how fast it runs, and how far timestamps are off.
+    /// Reading of the clock at `clock_set`, its rate, and the jitter of timestamps.
     clock_ns: i128,
     clock_set: Duration,
     rate: f64,
     jitter_ns: i128,
-    /// 16 bits, without 0.
+    /// 16-bit counter that skips 0.
     counter: u64,
 }
 
 impl ModelCamera {
-    /// The clock is up to 100 ppm off; the counter comes round within a few thousand frames.
+    /// The clock is up to 100 ppm off; the counter wraps within a few thousand frames.
     pub fn new(random: &mut impl Rng) -> Self {
         Self {
             ids: FrameIds::starting_at(0),
@@ -58,7 +58,7 @@ impl ModelCamera {
         }
     }
 
-    /// A camera of which all but the offset of its clock is given.
+    /// Sets rate and jitter of the clock; its offset stays random.
     pub fn set_clock(&mut self, rate: f64, jitter_ns: i128) {
         (self.rate, self.jitter_ns) = (rate, jitter_ns);
     }
@@ -78,8 +78,8 @@ impl ModelCamera {
         shown
     }
 
-    /// Somebody sets the clock, by parts of a period or a little; never by whole periods, which
-    /// look like missed triggers.
+    /// Sets the clock by a fraction of a period or a little more; never by whole periods, which look
+    /// like missed triggers.
     pub fn jump(&mut self, random: &mut impl Rng) {
         let period_ns = PERIOD.as_nanos() as i128;
         let by_ns = if random.random_bool(0.5) {
@@ -91,7 +91,7 @@ impl ModelCamera {
         self.clock_ns += if self.clock_ns + by_ns > 1_000_000_000 { by_ns } else { -by_ns };
     }
 
-    /// It lost its power: clock and counter begin anew, and its driver numbers on.
+    /// A power cycle: clock and counter restart, and the driver continues its numbering.
     pub fn restart(&mut self, now: Duration, random: &mut impl Rng) {
         self.clock_ns = random.random_range(5_000_000_000..30_000_000_000);
         self.clock_set = now;

@@ -1,4 +1,4 @@
-//! Thousands of shots with random faults: which frames were paired, and what became of the others.
+//! Thousands of shots with random faults: checks which frames are paired and how triggers end.
 
 mod bench;
 mod camera;
@@ -10,18 +10,18 @@ use camera::FrameTruth;
 
 use crate::acquisition::{Outcome, Shot};
 
-/// What became of a run's triggers.
+/// Statistics of a run.
 #[derive(Debug, Default)]
 struct Tally {
     triggers: u64,
     paired: u64,
-    /// Shots with frames of different triggers, suspect or not.
+    /// Shots with frames of different triggers that are marked as suspect.
     mixed_suspect: u64,
     mixed_unmarked: u64,
-    /// Shots that are right and suspect all the same.
+    /// Correct shots that are marked as suspect.
     right_suspect: u64,
-    /// Shots of one trigger under the number of another. That happens where no camera saw the
-    /// first trigger of a burst, since nothing but the host's clock tells it from the last.
+    /// Correct shots under a wrong number. This happens where no camera saw the first trigger of a burst,
+    /// since only the host's clock distinguishes it from the last one.
     misnumbered: u64,
     outcomes: [u64; Outcome::ALL.len()],
     withdrawn: u64,
@@ -63,13 +63,13 @@ impl Tally {
     }
 }
 
-/// What the frames of a shot truly are, camera by camera, a before b.
+/// The true identity of a shot's frames, camera by camera, a before b.
 fn truths(shot: &Shot) -> Vec<FrameTruth> {
     let frames = shot.cameras.iter().flatten();
     frames.map(|frame| FrameTruth::of_count(frame.image.counts()[0])).collect()
 }
 
-/// A run of at least `triggers` triggers, every rule of accounting checked on the way.
+/// A run of at least `triggers` triggers, with all accounting rules checked.
 fn run(seed: u64, faults: Faults, triggers: u64) -> ModelBench {
     let mut bench = ModelBench::new(seed, faults);
     while bench.given < triggers {
@@ -78,7 +78,11 @@ fn run(seed: u64, faults: Faults, triggers: u64) -> ModelBench {
     bench.advance(bench.now + Duration::from_secs(10));
     bench.finish();
     for account in bench.ledger.accounts() {
-        assert_eq!((account.open, account.triggers), (0, bench.given), "one end for each trigger");
+        assert_eq!(
+            (account.open, account.triggers),
+            (0, bench.given),
+            "one outcome for each trigger"
+        );
     }
     let ends = bench.ledger.entries().map(|entry| entry.cameras.iter().flatten().count());
     assert_eq!(ends.sum::<usize>() as u64, 2 * bench.given);
@@ -104,7 +108,7 @@ fn assert_frames_are_used_once(shots: &[Shot]) {
 #[test]
 fn no_wrong_pair_in_ten_thousand_shots_with_faults() {
     let mut all = Tally::default();
-    // Most shots that may be suspect although they are right, and because they are wrong.
+    // Upper bounds for the shares of correct and of wrong shots that are suspect.
     let severities =
         [(0.003, 0.003, 0.005, 0.0005), (0.01, 0.01, 0.02, 0.002), (0.04, 0.03, 0.04, 0.008)];
     for (share, burst_share, most_suspect, most_mixed) in severities {
@@ -117,7 +121,7 @@ fn no_wrong_pair_in_ten_thousand_shots_with_faults() {
         }
         let right_suspect = tally.share(tally.right_suspect);
         println!("each fault in {share} of frames and triggers, {burst_share} of bursts:");
-        println!("  right and suspect all the same: {right_suspect:.4}; {tally:?}");
+        println!("  correct but suspect: {right_suspect:.4}; {tally:?}");
         assert_eq!(tally.mixed_unmarked, 0);
         assert!(right_suspect < most_suspect, "{tally:?}");
         assert!(tally.share(tally.mixed_suspect) < most_mixed, "{tally:?}");
@@ -125,7 +129,7 @@ fn no_wrong_pair_in_ten_thousand_shots_with_faults() {
     assert!(all.triggers >= 20_000 && all.paired > 10_000, "{all:?}");
     assert!(all.restarts > 20 && all.withdrawn > 20 && all.duplicate > 100, "{all:?}");
     for (outcome, count) in Outcome::ALL.iter().zip(all.outcomes) {
-        // Those of processing, and of a synchroniser that cannot be asked.
+        // Outcomes of processing, and of a synchroniser that cannot be asked.
         let of_others = matches!(outcome, Outcome::Shed | Outcome::WriteFailed | Outcome::NotFired);
         assert_eq!(count == 0, of_others, "{outcome:?}: {count}");
     }
@@ -144,7 +148,7 @@ fn without_faults_every_shot_is_paired_and_none_suspect() {
     }
 }
 
-/// Two clocks 200 ppm apart move by a whole period in 500 s.
+/// Two clocks that differ by 200 ppm drift apart by a whole period in 500 s.
 #[test]
 fn after_a_long_pause_a_drift_is_no_missed_trigger() {
     for shots_before in [0, 1, 30] {
@@ -157,7 +161,7 @@ fn after_a_long_pause_a_drift_is_no_missed_trigger() {
         }
         bench.advance(bench.now + Duration::from_secs(500));
         let known = bench.pairing.has_reference(bench.now);
-        assert_eq!(known, shots_before == 30, "the rates are known from shots only");
+        assert_eq!(known, shots_before == 30, "rates are known only after shots");
         if !known {
             bench.burst(1, 1, None);
         }

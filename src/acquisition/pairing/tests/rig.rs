@@ -1,4 +1,4 @@
-//! Cameras that lose, damage, repeat and delay frames and miss triggers, and the pairing they feed.
+//! Cameras that lose, damage, duplicate and delay frames and miss triggers, with the pairing under test.
 
 use std::time::Duration;
 
@@ -9,16 +9,16 @@ use lfpiv_hw::{
 
 use crate::acquisition::{
     Ledger, Outcome, Shot,
-    pairing::{Pairing, PairingSettings, Ruling},
+    pairing::{Decision, Pairing, PairingSettings},
 };
 
 pub const PERIOD_NS: u64 = 100_000_000;
 pub const INTERVAL_NS: u64 = 202_000;
-/// What camera 0's clock shows at the start.
+/// Initial reading of camera 0's clock.
 pub const CLOCK_NS: u64 = 7_000_000_000_000;
 pub const PATIENCE: Duration = Duration::from_millis(400);
 
-/// What one camera does with one trigger.
+/// Response of one camera to one trigger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fate {
     Delivered,
@@ -42,7 +42,7 @@ pub fn settings(cameras: usize) -> PairingSettings {
     }
 }
 
-/// A frame; `host_timestamp_ns` carries the true trigger, which pairing must not look at.
+/// A frame; `host_timestamp_ns` carries the true trigger, which pairing must not use.
 pub fn frame(frame_id: u64, timestamp_ns: u64, true_trigger: u64) -> Frame {
     Frame {
         image: RawImage::new(1, 1, vec![0]).unwrap(),
@@ -53,7 +53,7 @@ pub fn frame(frame_id: u64, timestamp_ns: u64, true_trigger: u64) -> Frame {
     }
 }
 
-/// Two cameras with clocks of their own, fed into the machine in the order of arrival.
+/// Two cameras with independent clocks, whose frames are fed in order of arrival.
 pub struct Rig {
     pub pairing: Pairing,
     pub ledger: Ledger,
@@ -61,7 +61,7 @@ pub struct Rig {
     pub now: Duration,
     pub next_id: Vec<u64>,
     pub given: u64,
-    /// By how much each camera's clock has jumped, in ns.
+    /// Accumulated jump of each camera's clock, in ns.
     pub jumped_ns: Vec<i64>,
 }
 
@@ -78,18 +78,18 @@ impl Rig {
         }
     }
 
-    pub fn apply(&mut self, rulings: Vec<Ruling>) {
-        for ruling in rulings {
+    pub fn apply(&mut self, decisions: Vec<Decision>) {
+        for ruling in decisions {
             match ruling {
-                Ruling::Paired(shot) => {
+                Decision::Paired(shot) => {
                     self.ledger.settle_all(shot.trigger, Outcome::Complete).unwrap();
                     self.shots.push(shot);
                 }
-                Ruling::Settled { trigger, camera, outcome } => {
+                Decision::Settled { trigger, camera, outcome } => {
                     self.ledger.settle(trigger, camera, outcome).unwrap();
                 }
-                Ruling::Given { trigger } => self.ledger.enter(trigger).unwrap(),
-                Ruling::Withdrawn { trigger } => assert!(self.ledger.entry(trigger).is_none()),
+                Decision::Given { trigger } => self.ledger.enter(trigger).unwrap(),
+                Decision::Withdrawn { trigger } => assert!(self.ledger.entry(trigger).is_none()),
             }
             assert!(self.ledger.is_balanced());
         }
@@ -99,8 +99,8 @@ impl Rig {
         self.pairing.fired(shots, self.now)
     }
 
-    /// Fires a burst, of which the last `cut` triggers are never given, and waits until every
-    /// trigger is ruled on. `fates[shot][camera]`, `jitter_ms[shot][camera]`.
+    /// Fires a burst, of which the last `cut` triggers are not given, and waits until every trigger is
+    /// settled. `fates[shot][camera]`, `jitter_ms[shot][camera]`.
     pub fn burst(&mut self, fates: &[Vec<Fate>], jitter_ms: &[Vec<u64>], cut: usize) {
         let first = self.fire((fates.len() + cut) as u64);
         let mut arrivals = Vec::new();
@@ -116,22 +116,22 @@ impl Rig {
         arrivals.sort_by_key(|(at, ..)| *at);
         for (at, camera, frame) in arrivals {
             self.wait_until(at);
-            let rulings = self.pairing.frame(camera, frame, self.now);
-            self.apply(rulings);
+            let decisions = self.pairing.frame(camera, frame, self.now);
+            self.apply(decisions);
         }
         let burst_over = self.now + Duration::from_nanos(PERIOD_NS) * fates.len() as u32;
         self.wait_until(burst_over);
-        let rulings = self.pairing.burst_ended(self.given).unwrap();
-        self.apply(rulings);
+        let decisions = self.pairing.burst_ended(self.given).unwrap();
+        self.apply(decisions);
         self.wait_until(self.now + 4 * PATIENCE);
-        assert_eq!(self.pairing.open_triggers(), 0, "every trigger is ruled on in time");
+        assert_eq!(self.pairing.open_triggers(), 0, "every trigger is settled in time");
     }
 
     pub fn wait_until(&mut self, end: Duration) {
         while self.now < end {
             self.now = end.min(self.now + PATIENCE / 4);
-            let rulings = self.pairing.tick(self.now);
-            self.apply(rulings);
+            let decisions = self.pairing.tick(self.now);
+            self.apply(decisions);
         }
     }
 
@@ -148,7 +148,7 @@ impl Rig {
         }
         let id = self.next_id[camera];
         self.next_id[camera] += 2;
-        // The cameras' clocks started at different times and run 50 ppm apart.
+        // The cameras' clocks have different offsets and differ by 50 ppm.
         let at_ns = at.as_nanos() as u64;
         let clock_ns = CLOCK_NS * (camera as u64 + 1) + at_ns + at_ns / 20_000 * camera as u64;
         let clock_ns = clock_ns.checked_add_signed(self.jumped_ns[camera]).unwrap();

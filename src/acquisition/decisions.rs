@@ -1,4 +1,4 @@
-//! What comes of a burst: camera events, rulings, the ledger, the queue.
+//! Applies events and pairing decisions to the ledger, the journal and the queue.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use super::{
     controller::Run,
     devices::CameraEvent,
     journal::{Entry, FrameHead, FrameKey},
-    pairing::Ruling,
+    pairing::Decision,
 };
 
 impl Run {
@@ -19,29 +19,29 @@ impl Run {
     ) -> Result<(), AcquisitionError> {
         match event {
             Some(CameraEvent::Frame { camera, frame, arrived, statistics }) => {
-                // What time alone decides comes first: a replay, too, finds it decided.
-                self.time_passes(arrived).await?;
+                // Time-dependent decisions come first, so that a replay finds them in the same order.
+                self.advance_time(arrived).await?;
                 self.presence[camera].delivered();
                 self.last_frame = self.time;
-                self.ledger.lock().streamed(camera, statistics);
+                self.ledger.lock().set_stream_statistics(camera, statistics);
                 let (at_ns, head) = (self.at_ns(), FrameHead::from(&frame));
                 let entry = Entry::Frame { at_ns, camera, frame: head, statistics };
-                // Even where it cannot be kept: what was delivered is paired and accounted for.
-                let noted = self.note_frame(entry, &frame.image).await;
+                // Even if it cannot be recorded: delivered frames are paired and accounted for.
+                let noted = self.record_frame(entry, &frame.image).await;
                 self.pairing.underruns(camera, statistics.underruns);
-                let rulings = self.pairing.frame(camera, frame, self.time);
-                noted.and(self.apply(rulings).await)
+                let decisions = self.pairing.frame(camera, frame, self.time);
+                noted.and(self.apply(decisions).await)
             }
             Some(CameraEvent::Stream { camera, connected, at, statistics }) => {
-                self.time_passes(at).await?;
-                self.ledger.lock().streamed(camera, statistics);
-                self.presence[camera].tell(connected);
+                self.advance_time(at).await?;
+                self.ledger.lock().set_stream_statistics(camera, statistics);
+                self.presence[camera].set_connected(connected);
                 let at_ns = self.at_ns();
                 self.note(Entry::Stream { at_ns, camera, connected, statistics }).await?;
                 Ok(())
             }
-            Some(CameraEvent::Started { camera, notices_absence_within }) => {
-                self.presence[camera].notices_absence_within = notices_absence_within;
+            Some(CameraEvent::Started { camera, loss_detection_time }) => {
+                self.presence[camera].loss_detection_time = loss_detection_time;
                 tracing::debug!(camera = %CameraName(camera), "waits for triggers");
                 Ok(())
             }
@@ -50,25 +50,25 @@ impl Run {
         }
     }
 
-    /// It is `now` at least: looks for frames that will not come. Events of two cameras may be
-    /// stamped in another order than they are seen; time does not go back for that.
-    pub(super) async fn time_passes(&mut self, now: Duration) -> Result<(), AcquisitionError> {
+    /// Advances time to at least `now` and checks for overdue frames. Events of two cameras may be
+    /// stamped in another order than they are received; time never goes back.
+    pub(super) async fn advance_time(&mut self, now: Duration) -> Result<(), AcquisitionError> {
         self.time = self.time.max(now);
-        let rulings = self.pairing.tick(self.time);
-        self.apply(rulings).await
+        let decisions = self.pairing.tick(self.time);
+        self.apply(decisions).await
     }
 
-    pub(super) async fn apply(&mut self, rulings: Vec<Ruling>) -> Result<(), AcquisitionError> {
-        // The ledger is complete even where the record fails: the first failure is reported last.
+    pub(super) async fn apply(&mut self, decisions: Vec<Decision>) -> Result<(), AcquisitionError> {
+        // The ledger stays complete even if recording fails: the first failure is returned at the end.
         let mut ended = Ok(());
-        for ruling in rulings {
+        for ruling in decisions {
             let applied = match ruling {
-                Ruling::Given { trigger } => self.count(trigger).await,
-                Ruling::Paired(shot) => self.send_on(shot).await,
-                Ruling::Settled { trigger, camera, outcome } => {
+                Decision::Given { trigger } => self.count(trigger).await,
+                Decision::Paired(shot) => self.send_on(shot).await,
+                Decision::Settled { trigger, camera, outcome } => {
                     self.settle(trigger, camera, outcome).await
                 }
-                Ruling::Withdrawn { trigger } => {
+                Decision::Withdrawn { trigger } => {
                     self.fired -= 1;
                     for camera in &mut self.presence {
                         camera.silent = camera.silent.saturating_sub(1);
@@ -81,12 +81,12 @@ impl Run {
         ended
     }
 
-    /// A trigger is known to have been given.
+    /// Counts a trigger that is known to have been given.
     async fn count(&mut self, trigger: u64) -> Result<(), AcquisitionError> {
         {
             let mut ledger = self.ledger.lock();
             note(ledger.enter(trigger));
-            ledger.timed(trigger, self.times.expected(trigger));
+            ledger.set_time(trigger, self.times.expected(trigger));
         }
         self.note(Entry::Given { trigger }).await.map(|_| ())
     }
@@ -97,7 +97,7 @@ impl Run {
         camera: usize,
         outcome: Outcome,
     ) -> Result<(), AcquisitionError> {
-        // What is shed was nobody's fault, and there may be many at the end of a run.
+        // Shedding is no fault, and there may be many shed shots at the end of a run.
         let name = CameraName(camera);
         if outcome == Outcome::Shed {
             tracing::debug!(trigger, camera = %name, "shed");
@@ -114,8 +114,8 @@ impl Run {
         shot.time = self.times.of_shot(trigger, received_ns);
         {
             let mut ledger = self.ledger.lock();
-            ledger.queued(trigger, &shot.suspect);
-            ledger.timed(trigger, shot.time);
+            ledger.mark_queued(trigger, &shot.suspect);
+            ledger.set_time(trigger, shot.time);
         }
         let entry = Entry::Shot {
             trigger,
@@ -136,7 +136,7 @@ impl Run {
         if shed == trigger { Err(AcquisitionError::QueueClosed) } else { noted.map(|_| ()) }
     }
 
-    /// Events that come while the run is torn down cannot change how it ends.
+    /// Handles an event during shutdown, which cannot change the result of the run.
     pub(super) async fn handle_leftover(&mut self, event: CameraEvent) {
         if let Err(error) = self.handle(Some(event)).await {
             tracing::warn!(%error, "while the run was ending");
@@ -144,9 +144,9 @@ impl Run {
     }
 }
 
-/// A refused entry is a fault of this program, never of the bench: it is told, and the run goes on.
+/// A refused entry is a bug of this program: it is logged, and the run continues.
 pub(super) fn note(entry: Result<(), LedgerError>) {
     if let Err(error) = entry {
-        tracing::error!(%error, "the ledger refused an entry");
+        tracing::error!(%error, "the ledger refused an entry (a fault of this program)");
     }
 }
