@@ -1,12 +1,12 @@
-//! Stationary light: reflections and background that are the same in every image of a run.
+//! Stationary light: reflections and background common to all images of a run.
 
 use lfpiv_hw::RawImage;
 
-/// Added to every pixel when stationary light is subtracted, so that noise below zero survives in
+/// Offset added to every pixel when stationary light is subtracted, so that negative noise survives in
 /// unsigned counts. It becomes the black level of the corrected image.
 const PEDESTAL_COUNTS: f32 = 256.0;
 
-/// How images of a run are condensed into one.
+/// How the images of a run are combined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Condensation {
     /// Pixelwise minimum.
@@ -15,7 +15,7 @@ pub enum Condensation {
     Mean,
 }
 
-/// Stationary light of one camera and frame, learned from images of a run.
+/// Stationary light of one camera and frame, estimated from images of a run.
 #[derive(Debug, Clone)]
 pub struct StationaryLight {
     condensation: Condensation,
@@ -31,7 +31,7 @@ impl StationaryLight {
         Self { condensation, images: 1, columns: image.columns(), level }
     }
 
-    /// Takes one more image of the same size into account.
+    /// Adds an image of the same size.
     pub fn learn(&mut self, image: &RawImage) {
         self.images += 1;
         let share = 1.0 / self.images as f32;
@@ -44,8 +44,8 @@ impl StationaryLight {
         }
     }
 
-    /// The image without its stationary light, raised by a pedestal. An image of another size is
-    /// returned as it is; the caller checks sizes.
+    /// Subtracts the stationary light and adds the pedestal. An image of another size is returned
+    /// unchanged; the caller checks sizes.
     pub fn remove_from(&self, image: &RawImage) -> RawImage {
         if image.columns() != self.columns || image.counts().len() != self.level.len() {
             return image.clone();

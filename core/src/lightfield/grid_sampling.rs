@@ -1,24 +1,24 @@
-//! Which pixel belongs to which microlens where the array stands anyhow on its sensor.
+//! Assignment of pixels to microlenses and views for an arbitrarily oriented array.
 //!
-//! [`super::AxisSampling`] needs an array along the sensor's axes. Here the micro-images are centred
-//! where a [`MicroImageGrid`] says. View (k, l) takes, behind every microlens, the pixel that is k columns to
-//! the left of the pixel nearest to the micro-image's centre and l rows below it: the ray through its
-//! centre crosses the pupil k and l pupil cells to the right and above, and the *phase* further, the
-//! distance of the micro-image's centre from that nearest pixel. Nothing is resampled; the phase is
-//! known for every microlens.
+//! [`super::AxisSampling`] needs an array along the sensor's axes. Here the micro-images are
+//! centred as a [`MicroImageGrid`] states. View (k, l) takes, behind every microlens, the pixel k
+//! columns to the left of the pixel nearest to the micro-image's centre and l rows below it. The
+//! ray through its centre crosses the pupil k and l pupil cells to the right and above, plus the
+//! *phase*: the distance from the nearest pixel to the micro-image's centre. Nothing is resampled;
+//! the phase is known for every microlens.
 
 use lfpiv_hw::Optics;
 
 use super::MicroImageGrid;
 
-/// Centres halfway between two pixels go to the later one, even when they are computed with single
-/// precision: of 5000 pixels that is 2.4·10⁻⁴.
+/// Centres within this distance of the middle between two pixels go to the later one, so that single
+/// precision gives the same result: for 5000 pixels its error is 2.4·10⁻⁴.
 pub const TIE_PX: f64 = 1e-3;
 
-/// The sampling of a sensor behind a square array that may be turned, shifted and stretched.
+/// The sampling of a sensor behind a square array that may be rotated, shifted and stretched.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GridSampling {
-    /// Where the micro-images are centred.
+    /// Centres of the micro-images.
     pub grid: MicroImageGrid,
     /// View indices run from `-reach` to `reach` along both axes.
     pub reach: i32,
@@ -28,9 +28,9 @@ pub struct GridSampling {
     sensor: [usize; 2],
     /// Microlenses per pixel: of (i, j) by (column, row).
     lenses_per_px: [[f64; 2]; 2],
-    /// How far along i and j a pixel's centre may lie from that of its micro-image, in microlenses:
-    /// beyond, the pixel sees two of them.
-    farthest: [f64; 2],
+    /// Largest distance along i and j between a pixel's centre and that of its micro-image, in
+    /// microlenses. Beyond it the pixel sees two microlenses.
+    max_offset: [f64; 2],
 }
 
 /// The pixel nearest to the centre of a micro-image.
@@ -38,7 +38,7 @@ pub struct GridSampling {
 pub struct NearestPixel {
     /// Its column and row.
     place_px: [i32; 2],
-    /// From the micro-image's centre to the pixel's, in microlenses along i and j.
+    /// Offset of the pixel from the micro-image's centre, in microlenses along i and j.
     off: [f64; 2],
 }
 
@@ -49,7 +49,7 @@ impl GridSampling {
             [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(column, row)| grid.lens_at(column, row));
         let lenses_per_px =
             [0, 1].map(|axis| [next_column[axis] - origin[axis], next_row[axis] - origin[axis]]);
-        let farthest = lenses_per_px.map(|[column, row]| 0.5 - (column.abs() + row.abs()) / 2.0);
+        let max_offset = lenses_per_px.map(|[column, row]| 0.5 - (column.abs() + row.abs()) / 2.0);
         let longest = grid.pitch_px().into_iter().fold(0.0, f64::max);
         Self {
             grid: grid.clone(),
@@ -57,12 +57,12 @@ impl GridSampling {
             cell_mm: optics.pupil_cell_mm(),
             sensor: [optics.sensor.columns, optics.sensor.rows],
             lenses_per_px,
-            farthest,
+            max_offset,
         }
     }
 
-    /// How far the middle of the pupil interval of view (0, 0) lies from the pupil's, in cells to the
-    /// right and upwards: the phase of microlens (i, j), each within half a cell.
+    /// The phase of microlens (i, j): the offset of the pupil interval of view (0, 0) from the pupil's
+    /// centre, in cells to the right and upwards, each within half a cell.
     pub fn phase(&self, i: usize, j: usize) -> [f64; 2] {
         let [column, row] = self.grid.centre_px(i as f64, j as f64);
         [column - nearest(column), nearest(row) - row]
@@ -76,11 +76,11 @@ impl GridSampling {
         NearestPixel { place_px: place_px.map(|px| px as i32), off: self.in_lenses(off_px) }
     }
 
-    /// Column and row of the pixel through which a microlens sees view (k, l), if it has one of its
-    /// own: a function of its nearest pixel.
+    /// Column and row of the pixel through which a microlens sees view (k, l), as a function of its
+    /// nearest pixel; `None` if the pixel is shared or off the sensor.
     pub fn pixels(&self, (k, l): (i32, i32)) -> impl Fn(&NearestPixel) -> Option<[usize; 2]> {
         let [by_i, by_j] = self.in_lenses([f64::from(-k), f64::from(l)]);
-        let ([most_i, most_j], [columns, rows]) = (self.farthest, self.sensor);
+        let ([most_i, most_j], [columns, rows]) = (self.max_offset, self.sensor);
         move |nearest| {
             let [i, j] = nearest.off;
             let own = (i + by_i).abs() <= most_i && (j + by_j).abs() <= most_j;
@@ -96,14 +96,14 @@ impl GridSampling {
         self.pixels(view)(&self.nearest_pixel(i, j))
     }
 
-    /// Middle of the pupil interval that a pixel sees through its own microlens, in mm along `right`
-    /// and `up`; `None` for pixels on the border between microlenses and beside the array.
+    /// Centre of the pupil interval that a pixel sees through its microlens, in mm along `right`
+    /// and `up`; `None` for pixels shared by two microlenses or outside the array.
     pub fn pupil_of_pixel_mm(&self, column: usize, row: usize) -> Option<[f64; 2]> {
         let pixel = [column as f64, row as f64];
         let [i, j] = self.grid.lens_at(pixel[0], pixel[1]);
         let lens = [i.round(), j.round()];
         let own =
-            (i - lens[0]).abs() <= self.farthest[0] && (j - lens[1]).abs() <= self.farthest[1];
+            (i - lens[0]).abs() <= self.max_offset[0] && (j - lens[1]).abs() <= self.max_offset[1];
         let exists = (0..2).all(|n| lens[n] >= 0.0 && lens[n] < self.grid.microlenses[n] as f64);
         let centre = self.grid.centre_px(lens[0], lens[1]);
         let pupil = [(centre[0] - pixel[0]) * self.cell_mm, (pixel[1] - centre[1]) * self.cell_mm];
@@ -115,15 +115,15 @@ impl GridSampling {
         self.lenses_per_px.map(|[by_column, by_row]| by_column * columns + by_row * rows)
     }
 
-    /// Middle of the pupil interval that microlens (i, j) sees in view (k, l), in mm along `right` and
-    /// `up`.
+    /// Centre of the pupil interval that microlens (i, j) sees in view (k, l), in mm along `right`
+    /// and `up`.
     pub fn pupil_mm(&self, (k, l): (i32, i32), i: usize, j: usize) -> [f64; 2] {
         let [right, up] = self.phase(i, j);
         [(f64::from(k) + right) * self.cell_mm, (f64::from(l) + up) * self.cell_mm]
     }
 }
 
-/// The whole number nearest to a pixel coordinate.
+/// The integer nearest to a pixel coordinate.
 fn nearest(px: f64) -> f64 {
     (px + 0.5 + TIE_PX).floor()
 }
@@ -133,9 +133,9 @@ mod tests {
     use super::*;
     use crate::{lightfield::AxisSampling, test_bench};
 
-    /// On the array as drawn both samplings give a pixel the same microlens and pupil interval. The
-    /// lens in the middle is left out: its pixels lie halfway between two view indices. So are view
-    /// indices of 9, on whose pixels some microlenses meet.
+    /// For an ideal array both samplings give a pixel the same microlens and pupil interval.
+    /// Excluded are the central lens, whose pixels lie halfway between two view indices, and view
+    /// indices of 9, whose pixels some microlenses share.
     #[test]
     fn the_drawn_array_is_sampled_as_along_its_axes() {
         let optics = test_bench::optics();
@@ -185,7 +185,7 @@ mod tests {
             }
         }
         assert!(seen.values().all(|&times| times == 1));
-        // Of 18.25 pixels in each direction one lies on a border.
+        // Of 18.25 pixels in each direction, one is shared.
         let share = seen.len() as f64 / (100.0 * pitch * pitch);
         assert!((share - 0.89).abs() < 0.03, "{share}");
     }

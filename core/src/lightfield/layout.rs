@@ -1,8 +1,8 @@
-//! Views: the sub-aperture images hidden in a raw light-field image.
+//! Views: the sub-aperture images contained in a raw light-field image.
 //!
-//! View (k, l) collects, behind every microlens, the pixel that looks through the pupil near
-//! (k, l) pupil cells. It is a small picture, one value per microlens, of the scene seen from
-//! that part of the main lens; the paper's Fig. 5 calls it a sub-aperture image.
+//! View (k, l) consists of the pixel behind every microlens that looks through the pupil near (k,
+//! l) pupil cells. It is an image with one value per microlens, of the scene seen from that part of
+//! the main lens (a sub-aperture image in the paper's Fig. 5).
 
 use std::{ops::Range, sync::Arc};
 
@@ -11,13 +11,13 @@ use rayon::prelude::*;
 
 use super::{GridSampling, photometry::LightLevels, sampling::AxisSampling};
 
-/// Views with a smaller mean coverage carry too little light to be worth their time.
-const LEAST_MEAN_COVERAGE: f64 = 0.3;
+/// Views with a smaller mean coverage carry too little light to be worth their cost.
+const MIN_MEAN_COVERAGE: f64 = 0.3;
 
-/// Chords per pupil cell when its overlap with the round aperture is integrated.
+/// Chords per pupil cell for integrating its overlap with the round aperture.
 const CHORDS: usize = 32;
 
-/// Sums side by side over a cell's chords, a divisor of their number.
+/// Independent partial sums over a cell's chords; divides their number.
 const SUMS: usize = 8;
 
 /// The part of the microlens array that sees the volume.
@@ -35,12 +35,12 @@ impl MicrolensWindow {
         Self { columns: 0..optics.microlens.columns, rows: 0..optics.microlens.rows }
     }
 
-    /// Microlenses in the window.
+    /// Number of microlenses in the window.
     pub fn len(&self) -> usize {
         self.columns.len() * self.rows.len()
     }
 
-    /// Whether the window holds no microlens.
+    /// Whether the window is empty.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -49,59 +49,59 @@ impl MicrolensWindow {
 /// One sub-aperture direction.
 #[derive(Debug, Clone)]
 pub struct View {
-    /// Pupil cell along `right`, counted from the centre.
+    /// Index of the pupil cell along `right`, from the centre.
     pub k: i32,
-    /// Pupil cell along `up`, counted from the centre.
+    /// Index of the pupil cell along `up`, from the centre.
     pub l: i32,
-    /// Share of each pixel's pupil cell that lies inside the aperture, 0 where the microlens has
-    /// no pixel of its own for this view; row-major over the window. `None`: 1 everywhere.
+    /// Share of each pixel's pupil cell inside the aperture, 0 where the microlens has no pixel for
+    /// this view; row-major over the window. `None`: 1 everywhere.
     pub coverage: Option<Arc<[f32]>>,
 }
 
 impl View {
-    /// Whether the aperture's edge cuts a pixel's pupil cell anywhere in the window. A microlens
-    /// without a pixel for this view does not make it cut.
+    /// Whether the aperture's edge crosses any pixel's pupil cell in the window. A microlens
+    /// without a pixel for this view does not count.
     pub fn is_cut(&self) -> bool {
         let cut = |&open: &f32| open > 0.0 && open < 1.0;
         self.coverage.as_ref().is_some_and(|coverage| coverage.iter().any(cut))
     }
 }
 
-/// How views at the aperture's edge are treated.
+/// Treatment of views at the aperture's edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ApertureEdge {
-    /// Whether views that see the edge are kept, with the share of each pixel that is open.
+    /// Whether partly open views are kept, with the open share of each pixel.
     pub partly_open_views: bool,
-    /// Width of the pupil interval that lights a pixel, in mm: a pupil cell, or more where
-    /// diffraction widens it.
+    /// Width of the pupil interval that contributes to a pixel, in mm: a pupil cell, or more with
+    /// diffraction.
     pub interval_mm: f64,
 }
 
 impl ApertureEdge {
-    /// All views, each pixel lit through its own pupil cell.
+    /// Keeps all views; each pixel sees its own pupil cell.
     pub fn sharp(optics: &Optics) -> Self {
         Self { partly_open_views: true, interval_mm: optics.pupil_cell_mm() }
     }
 }
 
-/// How one camera's raw image is cut into views.
+/// Decomposition of one camera's raw image into views.
 #[derive(Debug, Clone)]
 pub struct ViewLayout {
     /// Sampling of the sensor's columns.
     pub columns: AxisSampling,
     /// Sampling of the sensor's rows.
     pub rows: AxisSampling,
-    /// Sampling of both together where a model takes the array as it stands: it then counts instead
-    /// of the two above, which are those of the array as drawn.
+    /// Joint sampling for an arbitrarily oriented array. If present, it replaces the two above,
+    /// which then describe the ideal array.
     pub grid: Option<Arc<GridSampling>>,
     /// Microlenses kept.
     pub window: MicrolensWindow,
-    /// The views with enough light, in order of l, then k.
+    /// The views with bright_enough light, ordered by l, then k.
     pub views: Vec<View>,
 }
 
-/// The views of one raw image: for each view of the layout one value per microlens of the window,
-/// row-major, in counts above the black level.
+/// The views of one raw image: per view one value per microlens of the window, row-major, in counts
+/// above the black level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ViewStack {
     view_len: usize,
@@ -142,8 +142,8 @@ impl ViewLayout {
         Self::with_edge(optics, window, ApertureEdge::sharp(optics))
     }
 
-    /// [`Self::new`] with another treatment of the aperture's edge. Where no view is fully open,
-    /// the partly open ones are kept whatever `edge` says.
+    /// As [`Self::new`], with another treatment of the aperture's edge. If no view is fully open,
+    /// partly open ones are always kept.
     pub fn with_edge(optics: &Optics, window: MicrolensWindow, edge: ApertureEdge) -> Self {
         let columns = AxisSampling::columns(optics);
         let rows = AxisSampling::rows(optics);
@@ -156,16 +156,16 @@ impl ViewLayout {
                 let (aperture, rows, window) = (&aperture, &rows, &window);
                 (-rows.reach..=rows.reach).filter_map(move |l| {
                     let coverage = aperture.coverage(&strips, rows, window, l)?;
-                    enough(k, l, coverage)
+                    bright_enough(k, l, coverage)
                 })
             })
             .collect();
         views.sort_by_key(|view| (view.l, view.k));
-        leave_cut_views_out(&mut views, edge);
+        drop_cut_views(&mut views, edge);
         Self { columns, rows, grid: None, window, views }
     }
 
-    /// The layout of a camera whose micro-images stand as `grid` says.
+    /// The layout of a camera with the micro-image grid `grid`.
     pub fn on_grid(
         optics: &Optics,
         window: MicrolensWindow,
@@ -182,24 +182,24 @@ impl ViewLayout {
                 let (aperture, window, grid) = (&aperture, &window, &grid);
                 indices.clone().filter_map(move |k| {
                     let coverage = aperture.coverage_on_grid((k, l), grid, window)?;
-                    enough(k, l, coverage)
+                    bright_enough(k, l, coverage)
                 })
             })
             .collect();
         views.sort_by_key(|view| (view.l, view.k));
-        leave_cut_views_out(&mut views, edge);
+        drop_cut_views(&mut views, edge);
         let (columns, rows) = (AxisSampling::columns(optics), AxisSampling::rows(optics));
         Self { columns, rows, grid: Some(Arc::new(grid)), window, views }
     }
 
-    /// Cuts a raw image into views, in counts above its own black level and uniform background.
+    /// Decodes a raw image into views, in counts above its black level and uniform background.
     pub fn decode_above_black(&self, image: &RawImage, levels: &LightLevels) -> ViewStack {
         let black = (levels.offset_counts + levels.background_counts) as f32;
         self.decode(image, |_, _, count| f32::from(count) - black)
     }
 
-    /// Cuts a raw image into views. Each count becomes `map(column, row, count)`, in counts above
-    /// the black level; microlenses without a pixel for a view get 0.
+    /// Decodes a raw image into views. Each count becomes `map(column, row, count)`, in counts
+    /// above the black level; microlenses without a pixel for a view get 0.
     pub fn decode(&self, image: &RawImage, map: impl Fn(usize, usize, u16) -> f32) -> ViewStack {
         if let Some(grid) = &self.grid {
             return self.decode_on_grid(grid, image, map);
@@ -230,7 +230,7 @@ impl ViewLayout {
         ViewStack { view_len, values }
     }
 
-    /// [`Self::decode`] of an array that stands anyhow.
+    /// As [`Self::decode`], for an arbitrarily oriented array.
     fn decode_on_grid(
         &self,
         grid: &GridSampling,
@@ -252,19 +252,19 @@ impl ViewLayout {
     }
 }
 
-/// A view, if it carries enough light.
-fn enough(k: i32, l: i32, coverage: Vec<f32>) -> Option<View> {
+/// A view, if its mean coverage suffices.
+fn bright_enough(k: i32, l: i32, coverage: Vec<f32>) -> Option<View> {
     let sum: f64 = coverage.iter().map(|&c| f64::from(c)).sum();
     let open = coverage.iter().all(|&c| c == 1.0);
-    (sum >= LEAST_MEAN_COVERAGE * coverage.len() as f64).then(|| View {
+    (sum >= MIN_MEAN_COVERAGE * coverage.len() as f64).then(|| View {
         k,
         l,
         coverage: (!open).then(|| coverage.into()),
     })
 }
 
-/// Drops the views that the aperture's edge cuts, where they are not wanted and others are left.
-fn leave_cut_views_out(views: &mut Vec<View>, edge: ApertureEdge) {
+/// Drops partly open views if they are not wanted and fully open ones exist.
+fn drop_cut_views(views: &mut Vec<View>, edge: ApertureEdge) {
     if !edge.partly_open_views && views.iter().any(|view| !view.is_cut()) {
         views.retain(|view| !view.is_cut());
     }
@@ -273,13 +273,13 @@ fn leave_cut_views_out(views: &mut Vec<View>, edge: ApertureEdge) {
 /// The round aperture of the main lens.
 struct Aperture {
     radius_mm: f64,
-    /// Width of the pupil interval that lights a pixel, in mm.
+    /// Width of the pupil interval that contributes to a pixel, in mm.
     interval_mm: f64,
 }
 
 impl Aperture {
-    /// The aperture before each microlens column of the window, in views (k, ·); `None` where a
-    /// column has no pixel for them.
+    /// The aperture in front of each microlens column of the window, for views (k, ·); `None` where
+    /// a column has no pixel for them.
     fn strips(
         &self,
         columns: &AxisSampling,
@@ -290,8 +290,8 @@ impl Aperture {
         window.columns.clone().map(strip).collect()
     }
 
-    /// Coverage of view (k, l) over the window, row-major, from the strips of k. `None` where the
-    /// whole view is closed.
+    /// Coverage of view (k, l) over the window, row-major, from the strips of k. `None` if the view is
+    /// completely closed.
     fn coverage(
         &self,
         strips: &[Option<Strip>],
@@ -316,14 +316,14 @@ impl Aperture {
         Some(coverage)
     }
 
-    /// Coverage of view (k, l) over the window, row-major. `None` where the whole view is closed.
+    /// Coverage of view (k, l) over the window, row-major. `None` if the view is completely closed.
     fn coverage_on_grid(
         &self,
         (k, l): (i32, i32),
         grid: &GridSampling,
         window: &MicrolensWindow,
     ) -> Option<Vec<f32>> {
-        // A phase is half a cell at most.
+        // A phase is at most half a cell.
         let nearest = |n: i32| ((f64::from(n.abs()) - 0.5) * grid.cell_mm).max(0.0);
         let half_mm = self.interval_mm / 2.0;
         let near = [k, l].map(|n| (nearest(n) - half_mm).max(0.0));
@@ -338,12 +338,12 @@ impl Aperture {
         Some(lenses.map(covered).collect())
     }
 
-    /// Share of the pupil cell around a point that lies within the aperture.
+    /// Share of the pupil cell around a point inside the aperture.
     fn covered(&self, [u, v]: [f64; 2]) -> f64 {
         let half_mm = self.interval_mm / 2.0;
         let square = |u: f64, v: f64| u * u + v * v;
         let radius_square = self.radius_mm * self.radius_mm;
-        // Nearly all cells lie wholly inside or outside.
+        // Fast path: nearly all cells are completely inside or outside.
         if square(u.abs() + half_mm, v.abs() + half_mm) <= radius_square {
             return 1.0;
         }
@@ -354,7 +354,7 @@ impl Aperture {
         self.strip(u).covered(v, self.interval_mm)
     }
 
-    /// The aperture between both edges of a column of pupil intervals.
+    /// The part of the aperture in a column of pupil intervals.
     fn strip(&self, centre_mm: f64) -> Strip {
         let cell_mm = self.interval_mm;
         let (near, far) = (centre_mm.abs() - cell_mm / 2.0, centre_mm.abs() + cell_mm / 2.0);
@@ -376,24 +376,24 @@ impl Aperture {
 
 /// Half-lengths of the aperture's chords across a column of pupil cells; negative outside it.
 struct Strip {
-    /// At evenly spaced U inside the column, and the extremes over all of it.
+    /// At evenly spaced U inside the column, and the extremes over the column.
     chords: [f64; CHORDS],
     shortest: f64,
     longest: f64,
 }
 
 impl Strip {
-    /// Share of the cell around `centre_mm` that lies within the aperture.
+    /// Share of the cell around `centre_mm` inside the aperture.
     fn covered(&self, centre_mm: f64, cell_mm: f64) -> f64 {
         let (low, high) = (centre_mm - cell_mm / 2.0, centre_mm + cell_mm / 2.0);
-        // Nearly all cells lie wholly inside or outside.
+        // Fast path: nearly all cells are completely inside or outside.
         if high <= self.shortest && -low <= self.shortest {
             return 1.0;
         }
         if low >= self.longest || -high >= self.longest {
             return 0.0;
         }
-        // In several sums, because each addition of a single one would wait for the one before.
+        // Several partial sums, because each addition would otherwise wait for the previous one.
         let mut lengths = [0.0f64; SUMS];
         for halves in self.chords.chunks_exact(SUMS) {
             for (length, &half) in lengths.iter_mut().zip(halves) {

@@ -1,17 +1,17 @@
-//! Where a camera's micro-images are centred on its sensor.
+//! The grid of micro-image centres on a camera's sensor.
 
 use lfpiv_hw::Optics;
 use serde::{Deserialize, Serialize};
 
-/// The centres of all micro-images as an affine map of the microlens' number.
+/// Centres of all micro-images, as an affine map of the microlens indices.
 ///
-/// Microlens (i, j) stands in the array's own axes: i counts along its columns, from left to right, j
-/// along its rows, upwards, from (0, 0) in the first corner. Its micro-image is centred at column
-/// a₀ + a₁ i + a₂ j and row b₀ + b₁ i + b₂ j; pixel centres are at whole numbers from 0, and pixel
-/// rows count downwards.
+/// Microlens (i, j) is counted along the array's own axes: i along its columns from left to right,
+/// j along its rows upwards, from (0, 0) in the lower left corner. Its micro-image is centred at
+/// column a₀ + a₁ i + a₂ j and row b₀ + b₁ i + b₂ j. Pixel centres are at integers from 0, and
+/// pixel rows count downwards.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MicroImageGrid {
-    /// Microlenses along i and along j.
+    /// Number of microlenses along i and j.
     pub microlenses: [usize; 2],
     /// a₀, a₁, a₂, in pixels.
     pub column_px: [f64; 3],
@@ -19,12 +19,12 @@ pub struct MicroImageGrid {
     pub row_px: [f64; 3],
 }
 
-/// Axes this close to a right angle are a square array's, in degrees: far from the 60° of a hexagonal
-/// one.
+/// Largest deviation of the axes from a right angle for a square array, in degrees: far from the
+/// 60° of a hexagonal one.
 const SQUARE_WITHIN_DEG: f64 = 10.0;
 
 impl MicroImageGrid {
-    /// The grid of a camera that is built as drawn: centred on the sensor, along its axes.
+    /// The ideal grid: centred on the sensor, along its axes.
     pub fn drawn(optics: &Optics) -> Self {
         let (lenses, sensor) = (&optics.microlens, &optics.sensor);
         let pitch_px = optics.micro_image_pitch_mm() / optics.pixel_pitch_mm();
@@ -43,7 +43,7 @@ impl MicroImageGrid {
         [self.column_px, self.row_px].map(|[first, by_i, by_j]| first + by_i * i + by_j * j)
     }
 
-    /// The microlens, in fractions, whose micro-image would be centred at a pixel: the inverse of
+    /// The fractional microlens index of a micro-image centred at a pixel: the inverse of
     /// [`Self::centre_px`].
     pub fn lens_at(&self, column_px: f64, row_px: f64) -> [f64; 2] {
         let [[a0, a1, a2], [b0, b1, b2]] = [self.column_px, self.row_px];
@@ -56,15 +56,15 @@ impl MicroImageGrid {
         [1, 2].map(|axis| self.column_px[axis].hypot(self.row_px[axis]))
     }
 
-    /// How far the array's columns and rows are turned on the sensor, from `right` towards `up`, in
-    /// degrees: the angle of i against `right`, and of j against `up`.
+    /// Rotation of the array's columns and rows on the sensor, from `right` towards `up`, in
+    /// degrees: angle of i relative to `right`, and of j relative to `up`.
     pub fn turned_deg(&self) -> [f64; 2] {
         let along_i = (-self.row_px[1]).atan2(self.column_px[1]);
         let along_j = (-self.column_px[2]).atan2(-self.row_px[2]);
         [along_i.to_degrees(), along_j.to_degrees()]
     }
 
-    /// Whether the array's axes are at right angles, as those of a square array are.
+    /// Whether the array's axes are perpendicular, as for a square array.
     pub fn is_square(&self) -> bool {
         let [i, j] = self.turned_deg();
         (i - j).abs() < SQUARE_WITHIN_DEG

@@ -1,65 +1,67 @@
-//! Where the micro-images really are, from an image alone.
+//! Measures the actual positions of the micro-images from an image.
 //!
-//! A micro-image is a picture of the round aperture: summed over many particles it is bright in its
-//! middle and dark at its corners, whatever the particles do. Column sums of a raw image are thus a
-//! periodic signal with the period of the micro-images, whose phase says where their middles are.
-//! The strongest period near the configured one is their pitch, and the phase in the middle of the light
-//! their offset. Phases of several bands of rows, likewise, say how far the array is turned.
+//! A micro-image is an image of the round aperture: averaged over many particles it is bright in
+//! its middle and dark at its corners. Column sums of a raw image are therefore a periodic signal
+//! with the period of the micro-images, and its phase gives their centres. The strongest period
+//! near the configured one is their pitch, and the phase in the middle of the light their offset.
+//! The phases of several bands of rows give the rotation of the array.
 
 use lfpiv_hw::{Optics, RawImage};
 
-/// Bands into which the other axis is divided: an array that is turned shifts from band to band.
+/// Bands along the other axis: a rotated array shifts from band to band.
 const BANDS: usize = 6;
 
-/// Pitches are looked for within this share of the configured one.
+/// Search range of the pitch, relative to the configured one.
 const PITCH_RANGE: f64 = 0.04;
 
-/// Steps of the search per line width of the periodogram, the inverse of the number of periods.
+/// Search steps per line width of the periodogram (the inverse of the number of periods).
 const STEPS_PER_LINE: f64 = 8.0;
 
-/// The periodic part of the light that a round pupil's micro-images have at least when they fill
-/// their pitch, and far more than particles leave by chance.
-const LEAST_CONTRAST: f64 = 0.05;
+/// Minimum contrast of the periodic part of the light. Micro-images of a round pupil that fill
+/// their pitch have at least this; random particles have far less.
+const MIN_CONTRAST: f64 = 0.05;
 
-/// How the micro-images stand against the configured ones, along the columns and the rows.
+/// Measured micro-images relative to the configured ones, along columns and rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MicroImages {
-    /// Pitch over the configured pitch, less 1: along columns, along rows.
+    /// Pitch over the configured pitch, minus 1: along columns, along rows.
     pub pitch_excess: [f64; 2],
-    /// Offset of the micro-images in the middle of the light, modulo a pitch, in pixels to the right and upwards.
+    /// Offset of the micro-images in the middle of the light, modulo a pitch, in pixels to the
+    /// right and upwards.
     pub offset_px: [f64; 2],
-    /// Angle by which the array is turned on the sensor, counter-clockwise, in rad: from the columns
-    /// and from the rows.
+    /// Rotation of the array on the sensor, counter-clockwise, in rad: from the columns and from
+    /// the rows.
     pub turned_rad: [f64; 2],
-    /// Largest distance of a lit micro-image from its configured place, along columns and rows, in
+    /// Largest distance of a lit micro-image from its configured position, along columns and rows, in
     /// pixels.
     pub farthest_px: [f64; 2],
 }
 
 /// One axis of the sensor.
 struct Axis {
-    /// Place of each pixel along the axis, in mm.
+    /// Position of each pixel along the axis, in mm.
     place_mm: Vec<f64>,
-    /// Place of the middle of each band along the other axis, in mm.
+    /// Position of each band's middle along the other axis, in mm.
     band_mm: [f64; BANDS],
-    /// Light of each pixel along the axis in each band, less its mean, which would leak into the
-    /// micro-images' period. Not under a window: its slope would weigh the sides of a particle's light
-    /// out of focus differently, and move the micro-images of a small volume by some pixels.
+    /// Light of each pixel along the axis in each band, minus its mean, which would leak into the
+    /// period of the micro-images. No window function: its slope would weight the sides of an
+    /// out-of-focus particle differently, and shift the micro-images of a small volume by some
+    /// pixels.
     bands: Vec<Vec<f64>>,
-    /// Square of the light of each band, summed.
+    /// Sum of the squared light of all bands.
     light_square: f64,
-    /// How far the light reaches from its middle, in mm: as if it were uniform.
+    /// Half width of a uniform light distribution with the same spread, in mm.
     reach_mm: f64,
-    /// Configured place of a micro-image in the middle of the light, in mm.
+    /// Configured position of a micro-image in the middle of the light, in mm.
     middle_mm: f64,
     pitch_mm: f64,
 }
 
-/// The signal's component of one period: real and imaginary part.
+/// Fourier component of one period: real and imaginary part.
 type Phasor = [f64; 2];
 
 impl MicroImages {
-    /// Finds the micro-images in a raw image. `None` where they do not stand out.
+    /// Measures the micro-images in a raw image. `None` if their contrast is too low.
     pub fn find(optics: &Optics, image: &RawImage) -> Option<Self> {
         let sensor = &optics.sensor;
         let [of_columns, of_rows] = band_sums(image);
@@ -91,7 +93,7 @@ impl MicroImages {
 }
 
 /// Sums of each column in bands of rows, and of each row in bands of columns, in counts above the
-/// darkest sum, which stands for the black level.
+/// darkest sum, which approximates the black level.
 fn band_sums(image: &RawImage) -> [Vec<Vec<f64>>; 2] {
     let (nx, ny) = (image.columns(), image.rows());
     let mut of_columns = vec![vec![0.0; nx]; BANDS];
@@ -113,8 +115,8 @@ fn band_sums(image: &RawImage) -> [Vec<Vec<f64>>; 2] {
     [of_columns, of_rows]
 }
 
-/// What the phases along one axis say.
-struct Found {
+/// Fit of the phases along one axis.
+struct AxisFit {
     pitch_excess: f64,
     offset_mm: f64,
     /// Shift along this axis per length along the other one.
@@ -144,7 +146,7 @@ impl Axis {
         let light = moment(0).max(f64::MIN_POSITIVE);
         let centre_mm = moment(1) / light;
         Self {
-            // The micro-image nearest to the middle of the light: beyond the light nothing is known.
+            // The micro-image nearest to the middle of the light: outside the light nothing is known.
             middle_mm: middle_mm + ((centre_mm - middle_mm) / pitch_mm).round() * pitch_mm,
             reach_mm: (3.0 * (moment(2) / light - centre_mm * centre_mm).max(0.0)).sqrt(),
             light_square: bands.iter().map(|band| band.iter().sum::<f64>().powi(2)).sum(),
@@ -155,11 +157,11 @@ impl Axis {
         }
     }
 
-    fn find(&self) -> Option<Found> {
+    fn find(&self) -> Option<AxisFit> {
         let pitch_mm = self.strongest_period()?;
         let phasors: Vec<Phasor> =
             (0..BANDS).map(|band| self.phasor(&self.bands[band], pitch_mm)).collect();
-        // Shifts of the bands, unwrapped from one band to the next.
+        // Shifts of the bands, unwrapped from band to band.
         let mut shifts: Vec<f64> = Vec::with_capacity(BANDS);
         for phasor in &phasors {
             let shift = phasor[1].atan2(phasor[0]) / std::f64::consts::TAU * pitch_mm;
@@ -168,16 +170,16 @@ impl Axis {
         }
         let weights: Vec<f64> = phasors.iter().map(|p| p[0].hypot(p[1])).collect();
         let (offset_mm, slope) = weighted_line(&self.band_mm, &shifts, &weights);
-        // Which micro-image is which cannot be seen: the nearest is meant.
+        // The phase is ambiguous by whole pitches: assume the smallest offset.
         let offset_mm = offset_mm - (offset_mm / self.pitch_mm).round() * self.pitch_mm;
         let pitch_excess = pitch_mm / self.pitch_mm - 1.0;
         let across_mm = self.band_mm.iter().fold(0.0f64, |most, place| most.max(place.abs()));
         let farthest_mm =
             offset_mm.abs() + (pitch_excess * self.reach_mm).abs() + (slope * across_mm).abs();
-        Some(Found { pitch_excess, offset_mm, slope, farthest_mm })
+        Some(AxisFit { pitch_excess, offset_mm, slope, farthest_mm })
     }
 
-    /// The period near the configured one at which all bands together are strongest, in mm.
+    /// The period near the configured one with the largest total power of all bands, in mm.
     fn strongest_period(&self) -> Option<f64> {
         let length_mm =
             self.place_mm.iter().fold(0.0f64, |most, place| most.max(place.abs())) * 2.0;
@@ -194,12 +196,12 @@ impl Axis {
         let curvature = low - 2.0 * top + high;
         let vertex = if curvature < 0.0 { (low - high) / (2.0 * curvature) } else { 0.0 };
         let stands_out =
-            self.light_square > 0.0 && top > LEAST_CONTRAST * LEAST_CONTRAST * self.light_square;
+            self.light_square > 0.0 && top > MIN_CONTRAST * MIN_CONTRAST * self.light_square;
         stands_out.then(|| self.pitch_mm * (1.0 + middle + vertex.clamp(-1.0, 1.0) * step))
     }
 
-    /// Σ I exp(i 2π (x − x₀)/P): its angle is the shift of the light from the micro-images' middles.
-    /// Pixels are evenly spaced, so each turns the exponential by the same angle.
+    /// Σ I exp(i 2π (x − x₀)/P): its angle is the shift of the light from the micro-images'
+    /// centres. Pixels are evenly spaced, so the exponential is computed by repeated rotation.
     fn phasor(&self, light: &[f64], period_mm: f64) -> Phasor {
         let per_mm = std::f64::consts::TAU / period_mm;
         let [first, second] = [self.place_mm[0], self.place_mm.get(1).copied().unwrap_or(0.0)];
@@ -250,8 +252,8 @@ mod tests {
         Optics { microlens, sensor, ..test_bench::optics() }
     }
 
-    /// Round micro-images, half of them lit by chance, on an array whose pitch is `excess` larger,
-    /// shifted by `shift_px` and turned by `turn`; black level 64.
+    /// Round micro-images, half of them lit at random, on an array with a pitch larger by `excess`,
+    /// shifted by `shift_px` and rotated by `turn`; black level 64.
     fn image(optics: &Optics, excess: f64, shift_px: [f64; 2], turn: f64) -> RawImage {
         let mut random = Pcg64Mcg::seed_from_u64(4);
         let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);

@@ -1,79 +1,80 @@
 //! Light levels of a raw image, estimated from the image itself.
 //!
-//! At one particle per microlens hardly a pixel between the particles is dark, but the optics keep
-//! some dark by geometry: the micro-image of a round aperture leaves the four corners of every
-//! square micro-image unlit. Those corners give the black level and the noise of any image,
-//! however densely seeded; pixels that see the open aperture then give the uniform background.
+//! At one particle per microlens hardly any pixel between the particles is dark. The optics,
+//! however, keep some pixels dark by geometry: the micro-image of a round aperture leaves the four
+//! corners of every square micro-image unlit. These corners give black level and noise at any
+//! seeding density. Pixels that see the open aperture then give the uniform background.
 
 use lfpiv_hw::{Optics, RawImage};
 use rayon::prelude::*;
 
 use super::{GridSampling, ImageSettings, ViewLayout, sampling::AxisSampling};
 
-/// Corner pixels count as dark when the nearest point of their pupil cell is this many pupil radii
-/// from the centre: diffraction at the microlens leaks about one pixel beyond the edge.
+/// Corner pixels count as dark if the nearest point of their pupil cell is at least this many pupil
+/// radii from the centre: diffraction at the microlens extends about one pixel beyond the edge.
 const DARK_RADII: f64 = 1.12;
 
-/// Fewer dark corners than this cannot be trusted; the darkest pixels of the image stand in.
-const LEAST_CORNERS: u64 = 500;
+/// Minimum number of dark corners; with fewer, the darkest pixels of the image are used instead.
+const MIN_CORNERS: u64 = 500;
 
-/// A level that at least this many pixels share, all at the top of the range, is saturation.
-const LEAST_SATURATED: u64 = 16;
+/// Minimum number of pixels at the highest level to count as saturation.
+const MIN_SATURATED: u64 = 16;
 
-/// No sensor saturates below 8 bits: what piles up there is the black level of a still image.
-const LEAST_SATURATION_COUNTS: usize = 255;
+/// Sensors do not saturate below 8 bits: a pile-up there is the black level of an empty image.
+const MIN_SATURATION_COUNTS: usize = 255;
 
-/// A lit pixel holds a particle's light when it is this many noise widths above the pixels that
-/// no particle lights.
+/// A lit pixel contains a particle's light if it exceeds unlit pixels by this many standard
+/// deviations of the noise.
 const BRIGHT_NOISE_WIDTHS: f64 = 6.0;
 
-/// Noise of an ideal sensor: rounding to whole counts.
+/// Noise of an ideal sensor: rounding to integers.
 const ROUNDING_NOISE_COUNTS: f64 = 0.289;
 
-/// What a raw image says about its own zero, noise and limits.
+/// Light levels estimated from a raw image.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightLevels {
     /// Black level, in counts.
     pub offset_counts: f64,
-    /// Uniform light above the black level, in counts; 0 when below the noise.
+    /// Uniform light above the black level, in counts; 0 if below the noise.
     pub background_counts: f64,
     /// Standard deviation of a dark pixel, in counts.
     pub noise_counts: f64,
-    /// Count from which a pixel is saturated, if any pixel is.
+    /// Count from which pixels are saturated, if any are.
     pub saturation_counts: Option<u16>,
-    /// Share of the pixels that are saturated, 0 to 1.
+    /// Share of saturated pixels, 0 to 1.
     pub saturated_share: f64,
     /// Mean of the lit pixels above black level and background, in counts.
     pub mean_signal_counts: f64,
-    /// Share of the lit pixels that noise cannot have made so bright, 0 to 1: particles.
+    /// Share of lit pixels that are too bright for noise, 0 to 1: particles.
     pub bright_share: f64,
 }
 
-/// What a pixel shows whatever the scene: the black level, or the light of the open aperture.
+/// The parts of a micro-image used for photometry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Zone {
     Dark,
     Lit,
 }
 
-/// The parts of a micro-image that are dark, and fully lit, whatever the scene.
+/// The pixels that are dark, and those that see the open aperture, whatever the scene.
 #[derive(Debug, Clone)]
 pub enum PhotometricZones {
-    /// Of an array along the sensor's axes. Per pixel column and row: least and greatest |U| of its pupil
-    /// interval, in mm.
+    /// For an array along the sensor's axes. Per pixel column and row: least and greatest |U| of
+    /// its pupil interval, in mm.
     Axes { columns: Vec<Option<(f64, f64)>>, rows: Vec<Option<(f64, f64)>>, radius_mm: f64 },
-    /// Of an array that stands anyhow, per pixel.
+    /// For an arbitrarily oriented array, per pixel.
     Pixels(Vec<Option<Zone>>),
 }
 
 impl Zone {
-    /// Of a pixel whose pupil interval has its middle at (u, v), not negative, and this half width.
+    /// Zone of a pixel whose pupil interval has its centre at (u, v), not negative, and this half
+    /// width.
     fn new(u: f64, v: f64, half: f64, radius_mm: f64) -> Option<Self> {
         let extents = |middle: f64| ((middle - half).max(0.0), middle + half);
         Self::of_extents(extents(u), extents(v), radius_mm)
     }
 
-    /// Of a pixel with the least and the greatest |U| and |V| of its pupil interval.
+    /// Zone of a pixel with the least and greatest |U| and |V| of its pupil interval.
     fn of_extents(
         (u_near, u_far): (f64, f64),
         (v_near, v_far): (f64, f64),
@@ -91,7 +92,7 @@ impl Zone {
 }
 
 impl PhotometricZones {
-    /// The zones of a camera's raw images whose array lies along the sensor's axes.
+    /// The zones of a camera whose array lies along the sensor's axes.
     pub fn new(optics: &Optics, columns: &AxisSampling, rows: &AxisSampling) -> Self {
         Self::Axes {
             columns: pupil_extents(columns, optics.sensor.columns),
@@ -100,7 +101,7 @@ impl PhotometricZones {
         }
     }
 
-    /// The zones of images that are cut as `layout` says.
+    /// The zones of images decoded with `layout`.
     pub fn of(optics: &Optics, layout: &ViewLayout) -> Self {
         match &layout.grid {
             Some(grid) => Self::on_grid(optics, grid),
@@ -108,7 +109,7 @@ impl PhotometricZones {
         }
     }
 
-    /// The zones of images of an array that stands anyhow.
+    /// The zones of an arbitrarily oriented array.
     fn on_grid(optics: &Optics, grid: &GridSampling) -> Self {
         let (columns, rows) = (optics.sensor.columns, optics.sensor.rows);
         let radius_mm = optics.pupil_diameter_mm() / 2.0;
@@ -119,7 +120,7 @@ impl PhotometricZones {
         Self::Pixels((0..columns * rows).into_par_iter().map(zone).collect())
     }
 
-    /// Histograms of the dark corners, and of the pixels that see the open aperture.
+    /// Histograms of the dark corners and of the pixels that see the open aperture.
     fn histograms(&self, image: &RawImage) -> (Histogram, Histogram) {
         let (mut dark, mut lit) = (Histogram::default(), Histogram::default());
         let mut add = |zone: Option<Zone>, count: u16| match zone {
@@ -145,14 +146,14 @@ impl PhotometricZones {
         (dark, lit)
     }
 
-    /// The light levels of an image, with what the settings already know.
+    /// The light levels of an image; configured levels take precedence.
     pub fn levels(&self, image: &RawImage, settings: &ImageSettings) -> LightLevels {
         let (dark, lit) = self.histograms(image);
-        let zero = if dark.total >= LEAST_CORNERS { &dark } else { &lit };
-        let middle = if dark.total >= LEAST_CORNERS { 0.5 } else { 0.01 };
+        let zero = if dark.total >= MIN_CORNERS { &dark } else { &lit };
+        let middle = if dark.total >= MIN_CORNERS { 0.5 } else { 0.01 };
         let median = zero.quantile(middle);
         let offset_counts = settings.offset_counts.unwrap_or(median);
-        // The upper flank: a black level of 0 clips the lower one.
+        // The upper flank, because a black level of 0 clips the lower one.
         let spread = dark.quantile(0.841) - dark.quantile(0.5);
         let noise_counts = settings.read_noise_counts.unwrap_or(spread).max(ROUNDING_NOISE_COUNTS);
         let background_counts = background(&lit, offset_counts, noise_counts);
@@ -183,25 +184,25 @@ fn pupil_extents(axis: &AxisSampling, pixels: usize) -> Vec<Option<(f64, f64)>> 
     extents
 }
 
-/// Uniform light between the particles. The darkest 2 % of the lit pixels lie among those that no
-/// particle lights; with a share f of such pixels they are its 2 %/f quantile, 1.8 noise widths
-/// below its mean at f = 0.3 and within half a width of that for every f between 0.1 and 1.
+/// Uniform light between the particles. The darkest 2 % of lit pixels are among those without particle
+/// light. With a share f of such pixels they are its 2 %/f quantile: 1.8 standard deviations below its
+/// mean at f = 0.3, and within half a standard deviation of that for any f from 0.1 to 1.
 fn background(lit: &Histogram, offset_counts: f64, noise_counts: f64) -> f64 {
     let level = lit.quantile(0.02) + 1.8 * noise_counts - offset_counts;
     if level > 2.5 * noise_counts { level } else { 0.0 }
 }
 
-/// Counts beyond which noise cannot lift a pixel that no particle lights. Uniform light through
-/// the aperture brings shot noise that the dark corners do not have, so the noise is also read from
-/// the lit pixels themselves: their 0.1 % and 2 % quantiles are 3.09 and 2.05 widths below the mean
-/// of plain noise. Particles raise both; their own light lies further up still.
+/// Upper limit of pixels without particle light. Uniform light through the aperture has shot noise that
+/// the dark corners lack, so the noise is also estimated from the lit pixels: their 0.1 % and 2 %
+/// quantiles are 3.09 and 2.05 standard deviations below the mean of Gaussian noise. Particles raise
+/// both; their own light is well above.
 fn bright_level(lit: &Histogram, noise_counts: f64) -> f64 {
     let darkest = lit.quantile(0.02);
     let noise = noise_counts.max((darkest - lit.quantile(0.001)) / 1.04);
     darkest + (2.05 + BRIGHT_NOISE_WIDTHS) * noise
 }
 
-/// How often each count occurs.
+/// A histogram of counts.
 #[derive(Debug, Default)]
 struct Histogram {
     bins: Vec<u64>,
@@ -218,8 +219,8 @@ impl Histogram {
         self.total += 1;
     }
 
-    /// Quantile in counts, interpolated inside a bin as if its counts were spread over its width;
-    /// 0 for an empty histogram.
+    /// Quantile in counts, interpolated inside a bin as if its counts were uniformly distributed; 0
+    /// for an empty histogram.
     fn quantile(&self, share: f64) -> f64 {
         let target = share * self.total as f64;
         let mut below = 0.0;
@@ -246,14 +247,14 @@ impl Histogram {
         self.bins.iter().skip(level.max(0.0) as usize + 1).sum()
     }
 
-    /// The highest count, when so many pixels share it that light cannot have put them there: more
-    /// than in the hundredth part of the range just below it altogether.
+    /// The highest count, if more pixels share it than light can explain: more than in the
+    /// hundredth of the range just below it.
     fn pile_up(&self) -> Option<u16> {
         let top = self.bins.len().checked_sub(1)?;
         let below = top.saturating_sub((top / 100).max(8));
         let neighbours: u64 = self.bins[below..top].iter().sum();
         let piled = self.bins[top];
-        (top >= LEAST_SATURATION_COUNTS && piled >= LEAST_SATURATED && piled > 2 * neighbours)
+        (top >= MIN_SATURATION_COUNTS && piled >= MIN_SATURATED && piled > 2 * neighbours)
             .then_some(top as u16)
     }
 }
@@ -265,7 +266,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// A bench image whose lit pixels hold `lit` counts and whose corners hold none, with offset
+    /// A bench image whose lit pixels have `lit` counts and whose corners have none, with offset
     /// and roughly Gaussian noise on both.
     fn image(lit: impl Fn(&mut Pcg64Mcg) -> f64, offset: f64, noise: f64) -> RawImage {
         let optics = test_bench::optics();
@@ -298,7 +299,8 @@ mod tests {
         )
     }
 
-    /// Zones pixel by pixel are those along the axes, but for pixels on micro-images' borders.
+    /// Both descriptions of an ideal array give the same zones, except for pixels shared by
+    /// micro-images.
     #[test]
     fn zones_of_a_drawn_array_do_not_depend_on_how_it_is_described() {
         let optics = test_bench::optics();
@@ -334,7 +336,7 @@ mod tests {
 
     #[test]
     fn noise_alone_has_no_bright_pixels_and_few_particles_have_some() {
-        // Gaussian noise of `width` as the shot noise of uniform light through the aperture.
+        // Gaussian noise of `width`, as the shot noise of uniform light through the aperture.
         let uniform = |level: f64, width: f64| {
             move |r: &mut Pcg64Mcg| {
                 level + width * ((0..12).map(|_| r.random::<f64>()).sum::<f64>() - 6.0)

@@ -1,11 +1,10 @@
-//! Which pixel belongs to which microlens, and what part of the pupil it sees.
+//! Assignment of pixels to microlenses, and the part of the pupil that each pixel sees.
 //!
-//! A pixel column belongs to the microlens whose micro-image centre X_c (1 + f_m/s_i) is nearest,
-//! and sees the pupil interval U = X_c − (x_s − X_c) s_i/f_m ± p s_i/(2 f_m) (docs/theory.md,
-//! section 3). The micro-image pitch is not a whole number of pixels, so the interval's centre
-//! differs from microlens to microlens by up to half a cell; it is kept for each of them and
-//! nothing is resampled. A column on the border between two micro-images sees two microlenses:
-//! such columns are dropped (about 3 % of the light).
+//! A pixel column belongs to the microlens whose micro-image centre X_c (1 + f_m/s_i) is nearest, and
+//! sees the pupil interval U = X_c − (x_s − X_c) s_i/f_m ± p s_i/(2 f_m) (docs/theory.md, section 3).
+//! The micro-image pitch is not a whole number of pixels, so the interval's centre varies between
+//! microlenses by up to half a cell; it is stored for each of them, and nothing is resampled. A column
+//! on the border of two micro-images sees two microlenses and is dropped (about 3 % of the light).
 
 use lfpiv_hw::Optics;
 
@@ -14,8 +13,8 @@ use lfpiv_hw::Optics;
 pub struct AxisSampling {
     /// Number of microlenses along this axis.
     pub microlenses: usize,
-    /// View indices run from `-reach` to `reach`; view `k` looks through the pupil near
-    /// `k` pupil cells from its centre.
+    /// View indices run from `-reach` to `reach`; view `k` looks through the pupil near `k` pupil
+    /// cells from its centre.
     pub reach: i32,
     /// Width of a pixel's interval on the pupil, in mm.
     pub cell_mm: f64,
@@ -91,7 +90,7 @@ impl AxisSampling {
         Self { microlenses, reach, cell_mm, samples }
     }
 
-    /// The pixel through which microlens `i` sees view `k`, if it has one of its own.
+    /// The pixel through which microlens `i` sees view `k`, unless it is shared or off the sensor.
     pub fn sample(&self, k: i32, i: usize) -> Option<Sample> {
         self.samples[(k + self.reach) as usize * self.microlenses + i]
     }
@@ -115,7 +114,7 @@ mod tests {
             }
         }
         assert!(seen.iter().all(|&n| n <= 1));
-        // 18.25 pixels per micro-image, of which one in each is on a border.
+        // Of 18.25 pixels per micro-image, one is shared.
         let share = seen.iter().sum::<usize>() as f64 / seen.len() as f64;
         assert!((share - 17.25 / 18.25).abs() < 0.01, "{share}");
     }
@@ -132,7 +131,7 @@ mod tests {
         }
     }
 
-    /// A ray traced as in docs/theory.md, section 2, must land in the pixel that claims its pupil point.
+    /// A ray traced as in docs/theory.md, section 2, must hit the pixel that claims its pupil point.
     #[test]
     fn traced_rays_land_in_the_pixel_that_sees_their_pupil_point() {
         let optics = test_bench::optics();

@@ -1,4 +1,4 @@
-//! How densely a flow is seeded, from the statistics of its views.
+//! Seeding density, from the statistics of views.
 
 use super::{ViewLayout, ViewStack};
 
@@ -7,20 +7,19 @@ use super::{ViewLayout, ViewStack};
 pub struct Seeding {
     /// Particles per microlens in the middle of the volume's image: the paper's ppm.
     pub ppm: f64,
-    /// Light of one particle in a fully open view, in counts; the mean over the particles,
-    /// weighted by their light.
+    /// Light of one particle in a fully open view, in counts; the light-weighted mean over the
+    /// particles.
     pub particle_counts: f64,
 }
 
 impl Seeding {
     /// Number and brightness from mean m and variance σ² of the pixels (Digman et al., Biophysical
-    /// Journal 94, 2008): n particles per pixel, Poisson distributed, of light E each give m = n E
+    /// Journal 94, 2008). With n particles per pixel, Poisson distributed, of light E each, m = n E
     /// and σ² = n E² + noise². So E = (σ² − noise²)/m and n = m/E, however much particles overlap.
-    /// Taken over the middle half of the window along each axis, where every pixel sees the whole
-    /// depth of the volume, in views that the aperture does not
-    /// cut.
+    /// The pixels are from the middle half of the window along each axis, where every pixel sees
+    /// the whole depth of the volume, in fully open views.
     ///
-    /// `None` where the light does not stand out from the noise, or every view is cut.
+    /// `None` if the light is not above the noise, or no view is fully open.
     pub fn of(views: &ViewStack, layout: &ViewLayout, noise_counts: f64) -> Option<Self> {
         let [columns, rows] = [layout.window.columns.len(), layout.window.rows.len()];
         let middle = |n: usize| n / 4..(n - n / 4);
@@ -28,7 +27,7 @@ impl Seeding {
         for (n, view) in layout.views.iter().enumerate().filter(|(_, view)| !view.is_cut()) {
             for row in middle(rows) {
                 for at in middle(columns).map(|column| row * columns + column) {
-                    // A microlens without a pixel for this view says nothing.
+                    // Skip microlenses without a pixel for this view.
                     if view.coverage.as_ref().is_none_or(|coverage| coverage[at] > 0.0) {
                         let value = f64::from(views.view(n)[at]);
                         pixels += 1.0;
@@ -62,7 +61,7 @@ mod tests {
         ViewLayout::with_edge(&optics, MicrolensWindow { columns: 40..90, rows: 30..60 }, edge)
     }
 
-    /// Views on which particles of 300 counts fall at random, `ppm` to a pixel, and noise of ±5.
+    /// Views with random particles of 300 counts, `ppm` per pixel, and noise of ±5.
     fn views(layout: &ViewLayout, ppm: f64) -> ViewStack {
         let mut random = Pcg64Mcg::seed_from_u64(3);
         let pixels = layout.window.len() * layout.views.len();

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
-/// What is known about the raw images in advance; what is absent is estimated from each image.
+/// Known properties of the raw images; absent ones are estimated from each image.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct ImageSettings {

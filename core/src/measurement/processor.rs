@@ -227,7 +227,7 @@ impl Processor {
         let correlate_s = seconds_since(self.clock, started);
 
         let started = (self.clock)();
-        let fit = model_fit::Judged {
+        let fit = model_fit::FitInputs {
             measurement: &self.measurement,
             fitted,
             frames: [&a, &b],

@@ -11,7 +11,7 @@
 
 use rayon::prelude::*;
 
-use super::{Darkness, ForwardModel, Projector, ViewId, retain};
+use super::{ForwardModel, HullCriteria, Projector, ViewId, retain};
 use crate::lightfield::ViewStack;
 
 /// Voxels worked on together: enough to pay for what each view prepares, few enough to bound the
@@ -26,20 +26,20 @@ const SHARE_WORTH_DROPPING: f64 = 0.25;
 pub struct Hull {
     /// Positions in the grid's z, y, x order, ascending.
     pub voxels: Vec<u32>,
-    /// Of each voxel, the light that the dimmest of the views allows, in counts: of the asked views,
-    /// or of the others where no asked one sees the voxel.
+    /// Of each voxel, the light that the dimmest of the views allows, in counts: of the selected views,
+    /// or of the others where no selected one sees the voxel.
     pub light: Vec<f32>,
 }
 
 /// The voxels of the model's grid that may hold light: see [`super::BlockModel::lit`] for the rule.
-pub fn photo_hull(model: &dyn ForwardModel, views: &[ViewStack], darkness: &Darkness) -> Hull {
+pub fn photo_hull(model: &dyn ForwardModel, views: &[ViewStack], criteria: &HullCriteria) -> Hull {
     let total = model.grid().len();
     let slabs: Vec<Hull> = (0..total.div_ceil(SLAB_VOXELS))
         .into_par_iter()
         .map(|slab| {
             let start = slab * SLAB_VOXELS;
             let end = (start + SLAB_VOXELS).min(total);
-            lit_voxels(model, (start as u32..end as u32).collect(), views, darkness)
+            lit_voxels(model, (start as u32..end as u32).collect(), views, criteria)
         })
         .collect();
     let mut hull = Hull::default();
@@ -51,24 +51,24 @@ pub fn photo_hull(model: &dyn ForwardModel, views: &[ViewStack], darkness: &Dark
 }
 
 /// Those of `voxels` that are lit, in their order. Most voxels are dark in the first few views;
-/// the others need not be asked about them.
+/// the others need not be selected about them.
 fn lit_voxels(
     model: &dyn ForwardModel,
     voxels: Vec<u32>,
     views: &[ViewStack],
-    darkness: &Darkness,
+    criteria: &HullCriteria,
 ) -> Hull {
     let mut left = Left::new(model, voxels);
     for (camera, stack) in views.iter().enumerate() {
         left.dark.fill(0);
-        for &view in &darkness.asked[camera] {
+        for &view in &criteria.selected[camera] {
             let id = ViewId { camera, view };
-            left.ask(id, stack.view(view), darkness.dark_below[camera]);
-            left.drop_darker_than(darkness.forgiven[camera], SHARE_WORTH_DROPPING);
+            left.ask(id, stack.view(view), criteria.dark_below[camera]);
+            left.drop_darker_than(criteria.tolerated[camera], SHARE_WORTH_DROPPING);
         }
-        left.drop_darker_than(darkness.forgiven[camera], 0.0);
+        left.drop_darker_than(criteria.tolerated[camera], 0.0);
     }
-    left.ask_others_about_the_unseen(model, views, darkness);
+    left.ask_others_about_the_unseen(model, views, criteria);
     // A voxel that no view sees holds no light that anybody could measure.
     let seen: Vec<bool> = left.light.iter().map(|light| light.is_finite()).collect();
     retain(&mut left.voxels, &seen);
@@ -84,7 +84,7 @@ struct Left<'a> {
     dark: Vec<usize>,
     /// What the dimmest view so far allows; infinite while no view has seen the voxel.
     light: Vec<f32>,
-    /// Of each voxel's support in the last view asked.
+    /// Of each voxel's support in the last view selected.
     brightest: Vec<f32>,
 }
 
@@ -108,9 +108,9 @@ impl<'a> Left<'a> {
         }
     }
 
-    /// Drops the voxels that more than `forgiven` views find dark, if their share exceeds `share`.
-    fn drop_darker_than(&mut self, forgiven: usize, share: f64) {
-        let keep: Vec<bool> = self.dark.iter().map(|&dark| dark <= forgiven).collect();
+    /// Drops the voxels that more than `tolerated` views find dark, if their share exceeds `share`.
+    fn drop_darker_than(&mut self, tolerated: usize, share: f64) {
+        let keep: Vec<bool> = self.dark.iter().map(|&dark| dark <= tolerated).collect();
         let dropped = keep.iter().filter(|&&keep| !keep).count();
         if dropped as f64 <= share * keep.len() as f64 {
             return;
@@ -121,12 +121,12 @@ impl<'a> Left<'a> {
         retain(&mut self.light, &keep);
     }
 
-    /// Looks for views that see the voxels that no asked view saw.
+    /// Looks for views that see the voxels that no selected view saw.
     fn ask_others_about_the_unseen(
         &mut self,
         model: &dyn ForwardModel,
         views: &[ViewStack],
-        darkness: &Darkness,
+        criteria: &HullCriteria,
     ) {
         let unseen: Vec<usize> =
             (0..self.voxels.len()).filter(|&n| self.light[n].is_infinite()).collect();
@@ -137,7 +137,7 @@ impl<'a> Left<'a> {
         let projector = model.projector(&voxels);
         let mut brightest = vec![0.0; voxels.len()];
         for (camera, stack) in views.iter().enumerate() {
-            for view in (0..stack.len()).filter(|view| !darkness.asked[camera].contains(view)) {
+            for view in (0..stack.len()).filter(|view| !criteria.selected[camera].contains(view)) {
                 let id = ViewId { camera, view };
                 projector.brightest(id, stack.view(view), 0..voxels.len(), &mut brightest);
                 for (&n, &brightest) in unseen.iter().zip(&brightest) {

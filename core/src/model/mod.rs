@@ -33,7 +33,7 @@ use lfpiv_hw::CameraName;
 use thiserror::Error;
 
 pub use blocks::{
-    BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, VoxelwiseBlocks, block_model,
+    BlockLight, BlockModel, BlockProjector, HullCriteria, LitBlocks, VoxelwiseBlocks, block_model,
     block_model_beside, blocks_along, child_voxel,
 };
 pub use calibration::CameraCalibration;

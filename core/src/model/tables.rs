@@ -53,7 +53,7 @@ impl<const W: usize> Tap<W> {
         let seen: f32 = weights.iter().sum();
         let start = weights.iter().position(lit).unwrap_or(0);
         let end = weights.iter().rposition(lit).map_or(0, |last| last + 1);
-        let len = if seen >= LEAST_SEEN_SHARE { end - start } else { 0 };
+        let len = if seen >= MIN_SEEN_SHARE { end - start } else { 0 };
         Self { first, support_start: start as u8, support_len: len as u8, weights }
     }
 
@@ -68,7 +68,7 @@ impl<const W: usize> Tap<W> {
 /// axis. Neighbouring microlenses see a view through pupil intervals that differ by up to a cell
 /// (see [`AxisSampling`]): a voxel between them can fall into the gap, and is then dark although
 /// it shines.
-pub const LEAST_SEEN_SHARE: f32 = 0.75;
+pub const MIN_SEEN_SHARE: f32 = 0.75;
 
 /// One axis of one camera: a [`Tap`] for every view index, depth node and position node.
 ///
@@ -105,9 +105,10 @@ impl AxisGeometry<'_> {
     /// The shadow on the microlens plane of a source seen through a pixel's pupil interval, where
     /// the pupil and the source are `slant_mm` apart along this axis (U − ξ).
     ///
-    /// The source's depth h moves the shadow by (s_i/s²)(U − ξ) per unit of depth: a third
-    /// uniform variable, and diffraction at the main lens a fourth ([`Blur`]). The widest stays as
-    /// it is, the others are joined into one of the same variance. Without the third a voxel in focus would be sharp, and 2.3 % (L1) off where its edges meet microlenses'.
+    /// The source's depth h moves the shadow by (s_i/s²)(U − ξ) per unit of depth: a third uniform
+    /// variable, and diffraction at the main lens a fourth ([`Blur`]). The widest stays as it is,
+    /// the others are joined into one of the same variance. Without the third a voxel in focus
+    /// would be sharp, and 2.3 % (L1) off where its edges meet microlenses'.
     fn shadow(&self, map: RayMap, slant_mm: f64) -> Trapezoid {
         let per_depth = map.position * map.position / self.optics.image_distance_mm();
         let mut widths = [

@@ -1,7 +1,7 @@
-//! The iterative solvers over grids from coarse to fine.
+//! Coarse-to-fine iteration.
 //!
-//! The hull and a pass over a part of the views on the coarse grid leave the voxels near particles;
-//! only these are split and corrected on the fine one.
+//! The hull and a pass over some of the views on the coarse grid leave the voxels near particles; only
+//! these are refined and corrected on the fine grid.
 
 use rayon::prelude::*;
 
@@ -11,7 +11,7 @@ use super::{
     levels::{ViewLevels, dark_below},
     os_mart::OsMart,
     os_sart::OsSart,
-    pass::{Clearance, Problem, Update},
+    pass::{Problem, Pruning, Update},
     probes::{ProjectedView, probes},
     scheme::{Correction, Scheme, Stage},
 };
@@ -22,17 +22,17 @@ use crate::{
     model::{BlockModel, ModelParts, ViewId, VolumeGrid},
 };
 
-/// β without noise weighting, in counts: far below any light, and no division by zero.
+/// β without noise weighting, in counts: far below any light, but avoids division by zero.
 const UNWEIGHTED_COUNTS: f32 = 1e-3;
 
-/// What a solver needs to know beside the models and the views.
+/// Settings of a reconstruction besides models and views.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CoarseToFine<'a> {
-    /// What tells the solver from others.
+    /// The solver.
     pub scheme: Scheme,
     pub settings: &'a ReconstructionSettings,
     pub parts: &'a ModelParts,
-    /// Edge of the volume's own voxels.
+    /// Edge of the configured voxels.
     pub voxel_mm: f64,
     /// The order in which views are corrected.
     pub order: &'a [ViewId],
@@ -41,7 +41,7 @@ pub(super) struct CoarseToFine<'a> {
 }
 
 impl CoarseToFine<'_> {
-    /// Ordered subsets in one pass on the finest of `levels` grids.
+    /// Number of ordered subsets per pass on the finest of `levels` grids.
     pub fn subsets_per_pass(&self, layouts: &[ViewLayout], levels: usize) -> usize {
         self.subsets(&self.scheme.stage(levels - 1, levels, self.settings), layouts).len()
     }
@@ -50,8 +50,8 @@ impl CoarseToFine<'_> {
         stage.subsets.of(layouts, self.order, stage.share_of_views)
     }
 
-    /// Reconstructs a frame with `models`, coarse to fine, each of half the voxel's edge of the one
-    /// before. `note` is called after each pass.
+    /// Reconstructs a frame with `models` from coarse to fine, each with half the voxel size of the
+    /// previous one. Calls `note` after each pass.
     pub fn reconstruct(
         &self,
         models: &[Box<dyn BlockModel>],
@@ -61,7 +61,7 @@ impl CoarseToFine<'_> {
     ) -> (SparseVolume, Vec<ProjectedView>) {
         let coarsest = models[0].as_ref();
         let lit = coarsest.lit(views, &some_views(coarsest.layouts(), dark_below(levels)));
-        let mut volume = BlockVolume::evenly(coarsest.grid(), lit);
+        let mut volume = BlockVolume::with_uniform_light(coarsest.grid(), lit);
         scale_to_measured(coarsest, views, self.order[0], &mut volume);
         let mut done = 0;
         for (n, model) in models.iter().enumerate() {
@@ -84,7 +84,7 @@ impl CoarseToFine<'_> {
         (volume.into_voxels(), projected)
     }
 
-    /// What the model makes of the volume in the views that it is judged by.
+    /// Projects the volume into the views used for assessing the result.
     fn projected(&self, model: &dyn BlockModel, volume: &BlockVolume) -> Vec<ProjectedView> {
         let projector = model.projector(&volume.blocks);
         probes(model.layouts())
@@ -111,13 +111,13 @@ impl CoarseToFine<'_> {
         let particle = self.particle_counts_per_voxel(levels, problem.model.grid());
         let mut projector = problem.model.projector(&volume.blocks);
         for pass in 0..stage.passes {
-            let clearance = Clearance {
+            let pruning = Pruning {
                 prune_below: stage.prune_share * particle.0 / particle.1,
                 rising_passes: stage.rising_passes,
                 passes_done: pass,
             };
             let started = (self.clock)();
-            let residual = problem.pass(update, &subsets, clearance, volume, projector.as_mut());
+            let residual = problem.pass(update, &subsets, pruning, volume, projector.as_mut());
             **done += 1;
             let active_voxels = volume.active_voxels();
             let seconds = seconds_since(self.clock, started);
@@ -125,7 +125,7 @@ impl CoarseToFine<'_> {
         }
     }
 
-    /// Light of the brightest camera's particles, in counts, and voxels of `grid` in one of the volume.
+    /// Light of the brightest camera's particles, in counts, and voxels of `grid` per configured voxel.
     fn particle_counts_per_voxel(&self, levels: &[ViewLevels], grid: &VolumeGrid) -> (f32, f32) {
         let brightest = levels.iter().map(|l| l.particle_counts).fold(0.0, f64::max) as f32;
         let refinement = (self.voxel_mm / grid.voxel_mm) as f32;
@@ -134,7 +134,7 @@ impl CoarseToFine<'_> {
 
     fn os_mart(&self, levels: &[ViewLevels]) -> OsMart {
         OsMart {
-            // Above 1 the multiplicative update turns intensities negative.
+            // Above 1, the multiplicative update gives negative intensities.
             relaxation: self.settings.relaxation.unwrap_or(1.0).min(1.0) as f32,
             noise_counts: if self.parts.noise_weighting {
                 levels.iter().map(|l| l.noise_counts as f32).collect()
@@ -167,7 +167,7 @@ struct Run<'a> {
     done: &'a mut usize,
 }
 
-/// Scales the volume so that one view's light is right: the hull says nothing about brightness.
+/// Scales the volume to the measured light in one view: the hull does not determine the brightness.
 fn scale_to_measured(
     model: &dyn BlockModel,
     views: &[ViewStack],

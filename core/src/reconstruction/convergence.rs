@@ -1,4 +1,4 @@
-//! How a reconstruction approaches its solution, pass by pass.
+//! Convergence of a reconstruction, pass by pass.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -12,24 +12,24 @@ use crate::{
     model::{Projector, ViewId},
 };
 
-/// What an iterative solver says after each pass over all views.
+/// Report of an iterative solver after each pass over all views.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PassReport {
     /// Passes done, from 1.
     pub pass: usize,
     /// [`relative_residual`] of the volume after this pass.
     pub residual: f64,
-    /// Voxels that the solver still works on.
+    /// Number of active voxels.
     pub active_voxels: usize,
-    /// Time of this pass alone by the caller's clock, in s, without that of the residual.
+    /// Time of this pass on the caller's clock, in s, without computing the residual.
     pub seconds: f64,
 }
 
 /// ‖I − W E‖ / ‖I‖ over all pixels of `order`, accumulated in f64.
 ///
-/// `intensity` holds one value per voxel of the projector. Light that no active voxel reaches
-/// counts as well, so pruned volumes can be compared with whole ones. In dark views the residual
-/// is 0 for a dark volume and 1 for any other. The same whatever the number of threads.
+/// `intensity` has one value per voxel of the projector. Light that no active voxel reaches counts as
+/// well, so pruned volumes can be compared with whole ones. In dark views the residual is 0 for a dark
+/// volume and 1 for any other. Independent of the number of threads.
 pub fn relative_residual(
     projector: &dyn Projector,
     views: &[ViewStack],
@@ -60,12 +60,12 @@ pub fn relative_residual(
 /// One line of a [`ConvergenceLog`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ConvergencePoint {
-    /// What the solver reported.
+    /// The solver's report.
     #[serde(flatten)]
     pub report: PassReport,
-    /// Quality factor Q (paper, Eq. 5), where the truth is known.
+    /// Quality factor Q (paper, Eq. 5), if the truth is known.
     pub quality: Option<f64>,
-    /// Reconstruction error ε (paper, Eq. 3) in the unit of the truth, where it is known.
+    /// Reconstruction error ε (paper, Eq. 3) in the unit of the truth, if it is known.
     pub error: Option<f64>,
 }
 
@@ -79,7 +79,7 @@ pub struct ConvergenceLog {
 }
 
 impl ConvergenceLog {
-    /// A log of what can be known from the images alone.
+    /// A log without a true volume.
     pub fn new() -> Self {
         Self::default()
     }
@@ -90,7 +90,7 @@ impl ConvergenceLog {
         Self { passes: Vec::new(), truth: Some(truth) }
     }
 
-    /// Adds one pass; fits a solver's observer.
+    /// Adds a pass; can be used as a solver's observer.
     pub fn record(&mut self, report: &PassReport, volume: &SparseVolume) {
         let compared = self.truth.as_ref().map(|truth| {
             let dense = volume.on_grid(&truth.grid);
@@ -134,7 +134,7 @@ mod tests {
         VolumeGrid { voxels: [3, 2, 2], voxel_mm: 0.1, centre_mm: [0.0; 3] }
     }
 
-    /// Views of a volume, by the model itself.
+    /// Views of a volume, computed with the model itself.
     fn views_of(model: &dyn ForwardModel, intensity: &[f32]) -> (Vec<ViewStack>, Vec<ViewId>) {
         let voxels: Vec<u32> = (0..model.grid().len() as u32).collect();
         let projector = model.projector(&voxels);

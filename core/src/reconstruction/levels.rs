@@ -1,28 +1,28 @@
-//! What is bright and what is dark in a camera's views.
+//! Thresholds between bright and dark pixels in a camera's views.
 
 use crate::lightfield::ViewStack;
 
-/// A pixel is dark below this many noise widths plus this share of a particle's light
-/// (docs/decisions.md, "Constants that were fitted") ...
+/// A pixel is dark below this many standard deviations of the noise plus this share of a particle's
+/// light (docs/decisions.md, "Constants that were fitted") ...
 const DARK_NOISE_WIDTHS: f64 = 3.0;
 const DARK_PARTICLE_SHARE: f64 = 0.06;
 
-/// ... but never above this share: a particle on the corner of four microlenses gives each of
-/// them a quarter of its light.
+/// ... but never above this share: a particle at the corner of four microlenses gives each of them a
+/// quarter of its light.
 const LARGEST_DARK_SHARE: f64 = 0.15;
 
-/// The light of one particle and the noise, in one camera's views.
+/// Particle light and noise in one camera's views.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ViewLevels {
-    /// Light of a particle in an open view, in counts.
+    /// Light of a particle in a fully open view, in counts.
     pub particle_counts: f64,
     /// Standard deviation of a dark pixel, in counts.
     pub noise_counts: f64,
 }
 
 impl ViewLevels {
-    /// Estimates a particle's light as the views' light-weighted mean, Σ I² / Σ I less what the
-    /// noise adds: for single particles their own light, for overlapping ones a little more.
+    /// Estimates a particle's light as the light-weighted mean of the views, Σ I² / Σ I, minus the
+    /// contribution of noise. Exact for single particles, slightly high for overlapping ones.
     pub fn of(views: &ViewStack, noise_counts: f64) -> Self {
         let (mut sum, mut squares) = (0.0f64, 0.0f64);
         for &value in views.values() {
@@ -34,16 +34,16 @@ impl ViewLevels {
         Self { particle_counts, noise_counts }
     }
 
-    /// The count below which a pixel holds no particle.
+    /// The count below which a pixel contains no particle.
     pub fn dark_below(&self) -> f32 {
         let above_noise =
             DARK_NOISE_WIDTHS * self.noise_counts + DARK_PARTICLE_SHARE * self.particle_counts;
-        // At least one noise width, or a dark image would hold nothing dark.
+        // At least one standard deviation, or a dark image would contain no dark pixel.
         above_noise.min(LARGEST_DARK_SHARE * self.particle_counts).max(self.noise_counts) as f32
     }
 }
 
-/// Per camera, the count below which a pixel holds no particle.
+/// Per camera, the count below which a pixel contains no particle.
 pub(super) fn dark_below(levels: &[ViewLevels]) -> Vec<f32> {
     levels.iter().map(ViewLevels::dark_below).collect()
 }
@@ -56,7 +56,7 @@ mod tests {
     fn single_particles_give_their_own_light_despite_noise() {
         let mut values = vec![0.0f32; 10_000];
         for (n, value) in values.iter_mut().enumerate() {
-            // Noise of ±4 counts, and every hundredth pixel a particle of 200.
+            // Noise of ±4 counts, and a particle of 200 in every hundredth pixel.
             *value = if n % 2 == 0 { 4.0 } else { -4.0 };
             if n % 100 == 0 {
                 *value += 200.0;

@@ -1,12 +1,12 @@
-//! Reconstructed light to look at: the volume on the configured grid, and its shadows.
+//! Reconstructed light for display: the volume on the configured grid, and its projections.
 
 use super::SparseVolume;
 use crate::model::VolumeGrid;
 
-/// Largest intensity along one axis for every place on the other two.
+/// Maximum intensity along one axis, for every position on the other two.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaximumProjection {
-    /// Pixels along the first and the second of the remaining axes.
+    /// Pixels along the first and second remaining axis.
     pub size: [usize; 2],
     /// One intensity per pixel, the first axis fastest.
     pub intensity: Vec<f32>,
@@ -34,8 +34,8 @@ pub struct FrameLight {
 
 impl FrameLight {
     /// Sums a finer or larger volume onto `grid`. One pass over the lit voxels and one over the
-    /// grid: 20 to 50 ms per million lit voxels (measured on two busy cores), where the
-    /// reconstruction that lit them takes a second.
+    /// grid: 20 to 50 ms per million lit voxels (measured on two busy cores), compared with a
+    /// second for their reconstruction.
     pub fn new(volume: &SparseVolume, grid: &VolumeGrid) -> Self {
         let dense = volume.on_grid(grid);
         let lit = dense.intensity.iter().enumerate().filter(|(_, light)| **light > 0.0);
@@ -45,12 +45,12 @@ impl FrameLight {
         Self { volume, projections }
     }
 
-    /// Bytes of the volume.
+    /// Memory of the volume in bytes.
     pub fn volume_bytes(&self) -> usize {
         self.volume.voxels.len() * (size_of::<u32>() + size_of::<f32>())
     }
 
-    /// Bytes of the projections.
+    /// Memory of the projections in bytes.
     pub fn projection_bytes(&self) -> usize {
         self.projections.iter().map(|plane| plane.intensity.len() * size_of::<f32>()).sum()
     }

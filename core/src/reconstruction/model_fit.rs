@@ -1,19 +1,19 @@
-//! How well the configured bench explains the images: data that goes to result, status and log.
+//! Model fit: how well the configured bench explains the images. Shown in results, status and log.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-/// What the fit is worth.
+/// Assessment of the fit.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FitVerdict {
     /// The configured bench explains the images.
     #[default]
     Good,
-    /// Something is off: vectors may be wrong by more than their uncertainties say.
+    /// Vectors may be wrong by more than their uncertainties.
     Doubtful,
-    /// The images are not of the configured bench, or the frames not of one flow: no vector is valid.
+    /// The images do not match the configured bench, or the frames not one flow: no vector is valid.
     Poor,
 }
 
@@ -27,41 +27,40 @@ impl fmt::Display for FitVerdict {
     }
 }
 
-/// How one camera's images compare with the model of the bench.
+/// Comparison of one camera's images with the model of the bench.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CameraFit {
-    /// Residual of the reconstruction over the standard deviation of the light, both without noise:
-    /// 0 when everything is explained, 1 when nothing is. The lower quartile over tiles of the field, in
-    /// the worse of both frames.
+    /// Residual of the reconstruction relative to the standard deviation of the light, both without
+    /// noise: 0 if everything is explained, 1 if nothing is. The lower quartile over tiles of the
+    /// field, in the worse frame.
     pub unexplained: f64,
-    /// Largest distance of a micro-image from its configured place, in pixels; absent where the
-    /// micro-images do not stand out.
+    /// Largest distance of a micro-image from its configured position, in pixels; absent if no
+    /// micro-images are visible.
     pub micro_image_offset_px: Option<f64>,
 }
 
 /// How well the configured bench explains the images of a pair.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelFit {
-    /// What the numbers amount to.
+    /// Overall assessment.
     pub verdict: FitVerdict,
-    /// Every camera by itself, in the order of the configuration.
+    /// Per camera, in the order of the configuration.
     pub cameras: Vec<CameraFit>,
-    /// Correlation of the cameras' light along the direction that both see, -1 to 1: the lower of both
-    /// frames. Absent with one camera, or where both look the same way.
+    /// Correlation of the cameras' light along their common direction, -1 to 1: the lower of both
+    /// frames. Absent with one camera, or if both look in the same direction.
     pub camera_agreement: Option<f64>,
-    /// How far apart the two cameras put the same particles, root mean square over the volume, in
-    /// mm. Absent likewise, and where too few particles were found.
+    /// Root mean square distance between the positions of the same particles according to the two
+    /// cameras, in mm. Absent likewise, and with too few particles.
     pub camera_disparity_mm: Option<f64>,
-    /// Share of the windows with particles whose vectors are valid before the verdict, 0 to 1.
+    /// Share of windows with particles whose vectors are valid before this assessment, 0 to 1.
     pub valid_share: f64,
-    /// What may be wrong, the likeliest first; empty for a good fit.
+    /// Possible causes, the likeliest first; empty for a good fit.
     pub causes: Vec<String>,
 }
 
 impl ModelFit {
-    /// What a reader of the log should know. Nothing for a good fit, and nothing for dark images, which
-    /// have warnings of their own. `pitch_mm` is the microlens pitch seen in the volume, to which
-    /// distances are compared.
+    /// Warning for the log. `None` for a good fit, and for dark images, which have warnings of
+    /// their own. `pitch_mm` is the microlens pitch in the volume, as a scale for distances.
     pub fn warning(&self, pitch_mm: f64) -> Option<String> {
         if self.verdict == FitVerdict::Good || self.causes.is_empty() {
             return None;
@@ -84,7 +83,7 @@ impl ModelFit {
         ))
     }
 
-    /// The numbers behind the verdict, in words; `pitch_mm` as in [`Self::warning`].
+    /// The numbers behind the assessment, as text; `pitch_mm` as in [`Self::warning`].
     pub fn numbers(&self, pitch_mm: f64) -> String {
         let per_camera = |number: &dyn Fn(&CameraFit) -> Option<String>| -> String {
             let numbers =
@@ -112,7 +111,7 @@ impl ModelFit {
 
     /// The fit as JSON, for files that keep text.
     pub fn to_json(&self) -> String {
-        // Numbers, words and lists: nothing that JSON cannot hold.
+        // Numbers, strings and lists cannot fail to serialise.
         serde_json::to_string(self).unwrap_or_default()
     }
 }

@@ -1,19 +1,19 @@
 //! The multiplicative update.
 //!
 //! Every voxel's intensity is multiplied by the mean ratio of measured to projected light over the
-//! pixels it reaches in one subset of views:
+//! pixels that it contributes to in one subset of views:
 //!
 //! E_j ← E_j (1 + μ/S Σ_v Σ_i w_ji ((I_i + β)/(p_i + β) − 1)),  p_i = Σ_m w_mi E_m
 //!
-//! with S views in the subset. The arithmetic mean of ratios (as in ordered-subset expectation
-//! maximisation, Hudson and Larkin 1994) stands where MART has a product: in a product a single
-//! dark pixel vetoes a voxel, and a particle that fills its voxel only partly has such pixels in
-//! many views. β is the noise of a dark pixel: where both lights are within the noise their ratio
-//! means nothing and tends to 1.
+//! with S views in the subset. MART has a product in place of the arithmetic mean of ratios (which
+//! is that of ordered-subset expectation maximisation, Hudson and Larkin 1994). In a product, a
+//! single dark pixel would remove a voxel, and a particle that fills its voxel only partly has such
+//! pixels in many views. β is the noise of a dark pixel: where both lights are within the noise,
+//! their ratio tends to 1.
 
 use super::pass::Update;
 
-/// OS-MART's parameters.
+/// Parameters of OS-MART.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OsMart {
     /// Relaxation factor μ, at most 1 so that intensities stay positive.
@@ -25,13 +25,13 @@ pub struct OsMart {
 impl Update for OsMart {
     const NEEDS_SUMS: bool = false;
 
-    fn ask(&self, camera: usize, measured: f32, projected: f32, _: f32) -> f32 {
+    fn correction(&self, camera: usize, measured: f32, projected: f32, _: f32) -> f32 {
         let noise = self.noise_counts[camera];
         (measured.max(0.0) + noise) / (projected + noise) - 1.0
     }
 
-    fn answer(&self, light: f32, asked: f32, _: f32, views: usize) -> f32 {
+    fn update(&self, light: f32, back_projected: f32, _: f32, views: usize) -> f32 {
         let step = self.relaxation / views as f32;
-        light * (1.0 + step * asked).max(0.0)
+        light * (1.0 + step * back_projected).max(0.0)
     }
 }

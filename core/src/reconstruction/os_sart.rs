@@ -2,16 +2,16 @@
 //!
 //! E_j ← max(0, E_j + μ Σ_{i∈N_β} w_ji (I_i − p_i)/(r_i + β_i/ē) / Σ_{i∈N_β} w_ji)
 //!
-//! with p_i = Σ_m w_mi E_m and the row sums r_i = Σ_m w_mi over the active voxels m alone: in the whole
-//! volume's, most of a correction goes to voxels that hold no light. β_i is the noise of a dark pixel
-//! and ē the light of a particle in a voxel that it fills: a pixel that sees so few voxels that their
-//! light would be within the noise says little about any of them. Without noise weighting β is 0 and
-//! this is Eq. 2 as it is written.
+//! with p_i = Σ_m w_mi E_m and the row sums r_i = Σ_m w_mi over active voxels m only: with sums
+//! over the whole volume, most of a correction would go to dark voxels. β_i is the noise of a dark
+//! pixel and ē the light of a particle in a voxel that it fills: a pixel that sees so few voxels
+//! that their light would be within the noise gets little weight. Without noise weighting β is 0
+//! and this is Eq. 2.
 
-use super::{pass::Update, sart::LEAST_SUM};
+use super::{pass::Update, sart::MIN_SUM};
 
-/// Light of an active voxel that was corrected down to nothing, in counts: later views may light it
-/// again. Below any light that is measured, and far from numbers that arithmetic is slow on.
+/// Light of an active voxel whose light was corrected to zero, in counts: later views may raise it
+/// again. Below any measured light, and not denormal.
 pub const DARK: f32 = 1e-20;
 
 /// Parameters of the additive update.
@@ -26,17 +26,17 @@ pub struct OsSart {
 impl Update for OsSart {
     const NEEDS_SUMS: bool = true;
 
-    fn ask(&self, camera: usize, measured: f32, projected: f32, row_sum: f32) -> f32 {
-        if row_sum >= LEAST_SUM {
+    fn correction(&self, camera: usize, measured: f32, projected: f32, row_sum: f32) -> f32 {
+        if row_sum >= MIN_SUM {
             (measured - projected) / (row_sum + self.noise_share[camera])
         } else {
             0.0
         }
     }
 
-    fn answer(&self, light: f32, asked: f32, column_sum: f32, _: usize) -> f32 {
-        let step = if column_sum >= LEAST_SUM { self.relaxation / column_sum } else { 0.0 };
-        (light + step * asked).max(DARK)
+    fn update(&self, light: f32, back_projected: f32, column_sum: f32, _: usize) -> f32 {
+        let step = if column_sum >= MIN_SUM { self.relaxation / column_sum } else { 0.0 };
+        (light + step * back_projected).max(DARK)
     }
 }
 

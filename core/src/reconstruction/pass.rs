@@ -1,7 +1,7 @@
-//! One pass over ordered subsets of views, on active voxels only: what every iterative solver shares.
+//! One pass over ordered subsets of views, on active voxels only; shared by all iterative solvers.
 //!
-//! Each subset projects the light, compares it with what was measured, spreads back what every pixel
-//! asks for and lets each voxel answer. What is asked and answered is the solver's [`Update`].
+//! Each subset projects the light, compares it with the measurement, back-projects a correction per
+//! pixel and updates each voxel. Correction and update are defined by the solver's [`Update`].
 
 use rayon::prelude::*;
 
@@ -11,33 +11,34 @@ use crate::{
     model::{BlockLight, BlockModel, BlockProjector, ViewId, retain},
 };
 
-/// How a solver corrects the light.
+/// Correction and update of a solver.
 pub trait Update: Sync {
-    /// Whether the sums Σ_m w_im over active voxels and Σ_i w_ji over the subset's pixels are needed.
+    /// Whether the row sums Σ_m w_im and the column sums Σ_i w_ji are needed.
     const NEEDS_SUMS: bool;
 
-    /// What a pixel of `camera` asks of the voxels that it sees; 0 for nothing. `row_sum` is
-    /// Σ_m w_im over the active voxels, 0 unless [`Self::NEEDS_SUMS`].
-    fn ask(&self, camera: usize, measured: f32, projected: f32, row_sum: f32) -> f32;
+    /// Correction of a pixel of `camera`, to be back-projected; 0 for none. `row_sum` is Σ_m w_im
+    /// over the active voxels, 0 unless [`Self::NEEDS_SUMS`].
+    fn correction(&self, camera: usize, measured: f32, projected: f32, row_sum: f32) -> f32;
 
-    /// The new light of a voxel, not negative. `asked` is Σ_i w_ji ask_i over the pixels of the
-    /// subset's `views`; `column_sum` is Σ_i w_ji, 0 unless [`Self::NEEDS_SUMS`].
-    fn answer(&self, light: f32, asked: f32, column_sum: f32, views: usize) -> f32;
+    /// The new light of a voxel, not negative. `back_projected` is Σ_i w_ji c_i with the
+    /// corrections c_i of the pixels of the subset's `views`; `column_sum` is Σ_i w_ji, 0 unless
+    /// [`Self::NEEDS_SUMS`].
+    fn update(&self, light: f32, back_projected: f32, column_sum: f32, views: usize) -> f32;
 }
 
-/// When dim voxels are given up.
+/// Pruning of dim voxels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clearance {
-    /// Voxels with no more light than this are given up, in counts.
+pub struct Pruning {
+    /// Voxels with at most this light are pruned, in counts.
     pub prune_below: f32,
-    /// The light is at first spread over more voxels than hold any, and true ones are still dim:
-    /// the threshold rises from 0 over so many passes.
+    /// Number of passes over which the threshold rises from 0. At first the light is spread over
+    /// too many voxels, so true ones are still dim.
     pub rising_passes: usize,
-    /// Passes made before this one.
+    /// Passes completed before this one.
     pub passes_done: usize,
 }
 
-impl Clearance {
+impl Pruning {
     /// The threshold after a share of this pass.
     fn threshold(&self, share: f32) -> f32 {
         let risen = (self.passes_done as f32 + share) / self.rising_passes.max(1) as f32;
@@ -45,62 +46,63 @@ impl Clearance {
     }
 }
 
-/// Subsets between two clearances of dim voxels.
-const SUBSETS_PER_CLEARANCE: usize = 4;
+/// Subsets between two prunings.
+const SUBSETS_PER_PRUNING: usize = 4;
 
-/// Blocks that one task updates.
+/// Blocks per parallel task.
 const BLOCKS_PER_TASK: usize = 8192;
 
-/// One view, measured against projected.
-struct Compared {
-    /// What each pixel asks for, prepared to be spread back.
-    asked: Vec<f32>,
-    /// 1 in each pixel, prepared to be spread back; empty where no sums are needed.
+/// Comparison of one view.
+struct ViewComparison {
+    /// Correction per pixel, prepared for back-projection.
+    corrections: Vec<f32>,
+    /// 1 per pixel, prepared for back-projection; empty if no sums are needed.
     ones: Vec<f32>,
     /// Σ (I − p)².
-    missed: f64,
+    residual_square: f64,
     /// Σ I².
-    seen: f64,
+    light_square: f64,
 }
 
-/// A model and the views that it is to explain.
+/// A model and the views to be explained.
 pub struct Problem<'a> {
-    /// What a voxel does to a pixel.
+    /// The forward model.
     pub model: &'a dyn BlockModel,
     /// One stack per camera, in counts above the black level.
     pub views: &'a [ViewStack],
 }
 
 impl Problem<'_> {
-    /// One pass over `subsets`; returns the relative residual ‖I − p‖ / ‖I‖ that the pass met, each
-    /// view's before its own correction. Neither it nor the volume depends on the number of threads.
+    /// One pass over `subsets`; returns the relative residual ‖I − p‖ / ‖I‖ of the pass, each view
+    /// measured before its own correction. Volume and residual are independent of the number of
+    /// threads.
     pub fn pass<U: Update>(
         &self,
         update: &U,
         subsets: &[Vec<ViewId>],
-        clearance: Clearance,
+        pruning: Pruning,
         volume: &mut BlockVolume,
         projector: &mut dyn BlockProjector,
     ) -> f64 {
-        let (mut missed, mut seen) = (0.0, 0.0);
+        let (mut residual_square, mut light_square) = (0.0, 0.0);
         let all: usize = subsets.iter().map(Vec::len).sum();
         let mut active = active_voxels::<U>(volume);
         for (n, subset) in subsets.iter().enumerate() {
             let compared = self.compare(update, subset, volume, &active, projector);
-            missed += compared.iter().map(|view| view.missed).sum::<f64>();
-            seen += compared.iter().map(|view| view.seen).sum::<f64>();
+            residual_square += compared.iter().map(|view| view.residual_square).sum::<f64>();
+            light_square += compared.iter().map(|view| view.light_square).sum::<f64>();
             correct(update, subset, &compared, volume, projector);
-            if (n + 1).is_multiple_of(SUBSETS_PER_CLEARANCE) {
+            if (n + 1).is_multiple_of(SUBSETS_PER_PRUNING) {
                 let done = ((n + 1) * subset.len()) as f32 / all as f32;
-                clear_dim_voxels(clearance.threshold(done.min(1.0)), volume, projector);
+                prune(pruning.threshold(done.min(1.0)), volume, projector);
                 active = active_voxels::<U>(volume);
             }
         }
-        clear_dim_voxels(clearance.threshold(1.0), volume, projector);
-        if seen > 0.0 { (missed / seen).sqrt() } else { 0.0 }
+        prune(pruning.threshold(1.0), volume, projector);
+        if light_square > 0.0 { (residual_square / light_square).sqrt() } else { 0.0 }
     }
 
-    /// Measured against projected light in every view of the subset.
+    /// Compares measured and projected light in every view of the subset.
     fn compare<U: Update>(
         &self,
         update: &U,
@@ -108,7 +110,7 @@ impl Problem<'_> {
         volume: &BlockVolume,
         active: &[BlockLight],
         projector: &dyn BlockProjector,
-    ) -> Vec<Compared> {
+    ) -> Vec<ViewComparison> {
         let compare = |&id: &ViewId| {
             let len = self.model.image_len(id.camera);
             let pixels = self.views[id.camera].view(id.view);
@@ -121,53 +123,55 @@ impl Problem<'_> {
                 ones[..pixels.len()].fill(1.0);
                 projector.prepare(id, &mut ones);
             }
-            let (mut missed, mut seen) = (0.0f64, 0.0f64);
+            let (mut residual_square, mut light_square) = (0.0f64, 0.0f64);
             for (n, (pixel, &measured)) in image.iter_mut().zip(pixels).enumerate() {
-                missed += f64::from(measured - *pixel).powi(2);
-                seen += f64::from(measured).powi(2);
+                residual_square += f64::from(measured - *pixel).powi(2);
+                light_square += f64::from(measured).powi(2);
                 let row_sum = if U::NEEDS_SUMS { rows[n] } else { 0.0 };
-                *pixel = update.ask(id.camera, measured, *pixel, row_sum);
+                *pixel = update.correction(id.camera, measured, *pixel, row_sum);
             }
             image[pixels.len()..].fill(0.0);
             projector.prepare(id, &mut image);
-            Compared { asked: image, ones, missed, seen }
+            ViewComparison { corrections: image, ones, residual_square, light_square }
         };
         subset.par_iter().map(compare).collect()
     }
 }
 
-/// Spreads back what the pixels ask for and lets the active voxels answer.
+/// Back-projects the corrections and updates the active voxels.
 fn correct<U: Update>(
     update: &U,
     subset: &[ViewId],
-    compared: &[Compared],
+    compared: &[ViewComparison],
     volume: &mut BlockVolume,
     projector: &dyn BlockProjector,
 ) {
     volume.light.par_chunks_mut(BLOCKS_PER_TASK).enumerate().for_each(|(task, chunk)| {
         let start = task * BLOCKS_PER_TASK;
         let range = || start..start + chunk.len();
-        let mut asked: Vec<BlockLight> = vec![[0.0; 8]; chunk.len()];
+        let mut back_projected: Vec<BlockLight> = vec![[0.0; 8]; chunk.len()];
         let sums = if U::NEEDS_SUMS { chunk.len() } else { 0 };
         let mut columns: Vec<BlockLight> = vec![[0.0; 8]; sums];
         for (&id, view) in subset.iter().zip(compared) {
-            projector.back_project(id, &view.asked, range(), &mut asked);
+            projector.back_project(id, &view.corrections, range(), &mut back_projected);
             if U::NEEDS_SUMS {
                 projector.back_project(id, &view.ones, range(), &mut columns);
             }
         }
-        let (asked, columns) = (asked.as_flattened(), columns.as_flattened());
-        for (n, (light, &asked)) in chunk.as_flattened_mut().iter_mut().zip(asked).enumerate() {
+        let (back_projected, columns) = (back_projected.as_flattened(), columns.as_flattened());
+        for (n, (light, &back_projected)) in
+            chunk.as_flattened_mut().iter_mut().zip(back_projected).enumerate()
+        {
             let column_sum = if U::NEEDS_SUMS { columns[n] } else { 0.0 };
-            // A voxel that was given up has no light, and none beyond the grid's end has any.
+            // Pruned voxels and those outside the grid have no light.
             if !U::NEEDS_SUMS || *light > 0.0 {
-                *light = update.answer(*light, asked, column_sum, subset.len());
+                *light = update.update(*light, back_projected, column_sum, subset.len());
             }
         }
     });
 }
 
-/// 1 in each active voxel; nothing where no sums are needed.
+/// 1 in each active voxel; empty if no sums are needed.
 fn active_voxels<U: Update>(volume: &BlockVolume) -> Vec<BlockLight> {
     if !U::NEEDS_SUMS {
         return Vec::new();
@@ -176,8 +180,8 @@ fn active_voxels<U: Update>(volume: &BlockVolume) -> Vec<BlockLight> {
     volume.light.iter().map(active).collect()
 }
 
-/// Darkens voxels of no more light than `threshold` and gives up blocks without light.
-fn clear_dim_voxels(threshold: f32, volume: &mut BlockVolume, projector: &mut dyn BlockProjector) {
+/// Sets voxels up to `threshold` to zero and removes blocks without light.
+fn prune(threshold: f32, volume: &mut BlockVolume, projector: &mut dyn BlockProjector) {
     for light in volume.light.as_flattened_mut() {
         *light = if *light > threshold { *light } else { 0.0 };
     }

@@ -5,10 +5,10 @@ use crate::{lightfield::ViewStack, model::ForwardModel};
 
 /// SART on the voxels that pre-recognition keeps (the paper's reference 23).
 ///
-/// Pre-recognition zeroes every voxel that lines of sight find dark and leaves it out of the
-/// weight matrix: its light cannot be elongated into such voxels, and the row sums of Eq. 2 run
-/// over the others. The reference drops a voxel for a single dark line; here
-/// [`mlos`] forgives as many as noise explains.
+/// Pre-recognition zeroes every voxel that lines of sight find dark, and removes it from the weight
+/// matrix: no light can be smeared into such voxels, and the row sums of Eq. 2 run over the others.
+/// The reference drops a voxel for a single dark line of sight; here [`mlos`] tolerates as many as
+/// noise explains.
 ///
 /// `views` and `dark_below`, the count under which a pixel is dark, are per camera of the model.
 /// `observer` is called after each pass.

@@ -1,4 +1,4 @@
-//! Views that a reconstruction is judged by.
+//! Views for assessing a reconstruction.
 
 use rayon::prelude::*;
 
@@ -8,11 +8,11 @@ use crate::{
     model::{ForwardModel, ViewId},
 };
 
-/// Views of a camera that a reconstruction is judged by: a sixth of the bench's, one more
-/// projection of which costs a few hundredths of the reconstruction.
+/// Number of these views per camera: a sixth of the bench's. Projecting them once more costs a few
+/// percent of the reconstruction.
 const PROBES_PER_CAMERA: usize = 40;
 
-/// What the model makes of a volume in one view.
+/// Projection of a volume into one view.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProjectedView {
     /// The view.
@@ -21,7 +21,7 @@ pub struct ProjectedView {
     pub image: Vec<f32>,
 }
 
-/// The views that a reconstruction is judged by: fully open ones, evenly over the pupil.
+/// The views for assessing a reconstruction: fully open, with_uniform_light distributed over the pupil.
 pub(super) fn probes(layouts: &[ViewLayout]) -> Vec<ViewId> {
     let of_camera = |(camera, layout): (usize, &ViewLayout)| {
         let open: Vec<usize> =
@@ -35,7 +35,7 @@ pub(super) fn probes(layouts: &[ViewLayout]) -> Vec<ViewId> {
     layouts.iter().enumerate().flat_map(of_camera).collect()
 }
 
-/// What a model makes of `volume` in these views.
+/// Projects `volume` into these views.
 pub(super) fn projected(model: &dyn ForwardModel, volume: &SparseVolume) -> Vec<ProjectedView> {
     let projector = model.projector(&volume.voxels);
     probes(model.layouts())

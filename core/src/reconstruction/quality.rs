@@ -1,14 +1,14 @@
-//! How near a reconstructed volume is to the true one.
+//! Comparison of a reconstructed volume with the true one.
 //!
-//! Slices hold one intensity per voxel in the same order; sums are kept in f64.
+//! Slices have one intensity per voxel in the same order; sums are accumulated in f64.
 
 use super::DenseVolume;
 
 /// Reconstruction quality factor (paper, Eq. 5), 0 to 1:
 /// Q = Σ E E₀ / √(Σ E² · Σ E₀²), with E reconstructed and E₀ true.
 ///
-/// The paper prints the root over Σ E² alone, which would depend on the unit of intensity; this is
-/// the definition of its reference 35. A dark volume has Q = 0, also when both are dark.
+/// The paper prints the root over Σ E² alone, which would depend on the unit of intensity; this is the
+/// definition of its reference 35. A dark volume has Q = 0, even if both are dark.
 pub fn quality_factor(reconstructed: &[f32], truth: &[f32]) -> f64 {
     let product: f64 = pairs(reconstructed, truth).map(|(e, e0)| e * e0).sum();
     let reconstructed: f64 = reconstructed.iter().map(|&e| f64::from(e).powi(2)).sum();
@@ -25,9 +25,9 @@ pub fn reconstruction_error(reconstructed: &[f32], truth: &[f32]) -> f64 {
 /// Elongation of the brightest particle: full width at half maximum, in mm, of the intensity
 /// profile along `axis` (0 x, 1 y, 2 z) through the brightest voxel (paper, Fig. 10a).
 ///
-/// The profile is interpolated linearly between voxel centres, so a single bright voxel is one
-/// voxel wide. Outside of the volume is dark: a particle cut by the volume's face is given the
-/// width of what is inside. `None` for a dark volume.
+/// The profile is interpolated linearly between voxel centres, so a single bright voxel has a width
+/// of one voxel. The outside of the volume is dark: a particle cut by the volume's face has the
+/// width of the inner part. `None` for a dark volume.
 pub fn elongation_mm(volume: &DenseVolume, axis: usize) -> Option<f64> {
     let brightest = brightest_voxel(&volume.intensity)?;
     let [nx, ny, _] = volume.grid.voxels;
@@ -56,7 +56,7 @@ fn brightest_voxel(intensity: &[f32]) -> Option<usize> {
 /// Distance, in voxels, over which a profile falls to half of its first value.
 fn half_width(falling: impl Iterator<Item = f64>) -> f64 {
     let mut inner: Option<(f64, f64)> = None;
-    // One dark voxel beyond the volume's face ends every profile.
+    // A dark voxel outside the volume ends every profile.
     for (n, value) in falling.chain([0.0]).enumerate() {
         if let Some((half, last)) = inner {
             if value <= half {
@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn width_is_read_between_voxels_along_the_asked_axis() {
         for axis in 0..3 {
-            // Half of 8 lies at 1 + 1/3 voxels before the peak and 2/4 after it.
+            // Half of 8 is 1 + 1/3 voxels before the peak and 2/4 after it.
             let volume = line(axis, &[1.0, 3.0, 6.0, 8.0, 0.0, 7.0], 0.1);
             let expected = 0.1 * ((1.0 + 2.0 / 3.0) + 0.5);
             let width = elongation_mm(&volume, axis).unwrap();
@@ -123,7 +123,7 @@ mod tests {
     fn a_particle_at_the_face_ends_there() {
         let width = elongation_mm(&line(2, &[4.0, 3.0, 1.0, 0.0], 0.2), 2).unwrap();
         assert!((width - 0.2 * (0.5 + 1.5)).abs() < 1e-12, "{width}");
-        // Uniform light fills its four voxels and half of the step to the dark on each side.
+        // Uniform light: its four voxels and half a step to the dark on each side.
         let uniform = elongation_mm(&line(2, &[1.0; 4], 0.2), 2).unwrap();
         assert!((uniform - 0.2 * 4.0).abs() < 1e-12, "{uniform}");
     }

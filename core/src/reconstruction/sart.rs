@@ -12,18 +12,18 @@ use crate::{
     model::{ForwardModel, Projector, ViewId},
 };
 
-/// Voxels corrected as one task.
+/// Voxels per parallel task.
 const CHUNK_VOXELS: usize = 8192;
 
-/// Pixels and voxels with a smaller sum of weights have no part in the reconstruction: it is the
-/// rounding left at the edge of a footprint, and dividing by it would only amplify noise.
-pub(super) const LEAST_SUM: f32 = 1e-6;
+/// Pixels and voxels with a smaller sum of weights are ignored: such sums are rounding errors at
+/// the edge of a footprint, and dividing by them would only amplify noise.
+pub(super) const MIN_SUM: f32 = 1e-6;
 
-/// Column sums are kept between passes while they take no more memory than this; beyond it they
-/// are made anew at each use, which costs as much as back-projection.
+/// Memory limit for keeping column sums between passes. Above it they are recomputed at each use, which
+/// costs as much as back-projection.
 const COLUMN_SUM_BYTES: usize = 256 << 20;
 
-/// How SART and OS-SART proceed.
+/// Parameters of SART and OS-SART.
 #[derive(Debug, Clone)]
 pub struct SartOptions {
     /// Relaxation factor μ of Eq. 2, between 0 and 2; the paper uses 1.
@@ -31,7 +31,7 @@ pub struct SartOptions {
     /// Passes over all subsets; the paper calls them iterations.
     pub passes: usize,
     /// The views N_β of each correction, in order: see
-    /// [`balanced_subsets`](super::subsets::balanced_subsets), whose one subset per camera is the
+    /// [`balanced_subsets`](super::subsets::balanced_subsets); one subset per camera gives the
     /// conventional SART.
     pub subsets: Vec<Vec<ViewId>>,
     /// Times the passes.
@@ -46,10 +46,10 @@ pub struct SartOptions {
 /// E_j ← max(0, E_j + μ · Σ_{i∈N_β} w_ji (I_i − Σ_m w_mi E_m) / Σ_m w_mi  /  Σ_{i∈N_β} w_ji)
 ///
 /// with the row sums Σ_m over `voxels`: the whole volume for the paper's SART and OS-SART, those
-/// recognised for PR-SART. Pixels that no voxel reaches and voxels that no pixel of the subset
-/// sees are left alone. `views` holds one stack per camera, in counts above the black level.
-/// `observer` is called after each pass. The result is the same, bit for bit, whatever the number
-/// of threads; its intensities are in the counts of [`ForwardModel`].
+/// kept by pre-recognition for PR-SART. Pixels that no voxel reaches and voxels that no pixel of
+/// the subset sees are left unchanged. `views` has one stack per camera, in counts above the black
+/// level. `observer` is called after each pass. The result is identical, bit for bit, for any
+/// number of threads; its intensities are in the counts of [`ForwardModel`].
 pub fn sart(
     model: &dyn ForwardModel,
     views: &[ViewStack],
@@ -87,7 +87,7 @@ fn sart_within(
     volume
 }
 
-/// Projector and sums that do not change between passes.
+/// Projector and the sums that are constant between passes.
 struct Sart<'a> {
     projector: Box<dyn Projector + 'a>,
     views: &'a [ViewStack],
@@ -196,9 +196,9 @@ impl<'a> Sart<'a> {
     }
 }
 
-/// 1/sum, or 0 where there is nothing to divide by.
+/// 1/sum, or 0 for a negligible sum.
 fn inverse(sum: f32) -> f32 {
-    if sum >= LEAST_SUM { 1.0 / sum } else { 0.0 }
+    if sum >= MIN_SUM { 1.0 / sum } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
-//! What tells the iterative solvers apart: their update, their subsets of views, and their passes from
-//! grid to grid. All else is [`Problem::pass`](super::pass::Problem::pass).
+//! Definitions of the iterative solvers: their update, subsets of views, and passes per grid.
+//! Everything else is shared in [`Problem::pass`](super::pass::Problem::pass).
 
 use super::{Solver, settings::ReconstructionSettings, subsets::balanced_subsets};
 use crate::{lightfield::ViewLayout, model::ViewId};
 
-/// How a solver corrects the light.
+/// Update of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Correction {
     /// [`OsMart`](super::os_mart::OsMart).
@@ -13,12 +13,13 @@ pub(super) enum Correction {
     Additive,
 }
 
-/// The views that are corrected together.
+/// Subsets of views that are corrected together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Subsets {
-    /// So many views in random order, cameras alternating within a subset.
+    /// This many views in random order, cameras alternating within a subset.
     Random(usize),
-    /// So many views of one camera, spread evenly over the pupil; cameras take turns (Eq. 4).
+    /// This many views of one camera, distributed with_uniform_light over the pupil; cameras
+    /// alternate (Eq. 4).
     Balanced(usize),
     /// All views of a camera.
     Camera,
@@ -29,8 +30,8 @@ impl Subsets {
     pub fn of(self, layouts: &[ViewLayout], order: &[ViewId], share: f64) -> Vec<Vec<ViewId>> {
         let per_camera = match self {
             Self::Random(views) => {
-                let asked = &order[..(order.len() as f64 * share) as usize];
-                return asked.chunks(views.max(1)).map(<[ViewId]>::to_vec).collect();
+                let selected = &order[..(order.len() as f64 * share) as usize];
+                return selected.chunks(views.max(1)).map(<[ViewId]>::to_vec).collect();
             }
             Self::Balanced(views) => layouts[0].views.len().div_ceil(views.max(1)),
             Self::Camera => 1,
@@ -41,18 +42,18 @@ impl Subsets {
     }
 }
 
-/// How a solver works on one grid.
+/// Passes of a solver on one grid.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stage {
     /// Passes over `share_of_views` of the views.
     pub passes: usize,
     pub share_of_views: f64,
-    /// Many small subsets find the light quickly, the mean of large ones settles its place.
+    /// Many small subsets find the light quickly; the mean over large ones refines its position.
     pub subsets: Subsets,
-    /// A voxel with less than this share of a particle's light, divided by the number of the
-    /// stage's voxels in one voxel of the volume, is given up.
+    /// Pruning threshold, as a share of a particle's light divided by the number of the stage's
+    /// voxels per configured voxel.
     pub prune_share: f32,
-    /// Passes in which that threshold rises to its full height.
+    /// Passes over which the threshold rises to its full value.
     pub rising_passes: usize,
 }
 
@@ -60,16 +61,18 @@ pub(super) struct Stage {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scheme {
     pub correction: Correction,
-    /// On the grid of half the finest voxel count, where there are two.
+    /// For the coarser of two grids.
     coarse: Stage,
-    /// On the finest of two grids.
+    /// For the finer of two grids.
     fine: Stage,
-    /// On a single grid.
+    /// For a single grid.
     only: Stage,
 }
 
-/// A pass with the threshold rising over it; the coarse grid only has to find where light is, for which
-/// a part of the views is enough: OS-MART's fine one has no more to do after 0.2 of them than after 0.3.
+/// A stage whose threshold rises over one pass. The coarse grid only has to locate the light, for
+/// which a part of the views suffices: OS-MART's fine stage does no better after 0.3 of them than
+/// after 0.2. a part of the views is enough: OS-MART's fine one has no more to do after 0.2 of them
+/// than after 0.3.
 const fn stage(passes: usize, share_of_views: f64, subsets: Subsets, prune_share: f32) -> Stage {
     Stage { passes, share_of_views, subsets, prune_share, rising_passes: 1 }
 }
@@ -81,7 +84,7 @@ const OS_SART: Scheme = Scheme {
     only: stage(3, 1.0, Subsets::Balanced(4), 0.02),
 };
 
-/// Two corrections a pass: dim voxels are told only after several of them.
+/// Two corrections per pass: dim voxels are identified only after several of them.
 const SART: Scheme = Scheme {
     correction: Correction::Additive,
     coarse: Stage { rising_passes: 2, ..stage(2, 1.0, Subsets::Camera, 0.1) },
@@ -89,7 +92,7 @@ const SART: Scheme = Scheme {
     only: Stage { rising_passes: 20, ..stage(20, 1.0, Subsets::Camera, 0.02) },
 };
 
-/// SART on what the photo-hull leaves; no voxel is given up later.
+/// SART on the photo-hull, without later pruning.
 const PR_SART: Scheme = Scheme {
     correction: Correction::Additive,
     coarse: stage(0, 1.0, Subsets::Camera, 0.0),
@@ -98,7 +101,7 @@ const PR_SART: Scheme = Scheme {
 };
 
 impl Scheme {
-    /// OS-MART's.
+    /// OS-MART.
     pub const OS_MART: Self = Self {
         correction: Correction::Multiplicative,
         coarse: stage(1, 0.2, Subsets::Random(2), 0.1),
@@ -106,7 +109,7 @@ impl Scheme {
         only: stage(2, 1.0, Subsets::Random(8), 0.02),
     };
 
-    /// `None` for a solver that does not iterate.
+    /// `None` for a non-iterative solver.
     pub fn of(solver: Solver) -> Option<Self> {
         match solver {
             Solver::Mlos => None,
@@ -117,7 +120,7 @@ impl Scheme {
         }
     }
 
-    /// What to do on grid `level` of `levels`, coarse to fine, as the settings want it.
+    /// The stage for grid `level` of `levels`, coarse to fine, with the settings applied.
     pub fn stage(&self, level: usize, levels: usize, settings: &ReconstructionSettings) -> Stage {
         let default = match (level, levels) {
             (_, 1) => self.only,

@@ -1,4 +1,4 @@
-//! The reconstructor: views in, volume out, by the configured solver.
+//! The reconstructor: reconstructs a volume from views with the configured solver.
 
 use lfpiv_hw::{CameraName, Optics, Pose};
 
@@ -24,46 +24,46 @@ use crate::{
     },
 };
 
-/// Ordered subsets per camera by default, over the whole volume: the paper's memory falls to 1/12.
+/// Default number of ordered subsets per camera over the whole volume: reduces the paper's memory
+/// to 1/12.
 const SUBSETS_PER_CAMERA: usize = 12;
 
-/// Points on voxel centres are taken for the truth when the share of the views' light energy that
-/// they leave unexplained is at most this; particles elsewhere leave nearly all of it (docs/decisions.md,
-/// "Constants that were fitted").
+/// Particles are assumed to be on voxel centres if points there leave at most this share of the
+/// views' light energy unexplained; for particles elsewhere nearly all of it is unexplained
+/// (docs/decisions.md, "Constants that were fitted").
 const ON_GRID_UNEXPLAINED: f64 = 0.35;
 
-/// A reconstructed frame and how the solver got there.
+/// A reconstructed frame and its history.
 #[derive(Debug, Clone)]
 pub struct Reconstruction {
     /// The light.
     pub volume: SparseVolume,
-    /// One report per pass over all views, coarse grids first. The residual of a solver over
-    /// the whole volume is that after the pass; on active voxels it is what the pass itself met, each
-    /// view's before its own correction.
+    /// One report per pass over all views, coarse grids first. On the whole volume the residual is
+    /// that after the pass; on active voxels it is that during the pass, each view measured before
+    /// its own correction.
     pub passes: Vec<PassReport>,
-    /// What the model makes of the volume in some views of every camera, to be held against the
-    /// images.
+    /// Projections of the volume into some views of every camera, for comparison with the images.
     pub projected: Vec<ProjectedView>,
 }
 
-/// Models on one or more grids, coarse to fine, and the solver to run on them.
+/// Models on one or more grids, coarse to fine, with the solver.
 pub struct Reconstructor {
     settings: ReconstructionSettings,
     parts: ModelParts,
-    /// Edge of the volume's own voxels.
+    /// Edge of the configured voxels.
     voxel_mm: f64,
     models: Models,
-    /// Points on the volume's own grid, where the settings want them tried first.
+    /// Points on the configured grid, if they are to be tried first.
     grid_points: Option<Box<dyn BlockModel>>,
     order: Vec<ViewId>,
     clock: Clock,
 }
 
-/// What the solver works on.
+/// Models of the solver.
 enum Models {
     /// Blocks of active voxels, coarse to fine.
     Blocks(Vec<Box<dyn BlockModel>>),
-    /// Single voxels of the volume's own grid, filled or as points.
+    /// Individual voxels of the configured grid, filled or as points.
     Voxels { filled: Box<dyn ForwardModel>, points: Option<Box<dyn ForwardModel>> },
 }
 
@@ -86,7 +86,7 @@ impl Models {
 }
 
 impl Reconstructor {
-    /// Builds the models for a volume, which is reconstructed on `grid` refined as configured.
+    /// Builds the models for a volume on `grid`, refined as configured.
     pub fn new(
         optics: &Optics,
         poses: &[Pose],
@@ -96,11 +96,12 @@ impl Reconstructor {
         Self::with_parts(optics, poses, &[], grid, settings, ModelParts::default())
     }
 
-    /// [`Self::new`] with these parts of the forward model, for cameras that are as drawn but for
-    /// their `calibrations`, in their order.
+    /// As [`Self::new`], with these parts of the forward model. Cameras are ideal except for their
+    /// `calibrations`, which are in the order of the cameras.
     ///
     /// # Errors
-    /// A camera does not see the volume, or calibrated cameras and a solver over the whole volume.
+    /// A camera does not see the volume, or cameras are calibrated and the solver works on the
+    /// whole volume.
     pub fn with_parts(
         optics: &Optics,
         poses: &[Pose],
@@ -157,12 +158,12 @@ impl Reconstructor {
         })
     }
 
-    /// The same with a clock that passes are timed by.
+    /// The same, with passes timed by `clock`.
     pub fn timed_by(self, clock: Clock) -> Self {
         Self { clock, ..self }
     }
 
-    /// How raw images are to be cut into views, per camera.
+    /// Layout of the views per camera.
     pub fn layouts(&self) -> &[ViewLayout] {
         self.models.layouts()
     }
@@ -180,7 +181,7 @@ impl Reconstructor {
         self.models.memory_bytes() + self.grid_points.as_ref().map_or(0, |m| m.memory_bytes())
     }
 
-    /// Ordered subsets in one pass over all views on the finest grid.
+    /// Ordered subsets per pass over all views on the finest grid.
     pub fn subsets_per_pass(&self) -> usize {
         match (&self.models, self.settings.solver) {
             (Models::Blocks(models), _) => {
@@ -223,7 +224,7 @@ impl Reconstructor {
         Reconstruction { volume, passes, projected }
     }
 
-    /// The solvers that work on the volume's own voxels.
+    /// The solvers on the configured voxels.
     fn voxelwise(
         &self,
         model: &dyn ForwardModel,
@@ -240,7 +241,7 @@ impl Reconstructor {
             Solver::PrSart => {
                 pr_sart(model, views, &dark_below(levels), &self.sart_options(), &mut note)
             }
-            // OS-MART has blocks; what is left of it here is its start.
+            // OS-MART needs blocks; only its initial volume is available here.
             Solver::Mlos | Solver::OsMart => mlos(model, views, &dark_below(levels)),
         }
     }
@@ -275,14 +276,14 @@ impl Reconstructor {
         }
     }
 
-    /// The solver on active voxels. Solvers over the whole volume leave it to OS-MART to say whether
-    /// particles sit on voxel centres.
+    /// The solver on active voxels. For solvers on the whole volume OS-MART decides whether
+    /// particles are on voxel centres.
     fn scheme(&self) -> Scheme {
         let own = Scheme::of(self.settings.solver).filter(|_| self.settings.on_active_voxels());
         own.unwrap_or(Scheme::OS_MART)
     }
 
-    /// What points on the volume's own grid make of the views, if they explain them.
+    /// The reconstruction with points on the configured grid, if it explains the views.
     fn on_grid(&self, views: &[ViewStack], levels: &[ViewLevels]) -> Option<Reconstruction> {
         let points = self.grid_points.as_ref()?;
         let mut passes = Vec::new();
@@ -297,7 +298,7 @@ impl Reconstructor {
     }
 }
 
-/// The share of Σ I² that a residual stands for, less what noise alone would leave.
+/// The unexplained share of Σ I² for a residual, minus the expected noise.
 fn unexplained_share(residual: f64, views: &[ViewStack], levels: &[ViewLevels]) -> f64 {
     let square = |value: f32| f64::from(value).powi(2);
     let seen: f64 = views.iter().flat_map(|v| v.values()).map(|&value| square(value)).sum();
@@ -309,8 +310,8 @@ fn unexplained_share(residual: f64, views: &[ViewStack], levels: &[ViewLevels]) 
     if seen > noise { ((residual.powi(2) * seen - noise) / (seen - noise)).max(0.0) } else { 1.0 }
 }
 
-/// Refinements of the solver's grids, coarse to fine. The coarsest is half the finest: on a
-/// coarser one particles between voxels fit so badly that nothing can be given up.
+/// Refinements of the solver's grids, coarse to fine. The coarsest has half the finest voxel count:
+/// on a coarser one, particles between voxels fit so poorly that no voxel can be pruned.
 fn refinements(settings: &ReconstructionSettings) -> Vec<usize> {
     match settings.refinement {
         n if n.is_multiple_of(4) => vec![n / 2, n],
@@ -318,7 +319,7 @@ fn refinements(settings: &ReconstructionSettings) -> Vec<usize> {
     }
 }
 
-/// The edge of the light source that a voxel of `grid` stands for.
+/// Edge of the light source represented by a voxel of `grid`.
 fn footprint_mm(settings: &ReconstructionSettings, grid: &VolumeGrid) -> f64 {
     match settings.footprint {
         Footprint::Voxel | Footprint::Auto => grid.voxel_mm,

@@ -32,9 +32,9 @@ pub fn alternating_views(layouts: &[ViewLayout]) -> Vec<ViewId> {
 /// Balanced ordered subsets (paper, Eq. 4) in the order of correction of its Fig. 6: subset 1 of
 /// camera 1, subset 1 of camera 2, subset 2 of camera 1, and so on.
 ///
-/// Every camera's views are divided into N_s = `subsets_per_camera` subsets; their sizes N_d
-/// differ by one view at most, and each is spread evenly over the pupil. N_s = 1 gives the
-/// conventional SART, all views of a camera at once. N_s is taken between 1 and the number of the
+/// Every camera's views are divided into N_s = `subsets_per_camera` subsets; their sizes N_d differ
+/// by at most one view, and each is distributed with_uniform_light over the pupil. N_s = 1 gives the
+/// conventional SART, all views of a camera at once. N_s is clamped to 1 to the number of the
 /// camera's views, so that no subset is empty; a camera without views has none.
 pub fn balanced_subsets(layouts: &[ViewLayout], subsets_per_camera: usize) -> Vec<Vec<ViewId>> {
     let per_camera: Vec<Vec<Vec<ViewId>>> = layouts
@@ -57,10 +57,10 @@ fn pupil_cells(layout: &ViewLayout) -> Vec<[i32; 2]> {
     layout.views.iter().map(|view| [view.k, view.l]).collect()
 }
 
-/// Divides views at these pupil cells into balanced subsets of positions in `cells`.
+/// Divides the views at these pupil cells into balanced subsets of indices of `cells`.
 ///
-/// Walked along a Hilbert curve, each run of N_s views is a compact patch of the pupil. Every
-/// patch gives one view to every subset, so all subsets sample all of the pupil alike.
+/// Each run of N_s views along a Hilbert curve is a compact patch of the pupil. Every patch gives
+/// one view to every subset, so all subsets sample the whole pupil with_uniform_light.
 fn divide(cells: &[[i32; 2]], subsets: usize) -> Vec<Vec<usize>> {
     if cells.is_empty() {
         return Vec::new();
@@ -101,8 +101,8 @@ fn square([a, b]: [f64; 2]) -> f64 {
     a * a + b * b
 }
 
-/// Positions in `cells` along a Hilbert curve, in patches of `size`. What is left over comes last
-/// and from the centre of the pupil, where one view more hardly moves a subset's mean.
+/// Indices of `cells` along a Hilbert curve, in patches of `size`. The remainder comes last and
+/// from the centre of the pupil, where one more view hardly changes a subset's mean.
 fn in_patches(cells: &[[i32; 2]], size: usize) -> Vec<usize> {
     let mut order = along_hilbert_curve(cells);
     let mut inward = order.clone();
@@ -113,7 +113,7 @@ fn in_patches(cells: &[[i32; 2]], size: usize) -> Vec<usize> {
     order
 }
 
-/// Positions in `cells`, ordered so that neighbours on the list are neighbours on the pupil.
+/// Indices of `cells`, ordered so that neighbours in the list are neighbours on the pupil.
 fn along_hilbert_curve(cells: &[[i32; 2]]) -> Vec<usize> {
     let first = |axis: usize| cells.iter().map(|cell| cell[axis]).min().unwrap_or(0);
     let first = [first(0), first(1)];
@@ -185,8 +185,8 @@ mod tests {
                 let sum = |axis: usize| subset.iter().map(|&view| cells[view][axis]).sum::<i32>();
                 for sum in [sum(0), sum(1)] {
                     let mean = f64::from(sum) / subset.len() as f64;
-                    // The pupil reaches to nine cells from its centre; the mean of eight cells
-                    // drawn at random would be off by up to four.
+                    // The pupil extends nine cells from its centre; the mean of eight random cells
+                    // would be off by up to four.
                     assert!(mean.abs() <= 1.25, "{subsets} subsets: mean at {mean} cells");
                 }
             }
@@ -238,8 +238,8 @@ mod tests {
                 prop_assert!(own.iter().all(|s| s.iter().all(|view| view.camera == camera)));
                 let sizes = || own.iter().map(|s| s.len());
                 prop_assert!(sizes().max().unwrap_or(0) <= sizes().min().unwrap_or(0) + 1);
-                let asked = subsets_per_camera.min(layout.views.len());
-                prop_assert_eq!(own.len(), asked);
+                let expected = subsets_per_camera.min(layout.views.len());
+                prop_assert_eq!(own.len(), expected);
             }
             let both = 2 * cameras.iter().filter(|&&c| c == 0).count()
                 .min(cameras.iter().filter(|&&c| c == 1).count());

@@ -7,18 +7,18 @@ use crate::model::VolumeGrid;
 /// A volume of light intensity, stored z, y, x (x fastest).
 #[derive(Debug, Clone, PartialEq)]
 pub struct DenseVolume {
-    /// Where the voxels are.
+    /// The voxel grid.
     pub grid: VolumeGrid,
     /// One intensity per voxel, finite and not negative.
     pub intensity: Vec<f32>,
 }
 
-/// The voxels of a grid that hold light.
+/// The voxels of a grid that contain light.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SparseVolume {
-    /// Where the voxels are.
+    /// The voxel grid.
     pub grid: VolumeGrid,
-    /// Positions in the grid's z, y, x order, ascending.
+    /// Indices in the grid's z, y, x order, ascending.
     pub voxels: Vec<u32>,
     /// Intensity of each of `voxels`, finite and not negative.
     pub intensity: Vec<f32>,
@@ -56,8 +56,7 @@ impl SparseVolume {
         Self { grid, voxels, intensity }
     }
 
-    /// The light of this volume summed onto the voxels of a coarser or smaller grid. Light outside
-    /// of `grid` is left out.
+    /// Sums the light onto the voxels of a coarser or smaller grid. Light outside `grid` is dropped.
     pub fn on_grid(&self, grid: &VolumeGrid) -> DenseVolume {
         let mut intensity = vec![0.0; grid.len()];
         let maps: [Vec<Option<usize>>; 3] = std::array::from_fn(|axis| {

@@ -99,7 +99,7 @@ pub const CASES: [Case; 14] = [
     wrong(
         "camera 2 half a voxel beside its place",
         Change::Configuration(|config| config.camera[1].origin_mm.z += 0.05),
-        "cam2 stands",
+        "mm from its configured position",
     ),
     wrong(
         "camera 2 turned by one degree",
@@ -110,7 +110,7 @@ pub const CASES: [Case; 14] = [
             camera.right = right * cos - axis * sin;
             camera.axis = axis * cos + right * sin;
         }),
-        "cam2 is turned",
+        "cam2 is rotated",
     ),
 ];
 

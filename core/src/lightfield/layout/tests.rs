@@ -16,7 +16,7 @@ fn about_250_views_carry_the_light_of_the_aperture() {
             Some(c) => c.iter().map(|&c| f64::from(c)).sum::<f64>() / c.len() as f64,
         })
         .sum();
-    // The aperture holds pi/4 (25/1.375)^2 = 259.6 cells; border columns and dim views are lost.
+    // The aperture has pi/4 (25/1.375)^2 = 259.6 cells; shared columns and dim views are lost.
     assert!((235.0..259.6).contains(&light), "{light}");
 }
 
@@ -32,7 +32,7 @@ fn coverage_of_one_cell_matches_fine_sampling() {
                 (u + cell(m % n)).hypot(v + cell(m / n)) < 12.5
             })
             .count();
-        // A chord that ends inside the cell is right to half a chord spacing.
+        // A chord that ends inside the cell has an error of up to half a chord spacing.
         assert!((share - inside as f64 / (n * n) as f64).abs() < 0.5 / CHORDS as f64);
     }
 }

@@ -1,10 +1,10 @@
-//! Whether both cameras see the same particles: their light along the direction that both see.
+//! Whether both cameras see the same particles, from their light along the common direction.
 //!
-//! Two cameras share the direction e = axis₁ × axis₂. A ray across e, one that meets the pupil as far
-//! along e as it meets the plane in focus, sees a particle at the particle's own place along e, whatever
-//! its depth. Particles are random, so the light along e is as good as a fingerprint of the shot: it
-//! agrees only between cameras that looked at the same particles from where the configuration says.
-//! Where the pupil does not reach, nothing is compared.
+//! Two cameras share the direction e = axis₁ × axis₂. A ray perpendicular to e, which meets pupil
+//! and plane in focus at the same coordinate along e, sees a particle at its own coordinate along
+//! e, whatever its depth. Particles are random, so the profile of light along e identifies the
+//! shot: two profiles agree only if both cameras saw the same particles from the configured poses.
+//! Rays that the pupil does not contain are not compared.
 
 use lfpiv_hw::{Optics, Pose};
 use nalgebra::Vector3;
@@ -14,74 +14,74 @@ use crate::{
     reconstruction::ViewLevels,
 };
 
-/// Cameras whose axes are closer than this angle's sine share no direction that depth does not blur.
-const LEAST_SINE: f64 = 0.3;
+/// Minimum sine of the angle between the cameras' axes. Below it, depth blurs the common direction.
+const MIN_SINE: f64 = 0.3;
 
-/// How much further along e a ray may meet the pupil than the plane in focus, in pupil cells.
+/// Tolerance for perpendicular rays: difference of the coordinates along e in pupil and plane in
+/// focus, in pupil cells.
 const ACROSS_CELLS: f64 = 0.75;
 
-/// A pixel counts at most this many times a particle's light: hot pixels are brighter.
+/// Pixels are clipped at this many times a particle's light: hot pixels are brighter.
 const BRIGHTEST_PARTICLES: f64 = 4.0;
 
-/// Bins of the moving average that is taken off: seeding and the laser's profile are wider.
+/// Width of the subtracted moving average, in bins: seeding and laser profile vary more slowly.
 const SMOOTHED_BINS: usize = 9;
 
-/// Fewer common bins than this say nothing.
-const LEAST_BINS: usize = 24;
+/// Minimum number of common bins.
+const MIN_BINS: usize = 24;
 
-/// A bin that fewer pixels than this share is empty.
-const LEAST_WEIGHT: f64 = 0.5;
+/// Minimum number of pixels in a bin.
+const MIN_WEIGHT: f64 = 0.5;
 
-/// Farthest shift of one camera against the other that is looked for, in bins.
-const FARTHEST_BINS: usize = 12;
+/// Largest shift between the cameras in the search, in bins.
+const MAX_SHIFT_BINS: usize = 12;
 
-/// What a column or a row of microlenses adds to a ray's place along e.
+/// Contribution of a column or row of microlenses to a ray's coordinate along e.
 #[derive(Debug, Clone, Copy)]
 struct Ray {
     /// In the plane in focus, in mm.
     along_mm: f64,
-    /// How much further in the pupil, in mm.
-    turned_mm: f64,
+    /// Difference in the pupil, in mm.
+    pupil_excess_mm: f64,
 }
 
 impl Ray {
-    /// Of microlenses whose image in the plane in focus is at `place_mm` from the axis, seen through
-    /// `pupil_mm`, where e has the component `share` along these.
+    /// For microlenses imaged in the plane in focus at `place_mm` from the axis, seen through
+    /// `pupil_mm`; `share` is the component of e along these.
     fn new(place_mm: f64, pupil_mm: f64, share: f64) -> Self {
-        Self { along_mm: place_mm * share, turned_mm: (pupil_mm - place_mm) * share }
+        Self { along_mm: place_mm * share, pupil_excess_mm: (pupil_mm - place_mm) * share }
     }
 }
 
-/// Light along a direction: one bin per microlens pitch in the volume.
+/// Light along a direction, one bin per microlens pitch in the volume.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Profile {
+pub struct CommonProfile {
     bins: Vec<Option<f64>>,
 }
 
-/// How two cameras' profiles compare.
+/// Comparison of two cameras' profiles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
-    /// Correlation as configured.
+    /// Correlation for the configured poses.
     pub direct: f64,
-    /// Correlation with the second camera mirrored along the shared direction.
+    /// Correlation with the second camera mirrored along the common direction.
     pub mirrored: f64,
-    /// Highest correlation within the search, and the shift of the second camera that gives it, in
-    /// mm.
+    /// Highest correlation in the search, and the corresponding shift of the second camera, in mm.
     pub best: f64,
     pub best_shift_mm: f64,
-    /// Bins behind these numbers.
+    /// Number of common bins.
     pub bins: usize,
 }
 
-/// The direction that both cameras see, if they see one.
+/// The common direction of two cameras, if there is one.
 pub fn shared_direction(poses: &[Pose]) -> Option<Vector3<f64>> {
     let [first, second] = poses else { return None };
     let cross = first.axis.cross(&second.axis);
-    (cross.norm() >= LEAST_SINE).then(|| cross.normalize())
+    (cross.norm() >= MIN_SINE).then(|| cross.normalize())
 }
 
-/// A camera's light along `direction`, in bins of `bin_mm` from -`half_mm` to `half_mm` about `middle`
-/// (a world point).
+/// A camera's light along `direction`, in bins of `bin_mm` from -`half_mm` to `half_mm` about the world
+/// point `middle`.
 pub fn profile(
     optics: &Optics,
     pose: &Pose,
@@ -89,7 +89,7 @@ pub fn profile(
     views: &ViewStack,
     levels: &ViewLevels,
     (direction, middle, half_mm, bin_mm): (&Vector3<f64>, &Vector3<f64>, f64, f64),
-) -> Profile {
+) -> CommonProfile {
     let (along_right, along_up) = (direction.dot(&pose.right), direction.dot(&pose.up));
     let count = (2.0 * half_mm / bin_mm).ceil() as usize;
     let (mut sums, mut weights) = (vec![0.0; count], vec![0.0; count]);
@@ -114,11 +114,11 @@ pub fn profile(
         for row in layout.window.rows.clone().map(row) {
             for (column, &value) in columns.iter().zip(&mut values) {
                 let (Some(column), Some(row)) = (column, row) else { continue };
-                if (column.turned_mm + row.turned_mm).abs() > most_mm {
+                if (column.pupil_excess_mm + row.pupil_excess_mm).abs() > most_mm {
                     continue;
                 }
                 let place = from_middle_mm + column.along_mm + row.along_mm;
-                // Shared between the two nearest bins: microlenses may stand on the bins' edges.
+                // Divided between the two nearest bins: microlenses may be on the edges of bins.
                 let at = (place + half_mm) / bin_mm - 0.5;
                 for (bin, share) in [(at.floor(), 1.0 - at.fract()), (at.floor() + 1.0, at.fract())]
                 {
@@ -130,15 +130,13 @@ pub fn profile(
             }
         }
     }
-    let bins = sums
-        .iter()
-        .zip(&weights)
-        .map(|(sum, &weight)| (weight > LEAST_WEIGHT).then(|| sum / weight));
-    Profile { bins: bins.collect() }
+    let bins =
+        sums.iter().zip(&weights).map(|(sum, &weight)| (weight > MIN_WEIGHT).then(|| sum / weight));
+    CommonProfile { bins: bins.collect() }
 }
 
-impl Profile {
-    /// The profile less its moving average; `None` where bins of the average are missing.
+impl CommonProfile {
+    /// The profile minus its moving average; `None` where bins of the average are missing.
     fn detail(&self) -> Vec<Option<f64>> {
         let half = SMOOTHED_BINS / 2;
         (0..self.bins.len())
@@ -150,12 +148,12 @@ impl Profile {
             .collect()
     }
 
-    /// How `self` and the second camera's profile compare. `None` with too few common bins.
+    /// Compares with the second camera's profile. `None` with too few common bins.
     pub fn compare(&self, second: &Self, bin_mm: f64) -> Option<Agreement> {
         let (first, second) = (self.detail(), second.detail());
         let mirrored: Vec<Option<f64>> = second.iter().rev().copied().collect();
         let direct = correlation(&first, &second, 0)?;
-        let reach = FARTHEST_BINS as i64;
+        let reach = MAX_SHIFT_BINS as i64;
         let shifted = (-reach..=reach)
             .filter_map(|shift| Some((correlation(&first, &second, shift)?, shift)))
             .max_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -169,7 +167,7 @@ impl Profile {
     }
 }
 
-/// Correlation coefficient of first[n] and second[n + shift] over the bins that both have.
+/// Correlation coefficient of first[n] and second[n + shift] over the common bins.
 fn correlation(first: &[Option<f64>], second: &[Option<f64>], shift: i64) -> Option<f64> {
     let pairs: Vec<(f64, f64)> = first
         .iter()
@@ -179,7 +177,7 @@ fn correlation(first: &[Option<f64>], second: &[Option<f64>], shift: i64) -> Opt
             Some((a?, (*second.get(other)?)?))
         })
         .collect();
-    if pairs.len() < LEAST_BINS {
+    if pairs.len() < MIN_BINS {
         return None;
     }
     let n = pairs.len() as f64;
@@ -198,10 +196,12 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    fn random(seed: u64) -> Profile {
+    fn random(seed: u64) -> CommonProfile {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let ramp = |n: usize| 100.0 + n as f64;
-        Profile { bins: (0..100).map(|n| Some(ramp(n) + 30.0 * random.random::<f64>())).collect() }
+        CommonProfile {
+            bins: (0..100).map(|n| Some(ramp(n) + 30.0 * random.random::<f64>())).collect(),
+        }
     }
 
     #[test]
@@ -209,7 +209,7 @@ mod tests {
         let profile = random(1);
         let same = profile.compare(&profile, 0.1).unwrap();
         assert!(same.direct > 0.999 && same.mirrored < 0.4, "{same:?}");
-        let mirrored = Profile { bins: profile.bins.iter().rev().copied().collect() };
+        let mirrored = CommonProfile { bins: profile.bins.iter().rev().copied().collect() };
         let compared = profile.compare(&mirrored, 0.1).unwrap();
         assert!(compared.mirrored > 0.999 && compared.direct < 0.4, "{compared:?}");
         let mut shifted = profile.clone();
@@ -225,9 +225,9 @@ mod tests {
 
     #[test]
     fn a_profile_without_light_is_not_compared() {
-        let dark = Profile { bins: vec![Some(0.0); 100] };
+        let dark = CommonProfile { bins: vec![Some(0.0); 100] };
         assert_eq!(dark.compare(&random(1), 0.1), None);
-        let short = Profile { bins: vec![Some(1.0); 10] };
+        let short = CommonProfile { bins: vec![Some(1.0); 10] };
         assert_eq!(short.compare(&short, 0.1), None);
     }
 }

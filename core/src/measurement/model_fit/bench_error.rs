@@ -1,30 +1,30 @@
-//! Errors of a bench, and where they make a camera see a particle.
+//! Errors of a configured bench, and the apparent particle positions that they cause.
 
 use lfpiv_hw::{CameraPoint, Optics, Pose};
 use nalgebra::{Point3, Rotation3, SMatrix, Vector3};
 
-/// Parameters of a bench error: shift of the second camera along x, y, z in mm, its rotation about x,
-/// y, z through the middle of the volume in rad, and the object distance of both cameras in mm.
+/// Parameters of a bench error: shift of the second camera along x, y, z in mm, its rotation about
+/// x, y, z through the middle of the volume in rad, and the object distance of both cameras in mm.
 pub const PARAMETERS: usize = 7;
 
-/// Steps of the differences, in the units of the parameters.
+/// Steps for finite differences, in the units of the parameters.
 const STEPS: [f64; PARAMETERS] = [0.01, 0.01, 0.01, 1e-3, 1e-3, 1e-3, 0.1];
 
-/// How far apart the cameras put a particle, per unit of each parameter.
+/// Derivative of the difference between both cameras' particle positions by each parameter.
 pub type Sensitivity = SMatrix<f64, 3, PARAMETERS>;
 
-/// The bench that the configuration describes.
+/// The configured bench.
 #[derive(Debug, Clone, Copy)]
 pub struct ConfiguredBench<'a> {
     pub optics: &'a Optics,
     pub poses: [&'a Pose; 2],
-    /// Middle of the volume, about which the second camera is turned.
+    /// Middle of the volume, the centre of rotation of the second camera.
     pub middle: Vector3<f64>,
 }
 
 impl ConfiguredBench<'_> {
-    /// Derivatives of (place by camera 2) − (place by camera 1) of a particle at `at_mm` by the
-    /// parameters by which the real bench differs from the configured one.
+    /// Derivatives of (position by camera 2) − (position by camera 1) for a particle at `at_mm`, by the
+    /// parameters of the bench error.
     pub fn sensitivity(&self, at_mm: &Point3<f64>) -> Sensitivity {
         let mut sensitivity = Sensitivity::zeros();
         for (n, step) in STEPS.into_iter().enumerate() {
@@ -34,8 +34,8 @@ impl ConfiguredBench<'_> {
         sensitivity
     }
 
-    /// Vector between the places at which the configured cameras put what the cameras of a bench
-    /// see whose parameter `n` differs by `value`.
+    /// Difference between the positions that the configured cameras assign to a particle, if
+    /// parameter `n` of the real bench differs by `value`.
     fn apart(&self, n: usize, value: f64, at_mm: &Point3<f64>) -> Vector3<f64> {
         let [first, second] = self.poses;
         let mut optics = self.optics.clone();
@@ -63,11 +63,12 @@ impl ConfiguredBench<'_> {
     }
 }
 
-/// Where a camera of the `configured` optics puts a point that a camera of the `real` optics sees.
+/// Apparent position: where a camera with the `configured` optics places a point that a camera with the
+/// `real` optics sees.
 ///
-/// The ray through pupil point U meets the microlens plane at x = a U + b ξ and is taken for one through
-/// U' = x − (x − U) s_i'/s_i, because pixels tell the slope of rays behind the lens. Depth and
-/// position follow from the line x(U') as in [`crate::model::footprint`].
+/// The ray through pupil point U meets the microlens plane at x = a U + b ξ. It is interpreted as a
+/// ray through U' = x − (x − U) s_i'/s_i, because pixels measure the slope of rays behind the lens.
+/// Depth and position follow from the line x(U') as in [`crate::model::footprint`].
 fn apparent(real: &Optics, configured: &Optics, seen: &CameraPoint) -> CameraPoint {
     let s = real.object_distance_mm - seen.depth_mm;
     let (s_i, s_i_configured) = (real.image_distance_mm(), configured.image_distance_mm());
@@ -119,7 +120,7 @@ mod tests {
             let column = sensitivity.column(axis);
             assert!((column[axis] + 1.0).abs() < 1e-6 && (column.norm() - 1.0).abs() < 1e-6);
         }
-        // Nearer cameras magnify what is across their axes, and stretch depth twice as much.
+        // Closer cameras magnify the transverse directions, and stretch depth twice as much.
         let by_distance = sensitivity.column(PARAMETERS - 1);
         assert!(by_distance[0].abs() < 1e-3, "{by_distance}");
         assert!(by_distance[1].abs() > 0.02 && by_distance[2].abs() > 0.005, "{by_distance}");

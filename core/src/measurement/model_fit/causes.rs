@@ -1,37 +1,38 @@
-//! From evidence to a verdict and to words.
+//! Assessment of the evidence: verdict and likely causes.
 //!
-//! Thresholds are in units of what they spoil: pixels of a micro-image, parts of the light's own
-//! standard deviation, microlens pitches in the volume. `docs/model-fit.md` lists them with what right
-//! and wrong benches show; how they were fitted: docs/decisions.md, "Constants that were fitted".
+//! Thresholds are in natural units: pixels of a micro-image, standard deviations of the light,
+//! microlens pitches in the volume. `docs/model-fit.md` lists them with the values of correct and
+//! wrong benches; for how they were fitted see docs/decisions.md, "Constants that were fitted".
 
 use lfpiv_hw::CameraName;
 
 use super::{agreement::Agreement, disparity::Disparity};
 use crate::{lightfield::MicroImages, measurement::Measurement, reconstruction::FitVerdict};
 
-/// Micro-images further than this from their places, in parts of their pitch, take light from wrong
-/// views; further than the second, from wrong microlenses.
+/// Distance of micro-images from their configured positions, in pitches. Above the first threshold
+/// they take light from wrong views, above the second from wrong microlenses.
 const MISPLACED_PITCHES: f64 = 0.1;
 const LOST_PITCHES: f64 = 0.2;
 
-/// A shift this near to half a pitch, in pitches, is a wrong number of microlenses.
+/// A shift this close to half a pitch, in pitches, indicates a wrong number of microlenses.
 const HALF_PITCH_TOLERANCE: f64 = 0.12;
 
-/// Residual over the light's standard deviation. Right benches: 0.16 to 0.27, some hundred particles on
-/// a few hundred microlenses with unmodelled diffraction 0.36. So the first counts only beside something
-/// else that is wrong.
-const MUCH_UNEXPLAINED: f64 = 0.26;
+/// Residual relative to the light's standard deviation. Correct benches: 0.16 to 0.27; some hundred
+/// particles on a few hundred microlenses with unmodelled diffraction: 0.36. So the first threshold
+/// counts only together with other evidence.
+const HIGH_UNEXPLAINED: f64 = 0.26;
 const MORE_UNEXPLAINED: f64 = 0.4;
 const MOST_UNEXPLAINED: f64 = 0.5;
 
-/// With this share of the lit pixels saturated, images of particles are flattened: light stays
-/// unexplained on any bench.
-const FLATTENED_SHARE: f64 = 0.03;
+/// With this share of saturated pixels, particle images are clipped: light stays unexplained on any
+/// bench.
+const CLIPPED_SHARE: f64 = 0.03;
 
-/// Correlation of the cameras' light along the shared direction. Right benches: 0.95 to 0.99, with
-/// particles on voxel centres and without noise from 0.86; a camera turned by one degree: 0.66 to 0.89;
-/// other shots: -0.5 to 0.5. Over few bins chance reaches further, so it counts by itself only when it is low
-/// and over many. Less than right benches show counts where light stays unexplained, too.
+/// Correlation of the cameras' light along the common direction. Correct benches: 0.95 to 0.99, and
+/// from 0.86 with particles on voxel centres and without noise; a camera rotated by one degree:
+/// 0.66 to 0.89; other shots: -0.5 to 0.5. With few bins random values scatter more, so it counts
+/// alone only when it is low and over many bins. Below the usual values it counts if light stays
+/// unexplained, too.
 const USUAL_AGREEMENT: f64 = 0.85;
 const LEAST_AGREEMENT: f64 = 0.5;
 const PARTIAL_AGREEMENT: f64 = 0.75;
@@ -39,52 +40,52 @@ const CLEAR_AGREEMENT: f64 = 0.65;
 const NO_AGREEMENT: f64 = 0.35;
 const MANY_BINS: usize = 60;
 
-/// Distance between the cameras' places of a particle, in microlens pitches seen in the volume, and in
-/// what chance makes of it. Right benches: 0.03 to 0.18.
+/// Distance between the cameras' particle positions, in microlens pitches in the volume, and
+/// relative to its noise. Correct benches: 0.03 to 0.18.
 const FAR_APART_PITCHES: f64 = 0.22;
 const FAR_APART_NOISE: f64 = 3.0;
 
-/// A larger relative change of the object distance is beyond what a step can tell: light that is wider
-/// than modelled looks like it where few particles lie far from focus.
-const LARGEST_DISTANCE_CHANGE: f64 = 0.03;
+/// Largest relative change of the object distance within the linear range. Beyond it, light that is
+/// wider than modelled has the same effect if few particles are far from focus.
+const MAX_DISTANCE_CHANGE: f64 = 0.03;
 
-/// Above these a bench error is probable, if something else is wrong as well.
+/// Above these a bench error is probable, if there is other evidence as well.
 const PROBABLE_PITCHES: f64 = 0.3;
 const PROBABLE_NOISE: f64 = 2.0;
 
-/// A part of a bench error that makes up this share of all of it is named.
+/// A component with at least this share of the bench error is named.
 const NAMED_SHARE: f64 = 0.4;
 
-/// Share of the windows with particles that give valid vectors.
+/// Share of windows with particles that give valid vectors.
 const PARTLY_VALID: f64 = 0.85;
 const MOST_VALID: f64 = 0.6;
 const FEW_VALID: f64 = 0.3;
 const HARDLY_VALID: f64 = 0.15;
 
-/// What is known about a pair's fit.
+/// The evidence about a pair's fit.
 pub struct Evidence<'a> {
     pub measurement: &'a Measurement,
     /// Whether every camera sees light in both frames.
     pub lit: bool,
-    /// Whether the residual says something about the bench.
+    /// Whether the residual depends on the bench.
     pub residual_counts: bool,
-    /// The largest share of saturated pixels of any camera, of the lit ones, 0 to 1.
+    /// Largest share of saturated pixels of any camera, among lit ones, 0 to 1.
     pub saturated_share: f64,
     pub micro_images: &'a [Option<MicroImages>],
     pub unexplained: Vec<f64>,
     pub agreement: Option<Agreement>,
     pub disparity: Option<Disparity>,
-    /// Of the windows with particles, where there are enough of them.
+    /// Of the windows with particles, if there are enough of them.
     pub valid_share: Option<f64>,
 }
 
 impl Evidence<'_> {
-    /// Whether a camera's residual is above `limit` and tells of the bench.
+    /// Whether a camera's residual is above `limit` and depends on the bench.
     fn is_unexplained(&self, limit: f64) -> bool {
         self.residual_counts && self.unexplained.iter().any(|&unexplained| unexplained > limit)
     }
 
-    /// Whether the cameras put particles further apart than chance is likely to.
+    /// Whether the distance between the cameras' particle positions is significant.
     fn has_probable_bench_error(&self) -> bool {
         let pitch_mm = self.measurement.optics.object_pitch_mm();
         self.disparity.as_ref().is_some_and(|found| {
@@ -93,15 +94,14 @@ impl Evidence<'_> {
         })
     }
 
-    /// Whether a bench error is larger than one step from the configured bench can tell.
+    /// Whether a bench error is outside the linear range.
     fn is_beyond_a_step(&self, found: &Disparity) -> bool {
-        found.parameters[6].abs()
-            > LARGEST_DISTANCE_CHANGE * self.measurement.optics.object_distance_mm
+        found.parameters[6].abs() > MAX_DISTANCE_CHANGE * self.measurement.optics.object_distance_mm
     }
 }
 
-/// The verdict, and what may be wrong, the likeliest first: the worst of all findings, and the causes
-/// of the first, which explains those after it.
+/// The verdict, which is the worst of all findings, and the likely causes in order. The causes are
+/// those of the first finding, which explains later ones.
 pub fn judge(evidence: &Evidence<'_>) -> (FitVerdict, Vec<String>) {
     let looks = [misplaced_micro_images, different_particles, apart, unexplained, no_vectors];
     let findings: Vec<Finding> = looks
@@ -119,8 +119,7 @@ fn good() -> Finding {
     (FitVerdict::Good, Vec::new())
 }
 
-/// Where the micro-images stand decides which pixel belongs to which view: nothing else can be judged
-/// before.
+/// Checks the micro-image positions. They determine the views, so this comes first.
 fn misplaced_micro_images(evidence: &Evidence<'_>) -> Finding {
     let optics = &evidence.measurement.optics;
     let pitch_px = optics.micro_image_pitch_mm() / optics.pixel_pitch_mm();
@@ -138,7 +137,7 @@ fn misplaced_micro_images(evidence: &Evidence<'_>) -> Finding {
         causes.extend(micro_image_causes(evidence, CameraName(n), found, pitch_px));
     }
     if verdict == FitVerdict::Good && !evidence.lit {
-        // The frames' own warnings say what is dark.
+        // The frames' own warnings name the dark camera.
         return (FitVerdict::Poor, Vec::new());
     }
     (verdict, causes)
@@ -164,7 +163,7 @@ fn micro_image_causes(
                 shift_px.abs(),
                 format!(
                     "{camera}: [optics.microlens] {name} = {count} is wrong by an odd number: \
-                     the micro-images stand half a pitch ({:.1} pixels) beside their places",
+                     the micro-images are half a pitch ({:.1} pixels) off",
                     shift_px.abs()
                 ),
             ));
@@ -196,7 +195,7 @@ fn micro_image_causes(
     ranked.push((
         turned.abs() * half_px[0],
         format!(
-            "{camera}: the microlens array is turned by {:.2} degrees on the sensor",
+            "{camera}: the microlens array is rotated by {:.2} degrees on the sensor",
             turned.to_degrees()
         ),
     ));
@@ -206,25 +205,25 @@ fn micro_image_causes(
     ranked.into_iter().take(named.min(2)).map(|(_, cause)| cause).collect()
 }
 
-const OTHER_SHOT: &str = "the images of cam1 and cam2 are of different shots: paired by hand, \
+const OTHER_SHOT: &str = "the images of cam1 and cam2 are from different shots: paired by hand, \
                           or not triggered together";
 const WRONG_POSE: &str =
-    "a [[camera]] stands or is turned otherwise than configured, or the cameras are exchanged";
+    "the pose of a [[camera]] differs from the configuration, or the cameras are exchanged";
 const MIRRORED: &str = "cam2 (or cam1) is mirrored, or upside down: right, up and axis of its \
                         [[camera]] are not those of its images";
 const MIRRORED_ACROSS: &str = "cam2 (or cam1) is mirrored along the direction that only it \
                                sees, or the cameras are exchanged";
 const WRONG_OPTICS: &str =
-    "[optics] is not that of the cameras: object_distance_mm, focal_length_mm, f_number";
+    "[optics] does not match the cameras: object_distance_mm, focal_length_mm, f_number";
 const THICK_SHEET: &str = "particles outside [volume] are lit: the light sheet is thicker";
 
-/// Both cameras must have looked at the same particles.
+/// Checks that both cameras saw the same particles.
 fn different_particles(evidence: &Evidence<'_>) -> Finding {
     let Some(agreement) = &evidence.agreement else { return good() };
-    let unexplained = evidence.is_unexplained(MUCH_UNEXPLAINED);
+    let unexplained = evidence.is_unexplained(HIGH_UNEXPLAINED);
     let alone = agreement.direct < NO_AGREEMENT && agreement.bins >= MANY_BINS;
-    // Dense particles agree by chance. A camera that is a little off agrees less, too, but says by how
-    // much.
+    // Dense particles correlate by chance. A slightly wrong pose also reduces the agreement, but
+    // the disparity measures by how much.
     let unclear = agreement.direct < PARTIAL_AGREEMENT
         && evidence.valid_share.is_some_and(|share| share < PARTLY_VALID)
         && !evidence.has_probable_bench_error();
@@ -239,7 +238,7 @@ fn different_particles(evidence: &Evidence<'_>) -> Finding {
         causes.extend([MIRRORED, OTHER_SHOT, WRONG_POSE].map(str::to_owned));
     } else if agreement.best >= CLEAR_AGREEMENT {
         causes.push(format!(
-            "cam2 stands {:.2} mm beside its configured place along the direction that both \
+            "cam2 is {:.2} mm from its configured position along the direction that both \
              cameras see",
             agreement.best_shift_mm
         ));
@@ -250,12 +249,12 @@ fn different_particles(evidence: &Evidence<'_>) -> Finding {
     (verdict, causes)
 }
 
-/// The cameras must put the particles at the same places.
+/// Checks that both cameras place the particles at the same positions.
 fn apart(evidence: &Evidence<'_>) -> Finding {
     let Some(found) = &evidence.disparity else { return good() };
     let pitch_mm = evidence.measurement.optics.object_pitch_mm();
     let far_mm = (FAR_APART_PITCHES * pitch_mm).max(FAR_APART_NOISE * found.noise_mm);
-    let probable = evidence.has_probable_bench_error() && evidence.is_unexplained(MUCH_UNEXPLAINED);
+    let probable = evidence.has_probable_bench_error() && evidence.is_unexplained(HIGH_UNEXPLAINED);
     if found.rms_mm < far_mm && !probable
         || evidence.is_beyond_a_step(found)
         || evidence.is_unexplained(MOST_UNEXPLAINED)
@@ -265,12 +264,12 @@ fn apart(evidence: &Evidence<'_>) -> Finding {
     (FitVerdict::Doubtful, bench_error_causes(evidence.measurement, found))
 }
 
-/// The parts of a bench error in words, the largest first.
+/// The components of a bench error as text, the largest first.
 fn bench_error_causes(measurement: &Measurement, found: &Disparity) -> Vec<String> {
     let p = &found.parameters;
     let origin = measurement.cameras[1].origin_mm;
     let shift = format!(
-        "cam2 stands {:.2} mm from its configured place, as cam1 sees it: origin_mm = \
+        "cam2 is {:.2} mm from its configured position, as cam1 sees it: origin_mm = \
          [{:.2}, {:.2}, {:.2}] would fit",
         p[0].hypot(p[1]).hypot(p[2]),
         origin[0] + p[0],
@@ -278,7 +277,7 @@ fn bench_error_causes(measurement: &Measurement, found: &Disparity) -> Vec<Strin
         origin[2] + p[2]
     );
     let rotation = format!(
-        "cam2 is turned by {:.2}, {:.2}, {:.2} degrees about x, y, z against its configured \
+        "cam2 is rotated by {:.2}, {:.2}, {:.2} degrees about x, y, z from its configured \
          directions, as cam1 sees it",
         p[3].to_degrees(),
         p[4].to_degrees(),
@@ -297,15 +296,14 @@ fn bench_error_causes(measurement: &Measurement, found: &Disparity) -> Vec<Strin
     ranked.into_iter().take(named).map(|(_, cause)| cause).collect()
 }
 
-/// Light that the model cannot explain though the micro-images are in place and the cameras' light
-/// along the shared direction does not disagree.
+/// Checks for unexplained light while micro-images and common profiles are consistent.
 fn unexplained(evidence: &Evidence<'_>) -> Finding {
     let doubted = evidence.is_unexplained(MORE_UNEXPLAINED)
-        || evidence.is_unexplained(MUCH_UNEXPLAINED) && something_else_is_wrong(evidence);
+        || evidence.is_unexplained(HIGH_UNEXPLAINED) && has_other_evidence(evidence);
     if !doubted {
         return good();
     }
-    let flattened = evidence.saturated_share > FLATTENED_SHARE;
+    let flattened = evidence.saturated_share > CLIPPED_SHARE;
     let verdict = match evidence.is_unexplained(MOST_UNEXPLAINED) && !flattened {
         true => FitVerdict::Poor,
         false => FitVerdict::Doubtful,
@@ -313,7 +311,7 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
     let saturated = flattened.then(|| {
         let percent = 100.0 * evidence.saturated_share;
         format!(
-            "{percent:.0} % of the lit pixels are saturated, which flattens the images of \
+            "{percent:.0} % of the lit pixels are saturated, which clips the images of \
              particles: reduce gain or laser energy"
         )
     });
@@ -327,7 +325,7 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
         }
         Some(_) => &[MIRRORED_ACROSS, WRONG_POSE, WRONG_OPTICS, THICK_SHEET],
     };
-    // A bench error that chance hardly makes is the better guess than any of these.
+    // A significant bench error is more likely than any of these.
     let fitted = evidence.disparity.as_ref().filter(|_| evidence.has_probable_bench_error());
     let fitted = fitted.map(|found| bench_error_causes(evidence.measurement, found));
     let others = causes.iter().map(|&cause| cause.to_owned());
@@ -341,14 +339,14 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
     )
 }
 
-/// Whether vectors are missing, or the cameras agree less than those of a right bench.
-fn something_else_is_wrong(evidence: &Evidence<'_>) -> bool {
+/// Whether vectors are missing, or the cameras agree less than on a correct bench.
+fn has_other_evidence(evidence: &Evidence<'_>) -> bool {
     let disagree = |agreement: &Agreement| agreement.direct < USUAL_AGREEMENT;
     evidence.valid_share.is_some_and(|share| share < MOST_VALID)
         || evidence.agreement.as_ref().is_some_and(disagree)
 }
 
-/// Windows full of particles must give vectors.
+/// Checks that windows with particles give vectors.
 fn no_vectors(evidence: &Evidence<'_>) -> Finding {
     let Some(valid_share) = evidence.valid_share else { return good() };
     if valid_share >= FEW_VALID {
@@ -360,7 +358,7 @@ fn no_vectors(evidence: &Evidence<'_>) -> Finding {
     };
     let most_vox = evidence.measurement.velocimetry.max_displacement_vox;
     let causes = vec![
-        "frames a and b are of different shots, or of different cameras".to_owned(),
+        "frames a and b are from different shots, or from different cameras".to_owned(),
         format!(
             "particles move further than max_displacement_vox = {most_vox}: shorten [shot] dt_us \
              or raise it"

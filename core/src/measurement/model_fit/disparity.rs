@@ -1,10 +1,10 @@
-//! How far apart the two cameras put the same particles.
+//! Disparity: the distance between the positions that both cameras assign to the same particles.
 //!
-//! The residual images about a reconstructed particle say to each camera by itself where it would
-//! rather have the particle: a Gauss–Newton step with this camera's pixels alone. The steps of both
-//! cameras differ at random for a right bench and in a pattern for a wrong one. A bench error
-//! ([`ConfiguredBench`]) is fitted to the difference, every particle weighed by what its images
-//! determine: this is volume self-calibration (Wieneke, Experiments in Fluids 45, 2008) on the
+//! The residual images around a reconstructed particle give a position correction for each camera:
+//! a Gauss–Newton step with this camera's pixels only. The difference between both cameras' steps
+//! is random on a correct bench and follows a pattern on a wrong one. A bench error
+//! ([`ConfiguredBench`]) is fitted to the differences, each particle weighted by its information
+//! matrix. This is volume self-calibration (Wieneke, Experiments in Fluids 45, 2008) on the
 //! particles of one frame.
 
 use lfpiv_hw::{CameraPoint, Pose};
@@ -16,69 +16,69 @@ use crate::{
     lightfield::ViewStack, model::PointImager, reconstruction::ProjectedView, statistics::median,
 };
 
-/// Fewer particles than this do not determine a bench error.
-const LEAST_PARTICLES: usize = 40;
+/// Minimum number of particles to determine a bench error.
+const MIN_PARTICLES: usize = 40;
 
-/// Rounds of reweighting.
+/// Iterations of reweighting.
 const ROUNDS: usize = 6;
 
-/// Squared distance, in variances, at which a particle counts half: most that are taken for one and
-/// are two, or none, lie further out (Cauchy weights).
+/// Squared distance, in variances, of half weight in the Cauchy weights: ghost particles and merged
+/// ones are mostly further out.
 const HALF_WEIGHT: f64 = 9.0;
 
 /// Median of the sum of squares of three standard normal variables.
 const MEDIAN_OF_THREE_SQUARES: f64 = 2.366;
 
-/// Standard deviation of what is known of a bench before the images, as displacement in mm per
-/// parameter: only directions that the images leave open notice it.
+/// Prior standard deviation of each parameter, as displacement in mm: matters only for directions
+/// that the images do not determine.
 const PRIOR_MM: f64 = 1.0;
 
-/// A matrix with all its information below this, per mm², is that of no image.
-const LEAST_INFORMATION: f64 = 1e-6;
+/// Information matrices whose elements are all below this, per mm², are treated as zero.
+const MIN_INFORMATION: f64 = 1e-6;
 
-/// A particle of the reconstruction.
+/// A reconstructed particle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
-    /// Its place, in mm.
+    /// Its position, in mm.
     pub at_mm: Point3<f64>,
-    /// Its light in an open view, in counts.
+    /// Its light in a fully open view, in counts.
     pub counts: f64,
 }
 
-/// What one camera's residual says about a particle's place: N δ = g for a step δ in mm in the world
-/// frame, and the pixels it says it with.
+/// Normal equations of one camera for a particle's position: N δ = g for a step δ in mm in the
+/// world frame, and the residual statistics of the pixels used.
 #[derive(Debug, Clone, Copy)]
-pub struct Pull {
+pub struct PositionEquations {
     information: Matrix3<f64>,
     force: Vector3<f64>,
     misfit: f64,
     pixels: usize,
 }
 
-/// A bench error that explains the difference between the cameras.
+/// A bench error fitted to the differences between the cameras.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Disparity {
-    /// By which the real bench differs from the configured one; see [`ConfiguredBench`].
+    /// Deviation of the real bench from the configured one; see [`ConfiguredBench`].
     pub parameters: [f64; PARAMETERS],
-    /// Distance between the cameras' places of the particles, root mean square, in mm.
+    /// Root mean square distance between the cameras' particle positions, in mm.
     pub rms_mm: f64,
-    /// What chance alone would make of it, in mm.
+    /// Expected value of that distance on a correct bench, in mm.
     pub noise_mm: f64,
-    /// The parts of it by shift, rotation and object distance, in mm.
+    /// Its components by shift, rotation and object distance, in mm.
     pub parts_mm: [f64; 3],
 }
 
-/// The pull of one camera on each particle.
-pub fn pulls(
+/// The normal equations of one camera for each particle.
+pub fn position_equations(
     imager: &PointImager<'_>,
     pose: &Pose,
     views: &ViewStack,
     projected: &[&ProjectedView],
     sources: &[Source],
-) -> Vec<Pull> {
+) -> Vec<PositionEquations> {
     let to_camera =
         Matrix3::from_rows(&[pose.right.transpose(), pose.up.transpose(), pose.axis.transpose()]);
-    let pull = |source: &Source| {
+    let equations_of = |source: &Source| {
         let point: CameraPoint = pose.to_camera(&source.at_mm);
         let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
         let (mut misfit, mut pixels) = (0.0, 0);
@@ -96,17 +96,17 @@ pub fn pulls(
             });
         }
         let (information, force) = without_light(&normal, &right);
-        Pull {
+        PositionEquations {
             information: to_camera.transpose() * information * to_camera,
             force: to_camera.transpose() * force,
             misfit,
             pixels,
         }
     };
-    sources.par_iter().map(pull).collect()
+    sources.par_iter().map(equations_of).collect()
 }
 
-/// The equations for the place alone, with the particle's light free (Schur complement).
+/// The normal equations for the position only, with the particle's light eliminated (Schur complement).
 fn without_light(normal: &Matrix4<f64>, right: &Vector4<f64>) -> (Matrix3<f64>, Vector3<f64>) {
     let mut information = normal.fixed_view::<3, 3>(0, 0).into_owned();
     let mut force = right.fixed_rows::<3>(0).into_owned();
@@ -118,26 +118,26 @@ fn without_light(normal: &Matrix4<f64>, right: &Vector4<f64>) -> (Matrix3<f64>, 
     (information, force)
 }
 
-/// One particle's equations K d = f for the difference d between the cameras' places, in mm.
+/// One particle's equations K d = f for the difference d between the cameras' positions, in mm.
 struct Equation {
     information: Matrix3<f64>,
-    /// The inverse of the information.
+    /// The inverse of the information matrix.
     covariance: Matrix3<f64>,
     force: Vector3<f64>,
     sensitivity: Sensitivity,
 }
 
 impl Equation {
-    /// From both cameras' pulls: the particle's own place is free, so informations add up in parallel,
-    /// K = N₂ − N₂ (N₁ + N₂)⁻¹ N₂ and f = g₂ − N₂ (N₁ + N₂)⁻¹ (g₁ + g₂).
+    /// From both cameras' equations. The particle's own position is free, so the informations
+    /// combine in parallel, K = N₂ − N₂ (N₁ + N₂)⁻¹ N₂ and f = g₂ − N₂ (N₁ + N₂)⁻¹ (g₁ + g₂).
     fn new(
-        [first, second]: [&Pull; 2],
+        [first, second]: [&PositionEquations; 2],
         variances: [f64; 2],
         sensitivity: Sensitivity,
     ) -> Option<Self> {
         let [n1, n2] = [first.information / variances[0], second.information / variances[1]];
         let [g1, g2] = [first.force / variances[0], second.force / variances[1]];
-        let inverse = |n: Matrix3<f64>| (n + Matrix3::identity() * LEAST_INFORMATION).try_inverse();
+        let inverse = |n: Matrix3<f64>| (n + Matrix3::identity() * MIN_INFORMATION).try_inverse();
         let both = inverse(n1 + n2)?;
         let information = n2 - n2 * both * n2;
         let covariance = inverse(information)?;
@@ -152,14 +152,14 @@ impl Equation {
     }
 }
 
-/// The bench error behind the pulls of both cameras on `sources`. `None` with too few particles.
+/// Fits a bench error to both cameras' equations for `sources`. `None` with too few particles.
 pub fn disparity(
     bench: &ConfiguredBench<'_>,
     sources: &[Source],
-    [first, second]: [&[Pull]; 2],
+    [first, second]: [&[PositionEquations]; 2],
 ) -> Option<Disparity> {
     let variances = [first, second].map(variance);
-    if sources.len() < LEAST_PARTICLES || variances.iter().any(|&variance| variance <= 0.0) {
+    if sources.len() < MIN_PARTICLES || variances.iter().any(|&variance| variance <= 0.0) {
         return None;
     }
     let equations: Vec<Equation> = sources
@@ -206,7 +206,7 @@ pub fn disparity(
     })
 }
 
-/// Prior precisions of the parameters: a standard deviation of [`PRIOR_MM`] of the mean particle.
+/// Prior precisions of the parameters: a standard deviation of [`PRIOR_MM`] for the mean particle.
 fn prior(equations: &[Equation]) -> SVector<f64, PARAMETERS> {
     let mut squares = SVector::<f64, PARAMETERS>::zeros();
     for equation in equations {
@@ -220,9 +220,9 @@ fn median_distance(equations: &[Equation], parameters: &SVector<f64, PARAMETERS>
     median(equations.iter().map(|e| e.distance(parameters))).unwrap_or_default()
 }
 
-/// Variance of a pixel's residual about the particles of one camera, in counts².
-fn variance(pulls: &[Pull]) -> f64 {
-    let (misfit, pixels) = pulls
+/// Variance of a pixel's residual near the particles of one camera, in counts².
+fn variance(position_equations: &[PositionEquations]) -> f64 {
+    let (misfit, pixels) = position_equations
         .iter()
         .fold((0.0, 0usize), |(misfit, pixels), p| (misfit + p.misfit, pixels + p.pixels));
     misfit / pixels.max(1) as f64

@@ -1,14 +1,14 @@
-//! How well the configured bench explains a pair's images, and what may be wrong when it does not.
+//! Model fit: how well the configured bench explains a pair's images, and likely causes if it does not.
 //!
-//! Five questions, each answered from the images of this pair alone:
+//! Five tests, each from the images of this pair only:
 //!
-//! 1. Do the micro-images stand where the optics put them? ([`MicroImages`])
+//! 1. Are the micro-images at their configured positions? ([`MicroImages`])
 //! 2. Does the reconstruction explain each camera's light? ([`unexplained`])
 //! 3. Do both cameras see the same particles? ([`agreement`])
-//! 4. Do they put them at the same places? ([`disparity`])
-//! 5. Do the windows that hold particles give vectors?
+//! 4. Do they place them at the same positions? ([`disparity`])
+//! 5. Do windows with particles give vectors?
 //!
-//! [`causes`] turns the answers into a verdict and words.
+//! [`causes`] derives the verdict and the likely causes.
 
 mod agreement;
 mod bench_error;
@@ -25,7 +25,7 @@ use self::{
     agreement::{Agreement, profile, shared_direction},
     bench_error::ConfiguredBench,
     causes::{Evidence, judge},
-    disparity::{Disparity, disparity, pulls},
+    disparity::{Disparity, disparity, position_equations},
     sources::{lit_windows, sources},
     unexplained::unexplained,
 };
@@ -37,30 +37,30 @@ use crate::{
     velocimetry::{VectorStatus, VelocityField},
 };
 
-/// Edge of the light source that stands for a reconstructed particle, in microlens pitches seen in the
-/// volume: about as wide as OS-MART leaves a point on quarter voxels.
+/// Edge of the light source that represents a reconstructed particle, in microlens pitches in the
+/// volume: approximately the width of a point reconstructed by OS-MART on quarter voxels.
 const SOURCE_PITCHES: f64 = 0.5;
 
-/// The largest part of a microlens pitch that voxels may be long for the residual to say more
-/// about the bench than about the voxels.
+/// Largest voxel size, in microlens pitches, at which the residual depends more on the bench than
+/// on the voxels.
 const FINE_VOXEL_PITCHES: f64 = 0.3;
 
-/// Bins of the light along the shared direction that the ends of the volume spoil.
+/// Bins of the common profile affected by the ends of the volume.
 const END_BINS: f64 = 6.0;
 
-/// What a pair's fit is judged from.
-pub(super) struct Judged<'a> {
+/// Inputs of the assessment.
+pub(super) struct FitInputs<'a> {
     pub measurement: &'a Measurement,
     pub fitted: &'a Fitted,
     /// Frames a and b.
     pub frames: [&'a Frame; 2],
     pub solved: [&'a Reconstruction; 2],
     pub field: &'a VelocityField,
-    /// Where each camera's micro-images stand, in frame a.
+    /// Measured micro-images of each camera, in frame a.
     pub micro_images: Vec<Option<MicroImages>>,
 }
 
-/// Where the micro-images of frame a stand, per camera.
+/// Measures the micro-images of frame a, per camera.
 pub(super) fn micro_images(
     measurement: &Measurement,
     pair: &ImagePair,
@@ -71,7 +71,7 @@ pub(super) fn micro_images(
     pair.cameras.par_iter().map(|[a, _]| MicroImages::find(&measurement.optics, a)).collect()
 }
 
-/// Cameras whose frames a and b are the same image.
+/// Cameras whose frames a and b are identical.
 pub(super) fn identical_frames(pair: &ImagePair) -> impl Iterator<Item = CameraName> {
     let same = |[a, b]: &[RawImage; 2]| a == b;
     pair.cameras
@@ -81,7 +81,7 @@ pub(super) fn identical_frames(pair: &ImagePair) -> impl Iterator<Item = CameraN
         .map(|(n, _)| CameraName(n))
 }
 
-impl Judged<'_> {
+impl FitInputs<'_> {
     /// The fit of this pair, with a verdict.
     pub fn fit(self) -> ModelFit {
         let lit = self.frames.iter().all(|frame| frame.lit);
@@ -126,8 +126,8 @@ impl Judged<'_> {
         }
     }
 
-    /// Whether what is left unexplained tells of the bench: OS-MART on voxels that a particle's light
-    /// does not notice, or on the particles' own places.
+    /// Whether the residual depends on the bench: OS-MART on voxels small enough for a particle's
+    /// light, or on the particles' own positions.
     fn residual_is_of_the_bench(&self) -> bool {
         let Measurement { optics, volume, reconstruction, .. } = self.measurement;
         let pitch_mm = optics.object_pitch_mm();
@@ -141,7 +141,7 @@ impl Judged<'_> {
         self.solved[frame].projected.iter().filter(|view| view.id.camera == camera).collect()
     }
 
-    /// The worse of both frames.
+    /// The larger value of both frames.
     fn unexplained(&self, camera: usize) -> f64 {
         let layout = &self.fitted.reconstructor.layouts()[camera];
         (0..2)
@@ -153,7 +153,7 @@ impl Judged<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// The worse of both frames.
+    /// The lower value of both frames.
     fn agreement(&self) -> Option<Agreement> {
         if !self.measurement.is_drawn() {
             return None;
@@ -166,7 +166,7 @@ impl Judged<'_> {
             .map(|a| direction[a].abs() * volume.voxels[a] as f64 * volume.voxel_mm / 2.0)
             .sum::<f64>();
         let bin_mm = optics.object_pitch_mm();
-        // At the volume's ends the light of all cameras falls alike.
+        // At the volume's ends the profiles of all cameras fall alike.
         let half_mm = half_mm - END_BINS * bin_mm;
         let compared = self.frames.iter().map(|frame| {
             let [first, second] = [0, 1].map(|c| {
@@ -179,7 +179,7 @@ impl Judged<'_> {
         compared.collect::<Option<Vec<_>>>()?.into_iter().reduce(worse)
     }
 
-    /// Of frame a.
+    /// For frame a.
     fn disparity(&self) -> Option<Disparity> {
         if !self.measurement.is_drawn() {
             return None;
@@ -203,7 +203,13 @@ impl Judged<'_> {
                 parts,
             )
             .ok()?;
-            Some(pulls(&imager, pose, &self.frames[0].views[c], &self.projected(0, c), &sources))
+            Some(position_equations(
+                &imager,
+                pose,
+                &self.frames[0].views[c],
+                &self.projected(0, c),
+                &sources,
+            ))
         };
         let bench = ConfiguredBench {
             optics,
@@ -213,8 +219,8 @@ impl Judged<'_> {
         disparity(&bench, &sources, [&of_camera(0)?, &of_camera(1)?])
     }
 
-    /// Share of the windows with particles whose vectors are valid; `None` where hardly a window holds
-    /// any.
+    /// Share of windows with particles whose vectors are valid; `None` if too few windows contain
+    /// particles.
     fn valid_share(&self) -> Option<f64> {
         let particle_counts =
             self.frames[0].levels.iter().map(|level| level.particle_counts).fold(0.0, f64::max);

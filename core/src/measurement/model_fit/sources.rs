@@ -1,4 +1,4 @@
-//! Particles of a reconstructed volume, and the windows that hold some.
+//! Particles of a reconstructed volume, and the windows that contain particles.
 
 use nalgebra::Point3;
 
@@ -10,33 +10,33 @@ use crate::{
     velocimetry::{PointCloud, VectorGrid, particles},
 };
 
-/// Particles that are enough: their number over the parameters of a bench error leaves 0.05 voxel of
-/// noise on the bench.
+/// Sufficient number of particles: for the number of parameters of a bench error it leaves 0.05
+/// voxel of noise on the bench.
 const ENOUGH: usize = 1500;
 
-/// Lit voxels of a particle, roughly: only decides how much of a volume is looked at.
+/// Approximate number of lit voxels per particle, to choose the examined part of a volume.
 const VOXELS_PER_PARTICLE: usize = 30;
 
-/// Edge of the boxes of which a part is looked at, and their rim in which particles may be cut, in
-/// voxels of the volume.
+/// Edge of the sampled boxes and width of their rim, in which particles may be cut, in configured
+/// voxels.
 const BOX_VOX: f64 = 10.0;
 const RIM_VOX: f64 = 1.0;
 
-/// A particle with less than this part of the median particle's light is a remnant of
-/// reconstruction.
-const LEAST_LIGHT: f64 = 0.5;
+/// Particles with less than this share of the median particle's light are reconstruction artefacts.
+const MIN_LIGHT: f64 = 0.5;
 
-/// Fewer windows with particles than this say nothing about the correlation.
-const LEAST_WINDOWS: usize = 8;
+/// Minimum number of windows with particles for a statement about the correlation.
+const MIN_WINDOWS: usize = 8;
 
-/// A window with this many particles or more is expected to give a vector ...
-const LEAST_PARTICLES: f64 = 3.0;
+/// A window is expected to give a vector if it contains at least this many particles ...
+const MIN_PARTICLES: f64 = 3.0;
 
-/// ... and so is only one with this part of the mean window's light: what else is lit is remnants.
-const LEAST_SHARE_OF_MEAN: f64 = 0.25;
+/// ... and at least this share of the mean window's light: the rest is artefacts.
+const MIN_SHARE_OF_MEAN: f64 = 0.25;
 
-/// Bright particles of `light`, spread evenly over `volume`, at most a few times [`ENOUGH`]: what dense
-/// particles say is noisy, and 1500 of 1 per microlens do not tell a camera that is turned by one degree.
+/// Bright particles of `light`, evenly distributed over `volume`, at most a few times [`ENOUGH`].
+/// Dense particles give noisy positions: at 1 ppm, 1500 particles do not reveal a camera rotated by
+/// one degree.
 pub fn sources(light: &SparseVolume, volume: &VolumeGrid) -> Vec<Source> {
     let every = (light.voxels.len() / (VOXELS_PER_PARTICLE * ENOUGH)).max(1);
     let cloud = in_some_boxes(&PointCloud::from_volume(light, volume), every);
@@ -47,7 +47,7 @@ pub fn sources(light: &SparseVolume, volume: &VolumeGrid) -> Vec<Source> {
     found
         .iter()
         .filter(|particle| {
-            f64::from(particle.light) > LEAST_LIGHT * median
+            f64::from(particle.light) > MIN_LIGHT * median
                 && (0..3).all(|axis| {
                     let at = f64::from(particle.at_vox[axis]);
                     let inside = (-0.5..volume.voxels[axis] as f64 - 0.5).contains(&at);
@@ -82,8 +82,8 @@ fn in_rim(at_vox: f64) -> bool {
     !(RIM_VOX..=BOX_VOX - RIM_VOX).contains(&in_box)
 }
 
-/// Positions in `grid` of the windows of edge `window_mm` whose light is that of some particles. `None`
-/// with too few of them.
+/// Indices in `grid` of the windows of edge `window_mm` that contain the light of some particles.
+/// `None` with too few of them.
 pub fn lit_windows(
     light: &SparseVolume,
     grid: &VectorGrid,
@@ -92,7 +92,7 @@ pub fn lit_windows(
 ) -> Option<Vec<usize>> {
     let [nx, ny, _] = grid.vectors;
     let mut cells = vec![0.0f64; grid.len()];
-    // Every voxel counts for the nearest node; a cell is smaller than a window where windows overlap.
+    // Every voxel counts for the nearest node; cells are smaller than windows if windows overlap.
     for (n, &intensity) in light.intensity.iter().enumerate() {
         let at = light.position_mm(n);
         let node: [f64; 3] = std::array::from_fn(|axis| {
@@ -105,8 +105,7 @@ pub fn lit_windows(
     }
     let mean = cells.iter().sum::<f64>() / cells.len().max(1) as f64;
     let cells_per_window = (window_mm / grid.spacing_mm).powi(3).max(1.0);
-    let least =
-        (LEAST_PARTICLES * particle_counts / cells_per_window).max(LEAST_SHARE_OF_MEAN * mean);
+    let least = (MIN_PARTICLES * particle_counts / cells_per_window).max(MIN_SHARE_OF_MEAN * mean);
     let lit: Vec<usize> = (0..cells.len()).filter(|&n| cells[n] > least).collect();
-    (lit.len() >= LEAST_WINDOWS).then_some(lit)
+    (lit.len() >= MIN_WINDOWS).then_some(lit)
 }

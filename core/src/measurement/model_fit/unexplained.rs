@@ -1,4 +1,4 @@
-//! What the reconstruction leaves unexplained of one camera's light.
+//! The share of one camera's light that the reconstruction does not explain.
 
 use crate::{
     lightfield::{ViewLayout, ViewStack},
@@ -6,26 +6,26 @@ use crate::{
     statistics::median,
 };
 
-/// Edge of the tiles that are judged by themselves, in microlenses: some particles at the sparsest
-/// seeding, and small beside a window.
+/// Edge of the tiles that are assessed separately, in microlenses: contains some particles at the
+/// sparsest seeding, and is small compared with a window.
 const TILE: usize = 8;
 
-/// Share of a tile's pixels with the largest residuals that do not count: hot pixels.
+/// Share of a tile's pixels with the largest residuals that is ignored: hot pixels.
 const TRIMMED_SHARE: f64 = 2e-3;
 
-/// Tiles with less than this part of the mean tile's light are dark.
+/// Tiles with less than this share of the mean tile's light are dark.
 const LIT_SHARE_OF_MEAN: f64 = 0.1;
 
-/// The tile that speaks for all: this share of the lit ones is explained better. A wrong bench leaves
-/// light unexplained nearly everywhere; a reflection, a shadow, or what only one camera sees leave most
-/// of a field as it should be.
+/// Quantile over the lit tiles that gives the result. A wrong bench leaves light unexplained nearly
+/// everywhere; a reflection, a shadow, or an object that only one camera sees affects only part of
+/// the field.
 const TILE_RANK: f64 = 0.25;
 
-/// A tile may be this much brighter or dimmer than the reconstruction: cameras and fields of unlike
+/// Largest ratio of a tile's brightness to the reconstruction: cameras and fields may differ in
 /// brightness.
-const LARGEST_SCALE: f64 = 5.0;
+const MAX_SCALE: f64 = 5.0;
 
-/// Pixels brighter than this share of a particle's light show shot noise.
+/// Pixels above this share of a particle's light are used to estimate shot noise.
 const BRIGHT_PARTICLE_SHARE: f64 = 0.5;
 
 /// Variance of I₋ − 2 I₀ + I₊ for independent pixels of variance 1.
@@ -34,14 +34,14 @@ const SECOND_DIFFERENCE_GAIN: f64 = 6.0;
 /// Median of the square of a standard normal variable.
 const MEDIAN_OF_SQUARE: f64 = 0.455;
 
-/// Fewer second differences than this say nothing about shot noise.
-const LEAST_DIFFERENCES: usize = 100;
+/// Minimum number of second differences for an estimate of shot noise.
+const MIN_DIFFERENCES: usize = 100;
 
-/// Residual of the `projected` views over the standard deviation of the measured light, both less
-/// what noise adds: read noise, and shot noise at the gain that the views themselves show. The
-/// standard deviation and not the mean square, because dense seeding adds a mean that any
-/// reconstruction explains. Tiles of the field are judged by themselves, each at its own brightness; the
-/// lower quartile of those with light is the answer, 0 to 1, and 1 where none has any.
+/// Residual of the `projected` views relative to the standard deviation of the measured light, both
+/// minus noise: read noise, and shot noise at the gain estimated from the views. The standard
+/// deviation rather than the mean square, because dense seeding adds a mean that any reconstruction
+/// explains. Tiles of the field are assessed separately, each at its own brightness; the result is
+/// the lower quartile of the lit tiles, 0 to 1, and 1 if no tile is lit.
 pub fn unexplained(
     views: &ViewStack,
     layout: &ViewLayout,
@@ -78,19 +78,19 @@ pub fn unexplained(
 /// Measured and modelled light, in counts.
 type Pixel = [f64; 2];
 
-/// Variance of the light of a tile, and what is left of it, both without noise, in counts².
+/// Variance of the light of a tile, and its unexplained part, both without noise, in counts².
 struct Tile {
     light: f64,
     residual: f64,
 }
 
 impl Tile {
-    /// Of the `pixels` of a tile in all views, with the variance that `noise` has at a mean light.
+    /// For the `pixels` of a tile in all views; `noise` is the noise variance at a mean light.
     fn of(pixels: &mut [Pixel], noise: &impl Fn(f64) -> f64) -> Self {
         let (both, modelled) =
             pixels.iter().fold((0.0, 0.0), |(both, square), [m, p]| (both + m * p, square + p * p));
         let scale = match modelled > 0.0 {
-            true => (both / modelled).clamp(1.0 / LARGEST_SCALE, LARGEST_SCALE),
+            true => (both / modelled).clamp(1.0 / MAX_SCALE, MAX_SCALE),
             false => 1.0,
         };
         let square = |[measured, modelled]: &Pixel| (measured - scale * modelled).powi(2);
@@ -109,15 +109,15 @@ impl Tile {
 }
 
 /// Counts per photo-electron, from second differences between three neighbouring views: particles
-/// near focus look the same in all three, so that the median is shot noise. 0 where too few pixels
-/// are bright.
+/// near focus look the same in all three, so the median is shot noise. 0 if too few pixels are
+/// bright.
 fn counts_per_electron(views: &ViewStack, layout: &ViewLayout, levels: &ViewLevels) -> f64 {
     let bright = (BRIGHT_PARTICLE_SHARE * levels.particle_counts) as f32;
     let mut gains: Vec<f64> = Vec::new();
     for middle in 1..layout.views.len().saturating_sub(1) {
         let [left, centre, right] = [middle - 1, middle, middle + 1].map(|n| &layout.views[n]);
         let in_a_row = left.l == right.l && right.k - left.k == 2 && centre.l == left.l;
-        // A tenth of the rows of the pupil is enough.
+        // A tenth of the pupil's rows is enough.
         if !in_a_row || centre.l.rem_euclid(8) != 0 || [left, right].iter().any(|v| v.is_cut()) {
             continue;
         }
@@ -130,7 +130,7 @@ fn counts_per_electron(views: &ViewStack, layout: &ViewLayout, levels: &ViewLeve
             }
         }
     }
-    if gains.len() < LEAST_DIFFERENCES {
+    if gains.len() < MIN_DIFFERENCES {
         return 0.0;
     }
     let median = median(gains).unwrap_or_default();
@@ -153,7 +153,7 @@ mod tests {
     /// Pixels of which the model explains all but `unexplained` of the standard deviation.
     fn pixels(unexplained: f64, scale: f64) -> Vec<Pixel> {
         let mut random = Pcg64Mcg::seed_from_u64(5);
-        // Uniform numbers of variance 1.
+        // Uniform random numbers of variance 1.
         let mut normal = || (random.random::<f64>() - 0.5) * 12f64.sqrt();
         (0..20_000)
             .map(|_| {

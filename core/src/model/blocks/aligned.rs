@@ -1,11 +1,11 @@
-//! Blocks seen by cameras that look along an axis of the grid.
+//! Blocks for cameras that look along an axis of the grid.
 
 use std::sync::Arc;
 
 use lfpiv_hw::{Optics, Pose};
 
 use super::{
-    BlockModel, BlockProjector, Darkness, LitBlocks,
+    BlockModel, BlockProjector, HullCriteria, LitBlocks,
     aligned_tables::{AlignedCamera, AlignedModel, Axes},
     axis_table::PairTable,
     block_indices, lit,
@@ -22,33 +22,34 @@ use crate::{
     },
 };
 
-/// The depths at which a block's voxels are tabulated.
+/// Number of tabulated depths per block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum DepthsPerBlock {
-    /// That of the block's centre for all: half a voxel of depth moves shadows by less than
+    /// The depth of the block's centre for all voxels: half a voxel of depth moves shadows by less than
     /// [`SHARED_DEPTH_TOLERANCE`] of the source.
     One,
-    /// Each voxel's own.
+    /// One per layer of voxels.
     Two,
 }
 
-/// Share of the source's edge by which sharing a depth may move a shadow at the pupil's edge.
+/// Largest displacement of a shadow at the pupil's edge by sharing a depth, relative to the
+/// source's edge.
 const SHARED_DEPTH_TOLERANCE: f64 = 1.0 / 16.0;
 
 impl DepthsPerBlock {
-    /// What sources of edge `footprint_mm` need. Points have no width that hides a shift: on
-    /// voxels of 0.1 mm a shared depth cost Q 0.85 -> 0.75 (particles on voxel centres, 1 ppm).
+    /// The depths needed for sources of edge `footprint_mm`. Points have no width that hides a
+    /// displacement: on voxels of 0.1 mm a shared depth reduced Q from 0.85 to 0.75 (particles on
+    /// voxel centres, 1 ppm).
     pub fn needed(optics: &Optics, grid: &VolumeGrid, footprint_mm: f64) -> Self {
         let s = optics.object_distance_mm;
-        // da/ds R (docs/theory.md, section 4), carried back into object space by 1/|b| = s/s_i.
+        // da/ds R (docs/theory.md, section 4), converted to object space by 1/|b| = s/s_i.
         let per_depth = optics.pupil_diameter_mm() / 2.0 / s;
         let shift_mm = grid.voxel_mm / 2.0 * per_depth;
         if shift_mm <= SHARED_DEPTH_TOLERANCE * footprint_mm { Self::One } else { Self::Two }
     }
 }
 
-/// How the cameras see the grid, if all of them look along its axes. Errors as
-/// [`super::block_model`].
+/// The views of all cameras, if they look along the grid's axes. Errors as [`super::block_model`].
 pub(super) fn aligned_views(
     optics: &Optics,
     poses: &[Pose],
@@ -61,8 +62,8 @@ pub(super) fn aligned_views(
 }
 
 impl<const L: usize, const D: usize> AlignedModel<L, D> {
-    /// `None` when pairs of voxels reach more than `L` microlenses, when voxels are too small for
-    /// the hull's bits, or a camera is not aligned.
+    /// `None` if pairs of voxels reach more than `L` microlenses, if voxels are too small for the
+    /// hull's bits, or if a camera is not aligned.
     pub fn new(
         optics: &Optics,
         views: &[CameraView],
@@ -71,7 +72,7 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
         footprint_mm: f64,
         parts: &ModelParts,
     ) -> Option<Self> {
-        if voxels_per_microlens(optics, grid) > lit::MOST_VOXELS_PER_MICROLENS {
+        if voxels_per_microlens(optics, grid) > lit::MAX_VOXELS_PER_MICROLENS {
             return None;
         }
         let mut cameras = Vec::with_capacity(views.len());
@@ -92,13 +93,12 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
     }
 }
 
-/// Tables with what each was made from: two cameras at right angles often see the same along the
-/// axis that they share.
+/// Tables by geometry: two cameras at right angles often have the same table along their common axis.
 #[derive(Default)]
 struct SharedTables<'a, const L: usize>(Vec<(AxisGeometry<'a>, Arc<PairTable<L>>)>);
 
 impl<'a, const L: usize> SharedTables<'a, L> {
-    /// The table of a geometry; `None` as [`PairTable::new`].
+    /// The table of a geometry; `None` as in [`PairTable::new`].
     fn of(&mut self, geometry: AxisGeometry<'a>) -> Option<Arc<PairTable<L>>> {
         if let Some((_, table)) = self.0.iter().find(|(known, _)| *known == geometry) {
             return Some(table.clone());
@@ -109,7 +109,7 @@ impl<'a, const L: usize> SharedTables<'a, L> {
     }
 }
 
-/// Voxels under a microlens, in focus.
+/// Number of voxels per microlens, in focus.
 fn voxels_per_microlens(optics: &Optics, grid: &VolumeGrid) -> f64 {
     let magnification = RayMap::at_depth(optics, 0.0).position.abs();
     optics.microlens.pitch_mm / (magnification * grid.voxel_mm)
@@ -134,8 +134,8 @@ impl<const L: usize, const D: usize> BlockModel for AlignedModel<L, D> {
         })
     }
 
-    fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks {
-        lit::lit_blocks(self, views, darkness)
+    fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks {
+        lit::lit_blocks(self, views, criteria)
     }
 
     fn image_len(&self, camera: usize) -> usize {

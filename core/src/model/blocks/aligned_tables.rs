@@ -1,5 +1,4 @@
-//! Tables of blocks seen by cameras that look along an axis of the grid, and where a block's taps
-//! are in them.
+//! Tables for cameras that look along an axis of the grid, and the position of a block's taps in them.
 
 use std::sync::Arc;
 
@@ -10,8 +9,8 @@ use crate::{
 };
 
 /// The separable footprint of every block in every view, from tables of up to `L` microlenses per
-/// pair of voxels and axis, for `D` depths per block: 1 where both voxels may take the depth
-/// between them, 2 where each needs its own (see [`DepthsPerBlock`]).
+/// pair of voxels and axis, with `D` depths per block: 1 if both voxels may use the depth between
+/// them, 2 if each needs its own (see [`DepthsPerBlock`]).
 #[derive(Debug)]
 pub struct AlignedModel<const L: usize, const D: usize> {
     pub(super) grid: VolumeGrid,
@@ -19,7 +18,7 @@ pub struct AlignedModel<const L: usize, const D: usize> {
     pub(super) cameras: Vec<AlignedCamera<L>>,
 }
 
-/// One camera's tables, and how its axes lie in the grid.
+/// One camera's tables, and the orientation of its axes in the grid.
 #[derive(Debug)]
 pub(super) struct AlignedCamera<const L: usize> {
     pub axes: Axes,
@@ -37,7 +36,7 @@ pub(super) struct Axes {
     pub depth: usize,
 }
 
-/// Where in a camera's two tables a block's taps are.
+/// Indices of a block's taps in a camera's two tables.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub column: u32,
@@ -49,7 +48,7 @@ impl Axes {
         Some(Self { column: view.xi.along?, row: view.eta.along?, depth: view.depth.along? })
     }
 
-    /// Every way to look along a grid.
+    /// All orientations of a camera along the grid.
     pub const ALL: [Self; 6] = [
         Self { column: 0, row: 1, depth: 2 },
         Self { column: 0, row: 2, depth: 1 },
@@ -59,12 +58,12 @@ impl Axes {
         Self { column: 2, row: 1, depth: 0 },
     ];
 
-    /// Position in [`Self::ALL`].
+    /// Index in [`Self::ALL`].
     pub fn number(self) -> usize {
         2 * self.column + usize::from(self.row > self.depth)
     }
 
-    /// For row r and column c of a block as the camera sees it, the near and the far child.
+    /// For row r and column c of a block in the camera's orientation, the near and the far child.
     pub const fn children(self) -> [[[usize; 2]; 2]; 2] {
         let (c, r, d) = (1 << self.column, 1 << self.row, 1 << self.depth);
         [[[0, d], [c, c + d]], [[r, r + d], [r + c, r + c + d]]]
@@ -72,7 +71,7 @@ impl Axes {
 }
 
 impl<const L: usize, const D: usize> AlignedModel<L, D> {
-    /// One view's tables: columns, rows, coverage.
+    /// The tables of one view: columns, rows, coverage.
     pub(super) fn view(&self, id: ViewId) -> ViewTables<'_, L> {
         let camera = &self.cameras[id.camera];
         let view = &self.layouts[id.camera].views[id.view];
@@ -87,10 +86,10 @@ impl<const L: usize, const D: usize> AlignedModel<L, D> {
     }
 }
 
-/// What projects into one view.
+/// The tables used to project into one view.
 pub(super) struct ViewTables<'a, const L: usize> {
     pub columns: &'a [PairTap<L>],
-    /// From one depth's taps to the next one's.
+    /// Stride between depths.
     pub column_pairs: usize,
     pub rows: &'a [PairTap<L>],
     pub row_pairs: usize,
@@ -99,7 +98,7 @@ pub(super) struct ViewTables<'a, const L: usize> {
 }
 
 impl<const L: usize> AlignedCamera<L> {
-    /// Where the taps of a block's first layer of `layers` are; the next layer's are a row of
+    /// The indices of the taps of a block's first layer of `layers`; the next layer is a row of
     /// pairs further.
     pub fn place(&self, block: [usize; 3], layers: usize) -> Place {
         let Axes { column, row, depth } = self.axes;

@@ -5,8 +5,7 @@ use rayon::prelude::*;
 use super::{pair_tap::PairTap, row_shares::RowShares};
 use crate::model::tables::AxisGeometry;
 
-/// One axis of one camera: a [`PairTap`] for every view index, depth and pair of voxels
-/// across, in this order.
+/// One axis of one camera: a [`PairTap`] for every view index, depth and pair of voxels, in this order.
 #[derive(Debug)]
 pub struct PairTable<const L: usize> {
     reach: i32,
@@ -16,7 +15,7 @@ pub struct PairTable<const L: usize> {
 }
 
 impl<const L: usize> PairTable<L> {
-    /// Computes every tap of `geometry`, whose positions are those of voxels. `None` when a pair
+    /// Computes every tap of `geometry`, whose positions are those of voxels. `None` if a pair
     /// reaches more than `L` microlenses.
     pub fn new(geometry: &AxisGeometry<'_>) -> Option<Self> {
         let reach = geometry.sampling.reach;
@@ -24,7 +23,7 @@ impl<const L: usize> PairTable<L> {
         if geometry.pair_reach() > L {
             return None;
         }
-        // A vector per view: nothing is written twice, and every thread fills its own pages.
+        // One vector per view, so that nothing is written twice and every thread fills its own pages.
         let views = (-reach..=reach).into_par_iter().map(|k| {
             let mut row = RowShares::new(geometry);
             let mut taps = Vec::with_capacity(depths * pairs);
@@ -34,7 +33,7 @@ impl<const L: usize> PairTable<L> {
         Some(Self { reach, depths, pairs, views: views.collect() })
     }
 
-    /// The taps of view index `k`, addressed by `depth * pairs + pair`.
+    /// The taps of view index `k`, with index `depth * pairs + pair`.
     pub fn of_view(&self, k: i32) -> &[PairTap<L>] {
         &self.views[(k + self.reach) as usize]
     }

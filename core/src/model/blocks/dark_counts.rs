@@ -1,43 +1,43 @@
-//! Counting for a line of voxels at a time.
+//! Counting of dark views for a whole line of voxels at once.
 
 /// One bit per voxel of a line of 64·`W`.
 pub(super) type Line<const W: usize> = [u64; W];
 
-/// Counters of dark views for many voxels, as bit planes that start so high that the carry out of
-/// the last plane says "one more than forgiven".
+/// Counters of dark views for many voxels, as bit planes. They start at such a value that the carry
+/// out of the last plane indicates more dark views than tolerated.
 pub(super) struct DarkCounts<const W: usize> {
     planes: usize,
-    /// For each line its planes, one after the other.
+    /// The planes of each line, consecutively.
     bits: Vec<Line<W>>,
     exceeded: Vec<Line<W>>,
 }
 
-/// Numbers of planes whose loops are unrolled, so that a line is counted in registers.
+/// Numbers of planes with unrolled loops, so that a line is counted in registers.
 const PLANES: [usize; 4] = [3, 4, 8, 16];
 
-/// Nobody has more views.
-const MOST_FORGIVEN: usize = (1 << 16) - 1;
+/// Upper bound of the number of views.
+const MAX_TOLERATED: usize = (1 << 16) - 1;
 
 impl<const W: usize> DarkCounts<W> {
-    /// Counters for `lines` lines, where `forgiven` dark views are allowed. Only the voxels of
-    /// `inside` are counted, the others have too many from the start.
-    pub fn new(lines: usize, inside: Line<W>, forgiven: usize) -> Self {
-        let forgiven = forgiven.min(MOST_FORGIVEN);
-        let fits = |planes: &usize| forgiven >> planes == 0;
+    /// Counters for `lines` lines, with `tolerated` tolerated dark views. Only the voxels of
+    /// `inside` are counted; the others exceed the limit from the start.
+    pub fn new(lines: usize, inside: Line<W>, tolerated: usize) -> Self {
+        let tolerated = tolerated.min(MAX_TOLERATED);
+        let fits = |planes: &usize| tolerated >> planes == 0;
         let planes = PLANES.into_iter().find(fits).unwrap_or(PLANES[PLANES.len() - 1]);
-        let start = (1usize << planes) - 1 - forgiven;
+        let start = (1usize << planes) - 1 - tolerated;
         let plane = |n: usize| if start >> (n % planes) & 1 == 1 { u64::MAX } else { 0 };
         let bits = (0..lines * planes).map(|n| [plane(n); W]).collect();
         Self { planes, bits, exceeded: vec![inside.map(|word| !word); lines] }
     }
 
-    /// Whether a voxel of the line has no more dark views than forgiven.
+    /// Whether any voxel of the line has no more dark views than tolerated.
     #[inline(always)]
     pub fn is_open(&self, line: usize) -> bool {
         self.exceeded[line] != [u64::MAX; W]
     }
 
-    /// Counts, view by view, the voxels of a line whose bit is set.
+    /// For each view, counts the voxels of a line whose bit is set.
     #[inline(always)]
     pub fn count(&mut self, line: usize, dark: &[Line<W>]) {
         let exceeded = &mut self.exceeded[line];
@@ -50,7 +50,7 @@ impl<const W: usize> DarkCounts<W> {
         }
     }
 
-    /// The voxels with no more dark views than forgiven.
+    /// The voxels with no more dark views than tolerated.
     pub fn within(&self) -> Vec<Line<W>> {
         self.exceeded.iter().map(|line| line.map(|word| !word)).collect()
     }
@@ -89,13 +89,13 @@ mod tests {
     proptest! {
         #[test]
         fn counts_as_a_number_per_voxel(
-            forgiven in prop_oneof![0usize..20, Just(300)],
+            tolerated in prop_oneof![0usize..20, Just(300)],
             inside in any::<[u64; 2]>(),
             dark in prop::collection::vec(
                 (0usize..3, prop::collection::vec(any::<[u64; 2]>(), 0..9)), 0..12,
             ),
         ) {
-            let mut counts = DarkCounts::new(3, inside, forgiven);
+            let mut counts = DarkCounts::new(3, inside, tolerated);
             let mut naive = vec![0; 3 * 128];
             for (line, views) in dark {
                 counts.count(line, &views);
@@ -108,7 +108,7 @@ mod tests {
             let within = counts.within();
             for (n, count) in naive.into_iter().enumerate() {
                 let (line, word, bit) = (n / 128, n % 128 / 64, n % 64);
-                let expected = inside[word] >> bit & 1 == 1 && count <= forgiven;
+                let expected = inside[word] >> bit & 1 == 1 && count <= tolerated;
                 prop_assert_eq!(within[line][word] >> bit & 1 == 1, expected);
                 prop_assert!(!expected || counts.is_open(line));
             }

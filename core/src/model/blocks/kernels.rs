@@ -1,16 +1,15 @@
 //! Kernels that project blocks with taps of pairs of voxels, one view at a time.
 //!
-//! A block's light is first summed over its two depths where they share their taps, then spread
-//! over the microlenses along the columns, then along the rows. Rows are `L` values long whatever the
-//! footprint: shares beyond it are 0, and the loops unroll into vector instructions. The kernels
-//! are plain loops, not iterator chains: two of three instructions were calls otherwise.
+//! A block's light is first summed over its two depths if they share their taps, then distributed
+//! over the microlenses along the columns, then along the rows. Rows have `L` values whatever the
+//! footprint: shares beyond it are 0, so that the loops unroll into vector instructions. The
+//! kernels are plain loops: with iterator chains, two of three instructions were calls.
 //!
-//! A view's tables come from memory or a far cache, block by block from another place. Waiting for
-//! them was a third of the time, because a processor looks ahead over two or three blocks only.
-//! So the taps of a batch of blocks are copied first: loads that wait for nothing but memory
-//! overlap. While a batch is worked on, the taps of the next one are on their way ([`prefetch`]):
-//! the tables of all views are larger than most last caches, and copying waited for two fifths of
-//! the time.
+//! A view's tables come from memory or a far cache, at a different place for each block. Waiting
+//! for them took a third of the time, because a processor looks ahead over only two or three
+//! blocks. So the taps of a batch of blocks are copied first, so that their loads overlap. While a
+//! batch is processed, the taps of the next one are prefetched ([`prefetch`]): the tables of all
+//! views are larger than most last-level caches, and copying spent two fifths of the time waiting.
 
 use multiversion::multiversion;
 
@@ -20,38 +19,38 @@ use super::{
     pair_tap::{PairTap, SHARE_UNIT},
 };
 
-/// Where the taps of blocks in one view come from: `D` layers per block.
+/// Source of the taps of blocks in one view, with `D` layers per block.
 pub(super) trait TapSource<const L: usize, const D: usize>: Sync {
-    /// What says where a batch's taps are.
+    /// Addresses of a batch's taps.
     type Addresses;
 
-    /// The addresses of `count` blocks, at most [`BATCH`], from number `start` on.
+    /// The addresses of `count` blocks, at most [`BATCH`], starting with block `start`.
     fn addresses(&self, start: usize, count: usize) -> Self::Addresses;
 
-    /// Asks for the taps of a batch, without waiting for them.
-    fn ask_for(&self, addresses: &Self::Addresses);
+    /// Prefetches the taps of a batch.
+    fn prefetch_taps(&self, addresses: &Self::Addresses);
 
     /// Copies the taps of a batch.
     fn fetch(&self, addresses: &Self::Addresses, taps: &mut [BlockTaps<L, D>; BATCH]);
 }
 
-/// Number of an arrangement in which each of a block's eight voxels is a layer of its own; the smaller
-/// numbers are those of [`Axes`].
+/// Index of the arrangement in which each of a block's eight voxels is its own layer; smaller
+/// indices are those of [`Axes`].
 pub(super) const APART: usize = Axes::ALL.len();
 
-/// A share along the columns times one along the rows, in the units of the tables.
+/// Unit of a share along the columns times one along the rows.
 const UNITS: f32 = SHARE_UNIT * SHARE_UNIT;
 
-/// Blocks whose taps are fetched together: enough to keep as many loads in flight as a core can,
-/// few enough for its nearest cache.
+/// Blocks whose taps are fetched together: enough to keep a core's load buffers full, few enough
+/// for its L1 cache.
 pub(super) const BATCH: usize = 16;
 
-/// A block's taps along the columns and the rows, per layer.
+/// A block's taps along columns and rows, per layer.
 pub(super) type BlockTaps<const L: usize, const D: usize> = [[PairTap<L>; 2]; D];
 
 /// The children of row r and column c of a block, near and far.
 const fn children_of(arrangement: usize) -> [[[usize; 2]; 2]; 2] {
-    // Where each voxel is a layer of its own, nobody asks.
+    // Unused if each voxel is its own layer.
     Axes::ALL[arrangement % APART].children()
 }
 
@@ -78,7 +77,7 @@ fn light_of<const D: usize>(
     quarters
 }
 
-/// `A` is the number of the camera's [`Axes`], or [`APART`] with 8 layers.
+/// `A` is the index of the camera's [`Axes`], or [`APART`] with 8 layers.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub(super) fn project_blocks<S: TapSource<L, D>, const L: usize, const D: usize, const A: usize>(
     source: &S,
@@ -93,7 +92,7 @@ pub(super) fn project_blocks<S: TapSource<L, D>, const L: usize, const D: usize,
         source.fetch(&next, &mut taps);
         let start = (batch + 1) * BATCH;
         next = source.addresses(start, light.len().saturating_sub(start).min(BATCH));
-        source.ask_for(&next);
+        source.prefetch_taps(&next);
         for (taps, light) in taps.iter().zip(lights) {
             for (layer, [column, row]) in taps.iter().enumerate() {
                 let quarters = light_of::<D>(children, light, layer);
@@ -108,7 +107,7 @@ pub(super) fn project_blocks<S: TapSource<L, D>, const L: usize, const D: usize,
                 }
                 let mut at = usize::from(row.first) * width + usize::from(column.first);
                 for j in 0..usize::from(row.len).min(L) {
-                    // Tables and image belong together; a wrong image length loses light, no more.
+                    // Tables and image match; a wrong image length would only lose light.
                     let Some(pixels) = image.get_mut(at..at + L) else { break };
                     let (low, high) = (f32::from(row.shares[0][j]), f32::from(row.shares[1][j]));
                     for i in 0..L {
@@ -138,7 +137,7 @@ pub(super) fn gather_blocks<S: TapSource<L, D>, const L: usize, const D: usize, 
         source.fetch(&next, &mut taps);
         let done = (batch + 1) * BATCH;
         next = source.addresses(start + done, blocks.saturating_sub(done).min(BATCH));
-        source.ask_for(&next);
+        source.prefetch_taps(&next);
         for (taps, out) in taps.iter().zip(out) {
             for (layer, [column, row]) in taps.iter().enumerate() {
                 let mut at = usize::from(row.first) * width + usize::from(column.first);
@@ -174,8 +173,8 @@ pub(super) fn gather_blocks<S: TapSource<L, D>, const L: usize, const D: usize, 
     }
 }
 
-/// Σ_i sums[r][i] shares[c][i] at 2 r + c, halves first: four sums side by side in a vector. `L` is
-/// a power of two.
+/// Σ_i sums[r][i] shares[c][i] at index 2 r + c, summed in halves: four sums per vector. `L` is a
+/// power of two.
 #[inline(always)]
 fn along_columns<const L: usize>(sums: &[[f32; L]; 2], shares: &[[u16; L]; 2]) -> [f32; 4] {
     let mut products = [[0.0f32; 4]; L];

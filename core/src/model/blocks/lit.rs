@@ -1,10 +1,10 @@
-//! Which voxels may hold light, up to 256 voxels at a time.
+//! Photo-hull in blocks: the voxels that may contain light, up to 256 at a time.
 //!
-//! One camera at a time: for each depth of blocks and each view, the image's lit pixels are carried
-//! onto the voxels. A few neighbouring microlenses are looked up together, so a row of the image
-//! becomes a line of bits in some twenty operations ([`maps`]); a voxel's line is the union of the
-//! rows in its support. The views that find a voxel dark are counted in bit planes ([`slab`]).
-//! Lines have as many words as a grid's columns need, four at most.
+//! For one camera, each depth of blocks and each view, the image's lit pixels are mapped onto the
+//! voxels. A few neighbouring microlenses are looked up together, so a row of the image becomes a
+//! line of bits in some twenty operations ([`maps`]); a voxel's line is the union of the rows in
+//! its support. The views that find a voxel dark are counted in bit planes ([`slab`]). Lines have
+//! as many words as a grid's columns need, at most four.
 
 mod maps;
 mod slab;
@@ -16,7 +16,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::{
-    Darkness, LitBlocks,
+    HullCriteria, LitBlocks,
     aligned_tables::{AlignedCamera, AlignedModel, Axes},
     blocks_along,
     dark_counts::Line,
@@ -26,27 +26,27 @@ use maps::GROUP;
 use slab::Slab;
 
 /// With more, a group's voxels would not fit into two words: (6 + 2) · 8 = 64.
-pub(super) const MOST_VOXELS_PER_MICROLENS: f64 = 8.0;
+pub(super) const MAX_VOXELS_PER_MICROLENS: f64 = 8.0;
 
 /// See [`super::BlockModel::lit`].
 pub(super) fn lit_blocks<const L: usize, const D: usize>(
     model: &AlignedModel<L, D>,
     views: &[ViewStack],
-    darkness: &Darkness,
+    criteria: &HullCriteria,
 ) -> LitBlocks {
     let columns = model.cameras.iter().map(|camera| model.grid.voxels[camera.axes.column]);
     match columns.max().unwrap_or(0) {
-        0..=64 => lit_in_lines::<1, L, D>(model, views, darkness),
-        65..=128 => lit_in_lines::<2, L, D>(model, views, darkness),
-        _ => lit_in_lines::<4, L, D>(model, views, darkness),
+        0..=64 => lit_in_lines::<1, L, D>(model, views, criteria),
+        65..=128 => lit_in_lines::<2, L, D>(model, views, criteria),
+        _ => lit_in_lines::<4, L, D>(model, views, criteria),
     }
 }
 
-/// [`lit_blocks`] by lines of `W` words.
+/// [`lit_blocks`] with lines of `W` words.
 fn lit_in_lines<const W: usize, const L: usize, const D: usize>(
     model: &AlignedModel<L, D>,
     views: &[ViewStack],
-    darkness: &Darkness,
+    criteria: &HullCriteria,
 ) -> LitBlocks {
     let cameras: Vec<CameraBits<W>> = model
         .cameras
@@ -54,8 +54,8 @@ fn lit_in_lines<const W: usize, const L: usize, const D: usize>(
         .zip(&model.layouts)
         .enumerate()
         .map(|(n, (camera, layout))| {
-            let images = LitImages::new(layout, &views[n], darkness, n);
-            CameraBits::new(camera, layout, &images, (model.grid.voxels, D), darkness.forgiven[n])
+            let images = LitImages::new(layout, &views[n], criteria, n);
+            CameraBits::new(camera, layout, &images, (model.grid.voxels, D), criteria.tolerated[n])
         })
         .collect();
     let [nx, ny, nz] = blocks_along(&model.grid);
@@ -81,12 +81,12 @@ fn lit_in_lines<const W: usize, const L: usize, const D: usize>(
     }
 }
 
-/// A block's children that all cameras think possible and one sees.
+/// The children of a block that are possible for all cameras and seen by at least one.
 fn lit_children<const W: usize>(cameras: &[CameraBits<W>], block: [usize; 3]) -> u8 {
     let mut possible = u8::MAX;
     for camera in cameras {
         possible &= camera.possible.children(block);
-        // Most blocks are empty, and the first camera knows.
+        // Most blocks are empty, and the first camera shows it.
         if possible == 0 {
             return 0;
         }
@@ -94,10 +94,10 @@ fn lit_children<const W: usize>(cameras: &[CameraBits<W>], block: [usize; 3]) ->
     possible & cameras.iter().fold(0, |mask, camera| mask | camera.seen.children(block))
 }
 
-/// The lit pixels of the views of a camera that are asked: for each row and each [`GROUP`] of
-/// microlenses the set of those that are lit, a bit each.
+/// The lit pixels of a camera's selected views: for each row and each [`GROUP`] of microlenses, one
+/// bit per lit microlens.
 struct LitImages<'a> {
-    /// The views' positions in the layout, ascending.
+    /// The views' indices in the layout, ascending.
     views: &'a [usize],
     rows: usize,
     groups: usize,
@@ -105,8 +105,13 @@ struct LitImages<'a> {
 }
 
 impl<'a> LitImages<'a> {
-    fn new(layout: &ViewLayout, stack: &ViewStack, darkness: &'a Darkness, camera: usize) -> Self {
-        let (views, dark_below) = (&darkness.asked[camera], darkness.dark_below[camera]);
+    fn new(
+        layout: &ViewLayout,
+        stack: &ViewStack,
+        criteria: &'a HullCriteria,
+        camera: usize,
+    ) -> Self {
+        let (views, dark_below) = (&criteria.selected[camera], criteria.dark_below[camera]);
         let (width, rows) = (layout.window.columns.len(), layout.window.rows.len());
         let groups = width.div_ceil(GROUP);
         let mut sets = vec![0u8; views.len() * rows * groups];
@@ -116,7 +121,7 @@ impl<'a> LitImages<'a> {
                 let target = &mut sets[row * groups..][..groups];
                 for (i, &value) in line.iter().enumerate() {
                     let open = coverage.map_or(1.0, |c| c[row * width + i]);
-                    // A pixel less than half open is no evidence of darkness.
+                    // A pixel less than half open is no evidence of criteria.
                     let lit = open <= 0.5 || value >= dark_below * open;
                     target[i / GROUP] |= u8::from(lit) << (i % GROUP);
                 }
@@ -125,7 +130,7 @@ impl<'a> LitImages<'a> {
         Self { views, rows, groups, sets }
     }
 
-    /// Which images are those of the layout's views `of`.
+    /// The images of the layout's views `of`.
     fn of_views(&self, of: Range<usize>) -> Range<usize> {
         let first_from = |start| self.views.partition_point(|&view| view < start);
         first_from(of.start)..first_from(of.end)
@@ -136,26 +141,25 @@ impl<'a> LitImages<'a> {
     }
 }
 
-/// A camera's verdict on every voxel.
+/// One camera's result for every voxel.
 struct CameraBits<const W: usize> {
     possible: VoxelBits<W>,
     seen: VoxelBits<W>,
 }
 
-/// One bit per voxel: a [`Line`] for each strip of columns, tabulated depth and voxel across the
-/// rows.
+/// One bit per voxel: a [`Line`] for each strip of columns, tabulated depth and voxel along the rows.
 struct VoxelBits<const W: usize> {
     axes: Axes,
-    /// Depths per block that have lines of their own.
+    /// Depths per block with their own lines.
     layers: usize,
-    /// Voxels along the depth and across the rows.
+    /// Number of voxels along the depth and along the rows.
     depths: usize,
     rows: usize,
     lines: Vec<Line<W>>,
 }
 
 impl<const W: usize> VoxelBits<W> {
-    /// The bits of a block's children; 0 beyond the grid's end.
+    /// The bits of a block's children; 0 outside the grid.
     fn children(&self, block: [usize; 3]) -> u8 {
         let (column, row) = (2 * block[self.axes.column], 2 * block[self.axes.row]);
         let (strip, column) = (column / (64 * W), column % (64 * W));
@@ -189,7 +193,7 @@ impl<const W: usize> CameraBits<W> {
         layout: &ViewLayout,
         images: &LitImages<'_>,
         (voxels, layers): ([usize; 3], usize),
-        forgiven: usize,
+        tolerated: usize,
     ) -> Self {
         let (columns, rows) = (voxels[camera.axes.column], voxels[camera.axes.row]);
         let depths = camera.columns.depths();
@@ -199,7 +203,7 @@ impl<const W: usize> CameraBits<W> {
                 let first_column = n / depths * 64 * W;
                 let slab =
                     Slab { camera, layout, images, depth: n % depths, first_column, columns, rows };
-                slab.judge::<W>(forgiven)
+                slab.evaluate::<W>(tolerated)
             })
             .collect();
         let collect = |n: usize| VoxelBits {

@@ -1,13 +1,12 @@
 //! The model in blocks of 2 × 2 × 2 voxels, for solvers that work on active voxels only.
 //!
-//! Neighbouring voxels share most of what a projection costs: where the block's microlenses are,
-//! and the pixels themselves. [`AlignedModel`] uses that where every camera is as drawn and looks
-//! along an axis of the grid, [`mapped`] does for all others; [`VoxelwiseBlocks`] does the same
-//! sums voxel by voxel through any [`ForwardModel`] and is the reference that they are tested
-//! against.
+//! Neighbouring voxels share most of a projection's cost: finding their microlenses, and accessing
+//! the pixels. [`AlignedModel`] is used if every camera is ideal and looks along an axis of the
+//! grid, [`mapped`] for all others. [`VoxelwiseBlocks`] computes the same sums voxel by voxel
+//! through any [`ForwardModel`], and is the reference in tests.
 //!
-//! Voxel (i, j, k) is child `(i % 2) + 2 (j % 2) + 4 (k % 2)` of block (i/2, j/2, k/2). Where the
-//! grid has an odd number of voxels, the children beyond its end stay dark.
+//! Voxel (i, j, k) is child `(i % 2) + 2 (j % 2) + 4 (k % 2)` of block (i/2, j/2, k/2). If the grid
+//! has an odd number of voxels, the children outside it stay dark.
 
 mod aligned;
 mod aligned_tables;
@@ -41,58 +40,58 @@ pub use voxelwise::VoxelwiseBlocks;
 /// Light of a block's eight voxels, in the order of its children.
 pub type BlockLight = [f32; 8];
 
-/// Blocks that may hold light.
+/// Blocks that may contain light.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LitBlocks {
-    /// Positions in the block grid's z, y, x order, ascending.
+    /// Indices in the block grid's z, y, x order, ascending.
     pub blocks: Vec<u32>,
-    /// For each block a bit per child that may hold light; never 0.
+    /// For each block a bit per child that may contain light; never 0.
     pub children: Vec<u8>,
 }
 
-/// What views must show for a voxel to be possible.
+/// Criteria of the photo-hull.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Darkness {
-    /// Per camera, the views that are asked, ascending.
-    pub asked: Vec<Vec<usize>>,
-    /// Per camera, the count under which a pixel is dark.
+pub struct HullCriteria {
+    /// Per camera, the selected views, ascending.
+    pub selected: Vec<Vec<usize>>,
+    /// Per camera, the count below which a pixel is dark.
     pub dark_below: Vec<f32>,
-    /// Per camera, how many of the asked views may find a lit voxel dark.
-    pub forgiven: Vec<usize>,
+    /// Per camera, the number of selected views that may find a lit voxel dark.
+    pub tolerated: Vec<usize>,
 }
 
-/// A linear map from voxel intensities to pixels as [`super::ForwardModel`] defines it, block by
-/// block.
+/// A linear map from voxel intensities to pixels as [`super::ForwardModel`] defines it, block by block.
 pub trait BlockModel: Send + Sync {
-    /// The voxels.
+    /// The voxel grid.
     fn grid(&self) -> &VolumeGrid;
     /// The views of every camera.
     fn layouts(&self) -> &[ViewLayout];
-    /// A projector for these blocks (positions in the block grid's z, y, x order, ascending).
+    /// A projector for these blocks (indices in the block grid's z, y, x order, ascending).
     fn projector(&self, blocks: &[u32]) -> Box<dyn BlockProjector + '_>;
-    /// The voxels that no camera finds dark in more of the asked views than it forgives, and that
-    /// some view, asked or not, sees. A view finds a voxel dark when every pixel of the voxel's
-    /// support is dark; views that see too little of a voxel, and pixels less than half open, are no
-    /// evidence (see [`super::Projector::brightest`]).
-    fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks;
-    /// Values of a projected image: the pixels of the camera's window, row-major, and a few more
-    /// that mean nothing and let the kernels write past a row's end.
+    /// The photo-hull: voxels that in no camera are dark in more of the selected views than
+    /// tolerated, and that any view, selected or not, sees. A view finds a voxel dark if every
+    /// pixel of the voxel's support is dark. Views that see too little of a voxel, and pixels less
+    /// than half open, are no evidence (see [`super::Projector::brightest`]). evidence (see
+    /// [`super::Projector::brightest`]).
+    fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks;
+    /// Length of a projected image: the pixels of the camera's window, row-major, followed by
+    /// padding that lets the kernels write past a row's end.
     fn image_len(&self, camera: usize) -> usize;
-    /// Bytes held for the whole life of the model.
+    /// Bytes held by the model.
     fn memory_bytes(&self) -> usize;
 }
 
 /// A [`BlockModel`] restricted to a list of active blocks.
 pub trait BlockProjector: Send + Sync {
-    /// Images the blocks into a view. Overwrites `image`, of [`BlockModel::image_len`] values.
+    /// Projects the blocks into a view. Overwrites `image`, of [`BlockModel::image_len`] values.
     fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]);
 
-    /// Makes a view of [`BlockModel::image_len`] finite values ready to be spread back: whatever is
-    /// to be done to its pixels once and not again for every range of blocks.
+    /// Prepares a view of [`BlockModel::image_len`] finite values for back-projection: operations
+    /// on pixels that are needed once and not for every range of blocks.
     fn prepare(&self, view: ViewId, image: &mut [f32]);
 
-    /// Spreads a view that went through [`Self::prepare`] back onto the voxels of the blocks in
-    /// `range`: adds to `out[block − range.start]`.
+    /// Back-projects a prepared view onto the voxels of the blocks in `range`: adds to `out[block −
+    /// range.start]`.
     fn back_project(
         &self,
         view: ViewId,
@@ -105,8 +104,8 @@ pub trait BlockProjector: Send + Sync {
     fn retain(&mut self, keep: &[bool]);
 }
 
-/// The fastest block model of a bench: [`AlignedModel`] where all cameras are as drawn and look along
-/// axes of the grid, else one whose cameras stand anyhow. See [`thin_lens_model`] for
+/// The fastest block model of a bench: [`AlignedModel`] if all cameras are ideal and look along
+/// axes of the grid, otherwise one for arbitrarily oriented cameras. See [`thin_lens_model`] for
 /// `footprint_mm` and the errors.
 pub fn block_model(
     optics: &Optics,
@@ -118,9 +117,9 @@ pub fn block_model(
     block_model_beside(optics, poses, &[], grid, footprint_mm, parts, &[])
 }
 
-/// [`block_model`] of cameras that are as drawn but for their `calibrations`, in their order, beside
-/// another model of the same cameras and parts on another grid of the same volume: layouts
-/// of the `known` ones are shared where their windows are the same.
+/// As [`block_model`], for cameras that are ideal except for their `calibrations` (in the order of
+/// the cameras). Shares the `known` layouts of a model of the same cameras and parts on another
+/// grid of the same volume, if their windows are the same.
 pub fn block_model_beside(
     optics: &Optics,
     poses: &[Pose],
@@ -153,7 +152,7 @@ pub fn block_model_beside(
     Ok(Box::new(VoxelwiseBlocks::new(model)))
 }
 
-/// The model with the narrowest tables that hold the footprints, if any do.
+/// The model with the narrowest sufficient tables, if there is one.
 fn aligned<const D: usize>(
     optics: &Optics,
     views: &[CameraView],
@@ -171,7 +170,7 @@ fn aligned<const D: usize>(
     Some(Box::new(model))
 }
 
-/// Blocks along each axis of a grid.
+/// Number of blocks along each axis of a grid.
 pub fn blocks_along(grid: &VolumeGrid) -> [usize; 3] {
     grid.voxels.map(|n| n.div_ceil(2))
 }
@@ -183,7 +182,7 @@ pub fn block_indices(grid: &VolumeGrid, block: u32) -> [usize; 3] {
     [n % nx, n / nx % ny, n / (nx * ny)]
 }
 
-/// Position of a block's child in the grid's z, y, x order; `None` beyond the grid's end.
+/// Index of a block's child in the grid's z, y, x order; `None` outside the grid.
 pub fn child_voxel(grid: &VolumeGrid, block: u32, child: usize) -> Option<u32> {
     let at = block_indices(grid, block);
     let ijk: [usize; 3] = std::array::from_fn(|axis| 2 * at[axis] + (child >> axis & 1));

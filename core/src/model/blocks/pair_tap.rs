@@ -2,17 +2,17 @@
 
 use crate::model::{footprint::RayMap, tables::AxisGeometry};
 
-/// The microlenses that a pair of voxels covers along one axis, and the share of each voxel on
-/// each of them.
+/// The microlenses that a pair of voxels covers along one axis, and the share of each voxel on each
+/// of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairTap<const L: usize> {
     /// Shares of the lower and the upper voxel on microlenses `first..first + L`, in units of
-    /// [`SHARE_UNIT`]; 0 from `len` on. Half the size of floats keeps a view's tables in a core's
-    /// second-level cache, and 1/32768 of a voxel's light is far below any noise.
+    /// [`SHARE_UNIT`]; 0 from `len` on. At half the size of floats, a view's tables fit into the L2
+    /// cache, and 1/32768 of a voxel's light is far below any noise.
     pub shares: [[u16; L]; 2],
-    /// First microlens, counted from the start of the window.
+    /// First microlens, relative to the window.
     pub first: u16,
-    /// Microlenses up to the last one that receives light.
+    /// Number of microlenses up to the last one with light.
     pub len: u16,
 }
 
@@ -21,26 +21,26 @@ impl<const L: usize> PairTap<L> {
     pub const NONE: Self = Self { shares: [[0; L]; 2], first: 0, len: 0 };
 }
 
-/// One unit of a share in a [`PairTap`].
-/// Shares may exceed 1: microlenses see a view through intervals that overlap.
+/// Unit of a share in a [`PairTap`]. Shares may exceed 1, because microlenses see a view through
+/// overlapping intervals.
 pub const SHARE_UNIT: f32 = 1.0 / 32768.0;
 
-/// The first microlens of a pair's tap, counted from the start of the array. A footprint that
-/// leaves the window keeps its true shares on what remains of it.
+/// The first microlens of a pair's tap, relative to the array. A footprint that extends beyond the
+/// window keeps its true shares on the rest.
 pub(super) fn first_of_pair<const L: usize>(geometry: &AxisGeometry<'_>, reached: i64) -> usize {
     let window = &geometry.window;
     let last_first = (window.end as i64 - L as i64).max(window.start as i64);
     reached.clamp(window.start as i64, last_first) as usize
 }
 
-/// One tap by itself: what [`super::row_shares::RowShares`] does for a whole row.
+/// One tap: what [`super::row_shares::RowShares`] computes for a whole row.
 pub(super) fn pair_tap<const L: usize>(
     geometry: &AxisGeometry<'_>,
     map: RayMap,
     k: i32,
     pair: usize,
 ) -> PairTap<L> {
-    // Beyond an odd grid's end the upper voxel is never lit; its shares do not matter.
+    // Outside an odd grid the upper voxel is never lit; its shares do not matter.
     let shadow = |child| geometry.shadow_of(map, k, geometry.positions.at(2 * pair + child));
     let shadows = [shadow(0), shadow(1)];
     let first = geometry.first_reached(&shadows[0]).min(geometry.first_reached(&shadows[1]));

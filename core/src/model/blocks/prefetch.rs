@@ -1,11 +1,11 @@
-//! Asking for memory before it is needed.
+//! Memory prefetch.
 
-/// Bytes that come from memory together.
+/// Size of a cache line in bytes.
 #[cfg(target_arch = "x86_64")]
 const CACHE_LINE: usize = 64;
 
-/// Asks for the cache lines of value number `at`, of at most one line's size, without waiting for them.
-/// Does nothing where the processor has no such instruction, or beyond the last value.
+/// Prefetches value `at`, of at most one cache line's size. Does nothing if the processor has no
+/// such instruction, or beyond the last value.
 #[inline(always)]
 #[cfg_attr(
     target_arch = "x86_64",
@@ -20,10 +20,10 @@ pub(super) fn prefetch<T>(values: &[T], at: usize) {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         const { assert!(size_of::<T>() > 0 && size_of::<T>() <= CACHE_LINE) };
         let first = values.as_ptr().wrapping_add(at).cast::<i8>();
-        // A value may begin in one line and end in the next.
+        // A value may span two cache lines.
         let last = first.wrapping_add(size_of::<T>() - 1);
-        // SAFETY: the instruction is part of SSE, which every x86-64 has; it is a hint, which reads
-        // nothing into the program and never faults, whatever the address.
+        // SAFETY: the instruction is part of SSE, which every x86-64 has. It is a hint that loads
+        // nothing into registers and never faults, whatever the address.
         unsafe {
             _mm_prefetch::<_MM_HINT_T0>(first);
             _mm_prefetch::<_MM_HINT_T0>(last);

@@ -1,4 +1,4 @@
-//! Projection of blocks seen by cameras along the grid's axes.
+//! Projection of blocks for cameras along the grid's axes.
 
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ pub(super) struct AlignedProjector<'a, const L: usize, const D: usize> {
     pub(super) places: Vec<Vec<Place>>,
 }
 
-/// One view's tables, and where the blocks' taps are in them.
+/// One view's tables, and the blocks' positions in them.
 struct AlignedTaps<'a, const L: usize> {
     tables: ViewTables<'a, L>,
     places: &'a [Place],
@@ -32,7 +32,7 @@ impl<'a, const L: usize, const D: usize> TapSource<L, D> for AlignedTaps<'a, L> 
     }
 
     #[inline(always)]
-    fn ask_for(&self, places: &&'a [Place]) {
+    fn prefetch_taps(&self, places: &&'a [Place]) {
         let tables = &self.tables;
         for place in *places {
             for layer in 0..D {
@@ -64,7 +64,7 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
     fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]) {
         let taps = self.taps(view);
         image.fill(0.0);
-        // Children at constant places are shuffled in registers instead of loaded one by one.
+        // With constant indices, children are shuffled in registers instead of being loaded one by one.
         let project_blocks = match self.model.cameras[view.camera].axes.number() {
             0 => project_blocks::<_, L, D, 0>,
             1 => project_blocks::<_, L, D, 1>,
@@ -107,7 +107,7 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
     }
 }
 
-/// Weighs pixels by the open share of their pupil cells.
+/// Weights pixels by the open share of their pupil cells.
 pub(super) fn cover(coverage: Option<&[f32]>, image: &mut [f32]) {
     for (pixel, &open) in image.iter_mut().zip(coverage.unwrap_or(&[])) {
         *pixel *= open;

@@ -1,8 +1,7 @@
 //! The taps of a whole row of voxel pairs: one view index, one depth, every position.
 //!
-//! [`pair_tap`] states what a tap is, one at a time; here the same operations in the same order run
-//! over all positions side by side, so that they become vector instructions. The results are the
-//! same bits.
+//! [`pair_tap`] defines a single tap. Here the same operations run in the same order over all
+//! positions in parallel, so that they become vector instructions with bit-identical results.
 
 use multiversion::multiversion;
 
@@ -12,7 +11,7 @@ use crate::model::{
     tables::AxisGeometry,
 };
 
-/// The row of one table that is being computed, and its working memory.
+/// The row of one table being computed, with its scratch memory.
 pub(super) struct RowShares<'a> {
     geometry: &'a AxisGeometry<'a>,
     lenses: Vec<Lens>,
@@ -21,17 +20,17 @@ pub(super) struct RowShares<'a> {
     units: Vec<i32>,
 }
 
-/// What a microlens of the window has to do with a row.
+/// Parameters of a microlens of the window for a row.
 #[derive(Debug, Clone, Copy)]
 struct Lens {
     /// Its centre, in mm.
     centre_mm: f64,
-    /// Where rays from ξ = 0 to its pixel of this view meet the microlens plane, in mm; infinite
-    /// where it has no pixel for the view.
+    /// Where rays from ξ = 0 to its pixel of this view meet the microlens plane, in mm; infinite if
+    /// it has no pixel for the view.
     pupil_on_plane_mm: f64,
 }
 
-/// The trapezoids of a row's voxels, as [`crate::model::footprint::Trapezoid`] has them.
+/// The trapezoids of a row's voxels, as in [`crate::model::footprint::Trapezoid`].
 #[derive(Debug, Default)]
 struct Shadows {
     /// Where the ray through the pupil's centre meets the microlens plane.
@@ -39,11 +38,11 @@ struct Shadows {
     half_sum_mm: Vec<f64>,
     half_difference_mm: Vec<f64>,
     scale: Vec<f64>,
-    /// First microlens reached, counted from the start of the array.
+    /// First microlens reached, relative to the array.
     first: Vec<f64>,
 }
 
-/// What all voxels of a row share.
+/// Parameters common to all voxels of a row.
 #[derive(Debug, Clone, Copy)]
 struct RowOptics {
     map: RayMap,
@@ -85,7 +84,7 @@ impl<'a> RowShares<'a> {
         let optics = RowOptics::new(geometry, map, k);
         let nodes = geometry.positions;
         if !cast_shadows(&optics, nodes.first_mm, nodes.step_mm, &mut self.shadows) {
-            // Shadows without a second width have a formula of their own.
+            // Shadows without a second width have their own formula.
             let pairs = 0..nodes.count.div_ceil(2);
             taps.extend(pairs.map(|pair| pair_tap(geometry, map, k, pair)));
             return;
@@ -116,7 +115,7 @@ impl<'a> RowShares<'a> {
         }
     }
 
-    /// The window's microlenses in view `k`, and `L` beyond it that have no pixel.
+    /// The window's microlenses in view `k`, followed by `L` without a pixel.
     fn place_lenses<const L: usize>(&mut self, optics: &RowOptics, k: i32) {
         let window = &self.geometry.window;
         self.lenses.clear();
@@ -155,7 +154,7 @@ impl RowOptics {
     }
 }
 
-/// The shadows of voxels at `first_mm + n·step_mm`. Whether all of them have two widths.
+/// The shadows of voxels at `first_mm + n·step_mm`. Returns whether all of them have two widths.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn cast_shadows(optics: &RowOptics, first_mm: f64, step_mm: f64, shadows: &mut Shadows) -> bool {
     let count = shadows.first.len();
@@ -171,7 +170,7 @@ fn cast_shadows(optics: &RowOptics, first_mm: f64, step_mm: f64, shadows: &mut S
         let position_mm = first_mm + f64::from(n as u32) * step_mm;
         let slant_mm = (optics.pupil_mm - position_mm).abs();
         let slanted = optics.per_depth * slant_mm * optics.footprint_mm;
-        // The four widths ascending.
+        // The four widths, ascending.
         let (w0, rest) = (a.min(slanted), a.max(slanted));
         let (w1, rest) = (b.min(rest), b.max(rest));
         let (w2, w3) = (c.min(rest), c.max(rest));
@@ -189,8 +188,8 @@ fn cast_shadows(optics: &RowOptics, first_mm: f64, step_mm: f64, shadows: &mut S
     least_share > 2.0 * POINT_WIDTH
 }
 
-/// The shares, in units of the tables, that microlenses `offsets_mm` from the voxels' nominal
-/// places receive.
+/// The shares, in units of the tables, of microlenses at `offsets_mm` from the voxels' nominal
+/// positions.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn measure_shares(optics: &RowOptics, shadows: &Shadows, offsets_mm: &[f64], units: &mut [i32]) {
     let count = units.len();
@@ -203,7 +202,7 @@ fn measure_shares(optics: &RowOptics, shadows: &Shadows, offsets_mm: &[f64], uni
     let reached = |n: usize| offsets_mm[n].abs() < optics.half_lens_mm + half_sum_mm[n];
     let measure = |n: usize| {
         let (s, d) = (half_sum_mm[n], half_difference_mm[n]);
-        // The trapezoid is symmetric: its upper half is 1 less the lower one.
+        // The trapezoid is symmetric: its upper half is 1 minus the lower one.
         let below = |t: f64| {
             let tail = (square(s - t.abs()) - square(d - t.abs())) * scale[n];
             let tail = tail.clamp(0.0, 1.0);
@@ -217,7 +216,7 @@ fn measure_shares(optics: &RowOptics, shadows: &Shadows, offsets_mm: &[f64], uni
     };
     for start in (0..count).step_by(NEIGHBOURS) {
         let end = count.min(start + NEIGHBOURS);
-        // The last microlenses of a tap are seldom reached.
+        // The last microlenses of a tap are rarely reached.
         let mut any = false;
         for n in start..end {
             any |= reached(n);
@@ -228,7 +227,7 @@ fn measure_shares(optics: &RowOptics, shadows: &Shadows, offsets_mm: &[f64], uni
     }
 }
 
-/// Voxels that are asked together whether a microlens receives any of their light.
+/// Voxels that are checked together for whether a microlens receives any of their light.
 const NEIGHBOURS: usize = 32;
 
 #[cfg(test)]
@@ -245,7 +244,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
-        /// The naive reference: every tap by itself, from the definition of a share.
+        /// The naive reference: every tap separately, from the definition of a share.
         #[test]
         fn a_row_is_its_taps_one_by_one(
             first_mm in -7.0..7.0f64,

@@ -1,4 +1,4 @@
-//! The fast path against the voxelwise one, and against the definition of a share.
+//! The fast path compared with the voxelwise one, and with the definition of a share.
 
 use lfpiv_hw::Pose;
 use rand::{RngExt, SeedableRng};
@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use super::*;
 use crate::{model::thin_lens_model, test_bench};
 
-/// Cameras along z and y, as the bench's, and along z and x, as the jet's.
+/// Cameras along z and y, as in the bench, and along z and x, as in the jet.
 fn pairs_of_poses() -> [Vec<Pose>; 2] {
     let pose = |right: [f64; 3], up: [f64; 3], axis: [f64; 3]| Pose {
         right: right.into(),
@@ -21,7 +21,7 @@ fn pairs_of_poses() -> [Vec<Pose>; 2] {
     [vec![first.clone(), above], vec![first, beside]]
 }
 
-/// Voxels so small that both paths share depths between the same voxels.
+/// Voxels small enough that both paths share depths between the same voxels.
 fn grid() -> VolumeGrid {
     VolumeGrid { voxels: [26, 23, 21], voxel_mm: 0.025, centre_mm: [3.1, -2.0, 2.6] }
 }
@@ -67,7 +67,7 @@ fn axes_are_numbered_as_they_are_listed() {
     }
 }
 
-/// Random light, dark beyond the grid's end.
+/// Random light, dark outside the grid.
 fn random_light(random: &mut Pcg64Mcg, grid: &VolumeGrid, blocks: &[u32]) -> Vec<BlockLight> {
     let light = |&block: &u32| {
         std::array::from_fn(|child| match child_voxel(grid, block, child) {
@@ -97,7 +97,7 @@ fn projects_as_the_voxelwise_model() {
                 q.project(id, &light, &mut b);
                 let total: f32 = b.iter().sum();
                 let apart: f32 = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).sum();
-                // The voxelwise tables may lose half a percent beside their taps.
+                // The voxelwise tables may lose half a percent outside their taps.
                 assert!(apart <= 5e-3 * total, "{id:?}: {apart} of {total}");
                 let beyond: f32 = a[b.len()..].iter().sum();
                 assert!(beyond.abs() < 1e-6 * total.max(1.0));
@@ -153,24 +153,24 @@ fn finds_the_same_voxels_lit_as_the_voxelwise_model() {
             .iter()
             .map(|layout| {
                 let len = layout.window.len();
-                // A fifth of the pixels dark.
+                // A fifth of the pixels is dark.
                 let value = |_| if random.random::<f32>() < 0.2 { 0.0 } else { 10.0 };
                 ViewStack::new(len, (0..len * layout.views.len()).map(value).collect())
             })
             .collect();
-        for forgiven in [0, 3, 20] {
-            let asked = |layout: &ViewLayout| (0..layout.views.len()).step_by(2).collect();
-            let darkness = Darkness {
-                asked: fast.layouts().iter().map(asked).collect(),
+        for tolerated in [0, 3, 20] {
+            let selected = |layout: &ViewLayout| (0..layout.views.len()).step_by(2).collect();
+            let criteria = HullCriteria {
+                selected: fast.layouts().iter().map(selected).collect(),
                 dark_below: vec![5.0; 2],
-                forgiven: vec![forgiven; 2],
+                tolerated: vec![tolerated; 2],
             };
-            let (a, b) = (fast.lit(&views, &darkness), slow.lit(&views, &darkness));
+            let (a, b) = (fast.lit(&views, &criteria), slow.lit(&views, &criteria));
             let count =
                 |lit: &LitBlocks| -> u32 { lit.children.iter().map(|m| m.count_ones()).sum() };
             let (n, m) = (count(&a), count(&b));
             // Shares at the very edge of the support may differ between the tables.
-            assert!(n.abs_diff(m) <= 1 + m / 20, "{forgiven}: {n} {m}");
+            assert!(n.abs_diff(m) <= 1 + m / 20, "{tolerated}: {n} {m}");
         }
     }
 }

@@ -1,16 +1,16 @@
-//! Blocks over any forward model, voxel by voxel.
+//! Blocks on top of any forward model, voxel by voxel.
 
 use std::ops::Range;
 
 use super::{
-    BlockLight, BlockModel, BlockProjector, Darkness, LitBlocks, blocks_along, child_voxel,
+    BlockLight, BlockModel, BlockProjector, HullCriteria, LitBlocks, blocks_along, child_voxel,
 };
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     model::{ForwardModel, Projector, ViewId, VolumeGrid, hull::photo_hull},
 };
 
-/// A [`ForwardModel`] seen as a [`BlockModel`].
+/// A [`ForwardModel`] used as a [`BlockModel`].
 pub struct VoxelwiseBlocks(Box<dyn ForwardModel>);
 
 impl VoxelwiseBlocks {
@@ -31,7 +31,7 @@ impl BlockModel for VoxelwiseBlocks {
 
     fn projector(&self, blocks: &[u32]) -> Box<dyn BlockProjector + '_> {
         let grid = self.0.grid();
-        // Children beyond the grid's end stand for its first voxel and stay dark.
+        // Children outside the grid are represented by its first voxel and stay dark.
         let children = |&block| (0..8).map(move |child| child_voxel(grid, block, child));
         let inside = blocks.iter().flat_map(children).map(|voxel| voxel.is_some()).collect();
         let voxels: Vec<u32> =
@@ -39,12 +39,12 @@ impl BlockModel for VoxelwiseBlocks {
         Box::new(VoxelwiseProjector { inside, projector: self.0.projector(&voxels) })
     }
 
-    fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks {
+    fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks {
         let grid = self.0.grid();
         let block_count: usize = blocks_along(grid).into_iter().product();
         let mut children = vec![0u8; block_count];
         let [nx, ny, _] = blocks_along(grid);
-        for voxel in photo_hull(self.0.as_ref(), views, darkness).voxels {
+        for voxel in photo_hull(self.0.as_ref(), views, criteria).voxels {
             let ijk = grid.indices(voxel);
             let block = (ijk[2] / 2 * ny + ijk[1] / 2) * nx + ijk[0] / 2;
             children[block] |= 1 << ((ijk[0] & 1) | (ijk[1] & 1) << 1 | (ijk[2] & 1) << 2);
@@ -78,7 +78,7 @@ impl BlockProjector for VoxelwiseProjector<'_> {
         self.projector.project(view, flat, image);
     }
 
-    /// Nothing: the voxels' own projector weighs the pixels.
+    /// Does nothing: the voxels' own projector weights the pixels.
     fn prepare(&self, _view: ViewId, _image: &mut [f32]) {}
 
     fn back_project(

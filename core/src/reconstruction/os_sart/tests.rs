@@ -1,4 +1,4 @@
-//! Eq. 2 on active voxels against the form over the whole volume, and that against the explicit matrix.
+//! Eq. 2 on active voxels compared with the whole-volume form, and that with the explicit matrix.
 
 use super::*;
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
     reconstruction::{
         BlockVolume, Domain, ReconstructionSettings, Reconstructor, SartOptions, Solver,
         SparseVolume, ViewLevels,
-        pass::{Clearance, Problem},
+        pass::{Problem, Pruning},
         sart,
         subsets::balanced_subsets,
     },
@@ -29,7 +29,7 @@ fn voxelwise() -> Box<dyn ForwardModel> {
     thin_lens_model(&test_bench::optics(), &test_bench::poses(), &grid(), 0.1).unwrap()
 }
 
-/// Uneven views, some pixels below the black level, that no volume explains.
+/// Inconsistent views that no volume explains; some pixels are below the black level.
 fn views(layouts: &[crate::lightfield::ViewLayout]) -> Vec<ViewStack> {
     let stack = |layout: &crate::lightfield::ViewLayout| {
         let values = (0..layout.window.len() * layout.views.len())
@@ -47,7 +47,7 @@ fn over_the_volume(model: &dyn ForwardModel, subsets: Vec<Vec<ViewId>>) -> Spars
     sart(model, &views, voxels, &options, &mut |_, _| {})
 }
 
-/// The same passes in blocks whose voxels are all active and stay so.
+/// The same passes in blocks whose voxels all stay active.
 fn all_active(model: &dyn BlockModel, subsets: &[Vec<ViewId>]) -> SparseVolume {
     all_active_in(model, &views(model.layouts()), subsets)
 }
@@ -64,20 +64,20 @@ fn all_active_in(
         (0..8).map(child).sum()
     };
     let children = blocks.iter().map(inside).collect();
-    let mut volume = BlockVolume::evenly(model.grid(), LitBlocks { blocks, children });
+    let mut volume = BlockVolume::with_uniform_light(model.grid(), LitBlocks { blocks, children });
     volume.light.as_flattened_mut().iter_mut().for_each(|light| *light *= DARK);
     let problem = Problem { model, views };
     let update = OsSart { relaxation: RELAXATION, noise_share: vec![0.0; 2] };
     let mut projector = model.projector(&volume.blocks);
     for passes_done in 0..PASSES {
-        let clearance = Clearance { prune_below: 0.0, rising_passes: 1, passes_done };
-        problem.pass(&update, subsets, clearance, &mut volume, projector.as_mut());
+        let pruning = Pruning { prune_below: 0.0, rising_passes: 1, passes_done };
+        problem.pass(&update, subsets, pruning, &mut volume, projector.as_mut());
     }
     assert_eq!(volume.active_voxels(), model.grid().len());
     volume.into_voxels()
 }
 
-/// Largest difference over the largest light.
+/// Largest difference relative to the largest light.
 fn apart(a: &SparseVolume, b: &SparseVolume) -> f32 {
     assert_eq!(a.voxels, b.voxels);
     let brightest = a.intensity.iter().copied().fold(0.0, f32::max);
@@ -98,8 +98,8 @@ fn where_every_voxel_is_active_both_forms_are_the_same() {
     }
 }
 
-/// The fast tables hold 16-bit shares, so what they see of a voxel differs by some thousandths: both forms
-/// are asked for a volume that explains the views, on voxels whose depths both paths share.
+/// The fast tables hold 16-bit shares and so deviate by some thousandths. Both forms solve for a volume
+/// that explains the views, on voxels whose depths both paths share.
 #[test]
 fn the_fast_blocks_solve_as_the_voxelwise_ones_do() {
     let grid = VolumeGrid { voxels: [12, 10, 8], voxel_mm: 0.025, centre_mm: [0.1, -0.2, 0.3] };
@@ -117,7 +117,7 @@ fn the_fast_blocks_solve_as_the_voxelwise_ones_do() {
     assert!(difference < 0.03, "{difference}");
 }
 
-/// What a model makes of a bright voxel in every 331, the others dark.
+/// Projection of a volume in which every 331st voxel is bright.
 fn views_of_points(model: &dyn BlockModel) -> Vec<ViewStack> {
     let blocks: Vec<u32> =
         (0..blocks_along(model.grid()).into_iter().product::<usize>() as u32).collect();
@@ -168,7 +168,7 @@ fn every_solver_gives_the_same_bits_on_any_number_of_threads() {
         };
         let (optics, poses) = (test_bench::optics(), test_bench::poses());
         let reconstructor = Reconstructor::new(&optics, &poses, &grid, &settings).unwrap();
-        // Blocks as fine as the solver's, seen through the same windows.
+        // Blocks of the solver's voxel size, with the same microlens windows.
         let fine = block_model(&optics, &poses, &grid.refined(4), 0.025, &ModelParts::default());
         let views = views_of_points(fine.unwrap().as_ref());
         let levels: Vec<ViewLevels> = views.iter().map(|view| ViewLevels::of(view, 2.0)).collect();

@@ -15,7 +15,7 @@ fn model() -> Box<dyn ForwardModel> {
     thin_lens_model(&test_bench::optics(), &test_bench::poses(), &grid(), 0.1).unwrap()
 }
 
-/// Uneven views, some pixels below the black level, that no volume explains.
+/// Inconsistent views that no volume explains; some pixels are below the black level.
 fn views(model: &dyn ForwardModel) -> Vec<ViewStack> {
     let stack = |layout: &crate::lightfield::ViewLayout| {
         let pixels = layout.window.len() * layout.views.len();
@@ -43,7 +43,7 @@ fn weights(projector: &dyn Projector, views: &[ViewStack], subset: &[ViewId]) ->
     DMatrix::from_fn(columns[0].len(), voxels, |i, j| columns[j][i])
 }
 
-/// Eq. 2 as it is written, with a dense matrix in f64.
+/// Eq. 2 with a dense matrix in f64.
 fn naive_correction(
     w: &DMatrix<f64>,
     measured: &[f64],
@@ -112,7 +112,7 @@ fn column_sums_made_at_each_use_give_the_same_volume() {
     assert_eq!(run(0), run(usize::MAX));
 }
 
-/// A camera far aside sees only an edge of the volume: most sums of its views are zero.
+/// A camera far off-axis sees only an edge of the volume: most sums of its views are zero.
 #[test]
 fn voxels_that_no_pixel_sees_stay_dark_and_nothing_is_nan() {
     let optics = test_bench::optics();

@@ -1,4 +1,4 @@
-//! From lit microlenses to the voxels that they may light, along one axis.
+//! Maps lit microlenses to the voxels that they may light, along one axis.
 
 use std::ops::Range;
 
@@ -9,23 +9,23 @@ use crate::model::{
         dark_counts::Line,
         pair_tap::{PairTap, SHARE_UNIT},
     },
-    tables::LEAST_SEEN_SHARE,
+    tables::MIN_SEEN_SHARE,
 };
 
 /// Microlenses that are looked up together.
 pub(super) const GROUP: usize = 6;
 
-/// What one view index along the columns does to a line of voxels.
+/// Map of one view index along the columns, for a line of voxels.
 pub(super) struct ColumnMap<const W: usize> {
     words: [WordMap; W],
-    /// The voxels that the view sees well enough to judge.
-    pub judged: Line<W>,
+    /// The voxels of which the view sees enough.
+    pub evaluated: Line<W>,
 }
 
 /// The microlenses that can light the voxels of a word, in groups.
 struct WordMap {
     groups: Range<usize>,
-    /// For each group the bits that each set of its microlenses sets.
+    /// Per group, the voxels lit by each subset of its microlenses.
     bits: Vec<[u64; 1 << GROUP]>,
 }
 
@@ -37,8 +37,8 @@ pub(super) struct RowSupport {
 }
 
 impl<const W: usize> ColumnMap<W> {
-    /// The voxels in whose support one of the lit microlenses of an image row lies. `row` holds a
-    /// set of [`GROUP`] microlenses per byte.
+    /// The voxels with a lit microlens of an image row in their support. `row` has one byte per
+    /// [`GROUP`] of microlenses.
     #[inline(always)]
     pub fn light(&self, row: &[u8]) -> Line<W> {
         std::array::from_fn(|word| {
@@ -49,7 +49,7 @@ impl<const W: usize> ColumnMap<W> {
     }
 }
 
-/// The map of view index and depth `at`, for a strip of at most 64·`W` voxels.
+/// The map for view index and depth `at`, for a strip of at most 64·`W` voxels.
 pub(super) fn column_map<const W: usize, const L: usize>(
     table: &PairTable<L>,
     at: (i32, usize),
@@ -57,23 +57,23 @@ pub(super) fn column_map<const W: usize, const L: usize>(
     lenses: usize,
 ) -> ColumnMap<W> {
     let mut voxels_of = vec![[usize::MAX, 0]; lenses];
-    let mut judged = [0; W];
+    let mut evaluated = [0; W];
     for (voxel, support) in supports(table, at) {
         if !strip.contains(&voxel) {
             continue;
         }
         let bit = voxel - strip.start;
-        judged[bit / 64] |= 1 << (bit % 64);
+        evaluated[bit / 64] |= 1 << (bit % 64);
         for [low, high] in &mut voxels_of[support] {
             *low = (*low).min(bit);
             *high = (*high).max(bit + 1);
         }
     }
-    ColumnMap { words: std::array::from_fn(|word| WordMap::new(&voxels_of, word)), judged }
+    ColumnMap { words: std::array::from_fn(|word| WordMap::new(&voxels_of, word)), evaluated }
 }
 
-/// The supports of at most `voxels` voxels along the rows, in the view index and at the depth `at`;
-/// without those that the view sees too little of.
+/// The supports of at most `voxels` voxels along the rows, for view index and depth `at`, without
+/// voxels of which the view sees too little.
 pub(super) fn row_supports<const L: usize>(
     table: &PairTable<L>,
     at: (i32, usize),
@@ -85,7 +85,7 @@ pub(super) fn row_supports<const L: usize>(
         .collect()
 }
 
-/// The microlenses of each voxel's support along one axis, where a view sees enough of it.
+/// The support of each voxel along one axis, where a view sees enough of it.
 pub(super) fn supports<const L: usize>(
     table: &PairTable<L>,
     (view, depth): (i32, usize),
@@ -96,12 +96,12 @@ pub(super) fn supports<const L: usize>(
     })
 }
 
-/// The microlenses that receive a notable share of voxel `n` of a pair; `None` where the view sees
+/// The microlenses that receive a significant share of voxel `n` of a pair; `None` if the view sees
 /// too little of it.
 fn support<const L: usize>(tap: &PairTap<L>, n: usize) -> Option<Range<usize>> {
-    // In the table's whole units nothing is rounded.
+    // In integer units of the table, nothing is rounded.
     const NOT_LIT: u16 = (SUPPORT_SHARE / SHARE_UNIT) as u16;
-    const LEAST_SEEN: u32 = (LEAST_SEEN_SHARE / SHARE_UNIT) as u32;
+    const LEAST_SEEN: u32 = (MIN_SEEN_SHARE / SHARE_UNIT) as u32;
     let shares = &tap.shares[n];
     if shares.iter().map(|&share| u32::from(share)).sum::<u32>() < LEAST_SEEN {
         return None;
@@ -124,7 +124,7 @@ impl WordMap {
     }
 }
 
-/// The bits of a word that each set of microlenses of a group sets.
+/// The voxels of a word lit by each subset of a group's microlenses.
 fn sets_of_group(voxels_of: &[[usize; 2]], word: usize) -> [u64; 1 << GROUP] {
     let mut each = [0u64; GROUP];
     for (bits, &[low, high]) in each.iter_mut().zip(voxels_of) {

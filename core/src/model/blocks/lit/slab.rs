@@ -1,8 +1,8 @@
-//! The verdict of all views of a camera on the voxels at one depth.
+//! The result of all views of a camera for the voxels at one depth.
 //!
-//! Views that share their index along the rows share the rows of every voxel's support, too, and
-//! are worked on together: their lit rows lie side by side, and a line of voxels is loaded, counted
-//! for all of them and stored once.
+//! Views with the same index along the rows have the same rows in every voxel's support. They are
+//! processed together: their lit rows are adjacent, and a line of voxels is loaded, counted for all
+//! of them and stored once.
 
 use std::ops::Range;
 
@@ -20,30 +20,30 @@ use crate::{
     },
 };
 
-/// The voxels at one tabulated depth of a camera, in a strip of as many columns as a line has.
+/// The voxels at one tabulated depth of a camera, in a strip of one line's columns.
 pub(super) struct Slab<'a, const L: usize> {
     pub camera: &'a AlignedCamera<L>,
     pub layout: &'a ViewLayout,
     pub images: &'a LitImages<'a>,
     pub depth: usize,
     pub first_column: usize,
-    /// Voxels of the grid along the columns and across the rows.
+    /// Number of grid voxels along the columns and along the rows.
     pub columns: usize,
     pub rows: usize,
 }
 
 impl<const L: usize> Slab<'_, L> {
     /// The lines of possible and of seen voxels, in words of 64.
-    pub fn judge<const W: usize>(&self, forgiven: usize) -> [Vec<Line<W>>; 2] {
+    pub fn evaluate<const W: usize>(&self, tolerated: usize) -> [Vec<Line<W>>; 2] {
         let columns = self.column_maps();
         let inside = line_of(self.columns - self.first_column);
-        let mut dark = DarkCounts::new(self.rows, inside, forgiven);
+        let mut dark = DarkCounts::new(self.rows, inside, tolerated);
         let mut seen = vec![[0; W]; self.rows];
         let mut first_view = 0;
         let mut group = ViewGroup::default();
         for views in self.layout.views.chunk_by(|a, b| a.l == b.l) {
             let mut supports = row_supports(&self.camera.rows, (views[0].l, self.depth), self.rows);
-            let any = union(views.iter().map(|view| &columns[self.column_map_of(view)].judged));
+            let any = union(views.iter().map(|view| &columns[self.column_map_of(view)].evaluated));
             for support in &supports {
                 let seen = &mut seen[support.voxel];
                 *seen = union([&*seen, &any].into_iter());
@@ -71,21 +71,21 @@ impl<const L: usize> Slab<'_, L> {
     }
 }
 
-/// What the asked views of one index along the rows see.
+/// The selected views of one index along the rows.
 #[derive(Default)]
 struct ViewGroup<const W: usize> {
-    /// Per view the voxels that it sees well enough to judge.
-    judged: Vec<Line<W>>,
-    /// The first row of microlenses in `lit`.
+    /// Per view, the voxels of which it sees enough.
+    evaluated: Vec<Line<W>>,
+    /// First row of microlenses in `lit`.
     first_row: usize,
-    /// Per row of microlenses, per view: the voxels that the row's lit pixels may come from.
+    /// Per row of microlenses and view: the voxels that the row's lit pixels may come from.
     lit: Vec<Line<W>>,
-    /// Per view: the voxels that it finds dark. Working memory.
+    /// Per view: the voxels that it finds dark. Scratch memory.
     dark: Vec<Line<W>>,
 }
 
 impl<const W: usize> ViewGroup<W> {
-    /// Carries the rows of all supports in these images onto the voxels.
+    /// Maps the rows of all supports in these images onto the voxels.
     fn light<const L: usize>(
         &mut self,
         slab: &Slab<'_, L>,
@@ -95,14 +95,14 @@ impl<const W: usize> ViewGroup<W> {
     ) {
         self.first_row = supports.iter().map(|support| support.start).min().unwrap_or(0);
         let end = supports.iter().map(|support| support.end).max().unwrap_or(0);
-        self.judged.clear();
+        self.evaluated.clear();
         self.lit.clear();
         self.lit.resize((end - self.first_row) * images.len(), [0; W]);
-        // A view's map fits into the nearest cache, those of all views do not.
+        // One view's map fits into the L1 cache, those of all views do not.
         for (n, image) in images.clone().enumerate() {
             let view = &slab.layout.views[slab.images.views[image]];
             let columns = &columns[slab.column_map_of(view)];
-            self.judged.push(columns.judged);
+            self.evaluated.push(columns.evaluated);
             let of_view = self.lit.iter_mut().skip(n).step_by(images.len());
             for (row, lit) in (self.first_row..end).zip(of_view) {
                 *lit = columns.light(slab.images.row(image, row));
@@ -116,7 +116,7 @@ fn union<'a, const W: usize>(lines: impl Iterator<Item = &'a Line<W>>) -> Line<W
     lines.fold([0; W], |union, line| std::array::from_fn(|word| union[word] | line[word]))
 }
 
-/// A line whose first voxels are set.
+/// A line with its first voxels set.
 fn line_of<const W: usize>(voxels: usize) -> Line<W> {
     std::array::from_fn(|word| match voxels.saturating_sub(64 * word) {
         rest @ ..64 => (1 << rest) - 1,
@@ -124,17 +124,17 @@ fn line_of<const W: usize>(voxels: usize) -> Line<W> {
     })
 }
 
-/// Counts the judged voxels that find no lit row in their support.
+/// Counts the voxels without a lit row in their support, where the view sees enough of them.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn count_dark<const W: usize>(
     group: &mut ViewGroup<W>,
     supports: &[RowSupport],
     counts: &mut DarkCounts<W>,
 ) {
-    let ViewGroup { judged, first_row, lit, dark } = group;
-    let views = judged.len();
+    let ViewGroup { evaluated, first_row, lit, dark } = group;
+    let views = evaluated.len();
     for support in supports {
-        dark.copy_from_slice(judged);
+        dark.copy_from_slice(evaluated);
         for row in support.start..support.end {
             let lit = &lit[(row - *first_row) * views..][..views];
             for view in 0..views {

@@ -1,4 +1,4 @@
-//! The bits against a count of dark views, voxel by voxel.
+//! The bit-parallel hull against a naive count of dark views.
 
 use lfpiv_hw::Pose;
 use rand::{RngExt, SeedableRng};
@@ -20,15 +20,15 @@ fn bench_poses() -> Vec<Pose> {
     vec![pose([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]), pose([0.0, 0.0, -1.0], [0.0, 1.0, 0.0])]
 }
 
-/// The naive reference: whether a camera thinks each voxel possible and whether it sees it, by
-/// asking every view for every voxel.
+/// The naive reference: for each voxel whether it is possible for a camera, and whether the camera
+/// sees it, by checking every view for every voxel.
 fn verdicts<const D: usize>(
     model: &AlignedModel<4, D>,
     camera: usize,
     views: &ViewStack,
-    darkness: &Darkness,
+    criteria: &HullCriteria,
 ) -> Vec<[bool; 2]> {
-    let (dark_below, forgiven) = (darkness.dark_below[camera], darkness.forgiven[camera]);
+    let (dark_below, tolerated) = (criteria.dark_below[camera], criteria.tolerated[camera]);
     let AlignedCamera { axes, columns, rows, width } = &model.cameras[camera];
     let voxels = model.grid.voxels;
     let mut dark = vec![0; model.grid.len()];
@@ -51,12 +51,12 @@ fn verdicts<const D: usize>(
                     let voxel = model.grid.linear(ijk);
                     seen[voxel] = true;
                     let lit = along.clone().any(|y| across.clone().any(|x| is_lit(y * width + x)));
-                    dark[voxel] += usize::from(!lit && darkness.asked[camera].contains(&n));
+                    dark[voxel] += usize::from(!lit && criteria.selected[camera].contains(&n));
                 }
             }
         }
     }
-    dark.into_iter().zip(seen).map(|(dark, seen)| [dark <= forgiven, seen]).collect()
+    dark.into_iter().zip(seen).map(|(dark, seen)| [dark <= tolerated, seen]).collect()
 }
 
 /// Grids wider than a line, odd and even, with one and two depths per block.
@@ -79,20 +79,20 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
         })
         .collect();
     let mut mixed = false;
-    for (every, forgiven) in [(1, 0), (1, 10), (1, 20), (1, 30), (1, 45), (3, 3), (3, 10)] {
-        let asked = |layout: &ViewLayout| (0..layout.views.len()).step_by(every).collect();
-        let darkness = Darkness {
-            asked: model.layouts.iter().map(asked).collect(),
+    for (every, tolerated) in [(1, 0), (1, 10), (1, 20), (1, 30), (1, 45), (3, 3), (3, 10)] {
+        let selected = |layout: &ViewLayout| (0..layout.views.len()).step_by(every).collect();
+        let criteria = HullCriteria {
+            selected: model.layouts.iter().map(selected).collect(),
             dark_below: vec![5.0; 2],
-            forgiven: vec![forgiven; 2],
+            tolerated: vec![tolerated; 2],
         };
         let by_camera: Vec<Vec<[bool; 2]>> =
-            (0..2).map(|camera| verdicts(&model, camera, &stacks[camera], &darkness)).collect();
+            (0..2).map(|camera| verdicts(&model, camera, &stacks[camera], &criteria)).collect();
         let expected = |voxel: usize| {
             by_camera.iter().all(|verdicts| verdicts[voxel][0])
                 && by_camera.iter().any(|verdicts| verdicts[voxel][1])
         };
-        let lit = lit_blocks(&model, &stacks, &darkness);
+        let lit = lit_blocks(&model, &stacks, &criteria);
         let mut found = vec![false; grid.len()];
         for (&block, &children) in lit.blocks.iter().zip(&lit.children) {
             for child in (0..8).filter(|child| children >> child & 1 == 1) {
@@ -102,7 +102,7 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
         let count = found.iter().filter(|&&lit| lit).count();
         mixed |= (1..grid.len()).contains(&count);
         for (voxel, &found) in found.iter().enumerate() {
-            assert_eq!(found, expected(voxel), "{forgiven} forgiven: voxel {voxel}");
+            assert_eq!(found, expected(voxel), "{tolerated} tolerated: voxel {voxel}");
         }
     }
     assert!(mixed, "all voxels alike: nothing is tested");

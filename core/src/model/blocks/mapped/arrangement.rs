@@ -1,46 +1,45 @@
-//! How a block's voxels lie before the microlenses of a camera.
+//! Arrangement of a block's voxels relative to the microlenses of a camera.
 
 use nalgebra::Point3;
 
 use super::optics::MappedOptics;
 use crate::model::{VolumeGrid, blocks::aligned_tables::Axes, footprint::RayMap};
 
-/// Share of the source's edge by which a shadow may be beside its place where voxels share
-/// one.
+/// Largest displacement of a shadow by sharing a position, relative to the source's edge.
 const SHARED_PLACE_TOLERANCE: f64 = 1.0 / 16.0;
 
-/// What a shadow may be beside its place in any case, in microlenses: a step of the tables.
-const LEAST_TOLERANCE: f64 = 1.0 / 64.0;
+/// Displacement that is always allowed, in microlenses: a step of the tables.
+const MIN_TOLERANCE: f64 = 1.0 / 64.0;
 
-/// The places of a block.
+/// Number of separate positions per block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Layers {
-    /// That of its middle for all voxels, which lie in pairs along columns and rows.
+    /// The block's centre for all voxels, which form pairs along columns and rows.
     One,
     /// One for each of its two depths.
     Two,
-    /// One for each voxel.
+    /// One per voxel.
     Eight,
 }
 
-/// How the grid lies before a camera's array.
+/// Orientation of the grid relative to a camera's array.
 #[derive(Debug, Clone)]
 pub(super) struct Arrangement {
-    /// The grid axes that run along the array's columns and rows, roughly, and in depth.
+    /// The grid axes approximately along the array's columns and rows, and in depth.
     pub axes: Axes,
     pub layers: Layers,
-    /// From a pair's first voxel to its second, along columns and rows, in microlenses for a ray map
-    /// with b = 1; 0 where there are no pairs.
+    /// Distance between the voxels of a pair, along columns and rows, in microlenses for a ray map
+    /// with b = 1; 0 without pairs.
     pub pair_step: [f64; 2],
-    /// Lowest and highest depth of the grid, seen along columns and rows.
+    /// Lowest and highest depth of the grid, for columns and rows.
     pub depths_mm: [[f64; 2]; 2],
 }
 
-/// Changes from a voxel to the next along each axis of the grid.
+/// Changes between neighbouring voxels along each axis of the grid.
 struct Slopes {
-    /// Of the place along columns and rows, in microlenses.
+    /// Of the position along columns and rows, in microlenses.
     place: [[f64; 3]; 2],
-    /// Of the shadow of a ray through the pupil's edge, less that of the ray through its middle.
+    /// Of the shadow of a ray through the pupil's edge, minus that of the central ray.
     edge: [[f64; 3]; 2],
 }
 
@@ -56,7 +55,7 @@ impl Arrangement {
         let pitch_mm = optics.pitch_mm();
         let tolerance = [0, 1].map(|n| {
             let source = footprint_mm * position.abs() / pitch_mm[n];
-            (SHARED_PLACE_TOLERANCE * source).max(LEAST_TOLERANCE)
+            (SHARED_PLACE_TOLERANCE * source).max(MIN_TOLERANCE)
         });
         let layers = slopes.layers(axes, tolerance);
         let pair_step = match layers {
@@ -77,7 +76,7 @@ impl Layers {
         }
     }
 
-    /// Where the layers of a block are, in voxels from the block's first.
+    /// Offsets of a block's layers, in voxels from the block's first voxel.
     pub fn offsets(self, axes: Axes) -> Vec<[f64; 3]> {
         let at_depth = |depth: f64| {
             let mut offset = [0.5; 3];
@@ -113,14 +112,14 @@ impl Slopes {
         slopes
     }
 
-    /// The fewest places that put no shadow further beside than `tolerance`: a voxel lies half a
-    /// step from what it shares.
+    /// The fewest positions that displace no shadow by more than `tolerance`: a voxel is half a
+    /// step from a shared position.
     fn layers(&self, axes: Axes, tolerance: [f64; 2]) -> Layers {
         let exceeds = |shift: [f64; 2]| (0..2).any(|n| shift[n] / 2.0 > tolerance[n]);
         let (place, edge) = (&self.place, &self.edge);
         let Axes { column, row, depth } = axes;
         let all = |axis: usize| [0, 1].map(|n| place[n][axis].abs() + edge[n][axis].abs());
-        // Along its own axis the pair's voxels have places of their own.
+        // Along its own axis, the voxels of a pair have separate positions.
         let along_column = [edge[0][column].abs(), all(column)[1]];
         let along_row = [all(row)[0], edge[1][row].abs()];
         if exceeds(along_column) || exceeds(along_row) {
@@ -133,7 +132,7 @@ impl Slopes {
     }
 }
 
-/// Lowest and highest depths of the grid's voxels, with a voxel's margin.
+/// Lowest and highest depths of the grid's voxels, with a margin of one voxel.
 fn depths_mm(optics: &MappedOptics, grid: &VolumeGrid) -> [[f64; 2]; 2] {
     let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for n in 0..27 {

@@ -1,16 +1,16 @@
-//! How far each microlens lies from its place for one of its pixels, because pixels do not lie alike
-//! behind all of them.
+//! Phase of each microlens: its pixel's offset from the ideal position, because pixels are not
+//! aligned with all microlenses.
 
 use super::{places::ViewAddresses, tile::LENSES};
 use crate::lightfield::{MicrolensWindow, TIE_PX};
 
-/// Microlenses on all sides of the window that have phases, too. Beyond them there are no pixels.
+/// Microlenses around the window that also have phases. Beyond them there are no pixels.
 const MARGIN: i32 = LENSES as i32 + 1;
 
-/// The phase of the pixel that every microlens of a window gives to a view, in microlenses along i and
-/// along j for a parallax of 1. It is the same in all views: pixels are whole numbers apart.
+/// The phase of every microlens of a window, in microlenses along i and j for a parallax of 1. It
+/// is the same in all views, because their pixels are whole numbers apart.
 pub(super) struct LensPhases {
-    /// Microlenses in a row, with the margin.
+    /// Microlenses per row, including the margin.
     width: usize,
     rows: i32,
     phases: [Vec<f32>; 2],
@@ -39,8 +39,8 @@ impl LensPhases {
         Self { width, rows, phases, steps }
     }
 
-    /// The least and the most by which the phase along i grows from a microlens of row `j` to the next, and
-    /// that along j from the row before.
+    /// The smallest and largest increase of the phase along i from a microlens of row `j` to the
+    /// next, and along j from the previous row.
     #[inline(always)]
     pub fn steps(&self, j: i32) -> [[f32; 2]; 2] {
         self.steps[self.line(j)]
@@ -51,8 +51,8 @@ impl LensPhases {
         (j.clamp(-MARGIN, self.rows + MARGIN - 1) + MARGIN) as usize
     }
 
-    /// The phases along i and along j of the microlenses of row `j` from number `first` on; far beyond
-    /// the window those of others.
+    /// The phases along i and j of the microlenses of row `j`, starting with microlens `first`. Far
+    /// outside the window, those of other microlenses.
     #[inline(always)]
     pub fn row(&self, j: i32, first: i32) -> [&[f32; LENSES]; 2] {
         let line = self.line(j);
@@ -81,8 +81,8 @@ fn steps([along, across]: &[Vec<f32>; 2], width: usize) -> Vec<[[f32; 2]; 2]> {
         .collect()
 }
 
-/// How far a micro-image's centre lies right of and above the middle of the pixel that it lies in, in
-/// pixels. Half-way between two pixels it is on the same side as in decoding.
+/// Offset of a micro-image's centre from the centre of its pixel, to the right and upwards, in
+/// pixels. Halfway between two pixels it is rounded as in decoding.
 #[inline(always)]
 pub(super) fn phase_px(column: f32, row: f32) -> [f32; 2] {
     const HALF: f32 = 0.5 + TIE_PX as f32;

@@ -1,7 +1,7 @@
-//! Which voxels may hold light, for cameras that stand anyhow.
+//! Photo-hull for arbitrarily oriented cameras.
 //!
-//! One camera at a time, tile by tile ([`super::tile`]); tiles so small that a view maps microlenses
-//! onto their voxels linearly.
+//! For one camera, tile by tile ([`super::tile`]); tiles are small enough that a view maps
+//! microlenses onto their voxels linearly.
 
 use rayon::prelude::*;
 
@@ -13,31 +13,31 @@ use super::{
     optics::SeenPoint,
     places::ViewAddresses,
     support::Support,
-    tile::{LENSES, MOST_BITS, MOST_LINES, TilePlace, TileVerdict, Views},
+    tile::{LENSES, MAX_BITS, MAX_LINES, TilePlace, TileResult, Views},
 };
 use crate::{
     lightfield::ViewStack,
     model::{
-        Darkness, LitBlocks, VolumeGrid,
+        HullCriteria, LitBlocks, VolumeGrid,
         blocks::{aligned_tables::Axes, blocks_along},
     },
 };
 
-/// How far a voxel of a tile may lie from its linear place in any view, in microlenses. Supports
-/// are widened by what it is.
-const MOST_BENT: f64 = 0.04;
+/// Largest deviation of a tile's voxel from its linear position in any view, in microlenses.
+/// Supports are widened by the actual deviation.
+const MAX_DEVIATION: f64 = 0.04;
 
-/// Voxels of the smallest tile along an edge.
-const LEAST_EDGE: usize = 8;
+/// Edge of the smallest tile, in voxels.
+const MIN_EDGE: usize = 8;
 
 /// See [`crate::model::BlockModel::lit`].
 pub(super) fn lit_blocks<const L: usize>(
     model: &MappedModel<L>,
     views: &[ViewStack],
-    darkness: &Darkness,
+    criteria: &HullCriteria,
 ) -> LitBlocks {
-    let verdicts: Vec<Verdict> = (0..model.cameras.len())
-        .map(|camera| Verdict::new(model, camera, &views[camera], darkness))
+    let verdicts: Vec<CameraResult> = (0..model.cameras.len())
+        .map(|camera| CameraResult::new(model, camera, &views[camera], criteria))
         .collect();
     let mut lit = LitBlocks::default();
     for block in 0..blocks_along(&model.grid).into_iter().product() {
@@ -54,13 +54,13 @@ pub(super) fn lit_blocks<const L: usize>(
     lit
 }
 
-/// What a camera says of every voxel: a bit per child of every block.
-struct Verdict {
+/// One camera's result for every voxel: one bit per child of every block.
+struct CameraResult {
     possible: Vec<u8>,
     seen: Vec<u8>,
 }
 
-/// Voxels `first..first + count` along the columns and across the rows, at one depth.
+/// Voxels `first..first + count` along columns and rows, at one depth.
 #[derive(Debug, Clone, Copy)]
 struct Span {
     first: [usize; 2],
@@ -68,16 +68,16 @@ struct Span {
     depth: usize,
 }
 
-/// A camera's sight of tiles.
+/// A camera's tiles.
 struct Tiles<'a> {
     grid: &'a VolumeGrid,
     axes: Axes,
-    /// Depths per block that are looked at by themselves.
+    /// Depths per block that are treated separately.
     layers: usize,
     camera: Camera<'a>,
 }
 
-/// What of a camera does not depend on the width of its tables.
+/// Properties of a camera that do not depend on the width of its tables.
 #[derive(Clone, Copy)]
 pub(super) struct Camera<'a> {
     pub see: &'a (dyn Fn([f64; 3]) -> SeenPoint + Sync),
@@ -85,28 +85,28 @@ pub(super) struct Camera<'a> {
     pub pupil_radius: [f64; 2],
 }
 
-impl Verdict {
+impl CameraResult {
     fn new<const L: usize>(
         model: &MappedModel<L>,
         number: usize,
         stack: &ViewStack,
-        darkness: &Darkness,
+        criteria: &HullCriteria,
     ) -> Self {
         let (camera, layout) = (&model.cameras[number], &model.layouts[number]);
-        let bits = LitBits::new(layout, stack, darkness, number);
+        let bits = LitBits::new(layout, stack, criteria, number);
         let addresses = |view: usize| camera.view(&layout.views[view]);
-        let is_asked = |view: &usize| darkness.asked[number].binary_search(view).is_ok();
-        let asked: Vec<ViewAddresses> =
-            darkness.asked[number].iter().copied().map(addresses).collect();
+        let is_asked = |view: &usize| criteria.selected[number].binary_search(view).is_ok();
+        let selected: Vec<ViewAddresses> =
+            criteria.selected[number].iter().copied().map(addresses).collect();
         let others: Vec<ViewAddresses> =
             (0..layout.views.len()).filter(|view| !is_asked(view)).map(addresses).collect();
         let phases = LensPhases::new(&addresses(0), &camera.optics.window);
         let views = Views {
-            asked: &asked,
+            selected: &selected,
             others: &others,
             bits: &bits,
             phases: &phases,
-            forgiven: darkness.forgiven[number],
+            tolerated: criteria.tolerated[number],
         };
         let see = |index: [f64; 3]| camera.see(&model.grid, index);
         let support = |depth_mm: [f64; 2]| camera.support(depth_mm);
@@ -116,29 +116,29 @@ impl Verdict {
             layers: if camera.layers == Layers::One { 1 } else { 2 },
             camera: Camera { see: &see, support: &support, pupil_radius: camera.pupil_radius() },
         };
-        let judged: Vec<(Span, TileVerdict)> = tiles
+        let evaluated: Vec<(Span, TileResult)> = tiles
             .spans()
             .into_par_iter()
             .flat_map_iter(|span| tiles.straight(span))
-            .map(|(span, place, support)| (span, place.judge(&views, &support)))
+            .map(|(span, place, support)| (span, place.evaluate(&views, &support)))
             .collect();
-        tiles.collect(judged)
+        tiles.collect(evaluated)
     }
 }
 
 impl Tiles<'_> {
-    /// All tiles, as large as they may be.
+    /// All tiles, as large as possible.
     fn spans(&self) -> Vec<Span> {
         let Axes { column, row, depth } = self.axes;
         let most_lenses = LENSES as f64 - self.lenses_beside();
-        let mut lines = MOST_LINES;
-        // Where lines run across the columns, too, fewer of them leave room for more bits.
-        while lines > LEAST_EDGE && lines as f64 * self.lenses_per_voxel(row) > most_lenses / 3.0 {
+        let mut lines = MAX_LINES;
+        // If lines also run across the columns, fewer lines leave space for more bits.
+        while lines > MIN_EDGE && lines as f64 * self.lenses_per_voxel(row) > most_lenses / 3.0 {
             lines /= 2;
         }
         let room = most_lenses - lines as f64 * self.lenses_per_voxel(row);
         let bits = room / self.lenses_per_voxel(column).max(1e-3);
-        let bits = even(bits as usize / 2 * 2).clamp(LEAST_EDGE, MOST_BITS);
+        let bits = even(bits as usize / 2 * 2).clamp(MIN_EDGE, MAX_BITS);
         let depths = self.layers * self.grid.voxels[depth].div_ceil(2);
         let columns = parts(self.grid.voxels[column], bits);
         let rows = parts(self.grid.voxels[row], lines);
@@ -154,8 +154,8 @@ impl Tiles<'_> {
         spans
     }
 
-    /// Microlenses along the array's columns from a voxel to the next along an axis of the grid, in
-    /// the view where they are most.
+    /// Distance between neighbouring voxels along an axis of the grid, in microlenses along the
+    /// array's columns, in the view where it is largest.
     fn lenses_per_voxel(&self, axis: usize) -> f64 {
         let middle = self.grid.voxels.map(|n| (n as f64 - 1.0) / 2.0);
         let mut next = middle;
@@ -165,7 +165,7 @@ impl Tiles<'_> {
             + (there.parallax[0] - here.parallax[0]).abs() * self.camera.pupil_radius[0]
     }
 
-    /// Microlenses of a row that a tile's light reaches beside those that its voxels span.
+    /// Microlenses of a row that a tile's light reaches outside its voxels.
     fn lenses_beside(&self) -> f64 {
         let middle = self.grid.voxels.map(|n| (n as f64 - 1.0) / 2.0);
         let beside = [0.0, 1.0].map(|end| {
@@ -174,16 +174,16 @@ impl Tiles<'_> {
             let support = (self.camera.support)((self.camera.see)(index).depth_mm);
             2.0 * (support.reach[0] + support.phase[0])
         });
-        // One more for the row's first microlens, which lies anywhere before the tile, and one for what
-        // reach grows by in the grid's corners.
+        // One more for the row's first microlens, which has an arbitrary offset to the tile, and
+        // one for the growth of the reach in the grid's corners.
         beside[0].max(beside[1]) + 2.0
     }
 
-    /// A tile, or parts of it in each of which places are linear.
+    /// A tile, split if necessary into parts with linear positions.
     fn straight(&self, span: Span) -> Vec<(Span, TilePlace, Support)> {
-        let (place, bent, depth_mm) = self.place(&span);
+        let (place, deviation, depth_mm) = self.place(&span);
         let longest = usize::from(span.count[1] > span.count[0]);
-        if bent > MOST_BENT && span.count[longest] > LEAST_EDGE {
+        if deviation > MAX_DEVIATION && span.count[longest] > MIN_EDGE {
             let halves = parts(span.count[longest], even(span.count[longest].div_ceil(2)));
             let part = |(first, count): (usize, usize)| {
                 let mut part = span;
@@ -194,11 +194,11 @@ impl Tiles<'_> {
             return halves.into_iter().flat_map(|half| self.straight(part(half))).collect();
         }
         let mut support = (self.camera.support)(depth_mm);
-        support.reach.iter_mut().for_each(|reach| *reach += bent);
+        support.reach.iter_mut().for_each(|reach| *reach += deviation);
         vec![(span, place, support)]
     }
 
-    /// Where a voxel of a tile is, in voxels of the grid; fractions lie between.
+    /// Fractional grid index of a position in a tile.
     fn index(&self, span: &Span, voxel: [f64; 2]) -> [f64; 3] {
         let mut index = [0.0; 3];
         index[self.axes.column] = span.first[0] as f64 + voxel[0];
@@ -210,15 +210,15 @@ impl Tiles<'_> {
         index
     }
 
-    /// The linear places of a tile's voxels, how far from them a corner lies in any view, and the
-    /// middle's depths.
+    /// The linear positions of a tile's voxels, the largest deviation of a corner in any view, and
+    /// the depths of the middle.
     fn place(&self, span: &Span) -> (TilePlace, f64, [f64; 2]) {
         let half = span.count.map(|count| (count as f64 - 1.0) / 2.0);
         let see = |steps: [f64; 2]| {
             (self.camera.see)(self.index(span, [0, 1].map(|n| half[n] * (1.0 + steps[n]))))
         };
         let middle = see([0.0; 2]);
-        // One voxel is as good as any distance where there is no other.
+        // With a single voxel, any distance will do.
         let width = half.map(|half| 2.0 * half.max(0.25));
         let ends = [[see([-1.0, 0.0]), see([1.0, 0.0])], [see([0.0, -1.0]), see([0.0, 1.0])]];
         let slope = |value: &dyn Fn(&SeenPoint) -> [f64; 2]| -> [[f64; 2]; 2] {
@@ -234,15 +234,17 @@ impl Tiles<'_> {
             bits: span.count[0],
             lines: span.count[1],
         };
-        let bent = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
+        let deviation = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
             .into_iter()
-            .map(|steps| self.bent(&place, &see(steps), [steps[0] * half[0], steps[1] * half[1]]))
+            .map(|steps| {
+                self.deviation(&place, &see(steps), [steps[0] * half[0], steps[1] * half[1]])
+            })
             .fold(0.0, f64::max);
-        (place, bent, middle.depth_mm)
+        (place, deviation, middle.depth_mm)
     }
 
-    /// How far a point lies from its linear place, in the view where that is farthest.
-    fn bent(&self, place: &TilePlace, seen: &SeenPoint, voxel: [f64; 2]) -> f64 {
+    /// Deviation of a point from its linear position, in the view where it is largest.
+    fn deviation(&self, place: &TilePlace, seen: &SeenPoint, voxel: [f64; 2]) -> f64 {
         let of = |n: usize| {
             let linear = |middle: [f64; 2], slope: [[f64; 2]; 2]| {
                 middle[n] + slope[n][0] * voxel[0] + slope[n][1] * voxel[1]
@@ -254,11 +256,11 @@ impl Tiles<'_> {
         of(0).max(of(1))
     }
 
-    /// The verdicts of all tiles, block by block.
-    fn collect(&self, judged: Vec<(Span, TileVerdict)>) -> Verdict {
+    /// Combines the results of all tiles, block by block.
+    fn collect(&self, evaluated: Vec<(Span, TileResult)>) -> CameraResult {
         let blocks: usize = blocks_along(self.grid).into_iter().product();
-        let mut verdict = Verdict { possible: vec![0; blocks], seen: vec![0; blocks] };
-        for (span, tile) in &judged {
+        let mut verdict = CameraResult { possible: vec![0; blocks], seen: vec![0; blocks] };
+        for (span, tile) in &evaluated {
             self.add(span, &tile.possible, &mut verdict.possible);
             self.add(span, &tile.seen, &mut verdict.seen);
         }
@@ -272,7 +274,7 @@ impl Tiles<'_> {
             let [nx, ny, _] = blocks_along(self.grid);
             [1, nx, nx * ny]
         };
-        let (at_depth, of_depth) = match self.layers {
+        let (at_depth, depth_index) = match self.layers {
             1 => {
                 let far = 2 * span.depth + 1 < self.grid.voxels[depth];
                 (span.depth, 1 | u8::from(far) << (1 << depth))
@@ -290,7 +292,7 @@ impl Tiles<'_> {
                 bits &= bits - 1;
                 let block =
                     c / 2 * strides[column] + r / 2 * strides[row] + at_depth * strides[depth];
-                children[block] |= of_depth << (((c % 2) << column) + ((r % 2) << row));
+                children[block] |= depth_index << (((c % 2) << column) + ((r % 2) << row));
             }
         }
     }
@@ -300,8 +302,8 @@ fn even(count: usize) -> usize {
     count.div_ceil(2) * 2
 }
 
-/// `count` voxels in as few and as equal parts of at most `most` as can be, all but the last even: first and
-/// count of each.
+/// Divides `count` voxels into as few and as equal parts of at most `most` as possible, all but the
+/// last even: start and count of each.
 fn parts(count: usize, most: usize) -> Vec<(usize, usize)> {
     let each = even(count.div_ceil(count.div_ceil(most.max(2)).max(1))).max(2);
     (0..count).step_by(each).map(|first| (first, each.min(count - first))).collect()

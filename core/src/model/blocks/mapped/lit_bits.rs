@@ -1,17 +1,17 @@
-//! The lit pixels of a camera's views, a bit each.
+//! The lit pixels of a camera's views, as bits.
 
 use rayon::prelude::*;
 
 use crate::{
     lightfield::{ViewLayout, ViewStack},
-    model::Darkness,
+    model::HullCriteria,
 };
 
-/// Bits of a word, and microlenses beside the window that have bits of their own.
+/// Bits per word, and number of microlenses beside the window that have bits.
 const WORD: i32 = 64;
 
-/// For each asked view and row of microlenses a bit per microlens: whether the pixel is lit. Where there
-/// is no evidence of darkness, beyond the window too, pixels count as lit.
+/// One bit per microlens, for each selected view and row of microlenses: whether the pixel is lit.
+/// Pixels without evidence of criteria, including those outside the window, count as lit.
 pub(super) struct LitBits {
     rows: usize,
     words: usize,
@@ -19,10 +19,15 @@ pub(super) struct LitBits {
 }
 
 impl LitBits {
-    pub fn new(layout: &ViewLayout, stack: &ViewStack, darkness: &Darkness, camera: usize) -> Self {
-        let dark_below = darkness.dark_below[camera];
+    pub fn new(
+        layout: &ViewLayout,
+        stack: &ViewStack,
+        criteria: &HullCriteria,
+        camera: usize,
+    ) -> Self {
+        let dark_below = criteria.dark_below[camera];
         let (width, rows) = (layout.window.columns.len(), layout.window.rows.len());
-        // A word before the window, and one and a part after it.
+        // One word before the window, and more than one after it.
         let words = width.div_ceil(WORD as usize) + 3;
         let of_view = |&view: &usize| {
             let mut bits = vec![u64::MAX; rows * words];
@@ -31,19 +36,18 @@ impl LitBits {
                 let bits = &mut bits[row * words..][..words];
                 for (i, &value) in line.iter().enumerate() {
                     let open = coverage.map_or(1.0, |coverage| coverage[row * width + i]);
-                    // A pixel less than half open is no evidence of darkness.
+                    // A pixel less than half open is no evidence of criteria.
                     let dark = open > 0.5 && value < dark_below * open;
                     bits[i / 64 + 1] &= !(u64::from(dark) << (i % 64));
                 }
             }
             bits
         };
-        let bits: Vec<Vec<u64>> = darkness.asked[camera].par_iter().map(of_view).collect();
+        let bits: Vec<Vec<u64>> = criteria.selected[camera].par_iter().map(of_view).collect();
         Self { rows, words, bits: bits.concat() }
     }
 
-    /// The bits of the microlenses from number `first` on, of row `row` of the asked view number
-    /// `image`.
+    /// The bits of the microlenses from `first` on, in row `row` of selected view `image`.
     #[inline(always)]
     pub fn row(&self, image: usize, row: i32, first: i32) -> u64 {
         let at = first + WORD;
@@ -74,8 +78,9 @@ mod tests {
         layout.views = vec![View { k: 0, l: 0, coverage: None }];
         let lit = |n: usize| n * n % 7 < 3;
         let values = (0..77 * 3).map(|n| if lit(n) { 10.0 } else { 0.0 }).collect();
-        let darkness = Darkness { asked: vec![vec![0]], dark_below: vec![5.0], forgiven: vec![0] };
-        let bits = LitBits::new(&layout, &ViewStack::new(77 * 3, values), &darkness, 0);
+        let criteria =
+            HullCriteria { selected: vec![vec![0]], dark_below: vec![5.0], tolerated: vec![0] };
+        let bits = LitBits::new(&layout, &ViewStack::new(77 * 3, values), &criteria, 0);
         for (row, first) in (-1..4).flat_map(|row| (-80..160).map(move |first| (row, first))) {
             let found = bits.row(0, row, first);
             for n in 0..64 {

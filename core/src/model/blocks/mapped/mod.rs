@@ -1,9 +1,9 @@
-//! Blocks seen by cameras that stand anyhow, through any smooth optics.
+//! Blocks for arbitrarily oriented cameras with any smooth optics.
 //!
-//! [`super::AlignedModel`] finds a block's taps by its number, because every row of blocks lies along a row
-//! of microlenses. Here each block's place before the microlenses is known (two multiplications and additions give
-//! that in a view), and tables hold the footprint by depth, place between microlenses and phase
-//! ([`share_table`]): only the addressing differs, and the kernels are the same.
+//! [`super::AlignedModel`] finds a block's taps by index, because every row of blocks lies along a
+//! row of microlenses. Here each block's position relative to the microlenses is stored (two
+//! multiply-adds give it for a view), and tables hold the footprint by depth, position between
+//! microlenses and phase ([`share_table`]). Only the addressing differs; the kernels are the same.
 
 mod arrangement;
 mod lens_phases;
@@ -22,7 +22,9 @@ mod tile;
 use lfpiv_hw::{CameraName, Optics, Pose};
 use nalgebra::Point3;
 
-use super::{BlockModel, BlockProjector, Darkness, LitBlocks, aligned_tables::Axes, block_indices};
+use super::{
+    BlockModel, BlockProjector, HullCriteria, LitBlocks, aligned_tables::Axes, block_indices,
+};
 use crate::{
     lightfield::{View, ViewLayout, ViewStack},
     model::{
@@ -37,7 +39,7 @@ use projector::MappedProjector;
 use share_table::{FootprintGeometry, ShareTable};
 use support::Support;
 
-/// Share of a microlens by which a depth node may change the width of a shadow.
+/// Largest change of a shadow's width between depth nodes, in microlenses.
 const DEPTH_TOLERANCE: f64 = 1.0 / 64.0;
 
 /// The footprint of every block in every view, from tables of up to `L` microlenses per pair of
@@ -49,22 +51,21 @@ pub(super) struct MappedModel<const L: usize> {
     cameras: Vec<MappedCamera<L>>,
 }
 
-/// One camera's tables, and how its array lies before the grid.
+/// One camera's tables, and the orientation of its array relative to the grid.
 #[derive(Debug)]
 pub(super) struct MappedCamera<const L: usize> {
     optics: MappedOptics,
     axes: Axes,
     layers: Layers,
     geometries: [FootprintGeometry; 2],
-    /// Along the columns and the rows.
+    /// Along columns and rows.
     tables: [ShareTable<L>; 2],
 }
 
-/// The model with the narrowest tables that will do; `None` where none
-/// holds the footprints.
+/// The model with the narrowest sufficient tables; `None` if no table is wide enough.
 ///
 /// # Errors
-/// A camera does not see the grid, the grid reaches its lens, or an array is not square.
+/// A camera does not see the grid, the grid extends to its lens, or an array is not square.
 pub(super) fn mapped_model(
     optics: &Optics,
     poses: &[Pose],
@@ -93,8 +94,8 @@ pub(super) fn mapped_model(
     Ok(setup.narrowest())
 }
 
-/// How the cameras' images are cut; as the `known` layouts of another model of the same cameras where
-/// the windows are the same.
+/// Layouts of the cameras' images; reuses the `known` layouts of another model of the same cameras
+/// if the windows are the same.
 fn layouts(seen: &[MappedOptics], parts: &ModelParts, known: &[ViewLayout]) -> Vec<ViewLayout> {
     let mut layouts: Vec<ViewLayout> = Vec::with_capacity(seen.len());
     for optics in seen {
@@ -110,7 +111,7 @@ fn layouts(seen: &[MappedOptics], parts: &ModelParts, known: &[ViewLayout]) -> V
     layouts
 }
 
-/// What a model is built from.
+/// Inputs of a model.
 struct Setup<'a> {
     seen: Vec<MappedOptics>,
     arrangements: Vec<Arrangement>,
@@ -146,7 +147,7 @@ impl Setup<'_> {
         Some(MappedModel { grid: self.grid.clone(), layouts: self.layouts.clone(), cameras })
     }
 
-    /// What the footprints of a camera along its columns and rows are made from.
+    /// Geometry of a camera's footprints along columns and rows.
     fn geometries(
         &self,
         optics: &MappedOptics,
@@ -176,7 +177,7 @@ impl Setup<'_> {
                 pair_step: arrangement.pair_step[n],
                 footprint_mm: self.footprint_mm,
                 blur,
-                most_lean_mm: lens.pupil_diameter_mm() / 2.0
+                max_slope_mm: lens.pupil_diameter_mm() / 2.0
                     + farthest * lens.object_distance_mm / lens.image_distance_mm(),
             }
         })
@@ -184,7 +185,7 @@ impl Setup<'_> {
 }
 
 impl<const L: usize> MappedCamera<L> {
-    /// How the camera sees a place of the grid, in voxels.
+    /// A grid position, in voxels, as seen by the camera.
     fn see(&self, grid: &VolumeGrid, index: [f64; 3]) -> SeenPoint {
         let world: [f64; 3] = std::array::from_fn(|axis| grid.coordinate_mm(axis, index[axis]));
         self.optics.see(&Point3::from(world))
@@ -198,7 +199,7 @@ impl<const L: usize> MappedCamera<L> {
         self.optics.pupil_radius()
     }
 
-    /// What addresses of a view are computed from.
+    /// Parameters for computing the addresses of a view.
     fn view(&self, view: &View) -> ViewAddresses {
         let lenses_per_cell = self.optics.lenses_per_cell();
         let window = &self.optics.window;
@@ -223,14 +224,14 @@ impl<const L: usize> MappedCamera<L> {
                 on_axis: on_axis[n] as f32,
                 lenses: lenses[n] as f32,
                 object_per_place: (1.0 / magnification) as f32,
-                leans: self.tables[n].layout.leans_per_mm * self.geometries[n].pitch_mm as f32,
+                slopes: self.tables[n].layout.leans_per_mm * self.geometries[n].pitch_mm as f32,
             }),
         }
     }
 }
 
 impl<const L: usize> MappedModel<L> {
-    /// Where blocks lie before a camera, for each of their layers.
+    /// Positions of the blocks relative to a camera, for each of their layers.
     fn places(&self, camera: &MappedCamera<L>, blocks: &[u32]) -> Vec<Places> {
         let layouts = [&camera.tables[0].layout, &camera.tables[1].layout];
         let offsets = camera.layers.offsets(camera.axes);
@@ -260,8 +261,8 @@ impl<const L: usize> BlockModel for MappedModel<L> {
         Box::new(MappedProjector::new(self, blocks))
     }
 
-    fn lit(&self, views: &[ViewStack], darkness: &Darkness) -> LitBlocks {
-        lit::lit_blocks(self, views, darkness)
+    fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks {
+        lit::lit_blocks(self, views, criteria)
     }
 
     fn image_len(&self, camera: usize) -> usize {

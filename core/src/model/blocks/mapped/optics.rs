@@ -1,8 +1,8 @@
-//! Where a camera sees points, in microlenses.
+//! Projection of points onto a camera's array, in microlenses.
 //!
-//! A ray of a point before the thin lens meets the microlens plane at x = a U + b ξ
-//! (docs/theory.md, sections 2 and 4), columns and rows each with the a and b of their own depth. Seen in
-//! microlenses that is place + a V, with V the pupil point U in the same unit.
+//! A ray from a point in front of the thin lens meets the microlens plane at x = a U + b ξ
+//! (docs/theory.md, sections 2 and 4), with separate a and b for columns and rows according to
+//! their depths. In microlenses this is position + a V, with V the pupil point U in the same unit.
 
 use std::sync::Arc;
 
@@ -16,11 +16,10 @@ use crate::{
     },
 };
 
-/// Microlenses around those that the volume's light was found to reach at the volume's corners and
-/// middles.
+/// Margin around the microlenses that light from the volume's corners and midpoints reaches.
 const MARGIN: f64 = 2.0;
 
-/// How one camera sees the volume.
+/// One camera's view of the volume.
 #[derive(Debug, Clone)]
 pub(super) struct MappedOptics {
     pub optics: Optics,
@@ -31,25 +30,25 @@ pub(super) struct MappedOptics {
     map: Option<VolumeMap>,
     /// Microlenses along i and j per mm on the microlens plane along `right` and `up`.
     lenses_per_mm: [[f64; 2]; 2],
-    /// The microlens on the optical axis, in fractions, counted from the array's first.
+    /// Fractional microlens index on the optical axis, relative to the array's first.
     on_axis: [f64; 2],
 }
 
-/// A point as one camera sees it: along the array's columns and rows.
+/// A point as seen by one camera, along the array's columns and rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SeenPoint {
-    /// The microlens that the ray through the pupil's middle meets, in fractions, counted from
-    /// the window's first.
+    /// Fractional microlens index that the ray through the pupil's centre meets, relative to the
+    /// window's first.
     pub place: [f64; 2],
-    /// How far the rays map pupil points onto the microlens plane (a).
+    /// Scale of the map from pupil points to the microlens plane (a).
     pub parallax: [f64; 2],
     /// Depths of the equivalent point, in mm.
     pub depth_mm: [f64; 2],
 }
 
 impl MappedOptics {
-    /// Errors when the array is not square, the camera does not see the grid, or the grid reaches its
-    /// lens.
+    /// Errors if the array is not square, the camera does not see the grid, or the grid extends to
+    /// its lens.
     pub fn new(
         optics: &Optics,
         pose: &Pose,
@@ -63,7 +62,7 @@ impl MappedOptics {
             return Err(ModelError::NotSquare { camera });
         }
         let middle = [optics.sensor.columns, optics.sensor.rows].map(|n| (n as f64 - 1.0) / 2.0);
-        // Micro-images lie further apart than their microlenses by 1 + f_m/s_i.
+        // The micro-image pitch is larger than the microlens pitch by 1 + f_m/s_i.
         let mm_per_px = optics.pixel_pitch_mm() / optics.micro_image_magnification();
         let at = |column: f64, row: f64| grid.lens_at(middle[0] + column, middle[1] - row);
         let (on_axis, right, up) = (at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0));
@@ -95,7 +94,7 @@ impl MappedOptics {
         }
     }
 
-    /// How the camera sees a world point.
+    /// A world point as seen by the camera.
     pub fn see(&self, world_mm: &Point3<f64>) -> SeenPoint {
         let mut seen = self.see_on_array(world_mm);
         seen.place[0] -= self.window.columns.start as f64;
@@ -103,7 +102,7 @@ impl MappedOptics {
         seen
     }
 
-    /// The same with places counted from the array's first microlens.
+    /// The same, with positions relative to the array's first microlens.
     fn see_on_array(&self, world_mm: &Point3<f64>) -> SeenPoint {
         let EquivalentPoint { lateral_mm: [xi, eta], depth_mm } = self.equivalent(world_mm);
         let maps = depth_mm.map(|depth| RayMap::at_depth(&self.optics, depth));
@@ -119,13 +118,13 @@ impl MappedOptics {
         self.lenses_per_mm.map(|row| row.map(|lenses| lenses * self.sampling.cell_mm))
     }
 
-    /// The microlens on the optical axis, in fractions, counted from the window's first.
+    /// Fractional microlens index on the optical axis, relative to the window's first.
     pub fn on_axis(&self) -> [f64; 2] {
         let first = [self.window.columns.start, self.window.rows.start];
         [0, 1].map(|n| self.on_axis[n] - first[n] as f64)
     }
 
-    /// Distance between microlenses along i and along j, in mm.
+    /// Microlens pitch along i and j, in mm.
     pub fn pitch_mm(&self) -> [f64; 2] {
         let mm_per_px = self.optics.pixel_pitch_mm() / self.optics.micro_image_magnification();
         self.sampling.grid.pitch_px().map(|pitch_px| pitch_px * mm_per_px)
@@ -169,7 +168,7 @@ impl MappedOptics {
     }
 }
 
-/// Corners, and middles of edges, faces and the whole, of a volume.
+/// Corners of a volume, and midpoints of its edges, faces and the whole.
 fn corners_and_middles(volume: &VolumeGrid) -> impl Iterator<Item = Point3<f64>> + '_ {
     (0..27).map(|n| {
         let steps = [n % 3, n / 3 % 3, n / 9];

@@ -1,18 +1,18 @@
-//! Where blocks lie before the microlenses, and which taps of the tables that makes in a view.
+//! Positions of blocks relative to the microlenses, and the resulting table addresses in a view.
 
 use super::{
     lens_phases::phase_px,
     optics::SeenPoint,
     rounding::{nearest, whole},
-    share_table::{LEANS, PHASES, TableLayout},
+    share_table::{PHASE_CLASSES, SLOPE_CLASSES, TableLayout},
 };
 use crate::model::blocks::kernels::BATCH;
 
-/// Microlenses beside the window that still have numbers of their own. Nothing is lit so far outside,
-/// and the pixels' numbers stay small.
+/// Positions are clamped to this distance from the window, in microlenses. Nothing is lit so far
+/// outside, and pixel numbers stay small.
 const BEYOND: f32 = 64.0;
 
-/// Where blocks, or a layer of each, lie: arrays, so that addresses are computed side by side.
+/// Positions of blocks, or of one layer of each, as arrays for vectorised address computation.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Places {
     /// Along the array's columns and rows.
@@ -22,14 +22,14 @@ pub(super) struct Places {
 /// One axis of [`Places`].
 #[derive(Debug, Clone, Default)]
 pub(super) struct AxisPlaces {
-    /// In microlenses, counted from the window's first.
+    /// In microlenses, relative to the window's first.
     place: Vec<f32>,
     parallax: Vec<f32>,
-    /// Number of the first tap of the depth.
+    /// Index of the depth's first tap.
     depth: Vec<u32>,
 }
 
-/// Which tap of a table, and the microlens that its first is counted from.
+/// Index of a tap in its table, and the microlens that its first entry is relative to.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Addresses {
     pub tap: [[u32; BATCH]; 2],
@@ -40,20 +40,20 @@ impl Addresses {
     pub const NONE: Self = Self { tap: [[0; BATCH]; 2], lens: [[0; BATCH]; 2] };
 }
 
-/// What all blocks of a view share.
+/// Parameters common to all blocks of a view.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ViewAddresses {
     /// The view's pupil point along i and j, in microlenses.
     pub pupil: [f32; 2],
     /// Microlenses along i and j per pupil cell along `right` and `up`.
     pub lenses_per_cell: [[f32; 2]; 2],
-    /// Column and row of the micro-images, of microlenses counted from the window's first.
+    /// Column and row of the micro-images, for microlenses relative to the window's first.
     pub column_px: [f32; 3],
     pub row_px: [f32; 3],
     pub axes: [AxisAddresses; 2],
 }
 
-/// What all blocks of a view share along one axis.
+/// Parameters common to all blocks of a view along one axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AxisAddresses {
     pub layout: TableLayout,
@@ -61,10 +61,10 @@ pub(super) struct AxisAddresses {
     pub on_axis: f32,
     /// Microlenses of the window.
     pub lenses: f32,
-    /// A distance in the plane in focus over its image's.
+    /// Ratio of a distance in the plane in focus to that in its image.
     pub object_per_place: f32,
-    /// Classes of lean per microlens.
-    pub leans: f32,
+    /// Classes of ray slope per microlens.
+    pub slopes: f32,
 }
 
 impl Places {
@@ -72,7 +72,7 @@ impl Places {
         for (n, (axis, layout)) in self.axes.iter_mut().zip(layouts).enumerate() {
             axis.place.push(seen.place[n] as f32);
             axis.parallax.push(seen.parallax[n] as f32);
-            axis.depth.push(layout.of_depth(seen.depth_mm[n]) as u32);
+            axis.depth.push(layout.depth_index(seen.depth_mm[n]) as u32);
         }
     }
 
@@ -93,7 +93,7 @@ impl Places {
     }
 }
 
-/// A batch of values from number `start` on, zeros after the last.
+/// A batch of values starting with index `start`, padded with zeros.
 #[inline(always)]
 fn batch<T: Copy + Default>(values: &[T], start: usize) -> [T; BATCH] {
     match values.get(start..).and_then(<[T]>::first_chunk) {
@@ -108,8 +108,8 @@ fn last_batch<T: Copy + Default>(values: &[T], start: usize) -> [T; BATCH] {
     std::array::from_fn(|n| values.get(start + n).copied().unwrap_or_default())
 }
 
-/// The addresses of up to [`BATCH`] blocks from number `start` on. Loops without closures, one thing
-/// in each: so they become vector instructions.
+/// The addresses of up to [`BATCH`] blocks starting with block `start`. Written as separate loops
+/// without closures, so that they become vector instructions.
 #[inline(always)]
 pub(super) fn addresses(places: &Places, start: usize, view: &ViewAddresses) -> Addresses {
     let mut found = Addresses::NONE;
@@ -140,18 +140,18 @@ pub(super) fn addresses(places: &Places, start: usize, view: &ViewAddresses) -> 
         [phase[0][b], phase[1][b]] = phase_px(a0 + a1 * i + a2 * j, b0 + b1 * i + b2 * j);
     }
     for n in 0..2 {
-        let AxisAddresses { layout, on_axis, leans, object_per_place, .. } = view.axes[n];
+        let AxisAddresses { layout, on_axis, slopes, object_per_place, .. } = view.axes[n];
         let [by_right, by_up] = view.lenses_per_cell[n];
         for b in 0..BATCH {
             let own = parallax[n][b] * (by_right * phase[0][b] + by_up * phase[1][b]);
             let node = (beside[n][b] + own - layout.first_place) * layout.places_per_lens;
-            let class = (phase[n][b] + 0.5) * PHASES as f32 - 0.5;
-            // U less the ξ that a point of this place has in focus: close enough for a width.
+            let class = (phase[n][b] + 0.5) * PHASE_CLASSES as f32 - 0.5;
+            // U minus the ξ of an in-focus point at this position: accurate enough for a width.
             let across = (place[n][b] - on_axis) * object_per_place;
-            let lean = (view.pupil[n] + across).abs() * leans;
+            let slope = (view.pupil[n] + across).abs() * slopes;
             found.tap[n][b] = depth[n][b]
-                + index(lean, LEANS) * layout.per_lean() as u32
-                + index(class, PHASES) * layout.places as u32
+                + index(slope, SLOPE_CLASSES) * layout.taps_per_slope() as u32
+                + index(class, PHASE_CLASSES) * layout.places as u32
                 + index(node, layout.places);
             found.lens[n][b] = whole(nearest(lens[n][b] + BEYOND)) - BEYOND as i32;
         }
@@ -159,7 +159,7 @@ pub(super) fn addresses(places: &Places, start: usize, view: &ViewAddresses) -> 
     found
 }
 
-/// The class, of `count`, whose middle is nearest.
+/// The nearest of `count` classes.
 #[inline(always)]
 fn index(number: f32, count: usize) -> u32 {
     let last = (count - 1) as f32;

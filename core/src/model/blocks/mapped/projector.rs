@@ -1,4 +1,4 @@
-//! Projection of blocks seen by cameras that stand anyhow.
+//! Projection of blocks for arbitrarily oriented cameras.
 
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ use crate::model::{
     },
 };
 
-/// Blocks whose places one thread finds at a time.
+/// Blocks per parallel task when computing positions.
 const BLOCKS_PER_TASK: usize = 4096;
 
 /// A [`MappedModel`] restricted to active blocks.
@@ -31,7 +31,7 @@ pub(super) struct MappedProjector<'a, const L: usize> {
     places: Vec<Vec<Places>>,
 }
 
-/// One view's tables, and where the blocks' taps are in them.
+/// One view's tables, and the blocks' positions in them.
 struct MappedTaps<'a, const L: usize> {
     camera: &'a MappedCamera<L>,
     view: ViewAddresses,
@@ -39,13 +39,13 @@ struct MappedTaps<'a, const L: usize> {
     lenses: [i32; 2],
 }
 
-/// As many layers as the camera's blocks have.
+/// With as many layers as the camera's blocks have.
 impl<const L: usize, const D: usize> TapSource<L, D> for MappedTaps<'_, L> {
     type Addresses = ([Addresses; D], usize);
 
     #[inline(always)]
     fn addresses(&self, start: usize, count: usize) -> Self::Addresses {
-        // A closure would not be compiled for the processor that the kernels are compiled for.
+        // A closure would not be compiled with the target features of the kernels.
         let mut found = [Addresses::NONE; D];
         for (found, places) in found.iter_mut().zip(self.layers) {
             *found = addresses(places, start, &self.view);
@@ -54,7 +54,7 @@ impl<const L: usize, const D: usize> TapSource<L, D> for MappedTaps<'_, L> {
     }
 
     #[inline(always)]
-    fn ask_for(&self, (layers, count): &Self::Addresses) {
+    fn prefetch_taps(&self, (layers, count): &Self::Addresses) {
         for addresses in layers {
             for (table, taps) in self.camera.tables.iter().zip(&addresses.tap) {
                 for &at in &taps[..*count] {
@@ -77,7 +77,7 @@ impl<const L: usize, const D: usize> TapSource<L, D> for MappedTaps<'_, L> {
     }
 }
 
-/// Copies the tap of block `b` along axis `n`, with its microlenses counted from the window's first.
+/// Copies the tap of block `b` along axis `n`, relative to the window's first microlens.
 #[inline(always)]
 fn place<const L: usize>(
     table: &ShareTable<L>,
@@ -89,8 +89,8 @@ fn place<const L: usize>(
 ) {
     let tap = table.tap(addresses.tap[n][b] as usize);
     let first = addresses.lens[n][b] + i32::from(tap.first) - FIRST_BIAS;
-    // Whole first, then changed: a value put together of parts waits for them in the processor's store
-    // buffer, which was a quarter of the time.
+    // Copied whole, then modified: assembling it from parts would stall on the store buffer, which
+    // took a quarter of the time.
     *to = *tap;
     to.first = first as u16;
     if first < 0 || first + L as i32 > lenses {
@@ -98,7 +98,7 @@ fn place<const L: usize>(
     }
 }
 
-/// What is left in the window of a tap that leaves it.
+/// The part inside the window of a tap that extends beyond it.
 #[cold]
 fn clipped<const L: usize>(tap: &PairTap<L>, first: i32, lenses: i32) -> PairTap<L> {
     let kept = first.clamp(0, (lenses - L as i32).max(0));

@@ -1,16 +1,16 @@
-//! Numbers to whole ones, in loops that become vector instructions: conversions that care for NaN and for
-//! numbers out of range do not.
+//! Rounding that compiles to vector instructions. The standard conversions handle NaN and overflow,
+//! which prevents vectorisation.
 
-/// From here on the last bit of a mantissa counts ones.
+/// At this magnitude the last bit of a mantissa has the value 1.
 const ONES: f32 = 8_388_608.0;
 
-/// The whole number nearest to one from 0 to 2²², as the last bits of a float: see [`whole`].
+/// The integer nearest to a value from 0 to 2²², as the mantissa bits of a float: see [`whole`].
 #[inline(always)]
 pub(super) fn nearest(value: f32) -> u32 {
     (value + ONES).to_bits()
 }
 
-/// The whole number itself.
+/// Extracts the integer.
 #[inline(always)]
 pub(super) fn whole(nearest: u32) -> i32 {
     nearest.wrapping_sub(ONES.to_bits()) as i32

@@ -1,11 +1,13 @@
-//! Footprints of a pair of voxels along one axis of an array, wherever the pair stands.
+//! Footprints of a pair of voxels along one axis of an array, at any position.
 //!
-//! The footprint depends on the camera only through a few numbers: the depth, the place between two
-//! microlenses, the phase of the microlens that the pair is nearest to, and how far the rays lean
-//! ([`crate::model::tables::AxisGeometry`] has the formula). The table holds it at nodes of all
-//! four. Depth and lean change its width alone, so few nodes do; the place decides which microlens
-//! gets how much. Of the phase only the jumps are left to the table: which of the neighbours see the
-//! view through the pixel before or after. The nearest microlens' own phase goes into the place.
+//! The footprint depends on the camera through a few numbers only: the depth, the position between
+//! two microlenses, the phase of the nearest microlens, and the slope of the rays
+//! ([`crate::model::tables::AxisGeometry`] has the formula). The table has nodes in all four. Depth
+//! and slope only change its width, so few nodes suffice; the position determines the shares of the
+//! microlenses. The phase of the nearest microlens is added to the position; the table only needs
+//! its discontinuities, which decide which neighbours see the view through the previous or next
+//! pixel. view through the pixel before or after. The nearest microlens' own phase goes into the
+//! place.
 
 use lfpiv_hw::Optics;
 use rayon::prelude::*;
@@ -20,51 +22,51 @@ use crate::{
     },
 };
 
-/// Places per microlens.
+/// Position nodes per microlens.
 const PLACES_PER_LENS: f64 = 32.0;
 
-/// Classes of the nearest microlens' phase, which spans a pixel.
-pub(super) const PHASES: usize = 8;
+/// Classes of the nearest microlens' phase, which ranges over one pixel.
+pub(super) const PHASE_CLASSES: usize = 8;
 
-/// Classes of how far rays lean.
-pub(super) const LEANS: usize = 4;
+/// Classes of ray slope.
+pub(super) const SLOPE_CLASSES: usize = 4;
 
-/// Added to the first microlens of a tap, which is counted from the nearest one.
+/// Bias of a tap's first microlens, which is relative to the nearest one.
 pub(super) const FIRST_BIAS: i32 = 32;
 
-/// What the footprints along one axis of an array are made from.
+/// Geometry of the footprints along one axis of an array.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FootprintGeometry {
     pub optics: Optics,
-    /// Distance between microlenses, in mm.
+    /// Microlens pitch, in mm.
     pub pitch_mm: f64,
-    /// Microlenses per pupil cell along this axis, with the sign of its direction.
+    /// Microlenses per pupil cell along this axis, signed.
     pub lenses_per_cell: f64,
-    /// How much the phase grows from a microlens to the next, in pixels; whole ones do not count.
+    /// Increase of the phase between neighbouring microlenses, in pixels, modulo 1.
     pub phase_step_px: f64,
     pub depths: Nodes,
-    /// From the pair's first voxel to its second, in microlenses for a ray map with b = 1; 0 where
-    /// single voxels are tabulated.
+    /// Distance between the voxels of a pair, in microlenses for a ray map with b = 1; 0 if single
+    /// voxels are tabulated.
     pub pair_step: f64,
     pub footprint_mm: f64,
     pub blur: Blur,
     /// The largest |U − ξ| of any ray, in mm.
-    pub most_lean_mm: f64,
+    pub max_slope_mm: f64,
 }
 
-/// Shares of pairs of voxels, in the order lean, depth, phase, place.
+/// Shares of pairs of voxels, ordered by slope, depth, phase, position.
 #[derive(Debug)]
 pub(super) struct ShareTable<const L: usize> {
     pub layout: TableLayout,
     pub taps: Vec<PairTap<L>>,
 }
 
-/// How a table is addressed.
+/// Addressing of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TableLayout {
     pub places: usize,
     pub depths: Nodes,
-    /// Place of node 0, in microlenses from the nearest one.
+    /// Position of node 0, in microlenses from the nearest one.
     pub first_place: f32,
     pub places_per_lens: f32,
     pub leans_per_mm: f32,
@@ -74,7 +76,7 @@ impl FootprintGeometry {
     fn layout(&self) -> TableLayout {
         let deepest = [self.depths.at(0), self.depths.at(self.depths.count - 1)];
         let parallax = deepest.map(|depth| RayMap::at_depth(&self.optics, depth).pupil.abs());
-        // The nearest microlens is found without its phase, of up to half a cell along each axis.
+        // The nearest microlens is found without its phase, which is up to half a cell along each axis.
         let beyond = parallax[0].max(parallax[1]) * self.lenses_per_cell.abs() * 0.6;
         let first_place = -0.5 - beyond;
         TableLayout {
@@ -82,18 +84,18 @@ impl FootprintGeometry {
             depths: self.depths,
             first_place: first_place as f32,
             places_per_lens: PLACES_PER_LENS as f32,
-            leans_per_mm: ((LEANS - 1) as f64 / self.most_lean_mm) as f32,
+            leans_per_mm: ((SLOPE_CLASSES - 1) as f64 / self.max_slope_mm) as f32,
         }
     }
 
-    /// The shadow of a voxel at a depth whose rays lean so far: see
+    /// The shadow of a voxel at a depth, for this ray slope: see
     /// [`crate::model::tables::AxisGeometry`].
-    pub fn shadow(&self, map: RayMap, lean_mm: f64) -> Trapezoid {
+    pub fn shadow(&self, map: RayMap, slope_mm: f64) -> Trapezoid {
         let per_depth = map.position * map.position / self.optics.image_distance_mm();
         let mut widths = [
             map.pupil.abs() * self.blur.pupil_mm,
             map.position.abs() * self.footprint_mm,
-            per_depth * lean_mm * self.footprint_mm,
+            per_depth * slope_mm * self.footprint_mm,
             self.blur.plane_mm,
         ];
         widths.sort_unstable_by(f64::total_cmp);
@@ -101,15 +103,15 @@ impl FootprintGeometry {
         Trapezoid::new(widths[3], narrow)
     }
 
-    /// How far the pupil interval of a microlens lies from the nearest one's, in cells, where that has
-    /// a phase of `phase` and `n` microlenses lie between.
+    /// Offset of a microlens' pupil interval from that of the nearest one, in cells, if the nearest
+    /// one has phase `phase` and is `n` microlenses away.
     pub fn further_phase(&self, phase: f64, n: i32) -> f64 {
         let next = phase + f64::from(n) * self.phase_step_px;
         next - (next + 0.5 + TIE_PX).floor() - phase
     }
 
-    /// The share of a voxel's light that microlens `n` receives, counted from the nearest one, of
-    /// which the voxel lies `place` microlenses off.
+    /// The share of a voxel's light that microlens `n` receives, counted from the nearest one, at a
+    /// voxel position of `place` microlenses from that.
     pub fn share(&self, map: RayMap, shadow: &Trapezoid, phase: f64, place: f64, n: i32) -> f64 {
         let shift = map.pupil * self.lenses_per_cell * self.further_phase(phase, n);
         let offset_mm = (f64::from(n) - place - shift) * self.pitch_mm;
@@ -121,12 +123,12 @@ impl FootprintGeometry {
         (below(offset_mm + half_lens_mm) - below(offset_mm - half_lens_mm)) / map.spread()
     }
 
-    /// Middle of a class of phases.
+    /// Centre of a class of phases.
     pub fn phase_of(class: usize) -> f64 {
-        (class as f64 + 0.5) / PHASES as f64 - 0.5
+        (class as f64 + 0.5) / PHASE_CLASSES as f64 - 0.5
     }
 
-    /// The tap of a pair whose middle lies `place` microlenses off the nearest one; `None` where it
+    /// The tap of a pair whose centre is `place` microlenses from the nearest one; `None` if it
     /// reaches more than `L`.
     fn tap<const L: usize>(
         &self,
@@ -159,32 +161,34 @@ impl FootprintGeometry {
 }
 
 impl TableLayout {
-    /// Number of the first tap of a depth, for the least lean.
-    pub fn of_depth(&self, depth_mm: f64) -> usize {
-        self.depths.nearest(depth_mm) * PHASES * self.places
+    /// Index of the first tap of a depth, for the smallest slope.
+    pub fn depth_index(&self, depth_mm: f64) -> usize {
+        self.depths.nearest(depth_mm) * PHASE_CLASSES * self.places
     }
 
-    /// Taps of one lean.
-    pub fn per_lean(&self) -> usize {
-        self.depths.count * PHASES * self.places
+    /// Number of taps per slope.
+    pub fn taps_per_slope(&self) -> usize {
+        self.depths.count * PHASE_CLASSES * self.places
     }
 }
 
 impl<const L: usize> ShareTable<L> {
-    /// `None` when a pair reaches more than `L` microlenses.
+    /// `None` if a pair reaches more than `L` microlenses.
     pub fn new(geometry: &FootprintGeometry) -> Option<Self> {
         let layout = geometry.layout();
         let (places, depths) = (layout.places, layout.depths.count);
         let row = |n: usize| -> Option<Vec<PairTap<L>>> {
-            let (lean, depth, phase) = (n / (depths * PHASES), n / PHASES % depths, n % PHASES);
+            let (slope, depth, phase) =
+                (n / (depths * PHASE_CLASSES), n / PHASE_CLASSES % depths, n % PHASE_CLASSES);
             let map = RayMap::at_depth(&geometry.optics, layout.depths.at(depth));
-            let lean_mm = lean as f64 / f64::from(layout.leans_per_mm);
-            let shadow = geometry.shadow(map, lean_mm);
+            let slope_mm = slope as f64 / f64::from(layout.leans_per_mm);
+            let shadow = geometry.shadow(map, slope_mm);
             let phase = FootprintGeometry::phase_of(phase);
             let place = |n: usize| f64::from(layout.first_place) + n as f64 / PLACES_PER_LENS;
             (0..places).map(|n| geometry.tap(map, &shadow, phase, place(n))).collect()
         };
-        let rows: Option<Vec<_>> = (0..LEANS * depths * PHASES).into_par_iter().map(row).collect();
+        let rows: Option<Vec<_>> =
+            (0..SLOPE_CLASSES * depths * PHASE_CLASSES).into_par_iter().map(row).collect();
         Some(Self { layout, taps: rows?.concat() })
     }
 

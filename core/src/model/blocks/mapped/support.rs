@@ -1,22 +1,22 @@
-//! How far a voxel's light reaches on the microlenses at one depth.
+//! Support of a voxel's light on the microlenses at one depth.
 
 use super::share_table::FootprintGeometry;
 use crate::model::{
     SUPPORT_SHARE,
     footprint::{RayMap, Trapezoid},
-    tables::LEAST_SEEN_SHARE,
+    tables::MIN_SEEN_SHARE,
 };
 
-/// Halvings that find where a share falls to a limit.
+/// Bisection steps.
 const HALVINGS: usize = 24;
 
-/// Places about the middle of a gap between two microlenses at which a voxel is seen too little of
-/// ([`LEAST_SEEN_SHARE`]), in microlenses.
+/// Positions around the middle of a gap between two microlenses at which too little of a voxel is seen
+/// ([`MIN_SEEN_SHARE`]), in microlenses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GapZone {
-    /// The narrowest gap that has such places; infinite where phases leave none as wide.
+    /// The narrowest gap with such positions; infinite if phases leave no gap as wide.
     pub least: f64,
-    /// Half the zone of that gap, and how much it grows by the gap.
+    /// Half width of the zone for that gap, and its increase with the gap's width.
     pub half: f64,
     pub half_per_gap: f64,
 }
@@ -24,19 +24,18 @@ pub(super) struct GapZone {
 /// Along columns and rows, in microlenses.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Support {
-    /// How far from a voxel's place the microlenses of its support lie.
+    /// Largest distance of a voxel's position from the microlenses of its support.
     pub reach: [f64; 2],
-    /// How far phases move places at most.
+    /// Largest displacement by phases.
     pub phase: [f64; 2],
-    /// How wide a microlens is to the rays of one view.
+    /// Width of a microlens for the rays of one view.
     pub lens_width: f64,
-    /// Where gaps between microlenses hide too much of a voxel.
+    /// Zones where gaps between microlenses hide too much of a voxel.
     pub gaps: [GapZone; 2],
 }
 
 impl Support {
-    /// Of voxels at depths seen along columns and rows; `lenses_per_cell` says how far phases
-    /// reach.
+    /// For voxels at the depths of columns and rows; `lenses_per_cell` gives the range of phases.
     pub fn new(
         geometries: &[FootprintGeometry; 2],
         depth_mm: [f64; 2],
@@ -45,7 +44,7 @@ impl Support {
         let maps = [0, 1].map(|n| RayMap::at_depth(&geometries[n].optics, depth_mm[n]));
         let shadows = [0, 1].map(|n| {
             let geometry = &geometries[n];
-            geometry.shadow(maps[n], geometry.most_lean_mm / 2.0)
+            geometry.shadow(maps[n], geometry.max_slope_mm / 2.0)
         });
         let cell = [0, 1].map(|n| {
             let [by_right, by_up] = lenses_per_cell[n];
@@ -75,22 +74,22 @@ impl Support {
 impl GapZone {
     const NONE: Self = Self { least: f64::INFINITY, half: 0.0, half_per_gap: 0.0 };
 
-    /// Of voxels with this shadow, where gaps are at most `widest` microlenses wide.
+    /// For voxels with this shadow and gaps of at most `widest` microlenses.
     fn new(shadow: &Trapezoid, pitch_mm: f64, widest: f64) -> Self {
-        // What a gap hides of a voxel that lies `beside` microlenses from its middle.
+        // Share of a voxel that a gap hides, at `beside` microlenses from its middle.
         let hidden = |gap: f64, beside: f64| {
             let below = |lenses: f64| shadow.below(lenses * pitch_mm);
             below(beside + gap / 2.0) - below(beside - gap / 2.0)
         };
         let too_much =
-            |gap: f64, beside: f64| hidden(gap, beside) > f64::from(1.0 - LEAST_SEEN_SHARE);
+            |gap: f64, beside: f64| hidden(gap, beside) > f64::from(1.0 - MIN_SEEN_SHARE);
         if !too_much(widest, 0.0) {
             return Self::NONE;
         }
         let least = last_in(0.0, widest, |gap| !too_much(gap, 0.0));
         let farthest = widest + shadow.width() / pitch_mm;
         let half = |gap: f64| last_in(0.0, farthest, |beside| too_much(gap, beside));
-        // A little more than the least, where an even shadow hides as much at many places.
+        // Slightly more than the smallest gap: a uniform shadow is hidden equally at many positions.
         let slightly = least + 0.02 * (widest - least);
         let (first, last) = (half(slightly), half(widest));
         let half_per_gap = (last - first) / (widest - slightly).max(1e-12);
@@ -98,7 +97,7 @@ impl GapZone {
     }
 }
 
-/// The last place between `low` and `high` at which something holds that holds up to some place.
+/// The largest value between `low` and `high` for which a monotonic condition holds.
 fn last_in(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     let (mut inside, mut outside) = (low, high);
     for _ in 0..HALVINGS {

@@ -1,5 +1,5 @@
-//! Cameras that stand anyhow, against the definition of a share pixel by pixel, against cameras along
-//! the grid's axes, and against a hull voxel by voxel.
+//! Arbitrarily oriented cameras, compared with the definition of a share pixel by pixel, with
+//! aligned cameras, and with a voxelwise hull.
 
 use nalgebra::{Rotation3, Unit, Vector3};
 use proptest::prelude::*;
@@ -11,12 +11,12 @@ use crate::{
     lightfield::MicroImageGrid,
     model::{
         BlockLight, EquivalentPoint, SUPPORT_SHARE, ViewId, VolumeMap, child_voxel,
-        tables::LEAST_SEEN_SHARE,
+        tables::MIN_SEEN_SHARE,
     },
     test_bench,
 };
 
-/// A camera's pose turned about a world axis, in degrees.
+/// A camera pose rotated about a world axis, in degrees.
 fn turned(pose: &Pose, axis: [f64; 3], degrees: f64) -> Pose {
     let axis = Unit::new_normalize(Vector3::from(axis));
     let turn = Rotation3::from_axis_angle(&axis, degrees.to_radians());
@@ -28,7 +28,7 @@ fn turned(pose: &Pose, axis: [f64; 3], degrees: f64) -> Pose {
     }
 }
 
-/// A calibration whose array is turned, shifted and stretched.
+/// A calibration with a rotated, shifted and stretched array.
 fn turned_array(degrees: f64) -> CameraCalibration {
     let drawn = MicroImageGrid::drawn(&test_bench::optics());
     let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -43,7 +43,7 @@ fn turned_array(degrees: f64) -> CameraCalibration {
     CameraCalibration { grid: Some(grid), map: None }
 }
 
-/// A map as of a lens that distorts a little and sees columns and rows at other depths.
+/// A map of a lens with slight distortion and different depths for columns and rows.
 fn bent_map(pose: &Pose) -> VolumeMap {
     let seen = |world: [f64; 3]| {
         let seen = pose.to_camera(&world.into());
@@ -73,14 +73,14 @@ fn cases() -> Vec<Case> {
     let [first, above] = <[Pose; 2]>::try_from(test_bench::poses()).unwrap();
     let drawn = CameraCalibration::default;
     let case = |name, pose, calibration, most_apart| Case { name, pose, calibration, most_apart };
-    let bent = CameraCalibration { grid: None, map: Some(bent_map(&first)) };
+    let deviation = CameraCalibration { grid: None, map: Some(bent_map(&first)) };
     vec![
         case("as drawn", first.clone(), drawn(), 0.06),
         case("turned about x", turned(&above, [1.0, 0.0, 0.0], 0.5), drawn(), 0.06),
         case("at 60 degrees", turned(&above, [1.0, 0.0, 0.0], -30.0), drawn(), 0.06),
         case("rolled", turned(&above, [0.0, 1.0, 0.0], 40.0), drawn(), 0.06),
-        case("bent", first.clone(), bent, 0.06),
-        // Rows next to each other have other phases, which separable weights do not know.
+        case("deviation", first.clone(), deviation, 0.06),
+        // Neighbouring rows have different phases, which separable weights cannot represent.
         case("array turned", first.clone(), turned_array(0.5), 0.12),
         case("array turned back", first, turned_array(-1.0), 0.16),
     ]
@@ -93,7 +93,7 @@ fn model_of(case: &Case, grid: &VolumeGrid, footprint_mm: f64) -> Box<dyn BlockM
     mapped_model(&optics, &poses, &calibrations, grid, footprint_mm, &parts, &[]).unwrap().unwrap()
 }
 
-/// The naive reference: the share of a voxel on every microlens by its own phase along both axes.
+/// The naive reference: the share of a voxel on every microlens, with its own phase along both axes.
 struct Definition {
     optics: MappedOptics,
     geometries: [FootprintGeometry; 2],
@@ -124,13 +124,13 @@ impl Definition {
         let cells = self.optics.lenses_per_cell();
         let window = &self.optics.window;
         let width = window.columns.len();
-        let lean = |n: usize| {
+        let slope = |n: usize| {
             let [by_right, by_up] = cells[n];
             let pupil = by_right * f64::from(view.k) + by_up * f64::from(view.l);
             (pupil + seen.place[n] - self.optics.on_axis()[n]).abs() * self.geometries[n].pitch_mm
         };
         let maps = [0, 1].map(|n| RayMap::at_depth(&self.optics.optics, seen.depth_mm[n]));
-        let shadows = [0, 1].map(|n| self.geometries[n].shadow(maps[n], lean(n)));
+        let shadows = [0, 1].map(|n| self.geometries[n].shadow(maps[n], slope(n)));
         for j in window.rows.clone() {
             for i in window.columns.clone() {
                 let phase = self.optics.sampling.phase(i, j);
@@ -230,7 +230,7 @@ fn back_projection_is_the_adjoint_of_projection() {
     }
 }
 
-/// A volume that the array's edge cuts, against the same voxels in a window of their own.
+/// A volume cut by the array's edge, compared with the same voxels in a larger window.
 #[test]
 fn light_beyond_the_window_is_lost_and_nothing_else() {
     let case = Case { calibration: turned_array(0.5), ..cases().swap_remove(0) };
@@ -262,7 +262,7 @@ fn light_beyond_the_window_is_lost_and_nothing_else() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// A particle's voxel is never found dark, wherever it is and however the camera stands.
+    /// A particle's voxel is never found dark, for any position and camera orientation.
     #[test]
     fn a_lit_voxel_is_in_the_hull(seed in 0u64..1_000_000, number in 0usize..7) {
         let case = cases().swap_remove(number);
@@ -288,10 +288,10 @@ proptest! {
             })
             .collect();
         let views = [ViewStack::new(layout.window.len(), stack)];
-        let asked: Vec<usize> = (0..layout.views.len()).step_by(2).collect();
-        // A particle on the border of four microlenses gives a quarter of its light to each.
-        let darkness = Darkness { asked: vec![asked], dark_below: vec![6.0], forgiven: vec![3] };
-        let lit = model.lit(&views, &darkness);
+        let selected: Vec<usize> = (0..layout.views.len()).step_by(2).collect();
+        // A particle at the corner of four microlenses gives a quarter of its light to each.
+        let criteria = HullCriteria { selected: vec![selected], dark_below: vec![6.0], tolerated: vec![3] };
+        let lit = model.lit(&views, &criteria);
         let mut found = vec![false; grid.len()];
         for (&block, &children) in lit.blocks.iter().zip(&lit.children) {
             for child in (0..8).filter(|child| children >> child & 1 == 1) {
@@ -308,8 +308,8 @@ proptest! {
 }
 
 impl Definition {
-    /// Whether a view finds a voxel dark, by the rule of [`BlockModel::lit`]; `None` where it cannot
-    /// judge it.
+    /// Whether a view finds a voxel dark, by the rule of [`BlockModel::lit`]; `None` if it sees too
+    /// little of it.
     fn is_dark(&self, view: &View, world_mm: &Point3<f64>, lit: &[bool]) -> Option<bool> {
         let seen = self.optics.see(world_mm);
         let cells = self.optics.lenses_per_cell();
@@ -321,7 +321,7 @@ impl Definition {
             let phase = self.optics.sampling.phase(column as usize, row as usize);
             [0, 1].map(|n| {
                 let geometry = &self.geometries[n];
-                let shadow = geometry.shadow(maps[n], geometry.most_lean_mm / 2.0);
+                let shadow = geometry.shadow(maps[n], geometry.max_slope_mm / 2.0);
                 let [by_right, by_up] = cells[n];
                 let (k, l) = (f64::from(view.k) + phase[0], f64::from(view.l) + phase[1]);
                 let place = seen.place[n] + seen.parallax[n] * (by_right * k + by_up * l);
@@ -347,7 +347,7 @@ impl Definition {
                 dark &= along_i <= share || along_j <= share || !lit[(j * columns + i) as usize];
             }
         }
-        let least = f64::from(LEAST_SEEN_SHARE);
+        let least = f64::from(MIN_SEEN_SHARE);
         seen_along.iter().all(|&seen| seen >= least).then_some(dark)
     }
 }
@@ -364,8 +364,8 @@ fn the_hull_is_that_of_voxels_one_by_one() {
         let len = layout.window.len();
         let value = |_| if random.random::<f32>() < 0.6 { 0.0 } else { 10.0 };
         let views = [ViewStack::new(len, (0..len * layout.views.len()).map(value).collect())];
-        let asked: Vec<usize> = (0..layout.views.len()).step_by(7).collect();
-        let lit: Vec<Vec<bool>> = asked
+        let selected: Vec<usize> = (0..layout.views.len()).step_by(7).collect();
+        let lit: Vec<Vec<bool>> = selected
             .iter()
             .map(|&view| {
                 let coverage = layout.views[view].coverage.as_deref();
@@ -382,20 +382,20 @@ fn the_hull_is_that_of_voxels_one_by_one() {
                 let is_dark = |(&view, lit): (&usize, &Vec<bool>)| {
                     definition.is_dark(&layout.views[view], &world, lit) == Some(true)
                 };
-                asked.iter().zip(&lit).filter(|&view| is_dark(view)).count()
+                selected.iter().zip(&lit).filter(|&view| is_dark(view)).count()
             })
             .collect();
-        for forgiven in [7, 9, 12] {
-            let darkness = Darkness {
-                asked: vec![asked.clone()],
+        for tolerated in [7, 9, 12] {
+            let criteria = HullCriteria {
+                selected: vec![selected.clone()],
                 dark_below: vec![5.0],
-                forgiven: vec![forgiven],
+                tolerated: vec![tolerated],
             };
-            let hull = model.lit(&views, &darkness);
+            let hull = model.lit(&views, &criteria);
             let found: u32 = hull.children.iter().map(|mask| mask.count_ones()).sum();
-            let expected = dark.iter().filter(|&&dark| dark <= forgiven).count();
+            let expected = dark.iter().filter(|&&dark| dark <= tolerated).count();
             let ratio = f64::from(found) / expected as f64;
-            println!("{}, {forgiven} forgiven: {found} voxels of {expected}", case.name);
+            println!("{}, {tolerated} tolerated: {found} voxels of {expected}", case.name);
             wrong |= expected < 100 || !(0.93..1.35).contains(&ratio);
         }
     }

@@ -1,8 +1,9 @@
-//! What the views of a camera say of a tile: up to 60 × 96 voxels at one depth.
+//! Photo-hull of a tile: up to 60 × 96 voxels at one depth, for all views of a camera.
 //!
-//! Seen from the array's columns and rows the voxels of a tile lie almost evenly, so a view maps
-//! microlenses onto voxels by an affine function. A lit microlens lights a rectangle of voxels: a few bits of a
-//! few lines. Each microlens has the phase of its own pixel; nothing is widened for the phases.
+//! Relative to the array's columns and rows the voxels of a tile are almost evenly spaced, so a
+//! view maps microlenses onto voxels by an affine function. A lit microlens lights a rectangle of
+//! voxels: a few bits of a few lines. Each microlens has the phase of its own pixel, so rectangles
+//! need not be widened for phases.
 
 use std::ops::Range;
 
@@ -17,38 +18,38 @@ use super::{
 };
 use crate::model::blocks::dark_counts::DarkCounts;
 
-/// Words for the voxels of a line. Words, numbers and microlenses are of one width, so that vectors
-/// hold as many of each.
+/// Words per line of voxels. Words, numbers and microlenses have the same width, so that vectors
+/// hold equally many of each.
 const WORDS: usize = 2;
 
-/// Voxels in a word: its bits, less one for the ends of ranges, and even for whole blocks.
+/// Voxels per word: one bit is needed for the ends of ranges, and the number is even for whole blocks.
 const WORD_BITS: usize = 30;
 
 /// Voxels along the columns.
-pub(super) const MOST_BITS: usize = WORDS * WORD_BITS;
+pub(super) const MAX_BITS: usize = WORDS * WORD_BITS;
 
 /// Lines of voxels across the rows.
-pub(super) const MOST_LINES: usize = 96;
+pub(super) const MAX_LINES: usize = 96;
 
-/// Slope of a tile's axes against the array's from which it lies askew.
+/// Slope of a tile's axes relative to the array's above which it counts as skewed.
 const SKEWED: f64 = 0.15;
 
-/// Microlenses along a row of the array that are looked at together.
+/// Microlenses along a row of the array that are processed together.
 pub(super) const LENSES: usize = 32;
 
 /// Numbers in the widest vectors.
 const LANES: usize = 16;
 
-/// What is lit of a line's voxels, by remainders of the microlenses' numbers: put together in the end.
-type Lit = [[[u32; LANES]; WORDS]; MOST_LINES];
+/// The lit voxels of a line, by microlens number modulo [`LANES`]; combined at the end.
+type Lit = [[[u32; LANES]; WORDS]; MAX_LINES];
 
-/// How a tile's voxels lie before the microlenses, linearly: of voxel (bit, line) from the tile's
-/// middle.
+/// Linear positions of a tile's voxels relative to the microlenses, for voxel (bit, line) from the
+/// tile's middle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TilePlace {
-    /// The middle's place along columns and rows, in microlenses.
+    /// Position of the middle along columns and rows, in microlenses.
     pub place: [f64; 2],
-    /// Its change per bit and per line.
+    /// Change per bit and per line.
     pub by_voxel: [[f64; 2]; 2],
     /// Parallax of the middle, and its change per bit and per line.
     pub parallax: [f64; 2],
@@ -59,57 +60,56 @@ pub(super) struct TilePlace {
     pub lines: usize,
 }
 
-/// What the views of a camera have to say.
+/// The views of a camera.
 #[derive(Clone, Copy)]
 pub(super) struct Views<'a> {
-    /// Those whose images count, in the order of `bits`.
-    pub asked: &'a [ViewAddresses],
-    /// Those that may see what the asked ones do not.
+    /// The selected views with images, in the order of `bits`.
+    pub selected: &'a [ViewAddresses],
+    /// Other views, which may see voxels that the selected ones do not.
     pub others: &'a [ViewAddresses],
     pub bits: &'a LitBits,
     pub phases: &'a LensPhases,
-    /// Views that may find a voxel dark that is lit.
-    pub forgiven: usize,
+    /// Number of views that may find a lit voxel dark.
+    pub tolerated: usize,
 }
 
-/// What the views found.
+/// Result for a tile.
 #[derive(Debug, Clone)]
-pub(super) struct TileVerdict {
-    /// Per line the voxels that no more views than forgiven find dark, and those that a view sees.
+pub(super) struct TileResult {
+    /// Per line, the voxels that no more views than tolerated find dark, and those that any view sees.
     pub possible: Vec<u64>,
     pub seen: Vec<u64>,
 }
 
-/// A view of a tile: from microlenses to voxels.
+/// The map from microlenses to voxels of a tile, in one view.
 #[derive(Debug, Clone, Copy)]
 struct TileView {
-    /// Place of the tile's middle in this view.
+    /// Position of the tile's middle in this view.
     place: [f32; 2],
     /// Voxels per microlens.
     voxels: [[f32; 2]; 2],
     middle: [f32; 2],
-    /// How far a microlens lights voxels, in voxels.
+    /// Reach of a microlens' light, in voxels.
     reach: [f32; 2],
     parallax: [f32; 2],
     /// First microlens of a row, and the rows.
     first: i32,
     rows: [i32; 2],
-    /// Voxels in a line's words, and lines.
+    /// Voxels in a line's words, and number of lines.
     bits: [f32; WORDS],
     lines: f32,
-    /// How far phases move microlenses across the lines at most.
+    /// Largest displacement of microlenses across the lines by phases.
     phase_lines: f32,
-    /// Whether all of its microlenses lie in the window.
+    /// Whether all of its microlenses are inside the window.
     inside: bool,
-    /// As [`Support`] has them.
+    /// As in [`Support`].
     lens_width: f32,
     gap_least: [f32; 2],
     gap_half: [f32; 2],
     gap_growth: [f32; 2],
     gaps: bool,
-    /// For tiles that lie askew before the array, where the rectangle about what a microlens lights
-    /// holds much else: bits from which a microlens reaches along i and along j, and how much further on
-    /// those are in the next line.
+    /// For skewed tiles, where the bounding rectangle of a microlens' light contains many other
+    /// voxels: reach of a microlens along i and j in bits, and its shift from line to line.
     bit_reach: [f32; 2],
     bits_per_line: [f32; 2],
     skewed: bool,
@@ -117,15 +117,15 @@ struct TileView {
 
 /// One row of microlenses in a view of a tile.
 struct LensRow {
-    /// Each microlens' place among the voxels.
+    /// Position of each microlens among the voxels.
     centre_bit: [f32; LENSES],
     centre_line: [f32; LENSES],
-    /// Middle of the gap beside each microlens among the voxels, and how far from it too much is hidden;
-    /// negative where there is none.
+    /// Middle of the gap beside each microlens among the voxels, and the distance within which it
+    /// hides too much; negative if there is no gap.
     gap_centre: [f32; LENSES],
     gap_reach: [f32; LENSES],
     zones: Zones,
-    /// Where the first microlens lies across the lines, if it has no phase.
+    /// Position of the first microlens across the lines, without its phase.
     line: f32,
 }
 
@@ -137,8 +137,7 @@ struct Zones {
 }
 
 impl TilePlace {
-    /// `None` where a view sees the tile from the side and has no affine map, or across more microlenses
-    /// than are looked at.
+    /// `None` if a view sees the tile edge-on and has no affine map, or spans too many microlenses.
     fn view(&self, view: &ViewAddresses, support: &Support) -> Option<TileView> {
         let pupil = view.pupil.map(f64::from);
         let by_voxel: [[f64; 2]; 2] = std::array::from_fn(|n| {
@@ -170,7 +169,7 @@ impl TilePlace {
             let [by_x, by_y]: [f64; 2] = voxels[n];
             (by_x.abs() * support.reach[0] + by_y.abs() * support.reach[1]) as f32
         });
-        // Bits that no bit moves along: a line has all of them or none.
+        // Bits along which the position does not change: a line has all of them or none.
         let by_bit = |n: usize| by_voxel[n][0].abs().max(1e-6).copysign(by_voxel[n][0]);
         Some(TileView {
             place: place.map(|place| place as f32),
@@ -195,13 +194,13 @@ impl TilePlace {
         })
     }
 
-    /// Voxels in each of a line's words.
+    /// Number of voxels in each word of a line.
     fn word_bits(&self) -> [usize; WORDS] {
         let first = self.bits.min(WORD_BITS);
         [first, self.bits - first]
     }
 
-    /// A line's voxels as one number.
+    /// A line's voxels as one integer.
     fn joined(&self, words: [u32; WORDS]) -> u64 {
         u64::from(words[0]) | u64::from(words[1]) << self.word_bits()[0]
     }
@@ -210,15 +209,15 @@ impl TilePlace {
         (1 << self.bits) - 1
     }
 
-    /// Asks the views.
-    pub fn judge(&self, views: &Views, support: &Support) -> TileVerdict {
-        let Views { asked, others, bits, phases, forgiven } = *views;
+    /// Evaluates all views.
+    pub fn evaluate(&self, views: &Views, support: &Support) -> TileResult {
+        let Views { selected, others, bits, phases, tolerated } = *views;
         let full = self.full_line();
-        let mut dark = DarkCounts::<1>::new(self.lines, [full], forgiven);
+        let mut dark = DarkCounts::<1>::new(self.lines, [full], tolerated);
         let mut row = LensRow::default();
-        let mut lit = [[[0; LANES]; WORDS]; MOST_LINES];
+        let mut lit = [[[0; LANES]; WORDS]; MAX_LINES];
         let mut seen = vec![0; self.lines];
-        for (image, addresses) in asked.iter().enumerate() {
+        for (image, addresses) in selected.iter().enumerate() {
             let Some(view) = self.view(addresses, support) else { continue };
             let rows = |j| bits.row(image, j, view.first) as u32;
             lit[..self.lines].fill([[0; LANES]; WORDS]);
@@ -239,10 +238,10 @@ impl TilePlace {
                 self.see(&view, addresses, phases, &mut row, &mut seen);
             }
         }
-        TileVerdict { possible, seen }
+        TileResult { possible, seen }
     }
 
-    /// Adds the voxels whose microlenses all lie in the window.
+    /// Adds the voxels whose microlenses are all inside the window.
     fn see(
         &self,
         view: &TileView,
@@ -255,7 +254,7 @@ impl TilePlace {
         if seen.iter().all(|&line| line == full) {
             return;
         }
-        let mut beyond = [[[0; LANES]; WORDS]; MOST_LINES];
+        let mut beyond = [[[0; LANES]; WORDS]; MAX_LINES];
         if !view.inside {
             let [columns, rows] = addresses.axes.map(|axis| axis.lenses as i32);
             let outside = |j: i32| {
@@ -275,7 +274,7 @@ impl TilePlace {
     }
 }
 
-/// What any lane has.
+/// Union over all lanes.
 #[inline(always)]
 fn any_lane(lanes: [u32; LANES]) -> u32 {
     let mut any = 0;
@@ -298,12 +297,11 @@ impl Default for LensRow {
     }
 }
 
-/// The bits or lines within `reach` of a place: first, and the one after the last, as [`nearest`] has
-/// them. Comparisons instead of `f32::max`, whose care for NaN keeps the loops from becoming vector
-/// instructions.
+/// The bits or lines within `reach` of a position: first, and one past the last, as given by
+/// [`nearest`]. Uses comparisons, because `f32::max` handles NaN, which prevents vectorisation.
 #[inline(always)]
 fn range(centre: f32, reach: f32, most: f32) -> [u32; 2] {
-    // The next whole number is the nearest one of half more.
+    // The next integer is the nearest one of half more.
     const HALF: f32 = 0.499_999;
     let within = |value: f32| {
         let value = if value > 0.0 { value } else { 0.0 };
@@ -324,14 +322,14 @@ fn mask([low, high]: [u32; 2]) -> u32 {
     (1u32 << (high & 31)).wrapping_sub(1u32 << (low & 31))
 }
 
-/// All bits where the lowest bit is set, or none.
+/// All bits if the lowest bit is set, else none.
 #[inline(always)]
 fn spread(bit: u32) -> u32 {
     0u32.wrapping_sub(bit & 1)
 }
 
 impl LensRow {
-    /// Finds where the microlenses of row `j` lie.
+    /// Computes the positions of the microlenses of row `j`.
     #[inline(always)]
     fn fill(&mut self, view: &TileView, phases: &LensPhases, j: i32) {
         let [[bit_x, bit_y], [line_x, line_y]] = view.voxels;
@@ -350,7 +348,7 @@ impl LensRow {
         }
     }
 
-    /// Lights what the microlenses light whose bit is set.
+    /// Lights the voxels of the microlenses whose bit is set.
     #[inline(always)]
     fn light(&mut self, view: &TileView, lenses: u32, lit: &mut Lit) {
         for n in 0..LENSES {
@@ -376,13 +374,13 @@ impl LensRow {
         }
     }
 
-    /// The lines that lie within `reach` lines of any microlens' place, and those of all.
+    /// The lines within `reach` of any microlens, and those within `reach` of all.
     #[inline(always)]
     fn lines(&self, view: &TileView, reach: f32) -> [Range<usize>; 2] {
         let ends = [self.line, self.line + view.voxels[1][0] * (LENSES - 1) as f32];
         let first = ends[0].min(ends[1]) - view.phase_lines;
         let last = ends[0].max(ends[1]) + view.phase_lines;
-        // A little less than all, so that rounding does not decide.
+        // Slightly fewer than all, so that rounding does not matter.
         const LESS: f32 = 1e-3;
         [[first - reach, last + reach], [last - reach + LESS, first + reach - LESS]].map(
             |[low, high]| {
@@ -392,8 +390,7 @@ impl LensRow {
         )
     }
 
-    /// Lights the voxels of the zones line by line: those whose place is in reach along the columns
-    /// and along the rows.
+    /// Lights the voxels of the zones line by line: those within reach along both columns and rows.
     #[inline(always)]
     fn light_skewed(&self, view: &TileView, lines: Range<usize>, lit: &mut Lit) {
         for line in lines {
@@ -409,7 +406,7 @@ impl LensRow {
         }
     }
 
-    /// What a microlens lights of a line's word where the tile lies askew.
+    /// The voxels of a line's word that a microlens lights in a skewed tile.
     #[inline(always)]
     fn skewed(&self, view: &TileView, line: i32, word: usize, n: usize) -> u32 {
         let beside = line as f32 - self.centre_line[n];
@@ -422,8 +419,8 @@ impl LensRow {
         zone
     }
 
-    /// Lights the voxels that no microlens sees well: beside gaps between the microlenses' pupil
-    /// intervals (see [`crate::model::tables::LEAST_SEEN_SHARE`]), of this row and before it.
+    /// Lights the voxels that no microlens sees well, in the gaps between the microlenses' pupil
+    /// intervals (see [`crate::model::tables::MIN_SEEN_SHARE`]), in this row and before it.
     #[inline(always)]
     fn light_gaps(&mut self, view: &TileView, phases: &LensPhases, j: i32, lit: &mut Lit) {
         let [along, across] = phases.steps(j);
@@ -445,7 +442,7 @@ impl LensRow {
                 [self.zones.first[n], self.zones.last[n]] = ends(gap);
             }
             self.fill_words(view, self.centre_bit, [half; LENSES]);
-            // The gap's middle is half a row away, and no gap wider than a row.
+            // The gap's middle is half a row away, and gaps are at most a row wide.
             let reach = 1.5 * view.voxels[1][1].abs();
             let [any, _] = self.lines(view, reach);
             self.zones.light(any, lit);
@@ -462,7 +459,7 @@ impl LensRow {
         }
     }
 
-    /// The bits in the gap after each microlens; whether there are any.
+    /// Computes the bits in the gap after each microlens; returns whether there are any.
     #[inline(always)]
     fn find_gaps(&mut self, view: &TileView, phases: &LensPhases, j: i32) -> bool {
         let [bit_x, bit_y] = view.voxels[0];
@@ -479,7 +476,7 @@ impl LensRow {
         self.has_gaps()
     }
 
-    /// The lines in the gap before this row of microlenses; whether there are any.
+    /// Computes the lines in the gap before this row of microlenses; returns whether there are any.
     #[inline(always)]
     fn find_gaps_before(&mut self, view: &TileView, phases: &LensPhases, j: i32) -> bool {
         let line_y = view.voxels[1][1];
@@ -506,15 +503,15 @@ impl LensRow {
 }
 
 impl TileView {
-    /// Whether there can be a gap that hides too much, where phases change so much from a microlens to
-    /// the next at least and at most.
+    /// Whether a gap can hide too much, for this smallest and largest increase of the phase between
+    /// neighbouring microlenses.
     fn has_gap(&self, axis: usize, steps: [f32; 2]) -> bool {
         let apart = steps.map(|step| -step * self.parallax[axis]);
         1.0 - self.lens_width + apart[0].max(apart[1]) > self.gap_least[axis]
     }
 
-    /// How far from its middle a gap of so many microlenses hides too much, in microlenses; negative
-    /// where it is too narrow.
+    /// Distance from its middle within which a gap of this width hides too much, in microlenses;
+    /// negative if it is too narrow.
     #[inline(always)]
     fn gap_reach(&self, axis: usize, gap: f32) -> f32 {
         let half = self.gap_half[axis] + self.gap_growth[axis] * (gap - self.gap_least[axis]);
@@ -523,15 +520,15 @@ impl TileView {
 }
 
 impl Zones {
-    /// All bits where zone `n` has the line, or none.
+    /// All bits if zone `n` contains the line, else none.
     #[inline(always)]
     fn has(&self, line: i32, n: usize) -> u32 {
-        // Neither is negative but outside; a comparison would not become vector instructions.
+        // Negative only outside; a comparison would prevent vectorisation.
         let outside = (line - self.first[n]) | (self.last[n] - line);
         !(outside >> 31) as u32
     }
 
-    /// Lights the zones in lines that all of them have.
+    /// Lights the zones in lines that all of them contain.
     #[inline(always)]
     fn light_all(&self, lines: Range<usize>, lit: &mut Lit) {
         let mut any = [[0; LANES]; WORDS];
@@ -571,8 +568,8 @@ impl Zones {
     }
 }
 
-/// Lights the voxels of the microlenses whose bit is set in `rows`, by number of the row, and those
-/// that the view cannot judge.
+/// Lights the voxels of the microlenses whose bit is set in `rows`, by row number, and the voxels
+/// of which the view sees too little.
 #[inline(always)]
 fn light(
     view: &TileView,
@@ -605,7 +602,7 @@ fn light_rows<R: Fn(i32) -> u32>(
     }
 }
 
-/// Counts the voxels that are not lit, the second word's after the `first_bits` of the first.
+/// Counts the voxels that are not lit; those of the second word follow the `first_bits` of the first.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn count(lit: &[[[u32; LANES]; WORDS]], first_bits: usize, full: u64, dark: &mut DarkCounts<1>) {
     for (line, [first, second]) in lit.iter().enumerate() {
