@@ -1,11 +1,11 @@
-//! What people call a camera.
+//! Names of cameras for users.
 
 use std::{fmt, str::FromStr};
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-/// The name of a camera, as on its cable and in the names of its images: `cam1` for the first
-/// `[[camera]]` table. Code counts cameras from 0, people from 1; here one becomes the other.
+/// The name of a camera, as on its cable and in the file names of its images: `cam1` is the first
+/// `[[camera]]` table. Code counts cameras from 0, users from 1; this type converts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct CameraName(
     /// The camera's index, from 0.
@@ -25,7 +25,7 @@ impl FromStr for CameraName {
     fn from_str(text: &str) -> Result<Self, String> {
         let number = text.strip_prefix("cam").unwrap_or(text).parse().ok();
         let index = number.and_then(|number: usize| number.checked_sub(1));
-        index.map(Self).ok_or_else(|| format!("'{text}' is no camera: allowed: cam1, cam2"))
+        index.map(Self).ok_or_else(|| format!("'{text}' is not a camera: allowed: cam1, cam2"))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Checks of configured values that `garde` does not bring.
+//! Validation rules that `garde` does not provide.
 
 /// Refuses NaN and infinities. A `range` rule alone lets NaN through, since NaN is neither below
 /// the minimum nor above the maximum.

@@ -1,8 +1,8 @@
-//! The contract between the daemon and its instruments.
+//! The traits that drivers implement.
 //!
-//! Calls block; the acquisition room gives every device a thread of its own. Drivers (Aravis,
-//! serial) and the simulated bench implement the same two traits, and nothing above them knows
-//! which one it drives.
+//! Calls block; acquisition runs every device on a thread of its own. Drivers (Aravis, serial) and the
+//! simulated bench implement the same two traits, so that the rest of the program does not know which
+//! one it uses.
 
 use std::time::{Duration, Instant};
 
@@ -11,26 +11,26 @@ use thiserror::Error;
 
 use crate::{RawImage, timing::PulseSchedule};
 
-/// A camera that delivers one frame for every exposure the synchroniser triggers.
+/// A camera that delivers one frame per triggered exposure.
 ///
 /// In double-frame mode one trigger gives two frames, exposure 1 and then exposure 2.
 pub trait Camera: Send {
-    /// Name of this camera as configured, for messages.
+    /// Configured name of this camera, for messages.
     fn name(&self) -> &str;
-    /// Allocates buffers and begins to wait for triggers.
+    /// Allocates buffers and waits for triggers.
     fn start(&mut self) -> Result<(), DeviceError>;
-    /// The next frame, or `None` when none came within `timeout`. A driver that is looking for a
-    /// camera that has vanished answers `None` and may take some seconds over it.
+    /// The next frame, or `None` on timeout. While a driver searches for a lost camera it returns
+    /// `None`, possibly some seconds late.
     fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError>;
     /// Stops waiting for triggers. Idempotent.
     fn stop(&mut self) -> Result<(), DeviceError>;
-    /// What the stream counted since `start`.
+    /// The stream's counters since `start`.
     fn statistics(&self) -> StreamStatistics;
-    /// Whether the camera answers. While it does not, nothing should be fired.
+    /// Whether the camera is connected. While it is not, nothing should be fired.
     fn is_connected(&self) -> bool {
         true
     }
-    /// How long it may take until [`Self::is_connected`] tells of a camera that has vanished.
+    /// Longest time until [`Self::is_connected`] reports a lost camera.
     fn loss_detection_time(&self) -> Duration {
         Duration::ZERO
     }
@@ -68,47 +68,46 @@ impl<C: Camera + ?Sized> Camera for Box<C> {
 /// make_safe -> program -> arm, wait -> fire, fire, ... -> disarm
 /// ```
 ///
-/// Every burst is bounded, so that a host that dies or a line that is cut ends Q-switching by
-/// itself; `fire` renews it.
+/// Every burst is bounded, so that Q-switching ends by itself if the host dies or the line is cut.
+/// `fire` starts the next one.
 pub trait Synchroniser: Send {
     /// The unit's identity string.
     fn identify(&mut self) -> Result<String, DeviceError>;
-    /// Writes a validated schedule and compares its read-back; outputs stay off.
+    /// Writes a validated schedule and compares the read-back; outputs stay off.
     fn program(&mut self, schedule: &PulseSchedule) -> Result<(), DeviceError>;
-    /// Lets the lamps fire alone and returns how long it takes until `fire` is allowed: the rest
-    /// of the lamps' warm-up, and with an external trigger the time in which its rate is counted.
-    /// Does not wait. Call it before every burst: the lamps may have gone cold. Units without
-    /// lamps to warm have nothing to do.
+    /// Lets only the lamps fire, and returns the time until `fire` is allowed: the rest of the lamps'
+    /// warm-up and, with an external trigger, of the measurement of its rate. Does not wait. Call it
+    /// before every burst, because the lamps may have cooled down. Units without warm-up do nothing.
     fn arm(&mut self) -> Result<Duration, DeviceError> {
         Ok(Duration::ZERO)
     }
-    /// Fires one bounded burst of `shots` periods. Returns once the unit has accepted it; refused
+    /// Fires one bounded burst of `shots` periods. Returns once the unit has accepted it; an error
     /// while a burst is running.
     fn fire(&mut self, shots: u64) -> Result<(), DeviceError>;
-    /// When the burst that was fired last had not begun yet: just before the command that starts
-    /// it. `None` from a unit that does not say; then the call of `fire` is all that is known.
+    /// A moment before the last burst began: just before the command that started it. `None` if the
+    /// unit does not provide it; then the call of `fire` is the bound.
     fn started_after(&self) -> Option<Instant> {
         None
     }
-    /// Shots given since `program`, counted by the unit; `None` from a unit that does not count.
+    /// Shots since `program`, counted by the unit; `None` if the unit has no counter.
     fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError>;
-    /// The unit's state, read from the unit and never remembered.
+    /// The unit's state, always read from the unit.
     fn state(&mut self) -> Result<SynchroniserState, DeviceError>;
-    /// Looks after what has to be seen at any time: lamps that follow an external trigger fire as
-    /// fast as it does. Whoever owns the unit calls this every [`WATCH_INTERVAL`] while nothing
-    /// else is asked of it. Where the source is too fast the unit is made safe, read back, and
-    /// this is an error. Does nothing, and sends nothing, where there is nothing to see.
+    /// Periodic supervision. With an external trigger, the lamps fire at its rate, so the rate must
+    /// be monitored. The owner of the unit calls this every [`WATCH_INTERVAL`] while it makes no
+    /// other call. If the source is too fast, the unit is made safe and read back, and this returns
+    /// an error. Sends nothing if there is nothing to monitor.
     fn watch(&mut self) -> Result<(), DeviceError> {
         Ok(())
     }
     /// Q-switches off, then lamps off, then cameras off, verified by read-back. Idempotent.
     fn make_safe(&mut self) -> Result<(), DeviceError>;
-    /// Ends firing and lets the lamps go cold; `program` comes before the next `arm`.
+    /// Stops firing and lets the lamps cool down; `program` must precede the next `arm`.
     fn disarm(&mut self) -> Result<(), DeviceError> {
         self.make_safe()
     }
-    /// Whether timing and state are read from the unit. Where not, they rest on its
-    /// acknowledgements, and whoever reports them has to say so.
+    /// Whether timing and state are read from the unit. Otherwise they rest on its
+    /// acknowledgements, and reports must say so.
     fn reads_back(&self) -> bool {
         true
     }
@@ -117,7 +116,7 @@ pub trait Synchroniser: Send {
 /// How often [`Synchroniser::watch`] is called.
 pub const WATCH_INTERVAL: Duration = Duration::from_millis(500);
 
-/// What the synchroniser is doing.
+/// State of the synchroniser.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SynchroniserState {
     /// All outputs off.
@@ -133,11 +132,11 @@ pub enum SynchroniserState {
 /// One exposure as delivered.
 #[derive(Debug, Clone)]
 pub struct Frame {
-    /// The picture.
+    /// The image.
     pub image: RawImage,
     /// Frame number since `start`, unwrapped from the device's counter.
     pub frame_id: u64,
-    /// The camera's own clock, in ns.
+    /// The camera's clock, in ns.
     pub device_timestamp_ns: u64,
     /// Host clock at reception, in ns since the Unix epoch.
     pub host_timestamp_ns: u64,
@@ -151,44 +150,43 @@ pub struct Frame {
 pub enum FrameStatus {
     /// Every byte arrived.
     Complete,
-    /// Packets are missing; the missing pixels are zero. Where it is not known which are missing,
-    /// all of them are.
+    /// Packets are missing and their pixels are zero. If it is unknown which are missing, all are zero.
     MissingPackets,
 }
 
 /// Counters of one camera's stream since its start.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StreamStatistics {
-    /// Frames delivered whole.
+    /// Intact frames.
     pub completed: u64,
-    /// Frames delivered damaged.
+    /// Damaged frames.
     pub failed: u64,
     /// Frames lost because no buffer was free.
     pub underruns: u64,
-    /// Packets that were asked for again and came.
+    /// Packets received after a resend request.
     pub resent: u64,
-    /// Packets that never came.
+    /// Packets never received.
     pub missing: u64,
-    /// Times the camera vanished and came back.
+    /// Reconnections of a lost camera.
     pub reconnects: u64,
 }
 
-/// Why a device could not do what it was asked.
+/// Errors of a device.
 #[derive(Debug, Error)]
 pub enum DeviceError {
     /// The device no longer answers.
     #[error("{device}: connection lost: {detail}")]
     Lost { device: String, detail: String },
-    /// The device answered, but refused.
+    /// The device rejected the command.
     #[error("{device}: refused: {detail}")]
     Refused { device: String, detail: String },
-    /// No such device answers.
+    /// The device was not found.
     #[error("{device}: not found: {detail}")]
     NotFound { device: String, detail: String },
-    /// Its driver has a fault; what the device does is not known.
-    #[error("{device}: its driver panicked: {words}")]
-    Panicked { device: String, words: String },
-    /// This build has no driver for it.
+    /// Its driver panicked; the state of the device is unknown.
+    #[error("{device}: its driver panicked: {message}")]
+    Panicked { device: String, message: String },
+    /// This build lacks its driver.
     #[error("{device}: not in this build: {detail}")]
     NotBuilt { device: String, detail: String },
 }

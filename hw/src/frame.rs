@@ -1,4 +1,4 @@
-//! Images as a camera delivers them.
+//! Raw images.
 
 mod pool;
 mod record;
@@ -14,10 +14,10 @@ pub use record::RecordedCamera;
 /// A raw grey image, row-major, row 0 at the top (docs/theory.md, section 2: row `r` lies at
 /// `((Ny−1)/2 − r)·p` along the camera's `up`).
 ///
-/// Eight-bit images are widened to `u16` unscaled: the values are the counts in the file.
+/// Eight-bit images are widened to `u16` without scaling: the values are the counts in the file.
 ///
-/// Clones share the counts: raw log, processing and server hold the same memory. An image that
-/// comes from an [`ImagePool`] gives it back when its last clone is dropped.
+/// Clones share the counts, so that raw log, processing and server use the same memory. The memory of
+/// an image from an [`ImagePool`] returns to the pool when its last clone is dropped.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RawImage {
     columns: usize,
@@ -25,7 +25,7 @@ pub struct RawImage {
     counts: Arc<Counts>,
 }
 
-/// A buffer whose length is not columns × rows.
+/// The buffer's length is not columns × rows.
 #[derive(Debug, Error)]
 #[error("image of {columns} x {rows} pixels needs {} counts, got {counts}", columns * rows)]
 pub struct ImageSizeError {
@@ -64,7 +64,7 @@ impl RawImage {
         &self.counts()[row * self.columns..(row + 1) * self.columns]
     }
 
-    /// CRC-32 (ISO-HDLC) of the counts, low byte first: whether two images are the same one.
+    /// CRC-32 (ISO-HDLC) of the counts as little-endian bytes, to compare images.
     pub fn crc32(&self) -> u32 {
         let mut hasher = crc32fast::Hasher::new();
         let mut bytes = [0; 4096];

@@ -1,9 +1,8 @@
-//! What the bench is made of: the optics of a light-field camera, where each camera stands, the
-//! traits through which cameras and synchroniser are driven, the pulse schedule, and the drivers.
+//! The parts of the bench: optics of a light-field camera, camera poses, traits for cameras and
+//! synchroniser, the pulse schedule, and the drivers.
 //!
-//! Beside descriptions and contracts there are the drivers: [`gige`] for cameras, [`synchroniser`]
-//! for the unit that times them. The simulated devices live in `lfpiv-sim`; neither this crate nor
-//! that one knows how a volume is reconstructed.
+//! The drivers are [`gige`] for cameras and [`synchroniser`] for the unit that triggers them. Simulated
+//! devices are in `lfpiv-sim`. Neither crate knows how a volume is reconstructed.
 
 mod camera_name;
 pub mod card;

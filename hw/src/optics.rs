@@ -1,7 +1,7 @@
 //! The optics of an unfocused light-field camera: main lens, microlens array, sensor.
 //!
-//! Thin lenses throughout; conventions are those of docs/theory.md, section 2, and Table 1 of the paper
-//! (Zhu, Xu, Hossain and Khoo, Physics of Fluids 35, 2023).
+//! Thin lenses throughout. Conventions: docs/theory.md, section 2, and Table 1 of the paper (Zhu, Xu,
+//! Hossain and Khoo, Physics of Fluids 35, 2023).
 
 use garde::Validate;
 use serde::{Deserialize, Serialize};
@@ -80,7 +80,7 @@ impl Optics {
         self.conjugate_distance_mm(self.object_distance_mm)
     }
 
-    /// Distance s' = F s / (s − F) behind the lens at which a point at distance s is sharp, in mm.
+    /// Distance s' = F s / (s − F) behind the lens at which a point at distance s is in focus, in mm.
     pub fn conjugate_distance_mm(&self, object_distance_mm: f64) -> f64 {
         self.focal_length_mm * object_distance_mm / (object_distance_mm - self.focal_length_mm)
     }
@@ -95,7 +95,7 @@ impl Optics {
         self.sensor.pixel_pitch_um * 1e-3
     }
 
-    /// 1 + f_m / s_i: how much larger the grid of micro-images is than the grid of microlenses.
+    /// 1 + f_m / s_i: ratio of the micro-image pitch to the microlens pitch.
     pub fn micro_image_magnification(&self) -> f64 {
         1.0 + self.microlens.focal_length_mm / self.image_distance_mm()
     }
@@ -105,12 +105,12 @@ impl Optics {
         self.microlens.pitch_mm * self.micro_image_magnification()
     }
 
-    /// Pitch of the microlenses seen in the plane in focus, in mm.
+    /// Microlens pitch imaged into the plane in focus, in mm.
     pub fn object_pitch_mm(&self) -> f64 {
         self.microlens.pitch_mm * self.object_distance_mm / self.image_distance_mm()
     }
 
-    /// Width on the pupil that one pixel sees through its microlens, p s_i / f_m, in mm.
+    /// Width of the pupil that one pixel sees through its microlens, p s_i / f_m, in mm.
     pub fn pupil_cell_mm(&self) -> f64 {
         self.pixel_pitch_mm() * self.image_distance_mm() / self.microlens.focal_length_mm
     }

@@ -1,4 +1,4 @@
-//! Where a camera stands: the change from world to camera coordinates.
+//! Camera poses: the transformation from world to camera coordinates.
 
 use garde::Validate;
 use nalgebra::{Point3, Vector3};
@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 /// Orientation and position of one camera in the world frame (right-handed, millimetres).
 ///
-/// `right × up = axis`; `axis` points from the volume to the camera. `origin_mm` is the world
-/// point at which the optical axis crosses the focal plane.
+/// `right × up = axis`; `axis` points from the volume to the camera. `origin_mm` is the world point
+/// where the optical axis crosses the focal plane.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Pose {
@@ -26,7 +26,7 @@ pub struct Pose {
     pub origin_mm: Vector3<f64>,
 }
 
-/// A world point seen from one camera, all in mm.
+/// A world point in camera coordinates, all in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CameraPoint {
     /// Lateral coordinate along `right`.
@@ -49,7 +49,7 @@ impl Pose {
     }
 }
 
-/// How far a configured direction may be from unit length or from a right angle.
+/// Tolerance of configured directions in length and orthogonality.
 const DIRECTION_TOLERANCE: f64 = 1e-6;
 
 fn unit_vector(v: &Vector3<f64>, _: &()) -> garde::Result {

@@ -8,8 +8,8 @@
 //!    |   [latency][  exposure 1  ]gap[  exposure 2 = readout of 1  ][readout of 2] | T0
 //! ```
 //!
-//! Q1 must fall into exposure 1 and Q2 into exposure 2. The gap between them stands in the middle
-//! of the two pulses while they are close; for slow flows it stays half an exposure behind Q1.
+//! Q1 must fall into exposure 1 and Q2 into exposure 2. The gap between the exposures is centred
+//! between the pulses while they are close; for slow flows it starts half an exposure after Q1.
 
 pub mod diagram;
 mod error;
@@ -24,13 +24,13 @@ pub use limits::{Rounding, UnitLimits, UnitSchedule};
 pub use settings::TimingSettings;
 pub use trigger::{ExternalTrigger, TriggerEdge, TriggerSource};
 
-/// Differences below this are rounding, in µs: a picosecond, finer than any synchroniser sets.
+/// Tolerance for rounding, in µs: a picosecond, finer than any synchroniser resolves.
 const ROUNDING_US: f64 = 1e-6;
 
 /// A validated schedule of one period. All times are in µs after T0.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PulseSchedule {
-    /// Time between T0 pulses, in µs. With an external trigger, what is expected of the source.
+    /// Time between T0 pulses, in µs; with an external trigger, the expected one.
     pub period_us: f64,
     /// Time between the two laser pulses, in µs.
     pub dt_us: f64,
@@ -48,7 +48,7 @@ pub struct PulseSchedule {
     pub camera_ready_us: f64,
     /// Width of every trigger pulse, in µs.
     pub pulse_width_us: f64,
-    /// Time kept between a light pulse and the edges of its exposure, in µs.
+    /// Minimum time between a light pulse and the edges of its exposure, in µs.
     pub margin_us: f64,
     /// The source of triggers; `None` for the synchroniser's own clock.
     pub external_trigger: Option<ExternalTrigger>,
@@ -57,7 +57,7 @@ pub struct PulseSchedule {
 impl PulseSchedule {
     /// The schedule for two pulses `dt_us` apart, `rate_hz` times a second.
     ///
-    /// Errors name every rule of docs/theory.md, section 7, that it would break, with value and limit.
+    /// Errors name every broken rule of docs/theory.md, section 7, with value and limit.
     pub fn plan(settings: &TimingSettings, dt_us: f64, rate_hz: f64) -> Result<Self, TimingError> {
         positive("dt_us", dt_us)?;
         positive("rate_hz", rate_hz)?;
@@ -75,7 +75,7 @@ impl PulseSchedule {
         1e6 / self.period_us
     }
 
-    /// Shortest time between two T0 pulses, in µs: an external source may be as fast as declared.
+    /// Shortest time between two T0 pulses, in µs: that of an external source at its declared rate.
     pub fn shortest_period_us(&self) -> f64 {
         match &self.external_trigger {
             Some(source) => 1e6 / source.max_rate_hz,
@@ -83,7 +83,7 @@ impl PulseSchedule {
         }
     }
 
-    /// Outputs of the synchroniser and when their pulses begin, in µs.
+    /// Outputs of the synchroniser and the start of their pulses, in µs.
     pub fn signals(&self) -> [(Signal, f64); 5] {
         [
             (Signal::Lamp1, self.lamp_us[0]),
@@ -102,7 +102,7 @@ impl PulseSchedule {
             q1_us + ((dt_us - settings.gap_us) / 2.0).min(settings.exposure_1_us / 2.0);
         let gap_end_us = gap_start_us + settings.gap_us;
         let exposure_1_start_us = gap_start_us - settings.exposure_1_us;
-        // Exposure 2 lasts as long as frame 1 is read out; then frame 2 is.
+        // Exposure 2 lasts for the readout of frame 1; then frame 2 is read out.
         let exposure_2_end_us = gap_end_us + settings.readout_us;
         Self {
             period_us: 1e6 / rate_hz,
@@ -122,7 +122,7 @@ impl PulseSchedule {
         }
     }
 
-    /// What is wrong with the pulses of one period among themselves.
+    /// Broken rules within one period.
     fn broken_rules(&self) -> Vec<Violation> {
         [self.pulse_in_exposure(1), self.pulse_in_exposure(2), self.camera_ready()]
             .into_iter()
@@ -131,7 +131,7 @@ impl PulseSchedule {
             .collect()
     }
 
-    /// Light pulse `number` (1 or 2) against the exposure of the same number.
+    /// Checks light pulse `number` (1 or 2) against the exposure of the same number.
     fn pulse_in_exposure(&self, number: u8) -> Option<Violation> {
         let (pulse_us, [start_us, end_us]) = match number {
             1 => (self.q_switch_us[0], self.exposure_1_us),
@@ -169,8 +169,8 @@ fn laser_rate(settings: &TimingSettings, rate_hz: f64) -> Option<Violation> {
     (rate_hz > limit_hz).then_some(Violation::LaserRate { rate_hz, limit_hz })
 }
 
-/// In external-trigger mode the period setting limits nothing: the source must be known to be
-/// slow enough.
+/// With an external trigger the period setting limits nothing, so the source's declared rate must
+/// be low enough.
 fn external_rate(settings: &TimingSettings, rate_hz: f64) -> Option<Violation> {
     let limit_hz = settings.laser_rate_limit_hz;
     match (settings.trigger, &settings.external_trigger) {
@@ -178,7 +178,7 @@ fn external_rate(settings: &TimingSettings, rate_hz: f64) -> Option<Violation> {
         (TriggerSource::External, None) => Some(Violation::ExternalTriggerUndeclared { limit_hz }),
         (TriggerSource::External, Some(source)) => {
             let max_rate_hz = source.max_rate_hz;
-            // Written so that a rate that is no number is refused, too.
+            // Written so that NaN is refused, too.
             if !(max_rate_hz > 0.0 && max_rate_hz <= limit_hz) {
                 Some(Violation::ExternalTriggerRate { max_rate_hz, limit_hz })
             } else if rate_hz > max_rate_hz {

@@ -29,10 +29,9 @@
 //! }
 //! ```
 //!
-//! There are no threads in here: a frame is rendered by the call that asks for it, and a call
-//! that waits sleeps on the shared state. Shot n after programming shows
-//! `Scene::shot(geometry, seed, n)` with the pulse separation that was programmed; the truth is
-//! had from [`Scene::truth`] with the same arguments.
+//! The bench has no threads: a frame is rendered by the call that requests it, and a waiting call
+//! sleeps on the shared state. Shot n after programming shows `Scene::shot(geometry, seed, n)` with
+//! the programmed pulse separation; [`Scene::truth`] with the same arguments returns the true flow.
 
 use std::sync::Arc;
 
@@ -51,8 +50,8 @@ pub struct SimulatedBench {
     pub synchroniser: Box<dyn Synchroniser>,
 }
 
-/// Devices that look at `scene`. The pulse separation of `geometry` is replaced by the programmed
-/// one; `seed` chooses particles and noise.
+/// Devices that show `scene`. The pulse separation of `geometry` is replaced by the programmed one;
+/// `seed` determines particles and noise.
 pub fn connect(scene: Scene, geometry: BenchGeometry, seed: u64, pacing: Pacing) -> SimulatedBench {
     let count = geometry.poses.len();
     let bench = Arc::new(SharedBench::new(scene, geometry, seed, pacing));

@@ -15,22 +15,22 @@ use crate::{
     triggers::{Pacing, Trigger},
 };
 
-/// Cameras are switched on one after the other: their clocks agree in rate, not in origin.
+/// Cameras are switched on at different times: their clocks have the same rate but different origins.
 pub(crate) const CLOCK_OFFSET_NS: u64 = 1_234_567_891;
 
-/// Longest sleep between looks at the clock; a change of the bench ends it sooner.
+/// Longest sleep before checking the clock again; a change of the bench ends it sooner.
 const LONGEST_SLEEP: Duration = Duration::from_secs(3600);
 
-/// A camera in front of the simulated scene. Buffers never run out and packets never get lost.
+/// A camera that shows the simulated scene, without underruns or packet loss.
 pub(crate) struct SimulatedCamera {
     index: usize,
     name: String,
     bench: Arc<SharedBench>,
-    /// Statistics of the last stream, once stopped.
+    /// Statistics of the last stream, once it was stopped.
     last: StreamStatistics,
 }
 
-/// Whether the next frame is there.
+/// State of the next frame.
 enum Next {
     Due {
         trigger: Trigger,
@@ -38,9 +38,9 @@ enum Next {
         frame_id: u64,
         shot: RenderedShot,
     },
-    /// Comes at this time of the bench's clock.
+    /// Available at this time on the bench's clock.
     At(u64),
-    /// No trigger is on its way.
+    /// No trigger is scheduled.
     Unknown,
 }
 
@@ -54,7 +54,7 @@ impl SimulatedCamera {
         DeviceError::Refused { device: self.name.clone(), detail: "it is not started".into() }
     }
 
-    /// Claims the next frame if it is there.
+    /// Claims the next frame if it is available.
     fn look(&self, state: &mut MutexGuard<BenchState>) -> Result<Next, DeviceError> {
         let now_ns = self.bench.now_ns();
         state.advance(now_ns);
@@ -80,7 +80,7 @@ impl SimulatedCamera {
         Ok(Next::Due { trigger, exposure, frame_id: stream.frames, shot })
     }
 
-    /// Renders the shot unless the other camera has, and takes this camera's picture from it.
+    /// Renders the shot unless the other camera has done so, and takes this camera's image.
     fn deliver(
         &self,
         trigger: &Trigger,
@@ -107,7 +107,7 @@ impl SimulatedCamera {
     }
 }
 
-/// When a frame has been read out, in µs after T0: the first while the second is exposed.
+/// When a frame has been read out, in µs after T0; the first is read out during exposure 2.
 fn ready_us(trigger: &Trigger, exposure: usize) -> f64 {
     match exposure {
         0 => trigger.schedule.exposure_2_us[1],
@@ -127,7 +127,7 @@ impl Camera for SimulatedCamera {
     fn start(&mut self) -> Result<(), DeviceError> {
         let mut state = self.bench.lock();
         if state.streams[self.index].is_some() {
-            let detail = "it is started already".into();
+            let detail = "it is already started".into();
             return Err(DeviceError::Refused { device: self.name.clone(), detail });
         }
         state.advance(self.bench.now_ns());
@@ -137,7 +137,7 @@ impl Camera for SimulatedCamera {
         Ok(())
     }
 
-    /// As the trait says; a frame that is there is rendered even if that outlasts `timeout`.
+    /// As in the trait; an available frame is rendered even if that takes longer than `timeout`.
     fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError> {
         let called = Instant::now();
         let mut state = self.bench.lock();
@@ -166,7 +166,7 @@ impl Camera for SimulatedCamera {
             self.last = stream.statistics;
         }
         state.forget_delivered();
-        // A stopped camera holds nobody back.
+        // A stopped camera does not limit the others.
         self.bench.notify();
         Ok(())
     }

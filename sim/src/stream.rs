@@ -1,9 +1,9 @@
-//! Random streams that depend on what is drawn, never on when or by which thread.
+//! Random streams that depend on their key, never on time or thread.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-/// What a stream is used for: equal keys for different purposes must not give equal numbers.
+/// Purpose of a stream: equal keys for different purposes give different streams.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Purpose {
     Seeding = 1,
@@ -20,14 +20,14 @@ pub(crate) enum Purpose {
     White = 12,
 }
 
-/// A generator of its own for every (purpose, key).
+/// An independent generator for every (purpose, key).
 pub(crate) fn random_stream(purpose: Purpose, key: &[u64]) -> Pcg64Mcg {
     let start = mix(purpose as u64);
     Pcg64Mcg::seed_from_u64(key.iter().fold(start, |state, word| mix(state ^ mix(*word))))
 }
 
-/// The output function of SplitMix64 (Steele, Lea and Flood 2014): a bijection in which every
-/// input bit reaches every output bit.
+/// Output function of SplitMix64 (Steele, Lea and Flood 2014): a bijection in which every input bit
+/// affects every output bit.
 fn mix(word: u64) -> u64 {
     let word = word.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -40,7 +40,7 @@ impl Synchroniser for SimulatedSynchroniser {
         let now_ns = self.bench.now_ns();
         state.advance(now_ns);
         if state.triggers.firing(now_ns) {
-            return Err(refused("timing is never changed while a burst is running"));
+            return Err(refused("timing cannot be changed while a burst is running"));
         }
         state.triggers.program(schedule);
         Ok(())

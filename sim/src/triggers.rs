@@ -1,27 +1,27 @@
-//! Which triggers the simulated synchroniser has given, and when. Time is passed in.
+//! The triggers of the simulated synchroniser. Time is passed in.
 
 use std::{collections::VecDeque, sync::Arc};
 
 use lfpiv_hw::PulseSchedule;
 
-/// How simulated time passes.
+/// How simulated time advances.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pacing {
-    /// Triggers and frames come when the schedule says, by the host's clock. A frame is late
-    /// when rendering it takes longer than the schedule leaves.
+    /// Triggers and frames follow the schedule on the host's clock. A frame is late if rendering it
+    /// takes longer than the schedule allows.
     RealTime,
-    /// A trigger comes as soon as every started camera has delivered the frames of the trigger
-    /// [`LEAD`] before it. Device timestamps are those of a bench that keeps to the schedule.
+    /// A trigger is given once every started camera has delivered the frames of the trigger
+    /// [`LEAD`] before it. Device timestamps are those of a bench on schedule.
     AsFramesAreTaken,
 }
 
-/// How many triggers a camera may be ahead of the slowest one when frames set the pace.
+/// Number of triggers that a camera may be ahead of the slowest one when frames set the pace.
 pub const LEAD: u64 = 2;
 
 /// One trigger of the cameras.
 #[derive(Debug, Clone)]
 pub(crate) struct Trigger {
-    /// Number since the schedule was programmed: the shot that is shown.
+    /// Number since the schedule was programmed: the displayed shot.
     pub(crate) shot: u64,
     /// T0 on the bench's clock, in ns.
     pub(crate) t0_ns: u64,
@@ -30,13 +30,13 @@ pub(crate) struct Trigger {
 }
 
 impl Trigger {
-    /// A time of the schedule, in µs after T0, on the bench's clock in ns.
+    /// A time in µs after T0, converted to the bench's clock in ns.
     pub(crate) fn at_ns(&self, after_t0_us: f64) -> u64 {
         self.t0_ns.saturating_add_signed((after_t0_us * 1000.0).round() as i64)
     }
 }
 
-/// A run of triggers, one per period.
+/// A series of triggers, one per period.
 #[derive(Debug)]
 struct Burst {
     /// Number of its first trigger since the bench was connected.
@@ -45,7 +45,7 @@ struct Burst {
     shots: u64,
     start_ns: u64,
     schedule: Arc<PulseSchedule>,
-    /// Ended by [`Triggers::make_safe`], in the middle of a period perhaps.
+    /// Ended by [`Triggers::make_safe`], possibly within a period.
     stopped: bool,
 }
 
@@ -64,7 +64,7 @@ impl Burst {
         self.t0_ns(self.end())
     }
 
-    /// Number of the first trigger that is still to come at `now_ns`.
+    /// Number of the first trigger after `now_ns`.
     fn reached(&self, now_ns: u64) -> u64 {
         if now_ns < self.start_ns {
             return self.first;
@@ -74,7 +74,7 @@ impl Burst {
     }
 }
 
-/// Why a burst does not start.
+/// Why a burst was not started.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum NotFired {
     NotProgrammed,
@@ -89,7 +89,7 @@ pub(crate) struct Triggers {
     /// Number of the first trigger after the last programming.
     programmed_at: u64,
     bursts: VecDeque<Burst>,
-    /// Number of the next trigger to give.
+    /// Number of the next trigger.
     given: u64,
     /// End of the last burst on the bench's clock.
     busy_until_ns: u64,
@@ -115,7 +115,7 @@ impl Triggers {
         self.programmed.is_some()
     }
 
-    /// Takes over a schedule; shots count from zero again.
+    /// Sets the schedule; shots count from zero again.
     pub(crate) fn program(&mut self, schedule: &PulseSchedule) {
         self.programmed = Some(Arc::new(schedule.clone()));
         self.programmed_at = self.given;
@@ -164,8 +164,7 @@ impl Triggers {
         })
     }
 
-    /// Drops the triggers that are still to come and forgets the schedule. Call
-    /// [`Triggers::advance`] first.
+    /// Cancels pending triggers and discards the schedule. Call [`Triggers::advance`] first.
     pub(crate) fn make_safe(&mut self) {
         self.programmed = None;
         if let Some(last) = self.bursts.back_mut() {
@@ -175,7 +174,7 @@ impl Triggers {
         }
     }
 
-    /// Number of the next trigger to give.
+    /// Number of the next trigger.
     pub(crate) fn given(&self) -> u64 {
         self.given
     }
@@ -185,7 +184,7 @@ impl Triggers {
         self.given - self.programmed_at
     }
 
-    /// Trigger `number`, given or, in real time, still to come; `None` where none is scheduled.
+    /// Trigger `number`, given or, in real time, scheduled; `None` if there is no such trigger.
     pub(crate) fn find(&self, number: u64) -> Option<Trigger> {
         if self.pacing == Pacing::AsFramesAreTaken && number >= self.given {
             return None;
@@ -275,7 +274,7 @@ mod tests {
         triggers.fire(1, 123).unwrap();
         triggers.advance(123, Some(5));
         assert_eq!(triggers.find(5).unwrap().t0_ns, 5 * PERIOD_NS);
-        // Without cameras nothing holds the burst back.
+        // Without cameras nothing limits the burst.
         triggers.fire(7, 123).unwrap();
         triggers.advance(123, None);
         assert_eq!(triggers.given(), 13);

@@ -54,7 +54,8 @@ impl Run {
         Ok(())
     }
 
-    /// After a camera fell silent: whether its driver reports a lost connection within its detection time.
+    /// After a camera fell silent: whether its driver reports a lost connection within its
+    /// detection time.
     pub(super) async fn has_vanished(&mut self, camera: usize) -> Result<bool, AcquisitionError> {
         self.make_safe().await?;
         let noticed_by = Instant::now() + self.presence[camera].loss_detection_time;

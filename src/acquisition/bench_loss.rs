@@ -1,9 +1,9 @@
 //! Loss of the synchroniser: the run fires nothing without it and searches for it.
 //!
-//! The unit ends the current burst by itself. Frames are accepted until no more can arrive; triggers
-//! that were due and that no camera saw are `not_fired`. A unit that answers again is made safe, read
-//! back and programmed from scratch. The run resume_mode waits for an operator, unless the configuration
-//! lets it resume by itself.
+//! The unit ends the current burst by itself. Frames are accepted until no more can arrive;
+//! triggers that were due and that no camera saw are `not_fired`. A unit that answers again is made
+//! safe, read back and programmed from scratch. The run resume_mode waits for an operator, unless
+//! the configuration lets it resume by itself.
 
 use std::time::{Duration, Instant};
 

@@ -50,8 +50,8 @@ impl Run {
         }
     }
 
-    /// Number of shots for the next burst: zero while the queue has no space, `None` when nothing is left
-    /// to do.
+    /// Number of shots for the next burst: zero while the queue has no space, `None` when nothing
+    /// is left to do.
     async fn next_burst_size(&mut self) -> Result<Option<u64>, AcquisitionError> {
         if let Some(script) = self.bursts.clone() {
             return self.scripted_burst_size(script.next()).await;

@@ -21,7 +21,8 @@ use tokio::sync::{mpsc, oneshot};
 pub enum Command {
     /// Takes shots.
     Start,
-    /// Ends the current burst with the laser safe and takes no more shots. The lamps must warm up again.
+    /// Ends the current burst with the laser safe and takes no more shots. The lamps must warm up
+    /// again.
     Stop,
     /// Warms up the lamps without firing.
     Arm,

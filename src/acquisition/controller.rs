@@ -30,7 +30,7 @@ pub struct Bench {
     /// Triggers the cameras.
     pub synchroniser: Box<dyn Synchroniser>,
     /// Bytes on the synchroniser's line, to be recorded.
-    pub transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
+    pub transcript: Option<mpsc::UnboundedReceiver<line::TranscriptEntry>>,
     /// How a lost synchroniser is reopened; without this a loss ends the run.
     pub reconnection: Option<Reconnection>,
 }
@@ -58,8 +58,8 @@ pub struct AcquisitionLinks {
     pub control: ControlInbox,
     /// Beats while the run loop is alive.
     pub heartbeat: Heartbeat,
-    /// Owns the synchroniser's thread. A clone held outside the task of [`acquire`] can wait for the safe
-    /// state whatever happens to that task.
+    /// Owns the synchroniser's thread. A clone held outside the task of [`acquire`] can wait for
+    /// the safe state whatever happens to that task.
     pub synchroniser: SynchroniserThread,
     /// Ends the run.
     pub stop: CancellationToken,
@@ -139,7 +139,7 @@ pub(super) struct Run {
     pub(super) clock: Arc<dyn RunClock>,
     pub(super) bursts: Option<Arc<dyn BurstScript>>,
     pub(super) control: ControlInbox,
-    pub(super) transcript: Option<mpsc::UnboundedReceiver<line::Entry>>,
+    pub(super) transcript: Option<mpsc::UnboundedReceiver<line::TranscriptEntry>>,
     pub(super) heartbeat: Heartbeat,
     pub(super) stop: CancellationToken,
     pub(super) synchroniser: SynchroniserCalls,

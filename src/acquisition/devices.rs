@@ -96,15 +96,15 @@ pub(super) fn guarded<T>(
     call: impl FnOnce() -> Result<T, DeviceError>,
 ) -> Result<T, DeviceError> {
     catch_unwind(AssertUnwindSafe(call)).unwrap_or_else(|panic| {
-        let (device, words) = (device.to_owned(), panic_message(panic.as_ref()));
-        Err(DeviceError::Panicked { device, words })
+        let (device, message) = (device.to_owned(), panic_message(panic.as_ref()));
+        Err(DeviceError::Panicked { device, message })
     })
 }
 
 /// The message of a panic.
 pub fn panic_message(panic: &(dyn Any + Send)) -> String {
-    let words = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
-    words
+    let message = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+    message
         .or_else(|| panic.downcast_ref::<String>().cloned())
         .unwrap_or_else(|| "no message".to_owned())
 }

@@ -64,8 +64,8 @@ impl ShotSender {
         Ok(shed)
     }
 
-    /// Number of shots that can be added without shedding. Waits until there are `least` free places, or
-    /// until the queue is empty.
+    /// Number of shots that can be added without shedding. Waits until there are `least` free
+    /// places, or until the queue is empty.
     ///
     /// # Errors
     ///

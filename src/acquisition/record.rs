@@ -88,7 +88,7 @@ impl Run {
     pub(super) async fn record_serial(&mut self) -> Result<(), AcquisitionError> {
         while let Some(Ok(bytes)) = self.transcript.as_mut().map(|transcript| transcript.try_recv())
         {
-            let line::Entry { host_time_ns, direction, bytes } = bytes;
+            let line::TranscriptEntry { host_time_ns, direction, bytes } = bytes;
             let bytes = bytes.escape_ascii().to_string();
             self.append(&Entry::Serial { host_time_ns, direction, bytes }, None).await?;
         }

@@ -82,8 +82,8 @@ impl Run {
         }
     }
 
-    /// Why a request cannot be carried out while the unit is lost; `None` if it needs no unit. A request
-    /// for a safer mode is remembered until the unit is back, a request to fire is not.
+    /// Why a request cannot be carried out while the unit is lost; `None` if it needs no unit. A
+    /// request for a safer mode is remembered until the unit is back, a request to fire is not.
     fn refuse_without_unit(&mut self, command: &Command) -> Option<Refusal> {
         let resume_mode = &mut self.loss.as_mut()?.resume_mode;
         match command {

@@ -21,7 +21,8 @@ pub enum OverloadPolicy {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AfterBenchLoss {
-    /// It searches for the unit, makes it safe, programs it, and waits until an operator permits firing.
+    /// It searches for the unit, makes it safe, programs it, and waits until an operator permits
+    /// firing.
     #[default]
     WaitForArm,
     /// The same, without an operator: the laser fires again by itself.

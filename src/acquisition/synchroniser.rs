@@ -77,8 +77,8 @@ impl SynchroniserThread {
         Ok(SynchroniserCalls { orders, shared })
     }
 
-    /// Ends the thread, safe state first, and waits at most `limit` for the read-back. Returns at once if
-    /// no unit was started.
+    /// Ends the thread, safe state first, and waits at most `limit` for the read-back. Returns at
+    /// once if no unit was started.
     ///
     /// # Errors
     ///

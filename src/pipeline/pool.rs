@@ -186,8 +186,8 @@ impl PoolLinks {
         };
     }
 
-    /// Settles a shot on the board and in the ledger together: a holder of the ledger's lock sees both or
-    /// neither.
+    /// Settles a shot on the board and in the ledger together: a holder of the ledger's lock sees
+    /// both or neither.
     pub(super) fn conclude(
         &self,
         shot: u64,

@@ -222,7 +222,8 @@ fn stage(state: &ApiState, phase: &Phase, shots: ShotCounts) -> String {
 }
 
 /// Whether the run is well: `ok`, or 503 once it has failed (the status says why), while the
-/// synchroniser does not answer and while a worker hangs. Open to all, for whoever supervises the daemon.
+/// synchroniser does not answer and while a worker hangs. Open to all, for whoever supervises the
+/// daemon.
 #[utoipa::path(get, path = "/healthz", tag = "live", security(()),
     responses(
         (status = 200, content_type = "text/plain", body = String),

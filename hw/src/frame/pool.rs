@@ -1,11 +1,10 @@
-//! Memory of images, used again: a stream of 4-megapixel frames would otherwise have the kernel
-//! map, clear and unmap every one of them.
+//! A pool of image memory. Without it, the kernel would map, clear and unmap every 4-megapixel frame.
 
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use super::RawImage;
 
-/// Memory for images of one size. Images come back by being dropped, on any thread; those that
+/// Memory for images of one size. Dropped images return to the pool, from any thread; images that
 /// outlive the pool are freed.
 #[derive(Debug)]
 pub struct ImagePool {
@@ -16,20 +15,19 @@ pub struct ImagePool {
 
 #[derive(Debug)]
 struct IdleBuffers {
-    /// No more than this many are kept.
-    most: usize,
+    /// Upper bound of idle buffers.
+    max_idle: usize,
     buffers: Mutex<Vec<Vec<u16>>>,
 }
 
 impl ImagePool {
-    /// A pool that keeps up to `most` images' memory while it is not in use.
-    pub fn new(columns: usize, rows: usize, most: usize) -> Self {
-        let idle = IdleBuffers { most, buffers: Mutex::new(Vec::new()) };
+    /// A pool that keeps up to `max_idle` idle buffers.
+    pub fn new(columns: usize, rows: usize, max_idle: usize) -> Self {
+        let idle = IdleBuffers { max_idle, buffers: Mutex::new(Vec::new()) };
         Self { columns, rows, idle: Arc::new(idle) }
     }
 
-    /// An image whose counts `fill` has written; before, they are those of any earlier image, or
-    /// zero.
+    /// An image filled by `fill`. The buffer initially holds an earlier image or zeros.
     pub fn image(&self, fill: impl FnOnce(&mut [u16])) -> RawImage {
         let pixels = self.columns * self.rows;
         let mut values = self.idle.take().unwrap_or_else(|| vec![0; pixels]);
@@ -46,13 +44,13 @@ impl IdleBuffers {
 
     fn put(&self, buffer: Vec<u16>) {
         let mut buffers = self.buffers.lock().unwrap_or_else(PoisonError::into_inner);
-        if buffers.len() < self.most {
+        if buffers.len() < self.max_idle {
             buffers.push(buffer);
         }
     }
 }
 
-/// An image's counts, and where their memory goes when they are dropped.
+/// The counts of an image, and the pool to which their memory returns.
 #[derive(Debug)]
 pub(super) struct Counts {
     values: Vec<u16>,

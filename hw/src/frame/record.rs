@@ -1,4 +1,4 @@
-//! What a camera delivered, line by line: evidence to hold against what was sent.
+//! A list of delivered frames, to compare with the frames that were sent.
 
 use std::{
     fs::File,
@@ -9,11 +9,10 @@ use std::{
 
 use crate::device::{Camera, DeviceError, Frame, FrameStatus, StreamStatistics};
 
-/// Names of the columns.
+/// Column names.
 const HEADER: &str = "camera,frame_id,device_timestamp_ns,host_timestamp_ns,status,crc32";
 
-/// A camera whose frames are listed in a file, one line of comma-separated values each, as soon as
-/// they are delivered.
+/// A camera wrapper that lists each delivered frame in a file, as one line of comma-separated values.
 pub struct RecordedCamera {
     inner: Box<dyn Camera>,
     file: LineWriter<File>,
@@ -45,7 +44,7 @@ impl RecordedCamera {
         .map_err(|error| DeviceError::Refused {
             device: name.to_owned(),
             detail: format!(
-                "its frame record {} cannot be written: {error}; make room or remove \
+                "its frame record {} cannot be written: {error}; free space or remove \
                  instruments.frame_record",
                 self.path.display()
             ),

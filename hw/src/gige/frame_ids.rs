@@ -1,31 +1,31 @@
-//! Frame numbers of 64 bits from a camera's counter of 16.
+//! Unwraps a camera's 16-bit frame counter to 64 bits.
 //!
-//! A GigE Vision camera counts frames 1, 2, …, 65,535, 1, …: zero is skipped. The counter stands
-//! anywhere when a stream begins. Cameras with extended ids count in 64 bits instead.
+//! A GigE Vision camera counts frames 1, 2, …, 65,535, 1, …: zero is skipped. The counter starts at an
+//! arbitrary value. Cameras with extended ids count in 64 bits.
 
-/// Values that the 16-bit counter takes before it comes round.
+/// Number of values of the 16-bit counter.
 const CYCLE: i64 = 65_535;
 
-/// Numbers one stream's frames from a given number on.
+/// Numbers the frames of a stream, starting at a given number.
 #[derive(Debug, Clone)]
 pub struct FrameIds {
-    /// Number of the first frame that comes.
+    /// Number of the first frame.
     first: u64,
-    /// Highest counter value that has come, and its number.
+    /// Highest counter value seen, and its number.
     last: Option<(u64, u64)>,
     extended: bool,
 }
 
 impl FrameIds {
-    /// The first frame to come will have the number `first`.
+    /// The first frame will have the number `first`.
     pub fn starting_at(first: u64) -> Self {
         Self { first, last: None, extended: false }
     }
 
-    /// The number of the frame that carries this counter value. Frames may be missing (fewer than
-    /// half a cycle, 32,767), come twice or out of order.
+    /// The number of the frame with this counter value. Frames may be missing (fewer than half a cycle,
+    /// 32,767), duplicated or out of order.
     ///
-    /// `None` for the value 0, which no frame has, and for a frame before the first one.
+    /// `None` for the value 0, which no frame has, and for frames before the first one.
     pub fn number(&mut self, counter: u64) -> Option<u64> {
         if counter == 0 {
             return None;
@@ -34,7 +34,7 @@ impl FrameIds {
             self.last = Some((counter, self.first));
             return Some(self.first);
         };
-        // A counter of 16 bits goes from 65,535 to 1 and never shows a larger value.
+        // A 16-bit counter never exceeds 65,535.
         self.extended |= counter > CYCLE as u64;
         let ahead = counter.wrapping_sub(last_counter) as i64;
         let ahead = if self.extended { ahead } else { nearest(ahead) };
@@ -45,19 +45,19 @@ impl FrameIds {
         Some(number)
     }
 
-    /// The number after the highest one given so far.
+    /// The number after the highest one assigned.
     pub fn next(&self) -> u64 {
         self.last.map_or(self.first, |(_, number)| number + 1)
     }
 
-    /// The camera's counter has lost its count (it was away): the next frame to come is the first
-    /// of the next trigger, `frames_per_trigger` frames each.
+    /// The camera's counter has restarted (it was away): the next frame is the first of the next
+    /// trigger, with `frames_per_trigger` frames each.
     pub fn resume(&mut self, frames_per_trigger: u64) {
         *self = Self::starting_at(self.next().next_multiple_of(frames_per_trigger.max(1)));
     }
 }
 
-/// A difference of counter values, taken the short way round.
+/// A counter difference, modulo the cycle, of smallest magnitude.
 fn nearest(ahead: i64) -> i64 {
     let forward = ahead.rem_euclid(CYCLE);
     if forward > CYCLE / 2 { forward - CYCLE } else { forward }
@@ -69,7 +69,7 @@ mod tests {
 
     use super::*;
 
-    /// The counter after `frames` frames, counted one by one as a camera does.
+    /// The counter after `frames` frames, counted one by one.
     fn counters(start: u64, frames: usize) -> Vec<u64> {
         let mut counter = start;
         (0..frames)
@@ -114,8 +114,8 @@ mod tests {
     }
 
     proptest! {
-        /// Frames get lost, come twice and overtake each other by a few places; whatever comes
-        /// has its own number.
+        /// Frames may be lost, duplicated or overtaken by a few places; each frame still gets its
+        /// own number.
         #[test]
         fn numbers_survive_gaps_duplicates_and_reordering(
             start in prop_oneof![1..=65_535_u64, 65_300..=65_535_u64],
@@ -135,7 +135,7 @@ mod tests {
                     arrivals.push((position + delay + 1, at));
                 }
             }
-            // Five places of up to 6000 frames each: never half a cycle late.
+            // Five places of up to 6000 frames each: always less than half a cycle late.
             arrivals.sort_by_key(|(place, _)| *place);
             let mut ids = FrameIds::starting_at(0);
             prop_assert_eq!(ids.number(sent[0]), Some(0));

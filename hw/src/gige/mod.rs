@@ -1,4 +1,4 @@
-//! GigE Vision cameras: settings, pixel formats, frame numbers, and the driver on top of Aravis.
+//! GigE Vision cameras: settings, pixel formats, frame numbers, and the Aravis driver.
 //!
 //! ```no_run
 //! use std::time::Duration;
@@ -13,8 +13,8 @@
 //! # Ok::<(), lfpiv_hw::device::DeviceError>(())
 //! ```
 //!
-//! The driver needs the cargo feature `aravis` and the system library of that name; without them
-//! everything here still compiles, and opening a camera says what is missing.
+//! The driver needs the cargo feature `aravis` and the system library of that name. Without them this
+//! module still compiles, and opening a camera returns an error that says what is missing.
 
 #[cfg(feature = "aravis")]
 mod driver;
@@ -28,24 +28,24 @@ pub use frame_ids::FrameIds;
 pub use pixel::PixelFormat;
 pub use settings::{CameraSettings, ImageSize, TriggerActivation};
 
-/// Real-time priority that a thread which receives frames asks for, of 1 to 99. Any of them comes before
-/// every thread that has none; the kernel's own stand at 50.
+/// Real-time priority (1 to 99) of receiving threads. Any value precedes all normal threads; the
+/// kernel's interrupt threads have 50.
 pub const RECEIVING_REALTIME_PRIORITY: i32 = 10;
-/// Nice level of such a thread where real-time scheduling is not granted.
+/// Nice level of receiving threads if real-time scheduling is not permitted.
 pub const RECEIVING_NICE: i32 = -10;
 
 /// A camera on the network.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FoundCamera {
-    /// Who made it.
+    /// Manufacturer.
     pub vendor: String,
-    /// Its model.
+    /// Model.
     pub model: String,
-    /// Its serial number.
+    /// Serial number.
     pub serial: String,
-    /// Its IP address.
+    /// IP address.
     pub address: String,
-    /// Whether it could be used now.
+    /// Whether it can be used now.
     pub access: Access,
 }
 
@@ -56,13 +56,13 @@ pub enum Access {
     Free,
     /// Another program controls it.
     InUse,
-    /// It answers discovery, but not its address: it is on another subnet, say.
+    /// It answers discovery but cannot be opened, for example because it is on another subnet.
     Unreachable(String),
 }
 
-/// Finds a camera, takes control of it and applies its settings; every one is read back.
+/// Finds a camera, takes control of it, applies its settings and reads each one back.
 ///
-/// The image has `size`. `name` stands in messages.
+/// The image has `size`. `name` is used in messages.
 ///
 /// # Errors
 /// The camera is not found, is controlled by another program for longer than the settings'
@@ -76,7 +76,7 @@ pub fn open(
     Ok(Box::new(driver::GigeCamera::open(name, settings, size)?))
 }
 
-/// Finds a camera. This build has no driver: always an error.
+/// Always an error: this build has no driver.
 ///
 /// # Errors
 /// Says what is missing.
@@ -89,8 +89,8 @@ pub fn open(
     Err(not_built(name))
 }
 
-/// The cameras that answer discovery on all network interfaces. Takes about a second, and holds
-/// control of each free camera for a moment to see that it answers.
+/// The cameras that answer discovery on all network interfaces. Takes about a second, and briefly
+/// controls each free camera to check that it answers.
 ///
 /// # Errors
 /// This build has no driver.
@@ -99,7 +99,7 @@ pub fn list_devices() -> Result<Vec<FoundCamera>, DeviceError> {
     driver::list_devices()
 }
 
-/// The cameras on the network. This build has no driver: always an error.
+/// Always an error: this build has no driver.
 ///
 /// # Errors
 /// Says what is missing.

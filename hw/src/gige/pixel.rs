@@ -1,21 +1,21 @@
-//! Pixel formats of the cameras, and how their bytes become counts.
+//! Pixel formats of the cameras and their conversion to counts.
 //!
 //! Names and layouts are those of GigE Vision's pixel formats (EMVA PFNC): `Mono10`, `Mono12` and
 //! `Mono16` are 16-bit little-endian words, `Mono12Packed` puts two pixels into three bytes.
 
 use serde::{Deserialize, Serialize};
 
-/// How a camera sends its pixels.
+/// Pixel format of a camera.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PixelFormat {
-    /// One byte for a pixel.
+    /// One byte per pixel.
     Mono8,
     /// 10 significant bits in a word.
     Mono10,
     /// 12 significant bits in a word.
     Mono12,
-    /// 12 bits for a pixel: the upper eight of the first, the lower four of both, the upper eight
-    /// of the second.
+    /// 12 bits per pixel: the upper eight of the first, the lower four of both, the upper eight of the
+    /// second.
     Mono12Packed,
     /// 16 significant bits in a word.
     Mono16,
@@ -26,7 +26,7 @@ impl PixelFormat {
     pub const ALL: [Self; 5] =
         [Self::Mono8, Self::Mono10, Self::Mono12, Self::Mono12Packed, Self::Mono16];
 
-    /// Its name in GenICam.
+    /// GenICam name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Mono8 => "Mono8",
@@ -37,7 +37,7 @@ impl PixelFormat {
         }
     }
 
-    /// Its number in GigE Vision and GenICam.
+    /// PFNC number.
     pub fn code(self) -> u32 {
         match self {
             Self::Mono8 => 0x0108_0001,
@@ -48,7 +48,7 @@ impl PixelFormat {
         }
     }
 
-    /// The format with this number, if it is one of these.
+    /// The format with this number, if known.
     pub fn from_code(code: u32) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.code() == code)
     }
@@ -63,8 +63,7 @@ impl PixelFormat {
         }
     }
 
-    /// Bytes that `pixels` pixels take. An odd number of packed pixels ends in half a byte, which
-    /// is sent whole.
+    /// Bytes of `pixels` pixels. An odd number of packed pixels is padded to a whole byte.
     pub fn payload_bytes(self, pixels: usize) -> usize {
         match self {
             Self::Mono8 => pixels,
@@ -73,8 +72,8 @@ impl PixelFormat {
         }
     }
 
-    /// Reads `counts.len()` pixels from `bytes` in one pass; `bytes` holds at least
-    /// [`payload_bytes`](Self::payload_bytes) of them, or the counts without bytes stay as they are.
+    /// Reads `counts.len()` pixels from `bytes`. If `bytes` is shorter than
+    /// [`payload_bytes`](Self::payload_bytes), the remaining counts are unchanged.
     pub fn unpack(self, bytes: &[u8], counts: &mut [u16]) {
         let bytes = bytes.get(..self.payload_bytes(counts.len())).unwrap_or(bytes);
         match self {
@@ -116,7 +115,7 @@ mod tests {
 
     use super::*;
 
-    /// The position of every bit by its definition, one pixel at a time.
+    /// The definition of the format, one pixel at a time.
     fn pixel(format: PixelFormat, bytes: &[u8], index: usize) -> u16 {
         let bit = |at: usize| u16::from(bytes[at / 8] >> (at % 8) & 1);
         let bits = |from: usize, number: usize| {
@@ -160,7 +159,7 @@ mod tests {
     fn a_code_names_its_format_and_its_size() {
         for format in PixelFormat::ALL {
             assert_eq!(PixelFormat::from_code(format.code()), Some(format));
-            // Bits for a pixel are part of the number.
+            // Bits per pixel are part of the number.
             let bits = (format.code() >> 16 & 0xff) as usize;
             assert_eq!(format.payload_bytes(1000), 1000 * bits / 8);
         }

@@ -1,4 +1,4 @@
-//! What a GigE Vision camera is set to.
+//! Settings of a GigE Vision camera.
 
 use std::net::Ipv4Addr;
 
@@ -8,81 +8,81 @@ use serde::{Deserialize, Serialize};
 use super::PixelFormat;
 use crate::{Sensor, check::finite};
 
-/// How a camera is found, set and streamed. Names of GenICam features are those of the SFNC.
+/// How a camera is found, configured and streamed. GenICam features have their SFNC names.
 ///
-/// What is given is written to the camera and read back; what is absent stays as the camera has it.
+/// Given values are written to the camera and read back; absent ones keep the camera's value.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct CameraSettings {
-    /// Address; this or `serial`.
+    /// Address; either this or `serial`.
     #[garde(custom(one_way_to_find_it(&self.serial)))]
     pub ip: Option<Ipv4Addr>,
-    /// Serial number; this or `ip`. The camera must answer discovery, so be on the same subnet.
+    /// Serial number; either this or `ip`. Needs discovery, so the camera must be on the same subnet.
     #[garde(inner(length(min = 1, max = 16)))]
     pub serial: Option<String>,
-    /// How pixels are sent.
+    /// Pixel format.
     #[garde(skip)]
     pub pixel_format: PixelFormat,
-    /// Column and row of the sensor where the image begins. The image is as large as the
-    /// configured sensor; without this the camera's sensor must have exactly that size.
+    /// Column and row of the sensor where the image starts. The image has the size of the configured
+    /// sensor; without this setting the camera's sensor must have exactly that size.
     #[garde(skip)]
     pub offset_px: Option<[u32; 2]>,
-    /// Exposure time, in µs. Of a double exposure it is the first; the second lasts as long as the
+    /// Exposure time, in µs: that of the first of a double exposure. The second lasts as long as the
     /// readout.
     #[garde(inner(custom(finite), range(min = 1.0, max = 1e7)))]
     pub exposure_us: Option<f64>,
     /// Analogue gain, in dB.
     #[garde(inner(custom(finite), range(min = -20.0, max = 60.0)))]
     pub gain_db: Option<f64>,
-    /// Largest packet, IP header included, in bytes: at most the network's MTU.
+    /// Largest packet including the IP header, in bytes: at most the network's MTU.
     #[garde(range(min = 576, max = 65_535))]
     pub packet_size_bytes: u32,
-    /// Pause between packets, in ns, so that two cameras share a line.
+    /// Pause between packets, in ns, so that two cameras can share a link.
     #[garde(range(max = 10_000_000))]
     pub inter_packet_delay_ns: u64,
-    /// Input at which the synchroniser's trigger arrives.
+    /// Input of the synchroniser's trigger.
     #[garde(length(min = 1, max = 32))]
     pub trigger_line: String,
-    /// The edge that triggers.
+    /// The triggering edge.
     #[garde(skip)]
     pub trigger_activation: Option<TriggerActivation>,
-    /// Frames for one trigger: 2 in double-exposure mode.
+    /// Frames per trigger: 2 for double exposure.
     #[garde(range(min = 1, max = 2))]
     pub frames_per_trigger: u32,
-    /// Features beyond the standard ones, as `Name=value Name=value`, set before all others: for
-    /// cameras whose double exposure has a name of its own.
+    /// Additional features as `Name=value Name=value`, set before all others: for cameras with a
+    /// vendor-specific double exposure.
     #[garde(length(max = 1000))]
     pub features: String,
-    /// The camera's clock follows the network's (IEEE 1588).
+    /// Synchronises the camera's clock with the network (IEEE 1588).
     #[garde(skip)]
     pub ptp: bool,
-    /// Frames that may wait in the host.
+    /// Number of frame buffers in the host.
     #[garde(range(min = 2, max = 1000))]
     pub buffers: u32,
-    /// Receive buffer asked of the kernel, in bytes; `net.core.rmem_max` limits it.
+    /// Requested receive buffer of the socket, in bytes; limited by `net.core.rmem_max`.
     #[garde(range(min = 65_536, max = 1_073_741_824))]
     pub socket_buffer_bytes: u32,
-    /// Take packets from the network interface rather than from a socket: cheaper, but it needs
-    /// the capability `cap_net_raw`, and packets no larger than the MTU.
+    /// Receives packets from the network interface instead of a socket: more efficient, but needs the
+    /// capability `cap_net_raw` and packets no larger than the MTU.
     #[garde(skip)]
     pub packet_socket: bool,
-    /// Silence after which missing packets are asked for again, in µs.
+    /// Silence after which missing packets are requested again, in µs.
     #[garde(range(min = 100, max = 10_000_000))]
     pub packet_timeout_us: u32,
-    /// Silence after which an unfinished frame is given up, in µs.
+    /// Silence after which an incomplete frame is dropped, in µs.
     #[garde(range(min = 1000, max = 60_000_000))]
     pub frame_retention_us: u32,
     /// How long to wait, in s, while another program controls the camera. After a crash the camera
-    /// believes in its old controller until the heartbeat times out, usually 3 s.
+    /// stays controlled until its heartbeat times out, usually for 3 s.
     #[garde(custom(finite), range(min = 0.0, max = 600.0))]
     pub control_patience_s: f64,
-    /// How long a camera that has vanished is waited for, in s, before it is given up.
+    /// How long to wait for a lost camera, in s, before the run ends.
     #[garde(custom(finite), range(min = 0.0, max = 86_400.0))]
     pub reconnect_patience_s: f64,
 }
 
 impl Default for CameraSettings {
-    /// No address: `ip` or `serial` must be set.
+    /// Without an address: `ip` or `serial` must be set.
     fn default() -> Self {
         Self {
             ip: None,
@@ -119,7 +119,7 @@ pub enum TriggerActivation {
 }
 
 impl TriggerActivation {
-    /// Its name in GenICam.
+    /// GenICam name.
     pub fn name(self) -> &'static str {
         match self {
             Self::RisingEdge => "RisingEdge",
@@ -128,7 +128,7 @@ impl TriggerActivation {
     }
 }
 
-/// Size of the images that the optics description expects, in pixels.
+/// Expected image size according to the optics, in pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ImageSize {
     /// Pixel columns.
@@ -157,7 +157,7 @@ fn one_way_to_find_it(
         (Some(_), None) | (None, Some(_)) => Ok(()),
         (None, None) => Err(garde::Error::new("needed: the camera's ip or its serial")),
         (Some(_), Some(_)) => {
-            Err(garde::Error::new("allowed: ip or serial, not both, since they might disagree"))
+            Err(garde::Error::new("allowed: ip or serial, not both, because they might disagree"))
         }
     }
 }

@@ -1,11 +1,10 @@
-//! Drivers for units that time laser and cameras, over a serial line.
+//! Serial drivers for the unit that triggers laser and cameras.
 //!
-//! [`open`] finds the driver that the configuration names. All of them keep the rules of
-//! [`Synchroniser`]: the unit is disabled before anything else, timing is validated before it is
-//! sent, every firing is a bounded burst.
+//! [`open`] selects the configured driver. All drivers follow the rules of [`Synchroniser`]: the
+//! unit is disabled before anything else, timing is validated before it is sent, and every firing
+//! is a bounded burst.
 //!
-//! Safety that is software only is not safety: the laser's own interlock has to work without any
-//! of this.
+//! Software alone is not safe: the laser's own interlock must work without it.
 
 pub mod bnc575;
 pub mod line;
@@ -19,24 +18,24 @@ use crate::{
     timing::TimingSettings,
 };
 use bnc575::Bnc575;
-use line::{Line, Recorded, SerialLine, Transcript};
+use line::{Line, RecordedLine, SerialLine, Transcript};
 use oltsync::OltSync;
 
 pub use settings::{ChannelMap, ChannelName, SynchroniserDriver, SynchroniserSettings};
 
-/// Longest burst, in s: a dead host or a cut line ends the firing within this time by itself.
+/// Longest burst, in s: if the host dies or the line is cut, firing ends within this time.
 pub const LONGEST_BURST_S: f64 = 5.0;
 
-/// What to tell the operator when the unit's state cannot be read.
+/// Advice to the operator when the unit's state cannot be read.
 pub const USE_INTERLOCK: &str = "state unknown: use the hardware interlock";
 
-/// Opens the port and makes contact; outputs are disabled before anything else. Every byte on the
-/// line goes to `transcript`, too.
+/// Opens the port and connects; outputs are disabled before anything else. Every byte on the line
+/// is also written to `transcript`.
 ///
 /// # Errors
 ///
-/// The port cannot be opened, the transcript cannot be written, nothing answers, or what answers
-/// is another unit.
+/// The port cannot be opened, the transcript cannot be written, nothing answers, or another kind of
+/// unit answers.
 pub fn open(
     settings: &SynchroniserSettings,
     timing: &TimingSettings,
@@ -50,7 +49,7 @@ pub fn open(
              it (group dialout) and that no other program does"
         ))
     })?;
-    let line = Recorded::new(line, transcript);
+    let line = RecordedLine::new(line, transcript);
     let Some(path) = &settings.transcript else {
         return open_on(Box::new(line), settings, timing);
     };
@@ -60,10 +59,10 @@ pub fn open(
             path.display()
         ))
     })?;
-    open_on(Box::new(Recorded::new(line, Transcript::written(file))), settings, timing)
+    open_on(Box::new(RecordedLine::new(line, Transcript::written(file))), settings, timing)
 }
 
-/// As [`open`], on a line that is open already: a recorded one, or one with faults injected.
+/// As [`open`], on an open line, for example one with a transcript or injected faults.
 pub fn open_on(
     line: Box<dyn Line>,
     settings: &SynchroniserSettings,

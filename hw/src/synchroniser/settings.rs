@@ -1,4 +1,4 @@
-//! How the synchroniser is reached: the `[synchroniser]` table.
+//! The `[synchroniser]` table: how the unit is connected.
 
 use std::{fmt, path::PathBuf};
 
@@ -7,47 +7,46 @@ use serde::{Deserialize, Serialize};
 
 use crate::check::finite;
 
-/// Which unit, at which port, and which of its outputs goes where.
+/// The unit, its port, and the assignment of its outputs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct SynchroniserSettings {
     /// The unit's family.
     #[garde(skip)]
     pub driver: SynchroniserDriver,
-    /// Serial port, as `/dev/ttyUSB0` or, better, a link in `/dev/serial/by-id`.
+    /// Serial port, such as `/dev/ttyUSB0` or, better, a link in `/dev/serial/by-id`.
     #[garde(length(min = 1))]
     pub port: String,
-    /// Speed of the port, in baud; the family's own when absent.
+    /// Baud rate; the family's default when absent.
     #[serde(default)]
     #[garde(inner(custom(known_speed)))]
     pub baud_rate: Option<u32>,
-    /// Whether other speeds are tried when the unit does not answer at that one.
+    /// Whether other baud rates are tried if the unit does not answer.
     #[serde(default)]
     #[garde(skip)]
     pub probe_baud_rates: bool,
-    /// Least time between a reply and the next command, in ms. Units need 50 to 100.
+    /// Minimum time between a reply and the next command, in ms. Units need 50 to 100.
     #[serde(default = "default_pacing_ms")]
     #[garde(range(min = 0, max = 1000))]
     pub pacing_ms: u64,
-    /// How long a reply is waited for, in ms.
+    /// Timeout of a reply, in ms.
     #[serde(default = "default_reply_timeout_ms")]
     #[garde(range(min = 10, max = 10_000))]
     pub reply_timeout_ms: u64,
-    /// Which output goes where.
+    /// Assignment of the outputs.
     #[serde(default)]
     #[garde(custom(every_output_once))]
     pub channels: ChannelMap,
     /// For units that cannot count a burst: whether the host may end bursts by its own clock. Then
-    /// nothing but the hardware interlock ends firing when the host dies or the line is cut.
+    /// only the hardware interlock ends firing if the host dies or the line is cut.
     #[serde(default)]
     #[garde(skip)]
     pub host_timed_bursts: bool,
-    /// How long a unit that does not answer any more is looked for, in s, before the run ends;
-    /// without end when absent.
+    /// How long to search for a lost unit, in s, before the run ends; without limit when absent.
     #[serde(default)]
     #[garde(inner(custom(finite), range(min = 0.0, max = 86_400.0)))]
     pub reconnect_patience_s: Option<f64>,
-    /// File that every byte on the line is written to, with the host's time; it is appended to.
+    /// File to which every byte on the line is appended, with the host's time.
     #[serde(default)]
     #[garde(skip)]
     pub transcript: Option<PathBuf>,
@@ -93,7 +92,7 @@ impl fmt::Display for ChannelName {
     }
 }
 
-/// Which output goes where.
+/// Assignment of the outputs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ChannelMap {
@@ -122,7 +121,7 @@ impl Default for ChannelMap {
 }
 
 impl ChannelMap {
-    /// Outputs that let light out.
+    /// Outputs that emit light.
     pub fn q_switches(&self) -> [ChannelName; 2] {
         [self.q_switch_1, self.q_switch_2]
     }
@@ -132,7 +131,7 @@ impl ChannelMap {
         [self.lamp_1, self.lamp_2]
     }
 
-    /// All outputs in use, the most dangerous first.
+    /// All outputs in use, most dangerous first.
     pub fn all(&self) -> Vec<ChannelName> {
         let lasers = self.q_switches().into_iter().chain(self.lamps());
         lasers.chain(self.cameras.iter().copied()).collect()
@@ -148,7 +147,7 @@ fn every_output_once(channels: &ChannelMap, _: &()) -> garde::Result {
     match outputs.windows(2).find(|pair| pair[0] == pair[1]) {
         None => Ok(()),
         Some(pair) => Err(garde::Error::new(format!(
-            "output {} is used twice; allowed: every output for one purpose",
+            "output {} is used twice; allowed: each output once",
             pair[0]
         ))),
     }
@@ -170,7 +169,7 @@ fn default_reply_timeout_ms() -> u64 {
 }
 
 impl SynchroniserSettings {
-    /// Settings for a unit at `port`, all else as the family's defaults.
+    /// Settings for a unit at `port`, with the family's defaults.
     pub fn at(driver: SynchroniserDriver, port: impl Into<String>) -> Self {
         Self {
             driver,
@@ -186,7 +185,7 @@ impl SynchroniserSettings {
         }
     }
 
-    /// Speeds to try, in order, in baud.
+    /// Baud rates to try, in order.
     pub fn baud_rates(&self) -> Vec<u32> {
         let usual: &[u32] = match self.driver {
             SynchroniserDriver::OltSync => &[9600],

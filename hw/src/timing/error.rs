@@ -1,10 +1,10 @@
-//! Why a pulse schedule is refused.
+//! Errors of a pulse schedule.
 
 use std::fmt;
 
 use thiserror::Error;
 
-/// Every rule that a schedule would break; never empty.
+/// All broken rules of a schedule; never empty.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub struct TimingError {
     /// The broken rules.
@@ -22,33 +22,33 @@ impl fmt::Display for TimingError {
     }
 }
 
-/// One broken rule, with the value and its limit.
+/// A broken rule, with the value and its limit.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Violation {
-    /// A pulse separation or rate that is not a positive number.
+    /// A pulse separation or rate that is not positive.
     #[error("{quantity} = {value}: allowed: a positive, finite number")]
     NotPositive { quantity: &'static str, value: f64 },
     /// Lamps would be driven above the laser's rate.
     #[error("laser rate = {rate_hz} Hz: allowed: at most {limit_hz} Hz")]
     LaserRate { rate_hz: f64, limit_hz: f64 },
-    /// The source of external triggers may be faster than anybody has said.
+    /// The rate of the external trigger is not declared.
     #[error(
         "trigger = external: no external_trigger is declared, allowed: one with max_rate_hz of at \
          most {limit_hz} Hz, because the period setting limits nothing then"
     )]
     ExternalTriggerUndeclared { limit_hz: f64 },
-    /// The declared source may be faster than the laser.
+    /// The declared rate exceeds the laser's.
     #[error("external_trigger.max_rate_hz = {max_rate_hz} Hz: allowed: at most {limit_hz} Hz")]
     ExternalTriggerRate { max_rate_hz: f64, limit_hz: f64 },
-    /// Shots are expected faster than the source gives triggers.
+    /// The requested shot rate exceeds the source's.
     #[error(
         "shot rate = {rate_hz} Hz: allowed: at most external_trigger.max_rate_hz = {max_rate_hz} Hz"
     )]
     RateAboveSource { rate_hz: f64, max_rate_hz: f64 },
-    /// The pulse separation is no multiple of the unit's step.
+    /// The pulse separation is not a multiple of the unit's step.
     #[error("dt = {dt_us} us: allowed: a multiple of {step_us} us, the step of a {unit}")]
     NotAStep { unit: &'static str, dt_us: f64, step_us: f64 },
-    /// Beyond what the unit sets.
+    /// Outside the unit's range.
     #[error("{quantity} = {value_us} us: allowed: {lowest_us} to {highest_us} us with a {unit}")]
     OutsideUnit {
         unit: &'static str,
@@ -57,18 +57,18 @@ pub enum Violation {
         lowest_us: f64,
         highest_us: f64,
     },
-    /// A light pulse misses its exposure or comes too near to its edges.
+    /// A light pulse is outside its exposure or too close to its edges.
     #[error(
         "Q{number} = {pulse_us:.3} us: must fall into exposure {number}, allowed: \
          {earliest_us:.3} to {latest_us:.3} us (margins included)"
     )]
     PulseOutsideExposure { number: u8, pulse_us: f64, earliest_us: f64, latest_us: f64 },
-    /// The next trigger would come while frames are read out.
+    /// The next trigger would arrive during the readout.
     #[error(
         "cameras ready again at {ready_us:.3} us: allowed: before the period, {period_us:.3} us, ends"
     )]
     CameraBusy { ready_us: f64, period_us: f64 },
-    /// A trigger pulse begins before T0 or reaches into the next period.
+    /// A trigger pulse starts before T0 or extends into the next period.
     #[error(
         "{signal} lasts from {start_us:.3} to {end_us:.3} us: allowed: inside 0 to {period_us:.3} us"
     )]

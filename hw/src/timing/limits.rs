@@ -1,10 +1,10 @@
-//! What a synchroniser can set, and a schedule rounded to it.
+//! Limits of a synchroniser, and schedules rounded to its steps.
 
 use std::{fmt, ops::RangeInclusive};
 
 use super::{PulseSchedule, ROUNDING_US, TimingError, Violation};
 
-/// What one family of synchronisers can set.
+/// Limits of a family of synchronisers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnitLimits {
     /// The family, for messages.
@@ -24,8 +24,8 @@ pub struct UnitLimits {
 }
 
 impl UnitLimits {
-    /// BNC 575 and 577, Quantum Composers 952x (their manuals: period in steps of 10 ns, delay
-    /// and width in steps of 250 ps: BNC 575 manual, specifications).
+    /// BNC 575 and 577, Quantum Composers 952x (period in steps of 10 ns, delay and width in steps of
+    /// 250 ps: BNC 575 manual, specifications).
     pub const BNC_575: Self = Self {
         unit: "BNC 575",
         period_us: 0.1..=5e9,
@@ -40,7 +40,7 @@ impl UnitLimits {
     pub const QUANTUM_COMPOSERS_9530: Self =
         Self { unit: "Quantum Composers 9530", longest_burst: 1_000_000, ..Self::BNC_575 };
 
-    /// OPTOLUTION oltSync: whole microseconds; edges within the frame time. It counts no bursts.
+    /// OPTOLUTION oltSync: whole microseconds; edges within the frame time; no burst count.
     pub const OLT_SYNC: Self = Self {
         unit: "oltSync",
         period_us: 2.0..=4_294_967_295.0,
@@ -52,14 +52,14 @@ impl UnitLimits {
     };
 }
 
-/// A value that the unit cannot set exactly.
+/// A value that the unit cannot represent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rounding {
     /// Which value.
     pub quantity: &'static str,
-    /// As planned, in µs.
+    /// Planned value, in µs.
     pub planned_us: f64,
-    /// As the unit sets it, in µs.
+    /// Rounded value, in µs.
     pub set_us: f64,
 }
 
@@ -70,25 +70,25 @@ impl fmt::Display for Rounding {
     }
 }
 
-/// A schedule as one unit sets it.
+/// A schedule in the unit's steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnitSchedule {
-    /// Every value a multiple of the unit's step.
+    /// Every value is a multiple of the unit's step.
     pub schedule: PulseSchedule,
-    /// What had to be changed for that, by half a step at most (the period by less than one).
+    /// The changes, by at most half a step (the period by less than one step).
     pub roundings: Vec<Rounding>,
 }
 
 impl PulseSchedule {
-    /// This schedule in the unit's steps, checked against its limits and, once more, against the
-    /// rules of the pulse pair.
+    /// This schedule in the unit's steps, checked against its limits and again against the rules of the
+    /// schedule.
     ///
-    /// The pulse separation is never rounded, since velocities are measured with it. The period
-    /// is rounded up: lamps must not come faster than planned.
+    /// The pulse separation is never rounded, because velocities are computed from it. The period
+    /// is rounded up, so that lamps are not driven faster than planned.
     ///
     /// # Errors
     ///
-    /// Every rule and limit that would be broken, with value and limit.
+    /// All broken rules and limits, with value and limit.
     pub fn for_unit(&self, limits: &UnitLimits) -> Result<UnitSchedule, TimingError> {
         let step_us = limits.step_us;
         let dt_us = nearest(self.dt_us, step_us);
@@ -110,7 +110,7 @@ impl PulseSchedule {
         let round = |value_us: f64| nearest(value_us, limits.step_us);
         let q1_us = round(self.q_switch_us[0]);
         let camera_trigger_us = round(self.camera_trigger_us);
-        // Exposures follow their trigger.
+        // Exposures shift with their trigger.
         let later_us = camera_trigger_us - self.camera_trigger_us;
         let period_us = match self.external_trigger {
             None => next(self.period_us, limits.period_step_us),
@@ -176,7 +176,7 @@ fn nearest(value_us: f64, step_us: f64) -> f64 {
     (value_us / step_us).round() * step_us
 }
 
-/// The smallest multiple that is not below the value, but for rounding.
+/// The smallest multiple that is not below the value, within rounding.
 fn next(value_us: f64, step_us: f64) -> f64 {
     ((value_us - ROUNDING_US) / step_us).ceil() * step_us
 }

@@ -1,4 +1,4 @@
-//! What laser and cameras need in time: the `[timing]` table.
+//! The `[timing]` table: timing properties of laser and cameras.
 
 use garde::Validate;
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::trigger::{ExternalTrigger, TriggerSource};
 use crate::check::finite;
 
-/// Properties of laser and cameras that fix the pulse schedule. Defaults are those of a flash-lamp laser at 10 Hz.
+/// Properties of laser and cameras that determine the pulse schedule. Defaults: a flash-lamp laser at
+/// 10 Hz.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct TimingSettings {
@@ -28,23 +29,23 @@ pub struct TimingSettings {
     /// Dead time between exposures 1 and 2, in µs.
     #[garde(custom(finite), range(min = 0.0, max = 10_000.0))]
     pub gap_us: f64,
-    /// Time to read out one frame, in µs; exposure 2 lasts as long as the readout of frame 1.
+    /// Readout time of one frame, in µs; exposure 2 lasts as long as the readout of frame 1.
     #[garde(custom(finite), range(min = 1.0, max = 1e7))]
     pub readout_us: f64,
-    /// Time kept between a light pulse and the edges of its exposure, in µs: covers Q-switch
+    /// Minimum time between a light pulse and the edges of its exposure, in µs: covers Q-switch
     /// build-up and camera jitter.
     #[garde(custom(finite), range(min = 0.0, max = 1000.0))]
     pub margin_us: f64,
     /// Width of every trigger pulse, in µs.
     #[garde(custom(finite), range(min = 0.01, max = 10_000.0))]
     pub pulse_width_us: f64,
-    /// How long lamps fire before a Q-switch is enabled, in s. Counted by the host.
+    /// Warm-up of the lamps before a Q-switch is enabled, in s; measured by the host.
     #[garde(custom(finite), range(min = 0.0, max = 3600.0))]
     pub lamp_warm_up_s: f64,
     /// What starts a period.
     #[garde(skip)]
     pub trigger: TriggerSource,
-    /// The external source; needed where `trigger` is `external`.
+    /// The external source; required if `trigger` is `external`.
     #[garde(dive)]
     pub external_trigger: Option<ExternalTrigger>,
 }

@@ -20,7 +20,7 @@ fn the_figures_of_design_section_5() {
         assert_eq!(schedule.q_switch_us, [280.0, 280.0 + dt_us]);
         assert_eq!(schedule.camera_trigger_us, 76.0 + dt_us / 2.0);
     }
-    // Beyond 202 µs the gap stays half an exposure behind Q1.
+    // Beyond 202 µs the gap starts half an exposure after Q1.
     let slow = plan(1000.0, 10.0).unwrap();
     assert_eq!(slow.camera_trigger_us, 280.0 + 100.0 - 200.0 - 3.0);
     assert_eq!(slow.exposure_1_us, [180.0, 380.0]);
@@ -50,7 +50,7 @@ fn fifteen_hertz_is_refused_by_laser_and_by_camera() {
 fn signals_must_stay_inside_the_period() {
     let early = TimingSettings { lamp_to_q_switch_us: [10.0, 250.0], ..TimingSettings::default() };
     let text = refusal(&early, 4.0, 10.0);
-    // Q2 at 114, lamp 2 a quarter of a millisecond earlier; exposure 1 would begin at −89.
+    // Q2 at 114, lamp 2 180 µs earlier; exposure 1 would start at −89.
     assert!(text.contains("lamp 2 lasts from -136.000 to -86.000 us"), "{text}");
     assert!(text.contains("camera trigger lasts from -92.000"), "{text}");
     let text = refusal(&TimingSettings::default(), 99_700.0, 10.0);
@@ -69,7 +69,7 @@ fn what_is_no_number_or_not_positive_is_refused() {
     assert!(TimingSettings::default().validate().is_ok());
 }
 
-/// The rules of docs/theory.md, section 7, once more, in whole half-nanoseconds.
+/// Independent implementation of the rules of docs/theory.md, section 7, in half-nanoseconds.
 struct WholeNumbers {
     lamp_1: i64,
     lamp_to_q: [i64; 2],
@@ -81,9 +81,9 @@ struct WholeNumbers {
     width: i64,
     dt: i64,
     period: i64,
-    /// Shortest period that the laser stands.
+    /// Shortest period allowed by the laser.
     laser_period: i64,
-    /// `None` for the unit's own clock, else the declared source's shortest period, if any.
+    /// `None` for the unit's own clock; else the shortest period of the declared source, if declared.
     external: Option<Option<i64>>,
 }
 
@@ -144,7 +144,7 @@ fn us(half_nanoseconds: i64) -> f64 {
     half_nanoseconds as f64 / 2000.0
 }
 
-/// Whole nanoseconds, as an even number of halves.
+/// Whole nanoseconds, as an even number of half-nanoseconds.
 fn ns(range: std::ops::Range<i64>) -> impl Strategy<Value = i64> {
     range.prop_map(|nanoseconds| 2 * nanoseconds)
 }

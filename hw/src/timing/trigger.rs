@@ -1,4 +1,4 @@
-//! What starts a period: the synchroniser's own clock or a signal from elsewhere.
+//! What starts a period: the synchroniser's own clock or an external signal.
 
 use garde::Validate;
 use serde::{Deserialize, Serialize};
@@ -18,15 +18,15 @@ pub enum TriggerSource {
 
 /// A signal at the synchroniser's trigger input.
 ///
-/// The unit follows it whatever period is set, so its rate must be known: it is declared here,
-/// and the driver counts triggers to confirm it before a Q-switch is enabled.
+/// The unit follows it whatever period is set, so its rate must be declared; the driver counts
+/// triggers to confirm it before a Q-switch is enabled.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct ExternalTrigger {
-    /// Highest rate that the source can have, in Hz.
+    /// Highest rate of the source, in Hz.
     #[garde(custom(finite), range(min = 0.001, max = 1000.0))]
     pub max_rate_hz: f64,
-    /// Which edge counts.
+    /// The triggering edge.
     #[serde(default)]
     #[garde(skip)]
     pub edge: TriggerEdge,

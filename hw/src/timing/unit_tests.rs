@@ -1,4 +1,4 @@
-//! What units can set, and external triggers.
+//! Limits of units, and external triggers.
 
 use proptest::prelude::*;
 
@@ -41,13 +41,13 @@ fn the_pulse_separation_is_refused_rather_than_rounded() {
 
 #[test]
 fn what_is_rounded_is_said() {
-    // 3 Hz is no whole number of 10 ns; the period becomes longer, never shorter.
+    // 3 Hz is not a whole number of 10 ns; the period is rounded up.
     let UnitSchedule { schedule, roundings } =
         usual(100.0, 3.0).for_unit(&UnitLimits::BNC_575).unwrap();
     assert_eq!(roundings.len(), 1, "{roundings:?}");
     assert_eq!(roundings[0].to_string(), "period: 333333.333333 us is set as 333333.340000 us");
     assert!(schedule.rate_hz() <= 3.0);
-    // The gap of an odd separation lies on half a microsecond; exposures follow their trigger.
+    // The gap of an odd separation is at half a microsecond; exposures shift with their trigger.
     let UnitSchedule { schedule, roundings } =
         usual(101.0, 10.0).for_unit(&UnitLimits::OLT_SYNC).unwrap();
     assert_eq!(roundings[0].quantity, "camera trigger");
@@ -56,7 +56,7 @@ fn what_is_rounded_is_said() {
 
 #[test]
 fn rounding_must_not_break_the_rules() {
-    // Q1 is 1.5 us before the gap: half a microsecond of rounding would cost the margin.
+    // Q1 is 1.5 µs before the gap: rounding by half a microsecond would violate the margin.
     let settings = TimingSettings { margin_us: 1.4, ..TimingSettings::default() };
     let planned = plan(&settings, 5.0, 10.0).unwrap();
     let error = planned.for_unit(&UnitLimits::OLT_SYNC).unwrap_err().to_string();
@@ -99,7 +99,7 @@ fn an_external_source_must_be_declared_and_slow_enough() {
     let text = plan(&external(5.0), 100.0, 10.0).unwrap_err().to_string();
     assert!(text.contains("at most external_trigger.max_rate_hz = 5 Hz"), "{text}");
     assert!(plan(&external(f64::NAN), 100.0, 10.0).is_err());
-    // A declaration that is not in use changes nothing.
+    // An unused declaration has no effect.
     let unused = TimingSettings { trigger: TriggerSource::Internal, ..external(12.0) };
     assert_eq!(plan(&unused, 100.0, 10.0).unwrap().external_trigger, None);
 }
@@ -107,7 +107,7 @@ fn an_external_source_must_be_declared_and_slow_enough() {
 #[test]
 fn cameras_must_be_ready_for_the_fastest_source() {
     let settings = TimingSettings { readout_us: 60_000.0, ..external(10.0) };
-    // At the expected 5 Hz all is well; the source may be twice as fast.
+    // The expected 5 Hz are fine, but the source may be twice as fast.
     let text = plan(&settings, 100.0, 5.0).unwrap_err().to_string();
     assert!(text.contains("cameras ready again at 120331.000 us"), "{text}");
     assert!(text.contains("100000.000 us"), "{text}");
@@ -126,8 +126,8 @@ fn the_table_reads_external_triggers() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
-    /// In whole steps of 250 ps, written from the rule's text alone: every value is a multiple,
-    /// none is further than half a step away, and the separation is as asked for.
+    /// Independent check in steps of 250 ps: every value is a multiple, none is off by more than
+    /// half a step, and the separation is exact.
     #[test]
     fn rounded_schedules_are_whole_steps_near_the_plan(
         dt_quarters in 16_000_u64..8_000_000,
@@ -144,7 +144,7 @@ proptest! {
         for ((_, before_us), (_, after_us)) in planned.signals().into_iter().zip(set.signals()) {
             let quarters = after_us * 4000.0;
             prop_assert!((quarters - quarters.round()).abs() < 1e-6);
-            // Q-switch 2 carries the rounding of Q-switch 1.
+            // Q-switch 2 includes the rounding of Q-switch 1.
             prop_assert!((after_us - before_us).abs() < 0.000_126);
         }
         prop_assert!((set.q_switch_us[1] - set.q_switch_us[0] - dt_us).abs() < 1e-7);

@@ -14,7 +14,7 @@ use crate::{flow::Uniform, shared_bench::SHOTS_KEPT, test_bench};
 const PATIENCE: Duration = Duration::from_secs(20);
 const MOMENT: Duration = Duration::from_millis(30);
 
-/// A bench that renders in a millisecond or two.
+/// A bench that renders in about a millisecond.
 fn quick(pacing: Pacing) -> SimulatedBench {
     connect(scene(), test_bench::small(), 5, pacing)
 }
@@ -72,7 +72,7 @@ fn two_camera_threads_receive_a_burst_at_the_programmed_rate() {
         })
         .collect();
     let frames: Vec<Vec<Frame>> = threads.into_iter().map(|t| t.join().unwrap()).collect();
-    // The last frame is read out 4 ms and a little after the fifth T0.
+    // The last frame is read out slightly more than 4 ms after the fifth T0.
     assert!(fired.elapsed() >= Duration::from_millis(4 * 20 + 4));
     for camera in &frames {
         for (id, frame) in camera.iter().enumerate() {
@@ -109,13 +109,13 @@ fn frames_show_the_shots_of_the_scene_at_the_programmed_separation() {
 fn frames_taken_set_the_pace() {
     let mut bench = ready(Pacing::AsFramesAreTaken);
     bench.synchroniser.fire(1000).unwrap();
-    // One camera alone gets as far as the lead over the other allows.
+    // A single camera advances as far as its allowed lead over the other.
     let ahead = drain(bench.cameras[0].as_mut(), 2 * LEAD_SHOTS);
     assert!(bench.cameras[0].next_frame(MOMENT).unwrap().is_none());
     assert_eq!(bench.synchroniser.trigger_count().unwrap(), Some(LEAD_SHOTS as u64));
     let apart = ahead[2].device_timestamp_ns - ahead[0].device_timestamp_ns;
     assert_eq!(apart, 20_000_000);
-    // Once the other has stopped it holds nobody back.
+    // Once the other has stopped, it does not limit the lead.
     bench.cameras[1].stop().unwrap();
     drain(bench.cameras[0].as_mut(), 2);
     bench.synchroniser.make_safe().unwrap();
@@ -151,7 +151,7 @@ fn making_safe_ends_a_burst_for_waiting_cameras_and_is_idempotent() {
     let given = bench.synchroniser.trigger_count().unwrap().unwrap();
     thread::sleep(2 * MOMENT);
     assert_eq!(bench.synchroniser.trigger_count().unwrap(), Some(given));
-    // What was triggered still arrives, and no more.
+    // Triggered frames still arrive, and no more.
     drain(bench.cameras[0].as_mut(), 2 * given as usize - 2);
     assert!(bench.cameras[0].next_frame(MOMENT).unwrap().is_none());
     assert!(is_refused(bench.synchroniser.fire(1)));

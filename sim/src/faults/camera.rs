@@ -1,4 +1,4 @@
-//! A camera whose frames suffer on the way.
+//! A camera with injected frame faults.
 
 mod damage;
 mod device_clock;
@@ -15,60 +15,60 @@ use self::device_clock::DeviceClock;
 use super::{CameraFaults, Clock, FaultRecord, FaultSettings, HostClock, draw};
 use crate::stream::{Purpose, random_stream};
 
-/// What happens to a frame.
+/// A fault of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum FrameFault {
-    /// The camera did not see the trigger; noted for each of its two frames.
+    /// The camera did not see the trigger; recorded for both of its frames.
     MissedTrigger,
-    /// It never came.
+    /// It was lost.
     Dropped,
-    /// It came after its time.
+    /// It was delayed.
     Late,
-    /// It came after later ones.
+    /// It was overtaken by later frames.
     Reordered,
-    /// It came twice.
+    /// It was delivered twice.
     Duplicated,
-    /// Its lower rows are zero, and it says so.
+    /// Its lower rows are zero, and its status says so.
     Truncated,
-    /// Its lower rows are not there, and it claims to be whole.
+    /// Its lower rows are missing, and its status says complete.
     Cropped,
-    /// Bits are flipped, and it claims to be whole.
+    /// Bits are flipped, and its status says complete.
     Corrupted,
-    /// From this frame on the camera's clock is off by so much more, in ns.
+    /// From this frame on the camera's clock is off by this much more, in ns.
     ClockJump(i64),
-    /// It was held back and the camera was stopped before its time came.
+    /// It was delayed, and the camera was stopped before its time.
     Undelivered,
-    /// It was the first that the lost connection did not carry.
+    /// It was the first one after the connection was lost.
     Disconnected,
 }
 
-/// Any camera, disturbed as [`CameraFaults`] says.
+/// Any camera, with the faults of [`CameraFaults`].
 pub struct FaultyCamera<C> {
     camera: C,
     faults: CameraFaults,
-    /// Names this camera's random streams.
+    /// Selects this camera's random streams.
     stream: [u64; 2],
     clock: Box<dyn Clock>,
     device_clock: DeviceClock,
     record: FaultRecord<FrameFault>,
-    /// Frames taken from the camera, over all starts.
+    /// Frames received from the camera, over all starts.
     taken: u64,
-    /// Frames that went on without being held; a duplicated one counts twice.
+    /// Frames passed on without delay; duplicates count twice.
     passed: u64,
-    /// Frames that the camera no longer counts, for triggers that it did not see.
+    /// Frames missing in the camera's numbering, for triggers that it did not see.
     uncounted: u64,
-    /// The frame b of a trigger that was not seen.
+    /// Frame b of a missed trigger.
     missed_frame_b: Option<u64>,
     held: Vec<HeldFrame>,
-    /// Frames whose time has come.
+    /// Frames that are due.
     ready: VecDeque<HeldFrame>,
     statistics: StreamStatistics,
     disconnected: bool,
 }
 
-/// A frame that waits for its time.
+/// A delayed frame.
 struct HeldFrame {
-    /// As the wrapped camera numbered it.
+    /// Its number at the wrapped camera.
     number: u64,
     frame: Frame,
     until: Until,
@@ -76,19 +76,19 @@ struct HeldFrame {
 
 #[derive(Debug, Clone, Copy)]
 enum Until {
-    /// This time of the clock.
+    /// Until this time.
     Time(Duration),
-    /// So many frames have gone on without being held.
+    /// Until this many frames were passed on without delay.
     Passed(u64),
 }
 
 impl<C: Camera> FaultyCamera<C> {
-    /// Wraps camera number `index` (from 0), which chooses its random streams.
+    /// Wraps camera number `index` (from 0), which selects its random streams.
     pub fn new(camera: C, index: usize, settings: &FaultSettings) -> Self {
         Self::timed_by(camera, index, settings, HostClock::default())
     }
 
-    /// As [`Self::new`], with delays measured by `clock`.
+    /// As [`Self::new`], with delays on `clock`.
     pub fn timed_by(
         camera: C,
         index: usize,
@@ -116,12 +116,12 @@ impl<C: Camera> FaultyCamera<C> {
         }
     }
 
-    /// What is done to this camera's frames, as it happens.
+    /// The injected faults so far.
     pub fn record(&self) -> FaultRecord<FrameFault> {
         self.record.clone()
     }
 
-    /// Frames that wait for their time.
+    /// Number of delayed frames.
     pub fn held(&self) -> usize {
         self.held.len() + self.ready.len()
     }
@@ -136,7 +136,7 @@ impl<C: Camera> FaultyCamera<C> {
         })
     }
 
-    /// A frame has come from the camera: it is lost, held until its time, or ready.
+    /// Receives a frame from the camera: drops, delays or passes it on.
     fn take(&mut self, mut frame: Frame) -> Result<(), DeviceError> {
         let number = frame.frame_id;
         self.record.take();
@@ -158,7 +158,7 @@ impl<C: Camera> FaultyCamera<C> {
             frame.frame_id = number.saturating_sub(self.uncounted);
             self.disturb(number, ordinal, frame);
         }
-        self.let_overtaken_go();
+        self.release_overtaken();
         Ok(())
     }
 
@@ -198,7 +198,7 @@ impl<C: Camera> FaultyCamera<C> {
     fn draw_fault(&self, number: u64, rng: &mut impl Rng) -> Option<FrameFault> {
         let mut shares = self.faults.shares.by_fault();
         for (fault, share) in &mut shares {
-            // A trigger is missed from its frame a on.
+            // A trigger is missed as a whole, starting with frame a.
             if *fault == FrameFault::MissedTrigger && number % 2 == 1 {
                 *share = 0.0;
             }
@@ -211,15 +211,15 @@ impl<C: Camera> FaultyCamera<C> {
         self.ready.push_back(HeldFrame { number, frame, until: Until::Passed(self.passed) });
     }
 
-    /// Reordered frames follow the frame that overtook them last.
-    fn let_overtaken_go(&mut self) {
+    /// Releases reordered frames after the frame that overtakes them.
+    fn release_overtaken(&mut self) {
         let passed = self.passed;
         let overtaken =
             |held: &mut HeldFrame| matches!(held.until, Until::Passed(at) if at <= passed);
         self.ready.extend(self.held.extract_if(.., overtaken));
     }
 
-    /// The next frame whose time has come.
+    /// The next frame that is due.
     fn release(&mut self) -> Option<Frame> {
         let now = self.clock.now();
         let due = |held: &mut HeldFrame| matches!(held.until, Until::Time(at) if at <= now);
@@ -233,7 +233,7 @@ impl<C: Camera> FaultyCamera<C> {
         Some(frame)
     }
 
-    /// When the next late frame's time comes.
+    /// When the next delayed frame is due.
     fn next_due(&self) -> Option<Duration> {
         let times = self.held.iter().filter_map(|held| match held.until {
             Until::Time(time) => Some(time),
@@ -242,7 +242,7 @@ impl<C: Camera> FaultyCamera<C> {
         times.min()
     }
 
-    fn give_up_held(&mut self) {
+    fn drop_held(&mut self) {
         for held in self.ready.drain(..).chain(self.held.drain(..)) {
             self.record.note(held.number, FrameFault::Undelivered);
         }
@@ -256,7 +256,7 @@ impl<C: Camera> Camera for FaultyCamera<C> {
 
     fn start(&mut self) -> Result<(), DeviceError> {
         self.check_connection()?;
-        self.give_up_held();
+        self.drop_held();
         self.statistics = StreamStatistics::default();
         // The camera counts frames from zero again.
         (self.uncounted, self.missed_frame_b) = (0, None);
@@ -274,7 +274,7 @@ impl<C: Camera> Camera for FaultyCamera<C> {
             let wait = until.saturating_sub(self.clock.now());
             match self.camera.next_frame(wait)? {
                 Some(frame) => self.take(frame)?,
-                // A camera that answers before its time may have nothing more to give.
+                // A camera that returns before the timeout may have no more frames.
                 None => self.clock.sleep(until.saturating_sub(self.clock.now())),
             }
             if self.clock.now() >= deadline {
@@ -284,11 +284,11 @@ impl<C: Camera> Camera for FaultyCamera<C> {
     }
 
     fn stop(&mut self) -> Result<(), DeviceError> {
-        self.give_up_held();
+        self.drop_held();
         self.camera.stop()
     }
 
-    /// What was delivered whole or damaged from here on; the rest is the wrapped camera's.
+    /// Counts frames as delivered here; other counters are the wrapped camera's.
     fn statistics(&self) -> StreamStatistics {
         let StreamStatistics { completed, failed, .. } = self.statistics;
         StreamStatistics { completed, failed, ..self.camera.statistics() }

@@ -1,4 +1,4 @@
-//! The one clock by which faults are timed.
+//! The clock of injected faults.
 
 use std::{
     sync::{Arc, Mutex, PoisonError},
@@ -6,11 +6,11 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// Time since some fixed moment. Injectors read no other clock.
+/// A monotonic clock. Injectors use no other.
 pub trait Clock: Send {
-    /// Time since that moment.
+    /// Time since its origin.
     fn now(&self) -> Duration;
-    /// Lets time pass.
+    /// Waits.
     fn sleep(&self, time: Duration);
 }
 
@@ -34,7 +34,7 @@ impl Clock for HostClock {
     }
 }
 
-/// A clock that stands still until it is told. Clones show the same time.
+/// A clock that is advanced explicitly. Clones show the same time.
 #[derive(Debug, Clone, Default)]
 pub struct ManualClock(Arc<Mutex<Duration>>);
 
@@ -43,7 +43,7 @@ impl Clock for ManualClock {
         *self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns at once; the clock shows the later time.
+    /// Returns at once and advances the clock.
     fn sleep(&self, time: Duration) {
         *self.0.lock().unwrap_or_else(PoisonError::into_inner) += time;
     }

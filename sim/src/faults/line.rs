@@ -1,4 +1,4 @@
-//! A serial line that loses, delays and garbles.
+//! A serial line with injected faults.
 
 use std::{
     collections::VecDeque,
@@ -13,30 +13,30 @@ use rand_pcg::Pcg64Mcg;
 use super::{Clock, FaultRecord, FaultSettings, HostClock, LineFaults, draw};
 use crate::stream::{Purpose, random_stream};
 
-/// What happens to a command or its reply.
+/// A fault of a command or its reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LineFault {
     /// The command did not reach the unit.
     Lost,
-    /// The unit heard it, and its reply was lost.
+    /// The unit received it, and its reply was lost.
     Silent,
-    /// The reply came late.
+    /// The reply was delayed.
     Slow,
-    /// Random bytes came before the reply.
+    /// Random bytes preceded the reply.
     Stray,
-    /// One byte of the reply was another one.
+    /// One byte of the reply was changed.
     Garbled,
-    /// It was answered `?8` and did not reach the unit.
+    /// It was answered with `?8` and did not reach the unit.
     Unavailable,
     /// The line was cut before it.
     Cut,
 }
 
 /// Most stray bytes before a reply.
-const MOST_STRAY_BYTES: usize = 8;
+const MAX_STRAY_BYTES: usize = 8;
 
-/// Any serial line, disturbed as [`LineFaults`] says. What is sent at once counts as one command;
-/// what comes until the next one is its reply.
+/// Any serial line, with the faults of [`LineFaults`]. One call of `send` is one command; all bytes
+/// received until the next one are its reply.
 pub struct FaultyLine<L> {
     line: L,
     faults: LineFaults,
@@ -44,19 +44,19 @@ pub struct FaultyLine<L> {
     clock: Box<dyn Clock>,
     record: FaultRecord<LineFault>,
     commands: u64,
-    /// What happens to the reply that is waited for, and the random stream that it draws from.
+    /// Fault of the pending reply, with its random stream.
     reply: Option<(LineFault, Pcg64Mcg)>,
-    /// Bytes for the host, each piece with the time from which it may be heard.
+    /// Bytes for the host, with the time at which each piece becomes available.
     incoming: VecDeque<(Duration, Vec<u8>)>,
 }
 
 impl<L> FaultyLine<L> {
-    /// The line that is disturbed.
+    /// The wrapped line.
     pub(crate) fn inner(&self) -> &L {
         &self.line
     }
 
-    /// The line that is disturbed.
+    /// The wrapped line.
     pub(crate) fn inner_mut(&mut self) -> &mut L {
         &mut self.line
     }
@@ -68,7 +68,7 @@ impl<L: Line> FaultyLine<L> {
         Self::timed_by(line, settings, HostClock::default())
     }
 
-    /// As [`Self::new`], with delays measured by `clock`.
+    /// As [`Self::new`], with delays on `clock`.
     pub fn timed_by(line: L, settings: &FaultSettings, clock: impl Clock + 'static) -> Self {
         Self {
             line,
@@ -82,7 +82,7 @@ impl<L: Line> FaultyLine<L> {
         }
     }
 
-    /// What is done to this line, as it happens.
+    /// The injected faults so far.
     pub fn record(&self) -> FaultRecord<LineFault> {
         self.record.clone()
     }
@@ -94,17 +94,17 @@ impl<L: Line> FaultyLine<L> {
         }
     }
 
-    /// Bytes have come from the unit.
+    /// Receives bytes from the unit.
     fn take(&mut self, mut bytes: Vec<u8>) {
         let mut due = self.clock.now();
         match &mut self.reply {
             Some((LineFault::Lost | LineFault::Silent | LineFault::Unavailable, _)) => return,
             Some((LineFault::Slow, _)) => due += Duration::from_millis(self.faults.slow_ms),
             Some((LineFault::Stray, rng)) => {
-                let count = rng.random_range(1..=MOST_STRAY_BYTES);
+                let count = rng.random_range(1..=MAX_STRAY_BYTES);
                 let stray: Vec<u8> = (0..count).map(|_| rng.random()).collect();
                 bytes.splice(0..0, stray);
-                // Once for each reply, however many pieces it comes in.
+                // Once per reply, however many pieces it has.
                 self.reply = None;
             }
             Some((LineFault::Garbled, rng)) => {
@@ -115,12 +115,12 @@ impl<L: Line> FaultyLine<L> {
             }
             Some((LineFault::Cut, _)) | None => {}
         }
-        // Bytes never overtake each other.
+        // Bytes are never reordered.
         let last_due = self.incoming.back().map_or(due, |(last, _)| due.max(*last));
         self.incoming.push_back((last_due, bytes));
     }
 
-    /// The next bytes that may be heard.
+    /// The next available bytes.
     fn release(&mut self) -> Option<Vec<u8>> {
         let now = self.clock.now();
         let due = self.incoming.front().is_some_and(|(due, _)| *due <= now);

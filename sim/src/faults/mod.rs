@@ -1,13 +1,11 @@
-//! Faults on purpose: middleware that wraps any camera or serial line and disturbs what goes
-//! through it.
+//! Fault injection: middleware that wraps any camera or serial line.
 //!
-//! [`FaultyCamera`] wraps a [`Camera`](lfpiv_hw::device::Camera): frames that are dropped, late,
-//! out of order, repeated, cut off or corrupted, triggers that are not seen, a clock that drifts
-//! and jumps, a connection that is lost. [`FaultyLine`] wraps a
-//! [`Line`](lfpiv_hw::synchroniser::line::Line): commands that are lost, replies that are lost,
-//! slow or garbled, stray bytes, `?8` at the wrong time, a cable that is cut. There is no third one
-//! for the synchroniser: whatever may go wrong with it goes wrong on its line, where the real
-//! driver has to bear it. [`crate::wire`] has both at the far ends of real wires.
+//! [`FaultyCamera`] wraps a [`Camera`](lfpiv_hw::device::Camera): dropped, late, reordered,
+//! duplicated, truncated or corrupted frames, missed triggers, clock drift and jumps, a lost
+//! connection. [`FaultyLine`] wraps a [`Line`](lfpiv_hw::synchroniser::line::Line): lost commands,
+//! lost, slow or garbled replies, stray bytes, spurious `?8`, a cut cable. The synchroniser needs
+//! no wrapper of its own: its faults occur on its line, where the real driver must handle them.
+//! [`crate::wire`] applies both at the far ends of real wires.
 //!
 //! ```
 //! use std::time::Duration;
@@ -33,15 +31,14 @@
 //! }
 //! ```
 //!
-//! What holds of every injector:
+//! Properties of both injectors:
 //!
-//! * without faults it is transparent;
-//! * what happens to a frame or command depends on the seed and on its number alone, never on
-//!   time: each has a random stream of its own;
-//! * every fault is in the [`FaultRecord`], so that a test can compare what was done with what the
-//!   program says; what went in is what came out and what the record has:
-//!   `given = taken - dropped - missed - undelivered - held + duplicated`;
-//! * time comes from one [`Clock`], which a test may set by hand.
+//! * Without faults they are transparent.
+//! * The fault of a frame or command depends on the seed and its number alone, never on time: each
+//!   has its own random stream.
+//! * Every fault is in the [`FaultRecord`], so that a test can compare it with the program's
+//!   reports, and `given = taken - dropped - missed - undelivered - held + duplicated`.
+//! * Time comes from one [`Clock`], which a test may control.
 
 mod camera;
 mod clock;
@@ -61,7 +58,7 @@ pub use settings::{
 
 use rand::{Rng, RngExt};
 
-/// Draws at most one of several faults that exclude each other.
+/// Draws at most one of several mutually exclusive faults.
 fn draw<F: Copy>(shares: &[(F, f64)], rng: &mut impl Rng) -> Option<F> {
     let mut at: f64 = rng.random();
     for (fault, share) in shares {

@@ -1,19 +1,19 @@
-//! What was injected, for comparison with what the program reports.
+//! The injected faults, for comparison with the program's reports.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// One fault, and what it happened to.
+/// An injected fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Injected<F> {
-    /// A frame's id as the wrapped camera gave it, or a command's number since the line was
-    /// wrapped, from 0.
+    /// The frame id of the wrapped camera, or the number of the command since the line was wrapped,
+    /// from 0.
     pub number: u64,
-    /// What happened.
+    /// The kind of fault.
     pub fault: F,
 }
 
-/// Everything an injector did. Clones share it, so that a test can keep one while the daemon owns
-/// the device.
+/// All actions of an injector. Clones share it, so that a test can keep one while the daemon owns the
+/// device.
 #[derive(Debug, Clone)]
 pub struct FaultRecord<F>(Arc<Mutex<Entries<F>>>);
 
@@ -31,12 +31,12 @@ impl<F> Default for FaultRecord<F> {
 }
 
 impl<F: Copy> FaultRecord<F> {
-    /// Frames that the wrapped camera delivered, or commands that the host sent.
+    /// Frames received from the wrapped camera, or commands sent by the host.
     pub fn taken(&self) -> u64 {
         self.entries().taken
     }
 
-    /// Frames that were delivered, or commands that reached the wrapped line.
+    /// Frames delivered, or commands that reached the wrapped line.
     pub fn given(&self) -> u64 {
         self.entries().given
     }
@@ -46,7 +46,7 @@ impl<F: Copy> FaultRecord<F> {
         self.entries().faults.clone()
     }
 
-    /// How many faults `choose` picks.
+    /// Number of faults that `choose` selects.
     pub fn count(&self, choose: impl Fn(&F) -> bool) -> u64 {
         self.entries().faults.iter().filter(|injected| choose(&injected.fault)).count() as u64
     }
@@ -63,7 +63,7 @@ impl<F: Copy> FaultRecord<F> {
         self.entries().faults.push(Injected { number, fault });
     }
 
-    /// Every change is one statement: a poisoned lock is whole.
+    /// Every change is one statement, so a poisoned lock is consistent.
     fn entries(&self) -> MutexGuard<'_, Entries<F>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

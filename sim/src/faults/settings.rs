@@ -1,4 +1,4 @@
-//! Which faults, how often: a table of its own, or a file of that form.
+//! Settings of injected faults, as a table or a file.
 //!
 //! ```toml
 //! seed = 1
@@ -24,15 +24,15 @@ use serde::{Deserialize, Serialize};
 
 use super::{FrameFault, LineFault};
 
-/// Faults of all devices. Absent means never.
+/// Faults of all devices; none when absent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct FaultSettings {
-    /// Chooses the faults: the same seed disturbs the same frames and commands in the same way,
-    /// whatever the time they take.
+    /// Seed: the same seed disturbs the same frames and commands in the same way, whatever their
+    /// timing.
     #[garde(skip)]
     pub seed: u64,
-    /// Faults of every camera; each draws from a random stream of its own.
+    /// Faults of every camera; each has its own random stream.
     #[garde(dive)]
     pub camera: CameraFaults,
     /// Faults of the synchroniser's serial line.
@@ -44,28 +44,28 @@ pub struct FaultSettings {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct CameraFaults {
-    /// What happens to frames.
+    /// Probabilities of frame faults.
     #[garde(custom(frames_at_most_one), dive)]
     pub shares: FrameShares,
-    /// How long late frames are held back, in ms.
+    /// Delay of late frames, in ms.
     #[garde(range(max = 600_000))]
     pub late_ms: u64,
-    /// How many later frames overtake a reordered one.
+    /// Number of later frames that overtake a reordered one.
     #[garde(range(min = 1, max = 100))]
     pub reordered_by: u64,
-    /// How many bits are flipped in a corrupted frame.
+    /// Number of flipped bits in a corrupted frame.
     #[garde(range(min = 1, max = 1_000_000))]
     pub corrupted_bits: u64,
-    /// How much faster than it should the camera's clock runs, in parts per million.
+    /// Rate error of the camera's clock, in parts per million; positive is fast.
     #[garde(custom(finite), range(min = -10_000.0, max = 10_000.0))]
     pub clock_drift_ppm: f64,
     /// Jumps of the camera's clock.
     #[garde(dive)]
     pub clock_jumps: Vec<ClockJump>,
-    /// Only these cameras are disturbed; all of them when absent.
+    /// Only these cameras are affected; all of them when absent.
     #[garde(skip)]
     pub only: Option<Vec<CameraName>>,
-    /// After so many frames the connection is lost for good.
+    /// The connection is lost for good after this many frames.
     #[garde(skip)]
     pub disconnect_after: Option<u64>,
 }
@@ -92,46 +92,46 @@ pub struct ClockJump {
     /// Frame before which it jumps, counted from 0 over all frames of the camera.
     #[garde(skip)]
     pub frame: u64,
-    /// How far, in ns; below zero it is set back.
+    /// Size, in ns; negative sets the clock back.
     #[garde(skip)]
     pub jump_ns: i64,
 }
 
-/// The `[camera.shares]` table: probability of each fault per frame. A frame suffers one at most,
-/// so that they are 1 together at most.
+/// The `[camera.shares]` table: probability of each fault per frame. A frame has at most one fault,
+/// so the sum is at most 1.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct FrameShares {
-    /// The frame never comes; its number is missing.
+    /// The frame is lost; its number is missing.
     #[garde(custom(share))]
     pub dropped: f64,
-    /// The frame comes `late_ms` after its time.
+    /// The frame is delayed by `late_ms`.
     #[garde(custom(share))]
     pub late: f64,
-    /// The frame comes after later ones.
+    /// The frame is overtaken by later ones.
     #[garde(custom(share))]
     pub reordered: f64,
-    /// The frame comes twice with the same number.
+    /// The frame is delivered twice with the same number.
     #[garde(custom(share))]
     pub duplicated: f64,
-    /// The lower rows are missing: zero, and the frame says so.
+    /// The lower rows are missing (zero), and the status says so.
     #[garde(custom(share))]
     pub truncated: f64,
-    /// The lower rows are missing: the image is too small, and the frame claims to be whole.
+    /// The lower rows are missing: the image is too small, and the status says complete.
     #[garde(custom(share))]
     pub cropped: f64,
-    /// Bits are flipped, and the frame claims to be whole. A program cannot see this: it has to
-    /// bear it.
+    /// Bits are flipped, and the status says complete. A program cannot detect this, but must
+    /// survive it.
     #[garde(custom(share))]
     pub corrupted: f64,
-    /// Share of the triggers that the camera does not see: neither frame comes, and the camera
-    /// does not count them, so that later frames have numbers two below what they should be.
+    /// Share of missed triggers: neither frame is delivered or counted by the camera, so later
+    /// frame numbers are two lower.
     #[garde(custom(share))]
     pub missed_trigger: f64,
 }
 
 impl FrameShares {
-    /// Every fault with its share, in the order in which one is drawn.
+    /// Every fault with its probability, in the order of the draw.
     pub(super) fn by_fault(&self) -> [(FrameFault, f64); 8] {
         [
             (FrameFault::MissedTrigger, self.missed_trigger),
@@ -150,13 +150,13 @@ impl FrameShares {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct LineFaults {
-    /// What happens to commands and their replies.
+    /// Probabilities of command faults.
     #[garde(custom(commands_at_most_one), dive)]
     pub shares: CommandShares,
-    /// How long slow replies are held back, in ms.
+    /// Delay of slow replies, in ms.
     #[garde(range(max = 600_000))]
     pub slow_ms: u64,
-    /// After so many commands the line is cut for good.
+    /// The line is cut for good after this many commands.
     #[garde(skip)]
     pub cut_after: Option<u64>,
 }
@@ -167,33 +167,33 @@ impl Default for LineFaults {
     }
 }
 
-/// The `[line.shares]` table: probability of each fault per command. A command suffers one at
-/// most, so that they are 1 together at most.
+/// The `[line.shares]` table: probability of each fault per command. A command has at most one
+/// fault, so the sum is at most 1.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct CommandShares {
     /// The command does not reach the unit.
     #[garde(custom(share))]
     pub lost: f64,
-    /// The unit hears the command and its reply is lost.
+    /// The unit receives the command, and its reply is lost.
     #[garde(custom(share))]
     pub silent: f64,
-    /// The reply comes `slow_ms` late.
+    /// The reply is delayed by `slow_ms`.
     #[garde(custom(share))]
     pub slow: f64,
-    /// Random bytes come before the reply.
+    /// Random bytes precede the reply.
     #[garde(custom(share))]
     pub stray: f64,
-    /// One byte of the reply is another one.
+    /// One byte of the reply is changed.
     #[garde(custom(share))]
     pub garbled: f64,
-    /// The unit does not obey and answers `?8`: unavailable in its present state.
+    /// The unit ignores the command and answers `?8`: unavailable in its present state.
     #[garde(custom(share))]
     pub unavailable: f64,
 }
 
 impl CommandShares {
-    /// Every fault with its share, in the order in which one is drawn.
+    /// Every fault with its probability, in the order of the draw.
     pub(super) fn by_fault(&self) -> [(LineFault, f64); 6] {
         [
             (LineFault::Lost, self.lost),
@@ -223,7 +223,7 @@ fn commands_at_most_one(shares: &CommandShares, _: &()) -> garde::Result {
 
 fn at_most_one<F>(shares: &[(F, f64)]) -> garde::Result {
     let sum: f64 = shares.iter().map(|(_, share)| share).sum();
-    // Ten shares of 0.1 are a little more than 1.
+    // Ten shares of 0.1 sum to slightly more than 1.
     match sum <= 1.0 + 1e-9 {
         true => Ok(()),
         false => Err(garde::Error::new(format!("together {sum}; allowed: together at most 1"))),

@@ -1,12 +1,12 @@
-//! A whole bench at the ends of real wires: a synchroniser on a pseudo-terminal that triggers GigE
-//! Vision cameras on the network.
+//! A whole bench on real wires: a synchroniser on a pseudo-terminal that triggers GigE Vision
+//! cameras on the network.
 //!
 //! ```text
-//! serial commands -> pulse generator -> pulses -> optics -> pictures -> cameras -> GVSP
+//! serial commands -> pulse generator -> pulses -> optics -> images -> cameras -> GVSP
 //! ```
 //!
-//! The driver at the other end sees what a real bench would show it: whatever is programmed decides
-//! when cameras are triggered and at what time of the flow each exposure is lit.
+//! The drivers at the other ends see what a real bench would show: the programmed schedule decides when
+//! cameras are triggered and at what time of the flow each exposure is lit.
 
 use std::{
     fs, io,
@@ -24,7 +24,7 @@ use super::{
     camera::{Exposed, FakeCameraError, FakeGigeCamera, FrameCounts},
     exposure::{CameraExposures, OpticalBench, Wiring},
     faulty_unit::FaultyUnit,
-    frame_faults::{self, FrameFaults, NoSuchFaults, Outgoing},
+    frame_faults::{self, FrameFaults, Outgoing, UnsupportedFaults},
     pictures::Delivery,
     pty::Served,
     pulse_generator::PulseGenerator,
@@ -34,21 +34,21 @@ use crate::{
     faults::{FaultRecord, FaultSettings, FrameFault, Injected, LineFault},
 };
 
-/// Why there is no bench.
+/// Why the bench cannot be started.
 #[derive(Debug, Error)]
 pub enum WireError {
-    /// A camera cannot be had.
+    /// A camera cannot be started.
     #[error(transparent)]
     Camera(#[from] FakeCameraError),
-    /// Faults that are asked for and cannot be made here.
+    /// Requested faults that the wires cannot produce.
     #[error(transparent)]
-    Faults(#[from] NoSuchFaults),
-    /// The system refuses a pseudo-terminal, a thread or the link.
+    Faults(#[from] UnsupportedFaults),
+    /// The system provides no pseudo-terminal, thread or link.
     #[error("simulated bench: {what}")]
     System { what: String, source: io::Error },
 }
 
-/// One frame that was handed to the network.
+/// A frame handed to the network.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SentFrame {
     /// From 0.
@@ -63,16 +63,16 @@ pub struct SentFrame {
     pub crc32: u32,
 }
 
-/// What is out of the ordinary with a bench.
+/// Deviations from a normal bench.
 #[derive(Debug, Clone, Default)]
 pub struct WireOptions {
     /// Faults of cameras and serial line.
     pub faults: FaultSettings,
-    /// Cameras offer only pixel formats that carry every bit of the pictures' counts.
+    /// Cameras offer only pixel formats that carry every bit of the images' counts.
     pub exact: bool,
 }
 
-/// What has come out of a bench so far.
+/// Output of a bench so far.
 #[derive(Debug, Clone, Default)]
 pub struct WireReport {
     /// T0 pulses.
@@ -81,13 +81,13 @@ pub struct WireReport {
     pub q_switches: [u64; 2],
     /// Per camera.
     pub frames: Vec<FrameCounts>,
-    /// Faults of each camera's frames, which are numbered from 0 as the camera counts exposures.
+    /// Faults of each camera's frames, numbered from 0 in the order of the camera's exposures.
     pub frame_faults: Vec<Vec<Injected<FrameFault>>>,
     /// Faults of the serial line.
     pub line_faults: Vec<Injected<LineFault>>,
 }
 
-/// Instruments that are switched on; dropping them cuts every wire.
+/// Running instruments; dropping them cuts every wire.
 pub struct WireBench {
     cameras: Vec<Arc<FakeGigeCamera>>,
     unit: Served<FaultyUnit<PulseGenerator>>,
@@ -101,15 +101,15 @@ pub struct WireBench {
 struct Triggered {
     shot: u64,
     exposures: CameraExposures,
-    /// Without an image the frame is lost on its way.
+    /// A missing image is a frame lost in transit.
     images: [Option<RawImage>; 2],
 }
 
 impl WireBench {
-    /// Switches everything on. Pictures have the size `sensor` and `count_bits` significant bits.
+    /// Starts everything. Images have the size `sensor` and `count_bits` significant bits.
     ///
     /// # Errors
-    /// An address that is not this machine's or is in use; no pseudo-terminal, thread or link.
+    /// An address is not local or is in use; no pseudo-terminal, thread or link.
     pub fn start(
         settings: &WireSettings,
         sensor: ImageSize,
@@ -119,10 +119,10 @@ impl WireBench {
         Self::start_with(settings, sensor, count_bits, pictures, &WireOptions::default())
     }
 
-    /// As [`Self::start`], with faults, or with cameras that cut no bits off.
+    /// As [`Self::start`], with faults, or with cameras that never truncate counts.
     ///
     /// # Errors
-    /// As [`Self::start`]; faults that the wires cannot make.
+    /// As [`Self::start`]; faults that the wires cannot produce.
     pub fn start_with(
         settings: &WireSettings,
         sensor: ImageSize,
@@ -155,38 +155,39 @@ impl WireBench {
         let run = move || take_pictures(optics, pictures.as_ref(), &arriving, &triggers);
         threads.push(spawn("optics".into(), run)?);
         let observer = Box::new(move |period| {
-            // The optics live as long as this sender.
+            // The optics thread lives as long as this sender.
             let _ = periods.send(period);
         });
         let unit = FaultyUnit::new(PulseGenerator::new(settings.unit()), &options.faults);
-        let unit = Served::start(unit, observer)
-            .map_err(|source| system("no pseudo-terminal for the synchroniser", source))?;
+        let unit = Served::start(unit, observer).map_err(|source| {
+            system("cannot open a pseudo-terminal for the synchroniser", source)
+        })?;
         let link = settings.port.clone();
         make_link(unit.path(), &link)?;
         Ok(Self { cameras, unit, frame_faults, sent, link, threads })
     }
 
-    /// A camera, to be disturbed.
+    /// A camera, to inject faults.
     pub fn camera(&self, index: usize) -> &FakeGigeCamera {
         &self.cameras[index]
     }
 
-    /// The synchroniser, to be disturbed. Not twice in one statement: it is a lock.
+    /// The synchroniser, to inject faults. This holds a lock: do not call it twice in one statement.
     pub fn unit(&self) -> MutexGuard<'_, FaultyUnit<PulseGenerator>> {
         self.unit.unit()
     }
 
-    /// Cuts the serial line; the unit goes on with what it does.
+    /// Cuts the serial line; the unit continues.
     pub fn cut_line(&self) {
         self.unit.cut_line();
     }
 
-    /// The frames that were handed to the network since the last call.
+    /// The frames handed to the network since the last call.
     pub fn take_sent(&self) -> Vec<SentFrame> {
         std::mem::take(&mut *self.sent.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// What has come out so far.
+    /// Output so far.
     pub fn report(&self) -> WireReport {
         let unit = self.unit.unit();
         let heads = ChannelMap::default().q_switches();
@@ -202,22 +203,22 @@ impl WireBench {
 
 impl Drop for WireBench {
     fn drop(&mut self) {
-        // Gone already if somebody tidied up.
+        // It may have been removed already.
         let _ = fs::remove_file(&self.link);
-        // Unplugged cameras hold nobody; with the unit's observer go the optics, then the cameras'
-        // threads.
+        // Unplugging releases waiting threads. Dropping the unit's observer ends the optics thread
+        // and then the cameras' threads.
         self.unit.cut();
         for camera in &self.cameras {
             camera.unplug();
         }
         for thread in self.threads.drain(..) {
-            // A panic has been printed by its thread.
+            // The thread has printed its panic.
             let _ = thread.join();
         }
     }
 }
 
-/// The camera, plugged in again at a line as the settings have it.
+/// Plugs the camera in, with the configured line.
 fn connected(
     camera: FakeGigeCamera,
     settings: &WireSettings,
@@ -229,7 +230,7 @@ fn connected(
     Ok(Arc::new(camera))
 }
 
-/// Every output as the drivers have it by default; one trigger output for all cameras.
+/// The drivers' default assignment of outputs; one trigger output for all cameras.
 fn wiring(cameras: usize) -> Wiring {
     let channels = ChannelMap::default();
     let trigger = channels.cameras.first().map_or(0, |channel| channel.number());
@@ -240,7 +241,7 @@ fn wiring(cameras: usize) -> Wiring {
     }
 }
 
-/// Pulses to pictures, one period after the other.
+/// Converts pulses to images, one period after another.
 fn take_pictures(
     mut optics: OpticalBench,
     pictures: &dyn Pictures,
@@ -264,7 +265,7 @@ fn take_pictures(
             let camera = exposures.camera;
             let delivery = deliveries.get_mut(camera).and_then(Option::take);
             if let Some(Delivery::Frames(images)) = delivery {
-                // A camera's thread ends after this one.
+                // A camera's thread outlives this one.
                 let _ = cameras[camera].send(Triggered { shot, exposures, images });
             }
         }
@@ -272,7 +273,7 @@ fn take_pictures(
     }
 }
 
-/// Hands a camera's pictures to the network.
+/// Hands a camera's images to the network.
 fn expose_all(
     index: usize,
     camera: &FakeGigeCamera,
@@ -328,7 +329,7 @@ fn make_link(path: &str, link: &PathBuf) -> Result<(), WireError> {
     if let Some(folder) = link.parent() {
         fs::create_dir_all(folder).map_err(failed)?;
     }
-    // A link that a killed bench left behind; anything else stays.
+    // Removes only a link left by a killed bench.
     if fs::symlink_metadata(link).is_ok_and(|data| data.file_type().is_symlink()) {
         fs::remove_file(link).map_err(failed)?;
     }

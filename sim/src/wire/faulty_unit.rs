@@ -1,5 +1,5 @@
-//! A unit whose line loses, delays and garbles, seen from the unit's end: what [`FaultyLine`] does
-//! to a driver's line, done to the bytes of a pseudo-terminal.
+//! A unit behind a faulty line: the faults of [`FaultyLine`], applied at the unit's end of a
+//! pseudo-terminal.
 
 use std::{
     io,
@@ -19,18 +19,18 @@ use super::{
 };
 use crate::faults::{Clock, FaultRecord, FaultSettings, FaultyLine, LineFault};
 
-/// A unit behind a line that is disturbed as the `[line]` table of [`FaultSettings`] says. One
-/// command is one line of text.
+/// A unit behind a line with the faults of the `[line]` table of [`FaultSettings`]. One command is one
+/// line of text.
 pub struct FaultyUnit<U> {
     line: FaultyLine<UnitLine<U>>,
     clock: UnitClock,
-    /// Bytes that are no whole command yet.
+    /// Bytes of an incomplete command.
     partial: Vec<u8>,
     is_cut: bool,
 }
 
 impl<U: SerialUnit> FaultyUnit<U> {
-    /// Puts `unit` behind such a line.
+    /// Puts `unit` behind a faulty line.
     pub fn new(unit: U, settings: &FaultSettings) -> Self {
         let clock = UnitClock::default();
         let line = UnitLine { unit, clock: clock.clone(), periods: Vec::new(), wake_ns: None };
@@ -38,7 +38,7 @@ impl<U: SerialUnit> FaultyUnit<U> {
         Self { line, clock, partial: Vec::new(), is_cut: false }
     }
 
-    /// What is done to the line, as it happens.
+    /// The injected faults so far.
     pub fn record(&self) -> FaultRecord<LineFault> {
         self.line.record()
     }
@@ -69,7 +69,7 @@ impl<U: SerialUnit> SerialUnit for FaultyUnit<U> {
             self.partial.push(*byte);
             if *byte == b'\n' {
                 let command = std::mem::take(&mut self.partial);
-                // The only failure of this line is the cut that was asked for.
+                // The only possible failure is the injected cut.
                 self.is_cut |= self.line.send(&command).is_err();
             }
         }
@@ -86,9 +86,9 @@ impl<U: SerialUnit> SerialUnit for FaultyUnit<U> {
             match self.line.receive(Duration::ZERO) {
                 Ok(heard) if heard.is_empty() => break,
                 Ok(heard) => bytes.extend(heard),
-                // The unit goes on; nobody hears it.
+                // The unit continues, unheard.
                 Err(_) => {
-                    self.line.inner_mut().go_on();
+                    self.line.inner_mut().take_output();
                     break;
                 }
             }
@@ -98,18 +98,18 @@ impl<U: SerialUnit> SerialUnit for FaultyUnit<U> {
     }
 }
 
-/// The unit, as the line's far end.
+/// The unit, as the far end of the line.
 struct UnitLine<U> {
     unit: U,
     clock: UnitClock,
-    /// Periods that nobody has taken yet.
+    /// Periods not collected yet.
     periods: Vec<PeriodOutputs>,
     wake_ns: Option<u64>,
 }
 
 impl<U: SerialUnit> UnitLine<U> {
-    /// What the unit says by now.
-    fn go_on(&mut self) -> Vec<u8> {
+    /// Output of the unit up to now.
+    fn take_output(&mut self) -> Vec<u8> {
         let Step { bytes, periods, wake_ns } = self.unit.advance(self.clock.now_ns());
         self.periods.extend(periods);
         self.wake_ns = wake_ns;
@@ -128,7 +128,7 @@ impl<U: SerialUnit> Line for UnitLine<U> {
     }
 
     fn receive(&mut self, _: Duration) -> io::Result<Vec<u8>> {
-        Ok(self.go_on())
+        Ok(self.take_output())
     }
 
     fn set_baud_rate(&mut self, _: u32) -> io::Result<()> {
@@ -136,7 +136,7 @@ impl<U: SerialUnit> Line for UnitLine<U> {
     }
 }
 
-/// The time that is passed in; nobody waits for it.
+/// A clock that shows the time passed in; sleeping returns at once.
 #[derive(Debug, Clone, Default)]
 struct UnitClock(Arc<AtomicU64>);
 
@@ -182,7 +182,7 @@ mod tests {
     fn without_faults_it_is_the_unit() {
         let mut plain = PulseGenerator::new(Default::default());
         let mut faulty = unit(CommandShares::default());
-        // A burst of three at 10 kHz, so that periods and the time to wake are compared, too.
+        // A burst of three at 10 kHz, so that periods and wake-up times are compared, too.
         let commands = [
             "*IDN?\r\n",
             ":PULSE0:PER 0.0001\r\n:PULSE5:STA",

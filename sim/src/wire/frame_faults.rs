@@ -1,5 +1,5 @@
-//! What happens to a camera's frames before they reach the network: [`FaultyCamera`], fed with what
-//! the sensor sees, so that a seed disturbs the same frames over the wires as in the process.
+//! Applies [`FaultyCamera`] to a camera's exposures before they reach the network, so that a seed
+//! disturbs the same frames over the wires as in process.
 
 use std::{sync::mpsc, time::Duration};
 
@@ -11,17 +11,17 @@ use thiserror::Error;
 
 use crate::faults::{FaultRecord, FaultSettings, FaultyCamera, FrameFault};
 
-/// Faults that cannot be made at the wires.
+/// Faults that cannot be produced on the wires.
 #[derive(Debug, Error, PartialEq, Eq)]
 #[error(
-    "these faults cannot be made at the wires, where a camera sends every frame once, in order and \
+    "these faults cannot be produced on the wires, where a camera sends every frame once, in order and \
      as it is: {}; set them to 0, or make them in the process with `lfpiv replay --faults` (for \
      packets that get lost at random there is wire.lost_packets)", .0.join(", ")
 )]
-pub struct NoSuchFaults(Vec<String>);
+pub struct UnsupportedFaults(Vec<String>);
 
-/// Which of the faults the wires cannot make.
-pub(super) fn check(settings: &FaultSettings) -> Result<(), NoSuchFaults> {
+/// Refuses faults that the wires cannot produce.
+pub(super) fn check(settings: &FaultSettings) -> Result<(), UnsupportedFaults> {
     let shares = &settings.camera.shares;
     let impossible: Vec<String> = [
         ("late", shares.late),
@@ -34,44 +34,44 @@ pub(super) fn check(settings: &FaultSettings) -> Result<(), NoSuchFaults> {
     .filter(|(_, share)| *share > 0.0)
     .map(|(name, share)| format!("camera.shares.{name} = {share}"))
     .collect();
-    if impossible.is_empty() { Ok(()) } else { Err(NoSuchFaults(impossible)) }
+    if impossible.is_empty() { Ok(()) } else { Err(UnsupportedFaults(impossible)) }
 }
 
-/// What is to be done with an exposure.
+/// How an exposure is sent.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Outgoing {
-    /// So many frames are counted and lost, and then this one is sent.
+    /// This many frames are counted and lost, then this one is sent.
     Frame { lost_before: u64, image: RawImage, device_timestamp_ns: u64 },
-    /// Nothing is sent; what is lost is known with the next frame.
+    /// Nothing is sent now; losses become known with the next frame.
     Nothing,
-    /// The camera's connection is lost from here on.
+    /// The connection is lost from here on.
     Unplugged,
 }
 
 /// The faults of one camera.
 pub(super) struct FrameFaults {
-    camera: FaultyCamera<Inlet>,
+    camera: FaultyCamera<SensorCamera>,
     inlet: mpsc::Sender<Frame>,
-    /// Exposures that the camera has counted.
+    /// Exposures counted by the camera.
     counted: u64,
-    /// Frames that have gone out, those that were lost on the way among them.
-    gone: u64,
+    /// Frames sent or lost so far.
+    sent_or_lost: u64,
 }
 
 impl FrameFaults {
-    /// Faults of camera `index` (from 0), as `settings` has them.
+    /// Faults of camera `index` (from 0) according to `settings`.
     pub(super) fn new(index: usize, settings: &FaultSettings) -> Self {
         let (inlet, frames) = mpsc::channel();
-        let camera = FaultyCamera::new(Inlet(frames), index, settings);
-        Self { camera, inlet, counted: 0, gone: 0 }
+        let camera = FaultyCamera::new(SensorCamera(frames), index, settings);
+        Self { camera, inlet, counted: 0, sent_or_lost: 0 }
     }
 
-    /// What is done, as it happens.
+    /// The injected faults so far.
     pub(super) fn record(&self) -> FaultRecord<FrameFault> {
         self.camera.record()
     }
 
-    /// One exposure; without an image its frame is lost in any case.
+    /// Processes one exposure; without an image its frame is always lost.
     pub(super) fn disturb(
         &mut self,
         image: Option<RawImage>,
@@ -82,12 +82,12 @@ impl FrameFaults {
         let Some(image) = image else { return Outgoing::Nothing };
         let status = FrameStatus::Complete;
         let frame = Frame { image, frame_id, device_timestamp_ns, host_timestamp_ns: 0, status };
-        // The other end is ours: it takes everything.
+        // The receiver is part of this struct, so this cannot fail.
         let _ = self.inlet.send(frame);
         match self.camera.next_frame(Duration::ZERO) {
             Ok(Some(Frame { image, frame_id, device_timestamp_ns, .. })) => {
-                let lost_before = frame_id.saturating_sub(self.gone);
-                self.gone = frame_id + 1;
+                let lost_before = frame_id.saturating_sub(self.sent_or_lost);
+                self.sent_or_lost = frame_id + 1;
                 Outgoing::Frame { lost_before, image, device_timestamp_ns }
             }
             Ok(None) => Outgoing::Nothing,
@@ -96,10 +96,10 @@ impl FrameFaults {
     }
 }
 
-/// What the sensor sees, as a camera.
-struct Inlet(mpsc::Receiver<Frame>);
+/// The sensor, as a camera.
+struct SensorCamera(mpsc::Receiver<Frame>);
 
-impl Camera for Inlet {
+impl Camera for SensorCamera {
     fn name(&self) -> &str {
         "sensor"
     }
@@ -129,7 +129,7 @@ mod tests {
         RawImage::new(2, 1, vec![1, 2]).unwrap()
     }
 
-    /// Numbers that frames have when they arrive, for `shots` triggers; `None` where nothing does.
+    /// Numbers of the arriving frames for `shots` triggers; `None` where nothing arrives.
     fn arriving(settings: &FaultSettings, shots: u64) -> (Vec<Option<u64>>, FrameFaults) {
         let mut faults = FrameFaults::new(0, settings);
         let mut counter = 0;
@@ -139,7 +139,7 @@ mod tests {
                 Some(counter - 1)
             }
             Outgoing::Nothing => None,
-            Outgoing::Unplugged => panic!("nobody asked for that"),
+            Outgoing::Unplugged => panic!("no disconnection was configured"),
         });
         (arrived.collect(), faults)
     }

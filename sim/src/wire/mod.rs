@@ -1,10 +1,9 @@
-//! Simulated instruments behind the wires that real ones have: the daemon's own drivers reach
-//! them, and nothing in the daemon knows the difference.
+//! Simulated instruments on real wires, used through the daemon's own drivers.
 //!
 //! [`camera`] is a GigE Vision camera on the network. [`pulse_generator`] and [`olt_sync`] are
-//! synchronisers on a pseudo-terminal ([`pty`]). What is programmed in them decides, period by
-//! period, which pulses come out ([`PeriodOutputs`]), and [`exposure`] says what laser and cameras
-//! make of those. [`bench`] is all of it, wired together.
+//! synchronisers on a pseudo-terminal ([`pty`]). Their programming determines the pulses of each period
+//! ([`PeriodOutputs`]), and [`exposure`] converts pulses to light in exposures. [`bench`] connects
+//! everything.
 
 #[cfg(feature = "aravis")]
 pub mod bench;
@@ -24,12 +23,12 @@ pub use faulty_unit::FaultyUnit;
 pub use pictures::{Delivery, Pictures, ScenePictures};
 pub use settings::WireSettings;
 
-/// The pulses that a synchroniser gives in one period.
+/// The pulses of a synchroniser in one period.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeriodOutputs {
     /// T0 on the unit's clock, in ns.
     pub t0_ns: u64,
-    /// In the order of their channels.
+    /// In the order of the channels.
     pub pulses: Vec<OutputPulse>,
 }
 
@@ -38,7 +37,7 @@ pub struct PeriodOutputs {
 pub struct OutputPulse {
     /// 1 for A.
     pub channel: u8,
-    /// Rising edge after T0, in µs.
+    /// Rising edge relative to T0, in µs.
     pub start_us: f64,
     /// In µs.
     pub width_us: f64,

@@ -1,4 +1,4 @@
-//! A simulated oltSync: it takes a sequence of edges, starts and stops, and reads nothing back.
+//! A simulated oltSync: accepts a sequence of edges, start and stop; no read-back.
 
 use std::collections::VecDeque;
 
@@ -36,12 +36,12 @@ impl OltSyncUnit {
         }
     }
 
-    /// Whether it neither answers nor obeys; it goes on with what it does.
+    /// Whether it ignores commands and sends no replies; a running sequence continues.
     pub fn set_silent(&mut self, silent: bool) {
         self.silent = silent;
     }
 
-    /// Whether it runs its sequence.
+    /// Whether the sequence is running.
     pub fn is_running(&self) -> bool {
         self.next_t0_ns.is_some()
     }
@@ -52,7 +52,7 @@ impl OltSyncUnit {
         index.and_then(|index| self.pulses.get(index)).copied().unwrap_or_default()
     }
 
-    /// The answer to a line; `None` for what is not meant for this unit.
+    /// The reply to a line; `None` if it is not addressed to this unit.
     fn answer(&mut self, line: &str, now_ns: u64) -> Option<String> {
         if line == "WhoAreYou?" {
             return Some(format!("oltSync:{}", self.id));
@@ -96,7 +96,7 @@ impl OltSyncUnit {
     }
 }
 
-/// `<frame_us>:<mode>,0:<edges>:<edges>:…`; `None` for what the firmware refuses.
+/// Parses `<frame_us>:<mode>,0:<edges>:<edges>:…`; `None` if the firmware would refuse it.
 fn parse_sequence(text: &str) -> Option<(u64, Vec<Vec<u64>>)> {
     let mut parts = text.split(':');
     let frame_us: u64 = parts.next()?.parse().ok().filter(|frame_us| *frame_us > 0)?;
@@ -108,7 +108,7 @@ fn parse_sequence(text: &str) -> Option<(u64, Vec<Vec<u64>>)> {
     pins.filter(|pins| pins.iter().any(|edges| !edges.is_empty())).map(|pins| (frame_us, pins))
 }
 
-/// Edges strictly increase, none lies beyond the frame, and every pulse ends.
+/// Checks that edges strictly increase within the frame and that every pulse ends.
 fn parse_pin(pin: &str, frame_us: u64) -> Option<Vec<u64>> {
     if pin.is_empty() {
         return Some(Vec::new());

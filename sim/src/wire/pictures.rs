@@ -1,13 +1,13 @@
-//! What the cameras see.
+//! Sources of the cameras' images.
 
 use lfpiv_hw::RawImage;
 
 use crate::{BenchGeometry, LightPulse, Scene};
 
-/// What a camera makes of one trigger.
+/// Response of a camera to one trigger.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Delivery {
-    /// Exposures 1 and 2. A frame without an image is counted by the camera and lost on its way.
+    /// Exposures 1 and 2. A frame without an image is counted by the camera and lost in transit.
     Frames([Option<RawImage>; 2]),
     /// The camera does not see the trigger: there is no frame, and none is counted.
     Missed,
@@ -19,9 +19,9 @@ impl From<[RawImage; 2]> for Delivery {
     }
 }
 
-/// Makes the pictures of a shot from the light that fell into its exposures.
+/// Makes the images of a shot from the light in its exposures.
 pub trait Pictures: Send + Sync {
-    /// Exposures 1 and 2 of every camera. `light` is what fell into them, per camera;
+    /// Exposures 1 and 2 of every camera. `light` is the light in each exposure, per camera;
     /// `separation_s` the time between the pulses, `None` unless both were fired.
     fn of(
         &self,
@@ -31,12 +31,12 @@ pub trait Pictures: Send + Sync {
     ) -> Vec<Delivery>;
 }
 
-/// A scene by ray tracing.
+/// A ray-traced scene.
 #[derive(Debug, Clone)]
 pub struct ScenePictures {
-    /// What is in front of the cameras.
+    /// The scene.
     pub scene: Scene,
-    /// Where they stand; `dt_s` is that of shots whose pulses do not tell.
+    /// Camera poses; `dt_s` is used for shots without a pulse separation.
     pub geometry: BenchGeometry,
     /// Seed of the run.
     pub seed: u64,

@@ -1,4 +1,4 @@
-//! A simulated unit at a pseudo-terminal, on a thread of its own.
+//! Runs a simulated unit on a pseudo-terminal, on a thread of its own.
 
 use std::{
     env, fs,
@@ -23,54 +23,54 @@ use rustix::{
 
 use super::PeriodOutputs;
 
-/// Longest sleep of the unit's thread: how late it notices that it should end.
+/// Longest sleep of the unit's thread, and so its latency when it should end.
 const TICK: Duration = Duration::from_millis(5);
 
 /// A unit behind a serial line. Time is passed in, in ns since it was switched on.
 pub trait SerialUnit: Send + 'static {
-    /// Speed of its line, in baud.
+    /// Baud rate of its line.
     fn baud_rate(&self) -> u32;
-    /// Bytes have come.
+    /// Processes received bytes.
     fn receive(&mut self, bytes: &[u8], now_ns: u64);
-    /// Whether its cable is cut: the host's end is hung up then.
+    /// Whether its cable is cut: the host's end is then hung up.
     fn is_cut(&self) -> bool {
         false
     }
-    /// Time has passed.
+    /// Advances time.
     fn advance(&mut self, now_ns: u64) -> Step;
 }
 
-/// What a unit does up to a moment.
+/// Output of a unit up to some time.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Step {
     /// Bytes to the host.
     pub bytes: Vec<u8>,
-    /// Periods that have begun.
+    /// Periods that have started.
     pub periods: Vec<PeriodOutputs>,
-    /// When there is something to do next.
+    /// When it must be called next.
     pub wake_ns: Option<u64>,
 }
 
-/// Takes every period as it begins.
+/// Called for every period at its start.
 pub type PeriodObserver = Box<dyn FnMut(PeriodOutputs) + Send>;
 
-/// A unit that is switched on. Dropping it cuts the line.
+/// A running unit. Dropping it cuts the line.
 pub struct Served<U> {
     unit: Arc<Mutex<U>>,
     path: String,
     off: Arc<AtomicBool>,
     line_cut: Arc<AtomicBool>,
-    /// A new line, to be taken in the place of one that was cut.
+    /// A new line that replaces a cut one.
     new_line: Arc<Mutex<Option<Terminal>>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl<U: SerialUnit> Served<U> {
-    /// Switches the unit on at a new pseudo-terminal.
+    /// Runs the unit on a new pseudo-terminal.
     ///
     /// # Errors
     ///
-    /// The system has no pseudo-terminal or no thread left.
+    /// The system provides no pseudo-terminal or thread.
     pub fn start(unit: U, observer: PeriodObserver) -> io::Result<Self> {
         let terminal = Terminal::open()?;
         let path = terminal.path.clone();
@@ -83,33 +83,33 @@ impl<U: SerialUnit> Served<U> {
         let run = move || {
             let port = terminal.path.clone();
             if let Err(error) = serve(terminal, &shared, observer, &told, (&cut, &plugged_in)) {
-                tracing::error!(port, %error, "the simulated unit has died");
+                tracing::error!(port, %error, "the simulated unit has failed");
             }
         };
         let thread = thread::Builder::new().name("simulated unit".into()).spawn(run)?;
         Ok(Self { unit, path, off, line_cut, new_line, thread: Some(thread) })
     }
 
-    /// The port to open: a link that nothing else ever has.
+    /// The port to open: a link with a unique name.
     pub fn path(&self) -> &str {
         &self.path
     }
 
-    /// The unit, to look at or to disturb.
+    /// The unit, for inspection and faults.
     pub fn unit(&self) -> MutexGuard<'_, U> {
         self.unit.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Cuts the serial line: the host's end is hung up, the unit goes on with what it does.
+    /// Cuts the serial line: the host's end is hung up; the unit continues.
     pub fn cut_line(&self) {
         self.line_cut.store(true, Ordering::Relaxed);
     }
 
-    /// Puts a new serial line in the place of one that was cut; the port to open.
+    /// Replaces a cut serial line by a new one; returns the port to open.
     ///
     /// # Errors
     ///
-    /// The system has no pseudo-terminal left.
+    /// The system provides no pseudo-terminal.
     pub fn plug_in_line(&self) -> io::Result<String> {
         let terminal = Terminal::open()?;
         let path = terminal.path.clone();
@@ -117,7 +117,7 @@ impl<U: SerialUnit> Served<U> {
         Ok(path)
     }
 
-    /// Pulls the plug: the host's end of the line is hung up.
+    /// Ends the unit: the host's end of the line is hung up.
     pub fn cut(&mut self) {
         self.off.store(true, Ordering::Relaxed);
         if let Some(thread) = self.thread.take()
@@ -132,7 +132,7 @@ impl<U> Drop for Served<U> {
     fn drop(&mut self) {
         self.off.store(true, Ordering::Relaxed);
         if let Some(thread) = self.thread.take() {
-            // A panic of the unit has been printed by its thread.
+            // The thread has printed its panic.
             let _ = thread.join();
         }
     }
@@ -187,19 +187,19 @@ fn serve<U: SerialUnit>(
     Ok(())
 }
 
-/// Both ends of a pseudo-terminal. The host's end is kept open here, too: without it the line
-/// would be hung up whenever the host closes it.
+/// Both ends of a pseudo-terminal. The host's end is also kept open here: otherwise the line would
+/// be hung up whenever the host closes it.
 ///
-/// The system gives the number of a closed pseudo-terminal to the next one that is opened, by whomever.
-/// Whoever looks for a unit that is gone must not find another one there, so the port is a link of a name
-/// that is not used again, and goes before the line does.
+/// The system reuses the number of a closed pseudo-terminal. A driver that searches for a lost unit
+/// must not find another one there, so the port is a link with a unique name that is removed before
+/// the terminal is closed.
 struct Terminal {
     unit_end: OwnedFd,
     host_end: OwnedFd,
     path: String,
 }
 
-/// Pseudo-terminals that this process has opened.
+/// Number of pseudo-terminals opened by this process.
 static OPENED: AtomicU64 = AtomicU64::new(0);
 
 impl Terminal {
@@ -219,7 +219,7 @@ impl Terminal {
         Ok(Self { unit_end, host_end, path })
     }
 
-    /// What has come from the host; empty when nothing comes within `at_most`.
+    /// Bytes from the host; empty if none arrive within `at_most`.
     fn read(&self, at_most: Duration) -> io::Result<Vec<u8>> {
         let timeout = Timespec {
             tv_sec: at_most.as_secs() as i64,
@@ -232,8 +232,8 @@ impl Terminal {
         };
         let mut buffer = [0_u8; 512];
         let count = rustix::io::read(&self.unit_end, &mut buffer)?;
-        // A pseudo-terminal stays reserved for one user after that user was killed, because its
-        // other end lives on; a serial port does not.
+        // Unlike a serial port, a pseudo-terminal stays exclusively reserved after its user was killed,
+        // because its other end stays open.
         ioctl_tiocnxcl(&self.host_end)?;
         Ok(buffer[..count].to_vec())
     }
@@ -246,7 +246,7 @@ impl Terminal {
         Ok(())
     }
 
-    /// At another speed a unit hears something else.
+    /// The bytes as received at the unit's baud rate: garbled if the rates differ.
     fn as_heard(&self, bytes: Vec<u8>, baud_rate: u32) -> io::Result<Vec<u8>> {
         match tcgetattr(&self.host_end)?.output_speed() == baud_rate {
             true => Ok(bytes),
@@ -257,19 +257,20 @@ impl Terminal {
 
 impl Drop for Terminal {
     fn drop(&mut self) {
-        // Gone already if somebody tidied up.
+        // It may have been removed already.
         let _ = fs::remove_file(&self.path);
     }
 }
 
-/// A link to a pseudo-terminal, of a new name.
+/// Creates a uniquely named link to a pseudo-terminal.
 fn linked(terminal: &str) -> io::Result<String> {
     let number = OPENED.fetch_add(1, Ordering::Relaxed);
     let name = format!("lfpiv-unit-{}-{number}", process::id());
     let link: PathBuf = env::temp_dir().join(name);
-    // What a killed process of this number has left.
+    // A killed process with the same number may have left one.
     let _ = fs::remove_file(&link);
     symlink(terminal, &link)?;
-    let not_text = |_| Error::new(ErrorKind::InvalidData, "the temporary folder's name is no text");
+    let not_text =
+        |_| Error::new(ErrorKind::InvalidData, "the temporary folder's name is not UTF-8");
     link.into_os_string().into_string().map_err(not_text)
 }

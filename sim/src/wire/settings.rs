@@ -1,4 +1,4 @@
-//! Where the simulated instruments are found and how they behave: the `[wire]` table.
+//! The `[wire]` table: addresses and behaviour of the simulated instruments.
 
 use std::{net::Ipv4Addr, path::PathBuf};
 
@@ -13,32 +13,32 @@ use super::{
     pulse_generator::{Pacing, PulseGeneratorOptions, TooSoon},
 };
 
-/// Simulated instruments at the ends of real wires.
+/// Simulated instruments on real wires.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct WireSettings {
-    /// Address of each camera, in the order of the `[[camera]]` tables; this machine's own.
+    /// Address of each camera, in the order of the `[[camera]]` tables; must be local.
     #[garde(length(min = 1, max = 2))]
     pub camera_ips: Vec<Ipv4Addr>,
-    /// Link that is made to the synchroniser's pseudo-terminal.
+    /// Link to the synchroniser's pseudo-terminal.
     #[garde(skip)]
     pub port: PathBuf,
-    /// Whether the synchroniser repeats commands before it answers them.
+    /// Whether the synchroniser echoes commands.
     #[garde(skip)]
     pub echo: bool,
-    /// Whether stray bytes come before its replies.
+    /// Whether stray bytes precede its replies.
     #[garde(skip)]
     pub stray_bytes: bool,
-    /// Commands that come sooner than this after a reply are answered `?8`, in ms.
+    /// Commands that come sooner than this after a reply are answered with `?8`, in ms.
     #[garde(range(max = 1000))]
     pub least_gap_ms: u64,
-    /// From command to reply, in ms.
+    /// Time from command to reply, in ms.
     #[garde(range(max = 10_000))]
     pub reply_delay_ms: u64,
-    /// Whether the unit drops to OFF once a burst is complete.
+    /// Whether T0 stops once a burst is complete.
     #[garde(skip)]
     pub drops_off_after_burst: bool,
-    /// How long the lamps must have fired before the laser lases, in s.
+    /// Warm-up of the lamps before the laser lases, in s.
     #[garde(custom(finite), range(min = 0.0, max = 3600.0))]
     pub lamp_warm_up_s: f64,
     /// Camera trigger to start of exposure 1, in µs.
@@ -53,7 +53,7 @@ pub struct WireSettings {
     /// Rate of each camera's line, in Mbit/s.
     #[garde(custom(finite), range(min = 10.0, max = 1e6))]
     pub line_mbit_s: f64,
-    /// Share of stream packets that are lost, 0 to 1.
+    /// Share of lost stream packets, 0 to 1.
     #[garde(custom(finite), range(min = 0.0, max = 1.0))]
     pub lost_packets: f64,
 }

@@ -104,7 +104,7 @@ fn a_camera_that_vanishes_and_returns_goes_on_as_it_was_set() {
             assert!(camera.next_frame(Duration::from_millis(50)).unwrap().is_none());
             camera.is_connected().then_some(())
         });
-        assert!(log.says("settings applied again, frames go on with number 4"));
+        assert!(log.says("settings applied again, frames continue with number 4"));
         // Frame 3 was the second of a trigger and is gone: the next trigger begins with 4. Its
         // pixels would be wrong, or damaged, with the settings that the camera woke up with.
         for number in 4..8 {

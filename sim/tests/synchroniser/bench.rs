@@ -11,7 +11,7 @@ use lfpiv_hw::{
     device::{DeviceError, Synchroniser, SynchroniserState},
     synchroniser::{
         SynchroniserDriver, SynchroniserSettings,
-        line::{Recorded, SerialLine, Transcript},
+        line::{RecordedLine, SerialLine, Transcript},
         open_on,
     },
     timing::{ExternalTrigger, TriggerEdge, TriggerSource},
@@ -75,7 +75,7 @@ impl Bench {
     ) -> (Result<Box<dyn Synchroniser>, DeviceError>, Transcript) {
         let transcript = Transcript::kept();
         let line = SerialLine::open(&settings.port, settings.baud_rates()[0]).unwrap();
-        let line = Box::new(Recorded::new(line, transcript.clone()));
+        let line = Box::new(RecordedLine::new(line, transcript.clone()));
         (open_on(line, settings, timing), transcript)
     }
 

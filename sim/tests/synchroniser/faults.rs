@@ -62,7 +62,7 @@ fn silence_in_the_middle_of_a_burst_ends_it_all() {
     let mut unit = bench.try_connect(&settings, &timing()).0.unwrap();
     unit.program(&schedule()).unwrap();
     unit.fire(50).unwrap();
-    bench.served.unit().fall_silent_after(0);
+    bench.served.unit().silence_after(0);
     assert_eq!(unit.state().unwrap(), SynchroniserState::Unknown);
     let lost = unit.trigger_count();
     assert!(matches!(lost, Err(DeviceError::Lost { .. })), "{lost:?}");
@@ -72,7 +72,7 @@ fn silence_in_the_middle_of_a_burst_ends_it_all() {
     wait_until("end of the burst", || !bench.served.unit().is_running());
     assert_eq!(bench.q_switch_pulses(), [50; 2]);
     // Even when it answers again: what it holds is not known any more.
-    bench.served.unit().speak_again();
+    bench.served.unit().end_silence();
     assert!(message(unit.fire(50)).contains("no schedule is programmed"));
     unit.make_safe().unwrap();
     assert_eq!(unit.state().unwrap(), SynchroniserState::Safe);
@@ -91,9 +91,9 @@ fn a_write_that_is_not_answered_is_read_back() {
     std::thread::scope(|scope| {
         scope.spawn(|| {
             wait_until("programming", || bench.served.unit().commands() > begun + 60);
-            bench.served.unit().fall_silent_after(0);
+            bench.served.unit().silence_after(0);
             std::thread::sleep(Duration::from_millis(120));
-            bench.served.unit().speak_again();
+            bench.served.unit().end_silence();
         });
         unit.program(&schedule()).unwrap();
     });

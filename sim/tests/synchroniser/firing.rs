@@ -74,7 +74,9 @@ fn while_a_burst_runs_nothing_else_is_begun() {
     unit.fire(500).unwrap();
     assert_eq!(unit.state().unwrap(), SynchroniserState::Firing);
     assert!(message(unit.fire(1)).contains("a burst is running"));
-    assert!(message(unit.program(&schedule())).contains("never changed while a burst is running"));
+    assert!(
+        message(unit.program(&schedule())).contains("cannot be changed while a burst is running")
+    );
     let counted = unit.trigger_count().unwrap().unwrap();
     assert!((1..500).contains(&counted), "{counted}");
     unit.make_safe().unwrap();
@@ -91,7 +93,7 @@ fn bursts_last_five_seconds_at_most() {
     let (mut unit, _) = bench.connect();
     unit.program(&schedule()).unwrap();
     let refusal = message(unit.fire(501));
-    assert!(refusal.contains("burst of 501 shots: allowed: 1 to 500, which last 5 s"), "{refusal}");
+    assert!(refusal.contains("burst of 501 shots: allowed: 1 to 500, which take 5 s"), "{refusal}");
     assert!(message(unit.fire(0)).contains("allowed: 1 to 500"));
     assert_eq!(bench.q_switch_pulses(), [0; 2]);
     let slow = PulseSchedule::plan(&timing(), 100.0, 0.1).unwrap();

@@ -50,14 +50,14 @@ fn a_unit_that_does_not_obey_is_not_called_safe() {
     unit.program(&schedule()).unwrap();
     unit.fire(400).unwrap();
     // It takes two orders, those to the Q-switches, and no other.
-    bench.served.unit().fall_silent_after(2);
+    bench.served.unit().silence_after(2);
     let refusal = message(unit.make_safe());
     assert!(refusal.contains("use the hardware interlock"), "{refusal}");
     assert_eq!(unit.state().unwrap(), SynchroniserState::Unknown);
     let unit_now = bench.served.unit();
     assert!(!unit_now.is_enabled(2) && !unit_now.is_enabled(4) && unit_now.is_enabled(1));
     drop(unit_now);
-    bench.served.unit().speak_again();
+    bench.served.unit().end_silence();
     unit.make_safe().unwrap();
     assert_eq!(unit.state().unwrap(), SynchroniserState::Safe);
 }

@@ -36,7 +36,7 @@ fn a_source_that_is_too_fast_is_refused_and_made_safe() {
     unit.arm().unwrap();
     wait_until("lamps", || bench.lamp_pulses() > 60);
     let refusal = message(unit.fire(5));
-    assert!(refusal.contains("at most 20 a second, as declared"), "{refusal}");
+    assert!(refusal.contains("at most 20 per second, as declared"), "{refusal}");
     assert!(refusal.contains("switched off"), "{refusal}");
     assert_eq!(unit.state().unwrap(), SynchroniserState::Safe);
     assert_eq!(bench.q_switch_pulses(), [0; 2]);

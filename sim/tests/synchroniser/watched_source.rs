@@ -91,7 +91,7 @@ impl Watched {
             }
         };
         let taken = self.time.now() - begun;
-        assert!(refusal.contains("at most 10 a second, as declared"), "{refusal}");
+        assert!(refusal.contains("at most 10 per second, as declared"), "{refusal}");
         assert!(self.time.all_is_off());
         assert_eq!(self.unit.state().unwrap(), SynchroniserState::Safe);
         let pulses = self.time.pulses();

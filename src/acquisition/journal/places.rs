@@ -29,8 +29,8 @@ impl FramePlaces {
         &self.run
     }
 
-    /// Positions of frames a and b of each camera of a shot; `None` if the record has no such shot (yet)
-    /// or it was dropped. Continues reading where the last call stopped.
+    /// Positions of frames a and b of each camera of a shot; `None` if the record has no such shot
+    /// (yet) or it was dropped. Continues reading where the last call stopped.
     pub fn of(&mut self, shot: u64) -> Option<&[[Position; 2]]> {
         // After a read error, the next call tries again.
         for placed in iter::from_fn(|| self.entries.next()?.ok()) {

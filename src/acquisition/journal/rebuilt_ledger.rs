@@ -80,8 +80,8 @@ impl LedgerRebuild {
         Ok(())
     }
 
-    /// Enters the triggers that an entry shows to have been given. Before version 3 of the journal, their
-    /// outcomes and the synchroniser's count showed this.
+    /// Enters the triggers that an entry shows to have been given. Before version 3 of the journal,
+    /// their outcomes and the synchroniser's count showed this.
     fn enter_given(&mut self, entry: &Entry) -> Result<(), LedgerError> {
         match entry {
             Entry::Programmed { schedule, .. } => {
@@ -128,9 +128,9 @@ impl LedgerRebuild {
         Ok(())
     }
 
-    /// Settles the triggers of a run that was cut off. Triggers in process are shed, because there is no
-    /// evidence of a loss. Requested triggers without a frame are not fired if they were due by then, and
-    /// otherwise not counted.
+    /// Settles the triggers of a run that was cut off. Triggers in process are shed, because there
+    /// is no evidence of a loss. Requested triggers without a frame are not fired if they were due
+    /// by then, and otherwise not counted.
     fn close(mut self, measured: &BTreeSet<u64>) -> Result<Ledger, LedgerError> {
         let seen = self.entered;
         // Without a period it is unknown what was due.

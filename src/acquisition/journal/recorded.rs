@@ -230,8 +230,8 @@ impl TriggerSets {
         }
     }
 
-    /// TriggerSets without an outcome. A run that was cut off did not settle its last ones; a completed run
-    /// settled all.
+    /// TriggerSets without an outcome. A run that was cut off did not settle its last ones; a
+    /// completed run settled all.
     fn unknown(&self, has_ended: bool) -> BTreeSet<u64> {
         let last_entered = self.entered.last().filter(|_| has_ended);
         let Some(last) = self.known.last().max(last_entered) else { return BTreeSet::new() };

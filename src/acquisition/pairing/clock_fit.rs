@@ -104,8 +104,8 @@ impl ClockFit {
         Residual { ns, limit_ns }
     }
 
-    /// Adds a timestamp and returns its residual against the line before. An outlier does not change the
-    /// line, until [`JUMP_AFTER`] of them in a row restart the fit.
+    /// Adds a timestamp and returns its residual against the line before. An outlier does not
+    /// change the line, until [`JUMP_AFTER`] of them in a row restart the fit.
     pub fn add(&mut self, at_ns: i128, clock_ns: i128, bounds: OutlierBounds) -> Residual {
         let residual = self.residual(at_ns, clock_ns, bounds);
         if residual.is_outlier() {

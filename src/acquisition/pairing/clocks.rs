@@ -55,8 +55,8 @@ impl CameraClocks {
         self.trigger_grid = ClockFit::default();
     }
 
-    /// Whether the differences between the cameras' clocks are known well enough at `now` to distinguish
-    /// neighbouring triggers.
+    /// Whether the differences between the cameras' clocks are known well enough at `now` to
+    /// distinguish neighbouring triggers.
     pub fn are_differences_known(&self, now: Duration) -> bool {
         let elapsed_ns = now.saturating_sub(self.compared_at).as_nanos() as f64;
         let exact = |fit: &ClockFit| fit.uncertainty_ns(elapsed_ns) < self.bounds.max_ns;
@@ -77,8 +77,8 @@ impl CameraClocks {
         self.discard_differences();
     }
 
-    /// Timestamp of `camera` minus the expected reading of its clock when the first camera's clock shows
-    /// `first_ns`; `None` while that is unknown.
+    /// Timestamp of `camera` minus the expected reading of its clock when the first camera's clock
+    /// shows `first_ns`; `None` while that is unknown.
     pub fn difference_ns(&self, camera: usize, first_ns: i128, timestamp_ns: i128) -> Option<i128> {
         if camera == 0 {
             return Some(0);
@@ -87,8 +87,8 @@ impl CameraClocks {
         fit.has_line().then(|| fit.residual(first_ns, timestamp_ns, self.bounds).ns)
     }
 
-    /// Compares the frame-a timestamps of a shot with the fits and updates these. Only shots without other
-    /// anomalies update the fits.
+    /// Compares the frame-a timestamps of a shot with the fits and updates these. Only shots
+    /// without other anomalies update the fits.
     pub fn compare(
         &mut self,
         (trigger, burst, grid): (u64, BurstRange, TimeGrid),

@@ -66,8 +66,9 @@ pub struct PairingSettings {
 /// A decision about a trigger.
 #[derive(Debug)]
 pub enum Decision {
-    /// The trigger counts from now on: a camera saw it or a later one, the synchroniser counted it, or it
-    /// was due and the synchroniser cannot be asked. It precedes all other decisions about the trigger.
+    /// The trigger counts from now on: a camera saw it or a later one, the synchroniser counted it,
+    /// or it was due and the synchroniser cannot be asked. It precedes all other decisions about
+    /// the trigger.
     Given { trigger: u64 },
     /// All cameras delivered.
     Paired(Shot),
@@ -240,8 +241,8 @@ impl Pairing {
         self.with_given(decisions)
     }
 
-    /// Triggers up to the last one that was due by `now` or that a camera has seen: the best estimate for
-    /// an aborted burst of a synchroniser without a counter.
+    /// Triggers up to the last one that was due by `now` or that a camera has seen: the best
+    /// estimate for an aborted burst of a synchroniser without a counter.
     pub fn due_by(&self, now: Duration) -> u64 {
         let due = self.open.iter().rev().find(|(_, open)| open.due <= now);
         due.map_or(0, |(trigger, _)| trigger + 1).max(self.announced_given).max(self.burst.first)
@@ -283,8 +284,9 @@ impl Pairing {
         (self.given, decisions)
     }
 
-    /// Ends the run: settles every open trigger. A trigger without evidence of a lost frame is shed. One
-    /// without evidence that it was given is not fired if it was due, and otherwise withdrawn.
+    /// Ends the run: settles every open trigger. A trigger without evidence of a lost frame is
+    /// shed. One without evidence that it was given is not fired if it was due, and otherwise
+    /// withdrawn.
     pub fn finish(&mut self) -> Vec<Decision> {
         let mut decisions = self.with_given(Vec::new());
         for trigger in self.open.keys().copied().collect::<Vec<_>>() {

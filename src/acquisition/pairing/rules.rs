@@ -34,7 +34,8 @@ impl Pairing {
         true
     }
 
-    /// The camera has delivered a frame of `trigger`: its missing frames of earlier ones are probably lost.
+    /// The camera has delivered a frame of `trigger`: its missing frames of earlier ones are
+    /// probably lost.
     pub(super) fn mark_passed(&mut self, camera: usize, trigger: u64, now: Duration) {
         for (_, open) in self.open.range_mut(..trigger) {
             let slot = &mut open.slots[camera];

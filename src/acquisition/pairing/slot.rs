@@ -77,8 +77,8 @@ impl Slot {
         }
     }
 
-    /// Whether the wait is over: `patience` after the frame was due and after the camera's last frame, or
-    /// after a frame of a later trigger.
+    /// Whether the wait is over: `patience` after the frame was due and after the camera's last
+    /// frame, or after a frame of a later trigger.
     pub fn is_overdue(&self, due: Duration, now: Duration, patience: Duration) -> bool {
         now > self.deadline(due, patience)
     }

@@ -39,13 +39,14 @@ impl TimeGrid {
         (steps, elapsed_ns - steps * self.period_ns)
     }
 
-    /// Tolerance of a timestamp against the grid. Missed triggers shift by whole periods, and clocks drift
-    /// by at most parts in 10⁴, so an eighth of a period separates them.
+    /// Tolerance of a timestamp against the grid. Missed triggers shift by whole periods, and
+    /// clocks drift by at most parts in 10⁴, so an eighth of a period separates them.
     pub fn tolerance_ns(&self) -> i128 {
         self.period_ns / 8
     }
 
-    /// Whether two timestamps fit the two frames of one trigger better than frame b and the next frame a.
+    /// Whether two timestamps fit the two frames of one trigger better than frame b and the next
+    /// frame a.
     fn is_one_pair(&self, elapsed_ns: i128) -> bool {
         let other_gap_ns = self.period_ns - 2 * self.interval_ns;
         let distinct = other_gap_ns.abs() > 4 * self.interval_tolerance_ns;
@@ -166,10 +167,10 @@ impl StreamTrack {
         wrong_pair
     }
 
-    /// No frame of this camera is located yet, so only its number is known. A camera that missed the very
-    /// first triggers counts from a later one: numbers of earlier bursts are then assigned to the current
-    /// burst, and the first such shot is suspect, because a very late frame looks the same. Later frames
-    /// resolve the ambiguity.
+    /// No frame of this camera is located yet, so only its number is known. A camera that missed
+    /// the very first triggers counts from a later one: numbers of earlier bursts are then assigned
+    /// to the current burst, and the first such shot is suspect, because a very late frame looks
+    /// the same. Later frames resolve the ambiguity.
     fn locate_without_clock(&mut self, count: u64, burst: BurstRange) -> Location {
         let missed = burst.first.saturating_sub(count);
         let disagreement = (missed != self.missed)
@@ -231,8 +232,8 @@ impl StreamTrack {
         if timestamp - clock.1 > earlier_burst_ns + grid.tolerance_ns() {
             return located(trigger, missed);
         }
-        // A later number with an earlier time cannot belong to the earlier burst: the clock was set back,
-        // or the camera restarted. The track restarts here.
+        // A later number with an earlier time cannot belong to the earlier burst: the clock was set
+        // back, or the camera restarted. The track restarts here.
         let is_newer = count > self.clock_count && (missed == 0 || timestamp < clock.1);
         if !is_newer {
             return Location::Past;

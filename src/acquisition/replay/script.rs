@@ -143,7 +143,8 @@ impl Script {
         shots.max().unwrap_or(0)
     }
 
-    /// The camera's next step, if its turn comes within `timeout`. The turn lasts until [`Self::finish`].
+    /// The camera's next step, if its turn comes within `timeout`. The turn lasts until
+    /// [`Self::finish`].
     pub fn turn(&self, camera: usize, timeout: Duration) -> Turn {
         let until = Instant::now() + timeout;
         let mut state = self.state.lock();
@@ -271,7 +272,8 @@ impl BurstScript for Script {
         let mut state = self.state.lock();
         match self.steps.get(state.next) {
             Some(Step::Fired { shots, schedule, at_ns, .. }) => {
-                // The run loop is active: it may wait for queue space, and time must not pass meanwhile.
+                // The run loop is active: it may wait for queue space, and time must not pass
+                // meanwhile.
                 state.moved = Instant::now();
                 if !self.is_due(&self.steps[state.next]) {
                     return ScriptedBurst::NotYet;

@@ -85,7 +85,8 @@ impl Unit {
         if self.is_safe { Ok(()) } else { self.make_safe() }
     }
 
-    /// One attempt to reopen a lost unit: opens it, makes it safe, reads that back; returns its identity.
+    /// One attempt to reopen a lost unit: opens it, makes it safe, reads that back; returns its
+    /// identity.
     pub fn reopen(&mut self) -> Result<String, UnsafeState> {
         // A port can be open only once: the old line is closed first.
         self.device = None;

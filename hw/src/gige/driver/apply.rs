@@ -1,11 +1,11 @@
-//! Settings into the camera, each one read back.
+//! Applies settings to the camera and reads each one back.
 
 use aravis::prelude::*;
 
 use super::features::{Answer, Features};
 use crate::gige::{CameraSettings, ImageSize};
 
-/// A camera sets exposure and gain in steps: this far off is still what was asked for.
+/// Cameras set exposure and gain in steps: this relative deviation is accepted.
 const TOLERATED_STEP: f64 = 0.02;
 
 /// Writes all settings and reads them back.
@@ -16,10 +16,10 @@ pub(super) fn apply(
     size: ImageSize,
 ) -> Answer<()> {
     let features = Features { device, camera };
-    // What is read back comes from the camera; what it does not support is not written.
+    // Read-back must come from the camera, not from a cache; unsupported features are not written.
     camera.set_register_cache_policy(aravis::RegisterCachePolicy::Disable);
     camera.set_range_check_policy(aravis::RangeCheckPolicy::Enable);
-    // A program that died may have left it streaming: nothing can be set then.
+    // A crashed program may have left it streaming, and nothing can be set meanwhile.
     features.stop()?;
     set_own_features(&features, settings)?;
     set_region(&features, settings, size)?;
@@ -31,7 +31,7 @@ pub(super) fn apply(
     check_payload(&features, settings, size)
 }
 
-/// What has no standard name; Aravis finds the type of each. They cannot be read back as text.
+/// Vendor-specific features, whose types Aravis determines. They cannot be read back as text.
 fn set_own_features(features: &Features, settings: &CameraSettings) -> Answer<()> {
     let text = settings.features.as_str();
     match features.camera.device() {
@@ -54,8 +54,8 @@ fn set_region(features: &Features, settings: &CameraSettings, size: ImageSize) -
     };
     if !fits {
         return Err(features.refusal(format!(
-            "its sensor has {} x {} pixels, the configuration wants an image of {columns} x {rows} \
-             at ({x}, {y}): correct optics.sensor, or give offset_px for a part of the sensor",
+            "its sensor has {} x {} pixels, but the configuration expects an image of {columns} x {rows} \
+             at ({x}, {y}): correct optics.sensor, or set offset_px for a part of the sensor",
             sensor[0], sensor[1]
         )));
     }
@@ -92,7 +92,7 @@ fn set_light(features: &Features, settings: &CameraSettings) -> Answer<()> {
 
 fn set_transport(features: &Features, settings: &CameraSettings) -> Answer<()> {
     let camera = features.camera;
-    // The configured size holds: a size that Aravis chose in silence would not be what was planned.
+    // Aravis must not change the configured packet size silently.
     camera.gv_set_packet_size_adjustment(aravis::GvPacketSizeAdjustment::Never);
     let wanted = settings.packet_size_bytes;
     features.check("packet size", camera.gv_set_packet_size(wanted as i32))?;
@@ -105,7 +105,7 @@ fn set_transport(features: &Features, settings: &CameraSettings) -> Answer<()> {
     }
     features.check("packet delay", camera.gv_set_packet_delay(wanted_ns))?;
     let found_ns = features.check("packet delay", camera.gv_get_packet_delay())?;
-    // The camera counts in ticks of its own clock, of up to a microsecond.
+    // The camera counts ticks of its own clock, of up to a microsecond.
     let near = (found_ns - wanted_ns).abs() <= 1000;
     features.agree("packet delay in ns", wanted_ns, found_ns, near)
 }
@@ -140,7 +140,7 @@ fn set_trigger(features: &Features, settings: &CameraSettings) -> Answer<()> {
     features.set_text("TriggerMode", "On")
 }
 
-/// The standard's name for it changed; older cameras know the GigE Vision one.
+/// The SFNC renamed this feature; older cameras have the GigE Vision name.
 fn set_clock(features: &Features, settings: &CameraSettings) -> Answer<()> {
     for feature in ["PtpEnable", "GevIEEE1588"] {
         if features.has(feature)? {
@@ -148,12 +148,12 @@ fn set_clock(features: &Features, settings: &CameraSettings) -> Answer<()> {
         }
     }
     if settings.ptp {
-        return Err(features.refusal("ptp = true, and the camera has no PTP".to_owned()));
+        return Err(features.refusal("ptp = true, but the camera has no PTP".to_owned()));
     }
     Ok(())
 }
 
-/// What the camera will send must be what the driver expects, or no frame would be complete.
+/// Checks that the camera's payload has the expected size; otherwise no frame would be complete.
 fn check_payload(features: &Features, settings: &CameraSettings, size: ImageSize) -> Answer<()> {
     let wanted = settings.pixel_format.payload_bytes(size.pixels());
     let found = features.check("payload", features.camera.payload())? as usize;
@@ -161,7 +161,7 @@ fn check_payload(features: &Features, settings: &CameraSettings, size: ImageSize
         return Ok(());
     }
     Err(features.refusal(format!(
-        "it will send {found} bytes for {} x {} pixels of {}, not {wanted}: switch off its chunk \
+        "it would send {found} bytes for {} x {} pixels of {}, not {wanted}: switch off its chunk \
          data and line padding",
         size.columns,
         size.rows,

@@ -1,4 +1,4 @@
-//! Finding a camera and taking control of it.
+//! Finds a camera and takes control of it.
 
 use std::{
     net::Ipv4Addr,
@@ -21,22 +21,22 @@ use crate::{
 /// Time between attempts to take control.
 const CONTROL_RETRY: Duration = Duration::from_millis(500);
 
-/// Aravis keeps one list of devices for the whole process, which discovery rewrites.
+/// Aravis has one device list per process, which discovery rewrites.
 static DISCOVERY: Mutex<()> = Mutex::new(());
 
 fn discovery() -> MutexGuard<'static, ()> {
     DISCOVERY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A camera under our control, with its settings applied. It does not survive a loss of control:
-/// Aravis' objects never recover, new ones must be made.
+/// A camera under control, with its settings applied. After a loss of control Aravis' objects never
+/// recover and must be recreated.
 pub(super) struct Connection {
     pub(super) camera: aravis::Camera,
     lost: Arc<AtomicBool>,
 }
 
 impl Connection {
-    /// Opens the camera and waits while another program controls it, up to the settings' patience.
+    /// Opens the camera; waits while another program controls it, up to the configured patience.
     pub(super) fn open(
         name: &str,
         settings: &CameraSettings,
@@ -55,7 +55,7 @@ impl Connection {
                     tracing::warn!(
                         camera = name,
                         %address,
-                        "another program controls it, or one that died did: waiting up to {} s for \
+                        "another program controls it, or has crashed while controlling it: waiting up to {} s for \
                          its heartbeat to time out",
                         patience.as_secs_f64()
                     );
@@ -70,7 +70,7 @@ impl Connection {
         }
     }
 
-    /// Whether the camera has stopped answering; for good, as far as this object is concerned.
+    /// Whether the camera no longer answers. This object stays lost.
     pub(super) fn is_lost(&self) -> bool {
         self.lost.load(Ordering::Acquire)
     }
@@ -80,15 +80,15 @@ fn in_use(name: &str, address: &Ipv4Addr, patience: Duration) -> DeviceError {
     DeviceError::Refused {
         device: name.to_owned(),
         detail: format!(
-            "another program controls the camera at {address} and did not let go within {} s: end \
+            "another program controls the camera at {address} and did not release it within {} s: end \
              it (a second lfpiv, a vendor's viewer) and start again",
             patience.as_secs_f64()
         ),
     }
 }
 
-/// Opens the camera; `None` when another program controls it. `Camera::new` alone succeeds then,
-/// with every write ignored or refused.
+/// Opens the camera; `None` if another program controls it. In that case `Camera::new` succeeds, but
+/// writes are ignored or refused.
 fn take_control(
     name: &str,
     address: &Ipv4Addr,
@@ -99,7 +99,7 @@ fn take_control(
         DeviceError::NotFound { device: name.to_owned(), detail }
     })?;
     let Some(device) = camera.device().and_then(|device| device.downcast().ok()) else {
-        let detail = format!("what answers at {address} is no GigE Vision camera");
+        let detail = format!("the device at {address} is not a GigE Vision camera");
         return Err(DeviceError::Refused { device: name.to_owned(), detail });
     };
     let device: aravis::GvDevice = device;
@@ -112,7 +112,7 @@ fn take_control(
     Ok(Some((camera, lost)))
 }
 
-/// Where the camera is: as configured, or as discovery says for its serial number.
+/// Address of the camera: configured, or found by discovery of its serial number.
 fn address(name: &str, settings: &CameraSettings) -> Result<Ipv4Addr, DeviceError> {
     let not_found = |detail| DeviceError::NotFound { device: name.to_owned(), detail };
     let serial = match (settings.ip, &settings.serial) {
@@ -132,7 +132,7 @@ fn address(name: &str, settings: &CameraSettings) -> Result<Ipv4Addr, DeviceErro
     })
 }
 
-/// The cameras that answer discovery, not yet tried.
+/// The cameras that answer discovery, not opened yet.
 fn discover() -> Vec<FoundCamera> {
     let _one_at_a_time = discovery();
     let Some(network) = aravis::GvInterface::instance() else { return Vec::new() };
@@ -149,7 +149,7 @@ fn discover() -> Vec<FoundCamera> {
         .collect()
 }
 
-/// Every camera on the network, with whether it can be used.
+/// All cameras on the network, with their accessibility.
 pub(in crate::gige) fn list_devices() -> Result<Vec<FoundCamera>, DeviceError> {
     let mut cameras = discover();
     for camera in &mut cameras {
@@ -158,7 +158,7 @@ pub(in crate::gige) fn list_devices() -> Result<Vec<FoundCamera>, DeviceError> {
             Ok(Ok(Some(_))) => Access::Free,
             Ok(Ok(None)) => Access::InUse,
             Ok(Err(error)) => Access::Unreachable(error.to_string()),
-            Err(_) => Access::Unreachable(format!("{:?} is no address", camera.address)),
+            Err(_) => Access::Unreachable(format!("{:?} is not an address", camera.address)),
         };
     }
     Ok(cameras)

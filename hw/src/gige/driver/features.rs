@@ -1,4 +1,4 @@
-//! GenICam features, written and read back.
+//! Access to GenICam features with read-back.
 
 use std::fmt::Display;
 
@@ -7,17 +7,18 @@ use aravis::{glib, prelude::*};
 use crate::device::DeviceError;
 
 /// The features of one camera.
+/// The features of one camera.
 ///
-/// Twelve methods of `aravis::Camera` take a function's returned `false` for an error and panic in
-/// debug builds (`is_feature_implemented`, `gv_auto_packet_size`, …): use none whose answer is a
-/// `Result<()>` to a question.
+/// Twelve methods of `aravis::Camera` mistake a returned `false` for an error and panic in debug builds
+/// (`is_feature_implemented`, `gv_auto_packet_size`, …): do not use methods that answer a question with
+/// `Result<()>`.
 pub(super) struct Features<'a> {
     pub(super) device: &'a str,
     pub(super) camera: &'a aravis::Camera,
 }
 
 impl Features<'_> {
-    /// Turns an Aravis error into one of ours, with what was being done.
+    /// Converts an Aravis error, adding the operation.
     pub(super) fn check<T>(&self, what: &str, result: Result<T, glib::Error>) -> Answer<T> {
         result.map_err(|error| self.refusal(format!("{what}: {}", error.message())))
     }
@@ -26,7 +27,7 @@ impl Features<'_> {
         DeviceError::Refused { device: self.device.to_owned(), detail }
     }
 
-    /// Ends the acquisition.
+    /// Stops the acquisition.
     pub(super) fn stop(&self) -> Answer<()> {
         self.check("AcquisitionStop", self.camera.stop_acquisition())
     }
@@ -35,7 +36,7 @@ impl Features<'_> {
         self.check(feature, self.camera.is_feature_available(feature))
     }
 
-    /// Sets an enumeration or a text.
+    /// Sets an enumeration or string feature.
     pub(super) fn set_text(&self, feature: &str, value: &str) -> Answer<()> {
         self.check(&format!("{feature} = {value}"), self.camera.set_string(feature, value))?;
         let found = self.check(feature, self.camera.string(feature))?;
@@ -54,7 +55,7 @@ impl Features<'_> {
         self.agree(feature, value, found, found == value)
     }
 
-    /// Refuses a read-back that is not what was written.
+    /// An error unless the read-back matches what was written.
     pub(super) fn agree<T: Display, U: Display>(
         &self,
         what: &str,

@@ -1,15 +1,15 @@
-//! The camera driver on top of Aravis.
+//! The camera driver, based on Aravis.
 //!
-//! A camera that vanishes (cable, power, control lost) is looked for inside the driver, so that
-//! the thread that reads it goes on: [`Camera::next_frame`] answers `None` meanwhile,
-//! [`Camera::is_connected`] says `false`, and after the settings' patience it is
-//! [`DeviceError::Lost`]. When it returns, Aravis' objects are made anew and every setting is
-//! applied and read back again. Frame numbers then go on with the first frame of a new trigger:
-//! how many triggers the camera missed only its clock can tell, and only if it kept running.
+//! The driver searches for a lost camera (cable, power, control lost) itself, so that its reader
+//! continues: meanwhile [`Camera::next_frame`] returns `None` and [`Camera::is_connected`] `false`;
+//! after the configured patience the error is [`DeviceError::Lost`]. When the camera returns, Aravis'
+//! objects are recreated, and every setting is applied and read back. Frame numbers then continue with
+//! the first frame of a new trigger: only the camera's clock shows how many triggers it missed, if it
+//! kept running.
 //!
-//! A damaged frame whose leader packet was lost has no id, and is counted as failed but not
-//! delivered. Frames are numbered from the first of which any packet arrives. A first frame that is lost
-//! whole shifts the numbers by one, which its timestamps show to whoever pairs frames.
+//! A damaged frame whose leader packet was lost has no id; it is counted as failed and not delivered.
+//! Numbering starts at the first frame of which any packet arrives. If a first frame is lost entirely,
+//! the numbers are shifted by one, which pairing detects by the timestamps.
 
 mod apply;
 mod connection;
@@ -33,9 +33,9 @@ use connection::Connection;
 pub(super) use connection::list_devices;
 use stream::{FrameStream, Received};
 
-/// Control counts as lost once several heartbeats have not been answered: 11 s were seen.
-const NOTICES_ABSENCE_WITHIN: Duration = Duration::from_secs(20);
-/// Pause after a failed attempt to find a vanished camera.
+/// Control counts as lost after several unanswered heartbeats; 11 s were observed.
+const LOSS_DETECTION_TIME: Duration = Duration::from_secs(20);
+/// Interval between reconnection attempts.
 const RECONNECT_RETRY: Duration = Duration::from_millis(500);
 
 /// A GigE Vision camera.
@@ -46,19 +46,19 @@ pub(super) struct GigeCamera {
     images: ImagePool,
     link: Link,
     ids: FrameIds,
-    /// What earlier streams since `start` counted.
+    /// Counters of earlier streams since `start`.
     earlier: StreamStatistics,
 }
 
-/// How things stand with the camera.
+/// Connection state.
 enum Link {
-    /// Under control. The stream is there between `start` and `stop`; it ends before the
-    /// connection does.
-    Up { stream: Option<FrameStream>, connection: Connection },
-    /// It vanished while streaming.
-    Away { since: Instant, next_attempt: Instant },
-    /// It vanished, and the patience with it has run out, or it was stopped meanwhile.
-    Gone,
+    /// Under control. The stream exists between `start` and `stop`, and must be dropped before the
+    /// connection.
+    Connected { stream: Option<FrameStream>, connection: Connection },
+    /// Lost while streaming.
+    Lost { since: Instant, next_attempt: Instant },
+    /// Lost for longer than the patience, or stopped while lost.
+    GivenUp,
 }
 
 impl GigeCamera {
@@ -74,7 +74,7 @@ impl GigeCamera {
             settings: settings.clone(),
             size,
             images: ImagePool::new(size.columns, size.rows, settings.buffers as usize),
-            link: Link::Up { stream: None, connection },
+            link: Link::Connected { stream: None, connection },
             ids: FrameIds::starting_at(0),
             earlier: StreamStatistics::default(),
         })
@@ -84,7 +84,7 @@ impl GigeCamera {
         DeviceError::Refused { device: self.name.clone(), detail: detail.to_owned() }
     }
 
-    /// A frame as the daemon knows it; `None` when its number is none.
+    /// Converts a frame; `None` if it has no valid number.
     fn frame(&mut self, received: Received) -> Option<Frame> {
         let Some(frame_id) = self.ids.number(received.counter) else {
             tracing::warn!(
@@ -104,29 +104,29 @@ impl GigeCamera {
         })
     }
 
-    /// Ends the stream, if there is one, and keeps its counts.
+    /// Ends the stream, if there is one, and keeps its counters.
     fn end_stream(&mut self) {
-        if let Link::Up { stream, .. } = &mut self.link
+        if let Link::Connected { stream, .. } = &mut self.link
             && let Some(stream) = stream.take()
         {
             self.earlier = sum(self.earlier, stream.statistics());
         }
     }
 
-    /// The camera no longer answers.
-    fn leave(&mut self) {
+    /// Handles a lost connection.
+    fn handle_loss(&mut self) {
         self.end_stream();
         tracing::warn!(
             camera = self.name,
-            "connection lost: looking for it for up to {} s",
+            "connection lost: searching for it for up to {} s",
             self.settings.reconnect_patience_s
         );
         let now = Instant::now();
-        self.link = Link::Away { since: now, next_attempt: now };
+        self.link = Link::Lost { since: now, next_attempt: now };
     }
 
-    /// Looks for the vanished camera once, or waits until the next look is due.
-    fn look_for_it(
+    /// Attempts to reconnect once, or waits until the next attempt is due.
+    fn try_reconnect(
         &mut self,
         since: Instant,
         next_attempt: Instant,
@@ -144,7 +144,7 @@ impl GigeCamera {
                 self.earlier.reconnects += 1;
                 tracing::warn!(
                     camera = self.name,
-                    "back after {:.1} s: settings applied again, frames go on with number {}",
+                    "back after {:.1} s: settings applied again, frames continue with number {}",
                     since.elapsed().as_secs_f64(),
                     self.ids.next()
                 );
@@ -155,25 +155,26 @@ impl GigeCamera {
         tracing::debug!(camera = self.name, %failure, "still away");
         if since.elapsed().as_secs_f64() < self.settings.reconnect_patience_s {
             let next_attempt = Instant::now() + RECONNECT_RETRY;
-            self.link = Link::Away { since, next_attempt };
+            self.link = Link::Lost { since, next_attempt };
             return Ok(());
         }
-        self.link = Link::Gone;
+        self.link = Link::GivenUp;
         Err(DeviceError::Lost {
             device: self.name.clone(),
             detail: format!(
-                "vanished {:.0} s ago and did not come back ({failure}): check its power and cable",
+                "lost {:.0} s ago and not back since ({failure}): check its power and cable",
                 since.elapsed().as_secs_f64()
             ),
         })
     }
 
     fn connect_and_stream(&self) -> Result<Link, DeviceError> {
-        // Its own old control may have to time out; that is part of the patience with it.
+        // The camera may still believe in our old control; waiting for that is part of the
+        // reconnect patience.
         let settings = CameraSettings { control_patience_s: 0.0, ..self.settings.clone() };
         let connection = Connection::open(&self.name, &settings, self.size)?;
         let stream = FrameStream::start(&self.name, &connection, &settings, self.size)?;
-        Ok(Link::Up { stream: Some(stream), connection })
+        Ok(Link::Connected { stream: Some(stream), connection })
     }
 }
 
@@ -184,17 +185,17 @@ impl Camera for GigeCamera {
 
     fn start(&mut self) -> Result<(), DeviceError> {
         let vanished = match &self.link {
-            Link::Up { connection, stream: None } => connection.is_lost(),
-            Link::Gone => true,
-            _ => return Err(self.refusal("it is started already")),
+            Link::Connected { connection, stream: None } => connection.is_lost(),
+            Link::GivenUp => true,
+            _ => return Err(self.refusal("it is already started")),
         };
         if vanished {
-            // Aravis' objects for it must be gone before new ones are made.
-            self.link = Link::Gone;
+            // The old Aravis objects must be dropped before new ones are created.
+            self.link = Link::GivenUp;
             let connection = Connection::open(&self.name, &self.settings, self.size)?;
-            self.link = Link::Up { stream: None, connection };
+            self.link = Link::Connected { stream: None, connection };
         }
-        if let Link::Up { stream, connection } = &mut self.link {
+        if let Link::Connected { stream, connection } = &mut self.link {
             *stream = Some(FrameStream::start(&self.name, connection, &self.settings, self.size)?);
         }
         self.ids = FrameIds::starting_at(0);
@@ -204,20 +205,20 @@ impl Camera for GigeCamera {
 
     fn next_frame(&mut self, timeout: Duration) -> Result<Option<Frame>, DeviceError> {
         match &mut self.link {
-            Link::Up { stream: Some(stream), connection } => {
+            Link::Connected { stream: Some(stream), connection } => {
                 if let Some(received) = stream.next(&self.images, timeout) {
                     return Ok(self.frame(received));
                 }
                 // Frames that arrived before the loss are delivered first.
                 if connection.is_lost() {
-                    self.leave();
+                    self.handle_loss();
                 }
             }
-            Link::Away { since, next_attempt } => {
+            Link::Lost { since, next_attempt } => {
                 let (since, next_attempt) = (*since, *next_attempt);
-                self.look_for_it(since, next_attempt, timeout)?;
+                self.try_reconnect(since, next_attempt, timeout)?;
             }
-            Link::Up { stream: None, .. } | Link::Gone => {
+            Link::Connected { stream: None, .. } | Link::GivenUp => {
                 return Err(self.refusal("it is not started"));
             }
         }
@@ -226,7 +227,7 @@ impl Camera for GigeCamera {
 
     fn stop(&mut self) -> Result<(), DeviceError> {
         let stopped = match &self.link {
-            Link::Up { stream: Some(_), connection } if !connection.is_lost() => {
+            Link::Connected { stream: Some(_), connection } if !connection.is_lost() => {
                 let features =
                     features::Features { device: &self.name, camera: &connection.camera };
                 features.stop()
@@ -234,25 +235,25 @@ impl Camera for GigeCamera {
             _ => Ok(()),
         };
         self.end_stream();
-        if matches!(self.link, Link::Away { .. }) {
-            self.link = Link::Gone;
+        if matches!(self.link, Link::Lost { .. }) {
+            self.link = Link::GivenUp;
         }
         stopped
     }
 
     fn statistics(&self) -> StreamStatistics {
         match &self.link {
-            Link::Up { stream: Some(stream), .. } => sum(self.earlier, stream.statistics()),
+            Link::Connected { stream: Some(stream), .. } => sum(self.earlier, stream.statistics()),
             _ => self.earlier,
         }
     }
 
     fn is_connected(&self) -> bool {
-        matches!(&self.link, Link::Up { connection, .. } if !connection.is_lost())
+        matches!(&self.link, Link::Connected { connection, .. } if !connection.is_lost())
     }
 
     fn loss_detection_time(&self) -> Duration {
-        NOTICES_ABSENCE_WITHIN
+        LOSS_DETECTION_TIME
     }
 }
 

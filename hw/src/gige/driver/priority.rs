@@ -1,8 +1,8 @@
-//! The thread in which Aravis receives packets runs before threads that compute.
+//! Raises the priority of the thread in which Aravis receives packets.
 //!
-//! Packets wait in a buffer that is full within milliseconds. A thread that shares its processor with a
-//! measurement, or with another program, may be kept waiting for longer. Real-time scheduling is asked
-//! for first: the kernel weighs nice levels only within a session or a service.
+//! Packets wait in a buffer that fills within milliseconds, but a thread that shares its processor with
+//! a measurement or another program may be delayed longer. Real-time scheduling is tried first, because
+//! the kernel applies nice levels only within a session or service.
 
 use std::{ffi::c_void, ptr};
 
@@ -20,10 +20,10 @@ use aravis_sys::{
 
 use crate::gige::{RECEIVING_NICE, RECEIVING_REALTIME_PRIORITY};
 
-/// Makes a camera's stream, whose thread raises its own priority.
+/// Creates a camera's stream, whose thread raises its own priority.
 ///
 /// # Errors
-/// Those of Aravis: the camera does not answer, or grants no stream.
+/// Errors of Aravis: the camera does not answer, or refuses the stream.
 #[expect(unsafe_code)]
 pub(super) fn create_stream(camera: &Camera) -> Result<Stream, glib::Error> {
     let mut error = ptr::null_mut();
@@ -40,7 +40,7 @@ pub(super) fn create_stream(camera: &Camera) -> Result<Stream, glib::Error> {
     }
 }
 
-/// Called by Aravis in the thread of a stream: when it begins, for every buffer, and when it ends.
+/// Called by Aravis on the stream's thread: at its start, for every buffer, and at its end.
 #[expect(unsafe_code)]
 unsafe extern "C" fn raise_priority(
     _user_data: *mut c_void,
@@ -57,7 +57,7 @@ unsafe extern "C" fn raise_priority(
     };
     if !raised {
         tracing::warn!(
-            "the thread that receives frames has no higher priority than others: frames may be \
+            "the receiving thread could not raise its priority: frames may be \
              lost while the machine is busy; `lfpiv doctor` says what to do"
         );
     }

@@ -1,8 +1,8 @@
-//! The kernel's receive buffer of a stream, large from the first packet on.
+//! Enlarges the kernel's receive buffer before the first packet.
 //!
-//! Aravis sizes it when the first packet has arrived, which is too late for the rest of the first
-//! frame: packets that come before its thread wakes overflow the kernel's default of 208 KiB.
-//! Aravis does not hand out the socket, so it is found among this process's own by its port.
+//! Aravis enlarges it after the first packet. That is too late for the rest of the first frame: packets
+//! that arrive before its thread wakes up overflow the default of 208 KiB. Aravis does not expose the
+//! socket, so it is found by its port among the process's own sockets.
 
 use std::{fs, io};
 
@@ -12,22 +12,22 @@ use rustix::{
     process::{PidfdFlags, PidfdGetfdFlags, getpid, pidfd_getfd, pidfd_open},
 };
 
-/// Sets the receive buffer of the socket at `port` to `bytes`, and returns how much the kernel
-/// granted: without `CAP_NET_ADMIN` no more than `net.core.rmem_max`.
+/// Sets the receive buffer of the socket at `port` to `bytes`; returns the size granted by the kernel,
+/// which without `CAP_NET_ADMIN` is at most `net.core.rmem_max`.
 ///
 /// # Errors
-/// The socket is not found, or the system does not let a process look at its own descriptors.
+/// The socket is not found, or the process may not inspect its own descriptors.
 pub(super) fn enlarge(port: u16, bytes: usize) -> io::Result<usize> {
     let socket = socket_at(port)?;
     if sockopt::set_socket_recv_buffer_size_force(&socket, bytes).is_err() {
         sockopt::set_socket_recv_buffer_size(&socket, bytes)?;
     }
-    // The kernel counts twice what it was asked for, to cover its own overhead.
+    // The kernel reports twice the requested size, to include its overhead.
     Ok(sockopt::socket_recv_buffer_size(&socket)? / 2)
 }
 
-/// A duplicate of our descriptor for that socket. It is taken from our own process as from a
-/// foreign one, since only the kernel can say whether a number still is a descriptor.
+/// A duplicate of our descriptor for that socket. It is obtained as from another process, because only
+/// the kernel can tell whether a number is still a descriptor.
 fn socket_at(port: u16) -> io::Result<OwnedFd> {
     let own = pidfd_open(getpid(), PidfdFlags::empty())?;
     for entry in fs::read_dir("/proc/self/fd")? {
@@ -44,7 +44,7 @@ fn socket_at(port: u16) -> io::Result<OwnedFd> {
             return Ok(descriptor);
         }
     }
-    Err(io::Error::new(io::ErrorKind::NotFound, format!("no socket at port {port}")))
+    Err(io::Error::new(io::ErrorKind::NotFound, format!("no socket with port {port}")))
 }
 
 #[cfg(test)]

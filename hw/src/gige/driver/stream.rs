@@ -1,4 +1,4 @@
-//! One stream of frames: from Aravis' buffers to images, with a single copy.
+//! A stream of frames: converts Aravis' buffers to images with a single copy.
 
 use std::time::Duration;
 
@@ -11,32 +11,30 @@ use crate::{
     gige::{CameraSettings, ImageSize, PixelFormat},
 };
 
-/// No camera gives a frame this id.
+/// No frame has this id.
 const NO_FRAME_ID: u64 = 0;
 
-/// A running stream. Aravis fills its buffers on a thread of its own; every buffer that is taken
-/// goes back.
+/// A running stream. Aravis fills its buffers on a thread of its own; every buffer taken is returned.
 pub(super) struct FrameStream {
     stream: GvStream,
     format: PixelFormat,
     size: ImageSize,
-    /// Frames that Aravis called a success and that are not.
+    /// Frames that Aravis reports as successful although they are incomplete.
     incomplete: u64,
 }
 
-/// What a buffer held.
+/// Contents of a buffer.
 pub(super) struct Received {
     pub(super) image: RawImage,
     pub(super) status: FrameStatus,
-    /// The camera's own frame counter, 16 bits of it unless it has extended ids; 0 when the packet
-    /// that carries it was lost.
+    /// The camera's frame counter, 16 bits unless it has extended ids; 0 if the leader packet was lost.
     pub(super) counter: u64,
     pub(super) device_timestamp_ns: u64,
     pub(super) host_timestamp_ns: u64,
 }
 
 impl FrameStream {
-    /// Makes buffers and begins to acquire.
+    /// Creates buffers and starts acquisition.
     pub(super) fn start(
         name: &str,
         connection: &Connection,
@@ -45,7 +43,7 @@ impl FrameStream {
     ) -> Result<Self, DeviceError> {
         let camera = &connection.camera;
         let features = Features { device: name, camera };
-        // Without this a stream after an earlier one may deliver nothing.
+        // Without this, a stream may deliver nothing if another one preceded it.
         features.stop()?;
         let options = match settings.packet_socket {
             true => aravis::GvStreamOption::NONE,
@@ -62,22 +60,22 @@ impl FrameStream {
         stream.set_frame_retention(settings.frame_retention_us);
         let payload = settings.pixel_format.payload_bytes(size.pixels());
         for _ in 0..settings.buffers {
-            give(&stream, Buffer::new_allocate(payload));
+            return_buffer(&stream, Buffer::new_allocate(payload));
         }
         features.check("start", camera.start_acquisition())?;
         Ok(Self { stream, format: settings.pixel_format, size, incomplete: 0 })
     }
 
-    /// The next frame, whole or not, or `None` when there is none within `timeout`.
+    /// The next frame, intact or damaged, or `None` on timeout.
     pub(super) fn next(&mut self, images: &ImagePool, timeout: Duration) -> Option<Received> {
         let timeout_us = u64::try_from(timeout.as_micros()).unwrap_or(u64::MAX);
         let buffer = self.stream.timeout_pop_buffer(timeout_us)?;
         let received = self.read(&buffer, images);
-        give(&self.stream, buffer);
+        return_buffer(&self.stream, buffer);
         received
     }
 
-    /// `None` for a buffer that a stopping stream gave back unused.
+    /// `None` for a buffer returned unused by a stopping stream.
     fn read(&mut self, buffer: &Buffer, images: &ImagePool) -> Option<Received> {
         let status = match buffer.status() {
             BufferStatus::Cleared | BufferStatus::Aborted => return None,
@@ -92,7 +90,7 @@ impl FrameStream {
             FrameStatus::Complete => {
                 images.image(|counts| self.format.unpack(received_bytes(buffer), counts))
             }
-            // Where packets are missing the buffer holds an earlier frame, and nothing says where.
+            // Missing packets leave parts of an earlier frame in the buffer, at unknown places.
             FrameStatus::MissingPackets => images.image(|counts| counts.fill(0)),
         };
         Some(Received {
@@ -104,8 +102,7 @@ impl FrameStream {
         })
     }
 
-    /// Whether every byte of the expected image is there: `Success` alone has come with a sixth of
-    /// them.
+    /// Whether every byte of the expected image arrived: `Success` was seen with a sixth of them.
     fn is_whole(&self, buffer: &Buffer) -> bool {
         received_bytes(buffer).len() == self.format.payload_bytes(self.size.pixels())
             && buffer.image_pixel_format().raw() == self.format.code()
@@ -113,7 +110,7 @@ impl FrameStream {
             && usize::try_from(buffer.image_height()) == Ok(self.size.rows)
     }
 
-    /// Counters since the stream began.
+    /// Counters since the start of the stream.
     pub(super) fn statistics(&self) -> StreamStatistics {
         let (completed, failed, underruns) = StreamExt::statistics(&self.stream);
         let (resent, missing) = self.stream.statistics();
@@ -128,14 +125,14 @@ impl FrameStream {
     }
 }
 
-/// Hands Aravis a buffer to fill. A frame's id comes with its first packet, the leader: when that
-/// is lost, the buffer would show the id of the frame it held before.
-fn give(stream: &GvStream, buffer: Buffer) {
+/// Returns a buffer to Aravis, with its frame id cleared. The id comes with the leader packet: if that
+/// is lost, the buffer would show the id of an earlier frame.
+fn return_buffer(stream: &GvStream, buffer: Buffer) {
     buffer.set_frame_id(NO_FRAME_ID);
     stream.push_buffer(buffer);
 }
 
-/// Too small a buffer loses packets without a word: it is said here, with what to do.
+/// Enlarges the receive buffer. A small one loses packets silently, so a warning says what to do.
 fn enlarge_receive_buffer(name: &str, stream: &GvStream, settings: &CameraSettings) {
     let wanted = settings.socket_buffer_bytes as usize;
     match receive_buffer::enlarge(stream.port(), wanted) {
@@ -149,7 +146,7 @@ fn enlarge_receive_buffer(name: &str, stream: &GvStream, settings: &CameraSettin
             tracing::warn!(
                 camera = name,
                 %error,
-                "receive buffer left to Aravis, which enlarges it in the course of the first frame"
+                "cannot set the receive buffer; Aravis enlarges it during the first frame"
             );
             stream.set_socket_buffer(aravis::GvStreamSocketBuffer::Fixed);
             stream.set_socket_buffer_size(settings.socket_buffer_bytes as i32);
@@ -157,15 +154,15 @@ fn enlarge_receive_buffer(name: &str, stream: &GvStream, settings: &CameraSettin
     }
 }
 
-/// The bytes that arrived.
+/// The received bytes.
 #[allow(unsafe_code)]
 fn received_bytes(buffer: &Buffer) -> &[u8] {
     let (data, length) = buffer.data();
     if data.is_null() || length == 0 {
         return &[];
     }
-    // SAFETY: Aravis reports its own allocation and how much of it was received, which is no more
-    // than was allocated. A popped buffer belongs to us: the stream's thread does not touch it
-    // until it is pushed again, which takes the buffer by value and so ends this borrow.
+    // SAFETY: Aravis reports its own allocation and the number of received bytes, which is at most the
+    // allocated size. A popped buffer belongs to us: the stream's thread does not access it until it is
+    // pushed again, which consumes the buffer and ends this borrow.
     unsafe { std::slice::from_raw_parts(data, length) }
 }

@@ -1,4 +1,4 @@
-//! The command table: typed parameters and values to text and back.
+//! The command table: typed parameters and values, with encoding and parsing.
 //!
 //! Source: BNC 575 and Quantum Composers 9520 manuals, remote command summaries. Keywords
 //! are sent in their short form.
@@ -9,10 +9,10 @@ use crate::timing::TriggerEdge;
 
 /// Picoseconds in a microsecond.
 const PS_PER_US: f64 = 1e6;
-/// Read-back is trusted to half a nanosecond even where the unit shows fewer digits.
+/// Minimum tolerance of a read-back: half a nanosecond, even if the unit shows more digits.
 const COARSEST_TOLERANCE_PS: i64 = 500;
 
-/// A channel by the number that commands use: 1 is A.
+/// A channel by its number in commands: 1 is A.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Channel(pub u8);
 
@@ -22,33 +22,33 @@ impl fmt::Display for Channel {
     }
 }
 
-/// What can be set and read back.
+/// A parameter that can be set or queried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
-    /// Whether T0 pulses are made: all outputs at once.
+    /// Whether T0 pulses are generated; gates all outputs.
     Running,
     /// Time between T0 pulses.
     Period,
     /// `NORM`: T0 runs freely; `SING`: one T0 per trigger.
     SystemMode,
-    /// `DIS` or `TRIG`: whether the external input counts.
+    /// `DIS` or `TRIG`: whether the external input is used.
     TriggerMode,
     /// Edge of the external trigger.
     TriggerEdge,
     /// Threshold of the external trigger.
     TriggerLevel,
-    /// T0 pulses so far; query only.
+    /// Number of T0 pulses; query only.
     TriggerCount,
-    /// A channel's own.
+    /// A parameter of a channel.
     Of(Channel, ChannelParameter),
 }
 
-/// What every channel has.
+/// Parameters of a channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChannelParameter {
     /// Whether the output is enabled.
     State,
-    /// What its delay counts from.
+    /// Source of its delay.
     Sync,
     /// `NORM`: active high.
     Polarity,
@@ -58,22 +58,22 @@ pub enum ChannelParameter {
     Delay,
     /// Width of the pulse.
     Width,
-    /// `NORM`: every period; `BURS`: so many pulses after a start.
+    /// `NORM`: every period; `BURS`: a limited number of pulses after a start.
     Mode,
     /// Pulses of a burst.
     BurstCount,
-    /// Periods let pass before the first pulse.
+    /// Periods skipped before the first pulse.
     WaitCount,
 }
 
-/// What a parameter is set to.
+/// Value of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {
     /// `ON` or `OFF`, read back as 1 or 0.
     Switch(bool),
-    /// A keyword in its short form; the unit may answer with the long one.
+    /// A keyword in short form; the unit may answer in long form.
     Keyword(&'static str),
-    /// A time in ps, sent in seconds with so many decimals.
+    /// A time in ps, sent in seconds with this many decimals.
     Time { ps: i64, decimals: usize },
     /// A voltage, sent with two decimals.
     Volts(f64),
@@ -81,22 +81,22 @@ pub enum Value {
     Count(u64),
 }
 
-/// One line to the unit.
+/// A command line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Command {
     /// `*IDN?`
     Identify,
-    /// `:INST:CAT?`: the names of the channels.
+    /// `:INST:CAT?`: channel names.
     Catalogue,
     /// `*RST`: factory settings.
     Reset,
-    /// `*TRG`: a trigger by software.
+    /// `*TRG`: software trigger.
     Trigger,
-    /// `*ARM`: ready for the next burst or trigger.
+    /// `*ARM`: re-arms for the next burst or trigger.
     Arm,
     /// Sets a parameter.
     Set(Parameter, Value),
-    /// Asks for a parameter.
+    /// Queries a parameter.
     Query(Parameter),
 }
 
@@ -111,7 +111,7 @@ impl Value {
         Self::Time { ps: (us * PS_PER_US).round() as i64, decimals: 11 }
     }
 
-    /// The edge of the external trigger.
+    /// Edge of the external trigger.
     pub fn edge(edge: TriggerEdge) -> Self {
         Self::Keyword(match edge {
             TriggerEdge::Rising => "RIS",
@@ -119,8 +119,8 @@ impl Value {
         })
     }
 
-    /// Whether a read-back says the same, compared as numbers: to half of the last digit shown,
-    /// and to half a nanosecond at worst.
+    /// Whether a read-back has the same value, compared numerically: to half of the last digit
+    /// shown, and at least to half a nanosecond.
     pub fn agrees(&self, reply: &str) -> bool {
         match self {
             Self::Switch(on) => switch(reply) == Some(*on),
@@ -139,7 +139,7 @@ impl Value {
     }
 }
 
-/// A boolean as units answer it.
+/// Parses a boolean.
 pub fn switch(reply: &str) -> Option<bool> {
     match reply.to_ascii_uppercase().as_str() {
         "1" | "ON" => Some(true),
@@ -148,15 +148,15 @@ pub fn switch(reply: &str) -> Option<bool> {
     }
 }
 
-/// A whole number, which some firmware pads with zeros.
+/// Parses an integer, which some firmware pads with zeros.
 pub fn count_of(reply: &str) -> Option<u64> {
     reply.strip_prefix('+').unwrap_or(reply).parse().ok()
 }
 
-/// Seconds as text to ps, and how far that can be off: half of the last digit shown.
+/// Parses seconds to ps, with the resolution: half of the last digit shown.
 fn decimal_ps(reply: &str) -> Option<(i64, i64)> {
     let seconds: f64 = reply.parse().ok().filter(|seconds: &f64| seconds.is_finite())?;
-    // Below 9000 s, a double holds whole picoseconds exactly.
+    // Below 9000 s, a double represents whole picoseconds exactly.
     let ps = (seconds * 1e12).round() as i64;
     let plain = !reply.contains(['e', 'E']);
     let decimals = match reply.split_once('.') {
@@ -172,7 +172,7 @@ fn decimal_ps(reply: &str) -> Option<(i64, i64)> {
 }
 
 impl Parameter {
-    /// Whether a line can be the answer to the query of this parameter.
+    /// Whether a line can be the reply to the query of this parameter.
     pub fn can_be(&self, reply: &str) -> bool {
         match self {
             Self::Running | Self::Of(_, ChannelParameter::State) => switch(reply).is_some(),
@@ -192,7 +192,7 @@ impl Parameter {
     }
 }
 
-/// Keywords that units answer, in their short form; the long form begins with it.
+/// Keywords in replies, in short form, which is a prefix of the long form.
 const KEYWORDS: [&str; 16] = [
     "NORM", "SING", "BURS", "DCYC", "DIS", "TRIG", "RIS", "FALL", "T0", "CH", "TTL", "ADJ", "INV",
     "COMP", "EXT", "GATE",

@@ -67,7 +67,7 @@ fn read_back_is_compared_as_numbers() {
     for other in ["0.00028000025", "0.000281", "-0.00028", "", "NaN", "inf", "ok", "0,00028"] {
         assert!(!delay.agrees(other), "{other}");
     }
-    // A step of 250 ps shows where the unit shows enough digits.
+    // A difference of 250 ps is detected if the unit shows enough digits.
     assert!(!Value::time(280.00025).agrees("0.00028000000"));
     assert!(Value::time(280.00025).agrees("0.000280000"));
     assert!(Value::Switch(true).agrees("1") && !Value::Switch(true).agrees("0"));
@@ -90,8 +90,8 @@ fn stray_lines_are_told_from_answers() {
 proptest! {
     #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(575), ..ProptestConfig::with_cases(2048) })]
 
-    /// In steps of 250 ps over the whole range of delays, text holds the value exactly, agrees
-    /// with itself, and disagrees with the next step on either side.
+    /// In steps of 250 ps over the whole range of delays, text represents the value exactly, agrees
+    /// with itself, and differs from the neighbouring steps.
     #[test]
     fn times_survive_being_sent_and_read_back(steps in -3_999_999_999_999_i64..=3_999_999_999_999) {
         let value = Value::Time { ps: 250 * steps, decimals: 11 };

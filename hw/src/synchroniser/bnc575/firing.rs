@@ -1,9 +1,9 @@
-//! Lamps alone, then bounded bursts.
+//! Lamp warm-up and bounded bursts.
 
 use std::time::Duration;
 
 use super::{
-    Bnc575, Burst, LampRun,
+    Bnc575, LampRun, RunningBurst,
     command::{ChannelParameter, Command, Parameter, Value},
     link::LinkError,
     of,
@@ -15,11 +15,11 @@ use crate::{
     synchroniser::{ChannelName, LONGEST_BURST_S},
 };
 
-/// How long lamps may pause without going cold: T0 stands still while a burst is prepared.
+/// How long lamps may pause without cooling down: T0 is stopped while a burst is prepared.
 const LAMPS_STAY_WARM: Duration = Duration::from_secs(3);
 
 impl Bnc575 {
-    /// Lamps on, Q-switches and cameras off, T0 running; returns what is left of the wait.
+    /// Lamps on, Q-switches and cameras off, T0 running; returns the remaining warm-up time.
     pub(super) fn warm_lamps(&mut self) -> Result<Duration, DeviceError> {
         let schedule = self.schedule()?;
         let state = self.read_state().map_err(|error| self.failed(error))?;
@@ -53,7 +53,7 @@ impl Bnc575 {
         Ok(())
     }
 
-    /// Lamps are started. After too long a pause their warm-up begins again.
+    /// Records the start of the lamps. After too long a pause their warm-up restarts.
     fn lamps_started(&mut self) {
         let now = self.link.now();
         let since = match self.lamps {
@@ -65,7 +65,7 @@ impl Bnc575 {
         self.lamps = Some(LampRun { since, last_seen: now });
     }
 
-    /// T0 is read as running. Nobody but this driver starts it, so it has been all along.
+    /// Records that T0 is running. Only this driver starts it, so it has been running since.
     fn lamps_seen(&mut self) {
         let now = self.link.now();
         if let Some(run) = &mut self.lamps {
@@ -82,10 +82,10 @@ impl Bnc575 {
 
     pub(super) fn start_burst(&mut self, shots: u64) -> Result<(), DeviceError> {
         let schedule = self.schedule()?;
-        let most = most_shots(&schedule, self.unit.limits.longest_burst);
+        let most = max_shots(&schedule, self.unit.limits.longest_burst);
         if !(1..=most).contains(&shots) {
             return Err(self.refused(format!(
-                "burst of {shots} shots: allowed: 1 to {most}, which last {LONGEST_BURST_S} s"
+                "burst of {shots} shots: allowed: 1 to {most}, which take {LONGEST_BURST_S} s"
             )));
         }
         let state = self.read_state().map_err(|error| self.failed(error))?;
@@ -95,7 +95,7 @@ impl Bnc575 {
         let left = self.warm_up_left();
         if !left.is_zero() {
             return Err(self.refused(format!(
-                "the lamps are not warm: {:.1} s of {:.1} s are left; arm, wait and fire then",
+                "the lamps are not warm: {:.1} s of {:.1} s are left; arm, wait, then fire",
                 left.as_secs_f64(),
                 self.warm_up.as_secs_f64()
             )));
@@ -105,7 +105,7 @@ impl Bnc575 {
     }
 
     fn run_burst(&mut self, shots: u64) -> Result<(), LinkError> {
-        // Everything stands still before a Q-switch is enabled.
+        // T0 is stopped before a Q-switch is enabled.
         self.link.set(Parameter::Running, Value::Switch(false))?;
         for output in self.bounded_outputs() {
             self.link.ensure(of(output, ChannelParameter::Mode), Value::Keyword("BURS"))?;
@@ -118,25 +118,25 @@ impl Bnc575 {
             self.link.ensure(of(output, ChannelParameter::State), Value::Switch(true))?;
         }
         let count_before = self.link.query_count(Parameter::TriggerCount)?;
-        // Known before it is started: if the reply is lost, the burst may be running.
-        self.burst = Some(Burst { shots, count_before, started: self.link.now() });
+        // Recorded before the start: if the reply is lost, the burst may be running.
+        self.burst = Some(RunningBurst { shots, count_before, started: self.link.now() });
         self.link.command(Command::Set(Parameter::Running, Value::Switch(true)))?;
         self.lamps_started();
         Ok(())
     }
 
-    /// Outputs that never follow every T0.
+    /// Outputs that must not follow every T0.
     fn bounded_outputs(&self) -> Vec<ChannelName> {
         let q_switches = self.channels.q_switches().into_iter();
         self.channels.cameras.iter().copied().chain(q_switches).collect()
     }
 
-    /// From the unit, and from nothing else.
+    /// The state, read from the unit only.
     pub(super) fn read_state(&mut self) -> Result<SynchroniserState, LinkError> {
         if self.link.query_switch(Parameter::Running)? {
             return self.read_running_state();
         }
-        // It may have dropped to OFF by itself: what the burst gave is in its counter.
+        // T0 may have stopped by itself: the unit's counter has the number of shots.
         let given = self.shots_of_burst()?;
         self.end_burst(given);
         let mut all_off = true;
@@ -159,7 +159,7 @@ impl Bnc575 {
                 Ok(SynchroniserState::Armed)
             }
             None if self.lamps.is_some() => Ok(SynchroniserState::Armed),
-            // A burst that somebody else started, an earlier run perhaps.
+            // A burst that was started elsewhere, perhaps by an earlier run.
             None => Ok(match self.any_q_switch_enabled()? {
                 true => SynchroniserState::Firing,
                 false => SynchroniserState::Armed,
@@ -176,15 +176,15 @@ impl Bnc575 {
         Ok(false)
     }
 
-    /// Shots that the burst on its way has given; zero without one.
+    /// Shots of the current burst so far; zero without one.
     pub(super) fn shots_of_burst(&mut self) -> Result<u64, LinkError> {
         let Some(burst) = self.burst else { return Ok(0) };
         let count = self.link.query_count(Parameter::TriggerCount)?;
-        // A counter below its start has been set back at the start of the burst.
+        // A counter below its initial value was reset at the start of the burst.
         Ok(count.checked_sub(burst.count_before).unwrap_or(count).min(burst.shots))
     }
 
-    /// Books the burst. Lamps fired at least until its last shot.
+    /// Closes the burst. Lamps fired at least until its last shot.
     fn end_burst(&mut self, given: u64) {
         let Some(burst) = self.burst.take() else { return };
         self.given += given;
@@ -201,8 +201,8 @@ impl Bnc575 {
     }
 }
 
-/// Shots of the longest burst that is allowed: what fits in [`LONGEST_BURST_S`], and at least one.
-fn most_shots(schedule: &PulseSchedule, longest_burst: u64) -> u64 {
+/// Shots in the longest allowed burst: those within [`LONGEST_BURST_S`], at least one.
+fn max_shots(schedule: &PulseSchedule, longest_burst: u64) -> u64 {
     let fit = LONGEST_BURST_S * 1e6 / schedule.shortest_period_us();
     ((fit + 1e-9) as u64).clamp(1, longest_burst)
 }

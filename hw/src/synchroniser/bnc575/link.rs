@@ -1,4 +1,4 @@
-//! Typed commands over the line: every reply checked, every value read back.
+//! Typed commands over the line, with every reply checked and every value read back.
 
 use std::time::Instant;
 
@@ -18,25 +18,25 @@ use crate::{
     },
 };
 
-/// How often a question is put.
+/// Attempts per query.
 const ATTEMPTS: usize = 3;
 
-/// Why a command did not have its effect.
+/// Why a command failed.
 #[derive(Debug, Error)]
 pub enum LinkError {
-    /// Line gone or silent.
+    /// The line is lost or silent.
     #[error(transparent)]
     Line(#[from] LineError),
     /// The unit answered with an error code.
     #[error("{command:?} was answered {refusal}")]
     Refused { command: String, refusal: Refusal },
-    /// The unit holds another value than it was sent.
-    #[error("{command:?} was sent, but {reply:?} is read back; the value is not what was planned")]
+    /// The unit holds another value than the one sent.
+    #[error("{command:?} was sent, but the unit reads back {reply:?}")]
     Differs { command: String, reply: String },
 }
 
 impl LinkError {
-    /// As the device trait has it; a line without answers is a lost one.
+    /// The error for the device trait; a line without replies counts as lost.
     pub fn into_device_error(self, device: &str) -> DeviceError {
         let device = device.to_owned();
         match self {
@@ -48,7 +48,7 @@ impl LinkError {
     }
 }
 
-/// The unit's end of the dialogue.
+/// A connection to the unit.
 pub struct Link {
     dialogue: Dialogue,
 }
@@ -67,14 +67,13 @@ impl Link {
         self.dialogue.now()
     }
 
-    /// Asks who the unit is. Its answer cannot be mistaken for any other, so it brings the
-    /// dialogue in step.
+    /// Queries the identity. Its reply is unambiguous, so this resynchronises the dialogue.
     pub fn identify(&mut self) -> Result<String, LinkError> {
         let text = Command::Identify.to_string();
-        repeated(|| self.dialogue.get_in_step(&text, is_identity))
+        repeated(|| self.dialogue.resynchronise(&text, is_identity))
     }
 
-    /// A question whose answer `accept` recognises. Questions may be repeated.
+    /// A query whose reply `accept` recognises. Queries may be repeated.
     pub fn ask(
         &mut self,
         command: Command,
@@ -82,7 +81,7 @@ impl Link {
     ) -> Result<String, LinkError> {
         let text = command.to_string();
         let reply = repeated(|| {
-            self.get_in_step()?;
+            self.resynchronise()?;
             self.dialogue.ask(&text, |line| accept(line) || is_refusal(line))
         })?;
         match Reply::parse(&reply) {
@@ -91,36 +90,36 @@ impl Link {
         }
     }
 
-    /// The value of a parameter, as text.
+    /// Queries a parameter, as text.
     pub fn query(&mut self, parameter: Parameter) -> Result<String, LinkError> {
         self.ask(Command::Query(parameter), |line| parameter.can_be(line))
     }
 
-    /// The value of a switch.
+    /// Queries a boolean.
     pub fn query_switch(&mut self, parameter: Parameter) -> Result<bool, LinkError> {
         Ok(switch(&self.query(parameter)?) == Some(true))
     }
 
-    /// The value of a counter.
+    /// Queries a counter.
     pub fn query_count(&mut self, parameter: Parameter) -> Result<u64, LinkError> {
         Ok(count_of(&self.query(parameter)?).unwrap_or_default())
     }
 
-    /// The count of triggers, and between which moments the unit read it.
+    /// The trigger count, with the time interval in which the unit read it.
     pub fn read_triggers(&mut self) -> Result<Reading, LinkError> {
         let count = self.query_count(Parameter::TriggerCount)?;
         Ok(Reading { asked: self.dialogue.last_sent(), answered: self.now(), count })
     }
 
-    /// Sends a command once and checks its `ok`. It is not repeated: a repeated start would fire
-    /// twice.
+    /// Sends a command once and checks for `ok`. It is never repeated, because a repeated start
+    /// would fire twice.
     pub fn command(&mut self, command: Command) -> Result<(), LinkError> {
-        self.get_in_step()?;
-        self.command_in_any_step(command)
+        self.resynchronise()?;
+        self.command_without_resync(command)
     }
 
-    /// As [`Self::command`], without getting in step first: for orders that must not wait.
-    pub fn command_in_any_step(&mut self, command: Command) -> Result<(), LinkError> {
+    /// As [`Self::command`], without resynchronising first: for urgent commands.
+    pub fn command_without_resync(&mut self, command: Command) -> Result<(), LinkError> {
         let text = command.to_string();
         let reply = self.dialogue.ask(&text, |line| Reply::parse(line).is_some())?;
         match Reply::parse(&reply) {
@@ -129,8 +128,8 @@ impl Link {
         }
     }
 
-    /// Sets a parameter and reads it back. A write that is not answered is not repeated blindly:
-    /// the read-back says whether it was taken.
+    /// Sets a parameter and reads it back. An unanswered write is not repeated blindly: the
+    /// read-back shows whether it took effect.
     pub fn set(&mut self, parameter: Parameter, value: Value) -> Result<(), LinkError> {
         self.write(parameter, value)?;
         match self.verify(parameter, value) {
@@ -142,7 +141,7 @@ impl Link {
         }
     }
 
-    /// Sets a parameter unless it reads back right already.
+    /// Sets a parameter unless it already has the value.
     pub fn ensure(&mut self, parameter: Parameter, value: Value) -> Result<(), LinkError> {
         match self.verify(parameter, value) {
             Err(LinkError::Differs { .. }) => self.set(parameter, value),
@@ -150,7 +149,7 @@ impl Link {
         }
     }
 
-    /// Compares what the unit holds with what it should.
+    /// Compares a parameter of the unit with its expected value.
     pub fn verify(&mut self, parameter: Parameter, value: Value) -> Result<(), LinkError> {
         let reply = self.query(parameter)?;
         match value.agrees(&reply) {
@@ -172,9 +171,9 @@ impl Link {
         }
     }
 
-    fn get_in_step(&mut self) -> Result<(), LineError> {
+    fn resynchronise(&mut self) -> Result<(), LineError> {
         if self.dialogue.is_out_of_step() {
-            self.dialogue.get_in_step(&Command::Identify.to_string(), is_identity)?;
+            self.dialogue.resynchronise(&Command::Identify.to_string(), is_identity)?;
         }
         Ok(())
     }
@@ -184,7 +183,7 @@ fn is_refusal(line: &str) -> bool {
     matches!(Reply::parse(line), Some(Reply::Refused(_)))
 }
 
-/// Asks again while the line is silent.
+/// Repeats a query while the line is silent.
 fn repeated(mut ask: impl FnMut() -> Result<String, LineError>) -> Result<String, LinkError> {
     for _ in 1..ATTEMPTS {
         match ask() {

@@ -1,15 +1,15 @@
 //! Driver for BNC 575 and 577 and for Quantum Composers 952x and 953x, which share one dialect.
 //!
-//! How it fires:
+//! Firing:
 //!
-//! * lamps follow every T0; Q-switches and cameras are always in burst mode with a count, never
-//!   in the mode that follows every T0. The burst ends in the unit, whatever becomes of the host;
-//! * warm-up is counted by the host: T0 runs with lamps alone, and `fire` is refused until they
-//!   have fired long enough. The unit's own wait counter is set to zero: how it combines with
-//!   bursts is not verified, and it would delay every renewal;
-//! * T0 is stopped before Q-switch outputs are enabled and started when all is read back: writes
-//!   are not atomic, so nothing is edited while a Q-switch may fire;
-//! * nothing is assumed about the unit after a burst. It may go on with the lamps or drop to OFF.
+//! * Lamps follow every T0. Q-switches and cameras are always in burst mode with a count, never in
+//!   normal mode. The unit ends the burst, whatever happens to the host.
+//! * The host measures the warm-up: T0 runs with lamps only, and `fire` is refused until they have
+//!   fired long enough. The unit's wait counter is set to zero: how it combines with bursts is not
+//!   verified, and it would delay every burst.
+//! * T0 is stopped before Q-switch outputs are enabled, and started after everything is read back:
+//!   writes are not atomic, so nothing is changed while a Q-switch may fire.
+//! * No assumption is made about the unit after a burst: the lamps may continue, or T0 may stop.
 
 pub mod command;
 mod firing;
@@ -22,7 +22,7 @@ mod unit;
 
 use std::time::{Duration, Instant};
 
-pub use unit::Unit;
+pub use unit::UnitDescription;
 
 use self::{
     command::{Channel, ChannelParameter, Command, Parameter, Value},
@@ -37,24 +37,24 @@ use crate::{
     timing::TimingSettings,
 };
 
-/// A unit that answers.
+/// A connected unit.
 pub struct Bnc575 {
     /// Identity and port, for messages.
     name: String,
-    unit: Unit,
+    unit: UnitDescription,
     link: Link,
     channels: ChannelMap,
     warm_up: Duration,
     programmed: Option<PulseSchedule>,
     lamps: Option<LampRun>,
     source: Option<SourceRate>,
-    /// Shots of the bursts that have ended since `program`.
+    /// Shots of completed bursts since `program`.
     given: u64,
-    /// The burst that was started last and not yet seen to end.
-    burst: Option<Burst>,
+    /// The last burst, until its end is observed.
+    burst: Option<RunningBurst>,
 }
 
-/// Lamps that fire.
+/// A period of lamp firing.
 #[derive(Debug, Clone, Copy)]
 struct LampRun {
     since: Instant,
@@ -62,9 +62,9 @@ struct LampRun {
     last_seen: Instant,
 }
 
-/// A burst on its way.
+/// A running burst.
 #[derive(Debug, Clone, Copy)]
-struct Burst {
+struct RunningBurst {
     shots: u64,
     /// The unit's T0 count before it.
     count_before: u64,
@@ -72,12 +72,12 @@ struct Burst {
 }
 
 impl Bnc575 {
-    /// Makes contact over `line` and disables all outputs before anything else.
+    /// Connects over `line` and disables all outputs before anything else.
     ///
     /// # Errors
     ///
-    /// [`DeviceError::Lost`] when nothing answers at any of the configured speeds,
-    /// [`DeviceError::Refused`] when another kind of unit does, or one with too few channels.
+    /// [`DeviceError::Lost`] if nothing answers at any of the configured baud rates,
+    /// [`DeviceError::Refused`] if the unit is of another kind or has too few channels.
     pub fn connect(
         line: Box<dyn Line>,
         settings: &SynchroniserSettings,
@@ -91,7 +91,7 @@ impl Bnc575 {
         let identity = contact(&mut link, &settings.baud_rates()).map_err(failed)?;
         let catalogue = link.ask(Command::Catalogue, is_catalogue).map_err(failed)?;
         let refused = |detail| DeviceError::Refused { device: port.clone(), detail };
-        let unit = Unit::recognise(&identity, &catalogue).ok_or_else(|| {
+        let unit = UnitDescription::recognise(&identity, &catalogue).ok_or_else(|| {
             refused(format!(
                 "{identity:?} with channels {catalogue:?} answers: a BNC 575 or 577 or a Quantum \
                  Composers 952x or 953x is needed; check synchroniser.driver and .port"
@@ -114,8 +114,8 @@ impl Bnc575 {
         Ok(driver)
     }
 
-    /// What the unit said about itself.
-    pub fn unit(&self) -> &Unit {
+    /// Identity and limits of the unit.
+    pub fn unit(&self) -> &UnitDescription {
         &self.unit
     }
 
@@ -123,7 +123,7 @@ impl Bnc575 {
         DeviceError::Refused { device: self.name.clone(), detail: detail.into() }
     }
 
-    /// The error as the trait has it. A lost line takes with it all that was known of the unit.
+    /// Converts an error. After a lost line, all knowledge about the unit is discarded.
     fn failed(&mut self, error: LinkError) -> DeviceError {
         if matches!(error, LinkError::Line(_)) {
             self.forget();
@@ -131,7 +131,7 @@ impl Bnc575 {
         error.into_device_error(&self.name)
     }
 
-    /// What a unit that may have been switched off, or made safe, is not known to hold.
+    /// Discards what is known about a unit that may have been switched off or made safe.
     fn forget(&mut self) {
         self.programmed = None;
         self.lamps = None;
@@ -187,8 +187,8 @@ impl Synchroniser for Bnc575 {
     }
 }
 
-/// Finds the speed at which the unit answers. Outputs are disabled before it is asked who it is;
-/// whatever that is answered, the question brings the dialogue in step.
+/// Finds the baud rate at which the unit answers. Outputs are disabled before the identity query, which
+/// resynchronises the dialogue.
 fn contact(link: &mut Link, baud_rates: &[u32]) -> Result<String, LinkError> {
     let mut silence = None;
     for baud_rate in baud_rates {
@@ -210,7 +210,7 @@ fn contact(link: &mut Link, baud_rates: &[u32]) -> Result<String, LinkError> {
     }
 }
 
-fn check_channels(channels: &ChannelMap, unit: &Unit) -> Result<(), String> {
+fn check_channels(channels: &ChannelMap, unit: &UnitDescription) -> Result<(), String> {
     match channels.all().into_iter().find(|name| name.number() > unit.channels) {
         None => Ok(()),
         Some(name) => Err(format!(

@@ -1,4 +1,4 @@
-//! A schedule into the unit: disable, reset, disable, write, read back.
+//! Programs a schedule: disable, reset, disable, write, read back.
 
 use super::{
     Bnc575,
@@ -13,13 +13,13 @@ use crate::{
     timing::UnitSchedule,
 };
 
-/// A parameter and what it shall be.
+/// A parameter and its value.
 type Setting = (Parameter, Value);
 
 impl Bnc575 {
     pub(super) fn write_schedule(&mut self, schedule: &PulseSchedule) -> Result<(), DeviceError> {
         if self.state()? == SynchroniserState::Firing {
-            return Err(self.refused("timing is never changed while a burst is running"));
+            return Err(self.refused("timing cannot be changed while a burst is running"));
         }
         let fitted = schedule.for_unit(&self.unit.limits);
         let UnitSchedule { schedule, roundings } =
@@ -29,7 +29,7 @@ impl Bnc575 {
         }
         self.reach_safe_state()?;
         self.link.command(Command::Reset).map_err(|error| self.failed(error))?;
-        // What a reset leaves enabled differs between units.
+        // Units differ in what a reset leaves enabled.
         self.reach_safe_state()?;
         self.write_settings(&self.settings_of(&schedule)).map_err(|error| self.failed(error))?;
         self.programmed = Some(schedule);
@@ -61,7 +61,7 @@ impl Bnc575 {
         let q_switches = map.q_switches().into_iter().zip(schedule.q_switch_us);
         let cameras = map.cameras.iter().map(|camera| (*camera, schedule.camera_trigger_us));
         for (output, delay_us) in q_switches.chain(cameras) {
-            // Bounded before anything else is known about it.
+            // Limited to bursts before anything else is set.
             settings.push((of(output, ChannelParameter::Mode), Value::Keyword("BURS")));
             settings.push((of(output, ChannelParameter::BurstCount), Value::Count(1)));
             settings.push((of(output, ChannelParameter::WaitCount), Value::Count(0)));

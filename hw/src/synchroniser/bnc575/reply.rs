@@ -1,11 +1,11 @@
-//! What the unit answers to a command that sets something.
+//! Replies to commands that set something.
 
 use std::fmt;
 
 /// `ok` or an error code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reply {
-    /// `ok`: the command was taken.
+    /// `ok`: accepted.
     Done,
     /// `?n`.
     Refused(Refusal),
@@ -16,7 +16,7 @@ pub enum Reply {
 pub struct Refusal(pub u8);
 
 impl Reply {
-    /// Reads a line; `None` when it is neither `ok` nor `?1` to `?9`.
+    /// Parses a line; `None` unless it is `ok` or `?1` to `?9`.
     pub fn parse(line: &str) -> Option<Self> {
         if line.eq_ignore_ascii_case("ok") {
             return Some(Self::Done);

@@ -1,4 +1,4 @@
-//! The safe state: ordered most dangerous first, verified by read-back.
+//! The safe state: most dangerous outputs first, verified by read-back.
 
 use super::{
     Bnc575,
@@ -10,12 +10,12 @@ use crate::{
     synchroniser::{USE_INTERLOCK, line::LineError},
 };
 
-/// How often the whole order is given before the unit counts as out of control.
+/// Attempts before the unit counts as out of control.
 const ROUNDS: usize = 2;
 
 impl Bnc575 {
-    /// Q-switches off, lamps off, cameras off, all other channels off, T0 off; then every one of
-    /// them is read back. Works in the middle of anything: late replies are passed over.
+    /// Switches off Q-switches, lamps, cameras, all other channels and T0, in this order, and reads
+    /// each one back. Can be called at any time: late replies are skipped.
     pub(super) fn reach_safe_state(&mut self) -> Result<(), DeviceError> {
         self.forget();
         let outputs = self.most_dangerous_first();
@@ -45,8 +45,8 @@ impl Bnc575 {
         states.chain([Parameter::Running]).collect()
     }
 
-    /// Gives all orders, whatever becomes of each. Once the unit is silent they are given without
-    /// waiting for replies: it may hear without being heard, and time counts.
+    /// Sends all commands, whatever happens to each. Once the unit is silent they are sent without
+    /// waiting for replies: it may receive without being able to reply, and time matters.
     fn switch_off(&mut self, outputs: &[Parameter]) -> Result<(), LinkError> {
         let mut silent = false;
         for output in outputs {
@@ -55,12 +55,12 @@ impl Bnc575 {
                 self.link.dialogue().send(&order.to_string())?;
                 continue;
             }
-            match self.link.command_in_any_step(order) {
+            match self.link.command_without_resync(order) {
                 Ok(()) => {}
                 Err(error @ LinkError::Line(LineError::Lost { .. })) => return Err(error),
                 Err(error) => {
                     silent = matches!(error, LinkError::Line(_));
-                    tracing::warn!(unit = self.name, %error, "on the way to the safe state");
+                    tracing::warn!(unit = self.name, %error, "a command of the safe state failed");
                 }
             }
         }
@@ -68,7 +68,7 @@ impl Bnc575 {
     }
 
     fn confirm_off(&mut self, outputs: &[Parameter]) -> Result<(), LinkError> {
-        // A late "0" must not pass for an answer.
+        // A late "0" must not be taken for a reply.
         self.link.identify()?;
         for output in outputs {
             self.link.verify(*output, Value::Switch(false))?;

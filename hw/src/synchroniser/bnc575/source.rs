@@ -1,7 +1,7 @@
-//! The rate of an external trigger, from the unit's own count of triggers.
+//! Rate of an external trigger, from the unit's trigger count.
 //!
-//! Lamps follow every trigger, so the rate is watched for as long as lamps run: over a sliding
-//! window, because an average since arming hides a change for longer the longer it has run.
+//! Lamps follow every trigger, so the rate is monitored as long as lamps run. It is measured over a
+//! sliding window: an average since arming would react more slowly the longer it has run.
 
 use std::{
     collections::VecDeque,
@@ -15,14 +15,14 @@ use super::{
 };
 use crate::device::DeviceError;
 
-/// How long triggers are counted before a Q-switch is enabled.
+/// How long the rate is measured before a Q-switch is enabled.
 const CONFIRMATION: Duration = Duration::from_secs(3);
-/// How far back a new count is compared with earlier ones.
+/// Length of the sliding window.
 const WINDOW: Duration = Duration::from_secs(3);
-/// How much faster than declared counts may look: the host's and the source's clocks differ.
+/// Tolerance for the rate difference of the host's and the source's clocks.
 const TOLERANCE: f64 = 1.01;
 
-/// A count of triggers. The unit took it at some moment between question and answer.
+/// A trigger count. The unit read it at some time between query and reply.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Reading {
     pub asked: Instant,
@@ -30,11 +30,11 @@ pub struct Reading {
     pub count: u64,
 }
 
-/// Triggers that came within some time.
+/// Triggers within a time interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Counted {
+struct TriggerInterval {
     triggers: u64,
-    /// The longest time that they can have taken.
+    /// Upper bound of the interval.
     within: Duration,
 }
 
@@ -42,30 +42,30 @@ struct Counted {
 #[derive(Debug, Clone)]
 pub struct SourceRate {
     max_rate_hz: f64,
-    /// Since when triggers have been counted without a break.
+    /// Start of uninterrupted counting.
     since: Instant,
-    /// The newest is the last; there is always one.
+    /// In order of time; never empty.
     readings: VecDeque<Reading>,
-    /// Triggers have come for [`CONFIRMATION`], and not too fast.
+    /// Triggers were counted for [`CONFIRMATION`] without exceeding the rate.
     confirmed: bool,
 }
 
 impl SourceRate {
-    /// Watches from `first` on.
+    /// Starts with the reading `first`.
     pub fn new(max_rate_hz: f64, first: Reading) -> Self {
         let (since, readings) = (first.answered, VecDeque::from([first]));
         Self { max_rate_hz, since, readings, confirmed: false }
     }
 
-    /// A new count. One that is lower than the last was set back in the unit and begins anew; what
-    /// was confirmed stays so.
-    pub fn note(&mut self, reading: Reading) {
+    /// Adds a reading. A lower count than the last means that the unit reset its counter: counting
+    /// restarts, and the confirmation is kept.
+    pub fn add(&mut self, reading: Reading) {
         if self.readings.back().is_some_and(|last| reading.count < last.count) {
             self.since = reading.answered;
             self.readings.clear();
         }
         let age = |old: &Reading| reading.asked.saturating_duration_since(old.answered);
-        // After too long a pause the last one still says how many came meanwhile.
+        // After a long pause, the last reading still bounds the triggers since.
         while self.readings.len() > 1 && self.readings.front().is_some_and(|old| age(old) > WINDOW)
         {
             self.readings.pop_front();
@@ -78,15 +78,15 @@ impl SourceRate {
         }
     }
 
-    /// Whether the count can be what a source as declared gives.
+    /// Whether the declared rate allows this count.
     pub fn expects(&self, reading: Reading) -> bool {
         let mut then = self.clone();
-        then.note(reading);
+        then.add(reading);
         let set_back = self.readings.back().is_some_and(|last| reading.count < last.count);
         !set_back && !then.is_exceeded()
     }
 
-    /// What is left of the time in which triggers are counted first.
+    /// Time left until the rate can be confirmed.
     pub fn wait(&self, now: Instant) -> Duration {
         match self.confirmed {
             true => Duration::ZERO,
@@ -98,39 +98,40 @@ impl SourceRate {
         self.confirmed
     }
 
-    /// Since some reading of the window more triggers came than the declared rate gives.
+    /// Whether the declared rate was exceeded since some reading of the window.
     pub fn is_exceeded(&self) -> bool {
         self.worst().is_some()
     }
 
-    /// The part of the window with the most triggers too many.
-    fn worst(&self) -> Option<Counted> {
+    /// The part of the window with the largest excess of triggers.
+    fn worst(&self) -> Option<TriggerInterval> {
         let parts = self.readings.iter().map(|old| self.counted_since(Some(old)));
-        let excess = |part: &Counted| part.triggers as f64 - self.most_within(part.within);
+        let excess =
+            |part: &TriggerInterval| part.triggers as f64 - self.max_triggers_within(part.within);
         let worst = parts.max_by(|a, b| excess(a).total_cmp(&excess(b)));
         worst.filter(|part| excess(part) > 0.0)
     }
 
-    /// Most triggers of a source as declared, counting both ends.
-    fn most_within(&self, time: Duration) -> f64 {
+    /// Most triggers within a time at the declared rate, including both ends.
+    fn max_triggers_within(&self, time: Duration) -> f64 {
         time.as_secs_f64() * self.max_rate_hz * TOLERANCE + 1.0
     }
 
-    fn counted_since(&self, old: Option<&Reading>) -> Counted {
+    fn counted_since(&self, old: Option<&Reading>) -> TriggerInterval {
         match (old, self.readings.back()) {
-            (Some(old), Some(new)) => Counted {
+            (Some(old), Some(new)) => TriggerInterval {
                 triggers: new.count.saturating_sub(old.count),
                 within: new.answered.saturating_duration_since(old.asked),
             },
-            _ => Counted { triggers: 0, within: Duration::ZERO },
+            _ => TriggerInterval { triggers: 0, within: Duration::ZERO },
         }
     }
 
     fn describe(&self) -> String {
         let whole = self.counted_since(self.readings.front());
-        let Counted { triggers, within } = self.worst().unwrap_or(whole);
+        let TriggerInterval { triggers, within } = self.worst().unwrap_or(whole);
         format!(
-            "{triggers} external triggers in {:.2} s: allowed: at most {} a second, as declared",
+            "{triggers} external triggers in {:.2} s: allowed: at most {} per second, as declared",
             within.as_secs_f64(),
             self.max_rate_hz
         )
@@ -138,13 +139,13 @@ impl SourceRate {
 }
 
 impl Bnc575 {
-    /// Counts once more; drops to safe when the source is faster than declared.
+    /// Reads the count; goes to the safe state if the source is faster than declared.
     pub(super) fn watch_source(&mut self) -> Result<(), DeviceError> {
         let Some(mut source) = self.source.clone() else { return Ok(()) };
         match self.read_expected(&source) {
-            Ok(reading) => source.note(reading),
+            Ok(reading) => source.add(reading),
             Err(error) => {
-                // Lamps at a rate that cannot be seen must not run.
+                // Lamps must not run at an unknown rate.
                 let error = self.failed(error);
                 return self.reach_safe_state().and(Err(error));
             }
@@ -158,8 +159,8 @@ impl Bnc575 {
         Err(self.refused(format!("{reason}; lamps and Q-switches are switched off")))
     }
 
-    /// A count that is not expected is asked for again and believed then: one wrong digit on the
-    /// line is no trigger.
+    /// An unexpected count is queried again and then believed: a wrong digit on the line is not a
+    /// trigger.
     fn read_expected(&mut self, source: &SourceRate) -> Result<Reading, LinkError> {
         let reading = self.link.read_triggers()?;
         match source.expects(reading) {
@@ -168,7 +169,7 @@ impl Bnc575 {
         }
     }
 
-    /// Q-switches stay off until the declared rate is confirmed.
+    /// Keeps Q-switches off until the declared rate is confirmed.
     pub(super) fn confirm_source(&mut self) -> Result<(), DeviceError> {
         let external = self.programmed.as_ref().is_some_and(|s| s.external_trigger.is_some());
         if !external {
@@ -187,7 +188,7 @@ impl Bnc575 {
                 source.describe()
             ))),
             None => Err(self.refused(
-                "the rate of the external trigger is not confirmed: arm, wait and fire then",
+                "the rate of the external trigger is not confirmed: arm, wait, then fire",
             )),
         }
     }

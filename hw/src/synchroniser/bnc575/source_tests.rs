@@ -3,7 +3,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::device::WATCH_INTERVAL;
 
-/// A source whose triggers are known, and whoever reads its count.
+/// A source with known triggers, and the monitor that reads its count.
 struct Watched {
     begun: Instant,
     source: SourceRate,
@@ -16,14 +16,14 @@ impl Watched {
         Self { begun, source: SourceRate::new(max_rate_hz, first) }
     }
 
-    /// The unit was asked after `at_s` and answered `latency_s` later.
+    /// Queries the unit after `at_s`; the reply arrives `latency_s` later.
     fn read(&mut self, at_s: f64, latency_s: f64, count: u64) {
         let after = |seconds| self.begun + Duration::from_secs_f64(seconds);
         let (asked, answered) = (after(at_s), after(at_s + latency_s));
-        self.source.note(Reading { asked, answered, count: 1000 + count });
+        self.source.add(Reading { asked, answered, count: 1000 + count });
     }
 
-    /// Reads the count of an even source every [`WATCH_INTERVAL`] until `until_s`.
+    /// Reads the count of a regular source every [`WATCH_INTERVAL`] until `until_s`.
     fn even(rate_hz: f64, max_rate_hz: f64, until_s: f64) -> Self {
         let mut watched = Self::new(max_rate_hz);
         for at_s in looks(until_s) {
@@ -45,7 +45,7 @@ fn only_three_seconds_at_the_declared_rate_confirm() {
     assert!(!Watched::even(0.0, 10.0, 60.0).source.is_confirmed());
     assert!(!Watched::even(10.0, 10.0, 2.5).source.is_confirmed());
     assert!(!Watched::even(11.0, 10.0, 3.0).source.is_confirmed());
-    // Whoever waits and asks once learns the same.
+    // Waiting and asking once gives the same result.
     let mut waited = Watched::new(10.0);
     assert_eq!(waited.source.wait(waited.begun + Duration::from_secs(1)), Duration::from_secs(2));
     waited.read(3.2, 0.01, 30);
@@ -65,7 +65,7 @@ fn after_an_hour_at_nine_hertz_thirty_hertz_show_at_the_next_look() {
 
 #[test]
 fn what_was_too_fast_is_seen_although_the_triggers_paused() {
-    // T0 stands still while a burst is prepared, and the source is faster when it goes on.
+    // T0 is stopped while a burst is prepared, and the source is faster afterwards.
     let mut watched = Watched::new(10.0);
     watched.read(0.5, 0.01, 0);
     watched.read(2.0, 0.01, 0);
@@ -82,13 +82,13 @@ fn a_counter_set_back_begins_anew() {
     let next = Reading { count: 1045, ..set_back };
     assert!(watched.source.expects(next));
     assert!(!watched.source.expects(set_back) && !watched.source.expects(garbled));
-    watched.source.note(set_back);
+    watched.source.add(set_back);
     assert!(watched.source.is_confirmed() && !watched.source.is_exceeded());
 }
 
 proptest! {
-    /// Triggers that are never closer than declared, read at any moments over a line of any
-    /// latency: none of that looks like an excess.
+    /// Triggers within the declared rate, read at arbitrary times over a line of arbitrary latency,
+    /// never count as an excess.
     #[test]
     fn a_source_as_declared_is_never_taken_for_a_faster_one(
         max_rate_hz in 0.5_f64..100.0,
@@ -110,8 +110,7 @@ proptest! {
         }
     }
 
-    /// Whatever came before within what is declared, and however long: three times the rate shows
-    /// within two seconds and a half.
+    /// After any history within the declared rate, three times the rate is detected within 2.5 s.
     #[test]
     fn three_times_the_declared_rate_shows_at_once(
         max_rate_hz in 1.0_f64..100.0,

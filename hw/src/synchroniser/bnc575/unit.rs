@@ -1,21 +1,20 @@
-//! Which unit it is, from its identity and its catalogue of channels.
+//! Identification of the unit, by identity string and channel catalogue.
 
 use crate::timing::UnitLimits;
 
-/// A unit of the dialect.
+/// An identified unit.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Unit {
-    /// Answer to `*IDN?`: vendor, model, serial number, firmware.
+pub struct UnitDescription {
+    /// Reply to `*IDN?`: vendor, model, serial number, firmware.
     pub identity: String,
     /// Number of channels.
     pub channels: u8,
-    /// What it can set.
+    /// Limits of its settings.
     pub limits: UnitLimits,
 }
 
-impl Unit {
-    /// Reads `BNC,575-4,31707,2.4.2-2.0.11` and `T0, CHA, CHB, CHC, CHD`; `None` for a unit of
-    /// another family.
+impl UnitDescription {
+    /// Parses `BNC,575-4,31707,2.4.2-2.0.11` and `T0, CHA, CHB, CHC, CHD`; `None` for another family.
     pub fn recognise(identity: &str, catalogue: &str) -> Option<Self> {
         let mut fields = identity.split(',').map(str::trim);
         let (vendor, model) = (fields.next()?.to_ascii_uppercase(), fields.next()?);
@@ -38,12 +37,12 @@ impl Unit {
     }
 }
 
-/// Whether a line can be the answer to `*IDN?`: no other answer has three commas.
+/// Whether a line can be the reply to `*IDN?`: no other reply has three commas.
 pub fn is_identity(line: &str) -> bool {
     line.matches(',').count() >= 3 && !is_catalogue(line)
 }
 
-/// Whether a line can be the answer to `:INST:CAT?`.
+/// Whether a line can be the reply to `:INST:CAT?`.
 pub fn is_catalogue(line: &str) -> bool {
     line.to_ascii_uppercase().starts_with("T0,")
 }
@@ -55,12 +54,12 @@ mod tests {
     #[test]
     fn families_are_told_apart() {
         let catalogue = "T0, CHA, CHB, CHC, CHD, CHE, CHF, CHG, CHH";
-        let unit = Unit::recognise("BNC,575-8,31707,2.4.2-2.0.11", catalogue).unwrap();
+        let unit = UnitDescription::recognise("BNC,575-8,31707,2.4.2-2.0.11", catalogue).unwrap();
         assert_eq!((unit.channels, unit.limits.longest_burst), (8, 9_999_999));
-        let unit = Unit::recognise("QC,9534,00123,2.1.0", "T0,CHA,CHB,CHC,CHD").unwrap();
+        let unit = UnitDescription::recognise("QC,9534,00123,2.1.0", "T0,CHA,CHB,CHC,CHD").unwrap();
         assert_eq!((unit.channels, unit.limits.longest_burst), (4, 1_000_000));
-        assert_eq!(Unit::recognise("KEYSIGHT,33500B,1,2", catalogue), None);
-        assert_eq!(Unit::recognise("BNC,575-4,31707,2.4.2", "T0"), None);
+        assert_eq!(UnitDescription::recognise("KEYSIGHT,33500B,1,2", catalogue), None);
+        assert_eq!(UnitDescription::recognise("BNC,575-4,31707,2.4.2", "T0"), None);
         assert!(is_identity("BNC,575-4,31707,2.4.2-2.0.11"));
         assert!(!is_identity("T0, CHA, CHB, CHC") && is_catalogue("T0, CHA, CHB, CHC"));
         assert!(!is_identity("0.1"));

@@ -1,4 +1,4 @@
-//! One command, one reply, on a line that may echo, stutter or fall silent.
+//! Command–reply dialogue over a line that may echo, garble or fall silent.
 
 use std::{
     io,
@@ -12,10 +12,10 @@ use super::Line;
 /// Why there is no reply.
 #[derive(Debug, Error)]
 pub enum LineError {
-    /// The port is gone.
-    #[error("the serial line {port} is gone: {source}")]
+    /// The port was removed.
+    #[error("the serial line {port} is lost: {source}")]
     Lost { port: String, source: io::Error },
-    /// No reply, or none that the command can have.
+    /// No reply in time, or none that fits the command.
     #[error("no reply to {command:?} within {waited_ms} ms on {port}{}", heard_instead(heard))]
     Silent { port: String, command: String, waited_ms: u128, heard: String },
 }
@@ -24,21 +24,21 @@ fn heard_instead(heard: &str) -> String {
     if heard.is_empty() { String::new() } else { format!(", but {heard:?}") }
 }
 
-/// Sends commands in lines and finds their replies.
+/// Sends command lines and finds their replies.
 ///
-/// A line that repeats the command is its echo; empty lines and lines that cannot be a reply are
-/// stray: they are logged and passed over. After a command without reply the dialogue is *out of
-/// step*: what comes next may be the late reply, and the driver must get in step with a command
-/// whose reply cannot be mistaken before it trusts any other.
+/// A line that repeats the command is its echo. Empty lines and lines that cannot be a reply are logged
+/// and skipped. After a command without a reply the dialogue is *out of step*: the next line may be the
+/// late reply. The driver must then resynchronise with a command whose reply is unambiguous before it
+/// trusts any other.
 pub struct Dialogue {
     line: Box<dyn Line>,
     pacing: Duration,
     reply_timeout: Duration,
-    /// When the next command may be sent.
+    /// Earliest time of the next command.
     free_from: Instant,
-    /// Bytes that are no whole line yet.
+    /// Bytes of an incomplete line.
     partial: Vec<u8>,
-    /// Whether the unit repeats commands; unknown before the first reply.
+    /// Whether the unit echoes commands; unknown before the first reply.
     echo: Option<bool>,
     out_of_step: bool,
     /// When the last command was sent.
@@ -46,7 +46,7 @@ pub struct Dialogue {
 }
 
 impl Dialogue {
-    /// Leaves `pacing` between a reply and the next command, and waits `reply_timeout` for replies.
+    /// Waits `pacing` between a reply and the next command, and up to `reply_timeout` for replies.
     pub fn new(line: Box<dyn Line>, pacing: Duration, reply_timeout: Duration) -> Self {
         let now = line.now();
         Self {
@@ -71,22 +71,22 @@ impl Dialogue {
         self.sent
     }
 
-    /// The port, for messages.
+    /// Name of the port, for messages.
     pub fn port(&self) -> &str {
         self.line.name()
     }
 
-    /// Whether the unit repeats commands; `None` before the first reply.
+    /// Whether the unit echoes commands; `None` before the first reply.
     pub fn echo(&self) -> Option<bool> {
         self.echo
     }
 
-    /// Whether a late reply may still come.
+    /// Whether a late reply may still arrive.
     pub fn is_out_of_step(&self) -> bool {
         self.out_of_step
     }
 
-    /// Changes the speed of the port, in baud.
+    /// Sets the baud rate of the port.
     pub fn set_baud_rate(&mut self, baud_rate: u32) -> Result<(), LineError> {
         self.partial.clear();
         self.line.set_baud_rate(baud_rate).map_err(|source| self.lost(source))
@@ -103,11 +103,11 @@ impl Dialogue {
         sent.map_err(|source| self.lost(source))
     }
 
-    /// Sends a command and returns the first line that `accept` takes for its reply.
+    /// Sends a command and returns the first line that `accept` recognises as its reply.
     ///
     /// # Errors
     ///
-    /// The port is gone, or nothing that could be the reply came in time.
+    /// The port is lost, or no such reply arrived in time.
     pub fn ask(
         &mut self,
         command: &str,
@@ -143,9 +143,8 @@ impl Dialogue {
         })
     }
 
-    /// Gets in step again by a command whose reply cannot be mistaken for any other: whatever
-    /// came before it is passed over.
-    pub fn get_in_step(
+    /// Resynchronises with a command whose reply is unambiguous; skips everything before it.
+    pub fn resynchronise(
         &mut self,
         command: &str,
         accept: impl Fn(&str) -> bool,
@@ -162,7 +161,7 @@ impl Dialogue {
         }
     }
 
-    /// What came before a command does not answer it.
+    /// Discards input that arrived before a command.
     fn discard_stale(&mut self) -> Result<(), LineError> {
         let mut stale = std::mem::take(&mut self.partial);
         loop {
@@ -172,7 +171,7 @@ impl Dialogue {
             }
             stale.extend(bytes);
         }
-        // The end of a line that was taken for whole at its first byte is nothing to tell of.
+        // The rest of a line ending is not worth a warning.
         if stale.iter().any(|byte| !matches!(byte, b'\r' | b'\n')) {
             let bytes = stale.escape_ascii().to_string();
             tracing::warn!(port = self.port(), bytes, "stray bytes between commands");
@@ -180,7 +179,7 @@ impl Dialogue {
         Ok(())
     }
 
-    /// The next line that is not empty; `None` when the deadline comes first.
+    /// The next non-empty line; `None` at the deadline.
     fn next_line(&mut self, deadline: Instant) -> Result<Option<String>, LineError> {
         loop {
             if let Some(end) = self.partial.iter().position(|byte| matches!(byte, b'\r' | b'\n')) {
@@ -205,7 +204,7 @@ impl Dialogue {
     }
 }
 
-/// The line without bytes that no reply contains.
+/// The line without control characters.
 fn printable(line: &[u8]) -> String {
     let kept = line.iter().filter(|byte| matches!(byte, b' '..=b'~'));
     let text: String = kept.map(|byte| char::from(*byte)).collect();

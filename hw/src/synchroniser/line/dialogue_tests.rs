@@ -4,9 +4,9 @@ use std::{
 };
 
 use super::*;
-use crate::synchroniser::line::{Direction, Recorded, Transcript};
+use crate::synchroniser::line::{Direction, RecordedLine, Transcript};
 
-/// A line that gives prepared pieces, one for each call, after each command.
+/// A line that returns prepared pieces after each command, one per call.
 #[derive(Clone, Default)]
 struct Prepared {
     replies: Arc<Mutex<VecDeque<Vec<&'static str>>>>,
@@ -84,11 +84,11 @@ fn a_late_reply_answers_no_later_question() {
     let line = Prepared::default().reply(&[]).reply(&["ok\r\n", "me,1,2,3\r\n"]).reply(&["ok\r\n"]);
     let mut dialogue = line.dialogue();
     assert!(dialogue.ask("first", is_ok).is_err());
-    // The reply to the first command comes after the second was sent.
-    let identity = dialogue.get_in_step("*IDN?", |line| line.starts_with("me")).unwrap();
+    // The reply to the first command arrives after the second was sent.
+    let identity = dialogue.resynchronise("*IDN?", |line| line.starts_with("me")).unwrap();
     assert_eq!(identity, "me,1,2,3");
     assert!(!dialogue.is_out_of_step());
-    // What waits before a command is sent is thrown away.
+    // Pending input is discarded before a command is sent.
     line.waiting.lock().unwrap().push_back("0\r\n");
     assert_eq!(dialogue.ask("third", |_| true).unwrap(), "ok");
 }
@@ -97,7 +97,7 @@ fn a_late_reply_answers_no_later_question() {
 fn the_transcript_holds_every_byte_both_ways_and_in_order() {
     let transcript = Transcript::kept();
     let line = Prepared::default().reply(&["o", "k\r\n"]);
-    let recorded = Recorded::new(line, transcript.clone());
+    let recorded = RecordedLine::new(line, transcript.clone());
     let mut dialogue = Dialogue::new(Box::new(recorded), Duration::ZERO, Duration::from_millis(20));
     dialogue.ask("*RST", is_ok).unwrap();
     let entries = transcript.entries();

@@ -1,8 +1,7 @@
-//! A serial line: bytes out, bytes in, with time-outs.
+//! A serial line: bytes in both directions, with timeouts.
 //!
-//! Drivers speak through a [`Dialogue`] over a [`Line`]. [`SerialLine`] is a real port;
-//! [`Recorded`] and fault injectors wrap any other line, so that what is recorded or disturbed is
-//! what went over the wire.
+//! Drivers use a [`Dialogue`] over a [`Line`]. [`SerialLine`] is a real port. [`RecordedLine`] and
+//! fault injectors wrap any other line, so that they see the bytes on the wire.
 
 mod dialogue;
 mod serial;
@@ -15,23 +14,23 @@ use std::{
 
 pub use dialogue::{Dialogue, LineError};
 pub use serial::SerialLine;
-pub use transcript::{Direction, Entry, Recorded, Transcript};
+pub use transcript::{Direction, RecordedLine, Transcript, TranscriptEntry};
 
-/// Bytes both ways.
+/// A bidirectional byte stream.
 pub trait Line: Send {
-    /// The port, for messages.
+    /// Name of the port, for messages.
     fn name(&self) -> &str;
     /// Sends all bytes.
     fn send(&mut self, bytes: &[u8]) -> io::Result<()>;
-    /// What has come, waiting for the first byte at most `at_most`; empty when nothing came.
+    /// Received bytes; waits up to `at_most` for the first one. Empty on timeout.
     fn receive(&mut self, at_most: Duration) -> io::Result<Vec<u8>>;
-    /// Changes the speed of the port, in baud.
+    /// Sets the baud rate of the port.
     fn set_baud_rate(&mut self, baud_rate: u32) -> io::Result<()>;
-    /// The time by which replies are late: the host's. A simulated line may have a clock of its own.
+    /// The clock for timeouts: the host's, unless a simulated line has its own.
     fn now(&self) -> Instant {
         Instant::now()
     }
-    /// Lets time pass.
+    /// Waits on that clock.
     fn pause(&self, time: Duration) {
         thread::sleep(time);
     }

@@ -9,11 +9,10 @@ use serialport::{ClearBuffer, DataBits, FlowControl, Parity, SerialPort, StopBit
 
 use super::Line;
 
-/// How long the port may refuse to take bytes.
+/// Timeout of a blocked write.
 const WRITE_TIMEOUT: Duration = Duration::from_secs(1);
 
-/// A serial port: 8 data bits, no parity, 1 stop bit, no flow control, opened for this process
-/// alone.
+/// A serial port: 8 data bits, no parity, 1 stop bit, no flow control, opened exclusively.
 #[derive(Debug)]
 pub struct SerialLine {
     name: String,
@@ -25,7 +24,7 @@ impl SerialLine {
     ///
     /// # Errors
     ///
-    /// The port does not exist, may not be opened, or is in use by another process.
+    /// The port does not exist, cannot be opened, or is in use by another process.
     pub fn open(path: &str, baud_rate: u32) -> io::Result<Self> {
         let builder = serialport::new(path, baud_rate)
             .data_bits(DataBits::Eight)
@@ -34,7 +33,7 @@ impl SerialLine {
             .flow_control(FlowControl::None)
             .timeout(WRITE_TIMEOUT);
         let port = TTYPort::open(&builder)?;
-        // What an earlier user left unread answers none of our commands.
+        // Input from before is no reply to our commands.
         port.clear(ClearBuffer::Input)?;
         Ok(Self { name: path.to_owned(), port })
     }
@@ -54,7 +53,7 @@ impl Line for SerialLine {
         self.port.set_timeout(at_most)?;
         let mut buffer = [0; 256];
         match self.port.read(&mut buffer) {
-            // A port that is ready to be read and has nothing to read has been taken away.
+            // A port that is readable but returns no bytes was removed.
             Ok(0) => Err(ErrorKind::BrokenPipe.into()),
             Ok(count) => Ok(buffer[..count].to_vec()),
             Err(error) if matches!(error.kind(), ErrorKind::TimedOut | ErrorKind::Interrupted) => {

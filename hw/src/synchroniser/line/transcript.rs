@@ -1,4 +1,4 @@
-//! What went over a line, byte for byte and with the host's time.
+//! Transcript of a line: every byte with the host's time.
 
 use std::{
     fmt,
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Line;
 
-/// Which way bytes went.
+/// Direction of bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Direction {
@@ -21,20 +21,20 @@ pub enum Direction {
     ToHost,
 }
 
-/// Bytes that were sent, or came, in one piece.
+/// Bytes sent or received in one piece.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Entry {
+pub struct TranscriptEntry {
     /// Host clock, in ns since the Unix epoch.
     pub host_time_ns: u64,
-    /// Which way they went.
+    /// Their direction.
     pub direction: Direction,
     /// The bytes.
     pub bytes: Vec<u8>,
 }
 
-/// One line of a transcript file: seconds since the Unix epoch, `>` to the unit or `<` to the
-/// host, and the bytes with everything but printable ASCII escaped.
-impl fmt::Display for Entry {
+/// A line of a transcript file: seconds since the Unix epoch, `>` to the unit or `<` to the host, and
+/// the bytes with everything but printable ASCII escaped.
+impl fmt::Display for TranscriptEntry {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (seconds, ns) = (self.host_time_ns / 1_000_000_000, self.host_time_ns % 1_000_000_000);
         let arrow = match self.direction {
@@ -45,16 +45,16 @@ impl fmt::Display for Entry {
     }
 }
 
-/// Where entries are kept or written. Clones share it.
+/// Destination of entries. Clones share it.
 #[derive(Clone)]
 pub struct Transcript {
     sink: Arc<Mutex<Sink>>,
 }
 
 enum Sink {
-    Kept(Vec<Entry>),
+    Kept(Vec<TranscriptEntry>),
     Written(Box<dyn Write + Send>),
-    Told(Box<dyn FnMut(Entry) + Send>),
+    Told(Box<dyn FnMut(TranscriptEntry) + Send>),
 }
 
 impl Transcript {
@@ -63,25 +63,25 @@ impl Transcript {
         Self { sink: Arc::new(Mutex::new(Sink::Kept(Vec::new()))) }
     }
 
-    /// Writes every entry as a line, flushed at once: it is there to be read after a crash.
+    /// Writes every entry as a line and flushes it, so that it survives a crash.
     pub fn written(writer: impl Write + Send + 'static) -> Self {
         Self { sink: Arc::new(Mutex::new(Sink::Written(Box::new(writer)))) }
     }
 
-    /// Hands every entry to `listener`, on the thread that uses the line.
-    pub fn told(listener: impl FnMut(Entry) + Send + 'static) -> Self {
+    /// Passes every entry to `listener`, on the thread that uses the line.
+    pub fn told(listener: impl FnMut(TranscriptEntry) + Send + 'static) -> Self {
         Self { sink: Arc::new(Mutex::new(Sink::Told(Box::new(listener)))) }
     }
 
-    /// The entries so far; none from a transcript that is written or told.
-    pub fn entries(&self) -> Vec<Entry> {
+    /// The entries so far; empty unless they are kept in memory.
+    pub fn entries(&self) -> Vec<TranscriptEntry> {
         match &*self.sink.lock().unwrap_or_else(PoisonError::into_inner) {
             Sink::Kept(entries) => entries.clone(),
             Sink::Written(_) | Sink::Told(_) => Vec::new(),
         }
     }
 
-    /// The lines that were sent to the unit, without their ends.
+    /// The lines sent to the unit, without line endings.
     pub fn sent_lines(&self) -> Vec<String> {
         let entries = self.entries();
         let sent = entries.iter().filter(|entry| entry.direction == Direction::ToUnit);
@@ -92,7 +92,7 @@ impl Transcript {
     fn note(&self, direction: Direction, bytes: &[u8]) -> io::Result<()> {
         let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let host_time_ns = u64::try_from(now.as_nanos()).unwrap_or(u64::MAX);
-        let entry = Entry { host_time_ns, direction, bytes: bytes.to_vec() };
+        let entry = TranscriptEntry { host_time_ns, direction, bytes: bytes.to_vec() };
         match &mut *self.sink.lock().unwrap_or_else(PoisonError::into_inner) {
             Sink::Kept(entries) => entries.push(entry),
             Sink::Told(listener) => listener(entry),
@@ -105,15 +105,15 @@ impl Transcript {
     }
 }
 
-/// A line whose bytes are written down. A transcript that cannot be written is no reason to lose
-/// the line to the laser: it is given up, with a warning.
-pub struct Recorded<L> {
+/// A line with a transcript. If the transcript cannot be written, it ends with a warning; the line to
+/// the laser matters more.
+pub struct RecordedLine<L> {
     line: L,
     transcript: Option<Transcript>,
 }
 
-impl<L: Line> Recorded<L> {
-    /// Records what goes over `line`.
+impl<L: Line> RecordedLine<L> {
+    /// Records the bytes of `line`.
     pub fn new(line: L, transcript: Transcript) -> Self {
         Self { line, transcript: Some(transcript) }
     }
@@ -127,13 +127,13 @@ impl<L: Line> Recorded<L> {
     }
 }
 
-impl<L: Line> Line for Recorded<L> {
+impl<L: Line> Line for RecordedLine<L> {
     fn name(&self) -> &str {
         self.line.name()
     }
 
     fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
-        // Before it is sent: a reply must not be written down above its command.
+        // Before sending, so that a reply never precedes its command.
         self.note(Direction::ToUnit, bytes);
         self.line.send(bytes)
     }

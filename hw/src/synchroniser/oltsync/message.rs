@@ -1,11 +1,11 @@
-//! Messages to and from an oltSync: pins and their edges in whole microseconds.
+//! Messages of the oltSync: pins and their edges in whole microseconds.
 //!
-//! Source: what the unit says; the rules of a sequence are those that the unit's firmware checks
-//! (even number of edges per pin, strictly increasing, none beyond the frame time).
+//! Source: the unit's replies; the rules of a sequence are those that its firmware checks (even number
+//! of edges per pin, strictly increasing, none beyond the frame time).
 
 use crate::{PulseSchedule, synchroniser::ChannelMap};
 
-/// What the unit answers.
+/// Replies of the unit.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
     /// `oltSync:<id>`
@@ -21,7 +21,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Reads a line; `None` when it is no answer.
+    /// Parses a line; `None` if it is not a reply.
     pub fn parse(line: &str) -> Option<Self> {
         if let Some((head, id)) = line.split_once(':')
             && head.eq_ignore_ascii_case("oltSync")
@@ -40,7 +40,7 @@ impl Answer {
     }
 }
 
-/// Asks who is there.
+/// Queries the identity.
 pub const WHO_ARE_YOU: &str = "WhoAreYou?";
 
 /// Starts the sequence.
@@ -53,17 +53,17 @@ pub fn stop(id: &str) -> String {
     format!("TALKINGTO:{id}:stop")
 }
 
-/// Which outputs a sequence drives.
+/// Outputs driven by a sequence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outputs {
-    /// Lamps, to warm them.
+    /// Lamps only, for warm-up.
     LampsOnly,
     /// Lamps, Q-switches and cameras.
     All,
 }
 
 /// One period: `TALKINGTO:<id>:sequence:<frame_us>:0,0:<on,off>:<on,off>:…`, pin 1 first. Mode 0
-/// is the unit's own clock. The schedule must be in whole microseconds.
+/// selects the unit's own clock. The schedule must be in whole microseconds.
 pub fn sequence(
     id: &str,
     schedule: &PulseSchedule,

@@ -1,18 +1,17 @@
 //! Driver for the OPTOLUTION oltSync.
 //!
-//! What this unit cannot do, and what follows from it:
+//! Limitations of this unit, and their consequences:
 //!
-//! * **It reads nothing back.** It acknowledges (`Sequence:OK`, `Laser:enable`, `Laser:disable`),
-//!   and [`Synchroniser::reads_back`] is false. *Safe* is reported only when the unit has answered
+//! * **No read-back.** It acknowledges commands (`Sequence:OK`, `Laser:enable`, `Laser:disable`), and
+//!   [`Synchroniser::reads_back`] is false. *Safe* is reported only if the unit has answered
 //!   `Laser:disable` to a stop sent in that very call. A burst counts as *firing* until a stop is
 //!   acknowledged.
-//! * **It counts no bursts.** It fires until told to stop. The host ends bursts by its own clock,
-//!   on a thread that outlives the caller, but not the process: with a dead host or a cut line
-//!   nothing but the hardware interlock ends the firing. That breaks the rule that every burst is
-//!   bounded in the unit, so firing is refused unless `host_timed_bursts` says that somebody has
-//!   taken this upon himself.
-//! * **It counts no triggers**: [`Synchroniser::trigger_count`] is `None`, and an external trigger
-//!   is refused because its rate cannot be confirmed.
+//! * **No burst count.** It fires until it is stopped. The host ends bursts by its own clock, on a
+//!   thread that outlives the caller but not the process: if the host dies or the line is cut, only
+//!   the hardware interlock ends the firing. This breaks the rule that the unit bounds every burst,
+//!   so firing is refused unless `host_timed_bursts` accepts the risk.
+//! * **No trigger count**: [`Synchroniser::trigger_count`] is `None`, and an external trigger is
+//!   refused because its rate cannot be confirmed.
 
 pub mod message;
 
@@ -33,12 +32,12 @@ use crate::{
     timing::{TimingSettings, UnitLimits},
 };
 
-/// How often a stop is sent before the unit counts as out of control.
+/// Stop commands sent before the unit counts as out of control.
 const STOP_ATTEMPTS: usize = 3;
-/// How long lamps may pause without going cold.
+/// How long lamps may pause without cooling down.
 const LAMPS_STAY_WARM: Duration = Duration::from_secs(3);
 
-/// A unit that answers.
+/// A connected unit.
 pub struct OltSync {
     unit: Arc<Mutex<Unit>>,
     channels: ChannelMap,
@@ -46,24 +45,24 @@ pub struct OltSync {
     host_timed_bursts: bool,
     programmed: Option<PulseSchedule>,
     lamps_since: Option<Instant>,
-    /// Just before the last burst was started.
+    /// Time just before the start of the last burst.
     started_after: Option<Instant>,
 }
 
-/// The unit's end of the dialogue, shared with the thread that ends a burst.
+/// The connection, shared with the thread that ends a burst.
 struct Unit {
     /// Identity and port, for messages.
     name: String,
     id: String,
     dialogue: Dialogue,
     running: Running,
-    /// Number of the burst started last: an old thread must not end a new burst.
+    /// Number of the last burst, so that an old thread does not end a new burst.
     burst: u64,
-    /// When lamps were stopped last.
+    /// When the lamps were last stopped.
     stopped: Option<Instant>,
 }
 
-/// What was acknowledged last.
+/// Last acknowledged state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Running {
     Stopped,
@@ -72,11 +71,11 @@ enum Running {
 }
 
 impl OltSync {
-    /// Makes contact over `line` and stops the unit.
+    /// Connects over `line` and stops the unit.
     ///
     /// # Errors
     ///
-    /// [`DeviceError::Lost`] when nothing answers as an oltSync does.
+    /// [`DeviceError::Lost`] if no oltSync answers.
     pub fn connect(
         line: Box<dyn Line>,
         settings: &SynchroniserSettings,
@@ -102,7 +101,7 @@ impl OltSync {
         })
     }
 
-    /// Every change of the unit is one call: a poisoned lock is whole.
+    /// Locks the unit. Every change is one call, so a poisoned lock is consistent.
     fn unit(&self) -> MutexGuard<'_, Unit> {
         self.unit.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -126,7 +125,7 @@ impl OltSync {
     fn check_burst(&self, schedule: &PulseSchedule, shots: u64) -> Result<(), DeviceError> {
         if !self.host_timed_bursts {
             return Err(self.refused(
-                "this unit cannot count a burst: if the host dies it fires on. It fires only with \
+                "this unit cannot count a burst: if the host dies it continues to fire. It fires only with \
                  synchroniser.host_timed_bursts = true and a hardware interlock in reach",
             ));
         }
@@ -141,14 +140,14 @@ impl OltSync {
         if !left.is_zero() {
             let left_s = left.as_secs_f64();
             return Err(self.refused(format!(
-                "the lamps are not warm: {left_s:.1} s are left; arm, wait and fire then"
+                "the lamps are not warm: {left_s:.1} s are left; arm, wait, then fire"
             )));
         }
         Ok(())
     }
 
-    /// Ends the burst after its last pulse, on a thread that a caller's death does not end. It is
-    /// there before the burst begins.
+    /// Ends the burst after its last pulse, on a thread that outlives the caller. The thread is started
+    /// before the burst.
     fn end_later(&self, burst: u64, after: Duration) -> Result<(), DeviceError> {
         let unit = Arc::clone(&self.unit);
         let end = Instant::now() + after;
@@ -159,12 +158,14 @@ impl OltSync {
                 && unit.running == Running::Burst
                 && let Err(error) = unit.stop()
             {
-                tracing::error!(%error, "the burst was not ended: {USE_INTERLOCK}");
+                tracing::error!(%error, "cannot stop the burst: {USE_INTERLOCK}");
             }
         };
         match thread::Builder::new().name("oltSync burst".into()).spawn(run) {
             Ok(_) => Ok(()),
-            Err(error) => Err(self.refused(format!("no thread to end the burst: {error}"))),
+            Err(error) => {
+                Err(self.refused(format!("cannot start the thread that ends the burst: {error}")))
+            }
         }
     }
 }
@@ -177,11 +178,11 @@ impl Synchroniser for OltSync {
 
     fn program(&mut self, schedule: &PulseSchedule) -> Result<(), DeviceError> {
         if self.unit().running == Running::Burst {
-            return Err(self.refused("timing is never changed while a burst is running"));
+            return Err(self.refused("timing cannot be changed while a burst is running"));
         }
         if schedule.external_trigger.is_some() {
             return Err(self.refused(
-                "external trigger: this unit does not count triggers, so that the declared rate \
+                "external trigger: this unit does not count triggers, so the declared rate \
                  cannot be confirmed; use its own clock",
             ));
         }
@@ -192,7 +193,7 @@ impl Synchroniser for OltSync {
         }
         self.make_safe()?;
         let schedule = fitted.schedule;
-        // Both sequences are shown to the unit, which checks them; the harmless one stays.
+        // The unit checks both sequences; the harmless one stays loaded.
         for outputs in [Outputs::All, Outputs::LampsOnly] {
             self.unit().load(&schedule, &self.channels, outputs)?;
         }
@@ -246,7 +247,7 @@ impl Synchroniser for OltSync {
 
     fn state(&mut self) -> Result<SynchroniserState, DeviceError> {
         let mut unit = self.unit();
-        // Asking for nothing but the name shows that the line still answers.
+        // The identity query shows whether the line still answers.
         let heard = match unit.running {
             Running::Stopped => unit.stop(),
             Running::Lamps | Running::Burst => unit.identify().map(drop),
@@ -266,7 +267,7 @@ impl Synchroniser for OltSync {
         })
     }
 
-    /// One order switches everything off at once: this unit has no order for a single output.
+    /// One command switches everything off: this unit has no command for a single output.
     fn make_safe(&mut self) -> Result<(), DeviceError> {
         self.programmed = None;
         self.lamps_since = None;
@@ -287,7 +288,7 @@ impl Unit {
 
     fn identify(&mut self) -> Result<String, DeviceError> {
         let taken = |line: &str| matches!(Answer::parse(line), Some(Answer::Identity(_)));
-        let reply = self.dialogue.get_in_step(WHO_ARE_YOU, taken);
+        let reply = self.dialogue.resynchronise(WHO_ARE_YOU, taken);
         match Answer::parse(&reply.map_err(|error| self.lost(error))?) {
             Some(Answer::Identity(id)) => Ok(id),
             _ => Err(self.refused(WHO_ARE_YOU)),
@@ -308,7 +309,7 @@ impl Unit {
     }
 
     fn start(&mut self, what: Running) -> Result<(), DeviceError> {
-        // From here on it may run, whatever is heard.
+        // From here on it may be running, whatever the reply.
         (self.running, self.stopped) = (what, None);
         self.ask(&message::start(&self.id), &[Answer::Enabled]).map(drop)
     }
@@ -330,7 +331,7 @@ impl Unit {
     }
 
     fn refused(&self, command: &str) -> DeviceError {
-        let detail = format!("{command:?} was answered with an error");
+        let detail = format!("the unit answered {command:?} with an error");
         DeviceError::Refused { device: self.name.clone(), detail }
     }
 

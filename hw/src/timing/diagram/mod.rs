@@ -1,7 +1,7 @@
 //! The timing diagram of a pulse schedule, as text and as SVG.
 //!
-//! Pulses are microseconds apart and the readout takes tens of milliseconds, so both pictures have
-//! two panels: the time around the pulses, and the whole period.
+//! Pulses are microseconds apart while the readout takes tens of milliseconds, so both forms have two
+//! panels: the time around the pulses, and the whole period.
 
 mod svg;
 mod text;
@@ -13,11 +13,11 @@ use super::PulseSchedule;
 struct Track {
     label: &'static str,
     kind: Kind,
-    /// Start and end of what is high, in µs after T0.
+    /// Intervals in which the signal is high, in µs after T0.
     intervals_us: Vec<[f64; 2]>,
 }
 
-/// What a line shows; the SVG colours by it.
+/// Kind of a line, for the SVG's colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Lamp,
@@ -27,7 +27,7 @@ enum Kind {
     Readout,
 }
 
-/// The part of the period that a panel shows, in µs after T0.
+/// Time range of a panel, in µs after T0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Window {
     start_us: f64,
@@ -39,13 +39,13 @@ impl Window {
         self.end_us - self.start_us
     }
 
-    /// The part of an interval that lies inside; `None` when nothing does.
+    /// The part of an interval inside the window, if any.
     fn clip(self, [start_us, end_us]: [f64; 2]) -> Option<[f64; 2]> {
         let clipped = [start_us.max(self.start_us), end_us.min(self.end_us)];
         (clipped[0] < clipped[1]).then_some(clipped)
     }
 
-    /// Round times inside, at most `count` of them (steps of 1, 2 or 5 times a power of ten).
+    /// At most `count` round times inside (steps of 1, 2 or 5 times a power of ten).
     fn ticks_us(self, count: usize) -> Vec<f64> {
         let least = self.length_us() / count.max(1) as f64;
         let decade = 10_f64.powf(least.log10().floor());
@@ -61,7 +61,7 @@ impl Window {
 }
 
 impl PulseSchedule {
-    /// The timing diagram in characters, about 100 columns wide, followed by the times in µs.
+    /// The timing diagram as text, about 100 columns wide, followed by the times in µs.
     pub fn diagram_text(&self) -> String {
         text::draw(self)
     }
@@ -87,7 +87,7 @@ impl PulseSchedule {
         ]
     }
 
-    /// From T0 until all that happens in microseconds is over.
+    /// From T0 to the end of the last short event.
     fn around_the_pulses(&self) -> Window {
         let starts = self.signals().into_iter().map(|(_, start_us)| start_us + self.pulse_width_us);
         let last_us = starts.fold(self.exposure_2_us[0], f64::max);
@@ -111,13 +111,13 @@ impl PulseSchedule {
     }
 }
 
-/// A number with up to five decimals and no zeros that say nothing.
+/// A number with up to five decimals, without trailing zeros.
 fn microseconds(value: f64) -> String {
     let text = format!("{value:.5}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A time in the unit that suits a panel of this length.
+/// A time in a unit that suits the length of the panel.
 fn tick_label(time_us: f64, window: Window) -> String {
     if window.length_us() >= 10_000.0 {
         format!("{} ms", microseconds(time_us / 1000.0))

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::{Kind, PulseSchedule, Track, Window, microseconds, tick_label};
 
 const WIDTH: f64 = 960.0;
-/// Where tracks begin and end.
+/// Left edge of the tracks.
 const LEFT: f64 = 130.0;
 const RIGHT: f64 = 930.0;
 
@@ -24,7 +24,7 @@ struct Panel {
     window: Window,
     top: f64,
     row_height: f64,
-    /// Whether every interval carries its times.
+    /// Whether intervals are labelled with their times.
     labelled: bool,
 }
 
@@ -113,7 +113,7 @@ fn track_line(body: &mut String, panel: &Panel, row: usize, track: &Track) {
             continue;
         };
         let x = panel.x(start_us);
-        // Even the shortest pulse can be seen.
+        // Even the shortest pulse stays visible.
         let width = (panel.x(end_us) - x).max(1.5);
         let times =
             format!("{} to {} us", microseconds(interval_us[0]), microseconds(interval_us[1]));
@@ -131,7 +131,7 @@ fn track_line(body: &mut String, panel: &Panel, row: usize, track: &Track) {
     }
 }
 
-/// Right of the bar; left of it, or on it, where there is no room.
+/// To the right of the bar; to its left or on it if there is no space.
 fn times_beside(body: &mut String, times: &str, [start, end]: [f64; 2], y: f64) {
     let room = 7.0 * times.len() as f64;
     let (anchor, x) = if end + room < RIGHT {
@@ -147,7 +147,7 @@ fn times_beside(body: &mut String, times: &str, [start, end]: [f64; 2], y: f64) 
     );
 }
 
-/// The light pulses, carried down to the exposures that they must fall into.
+/// Vertical lines from the light pulses to the exposures.
 fn guides(body: &mut String, panel: &Panel, schedule: &PulseSchedule, rows: usize) {
     for q_switch_us in schedule.q_switch_us {
         let x = panel.x(q_switch_us);
@@ -160,7 +160,7 @@ fn guides(body: &mut String, panel: &Panel, schedule: &PulseSchedule, rows: usiz
     }
 }
 
-/// Where the first panel's window lies in the period.
+/// Marks the first panel's window within the period.
 fn zoomed_part(body: &mut String, panel: &Panel, window: Window, rows: usize) {
     let (x, end) = (panel.x(window.start_us), panel.x(window.end_us));
     let _ = writeln!(

@@ -5,7 +5,7 @@ fn schedule(dt_us: f64) -> PulseSchedule {
     PulseSchedule::plan(&TimingSettings::default(), dt_us, 10.0).unwrap()
 }
 
-/// First and last column of a track that are high, in the panel with this title.
+/// First and last high column of a track in the panel with this title.
 fn high(text: &str, panel: &str, label: &str) -> [usize; 2] {
     let panel = &text[text.find(panel).unwrap()..];
     let line = panel.lines().find(|line| line.starts_with(label)).unwrap();

@@ -1,12 +1,12 @@
-//! The timing diagram in characters.
+//! The timing diagram as text.
 
 use std::fmt::Write;
 
 use super::{PulseSchedule, Track, Window, microseconds, tick_label};
 
-/// Characters of a track.
+/// Characters per track.
 const COLUMNS: usize = 84;
-/// Characters of the label before it.
+/// Characters of the label before a track.
 const LABEL: usize = 16;
 
 pub(super) fn draw(schedule: &PulseSchedule) -> String {
@@ -28,7 +28,7 @@ fn panel(text: &mut String, title: &str, tracks: &[Track], window: Window) {
     let _ = writeln!(text, "{:LABEL$}{}", "", axis(window));
 }
 
-/// `#` where anything is high during the column, so that no pulse is too short to be seen.
+/// `#` where the signal is high at any time in the column, so that no pulse is too short to show.
 fn line(track: &Track, window: Window) -> String {
     let column_us = window.length_us() / COLUMNS as f64;
     let column_at = |time_us: f64| (time_us - window.start_us) / column_us;

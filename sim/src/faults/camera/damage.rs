@@ -1,4 +1,4 @@
-//! Images that did not survive the way.
+//! Damage to images.
 
 use lfpiv_hw::{
     RawImage,
@@ -8,7 +8,7 @@ use rand::{Rng, RngExt};
 
 use super::FrameFault;
 
-/// The frame with its image damaged; as it was when `fault` damages no image.
+/// The frame with a damaged image; unchanged if `fault` damages no image.
 pub(super) fn damaged(
     frame: Frame,
     fault: Option<FrameFault>,
@@ -36,12 +36,12 @@ pub(super) fn damaged(
     };
     match RawImage::new(columns, rows, counts) {
         Ok(image) => Frame { image, status, ..frame },
-        // It cannot be: rows were zeroed or cut off whole.
+        // Unreachable: whole rows were zeroed or cut off.
         Err(_) => frame,
     }
 }
 
-/// Flips so many different bits among those that the brightest pixel uses.
+/// Flips this many different bits among those that the brightest pixel uses.
 fn flip_bits(counts: &mut [u16], bits: u64, rng: &mut impl Rng) {
     let brightest = counts.iter().copied().max().unwrap_or_default();
     let depth = (u16::BITS - brightest.leading_zeros()).max(1) as usize;

@@ -1,10 +1,10 @@
-//! A camera's clock that runs at the wrong rate and jumps.
+//! A camera's clock with a rate error and jumps.
 
-/// Turns the timestamps of a good clock into those of a bad one.
+/// Converts correct timestamps to those of a faulty clock.
 #[derive(Debug, Clone)]
 pub(super) struct DeviceClock {
     drift_ppm: f64,
-    /// The first timestamp ever read: drift counts from here.
+    /// The first timestamp: drift is relative to it.
     first_ns: Option<u64>,
     jumped_ns: i128,
 }

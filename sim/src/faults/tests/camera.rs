@@ -11,11 +11,11 @@ use crate::faults::{
     ManualClock,
 };
 
-/// Time between the frames of the prepared camera.
+/// Frame period of the prepared camera.
 const PERIOD: Duration = Duration::from_millis(50);
 const ROWS: usize = 12;
 
-/// A camera that has one frame every [`PERIOD`].
+/// A camera with one frame every [`PERIOD`].
 struct Prepared {
     frames: VecDeque<(Duration, Frame)>,
     clock: ManualClock,
@@ -74,7 +74,7 @@ fn faulty(frames: u64, settings: &FaultSettings) -> (FaultyCamera<Prepared>, Man
     (camera, clock)
 }
 
-/// Takes frames until nothing has come for long.
+/// Takes frames until none has come for a long time.
 fn drain(camera: &mut FaultyCamera<Prepared>, clock: &ManualClock) -> Delivered {
     let mut delivered = Vec::new();
     let mut silent = 0;
@@ -155,7 +155,7 @@ proptest! {
         camera.stop().unwrap();
         prop_assert_eq!(count(FrameFault::Undelivered), waiting);
 
-        // Frame by frame: what is not in the record is as it was.
+        // Every frame that is not in the record is unchanged.
         let faults = record.faults();
         for id in 0..80 {
             let of_frame: Vec<FrameFault> =
@@ -195,7 +195,7 @@ proptest! {
         for _ in 0..6000_u64.div_ceil(wait_ms) + 60 {
             delivered.extend(second.next_frame(Duration::from_millis(wait_ms)).unwrap());
         }
-        // However it is asked, the same happens to the same frames.
+        // The pattern of calls does not change the faults.
         prop_assert_eq!(first.record().faults(), second.record().faults());
         let images = |frames: Vec<&Frame>| -> Vec<_> {
             frames.iter().map(|f| (f.frame_id, f.image.clone(), f.status)).collect()

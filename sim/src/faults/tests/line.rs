@@ -7,10 +7,10 @@ use crate::faults::{
     Clock, CommandShares, FaultSettings, FaultyLine, LineFault, LineFaults, ManualClock,
 };
 
-/// How long the unit takes to answer.
+/// Reply time of the unit.
 const ANSWER: Duration = Duration::from_millis(4);
 
-/// A unit that answers `n` to its n-th command, in two pieces.
+/// A unit that answers its n-th command with `n`, in two pieces.
 struct Counter {
     commands: u64,
     pieces: VecDeque<(Duration, Vec<u8>)>,
@@ -59,7 +59,7 @@ fn only(shares: CommandShares) -> FaultSettings {
     with(1, LineFaults { shares, ..LineFaults::default() })
 }
 
-/// Sends a command and listens for so long.
+/// Sends a command and listens for a while.
 fn ask(line: &mut FaultyLine<Counter>, clock: &ManualClock, patience: Duration) -> Vec<u8> {
     line.send(b"next\r\n").unwrap();
     let end = clock.now() + patience;
@@ -90,7 +90,7 @@ proptest! {
     fn every_reply_is_as_it_was_or_as_the_record_says(
         seed in any::<u64>(), shares in any_shares()
     ) {
-        // Slow replies come long after the last command here.
+        // Slow replies arrive long after the last command here.
         let line = LineFaults { shares, slow_ms: 100_000, ..LineFaults::default() };
         let (mut line, clock) = faulty(&with(seed, line));
         let mut heard = 0;
@@ -101,7 +101,7 @@ proptest! {
             let fault = faults.iter().find(|f| f.number == number).map(|f| f.fault);
             let whole = format!("{heard:04}\r\n").into_bytes();
             match fault {
-                // Bytes never overtake: behind a slow reply all others wait.
+                // Bytes are never reordered: replies after a slow one wait, too.
                 Some(LineFault::Slow) => held_back = true,
                 _ if held_back => prop_assert!(reply.is_empty()),
                 None => prop_assert_eq!(&reply, &whole),
@@ -157,7 +157,7 @@ fn a_slow_reply_comes_late_and_in_its_order() {
     settings.line.slow_ms = 70;
     let (mut line, clock) = faulty(&settings);
     assert!(ask(&mut line, &clock, PATIENCE).is_empty());
-    // The first reply is heard after the second command.
+    // The first reply arrives after the second command.
     line.send(b"next\r\n").unwrap();
     let mut heard = Vec::new();
     while heard.len() < 12 {

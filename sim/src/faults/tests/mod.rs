@@ -1,4 +1,4 @@
-//! Injectors around devices that are prepared in advance, by a clock that is set by hand.
+//! Injectors around prepared devices, on a manual clock.
 
 mod camera;
 mod line;

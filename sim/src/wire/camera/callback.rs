@@ -1,4 +1,4 @@
-//! The one place where Aravis calls us: it has a frame to send and asks for its pixels.
+//! The callback by which Aravis requests the pixels of a frame to send.
 
 use std::{ffi::c_void, sync::Arc};
 
@@ -8,15 +8,15 @@ use aravis_sys::{ArvBuffer, ArvPixelFormat};
 use super::{feed::Feed, pixels::Region};
 use lfpiv_hw::gige::PixelFormat;
 
-/// A fake camera that listens and sends.
+/// A running fake camera.
 pub(super) struct PoweredCamera {
-    /// Dropped first, before what its thread reads: fields are dropped in this order.
+    /// Dropped before the data that its thread reads: fields are dropped in this order.
     device: GvFakeCamera,
     feed: Arc<Feed>,
 }
 
 impl PoweredCamera {
-    /// Lets `feed` fill the device's frames; `None` if the device has no inside.
+    /// Lets `feed` fill the device's frames; `None` if the device has no internal camera.
     pub(super) fn new(device: GvFakeCamera, feed: Feed) -> Option<Self> {
         let feed = Arc::new(feed);
         connect(&device, &feed)?;
@@ -37,10 +37,10 @@ impl PoweredCamera {
 fn connect(device: &GvFakeCamera, feed: &Arc<Feed>) -> Option<()> {
     let camera = device.fake_camera()?;
     let feed = Arc::as_ptr(feed).cast_mut().cast::<c_void>();
-    // SAFETY: the callback runs on the thread that `device` owns, and on no other. Nobody but the
-    // caller's `PoweredCamera` holds a reference to `device`, so dropping it ends and joins that
-    // thread; the feed behind the pointer is dropped after it. `camera`, whose memory the feed
-    // keeps alive for longer, calls nothing without that thread.
+    // SAFETY: the callback runs only on the thread that `device` owns. Only the caller's
+    // `PoweredCamera` holds a reference to `device`, so dropping it ends and joins that thread; the
+    // feed behind the pointer is dropped later. `camera`, which the feed keeps alive longer, calls
+    // nothing without that thread.
     unsafe {
         aravis_sys::arv_fake_camera_set_fill_pattern(camera.to_glib_none().0, Some(fill), feed);
     }
@@ -60,10 +60,10 @@ unsafe extern "C" fn fill(
     _gain: u32,
     format: ArvPixelFormat,
 ) {
-    // SAFETY: the caller's promise about both pointers. The fake has checked that the buffer holds
-    // a whole image of the size and format that it has just written into it, so `length` bytes are
-    // there (the size that `arv_buffer_get_data` would report is that of what was received, so
-    // zero); nobody else has the buffer while this runs.
+    // SAFETY: the caller guarantees both pointers. The fake has checked that the buffer holds a
+    // whole image of the size and format that it has just written into it, so `length` bytes exist
+    // (`arv_buffer_get_data` would report the received size, which is zero). Nobody else accesses
+    // the buffer during the call.
     unsafe {
         let feed = &*feed.cast_const().cast::<Feed>();
         let part = |get: unsafe extern "C" fn(*mut ArvBuffer) -> i32| {
@@ -90,7 +90,7 @@ unsafe extern "C" fn fill(
     }
 }
 
-/// As the fake computes it: whole bytes, rounded down; 0 for a format that is not known.
+/// As computed by the fake: whole bytes, rounded down; 0 for an unknown format.
 fn payload_bytes(format: u32, region: Region) -> usize {
     let bits = (format >> 16 & 0xff) as usize;
     let known = PixelFormat::from_code(format).is_some();

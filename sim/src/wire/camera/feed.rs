@@ -1,8 +1,8 @@
-//! What waits to be sent, shared between those who expose and Aravis' thread, which sends.
+//! The queue of exposures to send, shared between the trigger side and Aravis' sending thread.
 //!
-//! The fake sends a frame when its software-trigger register is 1. That register is set only while
-//! an exposure waits, by whoever adds the first one and then by the sending thread itself, so that
-//! every frame carries the exposure that caused it.
+//! The fake sends a frame when its software-trigger register is 1. That register is set only while an
+//! exposure is queued, first by the trigger side and then by the sending thread itself, so that every
+//! frame carries the exposure that caused it.
 
 use std::{
     collections::VecDeque,
@@ -20,22 +20,20 @@ use super::{
     register,
 };
 
-/// Exposures that the camera holds before it makes the next trigger wait: those of one double
-/// exposure.
+/// Exposures held before the next trigger must wait: those of one double exposure.
 const HELD_EXPOSURES: usize = 2;
 
-/// How often the fake looks for a trigger, in Hz, while none is waiting. It sleeps in whole
-/// milliseconds and spends the rest of each period in a busy loop: a higher rate costs processor
-/// time.
-const IDLE_LOOKS_HZ: f64 = 100.0;
+/// Poll rate of the fake for triggers while none is queued, in Hz. It sleeps for whole milliseconds and
+/// busy-waits for the rest of each period, so a higher rate costs processor time.
+const IDLE_POLL_HZ: f64 = 100.0;
 
-/// The same while an exposure waits: at once.
-const BUSY_LOOKS_HZ: f64 = 100_000.0;
+/// Poll rate while an exposure is queued: practically at once.
+const BUSY_POLL_HZ: f64 = 100_000.0;
 
-/// Time between looks at whether the acquisition has ended under a waiting exposure.
-const ACQUISITION_LOOK: Duration = Duration::from_millis(20);
+/// Poll interval for the end of the acquisition while an exposure is queued.
+const ACQUISITION_POLL: Duration = Duration::from_millis(20);
 
-/// A camera's exposures on their way out.
+/// The exposures of a camera that are being sent.
 pub(super) struct Feed {
     count_bits: u32,
     line_bytes_per_s: f64,
@@ -48,7 +46,7 @@ struct FeedState {
     waiting: VecDeque<Exposure>,
     last_frame_id: u16,
     counts: FrameCounts,
-    /// When a line of the given rate has carried all frames so far.
+    /// When the line has transmitted all frames so far, at its rate.
     line_free: Instant,
 }
 
@@ -57,14 +55,14 @@ enum Exposure {
         image: Arc<RawImage>,
         device_timestamp_ns: u64,
     },
-    /// Counted, and lost on its way with all its packets.
+    /// Counted by the camera, but lost entirely in transit.
     Lost,
 }
 
-/// What a frame is labelled with.
+/// Metadata of a frame.
 pub(super) struct FrameLabel {
     pub(super) frame_id: u16,
-    /// `None`: as Aravis set it.
+    /// `None`: the value set by Aravis.
     pub(super) device_timestamp_ns: Option<u64>,
 }
 
@@ -75,7 +73,7 @@ impl Feed {
         line_bytes_per_s: f64,
         last_frame_id: u16,
     ) -> Self {
-        camera.set_trigger_frequency(IDLE_LOOKS_HZ);
+        camera.set_trigger_frequency(IDLE_POLL_HZ);
         let state = FeedState {
             camera,
             waiting: VecDeque::new(),
@@ -86,17 +84,17 @@ impl Feed {
         Self { count_bits, line_bytes_per_s, state: Mutex::new(state), changed: Condvar::new() }
     }
 
-    /// Every change is whole before the lock is released: a poisoned one can be used.
+    /// Every change is complete before the lock is released, so a poisoned lock can be used.
     fn lock(&self) -> MutexGuard<'_, FeedState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn wait<'a>(&self, state: MutexGuard<'a, FeedState>) -> MutexGuard<'a, FeedState> {
-        let woken = self.changed.wait_timeout(state, ACQUISITION_LOOK);
+        let woken = self.changed.wait_timeout(state, ACQUISITION_POLL);
         woken.unwrap_or_else(PoisonError::into_inner).0
     }
 
-    /// A pulse on the trigger line. Waits while the exposures of an earlier one are still held.
+    /// A trigger pulse. Waits while earlier exposures are still held.
     pub(super) fn expose(
         &self,
         image: Arc<RawImage>,
@@ -105,7 +103,7 @@ impl Feed {
         self.hold(Exposure::Sent { image, device_timestamp_ns })
     }
 
-    /// As [`Self::expose`], for a frame of which nothing gets through.
+    /// As [`Self::expose`], for a frame that is lost entirely.
     pub(super) fn lose(&self) -> Result<(), Ignored> {
         self.hold(Exposure::Lost)
     }
@@ -114,8 +112,8 @@ impl Feed {
         let mut state = self.lock();
         state.counts.exposures += 1;
         loop {
-            if let Some(reason) = state.deafness() {
-                state.abandon_waiting();
+            if let Some(reason) = state.ignore_reason() {
+                state.drop_waiting();
                 state.counts.ignored += 1;
                 return Err(reason);
             }
@@ -133,12 +131,12 @@ impl Feed {
         Ok(())
     }
 
-    /// Waits until no exposure is held; `false` when the acquisition ended before that.
+    /// Waits until no exposure is held; `false` if the acquisition ended first.
     pub(super) fn drain(&self) -> bool {
         let mut state = self.lock();
         while !state.waiting.is_empty() {
-            if state.deafness().is_some() {
-                state.abandon_waiting();
+            if state.ignore_reason().is_some() {
+                state.drop_waiting();
                 return false;
             }
             state = self.wait(state);
@@ -146,11 +144,11 @@ impl Feed {
         true
     }
 
-    /// Nobody sends any more: what is held is lost, and whoever waits is told.
+    /// Ends sending: held exposures are lost, and waiting callers return.
     pub(super) fn switch_off(&self) {
         let mut state = self.lock();
         state.camera.write_register(register::ACQUISITION, 0);
-        state.abandon_waiting();
+        state.drop_waiting();
         self.changed.notify_all();
     }
 
@@ -162,8 +160,8 @@ impl Feed {
         self.lock().last_frame_id
     }
 
-    /// The oldest exposure into a frame's bytes. On Aravis' thread, for every frame it sends. A
-    /// frame that no exposure caused (free run, say) is dark.
+    /// Writes the oldest exposure into a frame. Called on Aravis' thread for every frame it sends.
+    /// A frame without an exposure (for example in free run) is dark.
     pub(super) fn fill(&self, format: u32, region: Region, bytes: &mut [u8]) -> FrameLabel {
         self.wait_for_the_line(bytes.len());
         let (exposure, frame_id) = {
@@ -172,11 +170,11 @@ impl Feed {
             state.count_frame();
             let frame_id = state.last_frame_id;
             state.count_lost();
-            // The fake's thread, the only one that reads the rate, is the one we are on.
+            // This is the fake's thread, the only one that reads the rate.
             if state.waiting.is_empty() {
-                state.camera.set_trigger_frequency(IDLE_LOOKS_HZ);
+                state.camera.set_trigger_frequency(IDLE_POLL_HZ);
             } else {
-                state.camera.set_trigger_frequency(BUSY_LOOKS_HZ);
+                state.camera.set_trigger_frequency(BUSY_POLL_HZ);
                 state.camera.write_register(register::RELEASE_FRAME, 1);
             }
             match exposure {
@@ -204,8 +202,8 @@ impl Feed {
 }
 
 impl Feed {
-    /// A line takes its time over a frame. Without this the loopback, which drops what the receiver
-    /// has no room for, would be filled at the speed of memory.
+    /// Waits for the transmission time of a frame. Without this, frames would arrive at memory
+    /// speed, and the loopback drops what the receiver cannot buffer.
     fn wait_for_the_line(&self, bytes: usize) {
         let wait = {
             let mut state = self.lock();
@@ -219,8 +217,8 @@ impl Feed {
 }
 
 impl FeedState {
-    /// Why a pulse on the trigger line would do nothing.
-    fn deafness(&self) -> Option<Ignored> {
+    /// Why a trigger pulse would be ignored.
+    fn ignore_reason(&self) -> Option<Ignored> {
         let read = |address| self.camera.read_register(address).unwrap_or(0);
         let controlled = self.camera.control_channel_privilege() != 0;
         if !controlled || self.camera.acquisition_status() == 0 {
@@ -234,12 +232,12 @@ impl FeedState {
         }
     }
 
-    /// One frame more; 0 is no frame's id.
+    /// Counts a frame; 0 is not a valid id.
     fn count_frame(&mut self) {
         self.last_frame_id = self.last_frame_id.checked_add(1).unwrap_or(1);
     }
 
-    /// Lost frames whose turn has come leave nothing but a gap in the numbers.
+    /// Counts lost frames at the head of the queue: they only leave a gap in the ids.
     fn count_lost(&mut self) {
         while matches!(self.waiting.front(), Some(Exposure::Lost)) {
             self.waiting.pop_front();
@@ -248,8 +246,8 @@ impl FeedState {
         }
     }
 
-    /// A camera that stops forgets what it has not sent.
-    fn abandon_waiting(&mut self) {
+    /// Drops queued exposures when the camera stops.
+    fn drop_waiting(&mut self) {
         if !self.waiting.is_empty() {
             self.camera.write_register(register::RELEASE_FRAME, 0);
             self.counts.abandoned += self.waiting.len() as u64;

@@ -1,14 +1,14 @@
-//! A GigE Vision camera that is not there, on a network address that is: Aravis' in-process fake,
-//! with a GenICam description, a trigger line and pictures of our own.
+//! A simulated GigE Vision camera at a real network address: Aravis' in-process fake with our own
+//! GenICam description, trigger line and images.
 //!
 //! ```text
 //! synchroniser --expose--> FakeGigeCamera --GVSP--> driver
 //!                               ^------------GVCP-----'
 //! ```
 //!
-//! Where it differs from hardware: lost packets cannot be asked for again (the fake knows no
-//! resend), and a trigger that comes before the frames of the last one have left waits for them,
-//! where a camera would miss it. A frame leaves at once rather than spread over its time on the line.
+//! Differences from hardware: lost packets are not retransmitted (the fake has no resend), and a
+//! trigger that comes before the last frames were sent waits, where a real camera would miss it. A
+//! frame is sent in one burst instead of being spread over its transmission time.
 
 mod callback;
 mod feed;
@@ -29,24 +29,24 @@ use thiserror::Error;
 use callback::PoweredCamera;
 use feed::Feed;
 
-/// What the camera says about itself.
+/// The GenICam description.
 const GENICAM: &str = include_str!("genicam.xml");
 
-/// Where a GigE Vision device listens.
+/// UDP port of GigE Vision control.
 const GVCP_PORT: u16 = 3956;
 
-/// The synchroniser's cable ends in Line1: its value in the GenICam description.
+/// Value of Line1 in the GenICam description, to which the synchroniser is connected.
 const WIRED_LINE: u32 = 1;
 
-/// What a line carries by default, in bytes/s: 2.5GBASE-T.
+/// Default rate of the camera's line, in bytes/s: 2.5GBASE-T.
 const LINE_BYTES_PER_S: f64 = 312.5e6;
 
-/// The frame counter of a camera that was just switched on: soon before its wrap, as in Aravis.
+/// Frame counter after power-on: shortly before its wrap, as in Aravis.
 const FIRST_FRAME_ID: u16 = 65_400;
 
-/// Registers of the fake that are written or read here; see `genicam.xml`.
+/// Registers of the fake that are accessed here; see `genicam.xml`.
 mod register {
-    /// Texts of 32 bytes that discovery answers with.
+    /// 32-byte strings in discovery replies.
     pub(super) const VENDOR: u32 = 0x48;
     pub(super) const MODEL: u32 = 0x68;
     pub(super) const WIDTH: u32 = 0x100;
@@ -55,7 +55,7 @@ mod register {
     pub(super) const SENSOR_WIDTH: u32 = 0x11c;
     pub(super) const ACQUISITION: u32 = 0x124;
     pub(super) const TRIGGER_MODE: u32 = 0x300;
-    /// The fake's own trigger source, which is not the one that a controller sees.
+    /// The fake's own trigger source, hidden from controllers.
     pub(super) const RELEASE_SOURCE: u32 = 0x304;
     /// 1 releases one frame.
     pub(super) const RELEASE_FRAME: u32 = 0x30c;
@@ -63,16 +63,16 @@ mod register {
     pub(super) const BURST_FRAME_COUNT: u32 = 0x410;
 }
 
-/// Why a fake camera is not there.
+/// Why a fake camera cannot be started.
 #[derive(Debug, Error)]
 pub enum FakeCameraError {
-    /// The address is not this machine's, or something listens there already.
+    /// The address is not local, or is in use.
     #[error(
         "fake camera {serial}: cannot listen at {address}:{GVCP_PORT}: is the address this \
-         machine's (`ip addr add {address}/8 dev lo`), and no other fake camera running?"
+         machine's (`ip addr add {address}/8 dev lo`), and is no other fake camera running?"
     )]
     Address { serial: String, address: Ipv4Addr, source: io::Error },
-    /// The GenICam description could not be handed to Aravis.
+    /// The GenICam description could not be passed to Aravis.
     #[error("fake camera {serial}: its description cannot be written to a temporary file")]
     Description { serial: String, source: io::Error },
     /// Aravis did not start it.
@@ -81,7 +81,7 @@ pub enum FakeCameraError {
          (`ip addr add {address}/8 dev lo`)? ARV_DEBUG=all says more"
     )]
     NotStarted { serial: String, address: Ipv4Addr },
-    /// A picture that is not the sensor's.
+    /// The image does not have the sensor's size.
     #[error(
         "fake camera {serial}: picture of {columns} x {rows} pixels for a sensor of \
          {} x {}", sensor.columns, sensor.rows
@@ -89,47 +89,47 @@ pub enum FakeCameraError {
     ImageSize { serial: String, columns: usize, rows: usize, sensor: ImageSize },
 }
 
-/// Why a trigger did nothing, as it would in hardware.
+/// Why a trigger was ignored, as in hardware.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ignored {
     /// The camera is unplugged.
     Unplugged,
-    /// Nobody has started it.
+    /// No controller has started it.
     NotAcquiring,
     /// Its trigger mode is off.
     FreeRunning,
-    /// It listens to another line, or to software.
+    /// It uses another line, or software triggers.
     OtherSource,
 }
 
-/// Whether a trigger made a frame.
+/// Whether a trigger produced a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exposed {
-    /// The frame is sent, or waits for its turn.
+    /// The frame was sent or is queued.
     Yes,
-    /// It did nothing.
+    /// The trigger was ignored.
     No(Ignored),
 }
 
-/// Where exposures went: `exposures` is the sum of `sent`, `lost`, `ignored`, `abandoned` and those
-/// held.
+/// Number of exposures by fate: `exposures` is the sum of `sent`, `lost`, `ignored`, `abandoned`
+/// and those held.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct FrameCounts {
-    /// Pulses on the trigger line.
+    /// Trigger pulses.
     pub exposures: u64,
-    /// Frames that were handed to the network with their picture.
+    /// Frames handed to the network with their image.
     pub sent: u64,
-    /// Frames that were counted and got lost on purpose.
+    /// Frames lost on purpose.
     pub lost: u64,
-    /// Pulses that did nothing.
+    /// Ignored trigger pulses.
     pub ignored: u64,
-    /// Exposures that were held when the acquisition ended.
+    /// Exposures held when the acquisition ended.
     pub abandoned: u64,
-    /// Frames that no exposure caused: free run.
+    /// Frames without an exposure: free run.
     pub dark: u64,
 }
 
-/// A camera on the network whose pictures are made here.
+/// A camera on the network with simulated images.
 pub struct FakeGigeCamera {
     address: Ipv4Addr,
     serial: String,
@@ -143,15 +143,15 @@ struct State {
     lost_packet_ratio: f64,
     line_bytes_per_s: f64,
     exact: bool,
-    /// Counts of the times it was plugged in before.
+    /// Counters from before the last power cycle.
     counts: FrameCounts,
 }
 
 impl FakeGigeCamera {
-    /// Plugs a camera in. Its pictures have `count_bits` significant bits.
+    /// Plugs a camera in. Its images have `count_bits` significant bits.
     ///
     /// # Errors
-    /// The address is not to be had.
+    /// The address is not available.
     pub fn start(
         address: Ipv4Addr,
         serial: &str,
@@ -178,15 +178,15 @@ impl FakeGigeCamera {
         self.lock().power.as_ref().map(|camera| Arc::clone(camera.feed()))
     }
 
-    /// One exposure: the synchroniser's pulse arrives while the sensor sees `image`.
+    /// One exposure: a trigger pulse arrives while the sensor sees `image`.
     ///
-    /// Exactly one frame goes out, with this picture, the camera's next frame id and the timestamp
-    /// `device_timestamp_ns` of the camera's clock, in the pixel format, region and packets that
-    /// the controller chose. A camera that is not waiting for its trigger line ignores the pulse.
-    /// When two exposures are held already this waits until one has been sent.
+    /// Exactly one frame is sent, with this image, the camera's next frame id and the camera
+    /// timestamp `device_timestamp_ns`, in the pixel format, region and packets that the controller
+    /// chose. A camera that is not waiting for its trigger line ignores the pulse. If two exposures
+    /// are already held, this waits until one has been sent.
     ///
     /// # Errors
-    /// The picture is not of the sensor's size.
+    /// The image does not have the sensor's size.
     pub fn expose(
         &self,
         image: Arc<RawImage>,
@@ -204,8 +204,8 @@ impl FakeGigeCamera {
         })
     }
 
-    /// One exposure whose frame gets lost with all its packets: the camera counts it, and nothing
-    /// arrives. Otherwise as [`Self::expose`].
+    /// One exposure whose frame is lost entirely: the camera counts it, and nothing arrives.
+    /// Otherwise as [`Self::expose`].
     pub fn lose(&self) -> Exposed {
         let Some(feed) = self.feed() else { return self.unplugged() };
         match feed.lose() {
@@ -221,25 +221,25 @@ impl FakeGigeCamera {
         Exposed::No(Ignored::Unplugged)
     }
 
-    /// Waits until every exposure has been handed to the network; `false` when the acquisition
-    /// ended before that.
+    /// Waits until every exposure has been handed to the network; `false` if the acquisition ended
+    /// first.
     pub fn wait_until_sent(&self) -> bool {
         self.feed().is_none_or(|feed| feed.drain())
     }
 
-    /// Where exposures went since the camera was made.
+    /// Number of exposures by fate since the camera was created.
     pub fn counts(&self) -> FrameCounts {
         let state = self.lock();
         let now = state.power.as_ref().map(|camera| camera.feed().counts());
         sum(state.counts, now.unwrap_or_default())
     }
 
-    /// The id of the last frame that was sent, as the network sees it.
+    /// The id of the last frame sent.
     pub fn last_frame_id(&self) -> u16 {
         self.feed().map_or(FIRST_FRAME_ID, |feed| feed.last_frame_id())
     }
 
-    /// Loses this share of stream packets, 0 to 1, at random.
+    /// Drops this share of stream packets, 0 to 1, at random.
     pub fn set_lost_packet_ratio(&self, ratio: f64) {
         let mut state = self.lock();
         state.lost_packet_ratio = ratio.clamp(0.0, 1.0);
@@ -248,21 +248,21 @@ impl FakeGigeCamera {
         }
     }
 
-    /// The rate of the line to the camera, in bytes/s, from the next time it is plugged in. Frames
-    /// that come faster wait. 312.5e6 (2.5GBASE-T) at first; `f64::INFINITY` for as fast as the
-    /// loopback takes packets, which is faster than a driver takes them off it. No less than 1e6.
+    /// Rate of the camera's line in bytes/s, from the next time it is plugged in; faster frames
+    /// wait. Default 312.5e6 (2.5GBASE-T); `f64::INFINITY` sends at the speed of the loopback,
+    /// which is faster than a driver can receive. At least 1e6.
     pub fn set_line_rate(&self, bytes_per_s: f64) {
         self.lock().line_bytes_per_s = bytes_per_s.max(1e6);
     }
 
     /// From the next time it is plugged in: whether it offers only pixel formats that carry every
-    /// bit of its counts. With others it sends the upper bits, as cameras do.
+    /// bit of its counts. With smaller formats it sends the upper bits, as cameras do.
     pub fn set_exact(&self, exact: bool) {
         self.lock().exact = exact;
     }
 
-    /// Pulls the cable, which also powers it: the camera vanishes from the network and forgets its
-    /// settings and its counter. Exposures that are held are lost.
+    /// Pulls the cable, which also powers it: the camera disappears from the network and loses its
+    /// settings, counter and held exposures.
     pub fn unplug(&self) {
         let mut state = self.lock();
         if let Some(camera) = state.power.take() {
@@ -273,10 +273,10 @@ impl FakeGigeCamera {
         }
     }
 
-    /// Plugs it in again, at the same address and with the same serial number.
+    /// Plugs it in again, with the same address and serial number.
     ///
     /// # Errors
-    /// The address is not to be had any more.
+    /// The address is not available any more.
     pub fn plug_in(&self) -> Result<(), FakeCameraError> {
         let mut state = self.lock();
         if state.power.is_some() {
@@ -294,7 +294,7 @@ impl FakeGigeCamera {
         exact: bool,
     ) -> Result<PoweredCamera, FakeCameraError> {
         let (serial, address) = (self.serial.clone(), self.address);
-        // Aravis only warns when it cannot listen.
+        // Aravis only warns if it cannot listen.
         if let Err(source) = UdpSocket::bind((address, GVCP_PORT)) {
             return Err(FakeCameraError::Address { serial, address, source });
         }
@@ -302,7 +302,7 @@ impl FakeGigeCamera {
         let mut file = tempfile::NamedTempFile::new().map_err(described)?;
         let description = if exact { self.exact_description() } else { GENICAM.to_owned() };
         file.write_all(description.as_bytes()).map_err(described)?;
-        // The file is read while the camera is made, and not after.
+        // The file is read only while the camera is being created.
         let device = aravis::GvFakeCamera::new_full(
             Some(&address.to_string()),
             Some(&serial),
@@ -321,7 +321,7 @@ impl FakeGigeCamera {
         PoweredCamera::new(device, feed).ok_or(FakeCameraError::NotStarted { serial, address })
     }
 
-    /// What the camera says about itself where it must not cut bits off.
+    /// The GenICam description without pixel formats that would truncate counts.
     fn exact_description(&self) -> String {
         let narrow = PixelFormat::ALL
             .into_iter()
@@ -345,7 +345,7 @@ impl FakeGigeCamera {
     }
 }
 
-/// A text into 32 bytes of registers, padded with zeros.
+/// Writes a string into 32 bytes of registers, padded with zeros.
 fn write_text(registers: &aravis::FakeCamera, register: u32, text: &[u8]) {
     let mut bytes = [0; 32];
     bytes.iter_mut().zip(text).for_each(|(byte, letter)| *byte = *letter);

@@ -1,9 +1,9 @@
-//! Counts into the bytes that a camera sends; written apart from the driver's unpacking, so that
-//! one can be tested against the other.
+//! Packs counts into the bytes that a camera sends. Independent of the driver's unpacking, so that each
+//! tests the other.
 
 use lfpiv_hw::{RawImage, gige::PixelFormat};
 
-/// The part of the sensor that is sent.
+/// The transmitted part of the sensor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Region {
     pub(super) x: usize,
@@ -14,8 +14,8 @@ pub(super) struct Region {
 
 /// Writes the region's counts, of `count_bits` significant bits, into `bytes` until it is full.
 ///
-/// A format with fewer bits gets the upper ones: Mono8 of a 12-bit count is the count shifted
-/// right by four, as in a camera. A format with more bits gets the count as it is.
+/// A format with fewer bits gets the upper ones: Mono8 of a 12-bit count is the count shifted right by
+/// four, as in a camera. A format with more bits gets the count unchanged.
 pub(super) fn pack(
     format: PixelFormat,
     image: &RawImage,
@@ -40,7 +40,7 @@ pub(super) fn pack(
     }
 }
 
-/// The region's counts; dark where it reaches beyond the image.
+/// The region's counts; dark outside the image.
 fn cut_out(image: &RawImage, region: Region, shift: u32) -> Vec<u16> {
     let mut counts = vec![0; region.columns * region.rows];
     let rows = (region.y..image.rows()).zip(counts.chunks_exact_mut(region.columns.max(1)));
@@ -62,7 +62,7 @@ fn pack_12(counts: &[u16], bytes: &mut [u8]) {
     for (triple, pair) in (&mut triples).zip(&mut pairs) {
         triple.copy_from_slice(&packed(pair[0], pair[1]));
     }
-    // Half a pair, of which the fake sends one byte and a driver may expect two.
+    // Half a pair, for which the fake sends one byte and a driver may expect two.
     if let [last] = pairs.remainder() {
         let rest = triples.into_remainder();
         let length = rest.len();

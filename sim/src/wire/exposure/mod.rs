@@ -1,15 +1,15 @@
-//! What laser and cameras make of a synchroniser's pulses: which light falls into which exposure.
+//! Converts the synchroniser's pulses to light in exposures, as laser and cameras do.
 //!
-//! Pure: outputs of a period in, exposures out. The bench knows how it is wired and what its
-//! instruments need, and nothing of what was meant: a wrong delay gives a wrong or dark image.
+//! A pure function from the outputs of a period to exposures. The module knows the wiring and the
+//! properties of the instruments, but not the intended schedule: a wrong delay gives a wrong or dark
+//! image.
 //!
-//! Light that a later period sends into an exposure 2 that outlasts its own period is not
-//! counted.
+//! Light that a later period sends into an exposure 2 that extends beyond its own period is ignored.
 
 use super::{OutputPulse, PeriodOutputs};
 use crate::LightPulse;
 
-/// Which output (1 is A) is wired to what.
+/// Assignment of outputs (1 is A).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wiring {
     /// Flash lamps of laser heads 1 and 2.
@@ -20,15 +20,15 @@ pub struct Wiring {
     pub cameras: Vec<u8>,
 }
 
-/// What the laser does with its triggers.
+/// Properties of the laser.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LaserFacts {
-    /// Delay from lamp to Q-switch at which a pulse has its full energy, per head, in µs.
+    /// Lamp-to-Q-switch delay with full pulse energy, per head, in µs.
     pub best_delay_us: [f64; 2],
-    /// How far from it the energy has fallen to exp(−1/2), in µs: the rod is not pumped yet, or
-    /// has lost its inversion.
+    /// Deviation from it at which the energy has fallen to exp(−1/2), in µs: the rod is not pumped
+    /// yet, or has lost its inversion.
     pub delay_width_us: f64,
-    /// How long the lamps of a head must have fired before it lases, in s.
+    /// Warm-up of a head's lamps before it lases, in s.
     pub warm_up_s: f64,
     /// Longest pause that keeps it warm, in s.
     pub stays_warm_s: f64,
@@ -41,8 +41,8 @@ impl Default for LaserFacts {
 }
 
 impl LaserFacts {
-    /// Energy of a pulse of `head` (0 or 1) whose Q-switch follows its lamp after `delay_us`, as a
-    /// share of the full one.
+    /// Energy of a pulse of `head` (0 or 1) for a lamp-to-Q-switch delay `delay_us`, relative to
+    /// the full one.
     pub fn energy(&self, head: usize, delay_us: f64) -> f64 {
         if delay_us <= 0.0 {
             return 0.0;
@@ -52,7 +52,7 @@ impl LaserFacts {
     }
 }
 
-/// What a double-frame camera does with its trigger.
+/// Properties of a double-frame camera.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CameraFacts {
     /// Trigger to start of exposure 1, in µs.
@@ -71,10 +71,10 @@ impl Default for CameraFacts {
     }
 }
 
-/// Both exposures of one camera after one trigger.
+/// Both exposures of one camera for one trigger.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CameraExposures {
-    /// Place in [`Wiring::cameras`].
+    /// Index in [`Wiring::cameras`].
     pub camera: usize,
     /// T0 on the synchroniser's clock, in ns.
     pub t0_ns: u64,
@@ -86,7 +86,7 @@ pub struct CameraExposures {
     pub separation_s: Option<f64>,
 }
 
-/// Laser and cameras behind a synchroniser.
+/// Laser and cameras connected to a synchroniser.
 #[derive(Debug, Clone)]
 pub struct OpticalBench {
     wiring: Wiring,
@@ -97,7 +97,7 @@ pub struct OpticalBench {
     ready_ns: Vec<u64>,
 }
 
-/// Lamps of one head that fire without a long pause.
+/// Lamps of one head firing without a long pause.
 #[derive(Debug, Clone, Copy)]
 struct LampRun {
     since_ns: u64,
@@ -112,14 +112,14 @@ struct Flash {
 }
 
 impl OpticalBench {
-    /// A cold bench.
+    /// A bench with cold lamps.
     pub fn new(wiring: Wiring, laser: LaserFacts, camera: CameraFacts) -> Self {
         let ready_ns = vec![0; wiring.cameras.len()];
         Self { wiring, laser, camera, lamps: [None; 2], ready_ns }
     }
 
-    /// One period's pulses to the exposures of the cameras that took their trigger. A camera that
-    /// still reads out ignores it.
+    /// Converts one period's pulses to the exposures of the triggered cameras. A camera ignores
+    /// triggers during its readout.
     pub fn period(&mut self, outputs: &PeriodOutputs) -> Vec<CameraExposures> {
         let flashes: Vec<Flash> = (0..2).filter_map(|head| self.flash(head, outputs)).collect();
         let pair_us = self.triggered_pair_us(outputs);
@@ -128,7 +128,7 @@ impl OpticalBench {
             .collect()
     }
 
-    /// The flash of one laser head; `None` without a lamp before its Q-switch.
+    /// The flash of one laser head; `None` if no lamp fired before its Q-switch.
     fn flash(&mut self, head: usize, outputs: &PeriodOutputs) -> Option<Flash> {
         let lamp = pulse_at(outputs, self.wiring.lamps[head])?;
         let lamp_ns = at_ns(outputs.t0_ns, lamp.start_us);
@@ -149,7 +149,7 @@ impl OpticalBench {
         Some(Flash { at_us: q_switch.start_us, energy: self.laser.energy(head, delay_us) })
     }
 
-    /// When both Q-switches were triggered, whether or not there was light.
+    /// Times of both Q-switch triggers, with or without light.
     fn triggered_pair_us(&self, outputs: &PeriodOutputs) -> Option<[f64; 2]> {
         let [first, second] = self.wiring.q_switches;
         Some([pulse_at(outputs, first)?.start_us, pulse_at(outputs, second)?.start_us])
@@ -173,7 +173,7 @@ impl OpticalBench {
         let end_us = gap_end_us + facts.readout_us;
         self.ready_ns[camera] = at_ns(outputs.t0_ns, end_us + facts.readout_us);
         let exposures_us = [[start_us, gap_start_us], [gap_end_us, end_us]];
-        // Without a pair, time counts from the middle of the gap.
+        // Without a pair, time is relative to the middle of the gap.
         let pair_us = pair_us.unwrap_or([gap_start_us, gap_end_us]);
         let light = exposures_us.map(|[from_us, to_us]| {
             let inside = flashes.iter().filter(|f| (from_us..to_us).contains(&f.at_us));
@@ -198,8 +198,8 @@ fn at_ns(t0_ns: u64, after_us: f64) -> u64 {
     t0_ns.saturating_add_signed((after_us * 1000.0).round() as i64)
 }
 
-/// Time after the middle of a pair, in s. Times are whole picoseconds, so that a pulse of the pair
-/// lies at plus or minus half of the separation exactly, without rounding of the differences.
+/// Time relative to the middle of a pair, in s. Times are whole picoseconds, so that the pulses are at
+/// exactly plus and minus half of the separation.
 fn after_middle_s(at_us: f64, [first_us, second_us]: [f64; 2]) -> f64 {
     let ps = |us: f64| (us * 1e6).round() as i64;
     let twice_ps = 2 * ps(at_us) - ps(first_us) - ps(second_us);

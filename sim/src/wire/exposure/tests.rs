@@ -77,7 +77,7 @@ fn a_wrong_delay_costs_energy_or_misses_the_exposure() {
     assert_eq!(first, [1.0]);
     assert!((second[0] - (-0.5_f64).exp()).abs() < 1e-12);
     assert!((late[0].separation_s.unwrap() - 140e-6).abs() < 1e-15);
-    // Cameras 60 us late: both pulses lie in exposure 1 of that camera only.
+    // Cameras 60 us late: both pulses fall into exposure 1 of that camera.
     let shifted = bench().period(&delayed(nominal(0, 100.0), 6, 60.0));
     assert_eq!(energies(&shifted[0]), [[1.0], [1.0]]);
     assert_eq!(energies(&shifted[1]), [vec![1.0, 1.0], vec![]]);
@@ -88,7 +88,7 @@ fn a_wrong_delay_costs_energy_or_misses_the_exposure() {
 
 #[test]
 fn there_is_no_light_in_the_gap() {
-    // The gap reaches from 329 to 331 us.
+    // The gap lasts from 329 to 331 us.
     for (q1_us, exposure_1) in [(328.9, 1), (329.0, 0), (330.9, 0), (331.0, 0)] {
         let outputs = delayed(nominal(0, 100.0), 2, q1_us - 280.0);
         let [first, second] = energies(&bench().period(&outputs)[0]);
@@ -116,7 +116,7 @@ fn cold_lamps_give_no_light_until_they_are_warm_and_after_a_pause() {
     for number in 0..15 {
         assert_eq!(lit(number), number >= 10, "period {number}");
     }
-    // Three seconds later they have gone cold.
+    // Three seconds later they are cold again.
     assert!(!lit(45) && !lit(46));
     assert!((47..60).filter(|number| lit(*number)).count() == 5);
 }

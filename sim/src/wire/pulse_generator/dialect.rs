@@ -1,11 +1,11 @@
-//! The remote commands: text to registers and back.
+//! The remote commands: parses text, changes registers, formats replies.
 //!
-//! Written from the manual, not from the driver: keywords in short or long form, in any case,
-//! error codes as listed there.
+//! Implements the manual, independently of the driver: keywords in short or long form, in any case,
+//! and the error codes listed there.
 
 use super::{PulseGeneratorOptions, registers::Registers};
 
-/// `?n`.
+/// Error code `?n`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Code(pub(super) u8);
 
@@ -19,10 +19,10 @@ const NO_QUERY: Code = Code(7);
 pub(super) const UNAVAILABLE: Code = Code(8);
 const OUT_OF_BOUNDS: Code = Code(9);
 
-/// What a command comes to.
+/// Reply to a command.
 pub(super) type Answer = Result<String, Code>;
 
-/// A line, taken apart.
+/// A parsed line.
 struct Request<'a> {
     keywords: Vec<String>,
     query: bool,
@@ -52,12 +52,12 @@ impl<'a> Request<'a> {
     }
 }
 
-/// `STAT` or `STATE`, and so on.
+/// Compares a keyword with its short and long form.
 fn is(keyword: &str, short: &str, long: &str) -> bool {
     keyword == short || keyword == long
 }
 
-/// Carries one line out.
+/// Executes one line.
 pub(super) fn execute(
     registers: &mut Registers,
     options: &mut PulseGeneratorOptions,
@@ -93,7 +93,7 @@ pub(super) fn execute(
     }
 }
 
-/// `*TRG` needs more than registers: the caller gives the T0.
+/// Whether the line is `*TRG`, for which the caller must generate the T0.
 pub(super) fn is_software_trigger(line: &str) -> bool {
     line.eq_ignore_ascii_case("*TRG")
 }
@@ -103,7 +103,7 @@ fn catalogue_of(options: &PulseGeneratorOptions) -> String {
     std::iter::once("T0".to_owned()).chain(channels).collect::<Vec<_>>().join(", ")
 }
 
-/// `PULS0` and `PULSE0` are T0, `PULSE1` is channel A.
+/// Index of an output: `PULS0` and `PULSE0` are T0, `PULSE1` is channel A.
 fn output_number(head: &str) -> Option<usize> {
     let digits = head.strip_prefix("PULSE").or_else(|| head.strip_prefix("PULS"))?;
     digits.parse().ok()

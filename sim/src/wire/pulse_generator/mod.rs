@@ -1,7 +1,7 @@
-//! A simulated BNC 575: its serial dialect, its registers, its pulses.
+//! A simulated BNC 575: serial dialect, registers, pulses.
 //!
-//! The state machine is pure: bytes and time go in, bytes and pulses come out. Served at a
-//! pseudo-terminal it runs in real time:
+//! The state machine is pure: bytes and time in, bytes and pulses out. On a pseudo-terminal it runs in
+//! real time:
 //!
 //! ```no_run
 //! use lfpiv_sim::wire::{pty::Served, pulse_generator::PulseGenerator};
@@ -12,8 +12,8 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 //!
-//! Writes take effect at once, one by one, as in the real unit: a change of several values while
-//! it runs is seen half done.
+//! Writes take effect at once, one by one, as in the real unit: a change of several values while it
+//! runs is visible half done.
 
 mod dialect;
 mod options;
@@ -35,22 +35,22 @@ pub use options::{Pacing, PulseGeneratorOptions, TooSoon};
 pub struct PulseGenerator {
     options: PulseGeneratorOptions,
     registers: Registers,
-    /// Bytes that are no whole line yet.
+    /// Bytes of an incomplete line.
     partial: Vec<u8>,
-    /// Replies on their way, with the time at which they are sent.
+    /// Pending replies, with the time at which they are sent.
     replies: VecDeque<(u64, Vec<u8>)>,
     last_reply_ns: Option<u64>,
     commands: u64,
-    /// From this many commands on, nothing is answered and nothing obeyed.
+    /// Command count from which the unit ignores commands and sends no replies.
     silent_from: Option<u64>,
-    /// A signal at the trigger input: its period, and when its next pulse comes.
+    /// A signal at the trigger input: its period, and the time of its next pulse.
     source: Option<(u64, u64)>,
-    /// Periods that software triggers have begun.
+    /// Periods started by software triggers.
     triggered: Vec<PeriodOutputs>,
 }
 
 impl PulseGenerator {
-    /// A unit as it leaves the factory, switched on now.
+    /// A unit with factory settings, switched on now.
     pub fn new(options: PulseGeneratorOptions) -> Self {
         Self {
             registers: Registers::factory(&options),
@@ -65,7 +65,7 @@ impl PulseGenerator {
         }
     }
 
-    /// How it behaves; may be changed at any time.
+    /// Options; may be changed at any time.
     pub fn options(&mut self) -> &mut PulseGeneratorOptions {
         &mut self.options
     }
@@ -81,7 +81,7 @@ impl PulseGenerator {
         self.registers.system.count
     }
 
-    /// Whether T0 pulses are made.
+    /// Whether T0 pulses are generated.
     pub fn is_running(&self) -> bool {
         self.registers.system.running
     }
@@ -92,22 +92,23 @@ impl PulseGenerator {
         index.and_then(|index| self.registers.channels.get(index)).is_some_and(|c| c.enabled)
     }
 
-    /// Commands heard since it was switched on.
+    /// Commands received since it was switched on.
     pub fn commands(&self) -> u64 {
         self.commands
     }
 
-    /// From `commands` more on it neither answers nor obeys, but goes on with what it does.
-    pub fn fall_silent_after(&mut self, commands: u64) {
+    /// After `commands` more commands it becomes silent: it ignores commands and sends no replies,
+    /// while its outputs continue.
+    pub fn silence_after(&mut self, commands: u64) {
         self.silent_from = Some(self.commands + commands);
     }
 
-    /// It answers again.
-    pub fn speak_again(&mut self) {
+    /// Ends the silence.
+    pub fn end_silence(&mut self) {
         self.silent_from = None;
     }
 
-    /// Connects a signal to the trigger input, or takes it away.
+    /// Connects a signal to the trigger input, or disconnects it.
     pub fn trigger_input(&mut self, rate_hz: Option<f64>) {
         self.source = rate_hz.map(|rate_hz| ((1e9 / rate_hz) as u64, 0));
     }
@@ -152,7 +153,7 @@ impl PulseGenerator {
         execute(&mut self.registers, &mut self.options, line, now_ns)
     }
 
-    /// The periods that have begun.
+    /// The periods that have started.
     fn periods_until(&mut self, now_ns: u64) -> Vec<PeriodOutputs> {
         let mut periods = std::mem::take(&mut self.triggered);
         while let Some(t0_ns) = self.registers.next_t0_ns().filter(|t0_ns| *t0_ns <= now_ns) {
@@ -180,7 +181,7 @@ impl SerialUnit for PulseGenerator {
     }
 
     fn receive(&mut self, bytes: &[u8], now_ns: u64) {
-        // What was due before the command goes by the old registers.
+        // Pulses due before the command use the old registers.
         let before = self.periods_until(now_ns);
         self.triggered.extend(before);
         for byte in bytes {

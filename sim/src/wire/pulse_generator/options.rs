@@ -1,53 +1,53 @@
-//! What differs between units, or is not known without one.
+//! Properties that differ between units, or are unknown without hardware.
 
-/// How a simulated BNC 575 behaves.
+/// Behaviour of a simulated BNC 575.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PulseGeneratorOptions {
-    /// Answer to `*IDN?`.
+    /// Reply to `*IDN?`.
     pub identity: String,
     /// Number of channels, 1 to 8.
     pub channels: u8,
-    /// Factory speed of the serial line, in baud.
+    /// Factory baud rate.
     pub baud_rate: u32,
-    /// Whether commands are repeated before they are answered.
+    /// Whether commands are echoed.
     pub echo: bool,
-    /// What becomes of commands that come too soon after the last reply.
+    /// What happens to commands that come too soon after the last reply.
     pub pacing: Option<Pacing>,
-    /// From command to reply, in ns.
+    /// Time from command to reply, in ns.
     pub reply_delay_ns: u64,
-    /// Bytes that come before every reply.
+    /// Stray bytes before every reply.
     pub stray: Vec<u8>,
-    /// Decimals of times that are read back; all that are set when absent.
+    /// Decimals of times in read-backs; all significant ones when absent.
     pub read_back_decimals: Option<usize>,
-    /// Delays and widths are rounded to this, in ps.
+    /// Rounding of delays and widths, in ps.
     pub time_step_ps: i64,
-    /// Whether `?9` is known (577); other units answer `?5` to values out of bounds.
+    /// Whether `?9` is supported (577); other units answer `?5` to values out of bounds.
     pub knows_out_of_bounds: bool,
     /// Whether `*RST` leaves the channels enabled.
     pub reset_enables_channels: bool,
-    /// The gate input as it is wired and set: whether it lets pulses out.
+    /// Whether the gate input, as wired and set, passes pulses.
     pub gate_open: bool,
-    /// Whether the wait counter holds back a burst, or has no effect in burst mode.
+    /// Whether the wait counter delays a burst, or has no effect in burst mode.
     pub wait_counter_delays_bursts: bool,
-    /// Whether the unit drops to OFF once every burst is complete, although lamps go on.
+    /// Whether T0 stops once every burst is complete, although lamps should continue.
     pub drops_off_after_burst: bool,
 }
 
-/// Commands need time between them.
+/// Minimum time between commands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Pacing {
-    /// Least time from a reply to the next command, in ns.
+    /// Minimum time from a reply to the next command, in ns.
     pub least_gap_ns: u64,
-    /// What becomes of commands that come sooner.
+    /// What happens to earlier commands.
     pub too_soon: TooSoon,
 }
 
-/// What becomes of a command that comes too soon.
+/// What happens to a command that comes too soon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TooSoon {
     /// Its first byte is lost.
     Garbled,
-    /// It is answered `?8`.
+    /// It is answered with `?8`.
     Unavailable,
 }
 

@@ -1,4 +1,4 @@
-//! What is programmed, and which pulses come of it.
+//! Registers, and the pulses that they produce.
 
 use crate::wire::{OutputPulse, PeriodOutputs};
 
@@ -7,7 +7,7 @@ use super::PulseGeneratorOptions;
 const PS_PER_NS: i64 = 1000;
 const PS_PER_US: f64 = 1e6;
 
-/// Everything that commands change.
+/// All programmable state.
 #[derive(Debug, Clone)]
 pub(super) struct Registers {
     pub(super) system: System,
@@ -25,7 +25,7 @@ pub(super) struct System {
     pub(super) trigger_level_v: f64,
     /// T0 pulses since it was switched on.
     pub(super) count: u64,
-    /// When the next T0 of the unit's own clock is due.
+    /// Time of the next T0 of the internal clock.
     next_t0_ns: Option<u64>,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct Channel {
     pub(super) width_ps: i64,
     pub(super) burst_count: u64,
     pub(super) wait_count: u64,
-    /// Pulses, and periods let pass, since the last start.
+    /// Pulses given or skipped since the last start.
     given: u64,
     waited: u64,
     /// Pulses since it was switched on.
@@ -70,7 +70,7 @@ impl Channel {
         self.given >= self.burst_count
     }
 
-    /// Whether this T0 makes a pulse.
+    /// Whether this T0 produces a pulse.
     fn follow(&mut self, options: &PulseGeneratorOptions) -> bool {
         let waits = self.mode != "BURS" || options.wait_counter_delays_bursts;
         if !self.enabled || self.sync != "T0" {
@@ -105,7 +105,7 @@ impl Registers {
         Self { system, channels: vec![channel; usize::from(options.channels)] }
     }
 
-    /// `*RST`; counters go on.
+    /// `*RST`; counters are kept.
     pub(super) fn reset(&mut self, options: &PulseGeneratorOptions) {
         let before = std::mem::replace(self, Self::factory(options));
         self.system.count = before.system.count;
@@ -114,7 +114,7 @@ impl Registers {
         }
     }
 
-    /// `:PULSE0:STATE`. A start begins bursts and waits anew.
+    /// `:PULSE0:STATE`. A start restarts bursts and wait counters.
     pub(super) fn run(&mut self, running: bool, now_ns: u64) {
         self.system.running = running;
         self.system.next_t0_ns = None;
@@ -133,24 +133,24 @@ impl Registers {
         }
     }
 
-    /// Whether triggers from outside, or by `*TRG`, make a T0.
+    /// Whether external or software triggers produce a T0.
     pub(super) fn waits_for_trigger(&self) -> bool {
         self.system.running && self.system.mode == "SING" && self.system.trigger_mode == "TRIG"
     }
 
-    /// When the unit's own clock gives the next T0.
+    /// Time of the next T0 of the internal clock.
     pub(super) fn next_t0_ns(&self) -> Option<u64> {
         self.system.next_t0_ns.filter(|_| self.system.running)
     }
 
-    /// A T0 of the unit's own clock.
+    /// A T0 of the internal clock.
     pub(super) fn clock(&mut self, options: &PulseGeneratorOptions, t0_ns: u64) -> PeriodOutputs {
         let period_ns = (self.system.period_ps / PS_PER_NS).max(1) as u64;
         self.system.next_t0_ns = Some(t0_ns + period_ns);
         self.period(options, t0_ns)
     }
 
-    /// A T0, whatever it comes from: with the registers as they are at this moment.
+    /// A T0 from any source, with the current registers.
     pub(super) fn period(&mut self, options: &PulseGeneratorOptions, t0_ns: u64) -> PeriodOutputs {
         self.system.count += 1;
         let mut pulses = Vec::new();
@@ -170,7 +170,7 @@ impl Registers {
         PeriodOutputs { t0_ns, pulses }
     }
 
-    /// There were bursts, and all are complete.
+    /// Whether there were bursts and all are complete.
     fn bursts_are_over(&self) -> bool {
         let mut bursts = self.channels.iter().filter(|c| c.enabled && c.mode == "BURS").peekable();
         bursts.peek().is_some() && bursts.all(Channel::burst_is_over)

@@ -10,7 +10,7 @@ fn usual() -> PulseGenerator {
     unit(PulseGeneratorOptions::default())
 }
 
-/// The bytes that come back by `now_ns`.
+/// The bytes received by `now_ns`.
 fn raw(unit: &mut PulseGenerator, command: &str, now_ns: u64) -> String {
     unit.receive(format!("{command}\r\n").as_bytes(), now_ns);
     String::from_utf8(unit.advance(now_ns).bytes).unwrap()
@@ -105,7 +105,7 @@ fn it_may_drop_to_off_after_a_burst() {
     unit.advance(1000 * MS);
     assert_eq!((unit.pulses(1), unit.pulses(2), unit.is_running()), (3, 3, false));
     assert_eq!(raw(&mut unit, ":PULSE0:STATE?", 1000 * MS), "0\r\n");
-    // A new start begins a new burst; the count of T0 goes on.
+    // A new start begins a new burst; the T0 count continues.
     raw(&mut unit, ":PULSE0:STATE ON", 2000 * MS);
     unit.advance(5000 * MS);
     assert_eq!((unit.pulses(2), unit.periods()), (6, 6));
@@ -143,7 +143,7 @@ fn writes_take_effect_one_by_one_while_it_runs() {
     ask(&mut unit, ":PULSE0:STATE ON");
     raw(&mut unit, ":PULSE1:DEL 0.0005", 150 * MS);
     let half_done = unit.advance(200 * MS).periods.remove(0);
-    // The lamp has moved behind its Q-switch, which still stands where it was.
+    // The lamp has moved after its Q-switch, which is unchanged.
     let starts_us: Vec<f64> = half_done.pulses.iter().map(|pulse| pulse.start_us).collect();
     assert_eq!(starts_us, [500.0, 180.0]);
 }
@@ -174,7 +174,7 @@ fn echo_strays_and_slow_replies() {
     assert_eq!(raw(&mut unit, ":PULSE1:STATE?", 0), "");
     assert_eq!(unit.advance(29 * MS).wake_ns, Some(30 * MS));
     assert_eq!(unit.advance(30 * MS).bytes, b"0\r\n");
-    unit.fall_silent_after(1);
+    unit.silence_after(1);
     raw(&mut unit, ":PULSE1:STATE ON", 40 * MS);
     raw(&mut unit, ":PULSE1:STATE OFF", 40 * MS);
     assert_eq!(unit.advance(100 * MS).bytes, b"ok\r\n");
@@ -205,7 +205,7 @@ fn triggers_come_from_outside_or_by_command() {
     assert_eq!(periods.len(), 1);
     unit.advance(250 * MS);
     assert_eq!((unit.periods(), unit.pulses(2), unit.is_running()), (5, 5, false));
-    // *ARM begins a burst anew; without a running unit no trigger counts.
+    // *ARM restarts a burst; triggers do not count unless the unit is running.
     unit.advance(500 * MS);
     assert_eq!(unit.periods(), 5);
 }

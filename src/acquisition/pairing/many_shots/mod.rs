@@ -20,8 +20,8 @@ struct Tally {
     mixed_unmarked: u64,
     /// Correct shots that are marked as suspect.
     right_suspect: u64,
-    /// Correct shots under a wrong number. This happens where no camera saw the first trigger of a burst,
-    /// since only the host's clock distinguishes it from the last one.
+    /// Correct shots under a wrong number. This happens where no camera saw the first trigger of a
+    /// burst, since only the host's clock distinguishes it from the last one.
     misnumbered: u64,
     outcomes: [u64; Outcome::ALL.len()],
     withdrawn: u64,

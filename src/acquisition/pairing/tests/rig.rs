@@ -1,4 +1,5 @@
-//! Cameras that lose, damage, duplicate and delay frames and miss triggers, with the pairing under test.
+//! Cameras that lose, damage, duplicate and delay frames and miss triggers, with the pairing under
+//! test.
 
 use std::time::Duration;
 
