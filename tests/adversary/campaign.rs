@@ -1,4 +1,4 @@
-//! How long campaigns run, and what a case has.
+//! Campaigns and their cases.
 
 use std::{
     env, fs,
@@ -14,39 +14,39 @@ use crate::{
     report::{FaultKind, Report, Tally},
 };
 
-/// Seconds in all where nothing else is asked for.
+/// Default total duration in seconds.
 const A_MINUTE: u64 = 60;
 
-/// One kind of attack. A case may do anything; what it finds it tells its [`Case`].
+/// One kind of attack. A case reports its findings to its [`Case`].
 pub trait Campaign {
-    /// One case.
+    /// Runs one case.
     fn run(&mut self, case: &mut Case<'_>);
 
-    /// What is to be said of the whole.
+    /// A remark about the campaign as a whole.
     fn remark(&self) -> String {
         String::new()
     }
 }
 
-/// What was asked for in the environment: `LFPIV_SOAK_SECONDS`, `LFPIV_SOAK_SEED`, `LFPIV_SOAK_CASE`.
+/// Parameters from the environment: `LFPIV_SOAK_SECONDS`, `LFPIV_SOAK_SEED`, `LFPIV_SOAK_CASE`.
 pub struct Plan {
     /// Seconds for all campaigns together.
     pub seconds: u64,
-    /// What all random numbers are made from.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// Nothing but this case of this campaign.
+    /// Runs only this case of this campaign.
     only: Option<(String, u64)>,
-    /// A soak of its own: what depends on how busy the machine is is judged, too.
+    /// A dedicated soak: limits that depend on the load of the machine are checked, too.
     pub is_soak: bool,
 }
 
 impl Plan {
     /// # Panics
-    /// A variable is set to what it cannot be.
+    /// A variable has an invalid value.
     pub fn from_environment() -> Self {
         let number = |name: &str| {
             let text = env::var(name).ok().filter(|text| !text.is_empty())?;
-            Some(text.parse::<u64>().unwrap_or_else(|_| panic!("{name}={text} is no number")))
+            Some(text.parse::<u64>().unwrap_or_else(|_| panic!("{name}={text} is not a number")))
         };
         let only = env::var("LFPIV_SOAK_CASE").ok().filter(|text| !text.is_empty()).map(|text| {
             let case = text.split_once(':').and_then(|(name, n)| Some((name, n.parse().ok()?)));
@@ -63,7 +63,7 @@ impl Plan {
         }
     }
 
-    /// Runs cases of a campaign for its share of the time, one at least.
+    /// Runs cases of a campaign for its share of the time, at least one.
     pub fn campaign<C: Campaign>(
         &self,
         report: &mut Report,
@@ -100,47 +100,47 @@ impl Plan {
         report.add(name, tally);
     }
 
-    /// A case does not depend on how many came before it.
+    /// Seed of a case, independent of the cases before it.
     fn case_seed(&self, name: &str, number: u64) -> u64 {
         let campaign = u64::from(crc32fast::hash(name.as_bytes()));
         self.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (campaign << 32) ^ number
     }
 }
 
-/// One attack: its random numbers, and where to tell what it found.
+/// One attack: its random numbers and its report.
 pub struct Case<'t> {
     name: &'static str,
     number: u64,
-    /// All that is random in it.
+    /// The case's random generator.
     pub random: Pcg64Mcg,
     /// See [`Plan::is_soak`].
     pub is_soak: bool,
-    /// The campaign's figures.
+    /// Statistics of the campaign.
     pub tally: &'t mut Tally,
 }
 
 impl<'t> Case<'t> {
-    /// A case that belongs to no campaign.
+    /// A case without a campaign.
     pub fn alone(tally: &'t mut Tally) -> Self {
         Self { name: "alone", number: 0, random: Pcg64Mcg::seed_from_u64(0), is_soak: false, tally }
     }
 }
 
 impl Case<'_> {
-    /// Tells what is wrong.
+    /// Reports a fault.
     pub fn fault(&mut self, kind: FaultKind, words: impl Into<String>) {
         let (name, number) = (self.name, self.number);
         self.tally.add_fault(kind, format!("{name}:{number}: {}", words.into()));
     }
 
-    /// Runs `lfpiv` to its end and looks at how it ended.
+    /// Runs `lfpiv` to its end and checks how it ended.
     pub fn lfpiv(&mut self, arguments: &[&str]) -> Ended {
         let ended = Ended::of(arguments);
         self.judge(arguments[0], &ended);
         ended
     }
 
-    /// Panics, crashes, hangs and pages of a library's diagnostics are faults, whatever was asked for.
+    /// Reports panics, crashes, hangs, unknown exit codes and a library's diagnostics as faults.
     pub fn judge(&mut self, what: &str, ended: &Ended) {
         self.tally.peak_bytes = self.tally.peak_bytes.max(ended.peak_bytes);
         let words = |how: &str| format!("{what} {how}: {}", ended.last_words());
@@ -159,14 +159,14 @@ impl Case<'_> {
         }
     }
 
-    /// Looks at the log of a daemon that was killed.
+    /// Checks the log of a daemon that was killed.
     pub fn judge_log(&mut self, log: &str) {
         if log.contains("panicked at") {
             self.fault(FaultKind::Panic, format!("the daemon panicked: {log}"));
         }
     }
 
-    /// Takes the memory of a process that is still there into account.
+    /// Updates the peak memory with that of a running process.
     pub fn note_memory(&mut self, process: u32) {
         let status = fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
         let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

@@ -1,4 +1,4 @@
-//! A process that is run to its end, or to the end of all patience.
+//! Runs a process to its end, with a time limit.
 
 use std::{
     fs::{self, File},
@@ -9,10 +9,10 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// Only what hangs takes so long.
+/// Only a hang takes this long.
 const PATIENCE: Duration = Duration::from_secs(180);
 
-/// Characters of the last words that are told.
+/// Number of characters of the output's end in reports.
 const LAST_WORDS: usize = 600;
 
 /// How a process ended.
@@ -21,13 +21,13 @@ pub struct Ended {
     pub code: Option<i32>,
     /// The signal that ended it, if it was not ours.
     pub signal: Option<i32>,
-    /// It had to be killed.
+    /// It was killed at the time limit.
     pub has_hung: bool,
-    /// What it printed.
+    /// Standard output.
     pub stdout: String,
-    /// What it logged.
+    /// Standard error.
     pub stderr: String,
-    /// The most memory that it had at a time.
+    /// Peak memory.
     pub peak_bytes: u64,
 }
 
@@ -47,7 +47,7 @@ impl Ended {
         Self { stdout: text(stdout), ..waited.with_log(text(stderr)) }
     }
 
-    /// Waits for a daemon that was told to end, whose log is a file.
+    /// Waits for a daemon that was told to exit and logs to a file.
     pub fn of_daemon(daemon: &mut Child, log: &Path) -> Self {
         let ended = |daemon: &mut Child| {
             let status = daemon.try_wait().expect("a child")?;
@@ -56,7 +56,7 @@ impl Ended {
         wait(daemon, ended).with_log(fs::read_to_string(log).unwrap_or_default())
     }
 
-    /// The end of what it logged.
+    /// The end of its log.
     pub fn last_words(&self) -> &str {
         let from = self.stderr.len().saturating_sub(LAST_WORDS);
         let from = (from..).find(|at| self.stderr.is_char_boundary(*at)).unwrap_or(0);
@@ -92,7 +92,7 @@ impl Waited {
     }
 }
 
-/// Waits for the end of a child, and kills it when that does not come.
+/// Waits for a child, and kills it at the time limit.
 fn wait(child: &mut Child, ended: impl Fn(&mut Child) -> Option<Waited>) -> Waited {
     let began = Instant::now();
     let mut pause = Duration::from_millis(1);
@@ -110,16 +110,16 @@ fn wait(child: &mut Child, ended: impl Fn(&mut Child) -> Option<Waited>) -> Wait
     }
 }
 
-/// How a child has ended, and its memory, which the standard library does not tell. The child is not to
-/// be asked again.
+/// Exit status and memory of a child, which the standard library does not provide. The child must
+/// not be waited for again.
 #[expect(unsafe_code)]
 fn ended_with_memory(child: &mut Child) -> Option<Waited> {
     let process = child.id() as libc::pid_t;
     let mut status = 0;
-    // SAFETY: all zeros are a value of this structure of numbers.
+    // SAFETY: all zeros are a valid value of this structure of numbers.
     let mut usage: libc::rusage = unsafe { std::mem::zeroed() };
     // SAFETY: both pointers are to values that live through the call, and the process is our child,
-    // which nobody else waits for meanwhile.
+    // which nobody else waits for.
     let ended = unsafe { libc::wait4(process, &mut status, libc::WNOHANG, &mut usage) };
     (ended == process).then(|| Waited {
         status: Some(ExitStatus::from_raw(status)),

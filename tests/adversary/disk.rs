@@ -1,4 +1,4 @@
-//! Disks that fill up, become read-only or go away under a running daemon.
+//! Disks that fill up, become read-only or disappear under a running daemon.
 
 use std::{
     fs::{self, File},
@@ -24,15 +24,15 @@ use crate::{
 const RAW_LOG: &str = "[raw_log]\nreserve_mb = 0\nsegment_mb = 2\nsync_ms = 5\n";
 const MEGABYTES: u32 = 48;
 
-/// A disk of a case's own.
+/// A disk for one case.
 enum Disk {
     /// A file system on a loop device.
     Loop(LoopDisk),
-    /// Memory, where there are no loop devices.
+    /// A tmpfs, where loop devices are not available.
     Memory(PathBuf),
 }
 
-/// What happens to a disk.
+/// A failure of a disk.
 #[derive(Debug, Clone, Copy)]
 enum Failure {
     Full,
@@ -49,7 +49,7 @@ pub struct Disks {
 }
 
 impl Disks {
-    /// Finds out which disks there can be.
+    /// Finds out which disks are available.
     pub fn prepare() -> Self {
         let root = tempfile::tempdir().expect("a folder");
         let config = configuration(root.path(), RAW_LOG);
@@ -85,7 +85,7 @@ impl Disk {
         }
     }
 
-    /// As after the next start of the machine.
+    /// As after a restart of the machine.
     fn restart(&mut self) {
         if let Self::Loop(disk) = self {
             disk.mount_again();
@@ -101,7 +101,7 @@ impl Drop for Disk {
     }
 }
 
-/// Somebody else takes all the room there is.
+/// Fills the disk from outside.
 fn fill(folder: &Path) {
     let mut ballast = File::create(folder.join("ballast")).expect("a file");
     for piece in [1 << 16, 1 << 12, 1] {
@@ -165,7 +165,7 @@ impl Campaign for Disks {
     }
 }
 
-/// As [`Running::acknowledged_until`], of a daemon that may end meanwhile.
+/// As [`Running::acknowledged_until`], for a daemon that may exit meanwhile.
 fn answered_until(running: &Running, end: Instant) -> Vec<u64> {
     let mut synced = Vec::new();
     while Instant::now() < end {
@@ -178,9 +178,9 @@ fn answered_until(running: &Running, end: Instant) -> Vec<u64> {
     synced
 }
 
-/// SIGTERM, and how it ends.
+/// Sends SIGTERM and returns how the daemon ended.
 fn told_to_end(mut running: Running, log: &Path) -> Ended {
-    // It may have ended by itself, and is not waited for before this.
+    // It may have exited already, and was not waited for.
     let terminate = format!("kill -TERM {}", running.child.id());
     let _ = Command::new("sh").args(["-c", &terminate]).status();
     Ended::of_daemon(&mut running.child, log)

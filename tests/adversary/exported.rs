@@ -1,4 +1,4 @@
-//! What `lfpiv export` gives of a run, held against what it gave before the run was damaged.
+//! Compares the output of `lfpiv export` before and after damage to a run.
 
 use std::{
     collections::BTreeMap,
@@ -9,13 +9,13 @@ use std::{
 
 use crate::{campaign::Case, child::Ended, report::FaultKind};
 
-/// Damaged or missing data is in what was done.
+/// Exit code for damaged or missing data.
 const DAMAGED: i32 = 3;
 
-/// The images of each shot, file by file.
+/// The images of each shot, as files.
 pub type Shots = BTreeMap<u64, Vec<Vec<u8>>>;
 
-/// A folder as a copy of its own.
+/// Copies a folder.
 pub fn copy(from: &Path, to: &Path) {
     assert!(Command::new("cp").arg("-r").args([from, to]).status().expect("cp").success());
 }
@@ -25,7 +25,7 @@ pub fn argument(path: &Path) -> &str {
     path.to_str().expect("a path in UTF-8")
 }
 
-/// What is in a folder of exported shots.
+/// The shots in a folder of exported images.
 pub fn shots_in(folder: &Path) -> Shots {
     let mut shots = Shots::new();
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -44,17 +44,17 @@ pub fn shots_in(folder: &Path) -> Shots {
     shots
 }
 
-/// What may be missing from an export without a fault.
+/// Losses that are not a fault.
 pub enum Allowed {
-    /// So many shots, all of them named.
+    /// At most this many shots, all reported.
     Named(usize),
-    /// Any, all of them named.
+    /// Any number, all reported.
     AnyNamed,
-    /// Any; those at the end without a word, because the run was cut off anyway.
+    /// Any number; those at the end may be unreported, because the run was cut off.
     End,
 }
 
-/// Exports a run and holds every shot against the `whole` ones.
+/// Exports a run and compares every shot with the `whole` ones.
 pub fn check_export(
     case: &mut Case<'_>,
     run: &Path,
@@ -83,14 +83,14 @@ pub fn check_export(
         if !is_said(&ended, shot) && !may_be_unsaid(shot) {
             let words = ended.last_words();
             case.fault(
-                FaultKind::Unsaid,
-                format!("{harm}: nothing says that {shot} is lost: {words}"),
+                FaultKind::Unreported,
+                format!("{harm}: the loss of shot {shot} is not reported: {words}"),
             );
         }
     }
 }
 
-/// Whether a shot is named as lost, or nothing at all can be read.
+/// Whether the loss of a shot is reported, or nothing can be read at all.
 fn is_said(ended: &Ended, shot: u64) -> bool {
     match ended.code {
         Some(DAMAGED) => ended.stderr.contains(&format!("shot {shot}: ")),

@@ -1,4 +1,4 @@
-//! Damage to the files of a run: bits, cuts, losses, copies.
+//! Damage to the files of a run: flipped bits, truncation, deletion, duplication.
 
 use std::{
     fs,
@@ -15,15 +15,15 @@ use crate::{
     mutation::Damage,
 };
 
-/// Small segments, whose images have the size that they have in the file.
+/// Small segments with uncompressed images.
 const RAW_LOG: &str = "[raw_log]\nsegment_mb = 1\ncodec = \"raw\"\nsync_ms = 5\n";
 const SHOTS: u64 = 5;
 
-/// A whole run, and what it gives.
+/// An undamaged run and its exported shots.
 struct Base {
     run: PathBuf,
     shots: Shots,
-    /// It was killed: its last segment is open, and there is no ledger.
+    /// It was killed: its last segment is unsealed, and there is no ledger.
     is_open: bool,
 }
 
@@ -90,7 +90,7 @@ impl Campaign for Flips {
     }
 }
 
-/// A file of the run: of the raw log six times in ten.
+/// A random file of the run: of the raw log with probability 0.6.
 fn any_file(run: &Path, case: &mut Case<'_>) -> PathBuf {
     let files = |folder: &Path| {
         let entries = fs::read_dir(folder).expect("a folder").flatten();
@@ -110,7 +110,7 @@ mod tests {
     use super::*;
     use crate::report::{FaultKind, Tally};
 
-    /// What is missing without a word, and what has changed, is told.
+    /// Unreported losses and changed data are detected.
     #[test]
     fn a_loss_that_nobody_names_is_found() {
         let flips = Flips::prepare();
@@ -122,7 +122,7 @@ mod tests {
         whole.insert(SHOTS, Vec::new());
         whole.insert(0, Vec::new());
         check_export(&mut case, &closed.run, &out, &whole, &Allowed::Named(0), "none");
-        let counts = [FaultKind::Lost, FaultKind::Unsaid].map(|kind| tally.count(kind));
+        let counts = [FaultKind::Lost, FaultKind::Unreported].map(|kind| tally.count(kind));
         assert_eq!(counts, [2, 1], "one is another, one is gone and not named");
     }
 }

@@ -17,7 +17,7 @@ use crate::{
 
 /// Most connections of one kind.
 const MOST: usize = 400;
-/// How long `disarm` may take, where the machine has nothing else to do.
+/// Time limit of `disarm` on an otherwise idle machine.
 const PROMPT: Duration = Duration::from_secs(1);
 
 /// See the module.
@@ -71,7 +71,7 @@ impl Campaign for Floods {
     }
 }
 
-/// What a connection asks for: streams, halves, nonsense, nothing.
+/// Request of a connection: an event stream, an incomplete header, garbage, or nothing.
 fn request(case: &mut Case<'_>) -> String {
     match case.random.random_range(0..7) {
         0 => stream(READ),

@@ -1,5 +1,5 @@
-//! Records that are whole and say what no run can have said: the journal of a run written again with
-//! other entries, and with a damaged ledger beside it.
+//! Intact logs with impossible contents: the journal of a run with altered entries, next to a
+//! damaged ledger.
 
 use std::{fs, path::PathBuf};
 

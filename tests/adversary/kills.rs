@@ -1,4 +1,4 @@
-//! SIGKILL at any moment: what was said to be on the disk is there, byte for byte.
+//! SIGKILL at any moment: acknowledged data is on the disk, byte for byte.
 
 use std::{
     collections::BTreeMap,
@@ -20,9 +20,9 @@ use crate::{
     report::FaultKind,
 };
 
-/// Small segments and frequent syncs, so that kills fall into every part of the writing.
+/// Small segments and frequent syncs, so that kills hit every stage of writing.
 const RAW_LOG: &str = "[raw_log]\nsegment_mb = 2\nsync_ms = 5\n";
-/// Shots that the reference has; no killed run comes so far.
+/// Shots of the reference run; killed runs are shorter.
 const REFERENCE_SHOTS: &str = "120";
 /// Longest life of a daemon.
 const MOST_ALIVE_US: u64 = 500_000;
@@ -36,7 +36,7 @@ pub struct Kills {
 }
 
 impl Kills {
-    /// Records a run to its end: others see the same images.
+    /// Records a complete run: other runs see the same images.
     pub fn prepare() -> Self {
         let root = tempfile::tempdir().expect("a folder");
         let config = configuration(root.path(), RAW_LOG);
@@ -44,7 +44,7 @@ impl Kills {
         Self { root, config, reference, kept: 0 }
     }
 
-    /// Everything acknowledged is there, and whatever is there is what the cameras delivered.
+    /// Checks that everything acknowledged is there, and that all data is as the cameras delivered it.
     fn check(&mut self, case: &mut Case<'_>, run: &Path, synced: impl Iterator<Item = u64>) {
         let kept: BTreeMap<u64, _> = match RecordedRun::open(run) {
             // Killed before there was a log.
@@ -104,7 +104,7 @@ impl Campaign for Kills {
     }
 }
 
-/// Who finishes the run is killed, too.
+/// Kills the process that finishes the run, too.
 fn kill_recovery(case: &mut Case<'_>, run: &Path) {
     let mut child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
         .args(["process", argument(run)])

@@ -1,4 +1,4 @@
-//! A small ext4 file system on a loop device, to be broken.
+//! A small ext4 file system on a loop device, for fault injection.
 
 use std::{
     fs::{self, File},
@@ -10,14 +10,15 @@ use std::{
 /// `EXT4_IOC_SHUTDOWN`, `_IOR('X', 125, __u32)` (fs/ext4/ext4.h).
 const SHUTDOWN: libc::Ioctl = 0x8004_587d_u32 as libc::Ioctl;
 
-/// A mounted file system. It is gone when this is dropped.
+/// A mounted file system, removed on drop.
 pub struct LoopDisk {
     image: PathBuf,
     folder: PathBuf,
 }
 
 impl LoopDisk {
-    /// Makes and mounts one of so many megabytes at `folder`; nothing where this is not allowed.
+    /// Creates a file system of this many megabytes and mounts it at `folder`; `None` if this is
+    /// not permitted.
     pub fn mount(scratch: &Path, folder: &Path, megabytes: u32) -> Option<Self> {
         let disk = Self { image: scratch.join("image"), folder: folder.into() };
         fs::create_dir_all(folder).ok()?;
@@ -27,12 +28,12 @@ impl LoopDisk {
         (made && disk.attach()).then_some(disk)
     }
 
-    /// Where it is mounted.
+    /// Mount point.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// As the kernel does after an error on the disk.
+    /// Makes it read-only, as the kernel does after a disk error.
     pub fn make_read_only(&self) {
         let device = fs::read_to_string("/proc/mounts").expect("what is mounted");
         let folder = self.folder.to_str().expect("a path in UTF-8");
@@ -43,13 +44,14 @@ impl LoopDisk {
             .expect("an error of the file system");
     }
 
-    /// As when the device is pulled: 0 writes everything first, 1 the journal, 2 nothing.
+    /// Shuts it down, as when the device is removed: 0 writes everything first, 1 the journal, 2
+    /// nothing.
     pub fn shut_down(&self, flags: u32) {
         let folder = File::open(&self.folder).expect("its folder");
         shut_down(&folder, flags).expect("a shutdown of the file system");
     }
 
-    /// Unmounts and mounts it, which replays its journal.
+    /// Unmounts and remounts it, which replays its journal.
     pub fn mount_again(&mut self) {
         assert!(self.detach() && self.attach(), "the file system cannot be mounted again");
     }

@@ -1,8 +1,8 @@
-//! A standing adversary: seeded campaigns of kills, damage, failing disks, floods and malformed files
-//! against the real binary.
+//! The standing adversary: seeded campaigns of kills, damage, failing disks, floods and malformed
+//! files against the real binary.
 //!
-//! A minute of it is part of the tests; `make soak SECONDS=3600 SEED=7` goes on for an hour. Every case has
-//! a random state of its own, made from seed, campaign and number: `LFPIV_SOAK_SEED=7
+//! A minute of it is part of the tests; `make soak SECONDS=3600 SEED=7` runs for an hour. The
+//! random state of every case depends only on seed, campaign and number: `LFPIV_SOAK_SEED=7
 //! LFPIV_SOAK_CASE=flips:123` runs one of them alone.
 
 #[allow(dead_code)]
@@ -32,8 +32,8 @@ use campaign::Plan;
 use report::Report;
 use small_disk::in_namespace_of;
 
-/// The adversary mounts disks of its own: as root in a namespace of mounts, where loop devices can be had,
-/// else in one of users, too.
+/// The adversary mounts its own disks: as root in a mount namespace if loop devices are available,
+/// otherwise in a user namespace, too.
 #[test]
 fn the_adversary_finds_nothing() {
     let as_root = rustix::process::geteuid().is_root();

@@ -1,4 +1,4 @@
-//! Files from elsewhere that are not what they should be: configurations, images, volumes, tokens.
+//! Malformed input files: configurations, images, volumes, tokens.
 
 use std::{
     fs,
@@ -18,7 +18,7 @@ use crate::{
     report::FaultKind,
 };
 
-/// No file of some kilobytes is worth more memory.
+/// Memory limit: no file of some kilobytes is worth more.
 const MOST_BYTES: u64 = 4 << 30;
 
 /// See the module.
@@ -99,14 +99,14 @@ impl Malformed {
         let _ = fs::remove_dir_all(self.path("guarded/results"));
     }
 
-    /// Either it was done, or the file is named.
+    /// Checks that the command succeeded, or that it named the file.
     fn refused_or_done(&self, case: &mut Case<'_>, arguments: &[&str], file: &Path) {
         let ended = case.lfpiv(arguments);
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         let is_named = ended.stderr.contains(&*name) || ended.stdout.contains(&*name);
         if ended.code == Some(1) && !is_named {
             let words = ended.last_words();
-            case.fault(FaultKind::Unsaid, format!("{name} is not named: {words}"));
+            case.fault(FaultKind::Unreported, format!("{name} is not named: {words}"));
         }
         if ended.peak_bytes > MOST_BYTES {
             let mb = ended.peak_bytes >> 20;
@@ -118,7 +118,7 @@ impl Malformed {
 fn write_damaged(case: &mut Case<'_>, path: &Path, whole: &[u8]) {
     let mut bytes = whole.to_vec();
     for _ in 0..case.random.random_range(1..4) {
-        // What describes a file lies at its ends.
+        // Headers are at the ends of files.
         let edge = 600.min(bytes.len());
         let (before, after) = match case.random.random_range(0..3) {
             0 => (0, bytes.len() - edge),

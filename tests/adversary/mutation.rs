@@ -1,25 +1,25 @@
-//! Seeded damage to bytes and to text.
+//! Seeded damage to bytes and text.
 
 use rand::{RngExt, seq::IndexedRandom};
 use rand_pcg::Pcg64Mcg;
 
-/// What happens to a file.
+/// A kind of damage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Damage {
-    /// One bit is another.
+    /// One bit is flipped.
     Flip,
-    /// It ends too early.
+    /// The end is missing.
     Truncate,
-    /// It is gone.
+    /// The file is deleted.
     Delete,
-    /// A part of it is there twice.
+    /// A part is duplicated.
     Duplicate,
-    /// A part of it is anything.
+    /// A part is overwritten with random bytes.
     Overwrite,
 }
 
 impl Damage {
-    /// Any of them; flips are half of all.
+    /// A random kind; half of them are flips.
     pub fn any(random: &mut Pcg64Mcg) -> Self {
         match random.random_range(0..10) {
             0..5 => Self::Flip,
@@ -30,7 +30,7 @@ impl Damage {
         }
     }
 
-    /// What is left of a file; nothing where it is gone.
+    /// The damaged content; `None` if the file is deleted.
     pub fn of(self, mut bytes: Vec<u8>, random: &mut Pcg64Mcg) -> Option<Vec<u8>> {
         if bytes.is_empty() {
             return (self != Self::Delete).then_some(bytes);
@@ -56,7 +56,7 @@ impl Damage {
     }
 }
 
-/// Any part of so many bytes, short ones as likely as long ones.
+/// A random range, with uniformly distributed magnitude of its length.
 fn part(length: usize, random: &mut Pcg64Mcg) -> std::ops::Range<usize> {
     let at = random.random_range(0..length);
     let longest = (length - at).ilog2();
@@ -64,7 +64,7 @@ fn part(length: usize, random: &mut Pcg64Mcg) -> std::ops::Range<usize> {
     at..at + size
 }
 
-/// What numbers in a text are replaced by.
+/// Replacements of numbers in a text.
 const NUMBERS: [&str; 16] = [
     "0",
     "-1",
@@ -84,7 +84,7 @@ const NUMBERS: [&str; 16] = [
     "{}",
 ];
 
-/// A text with one to three things changed: a number, a line, some bytes.
+/// A text with one to three changes: a number, a line, some bytes.
 pub fn spoiled(text: &str, random: &mut Pcg64Mcg) -> Vec<u8> {
     let mut bytes = text.as_bytes().to_vec();
     for _ in 0..random.random_range(1..4) {
@@ -109,7 +109,7 @@ fn with_another_number(bytes: &[u8], random: &mut Pcg64Mcg) -> Vec<u8> {
     [&bytes[..start], number, &bytes[end..]].concat()
 }
 
-/// A line is left out, there twice, or somewhere else.
+/// Deletes, duplicates or moves a line.
 fn with_another_line(bytes: &[u8], random: &mut Pcg64Mcg) -> Vec<u8> {
     let mut lines: Vec<&[u8]> = bytes.split_inclusive(|byte| *byte == b'\n').collect();
     if lines.is_empty() {

@@ -1,4 +1,4 @@
-//! A file system that an error makes read-only while records are synced.
+//! A file system that becomes read-only after an error while records are synced.
 
 use std::{thread, time::Duration};
 
@@ -10,7 +10,7 @@ use crate::{loop_disk::LoopDisk, small_disk::in_namespace_of};
 
 const MEGABYTES: u32 = 48;
 const TURNS: u32 = 40;
-/// More than are written before the error; they all find room.
+/// More records than are written before the error; they all fit.
 const MOST_RECORDS: usize = 1200;
 
 #[test]

@@ -1,4 +1,4 @@
-//! What campaigns found, as a table.
+//! Table of the campaigns' findings.
 
 use std::{
     collections::BTreeMap,
@@ -7,16 +7,16 @@ use std::{
 
 use crate::campaign::Plan;
 
-/// Faults of a campaign that are told with all their words.
+/// Faults per campaign that are reported in full.
 const MOST_TOLD: usize = 20;
 
-/// What can be wrong.
+/// Kinds of faults.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FaultKind {
-    /// Something acknowledged, or more than the damage hit, is gone.
+    /// Acknowledged data, or more than the damage hit, is lost.
     Lost,
-    /// Something is gone, and nothing says so.
-    Unsaid,
+    /// A loss is not reported.
+    Unreported,
     /// A panic.
     Panic,
     /// A signal that ended a process.
@@ -27,7 +27,7 @@ pub enum FaultKind {
     Wrong,
 }
 
-/// Figures of a campaign.
+/// Statistics of a campaign.
 #[derive(Debug, Default)]
 pub struct Tally {
     /// Cases.
@@ -36,20 +36,20 @@ pub struct Tally {
     pub kills: u64,
     /// Files damaged or malformed.
     pub mutations: u64,
-    /// Shots that were acknowledged as synced and looked for.
+    /// Shots acknowledged as synced and checked.
     pub acknowledged: u64,
-    /// Most memory of any process.
+    /// Peak memory of any process.
     pub peak_bytes: u64,
-    /// How long it all took.
+    /// Duration.
     pub seconds: f64,
-    /// What else there is to say.
+    /// Remark of the campaign.
     pub remark: String,
     counts: BTreeMap<FaultKind, u64>,
     told: Vec<String>,
 }
 
 impl Tally {
-    /// Counts a fault, and keeps the words of the first ones.
+    /// Counts a fault, and keeps the text of the first ones.
     pub fn add_fault(&mut self, kind: FaultKind, words: String) {
         *self.counts.entry(kind).or_default() += 1;
         if self.told.len() < MOST_TOLD {
@@ -57,31 +57,31 @@ impl Tally {
         }
     }
 
-    /// Faults of a kind.
+    /// Number of faults of a kind.
     pub fn count(&self, kind: FaultKind) -> u64 {
         self.counts.get(&kind).copied().unwrap_or(0)
     }
 }
 
-/// All campaigns.
+/// Results of all campaigns.
 pub struct Report {
     seed: u64,
     tallies: Vec<(&'static str, Tally)>,
 }
 
 impl Report {
-    /// Of nothing yet.
+    /// An empty report.
     pub fn new(plan: &Plan) -> Self {
         Self { seed: plan.seed, tallies: Vec::new() }
     }
 
-    /// Adds a campaign that is over.
+    /// Adds a completed campaign.
     pub fn add(&mut self, name: &'static str, tally: Tally) {
         println!("{name}: {} cases in {:.0} s", tally.cases, tally.seconds);
         self.tallies.push((name, tally));
     }
 
-    /// Whether nothing was found.
+    /// Whether no fault was found.
     pub fn is_clean(&self) -> bool {
         self.tallies.iter().all(|(_, tally)| tally.counts.is_empty())
     }
@@ -89,7 +89,7 @@ impl Report {
 
 const KINDS: [FaultKind; 6] = [
     FaultKind::Lost,
-    FaultKind::Unsaid,
+    FaultKind::Unreported,
     FaultKind::Panic,
     FaultKind::Crash,
     FaultKind::Hang,
@@ -108,7 +108,7 @@ impl Display for Report {
             "mutations",
             "acked",
             "lost",
-            "unsaid",
+            "silent",
             "panics",
             "crashes",
             "hangs",

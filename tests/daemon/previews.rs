@@ -116,7 +116,7 @@ async fn raw_frames_are_shown_at_the_width_asked_for() {
     server.assert_error(&format!("{}?width=x", frame(1, "a")), 400, "width").await;
     server.assert_error(&format!("{}?depth=3", frame(1, "a")), 400, "depth").await;
     server.assert_error(&frame(3, "a"), 404, "no cam3, but cam1 to cam2").await;
-    server.assert_error(&frame(0, "a"), 400, "'0' is no camera").await;
+    server.assert_error(&frame(0, "a"), 400, "'0' is not a camera").await;
     server.assert_error(&frame(1, "c"), 400, "give a or b").await;
     server.assert_error("/api/v1/shots/8/frames/1/a.png", 410, "not at hand").await;
     server.assert_error("/api/v1/shots/9/frames/1/a.png", 404, "no shot 9").await;

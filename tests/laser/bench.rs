@@ -1,4 +1,4 @@
-//! A pulse generator, cameras at its output, and a run on them.
+//! A pulse generator, cameras connected to it, and an acquisition run.
 
 use std::{
     collections::VecDeque,
@@ -18,7 +18,7 @@ use lfpiv_hw::{
     device::{Camera, DeviceError, Frame, FrameStatus, StreamStatistics},
     synchroniser::{
         SynchroniserDriver, SynchroniserSettings,
-        line::{Recorded, SerialLine, Transcript},
+        line::{RecordedLine, SerialLine, Transcript},
         open_on,
     },
     timing::{ExternalTrigger, TriggerEdge, TriggerSource},
@@ -32,20 +32,20 @@ use parking_lot::Mutex;
 use tokio::{sync::Notify, task::JoinHandle};
 use tokio_util::sync::CancellationToken;
 
-/// Longest wait for anything that is sure to come, on a loaded machine.
+/// Timeout of every wait, long enough for a loaded machine.
 pub const PATIENCE: Duration = Duration::from_secs(300);
-/// On a loaded machine the unit, which is simulated here, may be kept off the processor for seconds.
+/// On a loaded machine the simulated unit may be delayed for seconds.
 const REPLY_TIMEOUT_MS: u64 = 5000;
-/// So slow that a process which does not wait would end among the commands.
+/// Slow enough that a process that does not wait would exit between the commands.
 const PACING_MS: u64 = 10;
-/// Outputs of the unit in the order in which they are switched off; 0 is T0.
+/// Outputs in the order in which they are switched off; 0 is T0.
 const OUTPUTS: [u8; 9] = [2, 4, 1, 3, 5, 6, 7, 8, 0];
 const CAMERAS: usize = 2;
-/// Shots that wait for somebody to take them.
+/// Capacity of the shot queue.
 pub const QUEUE: usize = 2;
 const CAMERA_OUTPUT: u8 = 5;
 
-/// A quick laser and quick cameras, warm after `warm_up_s`.
+/// A fast laser and fast cameras, warm after `warm_up_s`.
 pub fn timing(warm_up_s: f64) -> TimingSettings {
     TimingSettings {
         laser_rate_limit_hz: 100.0,
@@ -55,7 +55,7 @@ pub fn timing(warm_up_s: f64) -> TimingSettings {
     }
 }
 
-/// Triggers from outside, declared to come 20 times a second at most.
+/// External triggers, declared with at most 20 per second.
 pub fn external(warm_up_s: f64) -> TimingSettings {
     let source = ExternalTrigger { max_rate_hz: 20.0, edge: TriggerEdge::Rising, level_v: 2.5 };
     TimingSettings {
@@ -65,11 +65,11 @@ pub fn external(warm_up_s: f64) -> TimingSettings {
     }
 }
 
-/// A unit that is switched on, whose lamps go on after a burst.
+/// A running unit whose lamps continue after a burst.
 pub struct Laser {
     pub served: Served<PulseGenerator>,
     pub transcript: Transcript,
-    /// The port to open.
+    /// Current port of the unit.
     port: Arc<Mutex<String>>,
     triggers: Mutex<Vec<mpsc::Receiver<u64>>>,
 }
@@ -80,7 +80,7 @@ impl Laser {
         let options = PulseGeneratorOptions { drops_off_after_burst: false, ..Default::default() };
         let observer = move |period: lfpiv_sim::wire::PeriodOutputs| {
             if period.pulses.iter().any(|pulse| pulse.channel == CAMERA_OUTPUT) {
-                // A camera whose run is over takes no more.
+                // A camera whose run is over accepts no more.
                 senders.iter().for_each(|camera| _ = camera.send(period.t0_ns));
             }
         };
@@ -89,18 +89,18 @@ impl Laser {
         Self { served, transcript: Transcript::kept(), port, triggers: Mutex::new(triggers) }
     }
 
-    /// Pulls the cable.
+    /// Unplugs the cable.
     pub fn pull_line(&self) {
         self.port.lock().clear();
         self.served.cut_line();
     }
 
-    /// Puts it back.
+    /// Plugs it in again.
     pub fn plug_in_line(&self) {
         *self.port.lock() = self.served.plug_in_line().unwrap();
     }
 
-    /// Opens the unit, wherever it is then.
+    /// Opens the unit at its current port.
     fn opening(&self, timing: &TimingSettings) -> Reopen {
         let (port, transcript) = (self.port.clone(), self.transcript.clone());
         let timing = timing.clone();
@@ -116,7 +116,7 @@ impl Laser {
                 device: settings.port.clone(),
                 detail: error.to_string(),
             })?;
-            let line = Recorded::new(line, transcript.clone());
+            let line = RecordedLine::new(line, transcript.clone());
             open_on(Box::new(line), &settings, &timing)
         })
     }
@@ -151,8 +151,8 @@ impl Laser {
         self.transcript.sent_lines().len()
     }
 
-    /// The last orders on the line switched everything off, the most dangerous first, and every
-    /// output was read back after that; and it is so.
+    /// Checks that the last commands on the line switched everything off, most dangerous outputs
+    /// first, that every output was read back afterwards, and that the unit is safe.
     pub fn assert_safe(&self) {
         let sent = self.transcript.sent_lines();
         let first = format!(":PULSE{}:STATE OFF", OUTPUTS[0]);
@@ -169,7 +169,7 @@ impl Laser {
     }
 }
 
-/// Gives two frames for each pulse of its output.
+/// Delivers two frames for each pulse of its output.
 struct TriggeredCamera {
     triggers: mpsc::Receiver<u64>,
     frame_interval_ns: u64,
@@ -214,17 +214,17 @@ impl Camera for TriggeredCamera {
     }
 }
 
-/// How a run is begun.
+/// How a run is started.
 pub struct Plan {
     pub timing: TimingSettings,
     pub mode: Mode,
     pub overload: OverloadPolicy,
     pub journal: Journal,
-    /// Whether the run outlasts a loss of its unit.
+    /// Whether the run survives a loss of its unit.
     pub after_loss: Option<AfterLoss>,
 }
 
-/// What it does then.
+/// What it does after a loss.
 #[derive(Debug, Clone, Copy)]
 pub struct AfterLoss {
     pub waits_for_operator: bool,
@@ -247,7 +247,7 @@ impl Plan {
     }
 }
 
-/// A record on a disk that has no room; it is written until the writer is dropped.
+/// A journal on a disk without space; written until the writer is dropped.
 pub fn without_room(folder: &Path) -> (Journal, impl Drop) {
     struct Writer(Option<lfpiv_rawlog::RawLogWriter>);
     impl Drop for Writer {
@@ -262,7 +262,7 @@ pub fn without_room(folder: &Path) -> (Journal, impl Drop) {
 
 type Ended = Result<AcquisitionReport, AcquisitionError>;
 
-/// A run under way, on a task of its own.
+/// A run in progress, on its own task.
 pub struct Run {
     pub control: Control,
     pub stop: CancellationToken,
@@ -270,12 +270,12 @@ pub struct Run {
     pub ledger: Arc<Mutex<Ledger>>,
     panic: Arc<Notify>,
     task: JoinHandle<Ended>,
-    /// Nobody takes shots from it.
+    /// Held, but never read.
     _shots: ShotReceiver,
 }
 
 impl Run {
-    /// Its synchroniser's thread belongs to the test, too.
+    /// Starts a run whose synchroniser thread is also owned by the test.
     pub fn start(laser: &Laser, plan: Plan) -> Self {
         let synchroniser = SynchroniserThread::default();
         let (rate_hz, overload) = (15.0, plan.overload);
@@ -318,7 +318,7 @@ impl Run {
         }
     }
 
-    /// The task panics wherever it is.
+    /// Makes the task panic.
     pub async fn panic(self) -> SynchroniserThread {
         self.panic.notify_one();
         assert!(self.task.await.unwrap_err().is_panic());

@@ -1,5 +1,5 @@
-//! A synchroniser that is lost and comes back: the run outlasts it, and nothing fires before an
-//! operator, or the configuration, says so.
+//! A synchroniser that is lost and comes back: the run survives it, and nothing is fired until an
+//! operator or the configuration permits it.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use crate::bench::{AfterLoss, Laser, PATIENCE, Plan, QUEUE, Run, timing};
 const WAIT: AfterLoss = AfterLoss { waits_for_operator: true, patience: None };
 const GO_ON: AfterLoss = AfterLoss { waits_for_operator: false, patience: None };
 
-/// In the middle of a long burst.
+/// A run in the middle of a long burst.
 async fn firing(laser: &Laser, after_loss: AfterLoss) -> Run {
     let plan = Plan { after_loss: Some(after_loss), ..Plan::firing(timing(0.0)) };
     let run = Run::start(laser, plan);
@@ -18,7 +18,7 @@ async fn firing(laser: &Laser, after_loss: AfterLoss) -> Run {
     run
 }
 
-/// Without its line, which a wish that no more shots be taken has found.
+/// A run whose line is unplugged, detected by a stop request.
 async fn pulled(laser: &Laser, after_loss: AfterLoss) -> Run {
     let run = firing(laser, after_loss).await;
     laser.pull_line();
@@ -27,7 +27,7 @@ async fn pulled(laser: &Laser, after_loss: AfterLoss) -> Run {
     run
 }
 
-/// Found when the burst should be over.
+/// A run whose unit was found to be lost at the end of its burst.
 async fn lost(laser: &Laser, after_loss: AfterLoss) -> Run {
     let run = firing(laser, after_loss).await;
     laser.pull_line();
@@ -35,7 +35,7 @@ async fn lost(laser: &Laser, after_loss: AfterLoss) -> Run {
     run
 }
 
-/// The bench is back, and an operator is waited for.
+/// A run whose bench is back and that waits for an operator.
 async fn waiting(laser: &Laser) -> Run {
     let run = lost(laser, WAIT).await;
     laser.plug_in_line();
@@ -53,7 +53,7 @@ async fn goes_on_and_stops(laser: &Laser, run: Run) {
     let ledger = ledger.lock();
     assert!(ledger.is_balanced());
     for account in ledger.accounts() {
-        // The line alone was gone: cameras saw every trigger. Nobody takes shots from the queue.
+        // Only the line was lost: cameras saw every trigger. Nobody takes shots from the queue.
         let shed = account.outcomes.of(Outcome::Shed);
         assert_eq!(account.triggers, shed + account.open, "{account:?}");
         assert!(account.open <= QUEUE as u64, "{account:?}");
@@ -64,14 +64,17 @@ async fn goes_on_and_stops(laser: &Laser, run: Run) {
 async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
     let laser = Laser::start();
     let run = firing(&laser, WAIT).await;
-    assert!(run.control.request(Command::Resume).await.is_err(), "it waits for nobody");
-    laser.served.unit().fall_silent_after(0);
+    assert!(
+        run.control.request(Command::Resume).await.is_err(),
+        "it is not waiting for an operator"
+    );
+    laser.served.unit().silence_after(0);
     run.until("the loss", || run.control.state().mode == Mode::Lost).await;
     assert!(run.control.state().held[0].contains("looked for"), "{:?}", run.control.state());
     for command in [Command::Start, Command::Arm, Command::Resume] {
-        assert!(run.control.request(command).await.is_err(), "there is nothing to fire with");
+        assert!(run.control.request(command).await.is_err(), "there is no unit to fire");
     }
-    laser.served.unit().speak_again();
+    laser.served.unit().end_silence();
     run.until("the return", || run.control.state().mode == Mode::Disarmed).await;
     let held = run.control.state().held.join("; ");
     assert!(held.contains("kill -USR1"), "{held}");

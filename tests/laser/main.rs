@@ -1,10 +1,10 @@
-//! The laser is made safe, and read back, whatever becomes of the run: a run loop that panics, a
-//! process that is told to end at once, a source of triggers that becomes too fast.
+//! The laser is made safe and read back, whatever happens to the run: a panic of the run loop, a
+//! process that is told to exit at once, a trigger source that becomes too fast.
 //!
-//! The real run loop and the real driver, a simulated pulse generator at a pseudo-terminal, and
-//! cameras that answer its triggers.
+//! Uses the real run loop and driver, a simulated pulse generator on a pseudo-terminal, and cameras
+//! that respond to its triggers.
 
-// All of this crate is test; clippy's exception covers only the functions marked as such.
+// This whole crate is a test; clippy's exception covers only functions marked as tests.
 #![allow(clippy::unwrap_used)]
 
 mod bench;

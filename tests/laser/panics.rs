@@ -1,11 +1,11 @@
-//! A run loop that panics, whatever it is doing.
+//! Panics of the run loop in every state.
 
 use lfpiv::acquisition::{Command, Mode};
 
 use crate::bench::{Laser, Plan, Run, timing, without_room};
 
-/// Until somebody asks, nothing but a thread that belongs to nobody may still be talking to the
-/// laser; its owner waits for it.
+/// Checks that the unit is safe once the owner of the thread has waited for it. The run loop's task
+/// is gone by then, so only the thread can still be sending commands.
 async fn assert_made_safe(laser: &Laser, run: Run) {
     run.panic().await.join().await.unwrap();
     let sent = laser.sent();
@@ -66,7 +66,7 @@ async fn while_closing() {
     assert_made_safe(&laser, run).await;
 }
 
-/// Nobody outside the task owns the thread: then the runtime's end waits for it.
+/// Nobody outside the task owns the thread: the runtime's shutdown waits for it.
 #[test]
 fn with_the_runtime() {
     let laser = Laser::start();

@@ -1,5 +1,5 @@
-//! A process that is told to end at once ends when the laser has been read back as safe, or when
-//! it has waited long enough.
+//! A process that is told to exit at once does so when the laser has been read back as safe, or
+//! after a time limit.
 
 use std::time::Duration;
 
@@ -13,7 +13,7 @@ async fn firing(laser: &Laser) -> Run {
     run
 }
 
-/// What a second signal waits for; the run loop knows nothing of it.
+/// What a second signal waits for, independently of the run loop.
 async fn told(run: &Run, limit: Duration) -> Result<(), String> {
     let synchroniser = run.synchroniser.clone();
     let told = tokio::task::spawn_blocking(move || synchroniser.make_safe_within(limit));

@@ -1,5 +1,5 @@
-//! A source of triggers that becomes too fast while nothing is fired, or while something is. How
-//! soon it is seen is measured in simulated time, beside the driver; here that it is seen at all.
+//! A trigger source that becomes too fast, while idle or firing. The reaction time is tested with
+//! the driver in simulated time; here only the reaction itself.
 
 use lfpiv::acquisition::{Command, OverloadPolicy};
 
@@ -19,7 +19,7 @@ async fn assert_seen(laser: &Laser, run: Run) {
     let begun = std::time::Instant::now();
     let error = run.end().await.unwrap_err().to_string();
     println!("the run ended {:.2} s later: {error}", begun.elapsed().as_secs_f64());
-    assert!(error.contains("at most 20 a second, as declared"), "{error}");
+    assert!(error.contains("at most 20 per second, as declared"), "{error}");
     laser.assert_safe();
 }
 
@@ -54,7 +54,7 @@ async fn while_held_by_the_disk() {
     assert_eq!(laser.pulses()[1], 0);
 }
 
-/// Shots are not taken from the queue, which has room for two.
+/// Shots are not taken from the queue, whose capacity is two.
 #[tokio::test(flavor = "multi_thread")]
 async fn between_bursts() {
     let laser = laser();

@@ -1,4 +1,4 @@
-//! A bench at the ends of wires, the drivers on this side, and runs of the acquisition on it.
+//! A bench on real wires, the drivers connected to it, and acquisition runs.
 
 use std::{
     net::Ipv4Addr,
@@ -27,7 +27,7 @@ use lfpiv_sim::{
 use parking_lot::Mutex;
 use tokio_util::sync::CancellationToken;
 
-/// Longer than anything takes that is going to happen, on a busy machine too.
+/// Timeout of every wait, long enough for a busy machine.
 pub const LONG: Duration = Duration::from_secs(60);
 
 /// A quarter of the bench's sensor along each edge.
@@ -39,7 +39,7 @@ pub fn small() -> Config {
     ConfigFile::load(&path).expect("small.toml").config
 }
 
-/// A quick laser and quick cameras, warm at once.
+/// A fast laser and fast cameras without warm-up.
 pub fn timing() -> TimingSettings {
     TimingSettings {
         laser_rate_limit_hz: 40.0,
@@ -49,7 +49,7 @@ pub fn timing() -> TimingSettings {
     }
 }
 
-/// Simulated instruments that suit [`timing`], with their port in `folder`.
+/// Simulated instruments for [`timing`], with their port in `folder`.
 pub fn wire(folder: &Path) -> WireSettings {
     WireSettings {
         port: folder.join("synchroniser"),
@@ -65,7 +65,7 @@ pub fn camera(index: usize) -> CameraSettings {
         pixel_format: PixelFormat::Mono12Packed,
         packet_size_bytes: 16_000,
         socket_buffer_bytes: 4 << 20,
-        // A thread may be kept off the processor for long while others build and test.
+        // Threads may be delayed for long while other programs build and test.
         packet_timeout_us: 200_000,
         frame_retention_us: 2_000_000,
         ..CameraSettings::default()
@@ -77,7 +77,7 @@ pub fn connect(wire: &WireSettings, size: ImageSize) -> Bench {
     connect_with(wire, size, camera)
 }
 
-/// The same with `settings` for each camera's index.
+/// The same, with `settings` for each camera's index.
 pub fn connect_with(
     wire: &WireSettings,
     size: ImageSize,
@@ -86,14 +86,14 @@ pub fn connect_with(
     connect_within(wire, size, of_camera, 5000)
 }
 
-/// The same with a synchroniser whose replies are waited for `reply_timeout_ms`.
+/// The same, with this reply timeout of the synchroniser.
 pub fn connect_within(
     wire: &WireSettings,
     size: ImageSize,
     of_camera: impl Fn(usize) -> CameraSettings,
     reply_timeout_ms: u64,
 ) -> Bench {
-    let port = wire.port.to_str().expect("a path in UTF-8");
+    let port = wire.port.to_str().expect("a UTF-8 path");
     let settings = SynchroniserSettings {
         pacing_ms: 0,
         reply_timeout_ms,
@@ -108,8 +108,8 @@ pub fn connect_within(
     Bench::new((0..2).map(open).collect(), synchroniser)
 }
 
-/// Pictures of 12-bit counts that tell shot, camera and exposure in every row, where exactly one
-/// pulse of full energy lit the exposure; black where not.
+/// Images of 12-bit counts that encode shot, camera and exposure in every row, if exactly one pulse
+/// of full energy lit the exposure; otherwise black.
 pub struct Patterns(pub ImageSize);
 
 impl Patterns {
@@ -141,7 +141,7 @@ pub fn patterns(wire: &WireSettings) -> WireBench {
     WireBench::start(wire, SIZE, 12, Arc::new(Patterns(SIZE))).expect("a bench")
 }
 
-/// What came of a run.
+/// Result of a run.
 pub struct Taken {
     pub ended: Result<AcquisitionReport, AcquisitionError>,
     pub shots: Vec<Shot>,
@@ -154,7 +154,7 @@ impl Taken {
         self.ledger.accounts()[camera].outcomes.of(Outcome::Complete)
     }
 
-    /// Every frame of every shot is the picture of that shot, byte for byte.
+    /// Checks that every frame of every shot is that shot's image, byte for byte.
     pub fn assert_pictures(&self, patterns: &Patterns) {
         for shot in &self.shots {
             for (camera, frames) in shot.cameras.iter().enumerate() {
@@ -171,8 +171,8 @@ impl Taken {
     }
 }
 
-/// Takes `shots` shots, `rate_hz` a second, and settles every one that arrives as complete; `seen`
-/// is told of each.
+/// Takes `shots` shots at `rate_hz` and settles each one that arrives as complete; calls `seen` for
+/// each.
 pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot)) -> Taken {
     let settings = AcquisitionSettings {
         schedule: PulseSchedule::plan(&timing(), 100.0, rate_hz).expect("a schedule"),
@@ -204,7 +204,7 @@ pub fn take(bench: Bench, shots: u64, rate_hz: f64, mut seen: impl FnMut(&Shot))
     Taken { ended, shots, ledger, seconds }
 }
 
-/// The same picture for every exposure, so that making it costs nothing.
+/// The same image for every exposure, at no cost.
 pub struct Repeated(RawImage);
 
 impl Repeated {

@@ -1,4 +1,4 @@
-//! Wires that lose packets, a camera that vanishes, a synchroniser that falls silent.
+//! Packet loss, a lost camera, a silent synchroniser.
 
 use std::{thread, time::Duration};
 
@@ -18,8 +18,9 @@ fn lost_packets_cost_shots_and_never_pixels() {
     const SHOTS: u64 = 40;
     in_private_network("faults::lost_packets_cost_shots_and_never_pixels", || {
         let folder = tempfile::tempdir().unwrap();
-        // 27 packets a frame: about a quarter of the frames are hurt, so that none of the 80 frames
-        // of a camera being hurt, or no shot being whole, has a chance below one in a million.
+        // 27 packets per frame: about a quarter of the frames are damaged. The probability that
+        // none of a camera's 80 frames is damaged, or that no shot is intact, is below one in a
+        // million.
         let wire = WireSettings { lost_packets: 0.01, ..wire(folder.path()) };
         let _instruments = patterns(&wire);
         // A damaged frame holds back the ten after it, and there are twelve buffers.
@@ -37,7 +38,7 @@ fn lost_packets_cost_shots_and_never_pixels() {
     });
 }
 
-/// The cable of camera 2 is pulled in the middle of a burst and put back.
+/// The cable of camera 2 is unplugged during a burst and plugged in again.
 #[test]
 fn a_camera_that_vanishes_and_returns_is_waited_for() {
     const SHOTS: u64 = 60;
@@ -72,7 +73,7 @@ fn a_camera_that_vanishes_and_returns_is_waited_for() {
         let last = taken.shots.last().unwrap();
         println!("{first} of {SHOTS} shots whole, {stream:?}");
         assert_eq!(last.trigger, SHOTS - 1);
-        // A burst at most is lost, and shots on both sides of the gap are whole.
+        // At most a burst is lost, and there are intact shots on both sides of the gap.
         assert!((11..SHOTS).contains(&first), "{first}");
         assert_eq!(instruments.report().q_switches, [SHOTS; 2]);
     });
@@ -82,7 +83,7 @@ fn a_camera_that_vanishes_and_returns_is_waited_for() {
 fn a_synchroniser_that_falls_silent_ends_the_run_and_its_burst_ends_itself() {
     in_private_network(
         "faults::a_synchroniser_that_falls_silent_ends_the_run_and_its_burst_ends_itself",
-        || disturbed_in_a_burst(|instruments| instruments.unit().fall_silent_after(0)),
+        || disturbed_in_a_burst(|instruments| instruments.unit().silence_after(0)),
     );
 }
 
@@ -94,14 +95,14 @@ fn a_serial_line_that_is_cut_ends_the_run_and_its_burst_ends_itself() {
     );
 }
 
-/// The run ends and says that the state is unknown, and no more than one burst of Q-switch pulses
-/// comes; what had arrived is whole.
+/// Checks that the run ends and reports an unknown state, that at most one more burst of Q-switch
+/// pulses is given, and that frames that had arrived are intact.
 fn disturbed_in_a_burst(disturb: impl Fn(&WireBench)) {
     const RATE_HZ: f64 = 20.0;
     let folder = tempfile::tempdir().expect("a folder");
     let wire = wire(folder.path());
     let instruments = patterns(&wire);
-    // A loss that comes early, on a busy machine, is as good as any.
+    // A loss that occurs earlier, on a busy machine, is just as good.
     let bench = connect_within(&wire, SIZE, camera, 1000);
     let taken = take(bench, 400, RATE_HZ, |shot| {
         if shot.trigger == 5 {
@@ -111,7 +112,7 @@ fn disturbed_in_a_burst(disturb: impl Fn(&WireBench)) {
     let error = taken.ended.as_ref().expect_err("a lost unit").to_string();
     assert!(error.contains("interlock"), "{error}");
     taken.assert_pictures(&Patterns(SIZE));
-    // A single shot comes first, then bursts of five seconds at most.
+    // A single shot comes first, then bursts of at most five seconds.
     thread::sleep(Duration::from_secs(6));
     let after_burst = instruments.report().q_switches;
     assert!(after_burst[0] <= 1 + (5.0 * RATE_HZ) as u64, "{after_burst:?}");

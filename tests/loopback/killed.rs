@@ -1,4 +1,4 @@
-//! A daemon that is killed: the burst in hand is the last one.
+//! A killed daemon: the current burst is the last one.
 
 use std::{
     fs,
@@ -18,10 +18,10 @@ use crate::{
     network::in_private_network,
 };
 
-/// Shots per second of the daemon below.
+/// Shot rate of the daemon below.
 const RATE_HZ: f64 = 20.0;
 
-/// The small bench behind wires, for the binary.
+/// Configuration of the small bench on real wires.
 fn configuration(folder: &Path, port: &Path) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
     let text = fs::read_to_string(path).expect("small.toml");
@@ -46,7 +46,7 @@ fn configuration(folder: &Path, port: &Path) -> String {
     )
 }
 
-/// Instruments, and a configuration for the daemon that drives them.
+/// Instruments, and a configuration for a daemon that uses them.
 fn instruments(folder: &Path) -> (WireBench, PathBuf) {
     let wire = wire(folder);
     let size = ImageSize::from(&small().optics.sensor);
@@ -57,8 +57,8 @@ fn instruments(folder: &Path) -> (WireBench, PathBuf) {
     (instruments, config)
 }
 
-/// A daemon that a failing test does not leave behind: it would wait for its instruments for ever, and
-/// whoever waits for the test's output with it.
+/// Kills the daemon when a test fails. Otherwise it would wait for its instruments for ever and
+/// keep the test's output open.
 struct Daemon(Child);
 
 impl Drop for Daemon {
@@ -81,7 +81,7 @@ fn q_switch_pulses(instruments: &WireBench) -> u64 {
     instruments.report().q_switches[0]
 }
 
-/// Waits until so many Q-switch pulses have come.
+/// Waits until this many Q-switch pulses were given.
 fn wait_for_pulses(instruments: &WireBench, count: u64, Daemon(daemon): &mut Daemon) {
     let began = Instant::now();
     while q_switch_pulses(instruments) < count {
@@ -90,8 +90,8 @@ fn wait_for_pulses(instruments: &WireBench, count: u64, Daemon(daemon): &mut Dae
     }
 }
 
-/// SIGTERM: the laser is off at once, not at the end of the burst, and reads back so; until then
-/// `/metrics` tells what the cameras' streams count.
+/// SIGTERM switches the laser off at once, not at the end of the burst, and reads it back; until
+/// then `/metrics` shows the cameras' stream counters.
 #[test]
 fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
     in_private_network("killed::a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once", || {
@@ -115,15 +115,15 @@ fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
         Command::new("kill").arg(daemon.0.id().to_string()).status().unwrap();
         assert!(daemon.0.wait().unwrap().success());
         let after = q_switch_pulses(&instruments);
-        // Signal, command and read-back take a few periods on a busy machine, a burst 100.
+        // Signal, command and read-back take a few periods on a busy machine; a burst has 100.
         assert!(after - at_end <= 30, "{at_end} {after}");
         let unit = instruments.unit();
         assert!(!unit.is_running() && (1..=8).all(|channel| !unit.is_enabled(channel)));
     });
 }
 
-/// A second SIGTERM, in the middle of the commands that make the laser safe: the process ends at
-/// once, but not before the last of them is read back.
+/// A second SIGTERM during the commands that make the laser safe: the process exits early, but not
+/// before the read-back.
 #[test]
 fn a_daemon_that_is_told_twice_ends_after_the_read_back() {
     in_private_network("killed::a_daemon_that_is_told_twice_ends_after_the_read_back", || {
@@ -163,13 +163,13 @@ fn a_daemon_that_is_told_twice_ends_after_the_read_back() {
     });
 }
 
-/// An order as the transcript has it.
+/// An off command as in the transcript.
 fn off(output: u8) -> String {
     format!(":PULSE{output}:STATE OFF")
 }
 
-/// A SIGKILLed daemon leaves at most one burst of Q-switch pulses behind; the next one makes
-/// contact with unit and cameras, which believe in their old controller, and measures.
+/// A SIGKILLed daemon leaves at most one burst of Q-switch pulses behind. The next daemon connects
+/// to unit and cameras, which are still controlled by the old one, and measures.
 #[test]
 fn a_killed_daemon_leaves_no_more_than_one_burst() {
     in_private_network("killed::a_killed_daemon_leaves_no_more_than_one_burst", || {
@@ -181,7 +181,7 @@ fn a_killed_daemon_leaves_no_more_than_one_burst() {
         first.0.kill().unwrap();
         let at_kill = q_switch_pulses(&instruments);
         first.0.wait().unwrap();
-        // Five seconds are the longest burst.
+        // The longest burst takes five seconds.
         thread::sleep(Duration::from_secs(7));
         let after = q_switch_pulses(&instruments);
         println!("{at_kill} pulses when killed, {after} in the end");

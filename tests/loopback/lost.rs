@@ -1,4 +1,4 @@
-//! A bench that dies under a daemon, synchroniser and cameras together, and comes back.
+//! A bench that is lost during a run, synchroniser and cameras together, and comes back.
 
 use std::{fs, path::Path, process::Command, sync::Arc, thread, time::Duration};
 
@@ -70,7 +70,7 @@ fn a_bench_that_dies_and_comes_back_is_waited_for_and_so_is_the_operator() {
             let unit = instruments.unit();
             assert!(!unit.is_running() && (1..=8).all(|channel| !unit.is_enabled(channel)));
             drop(unit);
-            assert_eq!(q_switch_pulses(&instruments), 0, "nobody has said that it may fire");
+            assert_eq!(q_switch_pulses(&instruments), 0, "no operator has permitted firing");
 
             let shots = |status: &Value| status["shots"]["triggered"].as_u64().unwrap();
             let before = shots(&status);

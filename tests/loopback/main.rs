@@ -1,7 +1,7 @@
-//! The daemon's acquisition through the drivers of a real bench: GigE Vision and serial, against
+//! The daemon's acquisition through the drivers of a real bench (GigE Vision and serial), against
 //! simulated instruments at the other ends of the wires.
 //!
-//! Every test has a network of its own, with two loopback addresses for two cameras.
+//! Every test has its own network, with two loopback addresses for two cameras.
 #![cfg(feature = "aravis")]
 
 mod bench;
@@ -14,7 +14,7 @@ mod lost;
 mod network;
 mod replayed;
 mod shots;
-// What records a run.
+// Configuration of recorded runs.
 #[allow(dead_code)]
 #[path = "../recorded_run/bench.rs"]
 mod tiny;

@@ -1,4 +1,4 @@
-//! A recorded run played over the wires, into a daemon that knows nothing of it.
+//! A recorded run replayed over the wires, into a daemon that does not know it.
 
 use std::{
     collections::BTreeMap,
@@ -17,11 +17,11 @@ use crate::{
     tiny::{configuration, finished_run, images, lfpiv, text},
 };
 
-/// A quick laser and quick cameras, warm at once; and places for a burst.
+/// A fast laser and fast cameras without warm-up, and queue space for a burst.
 const TIMING: &str = "[timing]\nlaser_rate_limit_hz = 40.0\nreadout_us = 5000.0\n\
                       lamp_warm_up_s = 0.0\n";
 
-/// A run that was recorded in the process, and what it takes to play it over the wires.
+/// A run that was recorded in process, and configurations for replaying it over the wires.
 struct Stage {
     root: tempfile::TempDir,
     recorded: PathBuf,
@@ -32,7 +32,7 @@ impl Stage {
         let root = tempfile::tempdir().expect("a folder");
         let config = configuration(root.path(), TIMING);
         let bench = fs::read_to_string(&config).expect("the bench");
-        // More than one vector a shot.
+        // More than one vector per shot.
         fs::write(&config, replaced(&bench, "window_mm = 0.8 ", "window_mm = 0.4 "))
             .expect("a file");
         let recorded = finished_run(&config, shots);
@@ -43,18 +43,18 @@ impl Stage {
         self.root.path().join(name)
     }
 
-    /// The recorded run's configuration without its scene, with `more` at its end.
+    /// The recorded run's configuration without its scene, with `more` appended.
     fn written(&self, name: &str, more: &str) -> PathBuf {
         let text = fs::read_to_string(self.path("bench.toml")).expect("the bench");
         let text = &text[..text.find("[simulation]").expect("a scene")];
-        // A whole burst finds room.
+        // The queue holds a whole burst.
         let text = text.replacen("queue = 4", "queue = 32", 1);
         let path = self.path(name);
         fs::write(&path, format!("{text}\n{TIMING}\n{more}")).expect("a file");
         path
     }
 
-    /// For the daemon: the instruments are those of `config/loopback.toml`.
+    /// For the daemon, with the instruments of `config/loopback.toml`.
     fn daemon(&self) -> String {
         let instruments = table("loopback.toml", "[instruments]", "[image]");
         let folder = self.root.path().display();
@@ -62,7 +62,7 @@ impl Stage {
         replaced(&instruments, "frame_patience_s = 20.0", "frame_patience_s = 1.5")
     }
 
-    /// For the instruments: the wires are those of `config/loopback-bench.toml`.
+    /// For the instruments, with the wires of `config/loopback-bench.toml`.
     fn wire(&self) -> PathBuf {
         let wire = table("loopback-bench.toml", "[wire]", "[simulation]");
         let folder = self.root.path().display();
@@ -70,14 +70,14 @@ impl Stage {
         self.written("wire.toml", &format!("{wire}readout_us = 5000.0\n"))
     }
 
-    /// Number and checksum of every frame that the daemon has had from a camera.
+    /// Number and checksum of every frame that the daemon received from a camera.
     fn received(&self, camera: usize) -> Vec<[String; 2]> {
         let list = rows(&self.path("received").join(format!("cam{}.csv", camera + 1)));
         list.iter().map(|row| [row[1].clone(), row[5].clone()]).collect()
     }
 
-    /// Plays `run` over the wires into a daemon that takes `shots` shots; what the daemon said, and
-    /// what the instruments said.
+    /// Replays `run` over the wires into a daemon that takes `shots` shots; returns the output of
+    /// the daemon and of the instruments.
     fn play(&self, run: &Path, more: &[&str], daemon: &str, shots: &str) -> (Output, String) {
         let instruments = Instruments::start(&self.wire(), run, &self.path("sent.csv"), more);
         let config = self.written("daemon.toml", daemon);
@@ -86,7 +86,7 @@ impl Stage {
     }
 }
 
-/// A piece of a shipped configuration.
+/// Part of a shipped configuration.
 fn table(name: &str, from: &str, to: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("config").join(name);
     let text = fs::read_to_string(path).expect("a shipped configuration");
@@ -100,7 +100,7 @@ fn replaced(text: &str, from: &str, to: &str) -> String {
     text.replace(from, to)
 }
 
-/// `lfpiv sim-bench --replay` under way.
+/// A running `lfpiv sim-bench --replay`.
 struct Instruments(Child);
 
 impl Instruments {
@@ -114,14 +114,14 @@ impl Instruments {
             .expect("the binary starts");
         let mut instruments = Self(child);
         let stdout = instruments.0.stdout.as_mut().expect("a pipe");
-        // One byte at a time: what follows is read at the end.
+        // One byte at a time: the rest is read at the end.
         let lines = BufReader::with_capacity(1, stdout).lines();
         let cameras = lines.map(|line| line.expect("text")).filter(|l| l.starts_with("camera:"));
         assert_eq!(cameras.take(2).count(), 2, "the instruments do not start");
         instruments
     }
 
-    /// Switches them off; what they say in the end.
+    /// Stops them; returns their final output.
     fn finish(mut self) -> String {
         Command::new("kill").arg(self.0.id().to_string()).status().expect("kill");
         let mut told = String::new();
@@ -133,14 +133,14 @@ impl Instruments {
 
 impl Drop for Instruments {
     fn drop(&mut self) {
-        // Ended already, unless the test has failed.
+        // It has already exited, unless the test has failed.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
 }
 
 fn utf8(path: &Path) -> &str {
-    path.to_str().expect("a path in UTF-8")
+    path.to_str().expect("a UTF-8 path")
 }
 
 fn folder_of(output: &Output) -> PathBuf {
@@ -149,7 +149,7 @@ fn folder_of(output: &Output) -> PathBuf {
     PathBuf::from(folder.unwrap_or_else(|| panic!("{stdout}{}", text(&output.stderr))).trim())
 }
 
-/// `lfpiv compare` finds the same vectors, bit for bit, and the same ledger.
+/// Checks that `lfpiv compare` finds the same vectors, bit for bit, and the same ledger.
 fn assert_same(run: &Path, again: &Path, shots: usize) {
     let output = lfpiv(&["compare", utf8(run), utf8(again)]);
     let said = text(&output.stdout);
@@ -159,7 +159,7 @@ fn assert_same(run: &Path, again: &Path, shots: usize) {
     assert!(said.contains("0 different") && said.contains("ledgers are the same"), "{said}");
 }
 
-/// Columns of a file of comma-separated values, without its head.
+/// Rows of a file of comma-separated values, without its header.
 fn rows(path: &Path) -> Vec<Vec<String>> {
     let text = fs::read_to_string(path).expect("a list of frames");
     text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
@@ -193,7 +193,7 @@ fn a_recorded_run_gives_the_same_vectors_and_ledger_over_the_wires() {
                 assert!(received.iter().all(|row| row[4] == "complete"));
                 let sent = rows(&stage.path("sent.csv"));
                 let sent: Vec<_> = sent.into_iter().filter(|row| row[0] == name).collect();
-                // Time of exposure on the camera's clock, and checksum.
+                // Exposure time on the camera's clock, and checksum.
                 let of = |rows: &[Vec<String>], time: usize, crc: usize| -> Vec<_> {
                     rows.iter().map(|row| (row[time].clone(), row[crc].clone())).collect()
                 };
@@ -204,15 +204,15 @@ fn a_recorded_run_gives_the_same_vectors_and_ledger_over_the_wires() {
     );
 }
 
-/// Commands that the host sent, by the transcript file.
+/// Commands sent by the host, according to the transcript.
 fn commands(transcript: &Path) -> String {
     let text = fs::read_to_string(transcript).expect("a transcript");
     let sent = text.lines().filter_map(|line| line.split_once(" > ").map(|(_, bytes)| bytes));
     sent.collect::<String>().replace("\\r\\n", "\n")
 }
 
-/// What went over the pseudo-terminal is the schedule of the run; the run's own record has the
-/// same bytes.
+/// Checks that the bytes on the pseudo-terminal are the schedule of the run, and that the run's
+/// record has the same bytes.
 fn assert_program_on_the_line(transcript: &Path, run: &Path) {
     let commands = commands(transcript);
     let (mut schedule, mut noted): (Option<PulseSchedule>, _) = (None, String::new());
@@ -257,8 +257,8 @@ fn outcomes(run: &Path, camera: usize) -> BTreeMap<String, u64> {
         .collect()
 }
 
-/// Frames are dropped and triggers missed while the run is played, and the daemon's ledger says
-/// so; what it recorded then, losses and all, is played once more and ends in the same way.
+/// Frames are dropped and triggers missed during the replay, and the daemon's ledger shows them.
+/// Its own record, including the losses, is replayed again and ends in the same way.
 #[test]
 fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
     const SHOTS: usize = 16;
@@ -300,7 +300,7 @@ fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
             let (output, told) = stage.play(&disturbed, &[], &stage.daemon(), "16");
             assert!(told.contains("16 triggers as recorded; dark: 0 in"), "{told}");
             assert_same(&disturbed, &folder_of(&output), whole);
-            // Those of shots that were never whole among them.
+            // Including those of incomplete shots.
             assert_eq!([stage.received(0), stage.received(1)], received);
         },
     );
@@ -322,7 +322,7 @@ fn what_is_not_the_record_is_dark_and_what_would_be_cut_off_is_refused() {
             };
             assert_eq!(taken.iter().map(is_dark).collect::<Vec<_>>(), [false, false, true]);
 
-            // Lamps of head 2 that fire at another time make another light.
+            // Lamps of head 2 that fire at another time give different light.
             let config = stage.daemon();
             let slow_lamp =
                 replaced(TIMING, "[timing]", "[timing]\nlamp_to_q_switch_us = [180.0, 150.0]");
@@ -335,7 +335,7 @@ fn what_is_not_the_record_is_dark_and_what_would_be_cut_off_is_refused() {
             let told = instruments.finish();
             assert!(told.contains("0 triggers as recorded; dark: 2 in another light"), "{told}");
 
-            // 12 bits do not go into 8.
+            // 12 bits do not fit into 8.
             let narrow = replaced(&config, "\"Mono12Packed\"", "\"Mono8\"");
             let (output, told) = stage.play(&stage.recorded, &[], &narrow, "2");
             let said = text(&output.stderr);

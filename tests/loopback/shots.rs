@@ -1,4 +1,4 @@
-//! What crosses the wires arrives as it was, and means what it meant.
+//! Frames arrive unchanged over the wires and are assigned correctly.
 
 use std::{fs, process::Command, sync::Arc};
 
@@ -34,7 +34,7 @@ fn two_hundred_shots_arrive_byte_for_byte() {
     });
 }
 
-/// `lfpiv bench --set loopback` measures this way.
+/// As `lfpiv bench --set loopback` measures.
 #[test]
 fn the_binary_drives_its_own_bench_and_says_how_fast() {
     in_private_network("shots::the_binary_drives_its_own_bench_and_says_how_fast", || {
@@ -92,8 +92,8 @@ fn velocity_over_the_wires_is_velocity_in_process_bit_for_bit() {
     }
 }
 
-/// The bench's cameras are slower than the configuration says: both light pulses fall into exposure
-/// 1 and none into exposure 2. The daemon's schedule was right by its own lights.
+/// The bench's cameras are slower than configured: both light pulses fall into exposure 1 and none
+/// into exposure 2, although the schedule was right for the configuration.
 #[test]
 fn a_wrong_delay_gives_a_wrong_and_a_dark_image() {
     in_private_network("shots::a_wrong_delay_gives_a_wrong_and_a_dark_image", || {
@@ -106,7 +106,7 @@ fn a_wrong_delay_gives_a_wrong_and_a_dark_image() {
         for shot in &taken.shots {
             for [a, b] in &shot.cameras {
                 let [twice_lit, dark] = [a, b].map(|frame| &frame.image);
-                // `Patterns` shows an exposure with two pulses black, too; a scene would show both.
+                // `Patterns` shows an exposure with two pulses as black, too; a scene would show both.
                 assert!(twice_lit.counts().iter().all(|count| *count == 0));
                 assert!(dark.counts().iter().all(|count| *count == 0));
             }

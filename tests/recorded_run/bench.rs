@@ -13,10 +13,10 @@ use lfpiv::acquisition::journal::RecordedRun;
 use lfpiv_hw::RawImage;
 use serde_json::Value;
 
-/// Longest time to wait for anything.
+/// Timeout of every wait.
 pub const PATIENCE: Duration = Duration::from_secs(300);
 
-/// Writes a configuration with results below `root`; `more` is added at its end.
+/// Writes a configuration with results below `root`, with `more` appended.
 pub fn configuration(root: &Path, more: &str) -> PathBuf {
     let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
     let mut text = fs::read_to_string(small).expect("small.toml");
@@ -35,8 +35,8 @@ pub fn configuration(root: &Path, more: &str) -> PathBuf {
     path
 }
 
-/// Runs the program to its end. One that waits for longer than [`PATIENCE`] is told to end, and so
-/// says what it has waited for.
+/// Runs the program to its end. After [`PATIENCE`] it is sent SIGTERM, so that it reports what it
+/// was waiting for.
 pub fn lfpiv(arguments: &[&str]) -> Output {
     Command::new("timeout")
         .args(["--kill-after=30", &PATIENCE.as_secs().to_string(), env!("CARGO_BIN_EXE_lfpiv")])
@@ -50,7 +50,7 @@ pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Runs `shots` shots to the end; the run's folder.
+/// Runs `shots` shots to the end; returns the run's folder.
 pub fn finished_run(config: &Path, shots: &str) -> PathBuf {
     let config = config.to_str().expect("a path in UTF-8");
     let output = lfpiv(&["run", "--config", config, "--shots", shots]);
@@ -60,7 +60,7 @@ pub fn finished_run(config: &Path, shots: &str) -> PathBuf {
     PathBuf::from(folder.expect("a line with the folder").trim())
 }
 
-/// `lfpiv run` under way.
+/// A running `lfpiv run`.
 pub struct Running {
     pub child: Child,
     pub address: String,
@@ -73,14 +73,14 @@ impl Running {
         Self::logged(config, arguments, Stdio::null())
     }
 
-    /// The same with its log somewhere.
+    /// The same, with its log redirected.
     pub fn logged(config: &Path, arguments: &[&str], log: impl Into<Stdio>) -> Self {
         let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
         command.args(["run", "--config"]).arg(config).args(arguments);
         Self::of(command, log.into())
     }
 
-    /// With so many open files at most, whatever it asks for.
+    /// The same, with a hard limit of open files.
     pub fn limited(config: &Path, open_files: u64, log: impl Into<Stdio>) -> Self {
         let mut command = Command::new("sh");
         let limited = format!("ulimit -n {open_files}; exec \"$0\" \"$@\"");
@@ -101,13 +101,13 @@ impl Running {
         Self { child, address, folder, token: None }
     }
 
-    /// Asks with this token from now on.
+    /// Uses this token from now on.
     pub fn with_token(mut self, token: &'static str) -> Self {
         self.token = Some(token);
         self
     }
 
-    /// The answer, if there is one: the daemon may be about to die.
+    /// The answer, if there is one: the daemon may be exiting.
     pub fn get(&self, path: &str) -> Option<Value> {
         let agent = ureq::Agent::config_builder().timeout_global(Some(PATIENCE)).build();
         let agent: ureq::Agent = agent.into();
@@ -118,7 +118,7 @@ impl Running {
         request.call().ok()?.body_mut().read_json().ok()
     }
 
-    /// Shots that it says are synced, asked again and again until `end`.
+    /// Shots reported as synced, polled until `end`.
     pub fn acknowledged_until(&self, end: Instant) -> BTreeSet<u64> {
         let mut synced = BTreeSet::new();
         while Instant::now() < end {
@@ -131,7 +131,7 @@ impl Running {
         synced
     }
 
-    /// Waits until `reached` says so of the status.
+    /// Waits until the status satisfies `reached`.
     pub fn wait_until(&self, reached: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         loop {
@@ -149,7 +149,7 @@ impl Running {
         self.folder.clone()
     }
 
-    /// Asks it to stop, and waits until it has.
+    /// Asks it to stop, and waits for its end.
     pub fn terminate(mut self) -> PathBuf {
         let terminate = format!("kill -TERM {}", self.child.id());
         assert!(Command::new("sh").args(["-c", &terminate]).status().expect("sh").success());
@@ -158,7 +158,7 @@ impl Running {
     }
 }
 
-/// A test that fails leaves no daemon behind.
+/// A failing test leaves no daemon behind.
 impl Drop for Running {
     fn drop(&mut self) {
         let _ = self.child.kill();

@@ -1,4 +1,4 @@
-//! Connections without end to a daemon, what they ask for, and whether the run has lost anything.
+//! Floods of connections to a daemon, and a check that the run has lost nothing.
 
 use std::{
     fs,
@@ -19,24 +19,24 @@ use crate::bench::{PATIENCE, Running, configuration, images};
 
 /// The usual limit of open files.
 pub const OPEN_FILES: u64 = 1024;
-/// Event streams from one address, and as many requests from another.
+/// Number of event streams from one address, and of requests from another.
 pub const EACH: usize = 512;
-/// Small segments: the log has to open new ones while it is flooded.
+/// Small segments: the log must open new ones during the flood.
 pub const RAW_LOG: &str = "[raw_log]\nsegment_mb = 2\n";
 const SEGMENTS: usize = 4;
 
-/// A token to read with.
+/// A token of scope `read`.
 pub const READ: &str = "d41f8c62b07e93a5146fe0c9837b2ad5";
 const CONTROL: &str = "7be2905fc3d8416aa0f7249e5b1c63d8";
 
-/// How long a connection may take: longer than the system takes to try again.
+/// Connection timeout: longer than the system's first retry.
 const CONNECTING: Duration = Duration::from_secs(4);
 
-/// Whence connections come.
+/// Source address of connections.
 pub const OPERATOR: Ipv4Addr = Ipv4Addr::new(127, 0, 0, 1);
 pub const OTHER: Ipv4Addr = Ipv4Addr::new(127, 0, 0, 2);
 
-/// Connections that are opened and held.
+/// Open connections.
 pub struct Flood {
     runtime: Runtime,
     to: SocketAddr,
@@ -44,14 +44,14 @@ pub struct Flood {
 }
 
 impl Flood {
-    /// None yet.
+    /// Without connections.
     pub fn of(running: &Running) -> Self {
         let to = running.address.trim_start_matches("http://").parse().expect("an address");
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         Self { runtime: runtime.expect("a runtime"), to, held: Vec::new() }
     }
 
-    /// Connects `count` times and sends `request` each time. A server that is full may refuse.
+    /// Connects `count` times and sends `request` on each connection. A full server may refuse.
     pub fn pour(&mut self, from: Ipv4Addr, count: usize, request: &str) {
         let to = self.to;
         for _ in 0..count {
@@ -66,19 +66,19 @@ impl Flood {
             match self.runtime.block_on(patient) {
                 Ok(Ok(stream)) => self.held.push(stream),
                 Ok(Err(_)) => {}
-                // It takes nobody any more: that is what was wanted.
+                // The server accepts no more, as intended.
                 Err(_) => break,
             }
         }
     }
 }
 
-/// Files in the raw log of a run.
+/// Number of files in the raw log of a run.
 fn segments(run: &Path) -> usize {
     fs::read_dir(run.join(RAW_FOLDER)).expect("the raw log").count()
 }
 
-/// The log goes on from segment to segment.
+/// Waits until the log has started new segments.
 pub fn wait_for_segments(running: &mut Running) {
     let (began, before) = (Instant::now(), segments(&running.folder));
     while segments(&running.folder) < before + SEGMENTS {
@@ -89,7 +89,7 @@ pub fn wait_for_segments(running: &mut Running) {
     }
 }
 
-/// No trigger of the run was lost; returns how many there were, and how many have their images.
+/// Checks that no trigger was lost; returns the number of triggers and of those with images.
 pub fn assert_nothing_lost(run: &Path) -> (u64, u64) {
     let ledger = fs::read(run.join("ledger.json")).expect("a ledger");
     let ledger: Value = serde_json::from_slice(&ledger).expect("JSON");
@@ -115,17 +115,17 @@ pub fn with_tokens(root: &Path) -> PathBuf {
     config
 }
 
-/// A request for the stream of events.
+/// A request for the event stream.
 pub fn stream(token: &str) -> String {
     format!(
         "GET /api/v1/events HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer {token}\r\n\r\n"
     )
 }
 
-/// A request whose header does not end.
+/// A request with an incomplete header.
 pub const UNFINISHED: &str = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n";
 
-/// Made safe from the address that floods; how long that took.
+/// Sends `disarm` from the flooding address; returns how long it took.
 pub fn disarm(running: &Running) -> Duration {
     let began = Instant::now();
     let agent = ureq::Agent::config_builder().timeout_global(Some(PATIENCE)).build();

@@ -1,4 +1,4 @@
-//! A record that is damaged or incomplete: every command reads around it, names what is lost, and ends
+//! Damaged or incomplete records: every command reads around the damage, reports losses, and ends
 //! with exit code 3.
 
 use std::{
@@ -30,7 +30,7 @@ fn change(path: &Path, change: impl FnOnce(&mut Vec<u8>)) {
     fs::write(path, bytes).expect("a segment");
 }
 
-/// Places of the records with an image.
+/// Positions of the records with an image.
 fn frames(run: &Path) -> Vec<Position> {
     let heads = RawLogReader::open(&run.join("raw")).expect("a log").heads().map(Result::unwrap);
     heads.filter(|(.., has_image)| *has_image).map(|(_, position, ..)| position).collect()
@@ -45,7 +45,7 @@ fn lost(run: &Path) -> BTreeSet<u64> {
     (0..SHOTS).filter(|shot| !whole.contains(shot)).collect()
 }
 
-/// What each command says of a run, and its exit code.
+/// Output and exit code of each command for a run.
 fn read_by_all(run: &Path, out: &Path) -> Vec<(&'static str, Option<i32>, String)> {
     let (pairs, again) = (out.join("pairs"), out.join("again"));
     let [run, pairs, again] =
@@ -65,7 +65,7 @@ fn read_by_all(run: &Path, out: &Path) -> Vec<(&'static str, Option<i32>, String
         .collect()
 }
 
-/// One way of damaging a run, and how many shots it may cost.
+/// A kind of damage, and the number of shots that it may cost.
 struct Harm {
     name: &'static str,
     harm: fn(&Path, &[Position]),
@@ -133,7 +133,7 @@ fn every_command_reads_around_damage_names_it_and_says_so_with_its_exit_code() {
         let lost = lost(&harmed);
         assert!(costs.contains(&lost.len()), "{name}: {lost:?}");
         for (command, code, said) in read_by_all(&harmed, &out) {
-            // Images of shots that have a result are not read again.
+            // Images of shots with a result are not read again.
             let is_seen = *name != "none" && !(command == "process" && name.contains("image"));
             let wanted = if is_seen { DAMAGED } else { 0 };
             assert_eq!(code, Some(wanted), "{command}, {name}: {said}");
@@ -180,7 +180,7 @@ fn a_shot_without_a_result_whose_image_is_damaged_is_named_and_the_others_are_me
     assert_eq!(output.status.code(), Some(DAMAGED), "{said}");
     assert!(said.contains("shot 0: ") && said.contains("from byte"), "{said}");
     assert!(text(&output.stdout).contains("3 have one now"), "{}", text(&output.stdout));
-    // The others are as they were.
+    // The others are unchanged.
     assert_eq!(lost(&run), (0..1).chain(4..SHOTS).collect::<BTreeSet<_>>());
 }
 
@@ -208,7 +208,7 @@ fn a_damaged_ledger_is_named_and_made_again_from_the_record() {
     assert_eq!(process().status.code(), Some(0));
 }
 
-/// A pipe in the place of a file of the run: every command ends by itself, and names it.
+/// A pipe in place of a file of the run: every command ends by itself and names the file.
 #[test]
 fn a_pipe_in_the_folder_of_a_run_is_not_waited_for() {
     let root = tempfile::tempdir().expect("a folder");
@@ -229,7 +229,7 @@ fn a_pipe_in_the_folder_of_a_run_is_not_waited_for() {
             &["replay", "--out", out, run_text],
             &["compare", run_text, run_text],
         ] {
-            // `timeout` kills what hangs, and ends with 124 then.
+            // `timeout` kills a hanging command and exits with 124.
             let limited = Command::new("timeout")
                 .args(["300", env!("CARGO_BIN_EXE_lfpiv")])
                 .args(arguments)

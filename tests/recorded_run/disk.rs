@@ -1,5 +1,5 @@
-//! A disk that is full: nothing more is fired, nothing acknowledged is lost, and firing goes on
-//! when there is room.
+//! A full disk: firing is suspended, nothing acknowledged is lost, and firing resumes once there is
+//! space.
 
 use std::{
     fs,
@@ -53,13 +53,13 @@ fn half_of_a_disk_that_fills_up() {
     let running = Running::start(&config, &["--shots", "10000"]);
     let status = running.wait_until(|status| status["watermarks"]["fsynced"].as_u64() > Some(5));
     let acknowledged = status["watermarks"]["fsynced"].as_u64().expect("a count") as usize;
-    // Somebody else takes all the room there is, without asking.
+    // The disk is filled from outside.
     let mut ballast = fs::File::create(root.path().join("results/ballast")).expect("a file");
     while ballast.write_all(&[1; 1 << 16]).is_ok() {}
     let began = Instant::now();
     let stopped = |status: &Value| status["shots"]["triggered"].clone();
     let mut before = Value::Null;
-    // Either fire is held, or the log has failed and the run is over.
+    // Either firing is suspended, or the log has failed and the run is over.
     while let Some(status) = running.get("/api/v1/status") {
         let now = stopped(&status);
         if status["state"] == "failed" || now == before {
@@ -131,7 +131,7 @@ fn half_of_a_full_disk() {
     let config = configuration(root.path(), "[raw_log]\nreserve_mb = 2\nsync_ms = 5\n");
     let mut daemon = Daemon::start(root.path(), &config, "20");
     daemon.wait_for("firing is on hold");
-    assert!(daemon.log().contains("make room"), "{}", daemon.log());
+    assert!(daemon.log().contains("free space"), "{}", daemon.log());
     fs::remove_file(&ballast).expect("the ballast");
     daemon.wait_for_the_end();
     let shots = images(&run_in(root.path()));
@@ -144,7 +144,7 @@ fn run_in(root: &Path) -> PathBuf {
     folders.next().expect("a run")
 }
 
-/// The HDF5 library crashed at exit after a write that failed.
+/// Regression: the HDF5 library crashed at exit after a failed write.
 #[test]
 #[ignore = "the half of processing_onto_a_full_disk_... that runs in a namespace"]
 fn half_of_processing() {
@@ -184,8 +184,8 @@ fn half_of_processing() {
     }
 }
 
-/// Results that find no room end the run with a failure that is said, the ledger written, and what was
-/// stored before whole.
+/// Results that do not fit end the run with an error message; the ledger is written, and earlier
+/// results are intact.
 #[test]
 fn a_run_without_room_for_its_results_says_so() {
     if let Some(passed) = in_namespace("disk::half_of_results") {
@@ -212,12 +212,12 @@ fn half_of_results() {
     assert!(has_ledger || log.contains("ledger.json"), "{log}");
 }
 
-/// The size of a frame is known from the configuration, before there has been one.
+/// The size of a frame is known from the configuration before the first frame.
 #[test]
 #[ignore = "the half of even_the_first_shot_waits_for_room that runs in a namespace"]
 fn half_of_the_first_shot() {
-    // Two cameras, two exposures, 240 x 240 pixels of two bytes: 0.46 MB a shot. Free are 0.3 MB
-    // more than the reserve, of which the run's small files take some.
+    // Two cameras, two exposures, 240 x 240 pixels of two bytes: 0.46 MB per shot. The disk has 0.3
+    // MB more than the reserve, part of which the run's small files take.
     const DISK: usize = 24 << 20;
     const FREE: usize = 4_300_000;
     let root = tempfile::tempdir().expect("a folder");

@@ -1,8 +1,8 @@
-//! A run that an earlier version of the journal recorded is played by every later program.
+//! Every later program replays runs that an earlier version of the journal recorded.
 //!
-//! `tests/fixtures/recorded_run_v1` and later ones are not to be written again: a new version of the journal
-//! gets a folder of its own beside them. They were made by
-//! `cargo test --test recorded_run write_the_fixture -- --ignored`.
+//! `tests/fixtures/recorded_run_v1` and later ones must not be rewritten: a new version of the
+//! journal gets a folder of its own beside them. They were made by `cargo test --test recorded_run
+//! write_the_fixture -- --ignored`.
 
 use std::{
     fs,
@@ -20,13 +20,13 @@ use serde_json::Value;
 use crate::bench::{images, lfpiv, text};
 
 const SHOTS: u64 = 2;
-/// Of each camera's frames a and b, shot by shot.
+/// For each camera's frames a and b, shot by shot.
 const CHECKSUMS: [[u32; 4]; 2] = [
     [0xd320_cffa, 0xe63a_45c7, 0xfcdf_3415, 0x26ab_8e9a],
     [0xb5af_b2df, 0xaaa8_ea58, 0x9c1d_fbc0, 0xc3a0_6b69],
 ];
-/// 1e-4 voxel between the pulses: 10 nm in 100 µs, in m/s. Vectors are the same bits on processors
-/// with the same vector instructions; on others sums of products are rounded elsewhere.
+/// 1e-4 voxel between the pulses: 10 nm in 100 µs, in m/s. Vectors are bit-identical on processors
+/// with the same vector instructions; on others sums of products are rounded differently.
 const TOLERANCE_M_S: f32 = 1e-4;
 
 fn fixture(version: u32) -> PathBuf {
@@ -34,7 +34,7 @@ fn fixture(version: u32) -> PathBuf {
     fixtures.join(format!("recorded_run_v{version}"))
 }
 
-/// Outcomes that were added later did not happen.
+/// The accounts of a run; outcomes added by later versions are zero.
 fn accounts(run: &Path) -> Vec<Value> {
     let ledger = fs::read(run.join("ledger.json")).expect("a ledger");
     let mut ledger: Value = serde_json::from_slice(&ledger).expect("JSON");
@@ -57,7 +57,7 @@ fn a_run_of_version_1_has_its_images() {
     assert_eq!(found.collect::<Vec<_>>(), CHECKSUMS);
 }
 
-/// When the shots of each version's fixture were taken: UTC in s, and standard uncertainty in ns.
+/// Times of the shots of each version's fixture: UTC in s, and standard uncertainty in ns.
 const TIMES: [[(f64, u64); 2]; 4] = [
     [(1_795_297_055.035_645_6, 7_685_403), (1_795_297_055.062_536, 6_777_876)],
     [(1_795_359_613.255_174_4, 155_269_218), (1_795_359_613.608_595_1, 46_941_562)],
@@ -82,7 +82,7 @@ fn shots_of_every_version_have_their_times() {
 fn a_run_of_version_1_gives_its_vectors_again() {
     let root = tempfile::tempdir().expect("a folder");
     let out = root.path().join("again");
-    // Its own comparison is to the bit, which other processors need not keep.
+    // Its own comparison is bit for bit, which other processors need not satisfy.
     let output = lfpiv(&["replay", "--out", out.to_str().unwrap(), fixture(1).to_str().unwrap()]);
     let again = fs::read_dir(&out).expect("results").next().expect("a run").expect("a run").path();
     let (then, now) = (stored_vectors(&fixture(1)).unwrap(), stored_vectors(&again).unwrap());
@@ -91,7 +91,7 @@ fn a_run_of_version_1_gives_its_vectors_again() {
     assert_eq!(then.keys().collect::<Vec<_>>(), now.keys().collect::<Vec<_>>());
     for (shot, then) in &then {
         let now = &now[shot];
-        // Eight variables: u, v, w first, whether a vector is valid and whether replaced last.
+        // Eight variables: u, v, w first; whether a vector is valid and whether replaced last.
         let vectors = then.len() / 8;
         assert_eq!((vectors, now.len()), (27, then.len()));
         assert_eq!(then[6 * vectors..], now[6 * vectors..], "shot {shot}");
@@ -122,7 +122,7 @@ fn a_run_of_a_later_version_is_refused_by_every_command() {
     writer.close().unwrap();
     let words = RecordedRun::open(root.path()).unwrap_err().to_string();
     let later = format!("journal version {}", JOURNAL_VERSION + 1);
-    let refused = format!("{later}, this program knows up to {JOURNAL_VERSION}");
+    let refused = format!("{later}, and this program reads up to {JOURNAL_VERSION}");
     assert!(words.contains(&refused), "{words}");
     let run = root.path().to_str().unwrap();
     let out = root.path().join("out");
@@ -135,7 +135,7 @@ fn a_run_of_a_later_version_is_refused_by_every_command() {
     }
 }
 
-/// Makes the folder for a new version of the journal, once: two shots of a bench with 9 × 9
+/// Creates the fixture for a new version of the journal, once: two shots of a bench with 9 × 9
 /// microlenses.
 #[test]
 #[ignore = "writes the fixture of a new journal version"]

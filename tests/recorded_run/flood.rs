@@ -1,4 +1,4 @@
-//! Connections without end: acquisition does not notice, and the laser can still be made safe.
+//! Floods of connections: acquisition is not affected, and the laser can still be made safe.
 
 use std::process::Stdio;
 

@@ -1,4 +1,4 @@
-//! SIGKILL at any moment: what was said to be on the disk is there, byte for byte.
+//! SIGKILL at any moment: acknowledged data is on the disk, byte for byte.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -17,12 +17,12 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::bench::{Running, configuration, finished_run, images, lfpiv, text};
 
-/// Shots that the reference has; no killed run comes so far.
+/// Shots of the reference run; killed runs are shorter.
 const REFERENCE_SHOTS: &str = "120";
-/// Small segments and frequent syncs, so that kills fall into every part of the writing.
+/// Small segments and frequent syncs, so that kills hit every stage of writing.
 const RAW_LOG: &str = "[raw_log]\nsegment_mb = 2\nsync_ms = 5\n";
 
-/// Everything acknowledged is there, and whatever is there is what the cameras delivered.
+/// Checks that everything acknowledged is there, and that all data is as the cameras delivered it.
 fn assert_kept(
     run: &Path,
     acknowledged: &BTreeSet<u64>,
@@ -37,7 +37,7 @@ fn assert_kept(
     kept.len()
 }
 
-/// Waits until so many shots are on the disk; how many there are then.
+/// Waits until this many shots are synced; returns their number then.
 fn fsynced_from(running: &Running, shots: u64) -> usize {
     let fsynced = |status: &serde_json::Value| status["watermarks"]["fsynced"].as_u64();
     let status = running.wait_until(|status| fsynced(status) >= Some(shots));
@@ -65,7 +65,7 @@ fn what_was_acknowledged_survives(kills: u64) {
     for seed in 0..kills {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let running = Running::start(&config, &["--shots", REFERENCE_SHOTS]);
-        // So many shots, however long they take, and a moment more.
+        // This many shots, however long they take, and a moment more.
         let shots = random.random_range(0..12);
         let more = Duration::from_micros(random.random_range(0..100_000));
         let promised = if shots > 0 { fsynced_from(&running, shots) } else { 0 };
@@ -89,7 +89,7 @@ fn what_was_acknowledged_survives(kills: u64) {
     );
     assert!(acknowledged as u64 > 2 * kills, "the kills come too early to say anything");
     let last = last.expect("a run that came far enough");
-    // The next run says what an earlier one has left to do.
+    // The next run reports what an earlier one has left to do.
     let config = config.to_str().expect("a path in UTF-8");
     let next = lfpiv(&["run", "--config", config, "--shots", "1"]);
     let advice = format!("lfpiv process {}", last.display());
@@ -97,7 +97,7 @@ fn what_was_acknowledged_survives(kills: u64) {
     finish_twice(&last);
 }
 
-/// `lfpiv process` measures what has no result, once.
+/// Checks that `lfpiv process` measures shots without a result, once.
 fn finish_twice(run: &Path) {
     let folder = run.to_str().expect("a path in UTF-8");
     let shots = images(run).len();
@@ -119,8 +119,8 @@ fn finish_twice(run: &Path) {
     assert!(ledger["error"].as_str().is_some_and(|error| error.contains("cut off")), "{ledger}");
 }
 
-/// A run that is killed in the middle of a burst has counted what was taken, and calls nothing shed
-/// that never happened.
+/// A run killed in the middle of a burst has counted the triggers given, and reports no other
+/// trigger as shed.
 #[test]
 fn a_killed_run_counts_what_was_fired() {
     let root = tempfile::tempdir().expect("a folder");
@@ -132,8 +132,8 @@ fn a_killed_run_counts_what_was_fired() {
     let output = lfpiv(&["process", folder]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let recorded = RecordedRun::open(&run).expect("a recorded run");
-    // What the record knows to have happened: triggers said to be given, and two frames to a trigger
-    // of either camera; of the last one perhaps only the first.
+    // Evidence in the record: triggers announced as given, and two frames per trigger of either
+    // camera; of the last one perhaps only the first.
     let (mut given, mut frames) = (0, [0_u64; 2]);
     for placed in recorded.entries() {
         match placed.expect("an entry").entry {
@@ -152,7 +152,7 @@ fn a_killed_run_counts_what_was_fired() {
     }
 }
 
-/// What the daemon says it has processed is recorded, whatever happens next.
+/// Shots that the daemon reports as processed are recorded, whatever happens next.
 #[test]
 fn what_was_processed_is_recorded_after_a_kill() {
     what_was_processed_is_recorded(6);

@@ -1,5 +1,4 @@
-//! What a run leaves on disk: after the end, after SIGKILL, on a disk that is full; and the same
-//! run played again.
+//! What a run leaves on disk (after its end, after SIGKILL, on a full disk), and its replay.
 
 mod bench;
 mod connections;

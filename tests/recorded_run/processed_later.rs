@@ -1,4 +1,4 @@
-//! Shots that were shed live are measured later, from the raw log.
+//! Shots that were shed live are measured later from the raw log.
 
 use std::{collections::BTreeSet, fs};
 
@@ -9,7 +9,7 @@ use crate::bench::{Running, configuration, images, lfpiv, text};
 #[test]
 fn what_was_shed_is_measured_later() {
     let root = tempfile::tempdir().expect("a folder");
-    // Fifty shots a second are more than the fine voxels leave time for.
+    // With fine voxels, fifty shots per second are too many to process.
     let config = configuration(root.path(), "");
     let slow = fs::read_to_string(&config).unwrap().replacen("queue = 4", "queue = 1", 1).replacen(
         "refinement = 2",
@@ -29,7 +29,7 @@ fn what_was_shed_is_measured_later() {
     let after = StoredResults::find(&folder).unwrap();
     assert_eq!(after.shots, recorded);
     assert_eq!(after.records, recorded.len());
-    // Shots in order were taken in order, whenever they were measured.
+    // Times increase in shot order, whenever the shots were measured.
     assert_eq!(after.times_s.len(), recorded.len());
     let times_s: Vec<f64> = after.times_s.values().copied().collect();
     assert!(times_s.is_sorted_by(|a, b| a < b), "{times_s:?}");

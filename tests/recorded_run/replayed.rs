@@ -1,4 +1,4 @@
-//! A recorded run played again: the same vectors, bit for bit, and the same ledger.
+//! A replay of a recorded run: the same vectors, bit for bit, and the same ledger.
 
 use std::{fs, path::Path, process::Command};
 
@@ -70,7 +70,8 @@ fn a_record_that_is_changed_is_found_out() {
     assert!(text(&replayed.stderr).contains("segment_000000.raw"), "{}", text(&replayed.stderr));
 }
 
-/// A record with right checksums that contradicts itself: the run loop waited without end for a burst.
+/// Regression: with an inconsistent record (with valid checksums) the run loop waited for a burst
+/// for ever.
 #[test]
 fn an_end_of_a_burst_that_nobody_began_does_not_stop_a_replay() {
     let root = tempfile::tempdir().expect("a folder");
@@ -92,7 +93,7 @@ fn an_end_of_a_burst_that_nobody_began_does_not_stop_a_replay() {
     }
     writer.close().expect("a closed log");
     assert!(ends > 0);
-    // `timeout` kills what hangs, and ends with 124 then.
+    // `timeout` kills a hanging command and exits with 124.
     let output = Command::new("timeout")
         .args(["300", env!("CARGO_BIN_EXE_lfpiv"), "replay", "--out"])
         .args([&root.path().join("out"), &again])
@@ -112,7 +113,7 @@ fn the_ledger_and_the_record_say_the_same() {
         (ledger["cameras"].clone(), ledger["streams"].clone())
     };
     let written_by_the_run = accounts();
-    // Without it the ledger is made again, from the record alone.
+    // Without it the ledger is rebuilt from the record.
     fs::remove_file(run.join("ledger.json")).expect("the ledger");
     let output = lfpiv(&["process", run.to_str().unwrap()]);
     assert!(output.status.success(), "{}", text(&output.stderr));

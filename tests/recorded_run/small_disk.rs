@@ -1,4 +1,4 @@
-//! Disks of a test's own, in a namespace in which it may mount them.
+//! Small disks for tests, mounted in a namespace.
 
 use std::{
     fs,
@@ -6,16 +6,16 @@ use std::{
     process::{Command, Stdio},
 };
 
-/// Runs this test's other half in a namespace in which it may mount a small disk of its own.
+/// Runs the other half of this test in a namespace in which it may mount a small disk.
 pub fn in_namespace(test: &str) -> Option<bool> {
     let done = in_namespace_of(&["-Urm"], test);
     if done.is_none() {
-        eprintln!("skipped: this machine lets nobody mount in a namespace (unshare -Urm)");
+        eprintln!("skipped: mounting in a user namespace is not permitted here (unshare -Urm)");
     }
     done
 }
 
-/// The same in a namespace made by `unshare` with these options; nothing where that is not allowed.
+/// The same in a namespace created by `unshare` with these options; `None` if that is not permitted.
 pub fn in_namespace_of(options: &[&str], test: &str) -> Option<bool> {
     let unshare = || {
         let mut command = Command::new("unshare");
@@ -35,7 +35,7 @@ pub fn in_namespace_of(options: &[&str], test: &str) -> Option<bool> {
     Some(status.success())
 }
 
-/// A disk in memory, of so many megabytes.
+/// Mounts a tmpfs of this many megabytes.
 pub fn mount_small_disk(at: &Path, megabytes: u32) {
     fs::create_dir_all(at).expect("a folder");
     let size = format!("size={megabytes}m");

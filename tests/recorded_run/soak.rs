@@ -1,4 +1,4 @@
-//! Hundreds of shots: nothing grows, and what a bench does per second is told.
+//! Hundreds of shots: memory does not grow; prints the bench's throughput.
 
 use std::{
     fs,
@@ -9,9 +9,10 @@ use serde_json::Value;
 
 use crate::bench::{Running, configuration, images};
 
-/// When memory has settled: pools and tables are full, and a first segment of results is sealed.
+/// Shots after which memory has settled: pools and tables are full, and a first segment of results
+/// is sealed.
 const SETTLED: u64 = 700;
-/// What may be added after that: allocators are not exact.
+/// Allowed growth after that: allocators are not exact.
 const GROWTH_BYTES: u64 = 8 << 20;
 /// Longest time without another shot.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -86,7 +87,7 @@ fn in_flat_memory(shots: u64) {
     assert_eq!(images(&run).len() as u64, shots);
 }
 
-/// A bench in real time, whose shots are shed when processing is slower; for its figures.
+/// A bench in real time whose shots are shed if processing is slower; for its figures.
 #[test]
 fn ten_shots_a_second_in_real_time() {
     let root = tempfile::tempdir().expect("a folder");
@@ -121,7 +122,7 @@ fn ten_shots_a_second_in_real_time() {
         raw["bytes_written"].as_f64().unwrap_or(0.0) / 1e6,
         measured["watermarks"],
     );
-    // On a busy machine later, but every stage goes on.
+    // On a busy machine it takes longer, but every stage makes progress.
     let goes_on = |status: &Value| since(status) > 0 && mark(status, "fsynced") > Some(0);
     let last = running.wait_until(goes_on);
     let marks = ["acquired", "paired", "written", "fsynced"].map(|name| mark(&last, name));

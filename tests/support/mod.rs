@@ -1,4 +1,4 @@
-//! Configurations, and the real binary.
+//! Configurations and the real binary, for tests.
 
 use std::{
     ffi::OsStr,
@@ -8,7 +8,7 @@ use std::{
 
 use lfpiv::config::{Config, ConfigFile};
 
-/// Errors against the truth, as the tests of the numerics have them.
+/// Error measures of the numerics' tests.
 #[path = "../../core/tests/support/errors.rs"]
 mod errors;
 
@@ -19,14 +19,14 @@ pub use errors::*;
 pub const SHIPPED: [&str; 7] =
     ["sim", "jet", "bench", "imperfect", "paper", "loopback", "loopback-bench"];
 
-/// The folder of the whole project: tests of other crates share this file.
+/// Root folder of the project: tests of other crates share this file.
 fn project() -> &'static Path {
     let crate_folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let has_configurations = |folder: &&Path| folder.join("config").is_dir();
     crate_folder.ancestors().find(has_configurations).expect("the folder config")
 }
 
-/// The program: that of this crate, or the one beside this crate's.
+/// The program under test: this crate's, or the one next to this crate's test binary.
 fn program() -> PathBuf {
     match (option_env!("CARGO_BIN_EXE_lfpiv"), option_env!("CARGO_BIN_EXE_lfpiv-bench")) {
         (Some(own), _) => own.into(),
@@ -41,7 +41,7 @@ pub fn shipped(name: &str) -> String {
     std::fs::read_to_string(path.with_extension("toml")).expect("shipped configuration")
 }
 
-/// What a run of `lfpiv` left behind.
+/// Result of a run of `lfpiv`.
 pub struct Done {
     /// Whether the exit code was 0.
     pub success: bool,
@@ -67,17 +67,17 @@ pub fn lfpiv<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Done {
     }
 }
 
-/// The configuration of a bench that is quick to simulate and to measure.
+/// The configuration of a bench that is fast to simulate and to measure.
 pub fn small_configuration() -> PathBuf {
     project().join("tests/data/small.toml")
 }
 
-/// What it says.
+/// Its parsed configuration.
 pub fn small_bench() -> Config {
     ConfigFile::load(&small_configuration()).expect("small.toml").config
 }
 
-/// The text of the small bench's configuration with one piece replaced, as a file in `folder`.
+/// Writes the small bench's configuration with one piece of text replaced to a file in `folder`.
 pub fn changed_configuration(folder: &Path, from: &str, to: &str) -> PathBuf {
     let text = std::fs::read_to_string(small_configuration()).expect("small.toml");
     assert!(text.contains(from), "{from}");

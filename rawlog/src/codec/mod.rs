@@ -11,7 +11,8 @@ use garde::Validate;
 use lfpiv_hw::RawImage;
 use serde::{Deserialize, Serialize};
 
-/// Largest image that can be stored, in pixels. It bounds what a corrupt length makes a reader allocate.
+/// Largest image that can be stored, in pixels. It bounds what a corrupt length makes a reader
+/// allocate.
 pub(super) const MAX_PIXELS: u64 = 1 << 28;
 
 /// zstd level. Higher levels are slower and do not compress noisy images better.

@@ -100,8 +100,8 @@ impl ModelDisk {
         content
     }
 
-    /// The content after a power cut: what was synced in the first `operations`, and a random part of the
-    /// rest.
+    /// The content after a power cut: what was synced in the first `operations`, and a random part
+    /// of the rest.
     pub fn after_power_cut(&self, operations: usize, random: &mut impl Rng) -> Content {
         let state = self.0.lock();
         let done = &state.operations[..operations];
