@@ -62,7 +62,7 @@ pub use error::{AppendError, Damage, RawLogError};
 pub use format::FORMAT_VERSION;
 pub use log::RawLog;
 pub use reader::{Head, RawLogReader};
-pub use record::{Position, Record, Watermarks};
+pub use record::{LogWatermarks, Position, Record};
 pub use recovery::{RecoveredSegment, Recovery, TornTail, recover};
 pub use settings::RawLogSettings;
 pub use writer::RawLogWriter;

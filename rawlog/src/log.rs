@@ -8,7 +8,7 @@ use std::{
 use tokio::sync::watch;
 
 use super::{
-    AppendError, RawLogError, RawLogSettings, RawLogWriter, Record, Watermarks,
+    AppendError, LogWatermarks, RawLogError, RawLogSettings, RawLogWriter, Record,
     queue::Queue,
     segments::Segments,
     settings::{Limits, megabytes},
@@ -84,12 +84,12 @@ impl RawLog {
     }
 
     /// The current watermarks. After a failure, `appended - written` records are lost.
-    pub fn watermarks(&self) -> Watermarks {
+    pub fn watermarks(&self) -> LogWatermarks {
         self.queue.watermarks()
     }
 
-    /// Watermarks, updated at each sync and on failure.
-    pub fn watch(&self) -> watch::Receiver<Watermarks> {
+    /// LogWatermarks, updated at each sync and on failure.
+    pub fn watch(&self) -> watch::Receiver<LogWatermarks> {
         self.queue.watch()
     }
 

@@ -44,7 +44,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_read_back_and_others_are_not_taken_for_segments() {
+    fn segment_names_are_parsed_and_others_rejected() {
         let folder = Path::new("raw");
         assert_eq!(name(&sealed_path(folder, 12)), "segment_000012.raw");
         for number in [0, 12, 999_999, 1_000_000, u32::MAX - 1] {

@@ -5,7 +5,7 @@ use std::{collections::VecDeque, sync::Arc, time::Instant};
 use parking_lot::{Condvar, Mutex};
 use tokio::sync::{Notify, watch};
 
-use super::{AppendError, RawLogError, Record, Watermarks, segments::Progress};
+use super::{AppendError, LogWatermarks, RawLogError, Record, segments::Progress};
 
 /// Most bytes that the writer takes at once, so that space is released steadily.
 const MAX_TAKEN_BYTES: u64 = 16_000_000;
@@ -21,7 +21,7 @@ pub(super) struct Queue {
     not_full: Condvar,
     /// The same for async tasks.
     not_full_async: Notify,
-    watch: watch::Sender<Watermarks>,
+    watch: watch::Sender<LogWatermarks>,
 }
 
 #[derive(Debug, Default)]
@@ -29,7 +29,7 @@ struct State {
     waiting: VecDeque<Record>,
     /// Bytes of records appended but not yet written, including those that the writer has taken.
     bytes: u64,
-    marks: Watermarks,
+    marks: LogWatermarks,
     /// Set by closing: the writer ends once the queue is empty.
     closed: Option<Arc<RawLogError>>,
     /// Set by a failure: queued records are lost.
@@ -195,12 +195,12 @@ impl Queue {
     }
 
     /// The current watermarks.
-    pub fn watermarks(&self) -> Watermarks {
+    pub fn watermarks(&self) -> LogWatermarks {
         self.state.lock().marks
     }
 
-    /// Watermarks, updated at each sync.
-    pub fn watch(&self) -> watch::Receiver<Watermarks> {
+    /// LogWatermarks, updated at each sync.
+    pub fn watch(&self) -> watch::Receiver<LogWatermarks> {
         self.watch.subscribe()
     }
 
@@ -215,7 +215,7 @@ impl Queue {
     }
 }
 
-impl Watermarks {
+impl LogWatermarks {
     fn update(&mut self, progress: Progress) {
         self.written = progress.written;
         self.synced = progress.synced;

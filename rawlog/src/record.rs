@@ -51,9 +51,9 @@ pub struct Position {
     pub offset: u64,
 }
 
-/// Watermarks: every record with a smaller sequence number has reached this level.
+/// LogWatermarks: every record with a smaller sequence number has reached this level.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-pub struct Watermarks {
+pub struct LogWatermarks {
     /// Appended to the queue.
     pub appended: u64,
     /// Written to the operating system: survives the death of this process.

@@ -9,7 +9,7 @@ use std::{
 };
 
 use super::{
-    RawLogError, Record, Watermarks,
+    LogWatermarks, RawLogError, Record,
     queue::{Job, Queue},
     segments::Segments,
 };
@@ -46,11 +46,11 @@ impl RawLogWriter {
     ///
     /// # Errors
     /// The failure that stopped the log, now or earlier.
-    pub fn close(mut self) -> Result<Watermarks, RawLogError> {
+    pub fn close(mut self) -> Result<LogWatermarks, RawLogError> {
         self.end()
     }
 
-    fn end(&mut self) -> Result<Watermarks, RawLogError> {
+    fn end(&mut self) -> Result<LogWatermarks, RawLogError> {
         let Some(thread) = self.thread.take() else { return Ok(self.queue.watermarks()) };
         self.queue.close(RawLogError::Closed { folder: self.folder.clone() });
         // The queue has already been told of a panic.

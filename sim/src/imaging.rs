@@ -32,7 +32,7 @@ use wall::{RefractedPoint, WallView};
 
 pub use electron_image::ElectronImage;
 pub use flaws::{CameraFlaws, Distortion, Dust, SecondAperture, WallSettings};
-pub use white::MicroImageGrid;
+pub use white::TrueMicroImageGrid;
 
 /// Particles traced in parallel before they are added to the image: bounds the memory of the
 /// footprints, about 20 kB each.

@@ -49,7 +49,7 @@ pub enum FrameOfPair {
 
 /// One particle of one shot.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Particle {
+pub struct Tracer {
     /// Position at the first pulse, in mm.
     pub a_mm: [f64; 3],
     /// Position in the middle of the pair, in mm.
@@ -64,7 +64,7 @@ pub struct Particle {
     pub visible_b: bool,
 }
 
-impl Particle {
+impl Tracer {
     /// Position in one frame, in mm, or `None` where the light sheet misses it.
     pub fn lit_mm(&self, frame: FrameOfPair) -> Option<[f64; 3]> {
         match frame {
@@ -135,7 +135,7 @@ impl Seeding {
         flow: &Flow,
         dt_s: f64,
         (seed, shot): (u64, u64),
-    ) -> Vec<Particle> {
+    ) -> Vec<Tracer> {
         let mut particles = self.all_particles(volume, object_pitch_mm, flow, dt_s, (seed, shot));
         particles.retain(|particle| particle.visible_a || particle.visible_b);
         particles
@@ -149,7 +149,7 @@ impl Seeding {
         flow: &Flow,
         dt_s: f64,
         (seed, shot): (u64, u64),
-    ) -> Vec<Particle> {
+    ) -> Vec<Tracer> {
         let sheet = self.sheet(volume);
         let region = self.region(volume, flow, dt_s);
         let density_per_mm3 = self.density_per_mm3(volume, object_pitch_mm);
@@ -172,7 +172,7 @@ impl Seeding {
     /// sheet misses it then.
     pub(crate) fn lit_mm(
         &self,
-        particle: &Particle,
+        particle: &Tracer,
         volume: &Volume,
         flow: &Flow,
         at_s: f64,
@@ -211,11 +211,11 @@ fn particle(
     sheet: &AlignedBox,
     flow: &Flow,
     dt_s: f64,
-) -> Particle {
+) -> Tracer {
     let a_mm = flow.advect_mm(mid_mm, -dt_s / 2.0);
     let b_mm = flow.advect_mm(mid_mm, dt_s / 2.0);
     let (visible_a, visible_b) = (sheet.contains(a_mm), sheet.contains(b_mm));
-    Particle { a_mm, mid_mm, b_mm, intensity, visible_a, visible_b }
+    Tracer { a_mm, mid_mm, b_mm, intensity, visible_a, visible_b }
 }
 
 /// How far the flow carries any particle of the sheet along each axis in half a pulse separation,

@@ -13,7 +13,7 @@ use crate::{
     flow::Flow,
     geometry::BenchGeometry,
     imaging::{CameraFlaws, ElectronImage, PointSource, RaySettings, RayTracer},
-    particles::{FrameOfPair, Particle, Placement, Seeding},
+    particles::{FrameOfPair, Placement, Seeding, Tracer},
     sensor::SensorSettings,
 };
 
@@ -148,7 +148,7 @@ pub struct Truth {
     /// The velocity field.
     pub flow: Flow,
     /// Every particle that is lit in at least one frame.
-    pub particles: Vec<Particle>,
+    pub particles: Vec<Tracer>,
 }
 
 impl Scene {
@@ -275,7 +275,7 @@ impl Scene {
 
     fn sources(
         &self,
-        particles: &[Particle],
+        particles: &[Tracer],
         frame: FrameOfPair,
         exposure: [u64; 4],
     ) -> Vec<PointSource> {
@@ -288,7 +288,7 @@ impl Scene {
     }
 
     /// What a particle releases in the exposure `[seed, shot, camera, frame]` if no ray is lost.
-    fn electrons(&self, particle: &Particle, id: u64, exposure: [u64; 4]) -> f64 {
+    fn electrons(&self, particle: &Tracer, id: u64, exposure: [u64; 4]) -> f64 {
         particle.intensity * self.particle_photoelectrons * self.lighting.factor(exposure, id)
     }
 }

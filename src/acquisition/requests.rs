@@ -21,7 +21,7 @@ impl Run {
         &mut self,
         request: Request,
     ) -> Result<(), AcquisitionError> {
-        tracing::info!(command = ?request.command, "asked for");
+        tracing::info!(command = ?request.command, "request");
         let (done, ended) = match self.carry_out(request.command).await {
             Ok(done) => (done, Ok(())),
             Err(error) => (Err(Refusal::because(error.to_string())), Err(error)),

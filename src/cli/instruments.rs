@@ -24,7 +24,7 @@ use crate::{
 pub(super) fn open(config: &Config, instruments: &InstrumentSettings) -> anyhow::Result<Bench> {
     let (bytes, transcript) = mpsc::unbounded_channel();
     // Nobody listens where no record of the run is kept.
-    let listener = Transcript::told(move |entry| drop(bytes.send(entry)));
+    let listener = Transcript::to_listener(move |entry| drop(bytes.send(entry)));
     let (settings, timing) = (instruments.synchroniser.clone(), config.timing.clone());
     let patience = settings.reconnect_patience_s.map(Duration::from_secs_f64);
     let open = move || synchroniser::open(&settings, &timing, listener.clone());

@@ -8,7 +8,7 @@ fn told(board: &Board) -> Vec<(&'static str, serde_json::Value)> {
 }
 
 #[test]
-fn a_shot_that_ends_is_told_and_then_its_result() {
+fn a_finished_shot_is_published_before_its_result() {
     let board = Board::new();
     board.processing(3);
     let result = crate::pipeline::test_data::result();
@@ -22,7 +22,7 @@ fn a_shot_that_ends_is_told_and_then_its_result() {
 }
 
 #[test]
-fn watermarks_are_told_when_they_rise() {
+fn watermarks_are_published_when_they_rise() {
     let board = Board::new();
     assert_eq!(board.watermarks(), None);
     let marks = Watermarks { acquired: 3, paired: 3, written: 2, fsynced: 1, processed: 1 };

@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn readers_go_on_where_they_were() {
+    fn readers_continue_at_their_position() {
         let log = EventLog::default();
         assert_eq!(numbers(&log.after(0, 10)), [0u64; 0]);
         for shot in 0..5 {
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn memory_is_bounded_and_a_reader_that_lags_is_told_by_how_much() {
+    fn memory_is_bounded_and_a_lagging_reader_is_told_how_many_events_it_missed() {
         let log = EventLog::default();
         let published = EVENTS_IN_MEMORY as u64 + 7;
         for shot in 0..published {

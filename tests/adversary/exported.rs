@@ -78,9 +78,9 @@ pub fn check_export(
         case.fault(FaultKind::Lost, format!("{harm}: {missing:?} are lost"));
     }
     let last = found.keys().next_back().copied();
-    let may_be_unsaid = |shot: u64| matches!(allowed, Allowed::End) && Some(shot) > last;
+    let may_be_silent = |shot: u64| matches!(allowed, Allowed::End) && Some(shot) > last;
     for shot in missing {
-        if !is_said(&ended, shot) && !may_be_unsaid(shot) {
+        if !is_reported(&ended, shot) && !may_be_silent(shot) {
             let words = ended.last_words();
             case.fault(
                 FaultKind::Unreported,
@@ -91,7 +91,7 @@ pub fn check_export(
 }
 
 /// Whether the loss of a shot is reported, or nothing can be read at all.
-fn is_said(ended: &Ended, shot: u64) -> bool {
+fn is_reported(ended: &Ended, shot: u64) -> bool {
     match ended.code {
         Some(DAMAGED) => ended.stderr.contains(&format!("shot {shot}: ")),
         Some(1) => ended.stderr.contains("error: "),

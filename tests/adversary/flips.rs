@@ -112,7 +112,7 @@ mod tests {
 
     /// Unreported losses and changed data are detected.
     #[test]
-    fn a_loss_that_nobody_names_is_found() {
+    fn an_unreported_loss_is_found() {
         let flips = Flips::prepare();
         let closed = &flips.bases[0];
         let mut tally = Tally::default();

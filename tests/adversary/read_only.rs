@@ -14,7 +14,7 @@ const TURNS: u32 = 40;
 const MOST_RECORDS: usize = 1200;
 
 #[test]
-fn what_is_synced_outlasts_an_error_of_the_file_system() {
+fn synced_records_survive_a_file_system_error() {
     match in_namespace_of(&["-m"], "read_only::half_of_an_error") {
         Some(passed) => assert!(passed, "see above"),
         None => eprintln!("skipped: only root may break a file system"),
@@ -22,7 +22,7 @@ fn what_is_synced_outlasts_an_error_of_the_file_system() {
 }
 
 #[test]
-#[ignore = "the half of what_is_synced_outlasts_an_error_... that runs in a namespace"]
+#[ignore = "the half of synced_records_survive_... that runs in a namespace"]
 fn half_of_an_error() {
     let root = tempfile::tempdir().expect("a folder");
     let folder = root.path().join("disk");

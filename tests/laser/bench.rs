@@ -86,7 +86,7 @@ impl Laser {
         };
         let served = Served::start(PulseGenerator::new(options), Box::new(observer)).unwrap();
         let port = Arc::new(Mutex::new(served.path().to_owned()));
-        Self { served, transcript: Transcript::kept(), port, triggers: Mutex::new(triggers) }
+        Self { served, transcript: Transcript::in_memory(), port, triggers: Mutex::new(triggers) }
     }
 
     /// Unplugs the cable.

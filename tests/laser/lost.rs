@@ -43,7 +43,7 @@ async fn waiting(laser: &Laser) -> Run {
     run
 }
 
-async fn goes_on_and_stops(laser: &Laser, run: Run) {
+async fn resumes_and_stops(laser: &Laser, run: Run) {
     let before = laser.pulses()[1];
     run.until("pulses", || laser.pulses()[1] > before + 5).await;
     run.stop.cancel();
@@ -82,16 +82,16 @@ async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
     tokio::time::sleep(Duration::from_secs(1)).await;
     assert_eq!(laser.pulses(), before, "neither lamps nor Q-switches");
     run.control.request(Command::Resume).await.unwrap();
-    goes_on_and_stops(&laser, run).await;
+    resumes_and_stops(&laser, run).await;
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_pulled_line_that_is_put_back_lets_a_run_go_on_where_it_may() {
+async fn a_run_resumes_where_permitted_after_its_line_is_plugged_in_again() {
     let laser = Laser::start();
     let run = lost(&laser, GO_ON).await;
     laser.plug_in_line();
     run.until("the return", || run.control.state().mode == Mode::Firing).await;
-    goes_on_and_stops(&laser, run).await;
+    resumes_and_stops(&laser, run).await;
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -122,7 +122,7 @@ async fn a_run_that_is_stopped_without_its_unit_says_that_its_state_is_unknown()
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_process_that_is_told_to_end_at_once_without_its_unit_says_so_too() {
+async fn a_process_terminated_without_its_unit_reports_it() {
     let laser = Laser::start();
     let run = pulled(&laser, WAIT).await;
     let synchroniser = run.synchroniser.clone();

@@ -100,7 +100,7 @@ pub fn connect_within(
         ..SynchroniserSettings::at(SynchroniserDriver::Bnc575, port)
     };
     let synchroniser =
-        synchroniser::open(&settings, &timing(), Transcript::kept()).expect("a synchroniser");
+        synchroniser::open(&settings, &timing(), Transcript::in_memory()).expect("a synchroniser");
     let open = |index: usize| {
         let name = format!("cam{}", index + 1);
         gige::open(&name, &of_camera(index), size).expect("a camera")

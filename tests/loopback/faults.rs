@@ -40,9 +40,9 @@ fn lost_packets_cost_shots_and_never_pixels() {
 
 /// The cable of camera 2 is unplugged during a burst and plugged in again.
 #[test]
-fn a_camera_that_vanishes_and_returns_is_waited_for() {
+fn a_run_waits_for_a_lost_camera() {
     const SHOTS: u64 = 60;
-    in_private_network("faults::a_camera_that_vanishes_and_returns_is_waited_for", || {
+    in_private_network("faults::a_run_waits_for_a_lost_camera", || {
         let folder = tempfile::tempdir().unwrap();
         let wire = wire(folder.path());
         let instruments = patterns(&wire);

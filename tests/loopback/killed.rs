@@ -93,8 +93,8 @@ fn wait_for_pulses(instruments: &WireBench, count: u64, Daemon(daemon): &mut Dae
 /// SIGTERM switches the laser off at once, not at the end of the burst, and reads it back; until
 /// then `/metrics` shows the cameras' stream counters.
 #[test]
-fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
-    in_private_network("killed::a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once", || {
+fn a_terminated_daemon_makes_the_laser_safe_at_once() {
+    in_private_network("killed::a_terminated_daemon_makes_the_laser_safe_at_once", || {
         let folder = tempfile::tempdir().unwrap();
         let (instruments, config) = instruments(folder.path());
         let mut daemon = daemon(&config, None);
@@ -125,8 +125,8 @@ fn a_daemon_that_is_told_to_end_makes_the_laser_safe_at_once() {
 /// A second SIGTERM during the commands that make the laser safe: the process exits early, but not
 /// before the read-back.
 #[test]
-fn a_daemon_that_is_told_twice_ends_after_the_read_back() {
-    in_private_network("killed::a_daemon_that_is_told_twice_ends_after_the_read_back", || {
+fn a_daemon_terminated_twice_ends_after_the_read_back() {
+    in_private_network("killed::a_daemon_terminated_twice_ends_after_the_read_back", || {
         let folder = tempfile::tempdir().unwrap();
         let (instruments, config) = instruments(folder.path());
         let transcript = folder.path().join("serial.log");

@@ -307,9 +307,9 @@ fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
 }
 
 #[test]
-fn what_is_not_the_record_is_dark_and_what_would_be_cut_off_is_refused() {
+fn light_outside_the_record_is_dark_and_truncating_formats_are_refused() {
     in_private_network(
-        "replayed::what_is_not_the_record_is_dark_and_what_would_be_cut_off_is_refused",
+        "replayed::light_outside_the_record_is_dark_and_truncating_formats_are_refused",
         || {
             let stage = Stage::with_run_of("2");
             // Beyond the end of the record.

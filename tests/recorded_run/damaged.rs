@@ -164,7 +164,7 @@ fn a_run_of_version_1_that_was_cut_short_is_read_as_far_as_it_goes() {
 }
 
 #[test]
-fn a_shot_without_a_result_whose_image_is_damaged_is_named_and_the_others_are_measured() {
+fn a_damaged_shot_without_a_result_is_reported_and_the_others_are_measured() {
     let root = tempfile::tempdir().expect("a folder");
     let config = configuration(root.path(), "");
     let run = finished_run(&config, "4");

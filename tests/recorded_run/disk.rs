@@ -17,7 +17,7 @@ use crate::{
 };
 
 #[test]
-fn a_full_disk_holds_fire_until_there_is_room() {
+fn a_full_disk_suspends_firing_until_there_is_space() {
     if let Some(passed) = in_namespace("disk::half_of_a_full_disk") {
         assert!(passed);
     }
@@ -122,7 +122,7 @@ impl Drop for Daemon {
 }
 
 #[test]
-#[ignore = "the half of a_full_disk_holds_fire_until_there_is_room that runs in a namespace"]
+#[ignore = "the half of a_full_disk_suspends_firing_until_there_is_space that runs in a namespace"]
 fn half_of_a_full_disk() {
     let root = tempfile::tempdir().expect("a folder");
     mount_small_disk(&root.path().join("results"), 40);
@@ -187,14 +187,14 @@ fn half_of_processing() {
 /// Results that do not fit end the run with an error message; the ledger is written, and earlier
 /// results are intact.
 #[test]
-fn a_run_without_room_for_its_results_says_so() {
+fn a_run_without_space_for_its_results_reports_it() {
     if let Some(passed) = in_namespace("disk::half_of_results") {
         assert!(passed);
     }
 }
 
 #[test]
-#[ignore = "the half of a_run_without_room_for_its_results_says_so that runs in a namespace"]
+#[ignore = "the half of a_run_without_space_for_its_results_reports_it that runs in a namespace"]
 fn half_of_results() {
     const DISK: usize = 2 << 20;
     const FREE: usize = 180_000;

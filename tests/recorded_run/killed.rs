@@ -45,17 +45,17 @@ fn fsynced_from(running: &Running, shots: u64) -> usize {
 }
 
 #[test]
-fn what_was_acknowledged_survives_kills() {
-    what_was_acknowledged_survives(15);
+fn acknowledged_data_survives_kills() {
+    acknowledged_data_survives(15);
 }
 
 #[test]
 #[ignore = "long: make soak"]
-fn long_what_was_acknowledged_survives_fifty_kills() {
-    what_was_acknowledged_survives(50);
+fn long_acknowledged_data_survives_fifty_kills() {
+    acknowledged_data_survives(50);
 }
 
-fn what_was_acknowledged_survives(kills: u64) {
+fn acknowledged_data_survives(kills: u64) {
     let root = tempfile::tempdir().expect("a folder");
     let config = configuration(root.path(), RAW_LOG);
     let reference: BTreeMap<u64, _> =
@@ -154,17 +154,17 @@ fn a_killed_run_counts_what_was_fired() {
 
 /// Shots that the daemon reports as processed are recorded, whatever happens next.
 #[test]
-fn what_was_processed_is_recorded_after_a_kill() {
-    what_was_processed_is_recorded(6);
+fn processed_shots_are_recorded_after_a_kill() {
+    processed_shots_are_recorded(6);
 }
 
 #[test]
 #[ignore = "long: make soak"]
-fn long_what_was_processed_is_recorded_after_twenty_kills() {
-    what_was_processed_is_recorded(20);
+fn long_processed_shots_are_recorded_after_twenty_kills() {
+    processed_shots_are_recorded(20);
 }
 
-fn what_was_processed_is_recorded(kills: u64) {
+fn processed_shots_are_recorded(kills: u64) {
     let root = tempfile::tempdir().expect("a folder");
     let config = configuration(root.path(), RAW_LOG);
     for seed in 0..kills {

@@ -7,7 +7,7 @@ use lfpiv::archive::StoredResults;
 use crate::bench::{Running, configuration, images, lfpiv, text};
 
 #[test]
-fn what_was_shed_is_measured_later() {
+fn shed_shots_are_measured_later() {
     let root = tempfile::tempdir().expect("a folder");
     // With fine voxels, fifty shots per second are too many to process.
     let config = configuration(root.path(), "");

@@ -28,7 +28,7 @@ fn a_replay_gives_the_same_vectors_and_the_same_ledger() {
 }
 
 #[test]
-fn a_replay_with_faults_says_what_became_of_them() {
+fn a_replay_with_faults_reports_their_outcomes() {
     let root = tempfile::tempdir().expect("a folder");
     let run = finished_run(&configuration(root.path(), ""), "40");
     let faults = root.path().join("faults.toml");
@@ -73,7 +73,7 @@ fn a_record_that_is_changed_is_found_out() {
 /// Regression: with an inconsistent record (with valid checksums) the run loop waited for a burst
 /// for ever.
 #[test]
-fn an_end_of_a_burst_that_nobody_began_does_not_stop_a_replay() {
+fn the_end_of_a_burst_without_a_start_does_not_block_a_replay() {
     let root = tempfile::tempdir().expect("a folder");
     let run = finished_run(&configuration(root.path(), ""), "2");
     let reader = RawLogReader::open(&run.join("raw")).expect("a log");

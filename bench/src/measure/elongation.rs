@@ -5,7 +5,7 @@
 //! the one that has a voxel centre at (0, 0, 0).
 
 use lfpiv_core::reconstruction::{DenseVolume, quality::elongation_mm};
-use lfpiv_sim::{Particle, Truth};
+use lfpiv_sim::{Tracer, Truth};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -127,14 +127,8 @@ fn see(
     config.volume.centre_mm = place.centre_mm;
     let reconstructor = reconstructor(&config)?;
     let at = place.particle_mm;
-    let particle = Particle {
-        a_mm: at,
-        mid_mm: at,
-        b_mm: at,
-        intensity: 1.0,
-        visible_a: true,
-        visible_b: true,
-    };
+    let particle =
+        Tracer { a_mm: at, mid_mm: at, b_mm: at, intensity: 1.0, visible_a: true, visible_b: true };
     let truth = Truth {
         seed: 0,
         shot,

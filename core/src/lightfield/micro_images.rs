@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn half_a_pitch_is_what_one_microlens_more_makes() {
+    fn one_microlens_more_shifts_by_half_a_pitch() {
         let optics = optics();
         let mut wrong = optics.clone();
         wrong.microlens.rows += 1;

@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn uniform_background_is_told_from_the_black_level() {
+    fn uniform_background_is_separated_from_the_black_level() {
         let scene = image(|r| if r.random::<f64>() < 0.4 { 40.0 } else { 300.0 }, 64.0, 4.0);
         let levels = zones().levels(&scene, &ImageSettings::default());
         assert!((levels.background_counts - 40.0).abs() < 3.0, "{levels:?}");

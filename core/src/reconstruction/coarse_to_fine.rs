@@ -11,9 +11,9 @@ use super::{
     levels::{ViewLevels, dark_below},
     os_mart::OsMart,
     os_sart::OsSart,
-    pass::{Problem, Pruning, Update},
+    pass::{InverseProblem, Pruning, Update},
     probes::{ProjectedView, probes},
-    scheme::{Correction, Scheme, Stage},
+    scheme::{Correction, Scheme, SolverStage},
 };
 use crate::{
     Clock,
@@ -46,7 +46,7 @@ impl CoarseToFine<'_> {
         self.subsets(&self.scheme.stage(levels - 1, levels, self.settings), layouts).len()
     }
 
-    fn subsets(&self, stage: &Stage, layouts: &[ViewLayout]) -> Vec<Vec<ViewId>> {
+    fn subsets(&self, stage: &SolverStage, layouts: &[ViewLayout]) -> Vec<Vec<ViewId>> {
         stage.subsets.of(layouts, self.order, stage.share_of_views)
     }
 
@@ -69,8 +69,8 @@ impl CoarseToFine<'_> {
                 volume = volume.split();
             }
             let stage = self.scheme.stage(n, models.len(), self.settings);
-            let problem = Problem { model: model.as_ref(), views };
-            let mut run = Run { problem, stage, volume: &mut volume, done: &mut done };
+            let problem = InverseProblem { model: model.as_ref(), views };
+            let mut run = StageRun { problem, stage, volume: &mut volume, done: &mut done };
             match self.scheme.correction {
                 Correction::Multiplicative => {
                     self.passes(&self.os_mart(levels), levels, &mut run, note);
@@ -103,10 +103,10 @@ impl CoarseToFine<'_> {
         &self,
         update: &U,
         levels: &[ViewLevels],
-        run: &mut Run<'_>,
+        run: &mut StageRun<'_>,
         note: &mut dyn FnMut(&PassReport),
     ) {
-        let Run { problem, stage, volume, done } = run;
+        let StageRun { problem, stage, volume, done } = run;
         let subsets = self.subsets(stage, problem.model.layouts());
         let particle = self.particle_counts_per_voxel(levels, problem.model.grid());
         let mut projector = problem.model.projector(&volume.blocks);
@@ -159,9 +159,9 @@ impl CoarseToFine<'_> {
 }
 
 /// One stage of a reconstruction.
-struct Run<'a> {
-    problem: Problem<'a>,
-    stage: Stage,
+struct StageRun<'a> {
+    problem: InverseProblem<'a>,
+    stage: SolverStage,
     volume: &'a mut BlockVolume,
     /// Passes of all stages so far.
     done: &'a mut usize,

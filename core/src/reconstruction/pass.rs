@@ -65,14 +65,14 @@ struct ViewComparison {
 }
 
 /// A model and the views to be explained.
-pub struct Problem<'a> {
+pub struct InverseProblem<'a> {
     /// The forward model.
     pub model: &'a dyn BlockModel,
     /// One stack per camera, in counts above the black level.
     pub views: &'a [ViewStack],
 }
 
-impl Problem<'_> {
+impl InverseProblem<'_> {
     /// One pass over `subsets`; returns the relative residual ‖I − p‖ / ‖I‖ of the pass, each view
     /// measured before its own correction. Volume and residual are independent of the number of
     /// threads.

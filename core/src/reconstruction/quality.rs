@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn width_is_read_between_voxels_along_the_asked_axis() {
+    fn width_is_interpolated_along_the_given_axis() {
         for axis in 0..3 {
             // Half of 8 is 1 + 1/3 voxels before the peak and 2/4 after it.
             let volume = line(axis, &[1.0, 3.0, 6.0, 8.0, 0.0, 7.0], 0.1);

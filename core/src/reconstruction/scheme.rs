@@ -1,5 +1,5 @@
 //! Definitions of the iterative solvers: their update, subsets of views, and passes per grid.
-//! Everything else is shared in [`Problem::pass`](super::pass::Problem::pass).
+//! Everything else is shared in [`InverseProblem::pass`](super::pass::InverseProblem::pass).
 
 use super::{Solver, settings::ReconstructionSettings, subsets::balanced_subsets};
 use crate::{lightfield::ViewLayout, model::ViewId};
@@ -44,7 +44,7 @@ impl Subsets {
 
 /// Passes of a solver on one grid.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stage {
+pub(super) struct SolverStage {
     /// Passes over `share_of_views` of the views.
     pub passes: usize,
     pub share_of_views: f64,
@@ -62,19 +62,24 @@ pub(super) struct Stage {
 pub(super) struct Scheme {
     pub correction: Correction,
     /// For the coarser of two grids.
-    coarse: Stage,
+    coarse: SolverStage,
     /// For the finer of two grids.
-    fine: Stage,
+    fine: SolverStage,
     /// For a single grid.
-    only: Stage,
+    only: SolverStage,
 }
 
 /// A stage whose threshold rises over one pass. The coarse grid only has to locate the light, for
 /// which a part of the views suffices: OS-MART's fine stage does no better after 0.3 of them than
 /// after 0.2. a part of the views is enough: OS-MART's fine one has no more to do after 0.2 of them
 /// than after 0.3.
-const fn stage(passes: usize, share_of_views: f64, subsets: Subsets, prune_share: f32) -> Stage {
-    Stage { passes, share_of_views, subsets, prune_share, rising_passes: 1 }
+const fn stage(
+    passes: usize,
+    share_of_views: f64,
+    subsets: Subsets,
+    prune_share: f32,
+) -> SolverStage {
+    SolverStage { passes, share_of_views, subsets, prune_share, rising_passes: 1 }
 }
 
 const OS_SART: Scheme = Scheme {
@@ -87,9 +92,9 @@ const OS_SART: Scheme = Scheme {
 /// Two corrections per pass: dim voxels are identified only after several of them.
 const SART: Scheme = Scheme {
     correction: Correction::Additive,
-    coarse: Stage { rising_passes: 2, ..stage(2, 1.0, Subsets::Camera, 0.1) },
-    fine: Stage { rising_passes: 8, ..stage(8, 1.0, Subsets::Camera, 0.4) },
-    only: Stage { rising_passes: 20, ..stage(20, 1.0, Subsets::Camera, 0.02) },
+    coarse: SolverStage { rising_passes: 2, ..stage(2, 1.0, Subsets::Camera, 0.1) },
+    fine: SolverStage { rising_passes: 8, ..stage(8, 1.0, Subsets::Camera, 0.4) },
+    only: SolverStage { rising_passes: 20, ..stage(20, 1.0, Subsets::Camera, 0.02) },
 };
 
 /// SART on the photo-hull, without later pruning.
@@ -121,7 +126,12 @@ impl Scheme {
     }
 
     /// The stage for grid `level` of `levels`, coarse to fine, with the settings applied.
-    pub fn stage(&self, level: usize, levels: usize, settings: &ReconstructionSettings) -> Stage {
+    pub fn stage(
+        &self,
+        level: usize,
+        levels: usize,
+        settings: &ReconstructionSettings,
+    ) -> SolverStage {
         let default = match (level, levels) {
             (_, 1) => self.only,
             (0, _) => self.coarse,
@@ -134,6 +144,6 @@ impl Scheme {
             (subsets, _) => subsets,
         };
         let passes = settings.passes.filter(|_| finest).unwrap_or(default.passes);
-        Stage { passes, subsets, ..default }
+        SolverStage { passes, subsets, ..default }
     }
 }

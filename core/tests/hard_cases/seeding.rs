@@ -4,7 +4,7 @@ use lfpiv_core::{
     lightfield::ImagePair, measurement::Processor, reconstruction::DenseVolume,
     velocimetry::VectorStatus,
 };
-use lfpiv_sim::{Truth, particles::Particle};
+use lfpiv_sim::{Truth, particles::Tracer};
 
 use super::bench::{
     Measured, SEED, images_of, measured, shot, simulated, uniform, usual, with_scene,
@@ -20,7 +20,7 @@ fn truth(config: &Bench, places: impl IntoIterator<Item = ([f64; 3], f64)>) -> T
         let at =
             |sign: f64| std::array::from_fn(|c| mid_mm[c] + sign * SHIFT_VOX[c] / 2.0 * voxel_mm);
         let (a_mm, b_mm) = (at(-1.0), at(1.0));
-        Particle { a_mm, mid_mm, b_mm, intensity, visible_a: true, visible_b: true }
+        Tracer { a_mm, mid_mm, b_mm, intensity, visible_a: true, visible_b: true }
     };
     Truth {
         seed: SEED,

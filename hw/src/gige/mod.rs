@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_missing_is_said() {
+    fn a_missing_driver_is_reported() {
         let size = ImageSize { columns: 8, rows: 8 };
         let Err(error) = open("cam1", &CameraSettings::default(), size) else {
             panic!("a camera without a driver");

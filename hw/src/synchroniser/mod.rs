@@ -59,7 +59,7 @@ pub fn open(
             path.display()
         ))
     })?;
-    open_on(Box::new(RecordedLine::new(line, Transcript::written(file))), settings, timing)
+    open_on(Box::new(RecordedLine::new(line, Transcript::to_writer(file))), settings, timing)
 }
 
 /// As [`open`], on an open line, for example one with a transcript or injected faults.

@@ -59,7 +59,7 @@ fn signals_must_stay_inside_the_period() {
 }
 
 #[test]
-fn what_is_no_number_or_not_positive_is_refused() {
+fn nan_and_values_that_are_not_positive_are_refused() {
     for bad in [f64::NAN, f64::INFINITY, 0.0, -5.0] {
         assert!(refusal(&TimingSettings::default(), bad, 10.0).contains("dt_us"));
         assert!(refusal(&TimingSettings::default(), 100.0, bad).contains("rate_hz"));

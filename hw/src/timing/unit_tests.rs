@@ -40,7 +40,7 @@ fn the_pulse_separation_is_refused_rather_than_rounded() {
 }
 
 #[test]
-fn what_is_rounded_is_said() {
+fn rounding_is_reported() {
     // 3 Hz is not a whole number of 10 ns; the period is rounded up.
     let UnitSchedule { schedule, roundings } =
         usual(100.0, 3.0).for_unit(&UnitLimits::BNC_575).unwrap();

@@ -32,7 +32,7 @@ proptest! {
     #![proptest_config(ProptestConfig { rng_seed: prop::test_runner::RngSeed::Fixed(41), ..ProptestConfig::with_cases(400) })]
 
     #[test]
-    fn every_codec_gives_back_what_it_was_given_in_no_more_space(counts in counts()) {
+    fn every_codec_is_lossless_and_never_enlarges_an_image(counts in counts()) {
         let image = image(1, counts);
         for codec in CODECS {
             let (number, stored) = stored(codec, &image);

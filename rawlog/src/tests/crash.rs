@@ -33,7 +33,7 @@ struct Fault {
     stays_failed: bool,
 }
 
-/// Watermarks after this many operations.
+/// LogWatermarks after this many operations.
 #[derive(Debug, Clone, Copy)]
 struct Acknowledged {
     operations: usize,
@@ -183,7 +183,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 200, rng_seed: RngSeed::Fixed(11), ..Default::default() })]
 
     #[test]
-    fn what_was_promised_survives_a_crash_at_every_operation(
+    fn acknowledged_records_survive_a_crash_at_every_operation(
         actions in actions(), fault in fault(), seed in any::<u64>()
     ) {
         let whole = ModelDisk::holding(older_log());
@@ -216,7 +216,7 @@ proptest! {
 
 /// Guards the test above against a model disk that loses nothing and a log that syncs nothing.
 #[test]
-fn the_model_disk_loses_what_was_not_synced() {
+fn the_model_disk_loses_unsynced_data() {
     let disk = ModelDisk::default();
     let storage = Arc::new(disk.clone());
     let mut segments = Segments::create(storage, folder(), DESCRIPTION, &limits()).unwrap();

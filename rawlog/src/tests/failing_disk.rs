@@ -67,7 +67,7 @@ fn a_full_disk_ends_the_log_and_everything_written_is_there() {
 }
 
 #[test]
-fn any_operation_may_fail_and_what_was_written_is_there() {
+fn written_records_survive_the_failure_of_any_operation() {
     let mut failed = 0;
     for at in 0..60_u64 {
         for kind in [ErrorKind::ReadOnlyFilesystem, ErrorKind::Other] {
@@ -220,7 +220,7 @@ fn watchers_see_every_step_to_the_disk_and_a_failure() {
 }
 
 #[test]
-fn whoever_waits_for_a_writer_that_panics_is_told() {
+fn waiting_appenders_are_woken_when_the_writer_panics() {
     let disk = ModelDisk::default();
     let (log, writer) = log_on(&disk, &Limits { queue_bytes: 500, ..limits() });
     disk.set_faults(Faults { panics: true, ..Default::default() });
@@ -231,7 +231,7 @@ fn whoever_waits_for_a_writer_that_panics_is_told() {
 }
 
 #[test]
-fn nothing_is_taken_after_closing_and_a_dropped_writer_closes() {
+fn a_closed_log_rejects_records_and_dropping_the_writer_closes_it() {
     let disk = ModelDisk::default();
     let (log, writer) = log_on(&disk, &limits());
     log.append_blocking(record(0)).unwrap();
@@ -254,7 +254,7 @@ fn a_folder_with_a_log_is_not_written_to() {
 }
 
 #[test]
-fn a_record_that_the_format_cannot_hold_is_refused_and_the_log_goes_on() {
+fn an_oversized_record_is_refused_and_the_log_continues() {
     let disk = ModelDisk::default();
     let (log, writer) = log_on(&disk, &limits());
     // No pixels, so no memory, but more columns than fit into 32 bits.

@@ -15,7 +15,7 @@ use super::{
 const RECORDS: u64 = 30;
 
 #[test]
-fn a_lost_segment_is_told_once_with_its_records() {
+fn a_lost_segment_is_reported_once_with_its_records() {
     let whole = sealed_log(RECORDS, &limits()).content();
     for number in 0..segments(&whole) - 1 {
         let mut left = whole.clone();
@@ -31,7 +31,7 @@ fn a_lost_segment_is_told_once_with_its_records() {
 }
 
 #[test]
-fn lost_last_segments_are_told() {
+fn lost_last_segments_are_reported() {
     for whole in
         [sealed_log(RECORDS, &limits()).content(), unsealed(&sealed_log(RECORDS, &limits())).0]
     {
@@ -61,7 +61,7 @@ fn a_log_without_any_damage_says_nothing() {
 }
 
 #[test]
-fn a_segment_of_another_log_is_not_taken_for_one_of_this() {
+fn a_segment_of_another_log_is_rejected() {
     let mut content = sealed_log(RECORDS, &limits()).content();
     // The same records and description, created at another time.
     let other = sealed_log(RECORDS, &limits()).content();
@@ -73,7 +73,7 @@ fn a_segment_of_another_log_is_not_taken_for_one_of_this() {
 }
 
 #[test]
-fn a_segment_that_was_written_anew_breaks_the_chain() {
+fn a_rewritten_segment_breaks_the_chain() {
     let mut content = sealed_log(RECORDS, &limits()).content();
     let path = sealed_path(folder(), 1);
     // A whole segment of this log, but not the one that its successor names: cut and recovered.
@@ -95,7 +95,7 @@ fn recovered(content: Content) -> Content {
 }
 
 #[test]
-fn a_file_with_a_number_far_beyond_the_others_is_told_at_once() {
+fn a_file_with_a_far_too_high_number_is_reported_at_once() {
     let mut content = sealed_log(RECORDS, &limits()).content();
     content.add(&sealed_path(folder(), u32::MAX - 1), b"no segment".to_vec());
     let (right, errors) = read_all(&reader(&content).unwrap());

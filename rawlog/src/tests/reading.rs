@@ -103,7 +103,7 @@ pub(super) fn newer(mut content: Content, path: &Path) -> Content {
 }
 
 #[test]
-fn a_newer_version_is_refused_with_what_to_do() {
+fn a_newer_version_is_refused_with_advice() {
     let content = newer(sealed_log(3, &limits()).content(), &sealed_path(folder(), 0));
     let message = reader(&content).unwrap_err().to_string();
     assert!(message.contains("version 7") && message.contains("reads up to 2"), "{message}");
@@ -111,7 +111,7 @@ fn a_newer_version_is_refused_with_what_to_do() {
 }
 
 #[test]
-fn a_place_without_a_record_gives_an_error() {
+fn a_position_without_a_record_gives_an_error() {
     let content = sealed_log(3, &limits()).content();
     let reader = reader(&content).unwrap();
     for (segment, offset) in [(0, 0), (0, 1 << 40), (9, 50)] {
@@ -132,7 +132,7 @@ fn damaged(mut content: Content, damages: &[(u16, u32, u8)]) -> Content {
 }
 
 /// Opens, reads and recovers arbitrary content; whatever is read must be right.
-fn use_whatever_it_is(content: Content) {
+fn use_arbitrary_content(content: Content) {
     if let Ok(reader) = reader(&content) {
         read_all(&reader);
         let mut positions = Vec::new();
@@ -157,7 +157,7 @@ proptest! {
     fn flipped_bytes_never_give_a_wrong_record(
         damages in vec((any::<u16>(), any::<u32>(), 1..=255_u8), 1..6)
     ) {
-        use_whatever_it_is(damaged(sealed_log(RECORDS, &limits()).content(), &damages));
+        use_arbitrary_content(damaged(sealed_log(RECORDS, &limits()).content(), &damages));
     }
 
     #[test]
@@ -177,7 +177,7 @@ proptest! {
         content.remove(&sealed_path(folder(), last));
         let path = if is_sealed { sealed_path(folder(), last) } else { part_path(folder(), last) };
         content.add(&path, bytes);
-        use_whatever_it_is(content);
+        use_arbitrary_content(content);
     }
 
     #[test]
@@ -186,6 +186,6 @@ proptest! {
         let path = if is_sealed { sealed_path(folder(), 0) } else { part_path(folder(), 0) };
         content.add(&path, bytes);
         prop_assert!(reader(&content).is_err());
-        use_whatever_it_is(content);
+        use_arbitrary_content(content);
     }
 }

@@ -92,7 +92,7 @@ fn a_log_that_died_between_two_segments_ends_with_the_first() {
 }
 
 #[test]
-fn a_segment_whose_header_is_lost_is_left_alone_and_told() {
+fn a_segment_without_a_header_is_left_alone_and_reported() {
     let (mut left, last) = unsealed(&sealed_log(20, &limits()));
     let part = part_path(folder(), last);
     left.file_mut(&part).unwrap()[..140].fill(0);
@@ -149,7 +149,7 @@ fn a_folder_without_a_log_is_no_log() {
 }
 
 #[test]
-fn a_run_that_ended_as_it_should_needs_no_recovery() {
+fn a_completed_run_needs_no_recovery() {
     let disk = sealed_log(9, &limits());
     let before = disk.content();
     assert!(recover_on(&disk, folder()).unwrap().segments.is_empty());

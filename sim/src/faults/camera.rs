@@ -12,7 +12,7 @@ use lfpiv_hw::{
 use rand::Rng;
 
 use self::device_clock::DeviceClock;
-use super::{CameraFaults, Clock, FaultRecord, FaultSettings, HostClock, draw};
+use super::{CameraFaults, Clock, FaultRecord, FaultSettings, SystemClock, draw};
 use crate::stream::{Purpose, random_stream};
 
 /// A fault of a frame.
@@ -85,7 +85,7 @@ enum Until {
 impl<C: Camera> FaultyCamera<C> {
     /// Wraps camera number `index` (from 0), which selects its random streams.
     pub fn new(camera: C, index: usize, settings: &FaultSettings) -> Self {
-        Self::timed_by(camera, index, settings, HostClock::default())
+        Self::timed_by(camera, index, settings, SystemClock::default())
     }
 
     /// As [`Self::new`], with delays on `clock`.

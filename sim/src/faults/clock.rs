@@ -16,15 +16,15 @@ pub trait Clock: Send {
 
 /// The host's monotonic clock.
 #[derive(Debug, Clone, Copy)]
-pub struct HostClock(Instant);
+pub struct SystemClock(Instant);
 
-impl Default for HostClock {
+impl Default for SystemClock {
     fn default() -> Self {
         Self(Instant::now())
     }
 }
 
-impl Clock for HostClock {
+impl Clock for SystemClock {
     fn now(&self) -> Duration {
         self.0.elapsed()
     }

@@ -10,7 +10,7 @@ use lfpiv_hw::synchroniser::line::Line;
 use rand::{RngExt, seq::IndexedRandom};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Clock, FaultRecord, FaultSettings, HostClock, LineFaults, draw};
+use super::{Clock, FaultRecord, FaultSettings, LineFaults, SystemClock, draw};
 use crate::stream::{Purpose, random_stream};
 
 /// A fault of a command or its reply.
@@ -65,7 +65,7 @@ impl<L> FaultyLine<L> {
 impl<L: Line> FaultyLine<L> {
     /// Wraps a line.
     pub fn new(line: L, settings: &FaultSettings) -> Self {
-        Self::timed_by(line, settings, HostClock::default())
+        Self::timed_by(line, settings, SystemClock::default())
     }
 
     /// As [`Self::new`], with delays on `clock`.

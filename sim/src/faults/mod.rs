@@ -49,7 +49,7 @@ mod settings;
 mod tests;
 
 pub use camera::{FaultyCamera, FrameFault};
-pub use clock::{Clock, HostClock, ManualClock};
+pub use clock::{Clock, ManualClock, SystemClock};
 pub use line::{FaultyLine, LineFault};
 pub use record::{FaultRecord, Injected};
 pub use settings::{

@@ -18,7 +18,7 @@ use crate::stream::{Purpose, random_stream};
 /// (0, 0) in the first corner. Its micro-image is centred at column a₀ + a₁ i + a₂ j and row
 /// b₀ + b₁ i + b₂ j; pixel centres are at whole numbers from 0, and rows count downwards.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct MicroImageGrid {
+pub struct TrueMicroImageGrid {
     /// Microlenses along i and along j.
     pub microlenses: [usize; 2],
     /// a₀, a₁, a₂.
@@ -27,7 +27,7 @@ pub struct MicroImageGrid {
     pub row_px: [f64; 3],
 }
 
-impl MicroImageGrid {
+impl TrueMicroImageGrid {
     /// Column and row of the centre of a microlens' micro-image, in pixels.
     pub fn centre_px(&self, i: usize, j: usize) -> [f64; 2] {
         [self.column_px, self.row_px]
@@ -37,13 +37,13 @@ impl MicroImageGrid {
 
 impl RayTracer<'_> {
     /// Where this camera's micro-images are centred.
-    pub fn micro_image_grid(&self) -> MicroImageGrid {
+    pub fn micro_image_grid(&self) -> TrueMicroImageGrid {
         let centre = |lens: [f64; 2]| self.detector.micro_image_centre_px(lens);
         let (first, next_i, next_j) = (centre([0.0, 0.0]), centre([1.0, 0.0]), centre([0.0, 1.0]));
         let [column_px, row_px] = std::array::from_fn(|axis| {
             [first[axis], next_i[axis] - first[axis], next_j[axis] - first[axis]]
         });
-        MicroImageGrid { microlenses: self.detector.microlenses().counts(), column_px, row_px }
+        TrueMicroImageGrid { microlenses: self.detector.microlenses().counts(), column_px, row_px }
     }
 
     /// The image of a diffuser that sends the same light through every part of the stop to every

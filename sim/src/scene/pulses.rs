@@ -4,7 +4,7 @@ use super::{FrameOfPair, Scene, SimulatedShot, Truth, stream_key};
 use crate::{
     geometry::BenchGeometry,
     imaging::{ElectronImage, PointSource},
-    particles::Particle,
+    particles::Tracer,
 };
 
 /// A flash of the laser.
@@ -49,7 +49,7 @@ impl Scene {
 
     /// All particles; those that are lit in a pair as planned come first, with the numbers that
     /// [`Scene::shot`] gives them.
-    fn numbered_particles(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Vec<Particle> {
+    fn numbered_particles(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Vec<Tracer> {
         let (volume, pitch_mm) = (&bench.volume, bench.object_pitch_mm());
         let all =
             self.seeding().all_particles(volume, pitch_mm, &self.flow, bench.dt_s, (seed, shot));
@@ -62,7 +62,7 @@ impl Scene {
     fn light_of_pulses(
         &self,
         bench: &BenchGeometry,
-        particles: &[Particle],
+        particles: &[Tracer],
         camera: usize,
         pulses: &[LightPulse],
         key: [u64; 4],
@@ -82,7 +82,7 @@ impl Scene {
     fn lit_by(
         &self,
         bench: &BenchGeometry,
-        particles: &[Particle],
+        particles: &[Tracer],
         pulse: &LightPulse,
         exposure: [u64; 4],
     ) -> Vec<PointSource> {

@@ -5,7 +5,7 @@ use lfpiv_hw::RawImage;
 use super::Scene;
 use crate::{
     geometry::BenchGeometry,
-    imaging::{ElectronImage, MicroImageGrid},
+    imaging::{ElectronImage, TrueMicroImageGrid},
     sensor::SensorSettings,
 };
 
@@ -72,7 +72,11 @@ impl Scene {
     }
 
     /// Where a camera's micro-images are centred; `None` for a camera that the bench does not have.
-    pub fn micro_image_grid(&self, bench: &BenchGeometry, camera: usize) -> Option<MicroImageGrid> {
+    pub fn micro_image_grid(
+        &self,
+        bench: &BenchGeometry,
+        camera: usize,
+    ) -> Option<TrueMicroImageGrid> {
         self.tracer(bench, camera).map(|tracer| tracer.micro_image_grid())
     }
 }

@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn each_fault_is_what_it_says_and_is_recorded() {
+    fn each_fault_matches_its_name_and_is_recorded() {
         let all = |set: fn(&mut CommandShares)| {
             let mut shares = CommandShares::default();
             set(&mut shares);

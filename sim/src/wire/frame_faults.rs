@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn without_faults_every_frame_goes_out_as_it_is() {
+    fn without_faults_every_frame_is_sent_unchanged() {
         let (arrived, _) = arriving(&FaultSettings::default(), 20);
         assert_eq!(arrived, (0..40).map(Some).collect::<Vec<_>>());
     }
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_wires_cannot_make_is_refused_by_name() {
+    fn faults_that_the_wires_do_not_support_are_refused_by_name() {
         let mut settings = FaultSettings::default();
         settings.camera.shares.dropped = 0.1;
         settings.camera.shares.corrupted = 0.1;

@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn it_takes_a_sequence_and_runs_it_until_told_to_stop() {
+    fn it_runs_a_sequence_until_stopped() {
         let mut unit = OltSyncUnit::new("S1");
         assert_eq!(ask(&mut unit, "WhoAreYou?", 0), "oltSync:S1");
         assert_eq!(

@@ -27,7 +27,7 @@ pub fn open(
     settings: &SynchroniserSettings,
     timing: &TimingSettings,
 ) -> Result<Box<dyn Synchroniser>, DeviceError> {
-    lfpiv_hw::synchroniser::open(settings, timing, Transcript::kept())
+    lfpiv_hw::synchroniser::open(settings, timing, Transcript::in_memory())
 }
 
 /// Longest wait for anything that is sure to come, on a loaded machine.
@@ -73,7 +73,7 @@ impl Bench {
         settings: &SynchroniserSettings,
         timing: &TimingSettings,
     ) -> (Result<Box<dyn Synchroniser>, DeviceError>, Transcript) {
-        let transcript = Transcript::kept();
+        let transcript = Transcript::in_memory();
         let line = SerialLine::open(&settings.port, settings.baud_rates()[0]).unwrap();
         let line = Box::new(RecordedLine::new(line, transcript.clone()));
         (open_on(line, settings, timing), transcript)

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use lfpiv_rawlog::Watermarks;
+use lfpiv_rawlog::LogWatermarks;
 use serde::Serialize;
 
 use crate::archive::RawLevel;
@@ -47,7 +47,7 @@ impl Levels {
         }
     }
 
-    pub fn level(&self, shot: u64, marks: Watermarks, failed: bool) -> RawLevel {
+    pub fn level(&self, shot: u64, marks: LogWatermarks, failed: bool) -> RawLevel {
         match self.shots.iter().rev().find(|(number, _)| *number == shot) {
             Some((_, LOST)) => RawLevel::Lost,
             Some((_, record)) if *record < marks.synced => RawLevel::Synced,
@@ -59,7 +59,7 @@ impl Levels {
         }
     }
 
-    pub fn marks(&self, marks: Watermarks) -> ShotMarks {
+    pub fn marks(&self, marks: LogWatermarks) -> ShotMarks {
         let before = |limit: u64| self.shots.partition_point(|(_, record)| *record < limit);
         let synced = before(marks.synced);
         let highest = self.shots.iter().take(synced).map(|(shot, _)| *shot).max();
@@ -76,12 +76,12 @@ impl Levels {
 mod tests {
     use super::*;
 
-    fn marks(written: u64, synced: u64) -> Watermarks {
-        Watermarks { appended: 100, written, synced, ..Watermarks::default() }
+    fn marks(written: u64, synced: u64) -> LogWatermarks {
+        LogWatermarks { appended: 100, written, synced, ..LogWatermarks::default() }
     }
 
     #[test]
-    fn a_shot_is_as_safe_as_its_record() {
+    fn a_shot_is_as_durable_as_its_record() {
         let mut levels = Levels::default();
         for (shot, record) in [(0, 4), (2, 9), (1, 14)] {
             levels.paired(shot, Some(record));

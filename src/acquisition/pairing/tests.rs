@@ -72,7 +72,7 @@ proptest! {
 }
 
 #[test]
-fn outcomes_say_what_happened() {
+fn outcomes_match_the_faults() {
     let mut rig = Rig::new(2);
     let plan = [
         (Fate::Delivered, Fate::Delivered),
@@ -146,7 +146,7 @@ fn underruns_reported_by_the_stream_are_charged_to_lost_frames() {
 }
 
 #[test]
-fn the_end_of_a_run_sheds_what_was_under_way() {
+fn the_end_of_a_run_sheds_pending_triggers() {
     let mut rig = Rig::new(1);
     rig.fire(2);
     let decisions = rig.pairing.frame(0, frame(0, 0, 0), Duration::ZERO);
@@ -160,7 +160,7 @@ fn the_end_of_a_run_sheds_what_was_under_way() {
 }
 
 #[test]
-fn what_was_due_and_nobody_saw_was_not_fired() {
+fn due_triggers_without_a_frame_are_not_fired() {
     let mut rig = Rig::new(2);
     rig.fire(50);
     for camera in [0, 1] {
@@ -186,7 +186,7 @@ fn what_was_due_and_nobody_saw_was_not_fired() {
 }
 
 #[test]
-fn a_burst_whose_synchroniser_is_lost_leaves_numbers_and_books_in_order() {
+fn a_lost_synchroniser_keeps_trigger_numbers_and_accounts_consistent() {
     let mut rig = Rig::new(2);
     rig.fire(10);
     // Trigger 0 is complete; for trigger 1 one camera has sent a frame.
@@ -238,7 +238,7 @@ fn a_slow_camera_is_waited_for_as_long_as_it_delivers() {
 }
 
 #[test]
-fn more_triggers_than_asked_for_is_an_alarm() {
+fn more_triggers_than_requested_are_an_error() {
     let mut rig = Rig::new(1);
     rig.fire(2);
     assert_eq!(rig.pairing.burst_ended(3).unwrap_err(), ExtraTriggers { counted: 3, asked: 2 });
@@ -276,7 +276,7 @@ fn a_camera_that_missed_the_very_first_triggers_is_paired_all_the_same() {
 }
 
 #[test]
-fn after_a_jump_the_clocks_are_compared_anew() {
+fn after_a_jump_the_clock_fit_restarts() {
     for jump_ns in [40_000_000, -40_000_000, -5_000_040_000_000] {
         let mut rig = Rig::new(2);
         good_bursts(&mut rig, &[1, 4]);

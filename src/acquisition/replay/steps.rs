@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn a_whole_record_is_played_as_it_is() {
+    fn an_undamaged_record_is_replayed_unchanged() {
         let entries = vec![fired(0, 3), frame(), ended(2), fired(2, 3), frame(), ended(5)];
         let wanted = ["3 fired", "frame", "2 given", "3 fired", "frame", "5 given"];
         assert_eq!(steps(entries), wanted);

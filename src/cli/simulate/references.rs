@@ -7,7 +7,7 @@ use std::{
 
 use anyhow::Context;
 use lfpiv_hw::{CameraName, RawImage};
-use lfpiv_sim::{BenchGeometry, MicroImageGrid, Scene};
+use lfpiv_sim::{BenchGeometry, Scene, TrueMicroImageGrid};
 use serde::Serialize;
 
 use crate::archive::{FileDepth, write_grey_tiff, write_replacing};
@@ -25,7 +25,7 @@ const MEANING: &str = "the micro-image of microlens (i, j) is centred at column 
 struct GridFile {
     camera: String,
     #[serde(flatten)]
-    grid: MicroImageGrid,
+    grid: TrueMicroImageGrid,
     meaning: &'static str,
 }
 
@@ -72,7 +72,11 @@ fn write_images(
     Ok(())
 }
 
-fn write_grid(folder: &Path, camera: usize, grid: Option<MicroImageGrid>) -> anyhow::Result<()> {
+fn write_grid(
+    folder: &Path,
+    camera: usize,
+    grid: Option<TrueMicroImageGrid>,
+) -> anyhow::Result<()> {
     let Some(grid) = grid else { return Ok(()) };
     let camera = CameraName(camera).to_string();
     let path = folder.join(format!("{camera}_grid_true.json"));

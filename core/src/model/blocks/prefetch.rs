@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_asked_for_stays_as_it_is() {
+    fn prefetched_values_are_unchanged() {
         let values: Vec<[u16; 10]> = (0..1000).map(|n| [n; 10]).collect();
         (0..1001).for_each(|n| prefetch(&values, n));
         assert!((0..1000).zip(&values).all(|(n, value)| *value == [n; 10]));

@@ -11,7 +11,7 @@ use crate::{
     reconstruction::{
         BlockVolume, Domain, ReconstructionSettings, Reconstructor, SartOptions, Solver,
         SparseVolume, ViewLevels,
-        pass::{Problem, Pruning},
+        pass::{InverseProblem, Pruning},
         sart,
         subsets::balanced_subsets,
     },
@@ -66,7 +66,7 @@ fn all_active_in(
     let children = blocks.iter().map(inside).collect();
     let mut volume = BlockVolume::with_uniform_light(model.grid(), LitBlocks { blocks, children });
     volume.light.as_flattened_mut().iter_mut().for_each(|light| *light *= DARK);
-    let problem = Problem { model, views };
+    let problem = InverseProblem { model, views };
     let update = OsSart { relaxation: RELAXATION, noise_share: vec![0.0; 2] };
     let mut projector = model.projector(&volume.blocks);
     for passes_done in 0..PASSES {

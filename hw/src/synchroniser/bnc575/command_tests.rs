@@ -78,7 +78,7 @@ fn read_back_is_compared_as_numbers() {
 }
 
 #[test]
-fn stray_lines_are_told_from_answers() {
+fn stray_lines_are_distinguished_from_replies() {
     assert!(Parameter::Running.can_be("1") && !Parameter::Running.can_be("2"));
     assert!(!Parameter::Running.can_be("ok") && !Parameter::SystemMode.can_be("ok"));
     assert!(!Parameter::SystemMode.can_be("noise") && Parameter::SystemMode.can_be("SINGLE"));

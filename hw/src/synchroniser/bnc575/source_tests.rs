@@ -64,7 +64,7 @@ fn after_an_hour_at_nine_hertz_thirty_hertz_show_at_the_next_look() {
 }
 
 #[test]
-fn what_was_too_fast_is_seen_although_the_triggers_paused() {
+fn an_excess_is_detected_after_a_pause_of_the_triggers() {
     // T0 is stopped while a burst is prepared, and the source is faster afterwards.
     let mut watched = Watched::new(10.0);
     watched.read(0.5, 0.01, 0);
@@ -74,7 +74,7 @@ fn what_was_too_fast_is_seen_although_the_triggers_paused() {
 }
 
 #[test]
-fn a_counter_set_back_begins_anew() {
+fn a_counter_reset_restarts_counting() {
     let mut watched = Watched::even(10.0, 10.0, 4.0);
     let after = |seconds| watched.begun + Duration::from_secs_f64(seconds);
     let set_back = Reading { asked: after(4.5), answered: after(4.51), count: 3 };
@@ -90,7 +90,7 @@ proptest! {
     /// Triggers within the declared rate, read at arbitrary times over a line of arbitrary latency,
     /// never count as an excess.
     #[test]
-    fn a_source_as_declared_is_never_taken_for_a_faster_one(
+    fn a_source_within_its_declared_rate_never_counts_as_too_fast(
         max_rate_hz in 0.5_f64..100.0,
         pauses in prop::collection::vec(1.0_f64..3.0, 1..400),
         looks in prop::collection::vec((0.02_f64..2.0, 0.0_f64..0.5, 0.0_f64..1.0), 1..40),

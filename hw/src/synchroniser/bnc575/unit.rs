@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn families_are_told_apart() {
+    fn families_are_distinguished() {
         let catalogue = "T0, CHA, CHB, CHC, CHD, CHE, CHF, CHG, CHH";
         let unit = UnitDescription::recognise("BNC,575-8,31707,2.4.2-2.0.11", catalogue).unwrap();
         assert_eq!((unit.channels, unit.limits.longest_burst), (8, 9_999_999));

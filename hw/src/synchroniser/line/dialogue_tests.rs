@@ -72,7 +72,7 @@ fn replies_are_found_among_echo_pieces_empty_lines_and_strays() {
 }
 
 #[test]
-fn silence_is_reported_with_what_was_heard_instead() {
+fn silence_is_reported_with_the_received_text() {
     let mut dialogue = Prepared::default().reply(&["huh\r\n", "o"]).dialogue();
     let error = dialogue.ask("*RST", is_ok).unwrap_err().to_string();
     assert_eq!(error, "no reply to \"*RST\" within 20 ms on prepared, but \"huh | o\"");
@@ -95,7 +95,7 @@ fn a_late_reply_answers_no_later_question() {
 
 #[test]
 fn the_transcript_holds_every_byte_both_ways_and_in_order() {
-    let transcript = Transcript::kept();
+    let transcript = Transcript::in_memory();
     let line = Prepared::default().reply(&["o", "k\r\n"]);
     let recorded = RecordedLine::new(line, transcript.clone());
     let mut dialogue = Dialogue::new(Box::new(recorded), Duration::ZERO, Duration::from_millis(20));

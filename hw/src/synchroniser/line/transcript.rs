@@ -59,17 +59,17 @@ enum Sink {
 
 impl Transcript {
     /// Keeps every entry in memory.
-    pub fn kept() -> Self {
+    pub fn in_memory() -> Self {
         Self { sink: Arc::new(Mutex::new(Sink::Kept(Vec::new()))) }
     }
 
     /// Writes every entry as a line and flushes it, so that it survives a crash.
-    pub fn written(writer: impl Write + Send + 'static) -> Self {
+    pub fn to_writer(writer: impl Write + Send + 'static) -> Self {
         Self { sink: Arc::new(Mutex::new(Sink::Written(Box::new(writer)))) }
     }
 
     /// Passes every entry to `listener`, on the thread that uses the line.
-    pub fn told(listener: impl FnMut(TranscriptEntry) + Send + 'static) -> Self {
+    pub fn to_listener(listener: impl FnMut(TranscriptEntry) + Send + 'static) -> Self {
         Self { sink: Arc::new(Mutex::new(Sink::Told(Box::new(listener)))) }
     }
 

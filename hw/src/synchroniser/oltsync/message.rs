@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn answers_are_told_from_anything_else() {
+    fn replies_are_distinguished_from_other_lines() {
         assert_eq!(Answer::parse("oltSync:SYNC_1"), Some(Answer::Identity("SYNC_1".into())));
         assert_eq!(Answer::parse("laser:disable"), Some(Answer::Disabled));
         assert_eq!(Answer::parse("Sequence:Error"), Some(Answer::SequenceRefused));

@@ -142,7 +142,7 @@ proptest! {
     }
 
     #[test]
-    fn what_comes_out_and_what_is_recorded_is_what_went_in(settings in any_faults()) {
+    fn output_and_recorded_faults_account_for_all_input(settings in any_faults()) {
         let (mut camera, clock) = faulty(80, &settings);
         let delivered = drain(&mut camera, &clock);
         let waiting = camera.held() as u64;
@@ -246,7 +246,7 @@ fn late_frames_come_after_their_time_and_overtaken_ones_after_the_next() {
 }
 
 #[test]
-fn damage_is_what_its_name_says() {
+fn each_kind_of_damage_matches_its_name() {
     let shares = FrameShares { truncated: 1.0, ..FrameShares::default() };
     let (mut camera, clock) = faulty(20, &only(shares));
     for (id, (_, found)) in drain(&mut camera, &clock).into_iter().enumerate() {

@@ -87,7 +87,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn every_reply_is_as_it_was_or_as_the_record_says(
+    fn every_reply_is_unchanged_or_recorded_as_faulty(
         seed in any::<u64>(), shares in any_shares()
     ) {
         // Slow replies arrive long after the last command here.
@@ -168,7 +168,7 @@ fn a_slow_reply_comes_late_and_in_its_order() {
 }
 
 #[test]
-fn a_cut_line_is_gone() {
+fn a_cut_line_stays_lost() {
     let (mut line, clock) =
         faulty(&with(1, LineFaults { cut_after: Some(2), ..Default::default() }));
     assert_eq!(ask(&mut line, &clock, PATIENCE), b"0000\r\n");

@@ -9,7 +9,7 @@ fn small_optics() -> Optics {
     test_bench::small().optics
 }
 
-fn white(flaws: &CameraFlaws) -> (ElectronImage, MicroImageGrid) {
+fn white(flaws: &CameraFlaws) -> (ElectronImage, TrueMicroImageGrid) {
     let optics = small_optics();
     let tracer = RayTracer::imperfect(&optics, &poses()[0], [0.0; 3], flaws, &settings(1));
     (tracer.trace_white(RAYS, 1000.0, &[1]), tracer.micro_image_grid())
@@ -19,7 +19,7 @@ fn white(flaws: &CameraFlaws) -> (ElectronImage, MicroImageGrid) {
 /// micro-image's centre; `None` where the sensor ends.
 fn micro_image(
     image: &ElectronImage,
-    grid: &MicroImageGrid,
+    grid: &TrueMicroImageGrid,
     [i, j]: [usize; 2],
 ) -> Option<(f64, [f64; 2], f64)> {
     let centre = grid.centre_px(i, j);
@@ -47,7 +47,7 @@ fn micro_image(
 /// Every third microlens along both axes that is not cut by the sensor's edge.
 fn some_microlenses(
     image: &ElectronImage,
-    grid: &MicroImageGrid,
+    grid: &TrueMicroImageGrid,
 ) -> Vec<([usize; 2], f64, [f64; 2], f64)> {
     let lenses = (0..17).step_by(3).flat_map(|j| (0..21).step_by(3).map(move |i| [i, j]));
     let found: Vec<_> = lenses

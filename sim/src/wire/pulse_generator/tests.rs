@@ -35,7 +35,7 @@ fn program(unit: &mut PulseGenerator, shots: u64) {
 }
 
 #[test]
-fn keywords_are_taken_in_both_lengths_and_any_case() {
+fn keywords_are_accepted_in_both_lengths_and_any_case() {
     let mut unit = usual();
     for (command, reply) in [
         ("*idn?", "BNC,575-8,31707,2.4.2-2.0.11"),
@@ -83,7 +83,7 @@ fn every_error_has_its_code() {
 }
 
 #[test]
-fn a_burst_gives_its_pulses_while_lamps_go_on() {
+fn a_burst_gives_its_pulses_while_lamps_continue() {
     let mut unit =
         unit(PulseGeneratorOptions { drops_off_after_burst: false, ..Default::default() });
     program(&mut unit, 3);
@@ -182,7 +182,7 @@ fn echo_strays_and_slow_replies() {
 }
 
 #[test]
-fn it_rounds_and_shows_as_many_digits_as_it_does() {
+fn read_backs_are_rounded_to_the_configured_digits() {
     let mut unit = unit(PulseGeneratorOptions {
         time_step_ps: 10_000,
         read_back_decimals: Some(9),

@@ -34,7 +34,7 @@ use crate::{
 };
 use arrangement::{Arrangement, Layers};
 use optics::{MappedOptics, SeenPoint};
-use places::{AxisAddresses, Places, ViewAddresses};
+use places::{AxisAddresses, BlockPlaces, ViewAddresses};
 use projector::MappedProjector;
 use share_table::{FootprintGeometry, ShareTable};
 use support::Support;
@@ -232,11 +232,11 @@ impl<const L: usize> MappedCamera<L> {
 
 impl<const L: usize> MappedModel<L> {
     /// Positions of the blocks relative to a camera, for each of their layers.
-    fn places(&self, camera: &MappedCamera<L>, blocks: &[u32]) -> Vec<Places> {
+    fn places(&self, camera: &MappedCamera<L>, blocks: &[u32]) -> Vec<BlockPlaces> {
         let layouts = [&camera.tables[0].layout, &camera.tables[1].layout];
         let offsets = camera.layers.offsets(camera.axes);
         let place = |offset: [f64; 3]| {
-            let mut places = Places::default();
+            let mut places = BlockPlaces::default();
             for &block in blocks {
                 let first = block_indices(&self.grid, block);
                 let index = std::array::from_fn(|axis| 2.0 * first[axis] as f64 + offset[axis]);

@@ -14,12 +14,12 @@ const BEYOND: f32 = 64.0;
 
 /// Positions of blocks, or of one layer of each, as arrays for vectorised address computation.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Places {
+pub(super) struct BlockPlaces {
     /// Along the array's columns and rows.
     pub axes: [AxisPlaces; 2],
 }
 
-/// One axis of [`Places`].
+/// One axis of [`BlockPlaces`].
 #[derive(Debug, Clone, Default)]
 pub(super) struct AxisPlaces {
     /// In microlenses, relative to the window's first.
@@ -67,7 +67,7 @@ pub(super) struct AxisAddresses {
     pub slopes: f32,
 }
 
-impl Places {
+impl BlockPlaces {
     pub fn push(&mut self, seen: &SeenPoint, layouts: [&TableLayout; 2]) {
         for (n, (axis, layout)) in self.axes.iter_mut().zip(layouts).enumerate() {
             axis.place.push(seen.place[n] as f32);
@@ -111,7 +111,7 @@ fn last_batch<T: Copy + Default>(values: &[T], start: usize) -> [T; BATCH] {
 /// The addresses of up to [`BATCH`] blocks starting with block `start`. Written as separate loops
 /// without closures, so that they become vector instructions.
 #[inline(always)]
-pub(super) fn addresses(places: &Places, start: usize, view: &ViewAddresses) -> Addresses {
+pub(super) fn addresses(places: &BlockPlaces, start: usize, view: &ViewAddresses) -> Addresses {
     let mut found = Addresses::NONE;
     let mut place = [[0.0f32; BATCH]; 2];
     let mut parallax = [[0.0f32; BATCH]; 2];

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::{
     MappedCamera, MappedModel,
     arrangement::Layers,
-    places::{Addresses, Places, ViewAddresses, addresses},
+    places::{Addresses, BlockPlaces, ViewAddresses, addresses},
     share_table::{FIRST_BIAS, ShareTable},
 };
 use crate::model::{
@@ -28,14 +28,14 @@ const BLOCKS_PER_TASK: usize = 4096;
 pub(super) struct MappedProjector<'a, const L: usize> {
     model: &'a MappedModel<L>,
     /// Per camera, per layer of the blocks.
-    places: Vec<Vec<Places>>,
+    places: Vec<Vec<BlockPlaces>>,
 }
 
 /// One view's tables, and the blocks' positions in them.
 struct MappedTaps<'a, const L: usize> {
     camera: &'a MappedCamera<L>,
     view: ViewAddresses,
-    layers: &'a [Places],
+    layers: &'a [BlockPlaces],
     lenses: [i32; 2],
 }
 
@@ -119,11 +119,11 @@ fn clipped<const L: usize>(tap: &PairTap<L>, first: i32, lenses: i32) -> PairTap
 impl<'a, const L: usize> MappedProjector<'a, L> {
     pub fn new(model: &'a MappedModel<L>, blocks: &[u32]) -> Self {
         let places = |camera: &MappedCamera<L>| {
-            let parts: Vec<Vec<Places>> = blocks
+            let parts: Vec<Vec<BlockPlaces>> = blocks
                 .par_chunks(BLOCKS_PER_TASK)
                 .map(|blocks| model.places(camera, blocks))
                 .collect();
-            let mut all = vec![Places::default(); camera.layers.count()];
+            let mut all = vec![BlockPlaces::default(); camera.layers.count()];
             for mut part in parts {
                 for (all, part) in all.iter_mut().zip(&mut part) {
                     all.append(part);
