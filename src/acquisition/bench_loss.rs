@@ -117,7 +117,7 @@ impl Run {
         }
         self.loss =
             Some(Loss { since: now, resume_mode, last_message, next_attempt: now, attempt: None });
-        self.note(Entry::SynchroniserLost { at_ns: self.at_ns(), reason }).await.map(|_| ())
+        self.record(Entry::SynchroniserLost { at_ns: self.at_ns(), reason }).await.map(|_| ())
     }
 
     /// Searches for the unit and meanwhile finishes the accounts of the current burst.
@@ -139,7 +139,7 @@ impl Run {
             if let Some(identity) = identity.take_if(|_| settled) {
                 tracing::warn!(identity, "the synchroniser is back and safe");
                 self.identity.clone_from(&identity);
-                self.note(Entry::SynchroniserBack { at_ns: self.at_ns(), identity }).await?;
+                self.record(Entry::SynchroniserBack { at_ns: self.at_ns(), identity }).await?;
                 return Ok(true);
             }
             if let Some(patience) = self.expired_patience().filter(|_| identity.is_none()) {
@@ -210,12 +210,12 @@ impl Run {
         if !self.is_burst_accepted {
             // The unit was never asked to fire.
             let given = self.pairing.due_by(Duration::ZERO);
-            self.note(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
+            self.record(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
             let decisions = self.pairing.burst_ended(given)?;
             return self.apply(decisions).await;
         }
         let (given, decisions) = self.pairing.burst_lost();
-        self.note(Entry::BurstLost { at_ns: self.at_ns(), given }).await?;
+        self.record(Entry::BurstLost { at_ns: self.at_ns(), given }).await?;
         self.apply(decisions).await
     }
 

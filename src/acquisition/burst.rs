@@ -130,7 +130,7 @@ impl Run {
                 error = self.synchroniser.fault() => return Err(error),
                 () = stop.cancelled(), if stop_by.is_none() => {
                     self.make_safe().await?;
-                    self.note(Entry::Stopping { at_ns: self.at_ns() }).await?;
+                    self.record(Entry::Stopping { at_ns: self.at_ns() }).await?;
                     stop_by = Some(Instant::now() + STOP_GRACE);
                 }
             }
@@ -202,7 +202,7 @@ impl Run {
         let first = self.pairing.fired(shots, self.time);
         self.fired += shots;
         self.presence.iter_mut().for_each(|camera| camera.silent += shots);
-        self.note(Entry::Fired { at_ns: self.at_ns(), first, shots }).await?;
+        self.record(Entry::Fired { at_ns: self.at_ns(), first, shots }).await?;
         // If the disk had to be waited for, the laser was made safe: the burst ends before it begins.
         if self.is_aborted || !self.is_programmed || self.stop.is_cancelled() {
             return Ok(());
@@ -214,7 +214,7 @@ impl Run {
         });
         let started_after = started.await?;
         let start = self.burst_start(started_after);
-        self.note(Entry::BurstStarted { first, start }).await.map(|_| ())
+        self.record(Entry::BurstStarted { first, start }).await.map(|_| ())
     }
 
     /// Start of the burst that was just accepted, with UTC. In a replay, the recorded start.
@@ -252,7 +252,7 @@ impl Run {
             _ => self.pairing.due_by(Duration::ZERO),
         };
         self.is_burst_open = false;
-        self.note(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
+        self.record(Entry::BurstEnded { at_ns: self.at_ns(), given }).await?;
         let decisions = self.pairing.burst_ended(given)?;
         self.apply(decisions).await?;
         Ok(true)

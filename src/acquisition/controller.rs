@@ -293,7 +293,7 @@ impl Run {
         self.is_programmed = true;
         self.pairing.rescheduled(pairing_settings(&self.settings, self.presence.len()));
         let (identity, schedule) = (self.identity.clone(), self.settings.schedule.clone());
-        self.note(Entry::Programmed { at_ns: self.at_ns(), identity, schedule }).await?;
+        self.record(Entry::Programmed { at_ns: self.at_ns(), identity, schedule }).await?;
         Ok(())
     }
 
@@ -342,12 +342,12 @@ impl Run {
             tracing::warn!(%error, "the last burst could not be counted");
         }
         let decisions = self.pairing.finish();
-        let ruled = self.apply(decisions).await;
+        let settled = self.apply(decisions).await;
         let error = error.map(ToString::to_string);
-        let noted = self.note(Entry::Ended { at_ns: self.at_ns(), error }).await;
+        let recorded = self.record(Entry::Ended { at_ns: self.at_ns(), error }).await;
         let left = self.synchroniser_thread.join().await;
         self.heartbeat.rest();
-        safe.and(left).and(ruled).and(noted.map(|_| ()))?;
+        safe.and(left).and(settled).and(recorded.map(|_| ()))?;
         Ok(AcquisitionReport {
             synchroniser: self.identity,
             triggers: self.fired,

@@ -27,17 +27,17 @@ impl Run {
                 let (at_ns, head) = (self.at_ns(), FrameHead::from(&frame));
                 let entry = Entry::Frame { at_ns, camera, frame: head, statistics };
                 // Even if it cannot be recorded: delivered frames are paired and accounted for.
-                let noted = self.record_frame(entry, &frame.image).await;
+                let recorded = self.record_frame(entry, &frame.image).await;
                 self.pairing.underruns(camera, statistics.underruns);
                 let decisions = self.pairing.frame(camera, frame, self.time);
-                noted.and(self.apply(decisions).await)
+                recorded.and(self.apply(decisions).await)
             }
             Some(CameraEvent::Stream { camera, connected, at, statistics }) => {
                 self.advance_time(at).await?;
                 self.ledger.lock().set_stream_statistics(camera, statistics);
                 self.presence[camera].set_connected(connected);
                 let at_ns = self.at_ns();
-                self.note(Entry::Stream { at_ns, camera, connected, statistics }).await?;
+                self.record(Entry::Stream { at_ns, camera, connected, statistics }).await?;
                 Ok(())
             }
             Some(CameraEvent::Started { camera, loss_detection_time }) => {
@@ -73,7 +73,7 @@ impl Run {
                     for camera in &mut self.presence {
                         camera.silent = camera.silent.saturating_sub(1);
                     }
-                    self.note(Entry::Withdrawn { trigger }).await.map(|_| ())
+                    self.record(Entry::Withdrawn { trigger }).await.map(|_| ())
                 }
             };
             ended = ended.and(applied);
@@ -85,10 +85,10 @@ impl Run {
     async fn count(&mut self, trigger: u64) -> Result<(), AcquisitionError> {
         {
             let mut ledger = self.ledger.lock();
-            note(ledger.enter(trigger));
+            log_refusal(ledger.enter(trigger));
             ledger.set_time(trigger, self.times.expected(trigger));
         }
-        self.note(Entry::Given { trigger }).await.map(|_| ())
+        self.record(Entry::Given { trigger }).await.map(|_| ())
     }
 
     async fn settle(
@@ -104,8 +104,8 @@ impl Run {
         } else {
             tracing::warn!(trigger, camera = %name, outcome = outcome.name(), "shot lost");
         }
-        note(self.ledger.lock().settle(trigger, camera, outcome));
-        self.note(Entry::Settled { trigger, camera, outcome }).await.map(|_| ())
+        log_refusal(self.ledger.lock().settle(trigger, camera, outcome));
+        self.record(Entry::Settled { trigger, camera, outcome }).await.map(|_| ())
     }
 
     async fn send_on(&mut self, mut shot: Shot) -> Result<(), AcquisitionError> {
@@ -124,16 +124,16 @@ impl Run {
             suspect: shot.suspect.clone(),
             dt_us: shot.dt_us,
         };
-        let noted = self.note(entry).await;
-        self.journal.paired(trigger, noted.as_ref().ok().copied().flatten());
+        let recorded = self.record(entry).await;
+        self.journal.paired(trigger, recorded.as_ref().ok().copied().flatten());
         let shed = match self.queue.push(shot) {
-            Ok(None) => return noted.map(|_| ()),
+            Ok(None) => return recorded.map(|_| ()),
             Ok(Some(oldest)) => oldest.trigger,
             Err(_) => trigger,
         };
-        note(self.ledger.lock().settle_all(shed, Outcome::Shed));
-        let noted = noted.and(self.note(Entry::Shed { trigger: shed }).await);
-        if shed == trigger { Err(AcquisitionError::QueueClosed) } else { noted.map(|_| ()) }
+        log_refusal(self.ledger.lock().settle_all(shed, Outcome::Shed));
+        let recorded = recorded.and(self.record(Entry::Shed { trigger: shed }).await);
+        if shed == trigger { Err(AcquisitionError::QueueClosed) } else { recorded.map(|_| ()) }
     }
 
     /// Handles an event during shutdown, which cannot change the result of the run.
@@ -145,7 +145,7 @@ impl Run {
 }
 
 /// A refused entry is a bug of this program: it is logged, and the run continues.
-pub(super) fn note(entry: Result<(), LedgerError>) {
+fn log_refusal(entry: Result<(), LedgerError>) {
     if let Err(error) = entry {
         tracing::error!(%error, "the ledger refused an entry (a fault of this program)");
     }

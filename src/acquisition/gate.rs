@@ -8,7 +8,7 @@ use std::time::Duration;
 use super::{AcquisitionError, controller::Run};
 
 /// Interval between checks while the gate is closed.
-const LOOK_AGAIN: Duration = Duration::from_millis(250);
+const RETRY_INTERVAL: Duration = Duration::from_millis(250);
 /// A shot has two exposures.
 const FRAMES_PER_SHOT: u64 = 2;
 
@@ -31,14 +31,14 @@ impl Run {
     /// Whether the burst may be fired; if not, logs the reasons and waits a little.
     pub(super) async fn may_fire(&mut self, shots: u64) -> Result<bool, AcquisitionError> {
         let reasons = self.reasons_against(shots);
-        let told = std::mem::replace(&mut self.control.state.lock().held, reasons.clone());
+        let previous = std::mem::replace(&mut self.control.state.lock().held, reasons.clone());
         if reasons.is_empty() {
             return Ok(true);
         }
-        if told != reasons {
+        if previous != reasons {
             tracing::warn!("firing is on hold: {}", reasons.join("; "));
         }
-        self.handle_next_event(LOOK_AGAIN).await?;
+        self.handle_next_event(RETRY_INTERVAL).await?;
         Ok(false)
     }
 }

@@ -21,7 +21,7 @@ impl Run {
     }
 
     /// Writes an entry; returns its number if a record is kept.
-    pub(super) async fn note(&mut self, entry: Entry) -> Result<Option<u64>, AcquisitionError> {
+    pub(super) async fn record(&mut self, entry: Entry) -> Result<Option<u64>, AcquisitionError> {
         self.record_serial().await?;
         self.append(&entry, None).await
     }

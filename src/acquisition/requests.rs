@@ -76,7 +76,7 @@ impl Run {
             }
             Command::SetDt { dt_us } => Ok(self.set_dt(dt_us)),
             Command::Note { text } => {
-                self.note(Entry::Note { at_ns: self.at_ns(), text }).await?;
+                self.record(Entry::Note { at_ns: self.at_ns(), text }).await?;
                 Ok(Ok(()))
             }
         }

@@ -135,7 +135,7 @@ where
             let Ok(worker) = free.clone().acquire_owned().await else { break };
             let Some(shot) = queue.recv().await else { break };
             if self.links.stop.is_cancelled() {
-                note(self.links.ledger.lock().settle_all(shot.trigger, Outcome::Shed));
+                log_refusal(self.links.ledger.lock().settle_all(shot.trigger, Outcome::Shed));
             } else {
                 self.hand_to(worker, shot);
             }
@@ -198,7 +198,7 @@ impl PoolLinks {
         let outcome = if raw_lost { Outcome::WriteFailed } else { outcome };
         let mut ledger = self.ledger.lock();
         let record = record(&self.board);
-        note(ledger.settle_all(shot, outcome));
+        log_refusal(ledger.settle_all(shot, outcome));
         record
     }
 }
@@ -216,7 +216,7 @@ fn run_after_acquisition() {
 }
 
 /// A refused entry is a bug of this program: it is logged, and the run continues.
-fn note(entry: Result<(), LedgerError>) {
+fn log_refusal(entry: Result<(), LedgerError>) {
     if let Err(error) = entry {
         tracing::error!(%error, "the ledger refused an entry (a fault of this program)");
     }

@@ -214,7 +214,7 @@ impl State {
     fn try_next(&mut self) -> io::Result<()> {
         let number = self.tried;
         self.tried += 1;
-        assert!(!self.faults.panics, "the model disk panics as it was told to");
+        assert!(!self.faults.panics, "the model disk panics as configured");
         match self.faults.fails_at {
             Some((at, kind)) if number == at || (number > at && self.faults.stays_failed) => {
                 Err(kind.into())

@@ -84,8 +84,8 @@ impl<U: SerialUnit> SerialUnit for FaultyUnit<U> {
         let mut bytes = Vec::new();
         loop {
             match self.line.receive(Duration::ZERO) {
-                Ok(heard) if heard.is_empty() => break,
-                Ok(heard) => bytes.extend(heard),
+                Ok(output) if output.is_empty() => break,
+                Ok(output) => bytes.extend(output),
                 // The unit continues, unheard.
                 Err(_) => {
                     self.line.inner_mut().take_output();
@@ -210,8 +210,8 @@ mod tests {
             set(&mut shares);
             unit(shares)
         };
-        let told = reply(&mut unit(CommandShares::default()), IDENTIFY);
-        assert!(told.starts_with(b"BNC,575"));
+        let identity = reply(&mut unit(CommandShares::default()), IDENTIFY);
+        assert!(identity.starts_with(b"BNC,575"));
 
         let mut lost = all(|shares| shares.lost = 1.0);
         assert_eq!((reply(&mut lost, IDENTIFY), lost.commands()), (Vec::new(), 0));
@@ -221,13 +221,13 @@ mod tests {
         let mut busy = all(|shares| shares.unavailable = 1.0);
         assert_eq!((reply(&mut busy, IDENTIFY), busy.commands()), (b"?8\r\n".to_vec(), 0));
         let garbled = reply(&mut all(|shares| shares.garbled = 1.0), IDENTIFY);
-        assert_eq!(garbled.iter().zip(&told).filter(|(a, b)| a != b).count(), 1);
+        assert_eq!(garbled.iter().zip(&identity).filter(|(a, b)| a != b).count(), 1);
         let stray = reply(&mut all(|shares| shares.stray = 1.0), IDENTIFY);
-        assert!(stray.len() > told.len() && stray.ends_with(&told));
+        assert!(stray.len() > identity.len() && stray.ends_with(&identity));
         let mut slow = all(|shares| shares.slow = 1.0);
         assert_eq!(reply(&mut slow, IDENTIFY), Vec::<u8>::new());
         assert_eq!(slow.advance(51_000_000).bytes, Vec::<u8>::new());
-        assert_eq!(slow.advance(52_000_001).bytes, told);
+        assert_eq!(slow.advance(52_000_001).bytes, identity);
     }
 
     #[test]

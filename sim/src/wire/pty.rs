@@ -78,11 +78,11 @@ impl<U: SerialUnit> Served<U> {
         let off = Arc::new(AtomicBool::new(false));
         let line_cut = Arc::new(AtomicBool::new(false));
         let new_line = Arc::new(Mutex::new(None));
-        let (shared, told, cut) = (Arc::clone(&unit), Arc::clone(&off), Arc::clone(&line_cut));
+        let (shared, stop, cut) = (Arc::clone(&unit), Arc::clone(&off), Arc::clone(&line_cut));
         let plugged_in = Arc::clone(&new_line);
         let run = move || {
             let port = terminal.path.clone();
-            if let Err(error) = serve(terminal, &shared, observer, &told, (&cut, &plugged_in)) {
+            if let Err(error) = serve(terminal, &shared, observer, &stop, (&cut, &plugged_in)) {
                 tracing::error!(port, %error, "the simulated unit has failed");
             }
         };
@@ -167,8 +167,8 @@ fn serve<U: SerialUnit>(
         let step = {
             let mut unit = unit.lock().unwrap_or_else(PoisonError::into_inner);
             if let (Some(terminal), false) = (&line, bytes.is_empty()) {
-                let heard = terminal.as_heard(bytes, unit.baud_rate())?;
-                unit.receive(&heard, now_ns());
+                let received = terminal.as_heard(bytes, unit.baud_rate())?;
+                unit.receive(&received, now_ns());
             }
             if unit.is_cut() {
                 line_cut.store(true, Ordering::Relaxed);

@@ -78,7 +78,7 @@ fn apply(ledger: &mut Ledger, transition: &Transition) -> Result<(), LedgerError
 }
 
 /// The observable state of a ledger.
-fn said(ledger: &Ledger) -> (Vec<Account>, Vec<TriggerEntry>) {
+fn snapshot(ledger: &Ledger) -> (Vec<Account>, Vec<TriggerEntry>) {
     (ledger.accounts().to_vec(), ledger.entries().cloned().collect())
 }
 
@@ -109,7 +109,7 @@ fn conservation_holds_after_every_transition() {
     let tested = TestRunner::new_with_rng(config, random).run(&transitions, |transitions| {
         let (mut ledger, mut model) = (Ledger::new(CAMERAS), Model::new());
         for transition in transitions {
-            let before = said(&ledger);
+            let before = snapshot(&ledger);
             let done = apply(&mut ledger, &transition);
             for (account, before) in ledger.accounts().iter().zip(&before.0) {
                 prop_assert!(account.triggers >= before.triggers, "no count falls");
@@ -117,7 +117,7 @@ fn conservation_holds_after_every_transition() {
             prop_assert_eq!(done.is_ok(), model_allows(&mut model, &transition));
             prop_assert!(ledger.is_balanced());
             if done.is_err() {
-                prop_assert_eq!(said(&ledger), before);
+                prop_assert_eq!(snapshot(&ledger), before);
             }
             agrees(&ledger, &model)?;
         }

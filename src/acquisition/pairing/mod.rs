@@ -311,9 +311,9 @@ impl Pairing {
         let seen = self.open.iter().rev().find(|(_, open)| !open.has_no_evidence());
         let last = ruled.max().max(seen.map(|(trigger, _)| *trigger));
         let given = last.map_or(0, |last| last + 1).max(self.given).max(self.announced_given);
-        let told = std::mem::replace(&mut self.announced_given, given);
+        let announced = std::mem::replace(&mut self.announced_given, given);
         let mut all: Vec<Decision> =
-            (told..given).map(|trigger| Decision::Given { trigger }).collect();
+            (announced..given).map(|trigger| Decision::Given { trigger }).collect();
         all.extend(decisions);
         all
     }

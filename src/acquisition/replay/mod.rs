@@ -36,16 +36,16 @@ pub struct Replay {
     /// Shots in the longest burst: minimum capacity of the queue.
     pub longest_burst: u64,
     /// Frames that turned out to be unreadable, once the run has been replayed.
-    pub unread: UnreadFrames,
+    pub unreadable: UnreadableFrames,
 }
 
 /// Frames of a record whose images turned out to be damaged during the replay.
-pub struct UnreadFrames(Arc<Script>);
+pub struct UnreadableFrames(Arc<Script>);
 
-impl UnreadFrames {
+impl UnreadableFrames {
     /// Their positions and errors.
     pub fn take(&self) -> Vec<(Position, RecordedRunError)> {
-        self.0.unread()
+        self.0.unreadable()
     }
 }
 
@@ -73,7 +73,7 @@ pub fn replay(
         description,
         clock,
         longest_burst: script.longest_burst(),
-        unread: UnreadFrames(script.clone()),
+        unreadable: UnreadableFrames(script.clone()),
         bursts: script,
     })
 }

@@ -56,7 +56,7 @@ pub(super) struct Script {
     stop: CancellationToken,
     /// Total number of triggers shown to have been given; `None` if the record does not say.
     seen: Option<u64>,
-    unread: Mutex<Vec<(Position, RecordedRunError)>>,
+    unreadable: Mutex<Vec<(Position, RecordedRunError)>>,
 }
 
 struct State {
@@ -126,13 +126,13 @@ impl Script {
             changed: Condvar::new(),
             stop,
             seen: seen.triggers(),
-            unread: Mutex::default(),
+            unreadable: Mutex::default(),
         }
     }
 
     /// Unreadable frames and their errors. They are lost in the replay.
-    pub fn unread(&self) -> Vec<(Position, RecordedRunError)> {
-        std::mem::take(&mut self.unread.lock())
+    pub fn unreadable(&self) -> Vec<(Position, RecordedRunError)> {
+        std::mem::take(&mut self.unreadable.lock())
     }
 
     pub fn longest_burst(&self) -> u64 {
@@ -255,7 +255,7 @@ impl Script {
                 Ok(image) => Some(Turn::Frame { frame: frame(head, image), statistics }),
                 Err(error) => {
                     tracing::error!("a frame is lost: {error}");
-                    self.unread.lock().push((place, error));
+                    self.unreadable.lock().push((place, error));
                     None
                 }
             },

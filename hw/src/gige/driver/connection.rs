@@ -107,8 +107,8 @@ fn take_control(
         return Ok(None);
     }
     let lost = Arc::new(AtomicBool::new(false));
-    let told = Arc::clone(&lost);
-    device.connect_control_lost(move |_| told.store(true, Ordering::Release));
+    let is_lost = Arc::clone(&lost);
+    device.connect_control_lost(move |_| is_lost.store(true, Ordering::Release));
     Ok(Some((camera, lost)))
 }
 

@@ -16,12 +16,15 @@ pub enum LineError {
     #[error("the serial line {port} is lost: {source}")]
     Lost { port: String, source: io::Error },
     /// No reply in time, or none that fits the command.
-    #[error("no reply to {command:?} within {waited_ms} ms on {port}{}", heard_instead(heard))]
-    Silent { port: String, command: String, waited_ms: u128, heard: String },
+    #[error(
+        "no reply to {command:?} within {waited_ms} ms on {port}{}",
+        received_instead(received)
+    )]
+    Silent { port: String, command: String, waited_ms: u128, received: String },
 }
 
-fn heard_instead(heard: &str) -> String {
-    if heard.is_empty() { String::new() } else { format!(", but {heard:?}") }
+fn received_instead(received: &str) -> String {
+    if received.is_empty() { String::new() } else { format!(", but {received:?}") }
 }
 
 /// Sends command lines and finds their replies.
@@ -117,7 +120,7 @@ impl Dialogue {
         self.send(command)?;
         let deadline = self.now() + self.reply_timeout;
         let mut echoed = false;
-        let mut heard = Vec::new();
+        let mut received = Vec::new();
         while let Some(text) = self.next_line(deadline)? {
             if text.eq_ignore_ascii_case(command) {
                 echoed = true;
@@ -128,18 +131,18 @@ impl Dialogue {
                 return Ok(text);
             } else {
                 tracing::warn!(port = self.port(), command, stray = text, "stray line");
-                heard.push(text);
+                received.push(text);
             }
         }
         if !self.partial.is_empty() {
-            heard.push(self.partial.escape_ascii().to_string());
+            received.push(self.partial.escape_ascii().to_string());
         }
         self.partial.clear();
         Err(LineError::Silent {
             port: self.port().to_owned(),
             command: command.to_owned(),
             waited_ms: self.reply_timeout.as_millis(),
-            heard: heard.join(" | "),
+            received: received.join(" | "),
         })
     }
 

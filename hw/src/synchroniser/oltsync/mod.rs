@@ -248,13 +248,13 @@ impl Synchroniser for OltSync {
     fn state(&mut self) -> Result<SynchroniserState, DeviceError> {
         let mut unit = self.unit();
         // The identity query shows whether the line still answers.
-        let heard = match unit.running {
+        let reply = match unit.running {
             Running::Stopped => unit.stop(),
             Running::Lamps | Running::Burst => unit.identify().map(drop),
         };
         let running = unit.running;
         drop(unit);
-        Ok(match (heard, running) {
+        Ok(match (reply, running) {
             (Err(error), _) => {
                 tracing::error!(%error, "{USE_INTERLOCK}");
                 self.programmed = None;
