@@ -63,9 +63,9 @@ pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
         .enable_all()
         .build()
         .context("the runtime does not start")?;
-    let (folder, unread) = runtime.block_on(play(args, faults.as_ref()))?;
+    let (folder, unreadable) = runtime.block_on(play(args, faults.as_ref()))?;
     print(&format!("results are in {}", folder.display()))?;
-    for (place, error) in unread {
+    for (place, error) in unreadable {
         let shot = index.shots.values().find(|shot| shot.frames.as_flattened().contains(&place));
         match shot {
             Some(shot) => losses.note(shot.trigger, error)?,
@@ -95,7 +95,7 @@ async fn play(
     let stop =
         stop_on_signals(&SynchroniserThread::default(), "the last results may not be on disk")?;
     let acquired = stop.child_token();
-    let Replay { description, bench, clock, bursts, longest_burst, unread } =
+    let Replay { description, bench, clock, bursts, longest_burst, unreadable } =
         replay(&args.run, args.speed, acquired.clone())?;
     let mut config = Config::parse("the run's configuration", &description.configuration)?;
     config.output.dir.clone_from(&args.out);
@@ -123,7 +123,7 @@ async fn play(
         None => bench,
     };
     let report = daemon.run(bench, processor, Box::new(|_, _| {}), stop).await?;
-    Ok((report.folder, unread.take()))
+    Ok((report.folder, unreadable.take()))
 }
 
 fn disturbed(bench: Bench, faults: &FaultSettings) -> Bench {
