@@ -61,7 +61,7 @@ fn a_source_that_becomes_too_fast_in_a_burst_is_seen_by_reading_the_state() {
         refusal.is_some()
     });
     let refusal = refusal.unwrap().to_string();
-    assert!(refusal.contains("at most 20 a second"), "{refusal}");
+    assert!(refusal.contains("at most 20 per second"), "{refusal}");
     assert_eq!(unit.state().unwrap(), SynchroniserState::Safe);
     assert!(bench.q_switch_pulses()[0] < 100);
 }

@@ -264,6 +264,6 @@ mod tests {
         let made = std::process::Command::new("mkfifo").arg("-m").arg("600").arg(&path).status();
         assert!(made.unwrap().success());
         let refused = Tokens::load(&path).err().unwrap().to_string();
-        assert!(refused.contains("no regular file"), "{refused}");
+        assert!(refused.contains("not a regular file"), "{refused}");
     }
 }

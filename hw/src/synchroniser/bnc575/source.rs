@@ -183,7 +183,7 @@ impl Bnc575 {
             Some(source) if source.is_confirmed() => Ok(()),
             Some(source) => Err(self.refused(format!(
                 "the rate of the external trigger is not confirmed yet, {:.1} s are left; so far \
-                 {}; arm, wait and fire then",
+                 {}; arm, wait, then fire",
                 source.wait(self.link.now()).as_secs_f64(),
                 source.describe()
             ))),
