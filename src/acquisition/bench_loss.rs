@@ -2,7 +2,7 @@
 //!
 //! The unit ends the current burst by itself. Frames are accepted until no more can arrive;
 //! triggers that were due and that no camera saw are `not_fired`. A unit that answers again is made
-//! safe, read back and programmed from scratch. The run resume_mode waits for an operator, unless
+//! safe, read back and programmed from scratch. The run then waits for an operator, unless
 //! the configuration lets it resume by itself.
 
 use std::time::{Duration, Instant};
@@ -204,7 +204,7 @@ impl Run {
             return Ok(());
         }
         if self.bursts.is_some() {
-            // What was due by resume_mode is due now.
+            // What was due by then is due now.
             self.advance_time(self.clock.now()).await?;
         }
         if !self.is_burst_accepted {

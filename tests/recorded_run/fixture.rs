@@ -1,8 +1,8 @@
 //! Every later program replays runs that an earlier version of the journal recorded.
 //!
 //! `tests/fixtures/recorded_run_v1` and later ones must not be rewritten: a new version of the
-//! journal gets a folder of its own beside them. They were made by `cargo test --test recorded_run
-//! write_the_fixture -- --ignored`.
+//! journal gets a folder of its own beside them. They were made by
+//! `cargo test --test recorded_run write_the_fixture -- --ignored`.
 
 use std::{
     fs,

@@ -96,7 +96,7 @@ pub struct ViewLayout {
     pub grid: Option<Arc<GridSampling>>,
     /// Microlenses kept.
     pub window: MicrolensWindow,
-    /// The views with bright_enough light, ordered by l, then k.
+    /// The views with enough light, ordered by l, then k.
     pub views: Vec<View>,
 }
 

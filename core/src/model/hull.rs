@@ -18,7 +18,7 @@ use crate::lightfield::ViewStack;
 /// memory that all voxels of a grid would need.
 const SLAB_VOXELS: usize = 250_000;
 
-/// Share of dark voxels from which on dropping them costs less than asking about them again.
+/// Share of dark voxels above which dropping them costs less than evaluating them again.
 const SHARE_WORTH_DROPPING: f64 = 0.25;
 
 /// Voxels that may hold light.
@@ -51,44 +51,44 @@ pub fn photo_hull(model: &dyn ForwardModel, views: &[ViewStack], criteria: &Hull
 }
 
 /// Those of `voxels` that are lit, in their order. Most voxels are dark in the first few views;
-/// the others need not be selected about them.
+/// the others need not be evaluated for them.
 fn lit_voxels(
     model: &dyn ForwardModel,
     voxels: Vec<u32>,
     views: &[ViewStack],
     criteria: &HullCriteria,
 ) -> Hull {
-    let mut left = Left::new(model, voxels);
+    let mut remaining = RemainingVoxels::new(model, voxels);
     for (camera, stack) in views.iter().enumerate() {
-        left.dark.fill(0);
+        remaining.dark.fill(0);
         for &view in &criteria.selected[camera] {
             let id = ViewId { camera, view };
-            left.ask(id, stack.view(view), criteria.dark_below[camera]);
-            left.drop_darker_than(criteria.tolerated[camera], SHARE_WORTH_DROPPING);
+            remaining.evaluate(id, stack.view(view), criteria.dark_below[camera]);
+            remaining.drop_darker_than(criteria.tolerated[camera], SHARE_WORTH_DROPPING);
         }
-        left.drop_darker_than(criteria.tolerated[camera], 0.0);
+        remaining.drop_darker_than(criteria.tolerated[camera], 0.0);
     }
-    left.ask_others_about_the_unseen(model, views, criteria);
+    remaining.evaluate_other_views(model, views, criteria);
     // A voxel that no view sees holds no light that anybody could measure.
-    let seen: Vec<bool> = left.light.iter().map(|light| light.is_finite()).collect();
-    retain(&mut left.voxels, &seen);
-    retain(&mut left.light, &seen);
-    Hull { voxels: left.voxels, light: left.light }
+    let seen: Vec<bool> = remaining.light.iter().map(|light| light.is_finite()).collect();
+    retain(&mut remaining.voxels, &seen);
+    retain(&mut remaining.light, &seen);
+    Hull { voxels: remaining.voxels, light: remaining.light }
 }
 
 /// Voxels that may be lit.
-struct Left<'a> {
+struct RemainingVoxels<'a> {
     projector: Box<dyn Projector + 'a>,
     voxels: Vec<u32>,
-    /// Views of the present camera that find the voxel dark.
+    /// Views of the current camera that find the voxel dark.
     dark: Vec<usize>,
-    /// What the dimmest view so far allows; infinite while no view has seen the voxel.
+    /// Upper bound of the light from the dimmest view so far; infinite before any view.
     light: Vec<f32>,
-    /// Of each voxel's support in the last view selected.
+    /// Of each voxel's support in the last evaluated view.
     brightest: Vec<f32>,
 }
 
-impl<'a> Left<'a> {
+impl<'a> RemainingVoxels<'a> {
     fn new(model: &'a dyn ForwardModel, voxels: Vec<u32>) -> Self {
         let n = voxels.len();
         let projector = model.projector(&voxels);
@@ -96,7 +96,7 @@ impl<'a> Left<'a> {
         Self { projector, voxels, dark: vec![0; n], light, brightest: vec![0.0; n] }
     }
 
-    fn ask(&mut self, id: ViewId, image: &[f32], dark_below: f32) {
+    fn evaluate(&mut self, id: ViewId, image: &[f32], dark_below: f32) {
         let n = self.voxels.len();
         let brightest = &mut self.brightest[..n];
         self.projector.brightest(id, image, 0..n, brightest);
@@ -121,8 +121,8 @@ impl<'a> Left<'a> {
         retain(&mut self.light, &keep);
     }
 
-    /// Looks for views that see the voxels that no selected view saw.
-    fn ask_others_about_the_unseen(
+    /// Evaluates other views for voxels that no selected view saw.
+    fn evaluate_other_views(
         &mut self,
         model: &dyn ForwardModel,
         views: &[ViewStack],

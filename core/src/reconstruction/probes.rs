@@ -21,7 +21,7 @@ pub struct ProjectedView {
     pub image: Vec<f32>,
 }
 
-/// The views for assessing a reconstruction: fully open, with_uniform_light distributed over the pupil.
+/// The views for assessing a reconstruction: fully open, evenly distributed over the pupil.
 pub(super) fn probes(layouts: &[ViewLayout]) -> Vec<ViewId> {
     let of_camera = |(camera, layout): (usize, &ViewLayout)| {
         let open: Vec<usize> =

@@ -18,7 +18,7 @@ pub(super) enum Correction {
 pub(super) enum Subsets {
     /// This many views in random order, cameras alternating within a subset.
     Random(usize),
-    /// This many views of one camera, distributed with_uniform_light over the pupil; cameras
+    /// This many views of one camera, distributed evenly over the pupil; cameras
     /// alternate (Eq. 4).
     Balanced(usize),
     /// All views of a camera.

@@ -33,7 +33,7 @@ pub fn alternating_views(layouts: &[ViewLayout]) -> Vec<ViewId> {
 /// camera 1, subset 1 of camera 2, subset 2 of camera 1, and so on.
 ///
 /// Every camera's views are divided into N_s = `subsets_per_camera` subsets; their sizes N_d differ
-/// by at most one view, and each is distributed with_uniform_light over the pupil. N_s = 1 gives the
+/// by at most one view, and each is distributed evenly over the pupil. N_s = 1 gives the
 /// conventional SART, all views of a camera at once. N_s is clamped to 1 to the number of the
 /// camera's views, so that no subset is empty; a camera without views has none.
 pub fn balanced_subsets(layouts: &[ViewLayout], subsets_per_camera: usize) -> Vec<Vec<ViewId>> {
@@ -60,7 +60,7 @@ fn pupil_cells(layout: &ViewLayout) -> Vec<[i32; 2]> {
 /// Divides the views at these pupil cells into balanced subsets of indices of `cells`.
 ///
 /// Each run of N_s views along a Hilbert curve is a compact patch of the pupil. Every patch gives
-/// one view to every subset, so all subsets sample the whole pupil with_uniform_light.
+/// one view to every subset, so all subsets sample the whole pupil evenly.
 fn divide(cells: &[[i32; 2]], subsets: usize) -> Vec<Vec<usize>> {
     if cells.is_empty() {
         return Vec::new();

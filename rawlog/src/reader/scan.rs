@@ -199,7 +199,7 @@ impl Scan {
             if self.reader.next_existing_segment(self.number)?.is_none() {
                 return self.end_of_unsealed(offset);
             }
-            // The writer has sealed the segment since the first item_at.
+            // The writer has sealed the segment since the first look.
             found = open.segment.item_at(offset);
         }
         match found {

@@ -87,7 +87,7 @@ pub struct RunIndex {
     pub damaged: Vec<String>,
     /// Recorded shots that are incomplete now, with the reason.
     pub lost: BTreeMap<u64, String>,
-    /// TriggerSets whose outcome must have been recorded but is missing. Empty if nothing is damaged.
+    /// Triggers whose outcome must have been recorded but is missing. Empty if nothing is damaged.
     pub unknown: BTreeSet<u64>,
 }
 
@@ -208,7 +208,7 @@ impl RecordedRun {
 /// Bound on the triggers of a run, to limit memory and time for a corrupt record.
 const MAX_TRIGGERS: usize = 10_000_000;
 
-/// TriggerSets given, and those with a recorded outcome.
+/// Triggers given, and those with a recorded outcome.
 #[derive(Debug, Default)]
 struct TriggerSets {
     entered: BTreeSet<u64>,
@@ -230,7 +230,7 @@ impl TriggerSets {
         }
     }
 
-    /// TriggerSets without an outcome. A run that was cut off did not settle its last ones; a
+    /// Triggers without an outcome. A run that was cut off did not settle its last ones; a
     /// completed run settled all.
     fn unknown(&self, has_ended: bool) -> BTreeSet<u64> {
         let last_entered = self.entered.last().filter(|_| has_ended);

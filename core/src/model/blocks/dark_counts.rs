@@ -19,7 +19,7 @@ const PLANES: [usize; 4] = [3, 4, 8, 16];
 const MAX_TOLERATED: usize = (1 << 16) - 1;
 
 impl<const W: usize> DarkCounts<W> {
-    /// Counters for `lines` lines, with `tolerated` tolerated dark views. Only the voxels of
+    /// Counters for `lines` lines, with `tolerated` dark views allowed. Only the voxels of
     /// `inside` are counted; the others exceed the limit from the start.
     pub fn new(lines: usize, inside: Line<W>, tolerated: usize) -> Self {
         let tolerated = tolerated.min(MAX_TOLERATED);

@@ -121,7 +121,7 @@ impl<'a> LitImages<'a> {
                 let target = &mut sets[row * groups..][..groups];
                 for (i, &value) in line.iter().enumerate() {
                     let open = coverage.map_or(1.0, |c| c[row * width + i]);
-                    // A pixel less than half open is no evidence of criteria.
+                    // A pixel less than half open is no evidence of darkness.
                     let lit = open <= 0.5 || value >= dark_below * open;
                     target[i / GROUP] |= u8::from(lit) << (i % GROUP);
                 }

@@ -11,7 +11,7 @@ use crate::{
 const WORD: i32 = 64;
 
 /// One bit per microlens, for each selected view and row of microlenses: whether the pixel is lit.
-/// Pixels without evidence of criteria, including those outside the window, count as lit.
+/// Pixels without evidence of darkness, including those outside the window, count as lit.
 pub(super) struct LitBits {
     rows: usize,
     words: usize,
@@ -36,7 +36,7 @@ impl LitBits {
                 let bits = &mut bits[row * words..][..words];
                 for (i, &value) in line.iter().enumerate() {
                     let open = coverage.map_or(1.0, |coverage| coverage[row * width + i]);
-                    // A pixel less than half open is no evidence of criteria.
+                    // A pixel less than half open is no evidence of darkness.
                     let dark = open > 0.5 && value < dark_below * open;
                     bits[i / 64 + 1] &= !(u64::from(dark) << (i % 64));
                 }
