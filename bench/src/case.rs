@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use lfpiv::config::{Config, read_or_shipped};
-use lfpiv_sim::{BenchGeometry, Flow, Placement, Scene};
+use lfpiv_sim::{BenchGeometry, Flow, Placement, Scene, flow::PlaneWave};
 use toml::{Table, Value};
 
-use super::{BenchmarkError, Case, Method, Row, suite::AS_CONFIGURED};
+use super::{BenchmarkError, Case, Method, Row, Sweep, suite::AS_CONFIGURED};
 
 /// A case at one seeding density with so many cameras.
 #[derive(Debug, Clone)]
@@ -22,7 +22,7 @@ pub struct Setting<'a> {
 }
 
 impl Case {
-    /// The case at each of its seeding densities and numbers of cameras.
+    /// The case at each of its seeding densities and numbers of cameras, with each of its waves.
     pub(super) fn settings(&self, folder: &Path) -> Result<Vec<Setting<'_>>, BenchmarkError> {
         let config = self.configuration(folder)?;
         let no_scene = || BenchmarkError::NoScene { case: self.name.clone() };
@@ -35,13 +35,21 @@ impl Case {
             for &ppm in &densities {
                 let mut config = config.clone();
                 config.camera.truncate(cameras);
-                let scene = Scene { ppm, ..scene.clone() };
-                config.simulation = Some(scene.clone());
-                let bench = config.bench_geometry();
-                settings.push(Setting { case: self, config, scene, bench });
+                for flow in self.flows(&config, &scene) {
+                    let scene = Scene { ppm, flow, ..scene.clone() };
+                    let config = Config { simulation: Some(scene.clone()), ..config.clone() };
+                    let bench = config.bench_geometry();
+                    settings.push(Setting { case: self, config, scene, bench });
+                }
             }
         }
         Ok(settings)
+    }
+
+    /// The waves of a sweep, or the scene's own flow.
+    fn flows(&self, config: &Config, scene: &Scene) -> Vec<Flow> {
+        let Some(sweep) = &self.sweep else { return vec![scene.flow.clone()] };
+        sweep.waves(config.volume.voxel_mm, config.bench_geometry().dt_s)
     }
 
     /// The configuration file, relative to the suite's `folder`, with the case's changes, checked as
@@ -61,6 +69,28 @@ impl Case {
         let name = format!("{} changed by case {}", path.display(), self.name);
         Config::parse(&name, &text)
             .map_err(|reason| BenchmarkError::Configuration { case: self.name.clone(), reason })
+    }
+}
+
+impl Sweep {
+    /// Its waves on voxels of `voxel_mm`, for frames `dt_s` apart.
+    fn waves(&self, voxel_mm: f64, dt_s: f64) -> Vec<Flow> {
+        let mut waves = Vec::new();
+        for &wavelength_vox in &self.wavelengths_vox {
+            for &amplitude_vox in &self.amplitudes_vox {
+                for &[along, component] in &self.directions {
+                    waves.push(Flow::PlaneWave(PlaneWave {
+                        wavelength_mm: wavelength_vox * voxel_mm,
+                        amplitude_m_s: amplitude_vox * voxel_mm * 1e-3 / dt_s,
+                        along,
+                        component,
+                        // On no node of the vectors' lattice.
+                        phase_rad: 0.7,
+                    }));
+                }
+            }
+        }
+        waves
     }
 }
 
@@ -89,6 +119,14 @@ impl Setting<'_> {
         config
     }
 
+    /// The plane wave, where the flow is one.
+    pub fn wave(&self) -> Option<&PlaneWave> {
+        match &self.scene.flow {
+            Flow::PlaneWave(wave) => Some(wave),
+            _ => None,
+        }
+    }
+
     /// A row that says what is measured, and nothing of the result.
     pub fn row(&self, method: Option<&Method>, seed: u64) -> Row {
         let volume = &self.config.volume;
@@ -111,6 +149,10 @@ impl Setting<'_> {
             voxels: format!("{x}x{y}x{z}"),
             voxel_mm: volume.voxel_mm,
             seed,
+            wavelength_vox: self.wave().map(|wave| wave.wavelength_mm / volume.voxel_mm),
+            amplitude_vox: self
+                .wave()
+                .map(|wave| wave.amplitude_m_s * 1e3 * self.bench.dt_s / volume.voxel_mm),
             ..Row::default()
         }
     }
@@ -130,6 +172,9 @@ fn flow_name(flow: &Flow) -> &'static str {
         Flow::RingVortex(_) => "ring vortex",
         Flow::Jet(_) => "jet",
         Flow::Abc(_) => "ABC",
+        Flow::ShearLayer(_) => "shear layer",
+        Flow::PlaneWave(_) => "plane wave",
+        Flow::Turbulence(_) => "turbulence",
     }
 }
 

@@ -7,6 +7,7 @@
 //! JSON and as one HTML page that needs nothing else. Nothing here knows a solver by name beyond
 //! what the settings say, so a new one is a new entry in the TOML.
 
+mod between;
 mod calibrated;
 mod case;
 mod child;
@@ -31,4 +32,4 @@ pub use peers::read_peers;
 pub use record::{Curve, MeasuredField, Projection, Record};
 pub use row::Row;
 pub use runner::{RunOptions, run};
-pub use suite::{Bar, Beside, Case, Claim, Figure, Measure, Method, Suite};
+pub use suite::{Bar, Beside, Case, Claim, Figure, Measure, Method, Suite, Sweep};

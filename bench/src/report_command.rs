@@ -67,9 +67,16 @@ fn line(row: &Row) -> String {
         row.seconds.map(|seconds| format!("{seconds:.3} s")),
         row.q.map(|q| format!("Q {q:.4}")),
         row.error_vox().map(|error| format!("error {} voxel", three(error))),
+        row.unseen_vox().map(|e| format!("between vectors {}", three(e))),
+        row.wavelength_vox.map(|wavelength| format!("wave of {wavelength:.0} voxels")),
+        row.amplitude_vox.map(|amplitude| format!("amplitude {amplitude:.2}")),
+        row.gain.map(|gain| format!("gain {gain:.3}")),
         row.true_windows_vox().map(|e| format!("true particles, windows only {}", three(e))),
         row.true_followed_vox().map(|e| format!("followed {}", three(e))),
         row.valid_share.map(|share| format!("{:.1} % valid", 100.0 * share)),
+        row.covered_68
+            .zip(row.covered_95)
+            .map(|(one, two)| format!("{:.0} and {:.0} % covered", 100.0 * one, 100.0 * two)),
         row.fwhm_mm.map(|width| format!("FWHM {width:.4} mm")),
         row.centroid_error_mm.map(|error| format!("centroid off by {error:.4} mm")),
         row.peak_mb.map(|peak| format!("{peak:.0} MB")),

@@ -72,6 +72,18 @@ pub struct Row {
     pub error_y_vox: Option<f64>,
     /// Along z.
     pub error_z_vox: Option<f64>,
+    /// The same at random places between the vectors, by cubic convolution.
+    pub unseen_x_vox: Option<f64>,
+    /// Along y.
+    pub unseen_y_vox: Option<f64>,
+    /// Along z.
+    pub unseen_z_vox: Option<f64>,
+    /// Length of the plane wave that the flow is.
+    pub wavelength_vox: Option<f64>,
+    /// Amplitude of its displacement.
+    pub amplitude_vox: Option<f64>,
+    /// What of that is measured: least squares over the vectors 12 voxels or more inside the volume.
+    pub gain: Option<f64>,
     /// True particles, windows only: mean |error| along x when the true particles are correlated by
     /// the same windows and passes, and single ones are not followed. Measured images can be below it
     /// where single particles are followed in them.
@@ -145,6 +157,11 @@ impl Row {
         Some([self.error_x_vox?, self.error_y_vox?, self.error_z_vox?])
     }
 
+    /// Mean |error| between the vectors along x, y, z, in voxels.
+    pub fn unseen_vox(&self) -> Option<[f64; 3]> {
+        Some([self.unseen_x_vox?, self.unseen_y_vox?, self.unseen_z_vox?])
+    }
+
     /// True particles, windows only, along x, y, z, in voxels.
     pub fn true_windows_vox(&self) -> Option<[f64; 3]> {
         Some([self.true_windows_x_vox?, self.true_windows_y_vox?, self.true_windows_z_vox?])
@@ -162,6 +179,11 @@ impl Row {
 
     pub(super) fn set_error(&mut self, [x, y, z]: [f64; 3]) {
         (self.error_x_vox, self.error_y_vox, self.error_z_vox) = (Some(x), Some(y), Some(z));
+    }
+
+    pub(super) fn set_unseen(&mut self, errors_vox: [f64; 3]) {
+        let [x, y, z] = errors_vox.map(Some);
+        (self.unseen_x_vox, self.unseen_y_vox, self.unseen_z_vox) = (x, y, z);
     }
 
     pub(super) fn set_true_windows(&mut self, errors_vox: [f64; 3]) {

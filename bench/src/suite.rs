@@ -78,6 +78,10 @@ pub struct Case {
     /// Shots per second that are tried ([`Measure::Loopback`]); the configuration's when empty.
     #[serde(default)]
     pub rates_hz: Vec<f64>,
+    /// Plane waves that take the place of the configuration's flow one after the other
+    /// ([`Measure::Velocity`]).
+    #[serde(default)]
+    pub sweep: Option<Sweep>,
     /// Whether the reconstruction is told of everything in which the simulated cameras are not as drawn,
     /// as by a perfect calibration.
     #[serde(default)]
@@ -94,6 +98,18 @@ pub struct Case {
     /// What README says of this case.
     #[serde(rename = "claim", default)]
     pub claims: Vec<Claim>,
+}
+
+/// Transverse plane waves, every length with every amplitude along every direction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sweep {
+    /// Wavelengths, in voxels.
+    pub wavelengths_vox: Vec<f64>,
+    /// Amplitudes of the displacement, in voxels.
+    pub amplitudes_vox: Vec<f64>,
+    /// Directions in which the phase grows, and of the displacement, of any length.
+    pub directions: Vec<[[f64; 3]; 2]>,
 }
 
 /// What a case may cost beside another one of the same run, at every seeding density of both: medians
@@ -193,6 +209,10 @@ pub enum Figure {
     ModelParts,
     /// What a bench that is not as drawn costs: the first such case is the bench as drawn.
     ImperfectBench,
+    /// Flows with small scales: error at the vectors and between them, and whether intervals hold.
+    RoughFlows,
+    /// What of a plane wave is measured, against its length.
+    Gain,
 }
 
 /// A demand on the program, each with its row in the report's first table.

@@ -5,11 +5,15 @@
 //! pulse separation back and half forward.
 
 mod fields;
+mod turbulence;
 
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
-pub use fields::{Abc, Axis, Jet, LinearShear, RingVortex, SolidRotation, Uniform};
+pub use fields::{
+    Abc, Axis, Jet, LinearShear, PlaneWave, RingVortex, ShearLayer, SolidRotation, Uniform,
+};
+pub use turbulence::Turbulence;
 
 /// mm/s in one m/s.
 pub(crate) const MM_PER_M: f64 = 1000.0;
@@ -35,6 +39,12 @@ pub enum Flow {
     Jet(#[garde(dive)] Jet),
     /// Arnold-Beltrami-Childress flow: smooth, periodic, three-dimensional.
     Abc(#[garde(dive)] Abc),
+    /// Two streams with a thin layer between them.
+    ShearLayer(#[garde(dive)] ShearLayer),
+    /// A transverse plane wave.
+    PlaneWave(#[garde(dive)] PlaneWave),
+    /// Random waves with Kolmogorov's spectrum between two wavelengths.
+    Turbulence(#[garde(dive)] Turbulence),
 }
 
 impl Flow {
@@ -47,6 +57,9 @@ impl Flow {
             Flow::RingVortex(flow) => flow.velocity_m_s(position_mm),
             Flow::Jet(flow) => flow.velocity_m_s(position_mm),
             Flow::Abc(flow) => flow.velocity_m_s(position_mm),
+            Flow::ShearLayer(flow) => flow.velocity_m_s(position_mm),
+            Flow::PlaneWave(flow) => flow.velocity_m_s(position_mm),
+            Flow::Turbulence(flow) => flow.velocity_m_s(position_mm),
         }
     }
 
@@ -174,11 +187,41 @@ mod tests {
         assert!(speed(2.0 * jet.radius_mm)[1].abs() < 0.01 * jet.peak_m_s);
     }
 
+    #[test]
+    fn the_shear_layer_has_its_thickness() {
+        let text = "kind = 'shear-layer'\ncomponent = 'x'\nalong = 'y'\ndifference_m_s = 4.0\n\
+                    thickness_mm = 0.4\noffset_mm = 1.0";
+        let flow: Flow = toml::from_str(text).unwrap();
+        let u = |y_mm: f64| flow.velocity_m_s([0.0, y_mm, 0.0])[0];
+        assert!((u(1e-6 + 1.0) / 1e-6 - 4.0 / 0.4).abs() < 1e-6);
+        assert!((u(5.0) - 2.0).abs() < 1e-9 && (u(-5.0) + 2.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_plane_wave_is_transverse_whatever_direction_is_asked_for() {
+        let wave = PlaneWave {
+            wavelength_mm: 2.4,
+            amplitude_m_s: 0.5,
+            along: [1.0, 2.0, -1.0],
+            component: [1.0, 0.0, 0.0],
+            phase_rad: 0.3,
+        };
+        assert!(wave.validate().is_ok());
+        let crest = wave.crest_m_s();
+        assert!((crest[0] + 2.0 * crest[1] - crest[2]).abs() < 1e-12, "{crest:?}");
+        assert!((crest.iter().map(|c| c * c).sum::<f64>() - 0.25).abs() < 1e-12);
+        let along = PlaneWave { component: wave.along, ..wave.clone() };
+        assert!(along.validate().is_err());
+        assert!(PlaneWave { along: [0.0; 3], ..wave }.validate().is_err());
+    }
+
     proptest! {
         #[test]
-        fn abc_and_jet_are_free_of_divergence(
+        fn abc_jet_and_turbulence_are_free_of_divergence(
             x in -5.0..5.0_f64, y in -5.0..5.0_f64, z in -5.0..5.0_f64,
         ) {
+            let turbulence = Flow::Turbulence(Turbulence::default());
+            prop_assert!(divergence_per_s(&turbulence, [x, y, z]).abs() < 1e-3);
             prop_assert!(divergence_per_s(&abc(), [x, y, z]).abs() < 1e-3);
             prop_assert!(divergence_per_s(&Flow::Jet(Jet::default()), [x, y, z]).abs() < 1e-3);
         }

@@ -18,6 +18,7 @@ pub(crate) enum Purpose {
     Dust = 10,
     DeadMicrolenses = 11,
     White = 12,
+    Turbulence = 13,
 }
 
 /// An independent generator for every (purpose, key).

@@ -11,6 +11,7 @@ use lfpiv_sim::{FrameOfPair, Truth};
 use super::{Findings, Surroundings};
 use crate::{
     BenchmarkError, Curve, Figure, MeasuredField, Method, Row,
+    between::{error_between_vox, gain},
     calibrated::calibrations,
     case::Setting,
     score::{Score, true_field},
@@ -81,6 +82,13 @@ pub(super) fn measured(
     let score = Score::of(&result.field, flow);
     let mut row = setting.row(method, shot.seed);
     fill(&mut row, &result, &score);
+    if let Some(errors_vox) = error_between_vox(&result.field, flow) {
+        row.set_unseen(errors_vox);
+    }
+    let volume = &setting.bench.volume;
+    row.gain = setting
+        .wave()
+        .and_then(|wave| gain(&result.field, wave, volume.centre_mm, volume.extents_mm()));
     row.set_true_windows(by_windows.mean_vox);
     if setting.config.velocimetry.follow_particles {
         let followed = Score::of(&windows.measure(&a, &b, dt_s), flow);

@@ -180,6 +180,119 @@ impl Abc {
     }
 }
 
+/// Two streams that slide along each other: component u = ΔU/2 · tanh(2 (y − y0)/δ) along another axis y.
+///
+/// δ = ΔU / max |du/dy| is the vorticity thickness (Brown and Roshko, J. Fluid Mech. 64, 1974).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct ShearLayer {
+    /// The velocity component that is not zero.
+    #[garde(skip)]
+    pub component: Axis,
+    /// The coordinate with which it changes.
+    #[garde(custom(differs(self.component)))]
+    pub along: Axis,
+    /// Velocity of the upper stream over that of the lower one, ΔU, in m/s.
+    #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
+    pub difference_m_s: f64,
+    /// Vorticity thickness δ, in mm.
+    #[garde(custom(finite), range(min = 0.001, max = 1000.0))]
+    pub thickness_mm: f64,
+    /// Coordinate y0 of the layer's middle, in mm.
+    #[serde(default)]
+    #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
+    pub offset_mm: f64,
+}
+
+impl ShearLayer {
+    pub(super) fn velocity_m_s(&self, position_mm: [f64; 3]) -> [f64; 3] {
+        let from_middle = position_mm[self.along as usize] - self.offset_mm;
+        let mut velocity = [0.0; 3];
+        velocity[self.component as usize] =
+            self.difference_m_s / 2.0 * (2.0 * from_middle / self.thickness_mm).tanh();
+        velocity
+    }
+}
+
+/// A transverse plane wave: u = A e sin(2π k·x/λ + φ), k and e unit vectors at right angles.
+///
+/// What a measurement makes of its amplitude is its gain at that wavelength.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct PlaneWave {
+    /// Wavelength λ, in mm.
+    #[garde(custom(finite), range(min = 0.01, max = 10_000.0))]
+    pub wavelength_mm: f64,
+    /// Amplitude A, in m/s.
+    #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
+    pub amplitude_m_s: f64,
+    /// Direction k in which the phase grows, of any length.
+    #[garde(inner(custom(finite), range(min = -1000.0, max = 1000.0)), custom(has_length))]
+    pub along: [f64; 3],
+    /// Direction e of the velocity, of any length; what of it lies along k is left out.
+    #[garde(inner(custom(finite), range(min = -1000.0, max = 1000.0)), custom(is_across(self.along)))]
+    pub component: [f64; 3],
+    /// Phase φ at the origin, in rad.
+    #[serde(default)]
+    #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
+    pub phase_rad: f64,
+}
+
+impl PlaneWave {
+    /// Velocity where the wave is highest, in m/s.
+    pub fn crest_m_s(&self) -> [f64; 3] {
+        across(self.component, self.along).map(|c| self.amplitude_m_s * c)
+    }
+
+    /// Phase 2π k·x/λ + φ of a world position, in rad.
+    pub fn phase_rad_at(&self, position_mm: [f64; 3]) -> f64 {
+        let along = unit(self.along);
+        TAU * dot(along, position_mm) / self.wavelength_mm + self.phase_rad
+    }
+
+    pub(super) fn velocity_m_s(&self, position_mm: [f64; 3]) -> [f64; 3] {
+        let sine = self.phase_rad_at(position_mm).sin();
+        self.crest_m_s().map(|c| c * sine)
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|c| a[c] * b[c]).sum()
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = dot(v, v).sqrt();
+    v.map(|c| c / length)
+}
+
+/// The unit vector along what of `v` is at right angles to `to`.
+fn across(v: [f64; 3], to: [f64; 3]) -> [f64; 3] {
+    let to = unit(to);
+    let common = dot(v, to);
+    unit(std::array::from_fn(|c| v[c] - common * to[c]))
+}
+
+fn has_length(v: &[f64; 3], (): &()) -> garde::Result {
+    if dot(*v, *v) > 0.0 {
+        Ok(())
+    } else {
+        Err(garde::Error::new("allowed: a direction, not zero"))
+    }
+}
+
+fn is_across(along: [f64; 3]) -> impl FnOnce(&[f64; 3], &()) -> garde::Result {
+    move |component, ()| {
+        let (squares, common) =
+            (dot(*component, *component) * dot(along, along), dot(*component, along));
+        // A hundredth of a radian off the wave's own direction leaves a direction across it.
+        if squares > 0.0 && common * common < (1.0 - 1e-4) * squares {
+            Ok(())
+        } else {
+            Err(garde::Error::new("allowed: a direction that is not that of along"))
+        }
+    }
+}
+
 fn differs(component: Axis) -> impl FnOnce(&Axis, &()) -> garde::Result {
     move |along, _| {
         if *along == component {

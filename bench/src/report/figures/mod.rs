@@ -12,6 +12,7 @@ mod pareto;
 mod peers;
 mod projection;
 mod quality;
+mod rough;
 mod vortex;
 
 use super::{Report, section::Section};
@@ -34,6 +35,8 @@ pub fn sections(report: &Report) -> Vec<Section> {
         growth::whole_process,
         growth::growth,
         peers::beside,
+        rough::rough_flows,
+        rough::gain,
         imperfect::imperfect_bench,
         model_parts::model_parts,
         loopback::streams,
