@@ -8,7 +8,15 @@ use std::{fs, path::Path};
 const CRATES: [(&str, &[&str]); 2] = [
     (
         "core",
-        &["lightfield", "model", "reconstruction", "velocimetry", "calibration", "measurement"],
+        &[
+            "lightfield",
+            "model",
+            "reconstruction",
+            "velocimetry",
+            "ensemble",
+            "calibration",
+            "measurement",
+        ],
     ),
     (".", &["archive", "acquisition", "pipeline", "config", "server", "cli"]),
 ];

@@ -2,7 +2,7 @@
 //!
 //! The rooms, lowest floor first: [`lightfield`] decodes images into views, [`model`] says which pixel
 //! sees which voxel, [`reconstruction`] finds the volume behind the views, [`velocimetry`] the
-//! displacement between two volumes, [`calibration`] where a camera's micro-images are, [`measurement`] does
+//! displacement between two volumes, [`ensemble`] what many shots say together, [`calibration`] where a camera's micro-images are, [`measurement`] does
 //! all of it for a pair of images.
 //!
 //! # Images in, vectors out
@@ -84,6 +84,7 @@
 
 pub mod calibration;
 mod clock;
+pub mod ensemble;
 pub mod lightfield;
 pub mod measurement;
 pub mod model;

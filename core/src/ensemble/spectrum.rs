@@ -1,0 +1,56 @@
+//! Spectra from two-point covariances.
+
+use std::f64::consts::PI;
+
+use rustfft::{FftPlanner, num_complex::Complex};
+use serde::{Deserialize, Serialize};
+
+use super::Correlation;
+
+/// One-dimensional, one-sided spectra along an axis: their integral over the wavenumber is the variance (Pope
+/// 2000, equation 6.206).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Spectrum {
+    /// 0 is x.
+    pub axis: usize,
+    /// Wavenumbers 2π/wavelength from 0 to π over the spacing, in rad/mm.
+    pub wavenumber_rad_mm: Vec<f64>,
+    /// Energy of u, v, w per wavenumber, in m²/s² per rad/mm.
+    pub energy_m2_s2_mm: Vec<[f64; 3]>,
+}
+
+/// The Fourier transform of the covariance under Bartlett's window (Blackman and Tukey): it is that of the
+/// lines themselves, smoothed to what their length can tell apart, and needs none without gaps.
+pub(super) fn spectrum(correlation: &Correlation) -> Spectrum {
+    let lags = correlation.covariance_m2_s2.len();
+    if lags < 2 {
+        let (wavenumber_rad_mm, energy_m2_s2_mm) = (Vec::new(), Vec::new());
+        return Spectrum { axis: correlation.axis, wavenumber_rad_mm, energy_m2_s2_mm };
+    }
+    let spacing_mm = correlation.separation_mm[1] - correlation.separation_mm[0];
+    // Even, and periodic without overlap: lags 0, 1, ..., n − 1, none, n − 1, ..., 1.
+    let period = 2 * lags;
+    let fft = FftPlanner::<f64>::new().plan_fft_forward(period);
+    let bins = lags + 1;
+    let mut energy = vec![[0.0; 3]; bins];
+    for c in 0..3 {
+        let mut even = vec![Complex::default(); period];
+        for (lag, covariance) in correlation.covariance_m2_s2.iter().enumerate() {
+            let tapered = covariance[c] * window(lag, lags);
+            even[lag].re = tapered;
+            even[(period - lag) % period].re = tapered;
+        }
+        fft.process(&mut even);
+        for (energy, value) in energy.iter_mut().zip(&even) {
+            energy[c] = value.re * spacing_mm / PI;
+        }
+    }
+    let step = 2.0 * PI / (period as f64 * spacing_mm);
+    let wavenumber_rad_mm = (0..bins).map(|bin| bin as f64 * step).collect();
+    Spectrum { axis: correlation.axis, wavenumber_rad_mm, energy_m2_s2_mm: energy }
+}
+
+/// Bartlett's window.
+pub(super) fn window(lag: usize, lags: usize) -> f64 {
+    1.0 - lag as f64 / lags as f64
+}
