@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod accuracy;
+mod forecast;
 mod forward_model;
 mod hard_cases;
 mod model_fit;

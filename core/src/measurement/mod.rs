@@ -2,6 +2,7 @@
 
 mod choose;
 mod fitted;
+mod forecast;
 mod frame;
 mod model_fit;
 mod part_errors;
@@ -9,5 +10,6 @@ mod plan;
 mod processor;
 mod scene;
 
+pub use forecast::{Conditions, ForecastPlace, forecast};
 pub use plan::Plan;
 pub use processor::{Measurement, ProcessError, Processor, SetupError};

@@ -47,6 +47,8 @@ pub struct FoundCamera {
     pub address: String,
     /// Whether it can be used now.
     pub access: Access,
+    /// Its sensor in pixels, where it could be asked.
+    pub sensor: Option<ImageSize>,
 }
 
 /// Whether a camera that answered discovery can be used.

@@ -223,6 +223,8 @@ fn cameras_are_listed_with_who_uses_them() {
         let line = |at: usize| (found[at].serial.as_str(), found[at].address.as_str());
         assert_eq!([line(0), line(1)], [("LF1", "127.0.0.1"), ("LF2", "127.0.0.2")]);
         assert_eq!([&found[0].access, &found[1].access], [&Access::Free, &Access::InUse]);
+        // Who is in use cannot be asked.
+        assert_eq!([found[0].sensor, found[1].sensor], [Some(SIZE), None]);
         assert_eq!((&*found[0].vendor, &*found[0].model), ("lfpiv", "simulated light field"));
     });
 }

@@ -145,6 +145,7 @@ fn discover() -> Vec<FoundCamera> {
             serial: text(network.device_serial_nbr(index)),
             address: text(network.device_address(index)),
             access: Access::Free,
+            sensor: None,
         })
         .collect()
 }
@@ -155,11 +156,20 @@ pub(in crate::gige) fn list_devices() -> Result<Vec<FoundCamera>, DeviceError> {
     for camera in &mut cameras {
         let tried = camera.address.parse().map(|address| take_control(&camera.serial, &address));
         camera.access = match tried {
-            Ok(Ok(Some(_))) => Access::Free,
+            Ok(Ok(Some((device, _)))) => {
+                camera.sensor = sensor(&device);
+                Access::Free
+            }
             Ok(Ok(None)) => Access::InUse,
             Ok(Err(error)) => Access::Unreachable(error.to_string()),
             Err(_) => Access::Unreachable(format!("{:?} is not an address", camera.address)),
         };
     }
     Ok(cameras)
+}
+
+/// A sensor's size; none where the camera has no such feature.
+fn sensor(camera: &aravis::Camera) -> Option<ImageSize> {
+    let (columns, rows) = camera.sensor_size().ok()?;
+    Some(ImageSize { columns: columns.try_into().ok()?, rows: rows.try_into().ok()? })
 }
