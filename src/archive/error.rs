@@ -154,10 +154,10 @@ pub enum ArchiveError {
         /// The folder.
         path: PathBuf,
     },
-    /// One file holds one vector grid and one dt.
+    /// One file holds one vector grid.
     #[error(
-        "shot {shot} lies on another vector grid or dt than the shots already in {}: start a new \
-         run for changed settings", path.display()
+        "shot {shot} lies on another vector grid than the shots already in {}: start a new run for \
+         changed settings", path.display()
     )]
     GridChanged {
         /// The shot refused.

@@ -1,10 +1,11 @@
 //! Sealed segments of a run made into few files, sorted by shot.
 //!
-//! A run seals a segment a minute, and a slow one has a shot or two in each. Once it is over, whole
-//! segments are merged, as long as they agree in all but their shots: model, dt, vectors,
-//! configuration. A merged file has the name of its first shot and a bounded size.
+//! A run seals a segment a minute, and a slow one has a shot or two in each. Once it is over,
+//! segments are merged, as long as they agree in all but their shots: model, vectors,
+//! configuration. A merged file has the name of its first shot and a bounded size, and its shots follow
+//! those of the file before it: readers that put files together by their coordinates need that.
 //!
-//! The merged file is sealed first, and what it was made of is removed then. Who is killed in between
+//! Merged files are sealed first, and what they were made of is removed then. Who is killed in between
 //! leaves shots that are there twice, with the same numbers: the next merge keeps one of each.
 
 use std::{
@@ -41,6 +42,23 @@ pub(super) struct Bounds {
     pub bytes: u64,
 }
 
+/// How large segments are, in the measures of [`Bounds`].
+#[derive(Debug, Clone, Copy, Default)]
+struct Size {
+    shots: usize,
+    bytes: u64,
+}
+
+impl Size {
+    fn plus(self, other: Self) -> Self {
+        Self { shots: self.shots + other.shots, bytes: self.bytes + other.bytes }
+    }
+
+    fn fits(self, bounds: Bounds) -> bool {
+        self.shots <= bounds.shots && self.bytes <= bounds.bytes
+    }
+}
+
 const BOUNDS: Bounds = Bounds { shots: 10_000, bytes: 256 << 20 };
 
 /// Times the segments' bytes that are asked for: chunks of a merged file are not those of its segments.
@@ -73,7 +91,7 @@ pub(super) fn merge_within(
             if !go_on() {
                 return Ok(());
             }
-            merge(folder, &group)?;
+            merge(folder, &group, bounds)?;
         }
     }
     Ok(())
@@ -109,6 +127,14 @@ impl Segment {
     fn lowest(&self) -> i64 {
         self.shots.iter().copied().filter(|shot| *shot >= 0).min().unwrap_or(i64::MAX)
     }
+
+    fn highest(&self) -> i64 {
+        self.shots.iter().copied().max().unwrap_or(i64::MIN)
+    }
+
+    fn size(&self) -> Size {
+        Size { shots: self.shots.len(), bytes: self.bytes }
+    }
 }
 
 /// All that a file says besides its shots: attributes, variables, and those without shots.
@@ -134,76 +160,150 @@ fn kind_of(path: &Path) -> netcdf::Result<String> {
     Ok(kind)
 }
 
-/// Whole segments in the order of their shots, as many together as the bounds allow.
+/// Whole segments in the order of their shots, as many together as the bounds allow. Those whose shots lie
+/// between each other's stay together, however many they are.
 fn grouped(mut segments: Vec<Segment>, bounds: Bounds) -> Vec<Vec<Segment>> {
     segments.sort_by_key(Segment::lowest);
-    let (mut groups, mut shots, mut bytes) = (Vec::<Vec<Segment>>::new(), 0, 0);
+    let (mut chains, mut highest) = (Vec::<Vec<Segment>>::new(), i64::MIN);
     for segment in segments {
-        let fits =
-            shots + segment.shots.len() <= bounds.shots && bytes + segment.bytes <= bounds.bytes;
-        match groups.last_mut().filter(|_| fits) {
+        let follows = segment.lowest() > highest;
+        highest = highest.max(segment.highest());
+        match chains.last_mut().filter(|_| !follows) {
+            Some(chain) => chain.push(segment),
+            None => chains.push(vec![segment]),
+        }
+    }
+    let (mut groups, mut size) = (Vec::<Vec<Segment>>::new(), Size::default());
+    for chain in chains {
+        let more = chain.iter().map(Segment::size).fold(Size::default(), Size::plus);
+        match groups.last_mut().filter(|_| size.plus(more).fits(bounds)) {
             Some(group) => {
-                (shots, bytes) = (shots + segment.shots.len(), bytes + segment.bytes);
-                group.push(segment);
+                size = size.plus(more);
+                group.extend(chain);
             }
             None => {
-                (shots, bytes) = (segment.shots.len(), segment.bytes);
-                groups.push(vec![segment]);
+                size = more;
+                groups.push(chain);
             }
         }
     }
     groups
 }
 
-/// Puts one file in the place of a group.
-fn merge(folder: &Path, group: &[Segment]) -> Result<(), ArchiveError> {
-    let shots: BTreeSet<i64> =
-        group.iter().flat_map(|segment| &segment.shots).copied().filter(|s| *s >= 0).collect();
-    let Some(first) = shots.first() else { return Ok(()) };
-    let named = folder.join(format!("velocity_{first:06}.nc"));
-    let is_own = |path: &Path| group.iter().any(|segment| segment.path == path);
-    // A file of this name that is none of the group has the shot, too: another model measured it.
-    let path = if is_own(&named) || !named.exists() { named } else { group[0].path.clone() };
+/// A record of a segment.
+#[derive(Debug, Clone, Copy)]
+struct Record {
+    shot: i64,
+    /// Which segment of the group, and which record there.
+    segment: usize,
+    record: usize,
+    /// Its share of the segment's bytes.
+    bytes: u64,
+}
+
+/// Every shot of a group once, in order, in pieces within the bounds. Of a shot that is there twice, the
+/// first one is taken.
+fn pieces(group: &[Segment], bounds: Bounds) -> Vec<Vec<Record>> {
+    let mut records: BTreeMap<i64, Record> = BTreeMap::new();
+    for (number, segment) in group.iter().enumerate() {
+        let bytes = segment.bytes / segment.shots.len().max(1) as u64;
+        for (record, shot) in segment.shots.iter().copied().enumerate().filter(|(_, s)| *s >= 0) {
+            records.entry(shot).or_insert(Record { shot, segment: number, record, bytes });
+        }
+    }
+    let all = group.iter().map(Segment::size).fold(Size::default(), Size::plus);
+    if all.fits(bounds) {
+        return vec![records.into_values().collect()];
+    }
+    let (mut pieces, mut size) = (Vec::<Vec<Record>>::new(), Size::default());
+    for record in records.into_values() {
+        let more = Size { shots: 1, bytes: record.bytes };
+        match pieces.last_mut().filter(|_| size.plus(more).fits(bounds)) {
+            Some(piece) => {
+                size = size.plus(more);
+                piece.push(record);
+            }
+            None => {
+                size = more;
+                pieces.push(vec![record]);
+            }
+        }
+    }
+    pieces
+}
+
+/// Puts as few files as the bounds allow in the place of a group.
+fn merge(folder: &Path, group: &[Segment], bounds: Bounds) -> Result<(), ArchiveError> {
+    let mut written: Vec<PathBuf> = Vec::new();
+    for piece in pieces(group, bounds).iter().filter(|piece| !piece.is_empty()) {
+        let path = place_of(folder, group, piece, &written);
+        write_piece(&path, group, piece)?;
+        written.push(path);
+    }
+    if written.is_empty() {
+        return Ok(());
+    }
+    for path in group.iter().map(|segment| &segment.path).filter(|path| !written.contains(path)) {
+        fs::remove_file(path).map_err(ArchiveError::io("remove", path))?;
+    }
+    Ok(())
+}
+
+/// Where a merged file goes: to the name of its first shot, unless a file is there whose shots would be
+/// lost. That may be a segment with other shots, or one of another model that has the same shot.
+fn place_of(folder: &Path, group: &[Segment], piece: &[Record], written: &[PathBuf]) -> PathBuf {
+    let shots: BTreeSet<i64> = piece.iter().map(|record| record.shot).collect();
+    let is_free = |path: &PathBuf| match group.iter().find(|segment| segment.path == *path) {
+        _ if written.contains(path) => false,
+        Some(own) => own.shots.iter().all(|shot| *shot < 0 || shots.contains(shot)),
+        None => !path.exists(),
+    };
+    let first = piece[0].shot;
+    let suffixes = (2..).map(|number| format!("_{number}"));
+    let mut names = std::iter::once(String::new())
+        .chain(suffixes)
+        .map(|suffix| folder.join(format!("velocity_{first:06}{suffix}.nc")));
+    names.find(is_free).unwrap_or_default()
+}
+
+/// Writes one merged file, with the time of the oldest of its group.
+fn write_piece(path: &Path, group: &[Segment], piece: &[Record]) -> Result<(), ArchiveError> {
     let oldest = group.iter().min_by_key(|segment| segment.sealed);
-    let bytes = group.iter().map(|segment| segment.bytes).sum::<u64>();
+    let records = piece.iter().map(|record| record.bytes).sum::<u64>();
+    // What a file has beside its records, it has once more.
+    let bytes = records + group.iter().map(|segment| segment.bytes).min().unwrap_or_default();
     let (memory, merged) = MemoryFile::create(MEMORY_FACTOR * bytes, create)
-        .map_err(ArchiveError::io("write", &path))?;
+        .map_err(ArchiveError::io("write", path))?;
     let first_stored = oldest.and_then(|segment| segment.first_stored);
     merged
-        .and_then(|merged| write(merged, group, &shots, first_stored))
-        .map_err(ArchiveError::netcdf(&path))?;
-    memory.write_part(&path)?;
+        .and_then(|merged| write(merged, group, piece, first_stored))
+        .map_err(ArchiveError::netcdf(path))?;
+    memory.write_part(path)?;
     if let Some(oldest) = oldest {
-        let part = part_path(&path);
+        let part = part_path(path);
         File::options()
             .append(true)
             .open(&part)
             .and_then(|file| file.set_modified(oldest.sealed))
             .map_err(ArchiveError::io("set the time of", part))?;
     }
-    seal(&path)?;
-    for merged in group.iter().map(|segment| &segment.path).filter(|merged| **merged != path) {
-        fs::remove_file(merged).map_err(ArchiveError::io("remove", merged))?;
-    }
-    Ok(())
+    seal(path)
 }
 
-/// Writes the shots of a group in their order.
+/// Writes records of a group in their order.
 fn write(
     mut merged: FileMut,
     group: &[Segment],
-    shots: &BTreeSet<i64>,
+    piece: &[Record],
     first_stored: Option<u64>,
 ) -> netcdf::Result<()> {
     define(&mut merged, &group[0].path, group.len(), first_stored)?;
-    let places: BTreeMap<i64, usize> = shots.iter().copied().zip(0..).collect();
-    let mut open = places.clone();
-    for segment in group {
-        // Of a shot that is there twice, the first one is taken.
-        let records = segment.shots.iter().enumerate();
-        let taken: Vec<(usize, usize)> =
-            records.filter_map(|(record, shot)| Some((record, open.remove(shot)?))).collect();
-        copy_records(&mut merged, &segment.path, &taken)?;
+    for (number, segment) in group.iter().enumerate() {
+        let records = piece.iter().enumerate().filter(|(_, record)| record.segment == number);
+        let mut places: Vec<(usize, usize)> =
+            records.map(|(place, record)| (record.record, place)).collect();
+        places.sort_unstable();
+        copy_records(&mut merged, &segment.path, &places)?;
     }
     merged.close()
 }

@@ -4,6 +4,8 @@
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
 //! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files);
 //!   [`merge_segments`] makes few files of many segments.
+//! - [`StoredShots`]: the vectors of a run, shot by shot; [`write_csv`], [`write_tecplot`], [`Hdf5File`] put
+//!   them into the formats of other programs.
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
 //!   volumes of any program.
 //!
@@ -13,17 +15,21 @@
 
 mod durable;
 mod error;
+mod exported;
 mod fit_variables;
 mod grey_tiff;
 mod merge;
 mod netcdf_file;
 mod netcdf_open;
 mod pair_folder;
+mod pair_results;
 mod paraview;
 mod shot_result;
 mod shot_time;
+mod statistics_file;
 mod store;
 mod stored;
+mod stored_shots;
 #[cfg(test)]
 mod test_data;
 mod velocity_file;
@@ -31,6 +37,7 @@ mod volume_file;
 
 pub use durable::replace as write_replacing;
 pub use error::ArchiveError;
+pub use exported::{Hdf5File, write_csv, write_tecplot};
 pub use grey_tiff::{
     FileDepth, ImageSize, read_grey_tiff, read_grey_tiff_of_any_size, write_grey_tiff,
 };
@@ -39,7 +46,9 @@ pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, VtiSource, write_vti};
 pub use shot_result::{RawLevel, ShotResult};
 pub use shot_time::ShotTime;
+pub use statistics_file::write_statistics;
 pub use store::ResultStore;
 pub use stored::{StoredResults, stored_configuration, stored_vectors};
+pub use stored_shots::{StoredShot, StoredShots};
 pub use velocity_file::write_velocity;
 pub use volume_file::{read_volumes, write_volumes};

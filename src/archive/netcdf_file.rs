@@ -11,13 +11,13 @@ use super::{ArchiveError, durable::MemoryFile, netcdf_open::create};
 const VERSION: &str = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
 
 /// Names and meaning of one variable.
-pub(super) struct Described {
+pub(super) struct Described<'a> {
     /// NetCDF name.
-    pub name: &'static str,
+    pub name: &'a str,
     /// UDUNITS unit; "1" for a plain number.
-    pub units: &'static str,
+    pub units: &'a str,
     /// One line for the reader.
-    pub long_name: &'static str,
+    pub long_name: &'a str,
 }
 
 /// Stands for a number that is not known: the library's own, outside of every range.
@@ -236,7 +236,7 @@ pub(super) fn history_line(done: &str) -> String {
     format!("{} {done} by {VERSION}", now.unwrap_or_default())
 }
 
-fn axis(name: &'static str) -> Described {
+fn axis(name: &'static str) -> Described<'static> {
     let long_name = match name {
         "x" => "x in the world frame",
         "y" => "y in the world frame",

@@ -129,7 +129,7 @@ impl ResultStore {
     }
 
     /// Stores the result of one shot. Seals the open segment when its time has come, or when the
-    /// forward model or the time between the pulses is another: a file tells of one.
+    /// forward model is another: a file tells of one.
     ///
     /// Shots may come in any order, each once. The `.vti` can be read on return; the NetCDF
     /// record once its segment is sealed.

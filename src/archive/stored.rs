@@ -107,7 +107,7 @@ pub(super) fn segments(folder: &Path, ending: &str) -> Result<Vec<PathBuf>, Arch
     Ok(paths)
 }
 
-fn missing(variable: &str) -> netcdf::Error {
+pub(super) fn missing(variable: &str) -> netcdf::Error {
     netcdf::Error::NotFound(variable.to_owned())
 }
 

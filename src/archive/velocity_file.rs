@@ -88,15 +88,15 @@ const SECONDS: [(Described, PerStage); 4] = [
     }),
 ];
 
-const fn velocity(name: &'static str, long_name: &'static str) -> Described {
+const fn velocity(name: &'static str, long_name: &'static str) -> Described<'static> {
     Described { name, units: "m s-1", long_name }
 }
 
-const fn rate(name: &'static str, long_name: &'static str) -> Described {
+const fn rate(name: &'static str, long_name: &'static str) -> Described<'static> {
     Described { name, units: "s-1", long_name }
 }
 
-const fn seconds(name: &'static str, long_name: &'static str) -> Described {
+const fn seconds(name: &'static str, long_name: &'static str) -> Described<'static> {
     Described { name, units: "s", long_name }
 }
 
@@ -157,13 +157,12 @@ const FULL_BYTES: u64 = 32 << 20;
 pub(super) struct VelocityFile {
     file: NetCdfFile,
     grid: VectorGrid,
-    dt_s: f64,
     model: Arc<ModelChoice>,
     shots: usize,
 }
 
 impl VelocityFile {
-    /// Creates the file for results on the grid, with the dt and by the model of `like`.
+    /// Creates the file for results on the grid and by the model of `like`.
     pub fn create(
         path: &Path,
         configuration: &str,
@@ -180,8 +179,7 @@ impl VelocityFile {
         file.add::<i64>(&SHOT, &["shot"])?;
         add_time(&mut file)?;
         file.add_flag(&RAW_LEVEL, &["shot"], RAW_LEVELS)?;
-        file.add::<f64>(&DT, &[])?;
-        file.put("dt", &[like.dt_s])?;
+        file.add::<f64>(&DT, &["shot"])?;
         for (described, _) in &FIELDS {
             file.add_with_gaps(described, &VECTORS)?;
         }
@@ -203,23 +201,24 @@ impl VelocityFile {
         if let Some(fit) = fit {
             fit_variables::define(&mut file, fit)?;
         }
-        Ok(Self { file, grid: like.grid.clone(), dt_s: like.dt_s, model, shots: 0 })
+        Ok(Self { file, grid: like.grid.clone(), model, shots: 0 })
     }
 
-    /// Whether a result may be added: all in a file have the same model and dt.
+    /// Whether a result may be added: all in a file have the same model.
     pub fn suits(&self, result: &ShotResult) -> bool {
-        self.model == result.measured.model && self.dt_s == result.measured.field.dt_s
+        self.model == result.measured.model
     }
 
     /// Adds one shot.
     pub fn append(&mut self, shot: u64, result: &ShotResult) -> Result<(), ArchiveError> {
         let measured = &result.measured;
         let field = &measured.field;
-        if field.grid != self.grid || field.dt_s != self.dt_s {
+        if field.grid != self.grid {
             return Err(ArchiveError::GridChanged { shot, path: self.file.path().into() });
         }
         let record = self.shots;
         self.put_time(record, result.time)?;
+        self.file.put_record(DT.name, record, &[field.dt_s])?;
         self.file.put_record("raw_level", record, &[result.raw as i8])?;
         for (described, value_of) in &FIELDS {
             let values: Vec<f32> = (0..self.grid.len()).map(|i| value_of(field, i)).collect();

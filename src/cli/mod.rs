@@ -1,5 +1,5 @@
-//! The command line: `lfpiv check | timing | simulate | calibrate | process | correlate | run |
-//! replay | compare | export | sim-bench | devices | doctor | bench | peers`.
+//! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | correlate | run |
+//! replay | compare | statistics | export | merge | sim-bench | devices | doctor | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line, 3 when
@@ -17,14 +17,18 @@ mod devices;
 mod doctor;
 #[cfg(feature = "aravis")]
 mod drive;
+mod examples;
 mod export;
 mod finding;
+mod init;
 mod instruments;
 mod ledger_file;
 pub mod logging;
 mod losses;
+mod merge;
 mod operator;
 pub mod output;
+mod plan;
 mod process;
 mod process_jobs;
 mod process_run;
@@ -38,9 +42,11 @@ mod run_folder;
 mod run_info;
 mod run_processor;
 mod service;
+mod shot_range;
 mod sim_bench;
 mod simulate;
 mod solver;
+mod statistics;
 mod stop;
 mod streamed;
 mod timing;
@@ -48,7 +54,7 @@ mod volume_reader;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub use beside::BesideArgs;
 pub use calibrate::CalibrateArgs;
@@ -57,11 +63,15 @@ pub use compare::CompareArgs;
 pub use correlate::CorrelateArgs;
 pub use doctor::DoctorArgs;
 pub use export::ExportArgs;
+pub use init::InitArgs;
+pub use merge::MergeArgs;
+pub use plan::PlanArgs;
 pub use process::ProcessArgs;
 pub use replay::ReplayArgs;
 pub use run::RunArgs;
 pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
+pub use statistics::StatisticsArgs;
 pub use streamed::Streamed;
 pub use timing::TimingArgs;
 pub use volume_reader::ReadVolumesArgs;
@@ -76,8 +86,12 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Write a commented configuration, from what is asked about the bench.
+    Init(InitArgs),
     /// Check a configuration and print what will be done with it.
     Check(CheckArgs),
+    /// How well a bench will measure, before it is built, and what would improve it most.
+    Plan(PlanArgs),
     /// Draw the timing diagram of a configuration, as text and as SVG.
     Timing(TimingArgs),
     /// Make image pairs of a known flow by ray tracing.
@@ -94,8 +108,12 @@ enum Command {
     Replay(ReplayArgs),
     /// Hold the results of a run played again against those of the run.
     Compare(CompareArgs),
-    /// Make image files of a recorded run's shots.
+    /// Mean, fluctuations, Reynolds stresses of a run, how sure they are, and how far fluctuations reach.
+    Statistics(StatisticsArgs),
+    /// Write a run's images or vectors in the files of other programs.
     Export(ExportArgs),
+    /// Make few NetCDF files of the many that a run has sealed under way.
+    Merge(MergeArgs),
     /// Put simulated instruments at the ends of real wires, for a daemon to run.
     SimBench(SimBenchArgs),
     /// List the cameras on the network.
@@ -118,10 +136,13 @@ const DAMAGED: u8 = 3;
 
 /// Parses the command line, does what it says and reports errors.
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let matches = examples::with_examples(Cli::command()).get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     logging::start();
     let done = match cli.command {
+        Command::Init(args) => init::init(&args),
         Command::Check(args) => check::check(&args),
+        Command::Plan(args) => plan::plan(&args),
         Command::Timing(args) => timing::timing(&args),
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Calibrate(args) => calibrate::calibrate(&args),
@@ -130,7 +151,9 @@ pub fn main() -> ExitCode {
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay_run(&args),
         Command::Compare(args) => compare::compare_runs(&args),
+        Command::Statistics(args) => statistics::statistics(&args),
         Command::Export(args) => export::export(&args),
+        Command::Merge(args) => merge::merge(&args),
         Command::SimBench(args) => sim_bench::sim_bench(&args),
         Command::Devices => devices::devices(),
         Command::Doctor(args) => doctor::doctor(&args),

@@ -1,6 +1,9 @@
 //! `lfpiv process`: recorded or imported image pairs to velocity.
 
-use std::path::{Path, PathBuf};
+use std::{
+    collections::HashMap,
+    path::{Path, PathBuf},
+};
 
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
@@ -101,10 +104,11 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         tracing::error!("{failure}");
     }
     let bar = progress_bar(jobs.iter().filter(|job| !job.is_done).count(), "pairs");
-    let path_of = |number: u64| format!("{}/{VTI}", jobs[number as usize].name);
+    let names: HashMap<u64, &str> = jobs.iter().map(|job| (job.shot, job.name.as_str())).collect();
+    let path_of = |shot: u64| format!("{}/{VTI}", names.get(&shot).copied().unwrap_or_default());
     let (mut series, mut finished, mut looked) = (VtiSeries::new(path_of), 0_usize, 0_usize);
     let mut full = None;
-    for (number, job) in (0..).zip(&jobs) {
+    for job in &jobs {
         if stop.is_cancelled() {
             break;
         }
@@ -127,7 +131,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
             bar.inc(1);
         }
         finished += 1;
-        series.push(number, None);
+        series.push(job.shot, None);
     }
     bar.finish_and_clear();
     let written = match !series.is_empty() && run.file.config.output.paraview {
@@ -305,12 +309,12 @@ impl Run {
             write_volumes(&folder.join("volumes.nc"), &self.file.text, &volumes)?;
         }
         if self.file.config.output.paraview {
-            let source = VtiSource { shot: 0, utc_s: None, configuration: &self.file.text };
+            let source = VtiSource { shot: job.shot, utc_s: None, configuration: &self.file.text };
             write_vti(&folder.join(VTI), &source, &result.field)?;
         }
         // Last: where this file is, the results are whole.
         let result = ShotResult::from(result);
-        write_velocity(&folder.join("velocity.nc"), &self.file.text, 0, &result)?;
+        write_velocity(&folder.join("velocity.nc"), &self.file.text, job.shot, &result)?;
         Ok(result.measured)
     }
 }

@@ -1,7 +1,7 @@
 //! Which pairs `lfpiv process` is to measure, and which have results already.
 
 use std::{
-    collections::HashMap,
+    collections::{BTreeSet, HashMap},
     ffi::OsString,
     fs,
     io::ErrorKind,
@@ -33,6 +33,8 @@ pub(super) struct Job {
     pub pair: PathBuf,
     pub name: String,
     pub results: PathBuf,
+    /// Its number among the pairs.
+    pub shot: u64,
     /// Its results are there already, and stay.
     pub is_done: bool,
 }
@@ -67,10 +69,30 @@ pub(super) fn jobs(folders: &[PathBuf], out: &Path) -> (Vec<Job>, Vec<String>) {
                 taken.insert(name, other);
                 continue;
             }
-            jobs.push(Job { results: out.join(&name), pair, name, is_done: false });
+            jobs.push(Job { results: out.join(&name), pair, name, shot: 0, is_done: false });
         }
     }
+    number_shots(&mut jobs);
     (jobs, failures)
+}
+
+/// Gives each pair the number at the end of its folder's name, or, where not every name has one of its own,
+/// that of its turn.
+fn number_shots(jobs: &mut [Job]) {
+    let named: Option<Vec<u64>> = jobs.iter().map(|job| last_number(&job.name)).collect();
+    let distinct =
+        |numbers: &Vec<u64>| numbers.iter().collect::<BTreeSet<_>>().len() == numbers.len();
+    let numbers = named.filter(distinct).unwrap_or_else(|| (0..jobs.len() as u64).collect());
+    for (job, shot) in jobs.iter_mut().zip(numbers) {
+        job.shot = shot;
+    }
+}
+
+/// The number that a name ends with.
+fn last_number(name: &str) -> Option<u64> {
+    let digits = name.len() - name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    // A date and a time are no shot number that a file can hold.
+    name[name.len() - digits..].parse().ok().filter(|number| *number <= i64::MAX as u64)
 }
 
 /// Deals with results that are there already; `configuration` is the text that the others will be
@@ -149,6 +171,26 @@ mod tests {
         assert_eq!(jobs.len(), 1);
         assert_eq!(jobs[0].results, Path::new("out/shot_0000"));
         assert!(failures[0].contains("tuesday") && failures[0].contains("monday"), "{failures:?}");
+    }
+
+    #[test]
+    fn pairs_have_the_numbers_of_their_folders_or_of_their_turns() {
+        let numbers = |names: &[&str]| -> Vec<u64> {
+            let job = |name: &&str| Job {
+                pair: PathBuf::new(),
+                name: (*name).to_owned(),
+                results: PathBuf::new(),
+                shot: 9,
+                is_done: false,
+            };
+            let mut jobs: Vec<Job> = names.iter().map(job).collect();
+            number_shots(&mut jobs);
+            jobs.iter().map(|job| job.shot).collect()
+        };
+        assert_eq!(numbers(&["shot_0007", "shot_000012"]), [7, 12]);
+        assert_eq!(numbers(&["b", "a"]), [0, 1]);
+        assert_eq!(numbers(&["a1", "b1", "b2"]), [0, 1, 2]);
+        assert_eq!(numbers(&["99999999999999999999"]), [0]);
     }
 
     #[test]

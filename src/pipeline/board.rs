@@ -12,7 +12,7 @@ use parking_lot::Mutex;
 use serde::Serialize;
 
 use super::{
-    EventKind, EventLog, Gallery, PairTimes,
+    EventKind, EventLog, Gallery, LiveStatistics, PairTimes,
     latency::{Latencies, LatencyQuantiles},
 };
 use crate::{acquisition::Heartbeat, archive::ShotResult};
@@ -127,6 +127,7 @@ pub struct Board {
     pair_times: PairTimes,
     events: EventLog,
     gallery: Gallery,
+    statistics: LiveStatistics,
 }
 
 #[derive(Debug, Default)]
@@ -175,6 +176,11 @@ impl Board {
         &self.gallery
     }
 
+    /// The statistics of the results that were written.
+    pub fn statistics(&self) -> &LiveStatistics {
+        &self.statistics
+    }
+
     /// Records that a worker has started a shot.
     pub fn processing(&self, shot: u64) {
         let mut state = self.state.lock();
@@ -189,6 +195,7 @@ impl Board {
 
     /// Records that a shot was measured and written.
     pub fn done(&self, shot: u64, result: Arc<ShotResult>) -> ShotRecord {
+        self.statistics.add(shot, &result.measured.field);
         self.finish(ShotRecord::of_result(shot, Stage::Done, None, &result), Some(result))
     }
 

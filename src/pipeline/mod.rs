@@ -4,6 +4,7 @@ mod board;
 mod events;
 mod gallery;
 mod latency;
+mod live_statistics;
 mod monotonic;
 mod pair_times;
 mod pool;
@@ -15,6 +16,7 @@ pub use board::{Board, Lookup, PoolCounts, RESULTS_IN_MEMORY, ShotRecord, Stage,
 pub use events::{Batch, EVENTS_IN_MEMORY, Event, EventKind, EventLog};
 pub use gallery::{Gallery, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES};
 pub use latency::LatencyQuantiles;
+pub use live_statistics::LiveStatistics;
 pub use monotonic::monotonic;
 pub use pair_times::{HungPair, PairTimes};
 pub use pool::{Pool, PoolError, PoolLinks, PoolSettings};

@@ -10,6 +10,7 @@
 //! | `GET /api/v1/results/{n}` | read | the result of shot n, or of `latest` |
 //! | `GET /api/v1/results/{n}/volumes/{a,b}` | read | a frame's volume, as bytes |
 //! | `GET /api/v1/results/{n}/projections/{a,b}/{xy,xz,yz}.png` | read | its shadows |
+//! | `GET /api/v1/statistics` | read | what the shots so far say together |
 //! | `GET /api/v1/control` | read | what can be controlled |
 //! | `POST /api/v1/control/{start,stop,arm,disarm,dt,note}` | control | see [`control`] |
 //! | `GET /metrics` | read | counters and gauges in OpenMetrics text |
@@ -41,6 +42,7 @@ mod schemas;
 mod seats;
 mod shots;
 mod state;
+mod statistics;
 mod status;
 mod work;
 
@@ -104,6 +106,7 @@ fn routes() -> (Routes, utoipa::openapi::OpenApi) {
         .routes(routes!(shots::one))
         .routes(routes!(frames::preview))
         .routes(routes!(results::one))
+        .routes(routes!(statistics::statistics))
         .routes(routes!(light::volume))
         .routes(routes!(light::projection))
         .routes(routes!(control::show))

@@ -7,7 +7,7 @@ use axum::{
 };
 use lfpiv_core::{
     reconstruction::ModelFit,
-    velocimetry::{StageSeconds, VectorStatus},
+    velocimetry::{StageSeconds, VectorGrid, VectorStatus},
 };
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
@@ -58,6 +58,17 @@ pub(super) struct GridView {
     order: &'static str,
 }
 
+impl GridView {
+    pub fn new(grid: &VectorGrid) -> Self {
+        Self {
+            vectors_xyz: grid.vectors,
+            first_mm: grid.first_mm,
+            spacing_mm: grid.spacing_mm,
+            order: "z, y, x (x fastest)",
+        }
+    }
+}
+
 /// A result as JSON: one element per vector in every array; null where a vector is invalid, and where its
 /// derivatives are not known.
 #[derive(Debug, Serialize, ToSchema)]
@@ -99,12 +110,7 @@ impl<'a> ResultView<'a> {
             time: *time,
             dt_s: field.dt_s,
             voxel_mm: field.voxel_mm,
-            grid: GridView {
-                vectors_xyz: field.grid.vectors,
-                first_mm: field.grid.first_mm,
-                spacing_mm: field.grid.spacing_mm,
-                order: "z, y, x (x fastest)",
-            },
+            grid: GridView::new(&field.grid),
             valid_share: field.valid_share(),
             warnings: &measured.warnings,
             model_fit: measured.fit.as_ref(),

@@ -53,7 +53,7 @@ async fn every_documented_endpoint_is_there_and_takes_no_other_method() {
     let (server, _) = busy_server().await;
     let document = document(&server).await;
     let operations = operations(&document);
-    assert_eq!(operations.len(), 21, "{operations:?}");
+    assert_eq!(operations.len(), 22, "{operations:?}");
     for (method, path) in &operations {
         let address = filled(path);
         assert!(!address.contains('{'), "{address}");
@@ -87,6 +87,8 @@ async fn answers_are_as_their_schemas_say() {
         ("/api/v1/results/latest".to_owned(), "/api/v1/results/{shot}"),
         ("/api/v1/results/0".to_owned(), "/api/v1/results/{shot}"),
         ("/api/v1/results/x".to_owned(), "/api/v1/results/{shot}"),
+        ("/api/v1/statistics".to_owned(), "/api/v1/statistics"),
+        ("/api/v1/statistics?quantities=all".to_owned(), "/api/v1/statistics"),
         ("/api/v1/control".to_owned(), "/api/v1/control"),
     ] {
         let answer = server.get(&address).await;

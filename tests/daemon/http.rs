@@ -114,6 +114,26 @@ async fn a_result_is_json_or_bytes() {
     assert_eq!(server.get(&path).await.json(), latest);
 }
 
+#[tokio::test]
+async fn statistics_are_those_of_the_shots_so_far() {
+    let (server, done) = busy_server().await;
+    let brief = server.get("/api/v1/statistics").await.json();
+    assert_eq!((&brief["shots"], &brief["maps"]), (&done.into(), &serde_json::json!([])));
+    // The second vector is invalid in every shot.
+    assert_eq!(brief["samples"], serde_json::json!([done, 0]));
+    let path = "/api/v1/statistics?quantities=v_mean,uv";
+    let statistics = server.get(path).await.json();
+    let [mean, stress] = [0, 1].map(|map| statistics["maps"][map].clone());
+    assert_eq!((&mean["quantity"], &mean["unit"]), (&"v_mean".into(), &"m/s".into()));
+    assert_eq!(mean["value"], serde_json::json!([-2.0, null]));
+    let per_shot = mean["measurement_uncertainty"][0].as_f64().unwrap() * (done as f64).sqrt();
+    assert!((per_shot - 0.5).abs() < 1e-4, "{per_shot}");
+    assert_eq!((&stress["unit"], &stress["value"][0]), (&"m2/s2".into(), &0.0.into()));
+    assert_eq!(statistics["convergence"].as_array().unwrap().last().unwrap()["shots"], done);
+    let refused = server.get("/api/v1/statistics?quantities=u_mean,warp").await;
+    assert!(refused.error(400).contains("'warp' is no quantity"));
+}
+
 /// Reads the bytes by the documented offsets.
 fn check_layout(bytes: &[u8], shot: u64) {
     let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());

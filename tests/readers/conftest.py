@@ -1,11 +1,13 @@
-"""Results of the real binary: two simulated pairs of a uniform flow, measured."""
+"""Results of the real binary: simulated pairs of a uniform flow, measured, and a recorded run."""
 
 import json
 import os
 import subprocess
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -48,3 +50,30 @@ def measured(tmp_path_factory):
 @pytest.fixture(scope="session")
 def configuration():
     return CONFIG.read_text()
+
+
+RUN_SHOTS = 3
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run's folder and configuration, and when it was under way."""
+
+    folder: Path
+    configuration: Path
+    began: np.datetime64
+    ended: np.datetime64
+
+
+@pytest.fixture(scope="session")
+def run(tmp_path_factory):
+    root = tmp_path_factory.mktemp("run")
+    text = CONFIG.read_text()
+    assert 'dir = "results"' in text
+    configuration = root / "run.toml"
+    configuration.write_text(text.replace('dir = "results"', f'dir = "{root / "results"}"'))
+    began = np.datetime64(time.time_ns(), "ns")
+    lfpiv("run", "--config", configuration, "--shots", RUN_SHOTS)
+    ended = np.datetime64(time.time_ns(), "ns")
+    [series] = (root / "results").rglob("velocity.vti.series")
+    return Run(series.parent, configuration, began, ended)

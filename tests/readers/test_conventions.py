@@ -6,17 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from conftest import CONFIG, lfpiv
-
-
-@pytest.fixture(scope="module")
-def run(tmp_path_factory):
-    """Segments of a run of two shots."""
-    folder = tmp_path_factory.mktemp("conventions")
-    text = CONFIG.read_text().replace('dir = "results"', f'dir = "{folder / "results"}"')
-    (folder / "run.toml").write_text(text)
-    lfpiv("run", "--config", folder / "run.toml", "--shots", 2)
-    return folder / "results"
+from conftest import lfpiv
 
 
 def mistakes(path, tmp_path):
@@ -37,7 +27,12 @@ def test_the_files_of_a_pair_keep_the_conventions(name, measured, tmp_path):
 
 
 def test_the_segments_of_a_run_keep_the_conventions(run, tmp_path):
-    segments = list(run.rglob("velocity_*.nc"))
+    segments = list(run.folder.glob("velocity_*.nc"))
     assert segments
     for segment in segments:
         assert mistakes(segment, tmp_path) == [], segment
+
+
+def test_statistics_keep_the_conventions(run, tmp_path):
+    lfpiv("statistics", run.folder, "--out", tmp_path / "statistics.nc")
+    assert mistakes(tmp_path / "statistics.nc", tmp_path) == []

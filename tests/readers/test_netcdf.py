@@ -57,7 +57,8 @@ def test_every_variable_has_its_dimensions_and_units(velocity):
         assert (velocity[name] > 0).all(), name
     for axis in "xyz":
         assert velocity[axis].attrs["units"] == "mm", axis
-    assert float(velocity["dt"]) == 1e-4
+    assert velocity["dt"].dims == ("shot",)
+    assert velocity["dt"].values.tolist() == [1e-4]
     assert velocity["dt"].attrs["units"] == "s"
 
 

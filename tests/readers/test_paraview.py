@@ -55,7 +55,7 @@ def test_invalid_vectors_are_hidden_and_nan(both):
 
 def test_the_file_says_where_it_comes_from(both, configuration):
     image, dataset = both
-    assert image.field_data["dt_s"][0] == float(dataset["dt"])
+    assert image.field_data["dt_s"][0] == dataset["dt"].item()
     assert image.field_data["source"][0] == dataset.attrs["source"]
     assert image.field_data["configuration"][0] == configuration
 

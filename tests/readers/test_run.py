@@ -1,50 +1,22 @@
 """What `lfpiv run` leaves behind: sealed NetCDF segments, a file per shot, the configuration."""
 
 import json
-import time
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import pytest
 import pyvista
 import xarray
-from conftest import CONFIG, lfpiv
-
-SHOTS = 2
-
-
-@pytest.fixture(scope="module")
-def configuration(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("run")
-    text = CONFIG.read_text()
-    assert 'dir = "results"' in text
-    path = folder / "run.toml"
-    path.write_text(text.replace('dir = "results"', f'dir = "{folder / "results"}"'))
-    return path
-
-
-@dataclass(frozen=True)
-class Run:
-    """A run's folder, and when it was under way."""
-
-    folder: Path
-    began: np.datetime64
-    ended: np.datetime64
-
-
-@pytest.fixture(scope="module")
-def run(configuration):
-    began = np.datetime64(time.time_ns(), "ns")
-    lfpiv("run", "--config", configuration, "--shots", SHOTS)
-    ended = np.datetime64(time.time_ns(), "ns")
-    [series] = (configuration.parent / "results").rglob("velocity.vti.series")
-    return Run(series.parent, began, ended)
+from conftest import RUN_SHOTS as SHOTS
 
 
 @pytest.fixture(scope="module")
 def folder(run):
     return run.folder
+
+
+@pytest.fixture(scope="module")
+def configuration(run):
+    return run.configuration
 
 
 @pytest.fixture
@@ -103,6 +75,14 @@ def test_the_series_has_the_times_of_the_shots(folder, times):
     for shot, entry in enumerate(listed):
         seconds = (times[shot] - np.datetime64(0, "s")) / np.timedelta64(1, "s")
         assert abs(entry["time"] - seconds) < 1e-6
+
+
+def test_vtk_finds_the_time_of_each_shot(folder, times):
+    for shot, expected in times.items():
+        reader = pyvista.get_reader(folder / f"shot_{shot:06}.vti")
+        [seconds] = reader.read().field_data["TimeValue"]
+        expected = (expected - np.datetime64(0, "s")) / np.timedelta64(1, "s")
+        assert abs(seconds - expected) < 1e-6
 
 
 def test_the_ledger_has_the_time_of_what_went_wrong(folder):

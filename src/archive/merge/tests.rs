@@ -61,7 +61,7 @@ fn segments_become_one_file_sorted_by_shot_with_every_number_in_place() {
     let file = netcdf::open(root.path().join("velocity_000000.nc")).unwrap();
     let history = file.attribute("history").unwrap().value().unwrap();
     assert!(format!("{history:?}").contains("3 segments merged"), "{history:?}");
-    assert_eq!(file.variable("dt").unwrap().get_values::<f64, _>(..).unwrap(), [1e-4]);
+    assert_eq!(file.variable("dt").unwrap().get_values::<f64, _>(..).unwrap(), [1e-4; 6]);
 }
 
 #[test]
@@ -114,6 +114,37 @@ fn merged_files_are_bounded() {
     let bytes = fs::metadata(root.path().join("velocity_000000.nc")).unwrap().len();
     merge_within(root.path(), Bounds { shots: 99, bytes }, || true).unwrap();
     assert_eq!(files(root.path()), expected, "none fits with another");
+}
+
+#[test]
+fn files_follow_each_other_where_segments_lie_between_each_others_shots() {
+    let root = run(&[&[0, 2, 4, 6, 8, 10], &[1, 3, 5, 7, 9], &[11, 12]]);
+    let before = stored_vectors(root.path()).unwrap();
+    let bounds = Bounds { shots: 4, bytes: u64::MAX };
+    for _ in 0..2 {
+        merge_within(root.path(), bounds, || true).unwrap();
+        let mut shots: Vec<Vec<i64>> =
+            files(root.path()).into_iter().map(|(_, shots)| shots).collect();
+        shots.sort();
+        let expected: [&[i64]; 4] = [&[0, 1, 2, 3], &[4, 5, 6, 7], &[8, 9, 10], &[11, 12]];
+        assert_eq!(shots, expected);
+        assert_eq!(stored_vectors(root.path()).unwrap(), before);
+    }
+}
+
+#[test]
+fn shots_with_other_times_between_the_pulses_are_in_one_file() {
+    let root = tempfile::tempdir().unwrap();
+    let mut store = ResultStore::create(root.path(), "").unwrap();
+    for (shot, dt_s) in [(0, 1e-4), (1, 2e-4), (2, 1e-4)] {
+        let mut result = numbered(shot);
+        result.measured.field.dt_s = dt_s;
+        store.append(shot, &result).unwrap();
+    }
+    store.close().unwrap();
+    let file = netcdf::open(root.path().join("velocity_000000.nc")).unwrap();
+    let dt_s = file.variable("dt").unwrap().get_values::<f64, _>(..).unwrap();
+    assert_eq!(dt_s, [1e-4, 2e-4, 1e-4]);
 }
 
 #[test]

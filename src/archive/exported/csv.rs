@@ -1,0 +1,45 @@
+//! Comma-separated values: a line for each vector.
+
+use std::{io::Write, path::Path};
+
+use super::{QUANTITIES, numbers};
+use crate::archive::{ArchiveError, StoredShot, durable::replace};
+
+const PLACE: &str = "shot,time_s,dt_s,x_mm,y_mm,z_mm";
+const NAMES: [&str; QUANTITIES] = [
+    "u_m_s",
+    "v_m_s",
+    "w_m_s",
+    "u_uncertainty_m_s",
+    "v_uncertainty_m_s",
+    "w_uncertainty_m_s",
+    "valid",
+    "replaced",
+    "peak_ratio",
+    "vorticity_x_per_s",
+    "vorticity_y_per_s",
+    "vorticity_z_per_s",
+    "divergence_per_s",
+];
+
+/// Writes the vectors of one shot, replacing an older file. The first line has the names of the columns, with
+/// their units; a field is empty where a vector has no such number. `time_s` is UTC in seconds since 1970.
+pub fn write_csv(path: &Path, shot: &StoredShot) -> Result<(), ArchiveError> {
+    replace(path, |writer| {
+        writeln!(writer, "{PLACE},{}", NAMES.join(","))?;
+        let time = shot.time_s.map_or(String::new(), |time_s| format!("{time_s:.6}"));
+        for index in 0..shot.grid.len() {
+            // Sums of spacings have digits that mean nothing.
+            let [x, y, z] = shot.grid.position_mm(index).map(|mm| (mm * 1e6).round() / 1e6);
+            write!(writer, "{},{time},{:e},{x},{y},{z}", shot.shot, shot.dt_s)?;
+            for number in numbers(shot, index) {
+                match number.is_nan() {
+                    true => write!(writer, ",")?,
+                    false => write!(writer, ",{number}")?,
+                }
+            }
+            writeln!(writer)?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,42 @@
+//! Vectors in the formats of other programs: [`write_csv`], [`write_tecplot`], [`Hdf5File`].
+//!
+//! The first two have a file for each shot. Places and velocities are in the units that a file names or, in
+//! Tecplot's, whose names are those of the axes, in SI units.
+
+mod csv;
+mod hdf5;
+mod tecplot;
+
+pub use csv::write_csv;
+pub use hdf5::Hdf5File;
+pub use tecplot::write_tecplot;
+
+use super::StoredShot;
+use lfpiv_core::velocimetry::VectorStatus;
+
+/// What every vector has beside its place.
+const QUANTITIES: usize = 13;
+
+/// The numbers of a vector: velocity, its standard uncertainty, whether it is measured, whether interpolated,
+/// peak ratio, vorticity, divergence. What it does not have is NaN.
+fn numbers(shot: &StoredShot, index: usize) -> [f32; QUANTITIES] {
+    let is = |wanted: VectorStatus| f32::from(u8::from(shot.status[index] == wanted));
+    let [u, v, w] = shot.velocity_m_s[index];
+    let [su, sv, sw] = shot.uncertainty_m_s[index];
+    let [ox, oy, oz] = shot.vorticity_per_s[index];
+    [
+        u,
+        v,
+        w,
+        su,
+        sv,
+        sw,
+        is(VectorStatus::Valid),
+        is(VectorStatus::Replaced),
+        shot.peak_ratio[index],
+        ox,
+        oy,
+        oz,
+        shot.divergence_per_s[index],
+    ]
+}

@@ -1,0 +1,278 @@
+//! The vectors of a folder of results, shot by shot, as they were measured.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    path::{Path, PathBuf},
+};
+
+use lfpiv_core::velocimetry::{VectorGrid, VectorStatus};
+
+use super::{
+    ArchiveError,
+    netcdf_file::FILL_F64,
+    netcdf_open::open,
+    pair_results::pair_results,
+    stored::{missing, records_of, segments, stored_configuration},
+};
+
+/// A stored result, in SI units but for places. Every array is in the order z, y, x (x fastest); what a
+/// vector does not have is NaN.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StoredShot {
+    /// Shot number.
+    pub shot: u64,
+    /// UTC of its trigger in seconds since 1970, where it is known.
+    pub time_s: Option<f64>,
+    /// Time between the frames, in s.
+    pub dt_s: f64,
+    /// Where the vectors are.
+    pub grid: VectorGrid,
+    /// Velocity along x, y, z, in m/s.
+    pub velocity_m_s: Vec<[f32; 3]>,
+    /// Its standard uncertainty, in m/s.
+    pub uncertainty_m_s: Vec<[f32; 3]>,
+    /// What each vector is worth.
+    pub status: Vec<VectorStatus>,
+    /// Highest over second highest correlation peak.
+    pub peak_ratio: Vec<f32>,
+    /// Vorticity, in 1/s.
+    pub vorticity_per_s: Vec<[f32; 3]>,
+    /// Divergence, in 1/s.
+    pub divergence_per_s: Vec<f32>,
+}
+
+/// The shots with stored results in a folder: that of a run, or one that `lfpiv process` has written pairs'
+/// results to.
+#[derive(Debug)]
+pub struct StoredShots {
+    /// Where each shot is.
+    places: BTreeMap<u64, Place>,
+}
+
+#[derive(Debug, Clone)]
+struct Place {
+    path: PathBuf,
+    record: usize,
+}
+
+impl StoredShots {
+    /// Looks through `folder`. Only sealed files count. A shot that is there twice counts once.
+    ///
+    /// # Errors
+    /// The folder or a file cannot be read.
+    pub fn find(folder: &Path) -> Result<Self, ArchiveError> {
+        let files = segments(folder, ".nc")?;
+        if !files.is_empty() {
+            let mut places = BTreeMap::new();
+            for path in files {
+                for (record, shot) in records_of(&path)?.into_iter().enumerate() {
+                    let Ok(shot) = u64::try_from(shot) else { continue };
+                    places.entry(shot).or_insert_with(|| Place { path: path.clone(), record });
+                }
+            }
+            return Ok(Self { places });
+        }
+        let (mut numbered, mut places) = (BTreeMap::new(), Vec::new());
+        for path in pair_results(folder)? {
+            for shot in records_of(&path)?.into_iter().filter_map(|shot| u64::try_from(shot).ok()) {
+                let place = Place { path: path.clone(), record: 0 };
+                numbered.insert(shot, place.clone());
+                places.push(place);
+            }
+        }
+        // Earlier versions numbered every pair 0.
+        if numbered.len() < places.len() {
+            numbered = (0..).zip(places).collect();
+        }
+        Ok(Self { places: numbered })
+    }
+
+    /// Number of shots.
+    pub fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.places.is_empty()
+    }
+
+    /// Number of files that they are in.
+    pub fn files(&self) -> usize {
+        self.places.values().map(|place| &place.path).collect::<BTreeSet<_>>().len()
+    }
+
+    /// The configuration with which the first shot was measured, TOML; empty without shots.
+    ///
+    /// # Errors
+    /// Its file cannot be read.
+    pub fn configuration(&self) -> Result<String, ArchiveError> {
+        self.places
+            .values()
+            .next()
+            .map_or(Ok(String::new()), |place| stored_configuration(&place.path))
+    }
+
+    /// The shots' numbers, in order.
+    pub fn shots(&self) -> impl Iterator<Item = u64> {
+        self.places.keys().copied()
+    }
+
+    /// Leaves out the shots that are not wanted.
+    pub fn retain(&mut self, is_wanted: impl Fn(u64) -> bool) {
+        self.places.retain(|shot, _| is_wanted(*shot));
+    }
+
+    /// Reads the shots in their order, one at a time; `take` may end it with an error of its own.
+    ///
+    /// # Errors
+    /// A file cannot be read; what `take` says.
+    pub fn for_each<E: From<ArchiveError>>(
+        &self,
+        mut take: impl FnMut(StoredShot) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut last: Option<(&Path, netcdf::File)> = None;
+        for (shot, Place { path, record }) in &self.places {
+            let unreadable = ArchiveError::unreadable_results(path);
+            let file = match last.take().filter(|(open, _)| *open == path) {
+                Some((_, file)) => file,
+                None => match open(path) {
+                    Ok(file) => file,
+                    Err(reason) => return Err(unreadable(reason).into()),
+                },
+            };
+            let read =
+                read(&file, *shot, *record).map_err(ArchiveError::unreadable_results(path))?;
+            last = Some((path, file));
+            take(read)?;
+        }
+        Ok(())
+    }
+}
+
+fn read(file: &netcdf::File, shot: u64, record: usize) -> netcdf::Result<StoredShot> {
+    let grid = grid_of(file)?;
+    let vectors = |name: &str| -> netcdf::Result<Vec<f32>> {
+        let variable = file.variable(name).ok_or_else(|| missing(name))?;
+        variable.get_values((record, .., .., ..))
+    };
+    let triples = |names: [&str; 3]| -> netcdf::Result<Vec<[f32; 3]>> {
+        let [x, y, z] = names.map(vectors);
+        let (x, y, z) = (x?, y?, z?);
+        Ok((0..x.len()).map(|i| [x[i], y[i], z[i]]).collect())
+    };
+    let (valid, replaced) = (vectors("valid")?, vectors("replaced")?);
+    let status = valid.iter().zip(&replaced).map(|flags| match flags {
+        (1.0, _) => VectorStatus::Valid,
+        (_, 1.0) => VectorStatus::Replaced,
+        _ => VectorStatus::Invalid,
+    });
+    let status: Vec<VectorStatus> = status.collect();
+    // The first files had zeros where there is no vector.
+    let or_nan = |mut values: Vec<[f32; 3]>| {
+        for (value, status) in values.iter_mut().zip(&status) {
+            if *status == VectorStatus::Invalid {
+                *value = [f32::NAN; 3];
+            }
+        }
+        values
+    };
+    Ok(StoredShot {
+        shot,
+        time_s: number(file, "time", record)?.filter(|time_s| *time_s < FILL_F64),
+        dt_s: number(file, "dt", record)?.ok_or_else(|| missing("dt"))?,
+        grid,
+        velocity_m_s: or_nan(triples(["u", "v", "w"])?),
+        uncertainty_m_s: or_nan(triples(["u_uncertainty", "v_uncertainty", "w_uncertainty"])?),
+        peak_ratio: vectors("peak_ratio")?,
+        vorticity_per_s: triples(["vorticity_x", "vorticity_y", "vorticity_z"])?,
+        divergence_per_s: vectors("divergence")?,
+        status,
+    })
+}
+
+/// A number of a shot, or, in files of earlier versions, of all of them; none where it is not in the file.
+fn number(file: &netcdf::File, name: &str, record: usize) -> netcdf::Result<Option<f64>> {
+    let Some(variable) = file.variable(name) else { return Ok(None) };
+    let numbers = variable.get_values::<f64, _>(..)?;
+    Ok(numbers.get(if variable.dimensions().is_empty() { 0 } else { record }).copied())
+}
+
+fn grid_of(file: &netcdf::File) -> netcdf::Result<VectorGrid> {
+    let axis = |name: &str| -> netcdf::Result<Vec<f64>> {
+        file.variable(name).ok_or_else(|| missing(name))?.get_values(..)
+    };
+    let axes = [axis("x")?, axis("y")?, axis("z")?];
+    let spacings = axes.iter().filter(|axis| axis.len() > 1);
+    let spacing_mm =
+        spacings.map(|axis| (axis[axis.len() - 1] - axis[0]) / (axis.len() - 1) as f64);
+    Ok(VectorGrid {
+        vectors: [0, 1, 2].map(|a| axes[a].len()),
+        first_mm: [0, 1, 2].map(|a| axes[a].first().copied().unwrap_or_default()),
+        spacing_mm: spacing_mm.into_iter().next().unwrap_or(1.0),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::archive::{ResultStore, ShotResult, test_data::result, write_velocity};
+
+    fn shots(folder: &Path) -> Vec<StoredShot> {
+        let mut found = Vec::new();
+        let take = |shot| -> Result<(), ArchiveError> {
+            found.push(shot);
+            Ok(())
+        };
+        StoredShots::find(folder).unwrap().for_each(take).unwrap();
+        found
+    }
+
+    #[test]
+    fn shots_come_in_their_order_with_what_was_measured() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::create(root.path(), "").unwrap();
+        for shot in [4, 3, 9] {
+            let mut result = result([4, 3, 2]);
+            result.measured.field.dt_s = 1e-4 * shot as f64;
+            store.append(shot, &result).unwrap();
+            if shot == 3 {
+                store.seal().unwrap();
+            }
+        }
+        store.close().unwrap();
+        let found = shots(root.path());
+        assert_eq!(found.iter().map(|shot| shot.shot).collect::<Vec<_>>(), [3, 4, 9]);
+        let field = result([4, 3, 2]).measured.field;
+        let [shot, ..] = &found[..] else { panic!() };
+        assert!((shot.dt_s - 3e-4).abs() < 1e-12);
+        assert_eq!(shot.time_s, Some(1_700_000_000.25));
+        assert_eq!(shot.status, field.status);
+        for axis in 0..3 {
+            assert_eq!(shot.grid.vectors[axis], field.grid.vectors[axis]);
+            assert!((shot.grid.first_mm[axis] - field.grid.first_mm[axis]).abs() < 1e-9);
+        }
+        assert!((shot.grid.spacing_mm - 0.8).abs() < 1e-9);
+        // A voxel of 0.1 mm in 300 us.
+        let speed = field.displacement_vox[4][1] / 3.0;
+        assert!((shot.velocity_m_s[4][1] - speed).abs() < 1e-6);
+        assert!(shot.velocity_m_s[2].iter().all(|v| v.is_nan()));
+        assert!(shot.divergence_per_s[2].is_nan());
+    }
+
+    #[test]
+    fn pairs_that_were_processed_are_shots_too() {
+        let root = tempfile::tempdir().unwrap();
+        for (shot, name) in [(0, "a"), (1, "b")] {
+            let folder = root.path().join(name);
+            std::fs::create_dir(&folder).unwrap();
+            let imported = ShotResult { time: None, ..result([4, 3, 2]) };
+            write_velocity(&folder.join("velocity.nc"), "", shot, &imported).unwrap();
+        }
+        let found = shots(root.path());
+        assert_eq!(
+            found.iter().map(|shot| (shot.shot, shot.time_s)).collect::<Vec<_>>(),
+            [(0, None), (1, None)]
+        );
+    }
+}

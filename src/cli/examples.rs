@@ -1,0 +1,178 @@
+//! What `--help` shows of each command in use.
+
+use clap::Command;
+
+/// Command, and lines that do something with it, each with a word on what.
+type Example = (&'static str, &'static str);
+
+const EXAMPLES: [(&str, &[Example]); 19] = [
+    (
+        "init",
+        &[
+            ("lfpiv init --out bench.toml", "ask about the optics, write a commented file"),
+            (
+                "lfpiv init --defaults --set focal_length_mm=200 --set f_number=4 --out bench.toml",
+                "ask nothing",
+            ),
+            ("lfpiv init --camera 192.168.10.11 --out bench.toml", "read the sensor's size"),
+        ],
+    ),
+    ("check", &[("lfpiv check --config config/bench.toml", "what is wrong, what could be better")]),
+    (
+        "plan",
+        &[
+            (
+                "lfpiv plan --config config/bench.toml",
+                "the uncertainty over the volume, what would help",
+            ),
+            ("lfpiv plan --config bench.toml --ppm 0.3 --svg plan.svg", "with less seeding, drawn"),
+        ],
+    ),
+    (
+        "timing",
+        &[(
+            "lfpiv timing --config config/jet.toml --svg timing.svg",
+            "when lamps and cameras fire",
+        )],
+    ),
+    (
+        "simulate",
+        &[
+            ("lfpiv simulate --config config/sim.toml --out pairs --shots 3", "three pairs"),
+            (
+                "lfpiv simulate --config config/imperfect.toml --out images --shots 0 --white 5 --dark 5",
+                "white and dark images, for a calibration",
+            ),
+        ],
+    ),
+    (
+        "process",
+        &[
+            (
+                "lfpiv process --config config/sim.toml --out results pairs",
+                "measure pairs of images",
+            ),
+            (
+                "lfpiv process --config config/sim.toml --out results --resume pairs",
+                "what is missing",
+            ),
+            ("lfpiv process results/run-20261121T090000Z", "what a recorded run has not measured"),
+        ],
+    ),
+    (
+        "correlate",
+        &[(
+            "lfpiv correlate --config config/sim.toml --out results volumes.nc",
+            "volumes to vectors",
+        )],
+    ),
+    (
+        "run",
+        &[
+            ("lfpiv run --config config/sim.toml --shots 5", "five shots of the simulated bench"),
+            ("lfpiv run --config bench.toml", "until Ctrl-C; the page is at server.address"),
+        ],
+    ),
+    ("replay", &[("lfpiv replay results/run-20261121T090000Z", "the same, bit for bit?")]),
+    (
+        "compare",
+        &[(
+            "lfpiv compare results/run-20261121T090000Z results/run-20261121T100000Z",
+            "two runs, number by number",
+        )],
+    ),
+    (
+        "statistics",
+        &[
+            (
+                "lfpiv statistics results/run-20261121T090000Z",
+                "all shots; writes statistics.nc there",
+            ),
+            (
+                "lfpiv statistics results/run-20261121T090000Z --shots 100..299 --out later.nc",
+                "some of them",
+            ),
+        ],
+    ),
+    (
+        "export",
+        &[
+            ("lfpiv export results/run-20261121T090000Z --out pairs", "the recorded images, TIFF"),
+            (
+                "lfpiv export results/run-20261121T090000Z --out tables --format csv --shots 0..9",
+                "vectors of ten shots",
+            ),
+        ],
+    ),
+    ("merge", &[("lfpiv merge results/run-20261121T090000Z", "few NetCDF files of many")]),
+    (
+        "sim-bench",
+        &[(
+            "lfpiv sim-bench --config config/loopback-bench.toml",
+            "instruments for a daemon to drive",
+        )],
+    ),
+    ("devices", &[("lfpiv devices", "cameras on the network, their addresses and sensors")]),
+    (
+        "doctor",
+        &[("lfpiv doctor --config bench.toml", "network, disk, clock, serial port, priorities")],
+    ),
+    (
+        "calibrate",
+        &[(
+            "lfpiv calibrate grid --white white/cam1_00.tif --dark dark/cam1_00.tif --out grid.json",
+            "where the micro-images are",
+        )],
+    ),
+    ("bench", &[("lfpiv bench --set speed", "speed against error, in one report")]),
+    ("peers", &[("lfpiv peers --help", "what can be timed beside other programs")]),
+];
+
+/// Adds the examples to the help of every command.
+pub(super) fn with_examples(command: Command) -> Command {
+    EXAMPLES.iter().fold(command, |command, (name, examples)| {
+        if command.find_subcommand(name).is_none() {
+            return command;
+        }
+        command.mut_subcommand(name, |command| command.after_help(text(examples)))
+    })
+}
+
+fn text(examples: &[Example]) -> String {
+    let title = if examples.len() == 1 { "Example:" } else { "Examples:" };
+    let lines = examples.iter().map(|(line, what)| format!("\n  {line}\n      {what}"));
+    format!("{title}{}", lines.collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+    use crate::cli::Cli;
+
+    #[test]
+    fn every_command_has_examples_that_the_command_line_understands() {
+        let command = with_examples(Cli::command());
+        let shown = command.get_subcommands().filter(|command| !command.is_hide_set());
+        for command in shown.map(Command::get_name).filter(|name| *name != "help") {
+            assert!(EXAMPLES.iter().any(|(name, _)| *name == command), "{command} has no example");
+        }
+        for (name, examples) in EXAMPLES {
+            assert!(Cli::command().find_subcommand(name).is_some(), "{name} is no command");
+            for (line, _) in examples {
+                let words = line.split_whitespace();
+                let read = Cli::command().try_get_matches_from(words);
+                assert!(read.is_ok(), "{line}: {}", read.unwrap_err());
+                assert_eq!(line.split_whitespace().nth(1), Some(name), "{line}");
+            }
+        }
+    }
+
+    #[test]
+    fn help_shows_them() {
+        let mut command = with_examples(Cli::command());
+        let help = command.find_subcommand_mut("export").unwrap().render_help().to_string();
+        assert!(help.contains("Examples:\n  lfpiv export results/"), "{help}");
+    }
+}

@@ -1,0 +1,54 @@
+//! `lfpiv export`: a run in the files of other programs, its images or its vectors.
+
+mod images;
+mod vectors;
+
+use std::{ops::RangeInclusive, path::PathBuf};
+
+use clap::ValueEnum;
+
+use super::shot_range::shot_range;
+
+/// Arguments of `lfpiv export`.
+#[derive(Debug, clap::Args)]
+pub struct ExportArgs {
+    /// Folder of the run. Vectors are also taken from a folder that `lfpiv process` has written.
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// Folder for the files.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// What to write.
+    #[arg(long, value_enum, default_value_t = Format::Tiff)]
+    pub format: Format,
+    /// Only these shots: a number, or first and last as A..B.
+    #[arg(long, value_name = "A..B", value_parser = shot_range)]
+    pub shots: Option<RangeInclusive<u64>>,
+}
+
+/// What is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// The recorded images: a folder of TIFF files for each shot, as `lfpiv process` reads them.
+    Tiff,
+    /// The vectors: a file for each shot, a line for each vector, empty where there is no value.
+    Csv,
+    /// The vectors in Tecplot's ASCII format: a file for each shot, SI units.
+    Tecplot,
+    /// The vectors as plain arrays over shot, z, y, x, NaN where there is no value.
+    Hdf5,
+}
+
+/// Writes what is asked for.
+pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
+    match args.format {
+        Format::Tiff => images::export(args),
+        _ => vectors::export(args),
+    }
+}
+
+impl ExportArgs {
+    fn wants(&self, shot: u64) -> bool {
+        self.shots.as_ref().is_none_or(|range| range.contains(&shot))
+    }
+}

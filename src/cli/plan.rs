@@ -1,0 +1,191 @@
+//! `lfpiv plan`: how well a bench will measure, before it is built.
+
+mod changes;
+mod chart;
+
+use std::{fmt::Write as _, fs, path::PathBuf};
+
+use anyhow::{Context, bail};
+use lfpiv_core::{
+    measurement::{Conditions, ForecastPlace, forecast},
+    velocimetry::correlation_error_vox,
+};
+use lfpiv_sim::Scene;
+
+use self::{changes::Change, chart::chart_svg};
+use super::output::{print, progress_bar};
+use crate::config::{Config, ConfigFile, Purpose};
+
+/// Arguments of `lfpiv plan`.
+#[derive(Debug, clap::Args)]
+pub struct PlanArgs {
+    /// Configuration file (TOML). Its [simulation] table has seeding and light: ppm, particle_photoelectrons and
+    /// the sensor.
+    #[arg(long, value_name = "FILE")]
+    pub config: PathBuf,
+    /// Particles per microlens, instead of the configuration's.
+    #[arg(long, value_name = "PPM")]
+    pub ppm: Option<f64>,
+    /// Draw the uncertainty over the volume into this file, too.
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<PathBuf>,
+}
+
+/// Forecasts the uncertainty over the volume, and what would improve it most.
+pub fn plan(args: &PlanArgs) -> anyhow::Result<()> {
+    let config = ConfigFile::load_for(Purpose::Images, &args.config)?.config;
+    let Some(scene) = &config.simulation else {
+        bail!(
+            "{} has no [simulation] table, which says how much light and how many particles there \
+             will be: add one, as config/bench.toml has it",
+            args.config.display()
+        );
+    };
+    let mut conditions = conditions(scene);
+    if let Some(ppm) = args.ppm {
+        if !(ppm > 0.0 && ppm.is_finite()) {
+            bail!("--ppm {ppm}: a seeding is greater than 0");
+        }
+        conditions.ppm = ppm;
+    }
+    let places = forecast(&config.measurement(), &conditions)
+        .with_context(|| format!("{} cannot be planned", args.config.display()))?;
+    print(&report(&config, &conditions, &places))?;
+    print(&improvements(&config, &conditions, &places))?;
+    if let Some(path) = &args.svg {
+        let drawing = chart_svg(&places, metres_per_second_per_voxel(&config));
+        fs::write(path, drawing).with_context(|| format!("cannot write {}", path.display()))?;
+        print(&format!("drawn in {}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// Seeding and light of a scene, in one exposure of the mean camera.
+fn conditions(scene: &Scene) -> Conditions {
+    let gain = scene.sensor.gain_counts_per_electron.max(f64::MIN_POSITIVE);
+    // Steps of a count are noise, too, of a uniform distribution.
+    let step = 1.0 / gain / 12f64.sqrt();
+    Conditions {
+        ppm: scene.ppm,
+        intensity_spread: scene.intensity_spread,
+        photoelectrons: scene.particle_photoelectrons,
+        background_electrons: scene.sensor.background_electrons,
+        read_noise_electrons: scene.sensor.read_noise_electrons.hypot(step),
+    }
+}
+
+fn metres_per_second_per_voxel(config: &Config) -> f64 {
+    config.volume.voxel_mm * 1e3 / config.shot.dt_us
+}
+
+/// The uncertainty in slabs along each axis.
+fn report(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) -> String {
+    let speed = metres_per_second_per_voxel(config);
+    let [u, v, w] = medians(places);
+    let mut text = format!(
+        "Standard uncertainty of a vector to expect at {} particles per microlens: {u:.4}, {v:.4}, {w:.4} \
+         voxel along x, y, z ({:.4}, {:.4}, {:.4} m/s), the median over the volume. From optics, light and \
+         seeding alone: what the flow does between the vectors comes on top.\n",
+        conditions.ppm,
+        u * speed,
+        v * speed,
+        w * speed
+    );
+    if !config.velocimetry.follow_particles {
+        let window_vox = config.velocimetry.window_mm / config.volume.voxel_mm;
+        let in_window =
+            particles_per_mm3(config, conditions) * config.velocimetry.window_mm.powi(3);
+        let windows = correlation_error_vox(window_vox, in_window);
+        let _ = writeln!(
+            text,
+            "follow_particles = false: windows alone add some {windows:.3} voxel in a flow of 10 mm \
+             wavelength."
+        );
+    }
+    for axis in 0..3 {
+        let name = ["x", "y", "z"][axis];
+        let _ = writeln!(text, "\n{:>10}{:>10}{:>10}{:>10}", format!("{name} (mm)"), "u", "v", "w");
+        for (position, [u, v, w]) in slabs(places, axis) {
+            let _ = writeln!(text, "{position:>10.2}{u:>10.4}{v:>10.4}{w:>10.4}");
+        }
+    }
+    text
+}
+
+/// What would improve the worst component most, the best first.
+fn improvements(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) -> String {
+    let before = medians(places);
+    let worst = (0..3).max_by(|a, b| before[*a].total_cmp(&before[*b])).unwrap_or(0);
+    let mut tried: Vec<(f64, Change)> = Vec::new();
+    let changes = changes::changes(config, conditions);
+    let bar = progress_bar(changes.len(), "benches");
+    for change in changes {
+        bar.inc(1);
+        // What cannot be built is no improvement.
+        let Ok(after) = forecast(&change.measurement, &change.conditions) else { continue };
+        tried.push((medians(&after)[worst] / before[worst], change));
+    }
+    bar.finish_and_clear();
+    tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let name = ["x", "y", "z"][worst];
+    let mut text = format!("What would change the uncertainty along {name}, the largest, most:\n");
+    for (factor, change) in &tried {
+        let _ = writeln!(text, "{factor:>7.2} times  {}", change.words);
+    }
+    if tried.first().is_none_or(|(factor, _)| *factor > 0.9) {
+        text.push_str("Nothing here improves it by more than a tenth.\n");
+    }
+    text
+}
+
+fn particles_per_mm3(config: &Config, conditions: &Conditions) -> f64 {
+    let depth_mm = config.volume.voxels[2] as f64 * config.volume.voxel_mm;
+    conditions.ppm / config.optics.object_pitch_mm().powi(2) / depth_mm
+}
+
+fn medians(places: &[ForecastPlace]) -> [f64; 3] {
+    std::array::from_fn(|component| {
+        let mut numbers: Vec<f64> =
+            places.iter().map(|place| place.uncertainty_vox[component]).collect();
+        numbers.sort_by(f64::total_cmp);
+        numbers.get(numbers.len() / 2).copied().unwrap_or(f64::INFINITY)
+    })
+}
+
+/// Medians of the places at each position along an axis.
+fn slabs(places: &[ForecastPlace], axis: usize) -> Vec<(f64, [f64; 3])> {
+    let mut positions: Vec<f64> = places.iter().map(|place| place.position_mm[axis]).collect();
+    positions.sort_by(f64::total_cmp);
+    positions.dedup();
+    let of = |position: &f64| -> Vec<ForecastPlace> {
+        places.iter().filter(|place| place.position_mm[axis] == *position).copied().collect()
+    };
+    positions.iter().map(|position| (*position, medians(&of(position)))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shipped(name: &str) -> Config {
+        let path = PathBuf::from(format!("config/{name}.toml"));
+        ConfigFile::load(&path).unwrap().config
+    }
+
+    #[test]
+    fn a_plan_names_slabs_and_what_helps() {
+        let mut config = shipped("sim");
+        config.camera.truncate(1);
+        let conditions = conditions(config.simulation.as_ref().unwrap());
+        let places = forecast(&config.measurement(), &conditions).unwrap();
+        let report = report(&config, &conditions, &places);
+        assert!(report.contains("z (mm)") && report.lines().count() > 20, "{report}");
+        // One camera does not see depth: a second one is what helps.
+        let improvements = improvements(&config, &conditions, &places);
+        assert!(improvements.contains("along z, the largest"), "{improvements}");
+        let best = improvements.lines().nth(1).unwrap();
+        assert!(best.contains("second camera"), "{improvements}");
+        let drawing = chart_svg(&places, 1.0);
+        assert!(drawing.starts_with("<svg") && !drawing.contains("NaN"), "{drawing}");
+    }
+}

@@ -1,0 +1,121 @@
+//! `lfpiv statistics`: what the shots of a run say together.
+
+use std::{
+    ops::RangeInclusive,
+    path::PathBuf,
+    time::{Duration, Instant},
+};
+
+use anyhow::bail;
+use lfpiv_core::ensemble::{Ensemble, Estimate, Estimates, Quantity, Snapshot};
+
+use super::{
+    output::{count, print, progress_bar},
+    shot_range::shot_range,
+};
+use crate::archive::{StoredShot, StoredShots, write_statistics};
+
+/// Arguments of `lfpiv statistics`.
+#[derive(Debug, clap::Args)]
+pub struct StatisticsArgs {
+    /// Folder of the run, or one that `lfpiv process` has written.
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// File for the statistics of every place (NetCDF); statistics.nc in the run's folder when absent.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Only these shots: a number, or first and last as A..B.
+    #[arg(long, value_name = "A..B", value_parser = shot_range)]
+    pub shots: Option<RangeInclusive<u64>>,
+}
+
+/// Goes through the stored vectors once, writes the statistics and prints what they come to in the middle.
+pub fn statistics(args: &StatisticsArgs) -> anyhow::Result<()> {
+    let mut stored = StoredShots::find(&args.run)?;
+    let all = stored.len();
+    stored.retain(|shot| args.shots.as_ref().is_none_or(|range| range.contains(&shot)));
+    if stored.is_empty() {
+        let run = args.run.display();
+        match all {
+            0 => bail!("{run} holds no results: is it the folder of a run?"),
+            _ => bail!("{run} holds no such shot: it has results of {}", count(all, "shot")),
+        }
+    }
+    let configuration = stored.configuration()?;
+    let bar = progress_bar(stored.len(), "shots");
+    let mut ensemble: Option<Ensemble> = None;
+    let mut spent = Duration::ZERO;
+    stored.for_each(|shot| {
+        let ensemble = ensemble.get_or_insert_with(|| Ensemble::new(shot.grid.clone()));
+        let began = Instant::now();
+        add(ensemble, &shot)?;
+        spent += began.elapsed();
+        bar.inc(1);
+        anyhow::Ok(())
+    })?;
+    bar.finish_and_clear();
+    let Some(ensemble) = ensemble else { return Ok(()) };
+    let out = args.out.clone().unwrap_or_else(|| args.run.join("statistics.nc"));
+    write_statistics(&out, &configuration, &ensemble)?;
+    print(&summary(&ensemble))?;
+    let per_shot_ms = 1e3 * spent.as_secs_f64() / stored.len() as f64;
+    print(&format!("{per_shot_ms:.2} ms a shot, without reading it"))?;
+    print(&format!("every place: {}", out.display()))
+}
+
+fn add(ensemble: &mut Ensemble, shot: &StoredShot) -> anyhow::Result<()> {
+    if *ensemble.grid() != shot.grid {
+        bail!(
+            "the vectors of shot {} are at other places than those before it: take shots of one \
+             configuration at a time, with --shots A..B",
+            shot.shot
+        );
+    }
+    let StoredShot { velocity_m_s, uncertainty_m_s, status, .. } = shot;
+    ensemble.add(&Snapshot::new(shot.shot, velocity_m_s, uncertainty_m_s, status));
+    Ok(())
+}
+
+/// A table of medians over the places, and what can be said of the run as a whole.
+fn summary(ensemble: &Ensemble) -> String {
+    let estimates = ensemble.estimates();
+    let mut counts: Vec<f64> = estimates.counts.iter().map(|count| *count as f64).collect();
+    let mut lines = vec![format!(
+        "{}, {}, {:.0} valid vectors in the middle one",
+        count(ensemble.shots() as usize, "shot"),
+        count(counts.len(), "place"),
+        median(&mut counts).unwrap_or_default()
+    )];
+    lines.push(format!("{:34}{:>12}{:>12}{:>12}", "median over the places, m/s", "u", "v", "w"));
+    let mut row = |name: &str, of: &dyn Fn(usize) -> Option<f64>| {
+        let cell = |c: usize| of(c).map_or("-".to_owned(), |number| format!("{number:.4}"));
+        lines.push(format!("{name:34}{:>12}{:>12}{:>12}", cell(0), cell(1), cell(2)));
+    };
+    let mean = |part: fn(&Estimate) -> f64| {
+        let estimates = &estimates;
+        move |c: usize| middle(estimates, Quantity::Mean(c), part)
+    };
+    row("mean", &mean(|e| e.value));
+    row("  standard uncertainty", &mean(Estimate::uncertainty));
+    row("  of it for the flow", &mean(|e| e.flow_uncertainty));
+    row("  of it for the measurement", &mean(|e| e.measurement_uncertainty));
+    row("rms of the flow", &|c| middle(&estimates, Quantity::Rms(c), |e| e.value));
+    row("  standard uncertainty", &|c| middle(&estimates, Quantity::Rms(c), Estimate::uncertainty));
+    row("skewness (a number)", &|c| middle(&estimates, Quantity::Skewness(c), |e| e.value));
+    for correlation in ensemble.correlations() {
+        let scales = correlation.integral_scale_mm();
+        let axis = ["x", "y", "z"][correlation.axis];
+        row(&format!("integral scale along {axis} (mm)"), &|c| scales[c]);
+    }
+    lines.join("\n")
+}
+
+fn middle(estimates: &Estimates, quantity: Quantity, part: fn(&Estimate) -> f64) -> Option<f64> {
+    let mut known: Vec<f64> = estimates.of(quantity).iter().flatten().map(part).collect();
+    median(&mut known)
+}
+
+fn median(numbers: &mut [f64]) -> Option<f64> {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied()
+}

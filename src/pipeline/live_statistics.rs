@@ -1,0 +1,31 @@
+//! The statistics of the run so far, one shot after the other.
+
+use std::sync::Arc;
+
+use lfpiv_core::{
+    ensemble::{Ensemble, Snapshot},
+    velocimetry::VelocityField,
+};
+use parking_lot::Mutex;
+
+/// See the module.
+#[derive(Debug, Default)]
+pub struct LiveStatistics(Mutex<Option<Arc<Ensemble>>>);
+
+impl LiveStatistics {
+    /// Adds the valid vectors of a shot; each shot once. All shots of a run have vectors at the same places.
+    pub fn add(&self, shot: u64, field: &VelocityField) {
+        let snapshot = Snapshot::of_field(shot, field);
+        let mut state = self.0.lock();
+        let ensemble = state.get_or_insert_with(|| Ensemble::new(field.grid.clone()).into());
+        if *ensemble.grid() == field.grid {
+            // Copied only while somebody reads.
+            Arc::make_mut(ensemble).add(&snapshot);
+        }
+    }
+
+    /// The statistics as they are now; `None` before the first shot.
+    pub fn now(&self) -> Option<Arc<Ensemble>> {
+        self.0.lock().clone()
+    }
+}
