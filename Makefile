@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo loopback test soak bench bench-peers packages network-tools components readers format lint test-rust test-readers clean
+.PHONY: help demo loopback test soak bench bench-peers deb packages network-tools components readers format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
@@ -35,6 +35,7 @@ help:
 	@echo "             $(SECONDS) s: SECONDS=3600 SEED=7 goes on longer, with other random numbers"
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
 	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
+	@echo "make deb     a Debian package in target/deb: programs, systemd unit, documentation"
 	@echo "make clean   remove build outputs and the Python environments"
 
 demo: packages
@@ -69,6 +70,12 @@ bench-peers: packages
 	cargo build --release --locked
 	@scripts/install-python.sh .venv-peers bench/peers/requirements.txt
 	.venv-peers/bin/python bench/peers/compare.py $(PEER_TURNS:%=--turns %) $(PEER_CASES)
+
+# dpkg-shlibdeps and strip, which are not on every machine that can install a package.
+deb: packages
+	@scripts/install-packages.sh dpkg-dev binutils
+	cargo build --release --locked --package lfpiv --package lfpiv-bench
+	scripts/make-deb.sh target/release target/deb
 
 packages:
 	@scripts/install-packages.sh $(BUILD_PACKAGES)
