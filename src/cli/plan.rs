@@ -19,8 +19,8 @@ use crate::config::{Config, ConfigFile, Purpose};
 /// Arguments of `lfpiv plan`.
 #[derive(Debug, clap::Args)]
 pub struct PlanArgs {
-    /// Configuration file (TOML). Its [simulation] table has seeding and light: ppm, particle_photoelectrons and
-    /// the sensor.
+    /// Configuration file (TOML). Its [simulation] table, where it has one, says what seeding and light there will
+    /// be: ppm, particle_photoelectrons and the sensor.
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
     /// Particles per microlens, instead of the configuration's.
@@ -34,14 +34,17 @@ pub struct PlanArgs {
 /// Forecasts the uncertainty over the volume, and what would improve it most.
 pub fn plan(args: &PlanArgs) -> anyhow::Result<()> {
     let config = ConfigFile::load_for(Purpose::Images, &args.config)?.config;
-    let Some(scene) = &config.simulation else {
-        bail!(
-            "{} has no [simulation] table, which says how much light and how many particles there \
-             will be: add one, as config/bench.toml has it",
-            args.config.display()
+    let scene = config.simulation.clone().unwrap_or_default();
+    if config.simulation.is_none() {
+        tracing::warn!(
+            "{} has no [simulation] table, which says how much light and how many particles there will be: \
+             {} particles per microlens of {} photo-electrons are assumed",
+            args.config.display(),
+            scene.ppm,
+            scene.particle_photoelectrons
         );
-    };
-    let mut conditions = conditions(scene);
+    }
+    let mut conditions = conditions(&scene);
     if let Some(ppm) = args.ppm {
         if !(ppm > 0.0 && ppm.is_finite()) {
             bail!("--ppm {ppm}: a seeding is greater than 0");
@@ -84,8 +87,8 @@ fn report(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) ->
     let [u, v, w] = medians(places);
     let mut text = format!(
         "Standard uncertainty of a vector to expect at {} particles per microlens: {u:.4}, {v:.4}, {w:.4} \
-         voxel along x, y, z ({:.4}, {:.4}, {:.4} m/s), the median over the volume. From optics, light and \
-         seeding alone: what the flow does between the vectors comes on top.\n",
+         voxel along x, y, z ({:.4}, {:.4}, {:.4} m/s), the median over the volume. It is a bound from optics, \
+         light and seeding alone: measured errors are 1 to 3 times as large, with slow lenses up to 5 times.\n",
         conditions.ppm,
         u * speed,
         v * speed,

@@ -37,7 +37,8 @@ def flat(variable):
 def test_all_files_of_a_run_are_one_dataset(dataset):
     assert dataset["shot"].values.tolist() == list(range(RUN_SHOTS))
     assert dataset["u"].dims == ("shot", "z", "y", "x")
-    assert dataset["dt"].dims == ("shot",) and (dataset["dt"] == 1e-4).all()
+    assert dataset["dt"].dims == ("shot",)
+    np.testing.assert_allclose(dataset["dt"], 1e-4)
     assert dataset["time"].dims == ("shot",) and dataset["time"].notnull().all()
     assert (dataset["time"].diff("shot") > np.timedelta64(0, "ns")).all()
     # The mean over the shots, of what is valid, in one line.
@@ -56,7 +57,8 @@ def test_pandas_reads_what_was_measured(dataset, export):
     assert len(tables) == RUN_SHOTS
     for number, table in enumerate(tables):
         shot = dataset.sel(shot=number)
-        assert (table["shot"] == number).all() and (table["dt_s"] == 1e-4).all()
+        assert (table["shot"] == number).all()
+        np.testing.assert_allclose(table["dt_s"], 1e-4)
         seconds = (shot["time"].values - np.datetime64(0, "s")) / np.timedelta64(1, "s")
         np.testing.assert_allclose(table["time_s"], seconds, rtol=0, atol=1e-6)
         for axis in "xyz":

@@ -4,6 +4,9 @@ use super::questions::{Answers, decimal, rounded, voxel_mm};
 
 const TEMPLATE: &str = include_str!("template.toml");
 
+/// Where the template's simulated scene begins.
+const SCENE: &str = "\n# What `lfpiv simulate` makes";
+
 /// Edge of an interrogation window, in voxels.
 const WINDOW_VOX: f64 = 16.0;
 
@@ -31,6 +34,12 @@ pub(super) fn configuration(answers: &Answers) -> anyhow::Result<String> {
         ("instruments", instruments(answers)),
     ];
     let mut text = TEMPLATE.to_owned();
+    // A run must not have two benches to choose from.
+    if !answers.text("addresses").is_empty()
+        && let Some(scene) = text.find(SCENE)
+    {
+        text.truncate(scene);
+    }
     for (key, value) in made {
         text = text.replace(&format!("{{{key}}}"), &value);
     }
