@@ -109,13 +109,11 @@ pub struct CardPosition {
     /// Where mark (0, 0) is in the world, in mm.
     #[garde(inner(custom(finite)))]
     pub origin_mm: [f64; 3],
-    /// The image of each camera, relative to the card file, in the order of the cameras.
-    #[garde(length(min = 1))]
-    pub images: Vec<String>,
-    /// Whether this position is kept out of the fit, to judge it.
+    /// The image of each camera, relative to the card file, in the order of the cameras. A card that
+    /// is still to be imaged has none.
     #[serde(default)]
     #[garde(skip)]
-    pub held_out: bool,
+    pub images: Vec<String>,
 }
 
 impl Card {
@@ -147,6 +145,7 @@ impl Card {
     }
 
     /// Middle of a fiducial dot along `right` and `up`, in mm, by its number (0, 1 or 2).
+    #[inline]
     pub fn fiducials_mm(&self) -> [[f64; 2]; 3] {
         let shift = match self.pattern {
             Pattern::Dots => 0.0,
@@ -156,9 +155,11 @@ impl Card {
     }
 
     /// Whether a point of the face is bright; `along_mm` as in [`Self::place_mm`].
+    #[inline]
     pub fn is_bright(&self, along_mm: [f64; 2]) -> bool {
         let within = |centre: [f64; 2], diameter_mm: f64| {
-            (along_mm[0] - centre[0]).hypot(along_mm[1] - centre[1]) <= diameter_mm / 2.0
+            let [x, y] = [along_mm[0] - centre[0], along_mm[1] - centre[1]];
+            4.0 * (x * x + y * y) <= diameter_mm * diameter_mm
         };
         let fiducial =
             self.fiducials_mm().iter().any(|&dot| within(dot, self.fiducial_diameter_mm));
@@ -177,6 +178,28 @@ impl Card {
                 inside && bright != fiducial
             }
         }
+    }
+
+    /// Distance of a point of the face from the nearest edge between bright and dark, in mm, or less;
+    /// `along_mm` as in [`Self::place_mm`].
+    pub fn edge_distance_mm(&self, along_mm: [f64; 2]) -> f64 {
+        let from_circle = |centre: [f64; 2], diameter_mm: f64| {
+            let [x, y] = [along_mm[0] - centre[0], along_mm[1] - centre[1]];
+            ((x * x + y * y).sqrt() - diameter_mm / 2.0).abs()
+        };
+        let [u, v] = along_mm.map(|place| place / self.spacing_mm);
+        let fiducials = self.fiducials_mm();
+        let fiducial = fiducials.iter().map(|&dot| from_circle(dot, self.fiducial_diameter_mm));
+        let mark = match self.pattern {
+            Pattern::Dots => {
+                let centre = [u.round(), v.round()].map(|n| n * self.spacing_mm);
+                from_circle(centre, self.dot_diameter_mm)
+            }
+            Pattern::Checkerboard => {
+                (u - u.round()).abs().min((v - v.round()).abs()) * self.spacing_mm
+            }
+        };
+        fiducial.fold(mark, f64::min)
     }
 
     /// What is wrong with the card, in words for its owner; `None` if nothing is.
@@ -237,6 +260,22 @@ mod tests {
         assert!(squares.is_bright([0.9, 0.9]) && !squares.is_bright([0.5, 0.5]));
         assert!(!squares.is_bright([-0.1, 0.5]) && squares.is_bright([-0.5, -0.5]));
         assert_eq!(dots.numbers().count(), 15);
+    }
+
+    /// Within the distance of the nearest edge nothing changes.
+    #[test]
+    fn edges_are_no_nearer_than_said() {
+        for card in [card(Pattern::Dots), card(Pattern::Checkerboard)] {
+            for n in 0..4000 {
+                let place = [f64::from(n % 61) * 0.1 - 3.0, f64::from(n / 61) * 0.06 - 2.0];
+                let distance = card.edge_distance_mm(place) * 0.999;
+                for angle in (0..12).map(|n| f64::from(n) * 0.53) {
+                    let near =
+                        [place[0] + distance * angle.cos(), place[1] + distance * angle.sin()];
+                    assert_eq!(card.is_bright(place), card.is_bright(near), "{place:?} {near:?}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //! wall), and lenses are free of aberrations but distortion.
 
 mod blemishes;
+mod card;
 mod cells;
 mod detector;
 mod electron_image;
@@ -30,6 +31,7 @@ use main_lens::{ImagedPoint, MainLens, RayBundle};
 use pupil::{LowDiscrepancy, PupilStrata, concentric_disc};
 use wall::{RefractedPoint, WallView};
 
+pub use card::PlacedCard;
 pub use electron_image::ElectronImage;
 pub use flaws::{CameraFlaws, Distortion, Dust, SecondAperture, WallSettings};
 pub use white::TrueMicroImageGrid;
@@ -78,6 +80,15 @@ pub struct RayTracer<'a> {
 enum Bundle {
     InAir(ImagedPoint),
     ThroughWall(Box<RefractedPoint>),
+}
+
+impl RayBundle for Bundle {
+    fn on_microlenses_mm(&self, stop_mm: [f64; 2]) -> [f64; 2] {
+        match self {
+            Self::InAir(bundle) => bundle.on_microlenses_mm(stop_mm),
+            Self::ThroughWall(bundle) => bundle.on_microlenses_mm(stop_mm),
+        }
+    }
 }
 
 impl<'a> RayTracer<'a> {
@@ -219,10 +230,7 @@ impl<'a> RayTracer<'a> {
     /// Where the ray of a world point through a place on the stop meets the microlens plane, both
     /// in mm along the sensor's right and up; `None` for a point that the camera cannot see.
     pub fn on_microlenses_mm(&self, position_mm: [f64; 3], stop_mm: [f64; 2]) -> Option<[f64; 2]> {
-        Some(match self.bundle(position_mm)? {
-            Bundle::InAir(bundle) => bundle.on_microlenses_mm(stop_mm),
-            Bundle::ThroughWall(bundle) => bundle.on_microlenses_mm(stop_mm),
-        })
+        Some(self.bundle(position_mm)?.on_microlenses_mm(stop_mm))
     }
 
     /// The rays of a world point, or `None` for one that is not in front of the camera, or that a

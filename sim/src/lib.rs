@@ -29,6 +29,6 @@ pub use flow::Flow;
 pub use geometry::{BenchGeometry, Volume};
 pub use imaging::{CameraFlaws, TrueMicroImageGrid};
 pub use particles::{FrameOfPair, Placement, Tracer};
-pub use scene::{LightPulse, Lighting, Scene, SceneError, SimulatedShot, Truth};
+pub use scene::{CardErrors, LightPulse, Lighting, Scene, SceneError, SimulatedShot, Truth};
 pub use sensor::SensorSettings;
 pub use triggers::{LEAD, Pacing};

@@ -1,5 +1,6 @@
 //! What is in front of the simulated cameras: the `[simulation]` table of the configuration.
 
+mod card;
 mod lighting;
 mod pulses;
 mod white;
@@ -17,6 +18,7 @@ use crate::{
     sensor::SensorSettings,
 };
 
+pub use card::CardErrors;
 pub use lighting::Lighting;
 pub use pulses::LightPulse;
 
@@ -88,8 +90,11 @@ pub struct Scene {
     /// are perfect.
     #[garde(dive)]
     pub camera: Vec<CameraFlaws>,
-    /// Rays per particle and frame, rounded up to a square number. A white image has 8 times as
-    /// many per microlens.
+    /// How far a calibration card is from what its file says.
+    #[garde(dive)]
+    pub card: CardErrors,
+    /// Rays per particle and frame, rounded up to a square number. A white image and that of a card
+    /// have 8 times as many per microlens.
     #[garde(range(min = 1, max = 4_000_000))]
     pub rays_per_particle: usize,
     /// Whether light is spread by diffraction at the main lens and at the microlenses.
@@ -118,6 +123,7 @@ impl Default for Scene {
             particle_photoelectrons: 100_000.0,
             lighting: Lighting::default(),
             camera: Vec::new(),
+            card: CardErrors::default(),
             rays_per_particle: 4096,
             diffraction: false,
             wavelength_nm: 532.0,

@@ -19,6 +19,7 @@ pub(crate) enum Purpose {
     DeadMicrolenses = 11,
     White = 12,
     Turbulence = 13,
+    Card = 14,
 }
 
 /// An independent generator for every (purpose, key).

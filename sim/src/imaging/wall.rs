@@ -11,7 +11,7 @@ use super::{
 };
 
 /// Knots per axis of the interpolation over the stop.
-const KNOTS: usize = 5;
+pub(super) const KNOTS: usize = 5;
 
 /// Most steps of an iteration; five suffice.
 const MOST_STEPS: usize = 50;
@@ -210,7 +210,7 @@ impl Layers {
 }
 
 /// Chebyshev's knots on [−R, R] and on [−1, 1].
-fn knots(radius_mm: f64) -> [[f64; KNOTS]; 2] {
+pub(super) fn knots(radius_mm: f64) -> [[f64; KNOTS]; 2] {
     let relative: [f64; KNOTS] = std::array::from_fn(|knot| {
         (std::f64::consts::PI * (knot as f64 + 0.5) / KNOTS as f64).cos()
     });

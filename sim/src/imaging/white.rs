@@ -58,18 +58,32 @@ impl RayTracer<'_> {
         brightest_electrons: f64,
         stream: &[u64],
     ) -> ElectronImage {
+        self.trace_lit(rays, brightest_electrons, stream, |_| |_, _| 1)
+    }
+
+    /// [`Self::trace_white`] of something that is not uniform: `light_on` makes, for a microlens, what
+    /// tells the light of the ray that meets the microlens plane and the stop at two places in mm, in
+    /// whole numbers.
+    pub(super) fn trace_lit<L: Fn([f64; 2], [f64; 2]) -> u32>(
+        &self,
+        rays: usize,
+        brightest_electrons: f64,
+        stream: &[u64],
+        light_on: impl Fn([usize; 2]) -> L + Sync,
+    ) -> ElectronImage {
         let mut image = ElectronImage::dark(self.optics);
         // Whole numbers: their sums do not depend on the order.
-        let hits: Vec<AtomicU32> = image.electrons().iter().map(|_| AtomicU32::new(0)).collect();
+        let light: Vec<AtomicU32> = image.electrons().iter().map(|_| AtomicU32::new(0)).collect();
         let [columns, rows] = self.detector.microlenses().counts();
         let strata = PupilStrata::new(self.lens.stop_radius_mm, rays);
-        (0..columns * rows).into_par_iter().for_each(|lens| {
-            self.shine_on([lens % columns, lens / columns], &strata, stream, |pixel, rays| {
-                hits[pixel as usize].fetch_add(rays, Relaxed);
+        (0..columns * rows).into_par_iter().for_each(|number| {
+            let lens = [number % columns, number / columns];
+            self.shine_on(lens, &strata, stream, &light_on(lens), |pixel, of_rays| {
+                light[pixel as usize].fetch_add(of_rays, Relaxed);
             });
         });
-        for (electrons, hits) in image.electrons_mut().iter_mut().zip(hits) {
-            *electrons = hits.into_inner() as f32;
+        for (electrons, light) in image.electrons_mut().iter_mut().zip(light) {
+            *electrons = light.into_inner() as f32;
         }
         self.blemishes.apply(&mut image);
         let brightest = image.electrons().iter().copied().fold(0.0, f32::max);
@@ -81,12 +95,13 @@ impl RayTracer<'_> {
     }
 
     /// Traces a ray from every stratum of the stop to one microlens, each to another place on it, and
-    /// calls `hit` with pixels and how many rays hit them; a pixel may come again.
+    /// calls `hit` with pixels and the light of the rays that hit them; a pixel may come again.
     fn shine_on(
         &self,
         lens: [usize; 2],
         strata: &PupilStrata,
         stream: &[u64],
+        light: &impl Fn([f64; 2], [f64; 2]) -> u32,
         mut hit: impl FnMut(u32, u32),
     ) {
         let number = lens.map(|index| index as u64);
@@ -100,17 +115,18 @@ impl RayTracer<'_> {
             let place = [lens[0] as f64 + x - 0.5, lens[1] as f64 + y - 0.5];
             let plane_mm = self.detector.microlenses().place_mm(place);
             let Some(pixel) = self.hit(plane_mm, stop_mm, &mut diffraction_rng) else { return };
+            let light = light(plane_mm, stop_mm);
             match &mut run {
-                Some((last, rays)) if *last == pixel => *rays += 1,
+                Some((last, sum)) if *last == pixel => *sum += light,
                 _ => {
-                    if let Some((last, rays)) = run.replace((pixel, 1)) {
-                        hit(last, rays);
+                    if let Some((last, sum)) = run.replace((pixel, light)) {
+                        hit(last, sum);
                     }
                 }
             }
         });
-        if let Some((last, rays)) = run {
-            hit(last, rays);
+        if let Some((last, sum)) = run {
+            hit(last, sum);
         }
     }
 }

@@ -19,9 +19,10 @@ const WHITE_LEVEL: f64 = 0.7;
 
 /// Which exposure of a camera: pairs have 0 and 1.
 #[derive(Debug, Clone, Copy)]
-enum Exposure {
+pub(super) enum Exposure {
     White = 2,
     Dark = 3,
+    Card = 4,
 }
 
 impl Scene {
@@ -29,18 +30,20 @@ impl Scene {
     /// pixel fills 0.7 of the sensor's range; background and noise are not in it. The same for all
     /// white images of a camera. Dark for a camera that the bench does not have.
     pub fn white_light(&self, bench: &BenchGeometry, camera: usize) -> ElectronImage {
+        let (rays, electrons) = self.white_exposure(camera);
+        match self.tracer(bench, camera) {
+            None => ElectronImage::dark(&bench.optics),
+            Some(tracer) => tracer.trace_white(rays, electrons, &[camera as u64]),
+        }
+    }
+
+    /// Rays per microlens, and photo-electrons of the brightest pixel.
+    pub(super) fn white_exposure(&self, camera: usize) -> (usize, f64) {
         let sensor = self.sensor_of(camera);
         let range_counts = f64::from(sensor.saturation_counts()) - sensor.offset_counts;
         let electrons = WHITE_LEVEL * range_counts / sensor.gain_counts_per_electron
             - sensor.background_electrons;
-        match self.tracer(bench, camera) {
-            None => ElectronImage::dark(&bench.optics),
-            Some(tracer) => tracer.trace_white(
-                WHITE_RAYS * self.rays_per_particle,
-                electrons.max(0.0),
-                &[camera as u64],
-            ),
-        }
+        (WHITE_RAYS * self.rays_per_particle, electrons.max(0.0))
     }
 
     /// White images number 0 … `count` − 1 of a camera: equal light, traced once, and noise of their
