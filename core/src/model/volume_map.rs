@@ -109,6 +109,13 @@ impl VolumeMap {
         Some((Self { centre_mm, half_mm, degree, terms }, residual))
     }
 
+    /// Where the map holds along x, y and z, in mm: from, to.
+    pub fn holds_mm(&self) -> [[f64; 2]; 3] {
+        std::array::from_fn(|n| {
+            [self.centre_mm[n] - self.half_mm[n], self.centre_mm[n] + self.half_mm[n]]
+        })
+    }
+
     /// What the camera sees in place of a world point, in mm. Outside the box the polynomials go on, and
     /// soon mean nothing.
     pub fn at(&self, world_mm: &Point3<f64>) -> EquivalentPoint {

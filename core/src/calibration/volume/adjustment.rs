@@ -5,6 +5,7 @@ use lfpiv_hw::{
     card::{Card, Wall},
 };
 use nalgebra::{DMatrix, DVector, Point3, Vector3};
+use rayon::prelude::*;
 
 use super::{
     VolumeError,
@@ -13,15 +14,17 @@ use super::{
     parameters::{CameraParameters, DESCRIPTIONS, PARAMETERS},
 };
 
-/// Standard deviation of a mark's place on the microlens plane, in microlenses: what fits leave on
-/// perfect images. A worse card shows in the residuals, which then scale all uncertainties.
-const PLACE_DEVIATION: f64 = 0.005;
+/// Least and first standard deviation of a mark's place on the microlens plane, in microlenses: what fits
+/// leave on perfect images, and what they may leave at worst. In between the marks' own scatter counts,
+/// so that a bad card does not drive parameters far from the drawing.
+const LEAST_PLACE_DEVIATION: f64 = 0.003;
+const FIRST_PLACE_DEVIATION: f64 = 0.05;
 
 /// Steps of Levenberg and Marquardt; fifteen suffice.
 const MOST_STEPS: usize = 60;
 
 /// A step that changes the cost by less than this share is the last.
-const LAST_CHANGE: f64 = 1e-9;
+const LAST_CHANGE: f64 = 1e-6;
 
 /// Marks farther off than this many root mean squares of all are left out.
 const OUTLIER: f64 = 6.0;
@@ -48,6 +51,19 @@ pub(super) struct Bench<'a> {
     /// Standard deviation of the card's true places beside those told, along each axis, in mm; zero
     /// takes them as they are.
     pub(super) stage_deviation_mm: f64,
+    /// Standard deviations of a mark's place, in mm, and of its slopes.
+    pub(super) deviations: [f64; 2],
+}
+
+/// Deviations before any mark is seen, of place in mm and of slope.
+pub(super) fn first_deviations(optics: &Optics) -> [f64; 2] {
+    deviations(optics, FIRST_PLACE_DEVIATION)
+}
+
+/// Of place, given in microlenses, and of slope, which shows at half the pupil's radius.
+fn deviations(optics: &Optics, place: f64) -> [f64; 2] {
+    let place_mm = place * optics.microlens.pitch_mm;
+    [place_mm, place_mm / (optics.pupil_diameter_mm() / 4.0)]
 }
 
 /// Cameras that fit what was seen.
@@ -81,10 +97,40 @@ impl Bench<'_> {
         model.place_and_slope(&self.card.place_mm(&origin_mm, along_mm, &model.axis()))
     }
 
-    /// Deviations of place and, through half the pupil's radius, of slope, in mm and mm/mm.
-    fn deviations(&self) -> [f64; 2] {
-        let place_mm = PLACE_DEVIATION * self.optics.microlens.pitch_mm;
-        [place_mm, place_mm / (self.optics.pupil_diameter_mm() / 4.0)]
+    /// Seen less expected of every mark of a sighting: places in mm, and slopes.
+    pub(super) fn differences<'s>(
+        &'s self,
+        sighting: &'s Sighting,
+        adjusted: &Adjusted,
+        stage_mm: &'s Vector3<f64>,
+    ) -> impl Iterator<Item = (&'s SeenMark, [[f64; 2]; 2])> + use<'s> {
+        let model = self.model(sighting.camera, adjusted.cameras[sighting.camera]);
+        sighting.marks.iter().filter_map(move |mark| {
+            let [place_mm, slopes] =
+                self.expected(&model, sighting.position, stage_mm, mark.number)?;
+            let off = [
+                [mark.place_mm[0] - place_mm[0], mark.place_mm[1] - place_mm[1]],
+                [mark.slopes[0] - slopes[0], mark.slopes[1] - slopes[1]],
+            ];
+            Some((mark, off))
+        })
+    }
+
+    /// Weights by what the marks scatter about cameras that were fitted to them.
+    pub(super) fn weigh(&mut self, sightings: &[Sighting], adjusted: &Adjusted) {
+        let (mut sums, mut count) = ([0.0; 2], 0.0);
+        for sighting in sightings {
+            let stage_mm = &adjusted.stage_mm[sighting.position];
+            for (_, off) in self.differences(sighting, adjusted, stage_mm) {
+                for (sum, of) in sums.iter_mut().zip(off) {
+                    *sum += of[0] * of[0] + of[1] * of[1];
+                }
+                count += 2.0;
+            }
+        }
+        let least = deviations(self.optics, LEAST_PLACE_DEVIATION);
+        let scatter = |n: usize| -> f64 { (sums[n] / f64::max(count, 1.0)).sqrt() };
+        self.deviations = [scatter(0).max(least[0]), scatter(1).max(least[1])];
     }
 
     fn stage_moves(&self) -> bool {
@@ -121,7 +167,7 @@ impl Bench<'_> {
         model: &CameraModel,
         stage_mm: &Vector3<f64>,
     ) -> Option<Vec<f64>> {
-        let [place, slope] = self.deviations();
+        let [place, slope] = self.deviations;
         let mut residuals = Vec::with_capacity(4 * sighting.marks.len());
         for mark in &sighting.marks {
             let [place_mm, slopes] =
@@ -164,20 +210,13 @@ impl Bench<'_> {
         let n = self.unknowns();
         let mut normal = DMatrix::identity(n, n);
         let mut right = -unknowns.clone();
-        for sighting in sightings {
-            let here = self.residuals_at(sighting, unknowns)?;
+        let parts: Vec<_> = sightings
+            .par_iter()
+            .map(|sighting| self.normal_of(sighting, unknowns))
+            .collect::<Option<_>>()?;
+        // In the order of the sightings: the rounding does not depend on the threads.
+        for (sighting, (square, gradient)) in sightings.iter().zip(parts) {
             let touched = self.touched(sighting);
-            let mut changes = DMatrix::zeros(here.len(), touched.len());
-            for (column, &unknown) in touched.iter().enumerate() {
-                let mut moved = unknowns.clone();
-                moved[unknown] += STEP;
-                let there = self.residuals_at(sighting, &moved)?;
-                for (row, (there, here)) in there.iter().zip(&here).enumerate() {
-                    changes[(row, column)] = (there - here) / STEP;
-                }
-            }
-            let square = changes.transpose() * &changes;
-            let gradient = changes.transpose() * DVector::from_vec(here);
             for (a, &row) in touched.iter().enumerate() {
                 right[row] -= gradient[a];
                 for (b, &column) in touched.iter().enumerate() {
@@ -186,6 +225,27 @@ impl Bench<'_> {
             }
         }
         Some((normal, right))
+    }
+
+    /// What one sighting adds to both, for the unknowns that it depends on.
+    fn normal_of(
+        &self,
+        sighting: &Sighting,
+        unknowns: &DVector<f64>,
+    ) -> Option<(DMatrix<f64>, DVector<f64>)> {
+        let here = self.residuals_at(sighting, unknowns)?;
+        let touched = self.touched(sighting);
+        let mut changes = DMatrix::zeros(here.len(), touched.len());
+        for (column, &unknown) in touched.iter().enumerate() {
+            let mut moved = unknowns.clone();
+            moved[unknown] += STEP;
+            let there = self.residuals_at(sighting, &moved)?;
+            for (row, (there, here)) in there.iter().zip(&here).enumerate() {
+                changes[(row, column)] = (there - here) / STEP;
+            }
+        }
+        let gradient = changes.transpose() * DVector::from_vec(here);
+        Some((changes.transpose() * &changes, gradient))
     }
 
     /// The cameras that fit what was seen, begun at `start`.

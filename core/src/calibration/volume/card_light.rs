@@ -19,6 +19,8 @@ pub struct CardLight<'a> {
     share: Vec<f32>,
     /// Half the width of a micro-image, in pixels.
     reach_px: usize,
+    /// Pixels that can be used of a microlens, in the median.
+    pixels_per_lens: usize,
 }
 
 /// A pixel of a microlens.
@@ -45,20 +47,33 @@ impl<'a> CardLight<'a> {
         let (columns, rows) = (white.columns(), white.rows());
         let [along_i, along_j] = grid.pitch_px();
         let reach_px = (along_i.min(along_j) / 2.0).floor() as usize;
-        let mut light =
-            Self { optics, grid, columns, rows, share: vec![f32::NAN; columns * rows], reach_px };
+        let mut light = Self {
+            optics,
+            grid,
+            columns,
+            rows,
+            share: vec![f32::NAN; columns * rows],
+            reach_px,
+            pixels_per_lens: 0,
+        };
+        let mut counts = Vec::with_capacity(grid.microlenses[0] * grid.microlenses[1]);
         for j in 0..grid.microlenses[1] {
             for i in 0..grid.microlenses[0] {
                 let pixels: Vec<usize> = light.pixels_of(i, j).collect();
                 let lit = |&pixel: &usize| white.light()[pixel];
                 let brightest = pixels.iter().map(lit).fold(0.0, f32::max);
+                let mut count = 0;
                 for pixel in pixels {
                     if brightest > 0.0 && white.light()[pixel] >= FULLY_LIT * brightest {
                         light.share[pixel] = card.light()[pixel] / white.light()[pixel];
+                        count += 1;
                     }
                 }
+                counts.push(count);
             }
         }
+        counts.sort_unstable();
+        light.pixels_per_lens = counts.get(counts.len() / 2).copied().unwrap_or(0);
         light
     }
 
@@ -98,8 +113,13 @@ impl<'a> CardLight<'a> {
         })
     }
 
+    /// Pixels that can be used of a microlens, in the median.
+    pub(super) fn pixels_per_lens(&self) -> f64 {
+        self.pixels_per_lens as f64
+    }
+
     /// Microlenses along both axes.
-    pub(super) fn microlenses(&self) -> [usize; 2] {
+    pub fn microlenses(&self) -> [usize; 2] {
         self.grid.microlenses
     }
 
@@ -138,7 +158,7 @@ impl<'a> CardLight<'a> {
 
     /// Mean share of the pixels of each microlens that see the pupil's inner half; NaN without any.
     /// Row by row of the array.
-    pub(super) fn middle_view(&self) -> Vec<f32> {
+    pub fn middle_view(&self) -> Vec<f32> {
         let [columns, rows] = self.microlenses();
         let radius_mm = self.optics.pupil_diameter_mm() / 4.0;
         let inner = |pixel: &LitPixel| {

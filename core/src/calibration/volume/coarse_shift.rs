@@ -1,38 +1,89 @@
-//! Where the card is in an image, within a microlens: the number of every mark depends on it.
+//! Where the card is in a camera's images, within a microlens: the number of every mark depends on it.
 
 use lfpiv_hw::card::Card;
 use nalgebra::Point3;
+use rayon::prelude::*;
 
 use super::{camera_model::CameraModel, card_light::CardLight};
 
 /// How far the card is looked for from where the drawing puts it, in mark spacings.
 const REACH_SPACINGS: f64 = 1.6;
 
-/// A card found.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct CoarseShift {
-    /// How far the image lies from where the model puts it, in mm on the microlens plane.
-    pub(super) shift_mm: [f64; 2],
-    /// Correlation coefficient of the image with the card there.
-    pub(super) correlation: f64,
-    /// The best one at least half a spacing away: high where the fiducial is not seen.
-    pub(super) next_correlation: f64,
+/// How far images of other positions may lie from where all together do, in microlenses: what a
+/// turned camera makes of depth.
+const NEAR: i64 = 3;
+
+/// A card found at all of its positions.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct CoarseShifts {
+    /// How far each image lies from where the model puts it, in mm on the microlens plane.
+    pub(super) shifts_mm: Vec<[f64; 2]>,
+    /// Correlation coefficient of each image with the card there.
+    pub(super) correlations: Vec<f64>,
+    /// How much less images and card correlate at best half a spacing away or more, in the mean over the
+    /// positions: little where the fiducial is not seen.
+    pub(super) margin: f64,
 }
 
-/// Shifts the card over the image of the pupil's middle by whole microlenses. `None` where the image or
-/// the card has no contrast.
-pub(super) fn coarse_shift(
+/// Shifts the card over the images of the pupil's middle by whole microlenses, over all positions
+/// together: a fiducial that is seen at one of them tells for all. `None` without any image.
+pub(super) fn coarse_shifts(
+    positions: &[(&CardLight<'_>, Point3<f64>)],
+    model: &CameraModel,
+    card: &Card,
+) -> Option<CoarseShifts> {
+    let (light, _) = positions.first()?;
+    let pitch_mm = light.optics().object_pitch_mm();
+    let reach = (REACH_SPACINGS * card.spacing_mm / pitch_mm).ceil() as i64;
+    let side = 2 * reach + 1;
+    let all: Vec<Vec<f64>> = positions
+        .par_iter()
+        .map(|(light, origin_mm)| correlations(light, model, card, origin_mm, reach))
+        .collect();
+    let shift = |n: usize| [n as i64 % side - reach, n as i64 / side - reach];
+    let mean = |n: usize| all.iter().map(|of| of[n]).sum::<f64>() / all.len() as f64;
+    let means: Vec<f64> = (0..(side * side) as usize).map(mean).collect();
+    let common = (0..means.len()).max_by(|&a, &b| means[a].total_cmp(&means[b]))?;
+    let from_common = |n: usize| {
+        let ([i, j], [at_i, at_j]) = (shift(n), shift(common));
+        [i - at_i, j - at_j]
+    };
+    let half_spacing = card.spacing_mm / pitch_mm / 2.0;
+    let next = (0..means.len())
+        .filter(|&n| {
+            let [i, j] = from_common(n);
+            (i as f64).hypot(j as f64) > half_spacing
+        })
+        .map(|n| means[n])
+        .fold(0.0, f64::max);
+    let near: Vec<usize> = (0..means.len())
+        .filter(|&n| from_common(n).iter().all(|apart| apart.abs() <= NEAR))
+        .collect();
+    let mut found = CoarseShifts {
+        shifts_mm: Vec::new(),
+        correlations: Vec::new(),
+        margin: means[common] - next,
+    };
+    for (of, (light, _)) in all.iter().zip(positions) {
+        let best = near.iter().copied().max_by(|&a, &b| of[a].total_cmp(&of[b]))?;
+        let (from, to) = (light.place_mm([0.0; 2]), light.place_mm(shift(best).map(|n| n as f64)));
+        found.shifts_mm.push([to[0] - from[0], to[1] - from[1]]);
+        found.correlations.push(of[best]);
+    }
+    Some(found)
+}
+
+/// Correlation coefficients of one image with the card at all shifts up to `reach` microlenses.
+fn correlations(
     light: &CardLight<'_>,
     model: &CameraModel,
     card: &Card,
     origin_mm: &Point3<f64>,
-) -> Option<CoarseShift> {
+    reach: i64,
+) -> Vec<f64> {
     let view = light.middle_view();
     let [columns, rows] = light.microlenses().map(|count| count as i64);
     let face_mm = card.place_mm(origin_mm, [0.0; 2], &model.axis());
-    let pitch_mm = light.optics().object_pitch_mm();
-    let reach = (REACH_SPACINGS * card.spacing_mm / pitch_mm).ceil() as i64;
-    let half_spacing = card.spacing_mm / pitch_mm / 2.0;
     // The card as it should be seen by each microlens, some beyond the array.
     let width = columns + 2 * reach;
     let expected: Vec<f32> = (0..width * (rows + 2 * reach))
@@ -46,31 +97,20 @@ pub(super) fn coarse_shift(
             })
         })
         .collect();
-    let correlation = |along_i: i64, along_j: i64| {
-        let pairs = (0..columns * rows).filter_map(|n| {
-            let (i, j) = (n % columns, n / columns);
-            let seen = view[n as usize];
-            let from = (j - along_j + reach) * width + i - along_i + reach;
-            seen.is_finite().then(|| [f64::from(seen), f64::from(expected[from as usize])])
-        });
-        correlation_coefficient(pairs)
-    };
-    let mut all = Vec::new();
-    for along_j in -reach..=reach {
-        for along_i in -reach..=reach {
-            all.push(([along_i, along_j], correlation(along_i, along_j)));
-        }
-    }
-    let (best, highest) = *all.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let apart = |[i, j]: [i64; 2]| ((i - best[0]) as f64).hypot((j - best[1]) as f64);
-    let next =
-        all.iter().filter(|(shift, _)| apart(*shift) > half_spacing).map(|(_, value)| *value);
-    let (from, to) = (light.place_mm([0.0; 2]), light.place_mm(best.map(|n| n as f64)));
-    (highest > 0.0).then(|| CoarseShift {
-        shift_mm: [to[0] - from[0], to[1] - from[1]],
-        correlation: highest,
-        next_correlation: next.fold(0.0, f64::max),
-    })
+    let side = 2 * reach + 1;
+    (0..side * side)
+        .into_par_iter()
+        .map(|shift| {
+            let (along_i, along_j) = (shift % side - reach, shift / side - reach);
+            let pairs = (0..columns * rows).filter_map(|n| {
+                let (i, j) = (n % columns, n / columns);
+                let seen = view[n as usize];
+                let from = (j - along_j + reach) * width + i - along_i + reach;
+                seen.is_finite().then(|| [f64::from(seen), f64::from(expected[from as usize])])
+            });
+            correlation_coefficient(pairs)
+        })
+        .collect()
 }
 
 /// Pearson's coefficient; zero where one of both does not vary.

@@ -11,7 +11,7 @@ use super::{
 };
 
 /// Rays through each pixel: to places spread over the microlens and over the pixel.
-const RAYS: usize = 16;
+const RAYS: usize = 32;
 
 /// Half a step of the difference quotients, in microlenses: small against a mark's edge, wide against
 /// the distance of rays.
@@ -25,6 +25,9 @@ const LAST_STEP: f64 = 5e-4;
 
 /// Share of the spacing about a mark that its pixels show.
 const REGION: f64 = 0.5;
+
+/// Least share of a mean view's edges that a view sees to say where the mark is.
+const LEAST_OF_A_VIEW: f64 = 0.5;
 
 /// Least share of the pixels of a whole mark.
 const LEAST_SEEN: f64 = 0.9;
@@ -61,7 +64,11 @@ pub(super) struct MarkSearch<'a> {
 struct Sampled {
     share: f64,
     view: [i32; 2],
+    /// Its microlens and the middle of the pupil interval that it sees.
+    place_mm: [f64; 2],
     pupil_mm: [f64; 2],
+    /// No ray meets the card farther from the middle one, in mm.
+    reach_mm: f64,
     rays: [([f64; 2], [f64; 2]); RAYS],
 }
 
@@ -89,7 +96,7 @@ impl MarkSearch<'_> {
             + pitch_mm;
         let map = MarkMap::new(self.model, self.card, self.origin_mm, place_mm, half_mm, pupil_mm)?;
         let at_mm = std::array::from_fn(|axis| place_mm[axis] + self.shift_mm[axis]);
-        let pixels = self.pixels(&map, at_mm, half_mm, along_mm)?;
+        let pixels = self.pixels(&map, at_mm, half_mm, along_mm, spread_mm)?;
         let (state, misfit, views_rms_mm) = self.adjusted(&map, &pixels, pitch_mm, pupil_mm)?;
         Some(SeenMark {
             number,
@@ -100,21 +107,23 @@ impl MarkSearch<'_> {
         })
     }
 
-    /// The pixels that see the card about a mark; `None` where the array or the pupil cuts it.
+    /// The pixels that see the card about a mark; `None` where too many are beyond the array or the pupil.
     fn pixels(
         &self,
         map: &MarkMap,
         at_mm: [f64; 2],
         half_mm: f64,
         along_mm: [f64; 2],
+        spread_mm: f64,
     ) -> Option<Vec<Sampled>> {
         let pitch_mm = self.light.optics().microlens.pitch_mm;
         let reach = (half_mm / pitch_mm).ceil();
         let middle = self.light.lens_at(at_mm);
         let [columns, rows] = self.light.microlenses();
         let line = |at: f64, count: usize| {
-            let (first, last) = ((at - reach).floor(), (at + reach).ceil());
-            (first >= 0.0 && last < count as f64).then(|| first as usize..last as usize + 1)
+            let (first, end) = ((at - reach).floor().max(0.0), (at + reach).ceil() + 1.0);
+            let end = end.min(count as f64);
+            (first < end).then_some(first as usize..end as usize)
         };
         let (along_i, along_j) = (line(middle[0], columns)?, line(middle[1], rows)?);
         let region_mm = REGION * self.card.spacing_mm;
@@ -128,27 +137,35 @@ impl MarkSearch<'_> {
             .flat_map(|j| along_i.clone().map(move |i| (i, j)))
             .flat_map(|(i, j)| self.light.lit_pixels(i, j).filter(shows).collect::<Vec<_>>())
             .collect();
+        let reach_mm = self.reach_mm(spread_mm);
         if (found.len() as f64) < LEAST_SEEN * self.pixels_of_a_mark() {
             return None;
         }
         let stride = found.len().div_ceil(self.most_pixels.max(1));
-        Some(found.iter().step_by(stride).map(|pixel| self.sampled(pixel)).collect())
+        Some(found.iter().step_by(stride).map(|pixel| self.sampled(pixel, reach_mm)).collect())
     }
 
-    /// Pixels that show the region of one mark, if all do: its microlenses times those that the pupil
-    /// fills.
-    fn pixels_of_a_mark(&self) -> f64 {
+    /// How far from its middle ray a pixel sees the card, in mm: half a microlens' diagonal and what the
+    /// pupil interval adds out of focus, on a card that leans; with room for the step of the difference
+    /// quotients.
+    fn reach_mm(&self, spread_mm: f64) -> f64 {
         let optics = self.light.optics();
+        let leaning = self.card.normal().dot(&self.model.axis()).abs();
+        let slope = spread_mm / (optics.pupil_diameter_mm() / 2.0);
+        let blur = slope * optics.pupil_cell_mm() / optics.microlens.pitch_mm;
+        (1.0 + blur + 2.0 * STEP) * std::f64::consts::FRAC_1_SQRT_2 * optics.object_pitch_mm()
+            / leaning
+    }
+
+    /// Pixels that show the region of one mark, if all do: its microlenses times the pixels of each.
+    fn pixels_of_a_mark(&self) -> f64 {
         // The card may lean against the sensor.
         let leaning = self.card.normal().dot(&self.model.axis()).abs();
-        let across = 2.0 * REGION * self.card.spacing_mm / optics.object_pitch_mm();
-        let pupil_px = optics.pupil_diameter_mm() / optics.pupil_cell_mm();
-        // Some at the rim are not fully lit.
-        let inner_px = (pupil_px - 2.0).max(1.0);
-        across * across * leaning * std::f64::consts::FRAC_PI_4 * inner_px * inner_px
+        let across = 2.0 * REGION * self.card.spacing_mm / self.light.optics().object_pitch_mm();
+        across * across * leaning * self.light.pixels_per_lens()
     }
 
-    fn sampled(&self, pixel: &LitPixel) -> Sampled {
+    fn sampled(&self, pixel: &LitPixel, reach_mm: f64) -> Sampled {
         let optics = self.light.optics();
         let pixel_mm = optics.pixel_pitch_mm();
         let centre_mm = self.light.place_mm(pixel.lens);
@@ -164,19 +181,29 @@ impl MarkSearch<'_> {
         Sampled {
             share: f64::from(pixel.share),
             view: pixel.beside_mm.map(|mm| (mm / pixel_mm).round() as i32),
+            place_mm: centre_mm,
             pupil_mm: self.light.pupil_mm([0.0; 2], pixel.beside_mm),
+            reach_mm,
             rays,
         }
     }
 
     /// Share of a pixel's rays that meet something bright, with the card moved.
     fn bright(&self, map: &MarkMap, pixel: &Sampled, beside_mm: [f64; 2], slopes: [f64; 2]) -> f64 {
-        let bright = pixel.rays.iter().filter(|(place_mm, pupil_mm)| {
+        let met_mm = |place_mm: [f64; 2], pupil_mm: [f64; 2]| {
             let from_mm = std::array::from_fn(|axis| {
                 place_mm[axis] - beside_mm[axis] - slopes[axis] * pupil_mm[axis]
             });
-            self.card.is_bright(map.along_mm(from_mm, *pupil_mm))
-        });
+            map.along_mm(from_mm, pupil_mm)
+        };
+        let middle_mm = met_mm(pixel.place_mm, pixel.pupil_mm);
+        if self.card.edge_distance_mm(middle_mm) > pixel.reach_mm {
+            return f64::from(u8::from(self.card.is_bright(middle_mm)));
+        }
+        let bright = pixel
+            .rays
+            .iter()
+            .filter(|(place_mm, pupil_mm)| self.card.is_bright(met_mm(*place_mm, *pupil_mm)));
         bright.count() as f64 / RAYS as f64
     }
 
@@ -253,11 +280,14 @@ fn views_rms_mm(rendered: &[[f64; 3]], pixels: &[Sampled], state: &State) -> f64
             *sum += term;
         }
     }
+    // A view that sees little of the mark's edge, or edges along one axis only, says nothing.
+    let mean =
+        |n: usize| views.values().map(|sums| sums[n]).sum::<f64>() / views.len().max(1) as f64;
+    let least = [mean(0), mean(2)].map(|mean| LEAST_OF_A_VIEW * mean);
     let (mut squares, mut count) = (0.0, 0.0);
     for [xx, xy, yy, x, y] in views.into_values() {
         let determinant = xx * yy - xy * xy;
-        // A view that sees no edge along one of the axes says nothing.
-        if determinant > 1e-3 * xx * yy && xx > 0.0 && yy > 0.0 {
+        if xx > least[0] && yy > least[1] && determinant > 0.5 * xx * yy {
             let off = [(yy * x - xy * y) / determinant, (xx * y - xy * x) / determinant];
             squares += off[0] * off[0] + off[1] * off[1];
             count += 2.0;

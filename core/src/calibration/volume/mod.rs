@@ -8,23 +8,28 @@
 //! nothing else needs to know of lenses and walls.
 
 mod adjustment;
+mod calibrated_camera;
 mod camera_model;
 mod card_light;
 mod coarse_shift;
+mod doubts;
 mod error;
+mod held_out;
 mod mark_fit;
 mod mark_map;
 mod parameters;
 mod volume_calibration;
+mod volume_input;
 mod warnings;
 
 #[cfg(test)]
 mod tests;
 
+pub use calibrated_camera::{CalibratedCamera, MarkResidual};
 pub use card_light::CardLight;
 pub use error::VolumeError;
+pub use held_out::HeldOut;
 pub use parameters::{PARAMETERS, ParameterEstimate};
-pub use volume_calibration::{
-    CalibratedCamera, HeldOut, MarkResidual, VolumeCalibration, VolumeInput, calibrate_volume,
-};
+pub use volume_calibration::{VolumeCalibration, calibrate_volume};
+pub use volume_input::VolumeInput;
 pub use warnings::VolumeWarning;

@@ -1,4 +1,6 @@
-//! The cameras' fit to marks whose rays the simulator traced, without images.
+//! The cameras' fit to marks whose rays the simulator traced, without images, and with them (`images`).
+
+mod images;
 
 use lfpiv_hw::{
     Pose,
@@ -8,7 +10,7 @@ use lfpiv_sim::imaging::{CameraFlaws, Distortion, RaySettings, RayTracer, WallSe
 use nalgebra::{Point3, Vector3};
 
 use super::{
-    adjustment::{Adjusted, Bench, Sighting},
+    adjustment::{Adjusted, Bench, Sighting, first_deviations},
     mark_fit::SeenMark,
 };
 use crate::{model::EquivalentPoint, test_bench};
@@ -121,14 +123,16 @@ fn a_tilted_wall_with_all_else_off_is_followed_to_a_fraction_of_a_micrometre() {
     let origins_mm: Vec<Point3<f64>> =
         (-3..=3).map(|step| Point3::from(along * f64::from(step))).collect();
     let sightings = sightings(&tracers, &poses, &origins_mm);
-    let bench = Bench {
+    let mut bench = Bench {
         optics: &optics,
         poses: &poses,
         walls: &walls,
         card: &card,
         origins_mm: &origins_mm,
         stage_deviation_mm: 0.0,
+        deviations: first_deviations(&optics),
     };
+    bench.deviations = bench.deviations.map(|deviation| deviation / 10.0);
     let adjusted = bench.adjust(&sightings, None).unwrap();
     let [lateral_mm, depth_mm] = worst(&bench, &adjusted, &tracers);
     assert!(lateral_mm < 1e-3 && depth_mm < 1e-2, "{lateral_mm} {depth_mm}");

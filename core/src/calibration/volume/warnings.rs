@@ -19,8 +19,6 @@ pub enum VolumeWarning {
     Ambiguous {
         /// Which camera.
         camera: CameraName,
-        /// Which position, from 1.
-        position: usize,
     },
     /// The volume reaches beyond where marks were seen.
     BeyondMarks {
@@ -50,10 +48,10 @@ impl fmt::Display for VolumeWarning {
                  steps, and whether the card stands in the fluid; --stage-uncertainty-um takes an \
                  uncertain stage into account"
             ),
-            Self::Ambiguous { camera, position } => write!(
+            Self::Ambiguous { camera } => write!(
                 f,
-                "{camera} fits the card of position {position} nearly as well a spacing away: its fiducial \
-                 is hardly seen"
+                "{camera} fits the card nearly as well a spacing away: its fiducial is hardly seen, and all of \
+                 the calibration may be off by that"
             ),
             Self::BeyondMarks { axis, by_mm } => write!(
                 f,

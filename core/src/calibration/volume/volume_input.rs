@@ -1,0 +1,72 @@
+//! What a calibration of the volume is made from.
+
+use lfpiv_hw::{
+    CameraName, Optics, Pose,
+    card::{CalibrationCard, Pattern},
+};
+
+use super::{CardLight, VolumeError};
+
+/// Least width of a mark, in microlenses.
+const LEAST_MICROLENSES: f64 = 4.0;
+
+/// Least number of positions: depths, and one to leave out.
+const LEAST_POSITIONS: usize = 3;
+
+/// What a calibration is made from.
+#[derive(Debug, Clone, Copy)]
+pub struct VolumeInput<'a> {
+    /// The optics as drawn, which all cameras share.
+    pub optics: &'a Optics,
+    /// Where the cameras should stand.
+    pub poses: &'a [Pose],
+    /// The card and its places.
+    pub card: &'a CalibrationCard,
+    /// The card's light, by position and then by camera.
+    pub light: &'a [Vec<CardLight<'a>>],
+    /// Standard deviation of the card's true places beside those told, along each axis, in mm; zero takes
+    /// them as they are.
+    pub stage_deviation_mm: f64,
+    /// Middle and half the edges of the box that the maps must hold in, in mm.
+    pub box_mm: [[f64; 3]; 2],
+}
+
+impl VolumeInput<'_> {
+    /// Whether the parts belong together, and the card can be seen.
+    pub(super) fn check(&self) -> Result<(), VolumeError> {
+        let (cameras, positions) = (self.poses.len(), self.card.position.len());
+        let numbers = |what, found, expected, each| {
+            if found == expected {
+                Ok(())
+            } else {
+                Err(VolumeError::Numbers { what, found, expected, each })
+            }
+        };
+        numbers("images of positions", self.light.len(), positions, "position of the card")?;
+        for lights in self.light {
+            numbers("images of one position", lights.len(), cameras, "camera")?;
+        }
+        if !self.card.wall.is_empty() {
+            numbers("[[wall]] tables", self.card.wall.len(), cameras, "camera")?;
+        }
+        if positions < LEAST_POSITIONS {
+            return Err(VolumeError::FewPositions { found: positions });
+        }
+        let card = &self.card.card;
+        let mark_mm = match card.pattern {
+            Pattern::Dots => card.dot_diameter_mm,
+            Pattern::Checkerboard => card.spacing_mm,
+        };
+        let microlenses = mark_mm / self.optics.object_pitch_mm();
+        if microlenses < LEAST_MICROLENSES {
+            return Err(VolumeError::SmallMarks { mark_mm, microlenses });
+        }
+        for (camera, pose) in self.poses.iter().enumerate() {
+            let towards = card.normal().dot(&pose.axis);
+            if towards.abs() < 0.1 || (towards < 0.0 && card.two_sided_mm.is_none()) {
+                return Err(VolumeError::WrongSide { camera: CameraName(camera) });
+            }
+        }
+        Ok(())
+    }
+}
