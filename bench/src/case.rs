@@ -1,6 +1,6 @@
 //! From a declared case to configurations that can be simulated and measured.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use lfpiv::config::{Config, read_or_shipped};
 use lfpiv_sim::{BenchGeometry, Flow, Placement, Scene, flow::PlaneWave};
@@ -19,6 +19,8 @@ pub struct Setting<'a> {
     pub scene: Scene,
     /// The bench as the simulator sees it.
     pub bench: BenchGeometry,
+    /// The calibration card's file.
+    pub card: Option<PathBuf>,
 }
 
 impl Case {
@@ -39,7 +41,8 @@ impl Case {
                     let scene = Scene { ppm, flow, ..scene.clone() };
                     let config = Config { simulation: Some(scene.clone()), ..config.clone() };
                     let bench = config.bench_geometry();
-                    settings.push(Setting { case: self, config, scene, bench });
+                    let card = self.card.as_ref().map(|card| folder.join(card));
+                    settings.push(Setting { case: self, config, scene, bench, card });
                 }
             }
         }

@@ -50,6 +50,12 @@ pub enum BenchmarkError {
         /// The case.
         case: String,
     },
+    /// A case is to be calibrated by commands and names no card.
+    #[error("case {case}: calibration = \"commands\" needs a card, as \"../config/card.toml\"")]
+    NoCard {
+        /// The case.
+        case: String,
+    },
     /// A case's changes do not make a valid configuration.
     #[error("case {case}: {reason}")]
     Configuration {

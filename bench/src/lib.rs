@@ -8,7 +8,7 @@
 //! what the settings say, so a new one is a new entry in the TOML.
 
 mod between;
-mod calibrated;
+mod calibration_commands;
 mod case;
 mod child;
 mod error;
@@ -23,6 +23,7 @@ mod row;
 mod runner;
 mod score;
 mod suite;
+mod true_calibration;
 mod truth;
 
 pub use error::BenchmarkError;
@@ -32,4 +33,4 @@ pub use peers::read_peers;
 pub use record::{Curve, MeasuredField, Projection, Record};
 pub use row::Row;
 pub use runner::{RunOptions, run};
-pub use suite::{Bar, Beside, Case, Claim, Figure, Measure, Method, Suite, Sweep};
+pub use suite::{Bar, Beside, Calibration, Case, Claim, Figure, Measure, Method, Suite, Sweep};

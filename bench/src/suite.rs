@@ -82,10 +82,15 @@ pub struct Case {
     /// ([`Measure::Velocity`]).
     #[serde(default)]
     pub sweep: Option<Sweep>,
-    /// Whether the reconstruction is told of everything in which the simulated cameras are not as drawn,
-    /// as by a perfect calibration.
+    /// What the reconstruction is told of the cameras beyond the drawing.
     #[serde(default)]
-    pub calibrated: bool,
+    pub calibration: Calibration,
+    /// The card of calibrations by command, relative to the suite's folder.
+    #[serde(default)]
+    pub card: Option<PathBuf>,
+    /// Whether the program must refuse to measure this bench: no vector may be valid.
+    #[serde(default)]
+    pub refused: bool,
     /// What this case may cost beside another of the same set.
     #[serde(default)]
     pub beside: Option<Beside>,
@@ -112,6 +117,21 @@ pub struct Sweep {
     pub directions: Vec<[[f64; 3]; 2]>,
 }
 
+/// What a reconstruction is told of the cameras beyond the drawing.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Calibration {
+    /// Nothing.
+    #[default]
+    None,
+    /// Everything in which the simulated cameras are not as drawn, from their own rays.
+    TrueMap,
+    /// What this program's own commands find in simulated white, dark and card images.
+    Commands,
+    /// The same without a card: where micro-images are, and nothing of the volume.
+    GridAlone,
+}
+
 /// What a case may cost beside another one of the same run, at every seeding density of both: medians
 /// of the seconds, means of the errors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -127,6 +147,9 @@ pub struct Beside {
     /// voxelwise model, in voxels, mean over the components, for each density.
     #[serde(default)]
     pub exact_error_vox: Vec<f64>,
+    /// How far from 68 and 95 the per cent of vectors may be that lie within their stated intervals.
+    #[serde(default)]
+    pub intervals_within: Option<f64>,
 }
 
 /// What README says of a case with two cameras at one seeding density, the case's first method. The
@@ -213,6 +236,8 @@ pub enum Figure {
     RoughFlows,
     /// What of a plane wave is measured, against its length.
     Gain,
+    /// A bench that is not as drawn, calibrated: the first such case has the true map.
+    Calibration,
 }
 
 /// A demand on the program, each with its row in the report's first table.

@@ -1,28 +1,24 @@
 //! Camera poses: the transformation from world to camera coordinates.
 
-use garde::Validate;
 use nalgebra::{Point3, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// Orientation and position of one camera in the world frame (right-handed, millimetres).
 ///
-/// `right × up = axis`; `axis` points from the volume to the camera. `origin_mm` is the world point
-/// where the optical axis crosses the focal plane.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+/// `axis` points from the volume to the camera; `right × up = axis`, and `-axis` for a camera that looks
+/// into a mirror, whose images are mirrored. `origin_mm` is the world point at which the optical axis
+/// crosses the focal plane.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Pose {
     /// Unit vector along increasing pixel column.
-    #[garde(custom(unit_vector))]
     pub right: Vector3<f64>,
     /// Unit vector along decreasing pixel row.
-    #[garde(custom(unit_vector))]
     pub up: Vector3<f64>,
     /// Unit vector from the volume to the camera.
-    #[garde(custom(unit_vector), custom(completes(&self.right, &self.up)))]
     pub axis: Vector3<f64>,
     /// World point in focus on the optical axis, in mm.
     #[serde(default = "Vector3::zeros")]
-    #[garde(custom(near_origin))]
     pub origin_mm: Vector3<f64>,
 }
 
@@ -52,7 +48,11 @@ impl Pose {
 /// Tolerance of configured directions in length and orthogonality.
 const DIRECTION_TOLERANCE: f64 = 1e-6;
 
-fn unit_vector(v: &Vector3<f64>, _: &()) -> garde::Result {
+/// A rule for garde: the vector has unit length.
+///
+/// # Errors
+/// It has another.
+pub fn unit_vector(v: &Vector3<f64>, _: &()) -> garde::Result {
     if (v.norm() - 1.0).abs() <= DIRECTION_TOLERANCE {
         Ok(())
     } else {
@@ -60,20 +60,33 @@ fn unit_vector(v: &Vector3<f64>, _: &()) -> garde::Result {
     }
 }
 
-fn completes<'a>(
+/// A rule for garde: an axis completes `right` and `up` to a right-handed triple, or to a left-handed
+/// one for a `mirrored` camera.
+pub fn completes<'a>(
     right: &'a Vector3<f64>,
     up: &'a Vector3<f64>,
+    mirrored: bool,
 ) -> impl FnOnce(&Vector3<f64>, &()) -> garde::Result + 'a {
     move |axis, _| {
-        if (right.cross(up) - axis).norm() <= DIRECTION_TOLERANCE {
+        let (sign, allowed) = match mirrored {
+            false => (1.0, "is not right x up; allowed: a right-handed orthonormal triple"),
+            true => {
+                (-1.0, "is not -(right x up); allowed with mirrored = true: a left-handed triple")
+            }
+        };
+        if (right.cross(up) * sign - axis).norm() <= DIRECTION_TOLERANCE {
             Ok(())
         } else {
-            Err(garde::Error::new("is not right x up; allowed: a right-handed orthonormal triple"))
+            Err(garde::Error::new(allowed))
         }
     }
 }
 
-fn near_origin(v: &Vector3<f64>, _: &()) -> garde::Result {
+/// A rule for garde: each coordinate is within 100 mm.
+///
+/// # Errors
+/// One is not.
+pub fn near_origin(v: &Vector3<f64>, _: &()) -> garde::Result {
     if v.iter().all(|c| c.abs() <= 100.0) {
         Ok(())
     } else {
@@ -102,13 +115,12 @@ mod tests {
     }
 
     #[test]
-    fn a_left_handed_or_non_finite_triple_is_refused() {
-        assert!(camera_two().validate().is_ok());
-        let mut flipped = camera_two();
-        flipped.axis = -flipped.axis;
-        assert!(flipped.validate().unwrap_err().to_string().contains("right x up"));
-        let mut broken = camera_two();
-        broken.right.x = f64::NAN;
-        assert!(broken.validate().is_err());
+    fn a_left_handed_triple_is_that_of_a_mirrored_camera() {
+        let Pose { right, up, axis, .. } = camera_two();
+        let said = |axis: Vector3<f64>, mirrored| completes(&right, &up, mirrored)(&axis, &());
+        assert!(said(axis, false).is_ok() && said(-axis, true).is_ok());
+        assert!(said(-axis, false).unwrap_err().to_string().contains("right x up"));
+        assert!(said(axis, true).unwrap_err().to_string().contains("mirrored"));
+        assert!(unit_vector(&Vector3::new(f64::NAN, 0.0, 0.0), &()).is_err());
     }
 }

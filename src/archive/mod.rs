@@ -9,6 +9,8 @@
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
 //!   volumes of any program.
 //!
+//! - [`sha256`], [`stated_and_true_hash`]: JSON files that carry their own hash.
+//!
 //! NetCDF files appear under their final name only when they are whole: they are made in memory, where
 //! the library meets no failing disk, written as `NAME.part`, fsynced and renamed. A `.part` file is the
 //! rest of a run that was killed.
@@ -18,6 +20,7 @@ mod error;
 mod exported;
 mod fit_variables;
 mod grey_tiff;
+mod json_hash;
 mod merge;
 mod netcdf_file;
 mod netcdf_open;
@@ -41,6 +44,7 @@ pub use exported::{Hdf5File, write_csv, write_tecplot};
 pub use grey_tiff::{
     FileDepth, ImageSize, read_grey_tiff, read_grey_tiff_of_any_size, write_grey_tiff,
 };
+pub use json_hash::{sha256, stated_and_true_hash};
 pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, VtiSource, write_vti};

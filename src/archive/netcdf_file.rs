@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use lfpiv_hw::CameraName;
 use netcdf::{FileMut, NcTypeDescriptor};
 use time::{OffsetDateTime, format_description::well_known::Rfc3339};
 
@@ -49,6 +50,23 @@ impl Finished {
     }
 }
 
+/// The calibrations that a configuration was used with, as `cam1: HASH, cam2: HASH`; `None` for cameras
+/// as drawn.
+fn calibration_hashes(configuration: &str) -> Option<String> {
+    let table: toml::Table = configuration.parse().ok()?;
+    let hashes: Vec<String> = table
+        .get("calibration")?
+        .as_array()?
+        .iter()
+        .filter_map(|of_camera| {
+            let camera = usize::try_from(of_camera.get("camera")?.as_integer()?).ok()?;
+            let hash = of_camera.get("sha256")?.as_str()?;
+            Some(format!("{}: {hash}", CameraName(camera.checked_sub(1)?)))
+        })
+        .collect();
+    (!hashes.is_empty()).then(|| hashes.join(", "))
+}
+
 impl NetCdfFile {
     /// Begins the file that is to lie at `path` and be no larger than `bytes`, with the global
     /// attributes; `configuration` is the TOML text the results were made with.
@@ -69,6 +87,9 @@ impl NetCdfFile {
             file.add_attribute("code_version", version)?;
             file.add_attribute("history", history.as_str())?;
             file.add_attribute("configuration", configuration)?;
+            if let Some(hashes) = calibration_hashes(configuration) {
+                file.add_attribute("calibration_sha256", hashes.as_str())?;
+            }
             Ok(file)
         };
         let file = created.and_then(describe).map_err(ArchiveError::netcdf(path))?;

@@ -1,8 +1,8 @@
 //! Opens the instruments that a configuration names.
 
-use std::{fs, path::Path, time::Duration};
+use std::{fs, net::Ipv4Addr, path::Path, time::Duration};
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 use lfpiv_hw::{
     CameraName, RecordedCamera,
     device::Camera,
@@ -37,12 +37,46 @@ pub(super) fn open(config: &Config, instruments: &InstrumentSettings) -> anyhow:
             waits_for_operator: then == AfterBenchLoss::WaitForArm,
         }),
     };
+    check_serials(config, instruments)?;
     let size = ImageSize::from(&config.optics.sensor);
     let cameras = instruments.camera.iter().enumerate().map(|(index, settings)| {
         open_camera(index, settings, size, instruments.frame_record.as_deref())
     });
     let cameras = cameras.collect::<anyhow::Result<_>>()?;
     Ok(Bench { cameras, synchroniser, transcript: Some(transcript), reconnection })
+}
+
+/// Whether cameras that are found by their address are those of their calibrations, as far as discovery
+/// reaches them.
+fn check_serials(config: &Config, instruments: &InstrumentSettings) -> anyhow::Result<()> {
+    let expected: Vec<(usize, Ipv4Addr, &str)> = config
+        .calibration
+        .iter()
+        .filter_map(|stored| {
+            let index = stored.camera.checked_sub(1)?;
+            Some((index, instruments.camera.get(index)?.ip?, stored.serial.as_deref()?))
+        })
+        .collect();
+    if expected.is_empty() {
+        return Ok(());
+    }
+    let found = gige::list_devices().context("nobody can say which cameras these are")?;
+    for (index, ip, serial) in expected {
+        let name = CameraName(index);
+        match found.iter().find(|camera| camera.address == ip.to_string()) {
+            Some(camera) if camera.serial == serial => {}
+            Some(camera) => bail!(
+                "{name}: the camera at {ip} has serial {}, and its calibration is of {serial}: calibrate this \
+                 camera, or correct instruments.camera[{index}].ip",
+                camera.serial
+            ),
+            None => tracing::warn!(
+                "{name}: the camera at {ip} does not answer discovery, so that nobody knows whether its \
+                 calibration, of serial {serial}, is its own"
+            ),
+        }
+    }
+    Ok(())
 }
 
 fn open_camera(

@@ -7,6 +7,7 @@
 
 mod beside;
 mod calibrate;
+mod card_file;
 mod check;
 mod compare;
 mod correlate;

@@ -55,7 +55,7 @@ pub struct RunArgs {
 pub fn run(args: RunArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load_for(Purpose::Bench, &args.config)?;
     let truth = match &args.truth {
-        Some(path) => ConfigFile::load(path)?.config.simulation,
+        Some(path) => ConfigFile::load_for(Purpose::Optics, path)?.config.simulation,
         None => file.config.simulation.clone(),
     };
     let bench = open_bench(&file.config, args.shots)

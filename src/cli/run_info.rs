@@ -8,7 +8,7 @@ use lfpiv_hw::CameraName;
 use super::{daemon_plan::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
-    server::{ConfigurationSummary, RunInfo},
+    server::{CalibrationSummary, ConfigurationSummary, RunInfo},
 };
 
 pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
@@ -26,6 +26,15 @@ pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
             file: plan.file.path.clone(),
             simulated: config.simulation.is_some(),
             cameras: (0..config.camera.len()).map(|index| CameraName(index).to_string()).collect(),
+            calibrations: config
+                .calibration
+                .iter()
+                .map(|stored| CalibrationSummary {
+                    camera: CameraName(stored.camera - 1).to_string(),
+                    file: stored.file.clone(),
+                    sha256: stored.sha256.clone(),
+                })
+                .collect(),
             voxels_xyz: config.volume.voxels,
             voxel_mm: config.volume.voxel_mm,
             window_mm: config.velocimetry.window_mm,

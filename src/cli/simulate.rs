@@ -1,6 +1,7 @@
-//! `lfpiv simulate`: image pairs of a known flow, and white and dark images, with the truth beside
-//! them.
+//! `lfpiv simulate`: image pairs of a known flow, and what a calibration needs: white and dark images,
+//! and those of a card; with the truth beside them.
 
+mod card;
 mod references;
 
 use std::{
@@ -13,10 +14,13 @@ use anyhow::{Context, bail};
 use lfpiv_core::lightfield::ImagePair;
 use lfpiv_sim::{Scene, Truth};
 
-use super::output::{count, print, progress_bar};
+use super::{
+    card_file::read_card,
+    output::{count, print, progress_bar},
+};
 use crate::{
     archive::{FileDepth, write_pair, write_replacing},
-    config::ConfigFile,
+    config::{ConfigFile, Purpose},
 };
 
 /// Arguments of `lfpiv simulate`.
@@ -38,6 +42,11 @@ pub struct SimulateArgs {
     /// Dark images of each camera: dark/camK_NN.tif.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub dark: u64,
+    /// Images of a calibration card at its positions: card/pNN_camK.tif, with card/card.toml, which
+    /// names them and the white and dark images; FILE says what the card is and where it is put
+    /// (config/card.toml).
+    #[arg(long, value_name = "FILE")]
+    pub card: Option<PathBuf>,
     /// Seed of the random numbers; the configuration's when absent.
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
@@ -45,15 +54,16 @@ pub struct SimulateArgs {
 
 /// Writes pair folders with 8- or 16-bit images, as the sensor is, and `truth.json` in each:
 /// particle positions at both pulses in mm, their brightness, the flow and dt; and white and dark
-/// images that were asked for.
+/// images and those of a card that were asked for.
 pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
-    let file = ConfigFile::load(&args.config)?;
+    let file = ConfigFile::load_for(Purpose::Optics, &args.config)?;
     let Some(scene) = &file.config.simulation else {
         bail!(
             "{} has no [simulation] table: add one, or take config/sim.toml as a start",
             args.config.display()
         );
     };
+    let card = args.card.as_deref().map(read_card).transpose()?;
     let folders = new_folders(args)?;
     let bench = file.config.bench_geometry();
     scene.check(&bench)?;
@@ -72,29 +82,35 @@ pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    references::write(scene, &bench, seed, &args.out, [args.white, args.dark])?;
+    let references = [args.white, args.dark];
+    references::write(scene, &bench, seed, &args.out, references)?;
+    if let Some(card) = &card {
+        card::write(scene, &bench, seed, &args.out, card, references)?;
+    }
     print(&format!("{} with seed {seed} in {}", written(args), args.out.display()))
 }
 
-/// "3 shots", or "3 shots, 5 white images and 1 dark image of each camera".
+/// "3 shots", or "3 shots, 5 white images and 1 dark image of each camera, a card".
 fn written(args: &SimulateArgs) -> String {
     let shots = count(args.shots as usize, "shot");
     let [white, dark] = [(args.white, "white image"), (args.dark, "dark image")]
         .map(|(images, what)| (images > 0).then(|| count(images as usize, what)));
-    match (white, dark) {
+    let images = match (white, dark) {
         (None, None) => shots,
         (Some(one), None) | (None, Some(one)) => format!("{shots}, {one} of each camera"),
         (Some(white), Some(dark)) => format!("{shots}, {white} and {dark} of each camera"),
-    }
+    };
+    if args.card.is_some() { format!("{images}, a card") } else { images }
 }
 
-/// The shots' folders; none may exist, nor those of white and dark images that are asked for, so
-/// that no recorded image is overwritten.
+/// The shots' folders; none may exist, nor those of other images that are asked for, so that no recorded image is overwritten.
 fn new_folders(args: &SimulateArgs) -> anyhow::Result<Vec<PathBuf>> {
     let folders: Vec<PathBuf> =
         (0..args.shots).map(|shot| args.out.join(format!("shot_{shot:04}"))).collect();
     let [white, dark] = references::folders(&args.out);
-    let references = [(args.white, &white), (args.dark, &dark)];
+    let card = card::folder(&args.out);
+    let cards = u64::from(args.card.is_some());
+    let references = [(args.white, &white), (args.dark, &dark), (cards, &card)];
     let references = references.iter().filter(|(images, _)| *images > 0).map(|(_, folder)| *folder);
     if let Some(existing) = folders.iter().chain(references).find(|folder| folder.exists()) {
         bail!("{} exists already: choose another --out or remove it", existing.display());

@@ -6,7 +6,7 @@ use anyhow::Context;
 use lfpiv_hw::PulseSchedule;
 
 use super::output::print;
-use crate::config::ConfigFile;
+use crate::config::{ConfigFile, Purpose};
 
 /// Arguments of `lfpiv timing`.
 #[derive(Debug, clap::Args)]
@@ -21,7 +21,7 @@ pub struct TimingArgs {
 
 /// Plans the pulse schedule and prints its diagram, or says which rules it breaks.
 pub fn timing(args: &TimingArgs) -> anyhow::Result<()> {
-    let config = ConfigFile::load(&args.config)?.config;
+    let config = ConfigFile::load_for(Purpose::Optics, &args.config)?.config;
     let schedule = PulseSchedule::plan(&config.timing, config.shot.dt_us, config.shot.rate_hz)
         .with_context(|| format!("{}: [shot] cannot be timed", args.config.display()))?;
     if let Some(path) = &args.svg {

@@ -1,6 +1,8 @@
 //! Whether the parts of a configuration fit together: every value may be in its range, and the whole
 //! still describe nothing that can be measured.
 
+use std::borrow::Cow;
+
 use lfpiv_core::{
     model::{Sight, VolumeGrid, degrees_apart},
     reconstruction::{Domain, ReconstructionSettings, Solver},
@@ -15,9 +17,11 @@ use super::Config;
 /// What a configuration is read for, and so what of it has to fit together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
+    /// To make images, or to calibrate: calibrations are not read.
+    Optics,
     /// To correlate volumes that are there: volume and windows.
     Volumes,
-    /// To measure images: the cameras, too.
+    /// To measure images: the cameras and their calibrations, too.
     Images,
     /// To run the bench: laser and cameras must keep its rate, too.
     Bench,
@@ -33,13 +37,13 @@ const LEAST_DEGREES_APART: f64 = 1.0;
 /// A key, and why its value does not fit the rest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Misfit {
-    pub key: &'static str,
+    pub key: Cow<'static, str>,
     pub message: String,
 }
 
 impl Misfit {
-    fn new(key: &'static str, message: String) -> Self {
-        Self { key, message }
+    pub fn new(key: impl Into<Cow<'static, str>>, message: String) -> Self {
+        Self { key: key.into(), message }
     }
 }
 
@@ -90,7 +94,7 @@ fn windows(config: &Config) -> Vec<Misfit> {
 }
 
 fn common_view(config: &Config) -> Option<Misfit> {
-    let sight = |grid: &VolumeGrid| Sight::new(&config.optics, &config.camera, grid);
+    let sight = |grid: &VolumeGrid| Sight::new(&config.optics, &config.poses(), grid);
     let seen = sight(&config.volume);
     if seen.common >= LEAST_COMMON_VIEW {
         return None;
@@ -119,7 +123,8 @@ fn common_view(config: &Config) -> Option<Misfit> {
 }
 
 fn same_camera(config: &Config) -> Option<Misfit> {
-    let [one, other] = config.camera.as_slice() else { return None };
+    let poses = config.poses();
+    let [one, other] = poses.as_slice() else { return None };
     let degrees = degrees_apart(&config.optics, [one, other], &config.volume);
     (degrees < LEAST_DEGREES_APART).then(|| {
         Misfit::new(

@@ -2,6 +2,9 @@
 //! the scene. Each room owns the settings of its own table; this room puts them together and says
 //! where a file is wrong.
 
+mod calibration;
+mod calibration_file;
+mod camera;
 mod instruments;
 mod location;
 mod misfit;
@@ -17,7 +20,7 @@ use garde::Validate;
 use lfpiv_core::{
     lightfield::ImageSettings,
     measurement::Measurement,
-    model::{ModelSettings, VolumeGrid, mode_or_table},
+    model::{CameraCalibration, ModelSettings, VolumeGrid, mode_or_table},
     reconstruction::ReconstructionSettings,
     velocimetry::VelocimetrySettings,
 };
@@ -26,13 +29,20 @@ use lfpiv_rawlog::RawLogSettings;
 use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
+pub use calibration::StoredCalibration;
+pub use calibration_file::{
+    CalibratedCameraEntry, CalibrationFile, Content as CalibrationContent, GRID as GRID_FORMAT,
+    VERSION as CALIBRATION_VERSION, hash_of, read_calibration,
+};
+pub use camera::CameraTable;
 pub use instruments::InstrumentSettings;
 pub use misfit::Purpose;
 pub use problem::{ConfigError, Problem};
 pub use server::{ServerSettings, TlsSettings};
 pub use shipped::read_or_shipped;
 
-/// A configuration and the text it was read from, which is stored with the results.
+/// A configuration and the text it was read from, with what was read from the calibrations that it
+/// names: this text is stored with the results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConfigFile {
     /// Where it was read from.
@@ -59,10 +69,21 @@ impl ConfigFile {
     pub fn load_for(purpose: Purpose, path: &Path) -> Result<Self, ConfigError> {
         let text = read_or_shipped(path)
             .map_err(|reason| ConfigError::Unreadable { path: path.into(), reason })?;
-        let config = problem::read(&path.display().to_string(), &text, Some(purpose))
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let config = problem::read(&path.display().to_string(), &text, Some((purpose, folder)))
             .map_err(|problems| ConfigError::Invalid { problems })?;
-        Ok(Self { path: path.into(), text, config })
+        Ok(Self { path: path.into(), text: with_calibrations(text, &config)?, config })
     }
+}
+
+/// The text of a configuration with what was read from calibrations, where that is not in it yet.
+fn with_calibrations(text: String, config: &Config) -> Result<String, ConfigError> {
+    let has_them = text.parse::<toml::Table>().is_ok_and(|table| table.contains_key("calibration"));
+    if has_them {
+        return Ok(text);
+    }
+    let stored = calibration::stored_text(&config.calibration)?;
+    Ok(text + &stored)
 }
 
 /// A whole configuration file.
@@ -74,7 +95,7 @@ pub struct Config {
     pub optics: Optics,
     /// Where the cameras stand; one or two.
     #[garde(custom(one_or_two), dive)]
-    pub camera: Vec<Pose>,
+    pub camera: Vec<CameraTable>,
     /// The measurement volume.
     #[garde(dive)]
     pub volume: VolumeGrid,
@@ -133,6 +154,10 @@ pub struct Config {
     #[serde(default)]
     #[garde(dive)]
     pub wire: Option<WireSettings>,
+    /// What was read from the cameras' calibration files.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[garde(dive)]
+    pub calibration: Vec<StoredCalibration>,
 }
 
 /// Timing of a shot.
@@ -182,7 +207,7 @@ impl Default for OutputSettings {
     }
 }
 
-fn one_or_two(cameras: &[Pose], _: &()) -> garde::Result {
+fn one_or_two(cameras: &[CameraTable], _: &()) -> garde::Result {
     match cameras.len() {
         1 | 2 => Ok(()),
         other => {
@@ -192,7 +217,7 @@ fn one_or_two(cameras: &[Pose], _: &()) -> garde::Result {
 }
 
 fn one_per_camera(
-    cameras: &[Pose],
+    cameras: &[CameraTable],
 ) -> impl FnOnce(&Option<InstrumentSettings>, &()) -> garde::Result + '_ {
     move |instruments, _| match instruments.as_ref().map(|i| i.camera.len()) {
         Some(count) if count != cameras.len() => Err(garde::Error::new(format!(
@@ -216,7 +241,7 @@ fn simulation_or_instruments(
 }
 
 fn no_more_than_cameras(
-    cameras: &[Pose],
+    cameras: &[CameraTable],
 ) -> impl FnOnce(&Option<Scene>, &()) -> garde::Result + '_ {
     move |simulation, _| {
         let Some(scene) = simulation else { return Ok(()) };
@@ -245,11 +270,28 @@ impl Config {
         problem::read(file, text, None).map_err(|problems| ConfigError::Invalid { problems })
     }
 
+    /// Where the cameras stand.
+    pub fn poses(&self) -> Vec<Pose> {
+        self.camera.iter().map(CameraTable::pose).collect()
+    }
+
+    /// What is known of the cameras beyond the drawing, in their order.
+    fn calibrations(&self) -> Vec<CameraCalibration> {
+        let of = |camera: usize| {
+            let stored = self.calibration.iter().find(|stored| stored.camera == camera + 1);
+            stored.map(|stored| stored.known.clone()).unwrap_or_default()
+        };
+        match self.calibration.is_empty() {
+            true => Vec::new(),
+            false => (0..self.camera.len()).map(of).collect(),
+        }
+    }
+
     /// The bench as the simulator sees it.
     pub fn bench_geometry(&self) -> BenchGeometry {
         BenchGeometry {
             optics: self.optics.clone(),
-            poses: self.camera.clone(),
+            poses: self.poses(),
             volume: Volume {
                 voxels: self.volume.voxels,
                 voxel_mm: self.volume.voxel_mm,
@@ -270,9 +312,9 @@ impl Config {
     /// The part of the configuration that turns image pairs into vectors.
     pub fn measurement(&self) -> Measurement {
         Measurement {
-            calibrations: Vec::new(),
+            calibrations: self.calibrations(),
             optics: self.optics.clone(),
-            cameras: self.camera.clone(),
+            cameras: self.poses(),
             volume: self.volume.clone(),
             image: self.image.clone(),
             model: self.model.clone(),

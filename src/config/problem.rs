@@ -1,13 +1,17 @@
 //! What is wrong with a configuration, in words that say where and what is allowed.
 
-use std::{fmt, io, ops::Range, path::PathBuf};
+use std::{
+    fmt, io,
+    ops::Range,
+    path::{Path, PathBuf},
+};
 
 use garde::Validate;
 use thiserror::Error;
 use toml::{Table, Value, de::DeTable};
 
 use super::{
-    Config,
+    Config, calibration,
     location::{Entry, KeyPath, Step, entries, line_and_column},
     misfit::{Purpose, misfits},
     range::{allowed_range, is_bound},
@@ -25,6 +29,9 @@ pub enum ConfigError {
         /// The system's reason.
         reason: io::Error,
     },
+    /// What was read from calibrations cannot be kept with the configuration.
+    #[error("the calibrations cannot be written as TOML: {0}")]
+    Calibration(#[from] toml::ser::Error),
     /// The file's content is wrong: every [`Problem`], one a line.
     #[error("{}", list(problems))]
     Invalid {
@@ -63,12 +70,12 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Reads and checks a configuration, with a purpose whether its parts fit together, too; `file` is
-/// only named in the messages.
+/// Reads and checks a configuration, with a purpose whether its parts fit together, too, and what the
+/// calibrations say that it names, relative to the folder; `file` is only named in the messages.
 pub(super) fn read(
     file: &str,
     text: &str,
-    purpose: Option<Purpose>,
+    purpose: Option<(Purpose, &Path)>,
 ) -> Result<Config, Vec<Problem>> {
     let syntax = |error: toml::de::Error| {
         let byte = error.span().map_or(0, |span| span.start);
@@ -80,7 +87,7 @@ pub(super) fn read(
     let not_finite: Vec<_> = entries.iter().filter(|entry| entry.not_finite).collect();
     let mut problems: Vec<_> =
         not_finite.iter().map(|entry| reader.not_finite_problem(entry)).collect();
-    let config = match toml::from_str::<Config>(text) {
+    let mut config = match toml::from_str::<Config>(text) {
         Ok(config) => config,
         Err(error) => {
             problems.push(reader.type_problem(&error));
@@ -98,9 +105,17 @@ pub(super) fn read(
     }
     problems.extend(reader.surplus_problems(&config));
     // Values out of their ranges say nothing about the whole.
-    if let (true, Some(purpose)) = (problems.is_empty(), purpose) {
-        for misfit in misfits(&config, purpose) {
-            problems.push(reader.rule_problem(&KeyPath::parse(misfit.key), &misfit.message));
+    if let (true, Some((purpose, folder))) = (problems.is_empty(), purpose) {
+        let mut found = misfits(&config, purpose);
+        // A stored configuration has in it what was read then.
+        if matches!(purpose, Purpose::Images | Purpose::Bench) && config.calibration.is_empty() {
+            match calibration::load(&config, folder) {
+                Ok(loaded) => config.calibration = loaded,
+                Err(misfits) => found.extend(misfits),
+            }
+        }
+        for misfit in found {
+            problems.push(reader.rule_problem(&KeyPath::parse(&misfit.key), &misfit.message));
         }
     }
     problems.sort_by_key(|problem| (problem.line, problem.column));

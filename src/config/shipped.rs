@@ -8,10 +8,11 @@ use std::{
 use lfpiv_rawlog::regular_file::read_text;
 
 /// Every shipped file by its place in the source.
-const SHIPPED: [(&str, &str); 9] = [
+const SHIPPED: [(&str, &str); 10] = [
     ("config/sim.toml", include_str!("../../config/sim.toml")),
     ("config/bench.toml", include_str!("../../config/bench.toml")),
     ("config/imperfect.toml", include_str!("../../config/imperfect.toml")),
+    ("config/card.toml", include_str!("../../config/card.toml")),
     ("config/jet.toml", include_str!("../../config/jet.toml")),
     ("config/paper.toml", include_str!("../../config/paper.toml")),
     ("config/loopback.toml", include_str!("../../config/loopback.toml")),

@@ -59,7 +59,7 @@ pub use control::Controls;
 use error::ApiError;
 pub use frames::FrameSource;
 pub use protection::{Protection, ProtectionError, open_files_needed, raise_open_files};
-pub use state::{ApiState, ConfigurationSummary, Phase, RunInfo};
+pub use state::{ApiState, CalibrationSummary, ConfigurationSummary, Phase, RunInfo};
 
 /// Largest body of a request.
 const BODY_BYTES: usize = 64 << 10;

@@ -59,6 +59,8 @@ pub struct ConfigurationSummary {
     pub simulated: bool,
     /// Names of the cameras.
     pub cameras: Vec<String>,
+    /// Calibrations of the cameras; those that are not listed are taken as drawn.
+    pub calibrations: Vec<CalibrationSummary>,
     /// Voxels along x, y, z.
     pub voxels_xyz: [usize; 3],
     /// Edge of a voxel.
@@ -75,6 +77,18 @@ pub struct ConfigurationSummary {
     pub overload: String,
     /// Shots that fit in the queue.
     pub queue: usize,
+}
+
+/// The calibration of a camera.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct CalibrationSummary {
+    /// Name of the camera.
+    pub camera: String,
+    /// The file that it was read from.
+    #[schema(value_type = String)]
+    pub file: PathBuf,
+    /// The file's hash.
+    pub sha256: String,
 }
 
 /// Shared by all handlers; cheap to clone.

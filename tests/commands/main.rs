@@ -9,6 +9,7 @@ mod support;
 
 mod bad_input;
 mod calibrate;
+mod calibrate_volume;
 mod check;
 mod configuration;
 mod configuration_numbers;

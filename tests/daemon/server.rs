@@ -53,6 +53,7 @@ fn info() -> RunInfo {
         model: "thin lens".to_owned(),
         solver: "os-mart".to_owned(),
         configuration: ConfigurationSummary {
+            calibrations: Vec::new(),
             file: PathBuf::from("bench.toml"),
             simulated: true,
             cameras: vec!["cam1".to_owned(), "cam2".to_owned()],

@@ -40,7 +40,7 @@ pub(super) fn measure(
             Footprint::Voxel => config.volume.voxel_mm,
             Footprint::Auto | Footprint::Point => 0.0,
         };
-        let model = thin_lens_model(&config.optics, &config.camera, &config.volume, footprint_mm)?;
+        let model = thin_lens_model(&config.optics, &config.poses(), &config.volume, footprint_mm)?;
         for &seed in &setting.case.seeds {
             let truth = setting.scene.truth(&setting.bench, seed, 0);
             let frame = Frame::simulate(setting, &truth, &reconstructor);

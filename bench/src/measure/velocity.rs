@@ -4,17 +4,19 @@ use lfpiv::pipeline::monotonic;
 use lfpiv_core::{
     lightfield::ImagePair,
     measurement::{Measurement, Processor},
+    model::CameraCalibration,
     velocimetry::{PairResult, VelocityField},
 };
 use lfpiv_sim::{FrameOfPair, Truth};
 
 use super::{Findings, Surroundings};
 use crate::{
-    BenchmarkError, Curve, Figure, MeasuredField, Method, Row,
+    BenchmarkError, Calibration, Curve, Figure, MeasuredField, Method, Row,
     between::{error_between_vox, gain},
-    calibrated::calibrations,
+    calibration_commands::calibrations_by_commands,
     case::Setting,
     score::{Score, true_field},
+    true_calibration::true_calibrations,
     truth::true_cloud,
 };
 
@@ -39,11 +41,12 @@ pub(super) fn measure(
     surroundings: &mut Surroundings,
     findings: &mut Findings,
 ) -> Result<(), BenchmarkError> {
+    let calibrations = calibrations(setting, surroundings)?;
     let processors = methods
         .iter()
         .map(|&method| {
             let measurement = Measurement {
-                calibrations: calibrations(setting),
+                calibrations: calibrations.clone(),
                 ..setting.config_with(method).measurement()
             };
             Ok((method, Processor::timed(measurement, monotonic)?))
@@ -58,6 +61,24 @@ pub(super) fn measure(
         }
     }
     Ok(())
+}
+
+/// What the reconstruction is told of the cameras.
+fn calibrations(
+    setting: &Setting,
+    surroundings: &Surroundings,
+) -> Result<Vec<CameraCalibration>, BenchmarkError> {
+    let by_commands =
+        |card| calibrations_by_commands(setting, surroundings.program, surroundings.work, card);
+    match setting.case.calibration {
+        Calibration::None => Ok(Vec::new()),
+        Calibration::TrueMap => Ok(true_calibrations(setting)),
+        Calibration::GridAlone => by_commands(None),
+        Calibration::Commands => match &setting.card {
+            Some(card) => by_commands(Some(card)),
+            None => Err(BenchmarkError::NoCard { case: setting.case.name.clone() }),
+        },
+    }
 }
 
 /// A seed's shot.

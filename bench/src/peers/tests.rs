@@ -13,15 +13,13 @@ use tempfile::tempdir;
 use super::*;
 
 fn bench(grid: &VolumeGrid) -> BenchGeometry {
-    let Config { mut optics, camera, .. } = {
-        let text = include_str!("../../../config/bench.toml");
-        Config::parse("bench", text).unwrap()
-    };
+    let config = Config::parse("bench", include_str!("../../../config/bench.toml")).unwrap();
+    let (poses, mut optics) = (config.poses(), config.optics);
     // Five pixels along a micro-image: few views, so that the test is quick.
     optics.sensor.pixel_pitch_um = 20.08;
     (optics.sensor.columns, optics.sensor.rows) = (645, 485);
     let volume = Volume { voxels: grid.voxels, voxel_mm: grid.voxel_mm, centre_mm: grid.centre_mm };
-    BenchGeometry { optics, poses: camera, volume, dt_s: 1e-4 }
+    BenchGeometry { optics, poses, volume, dt_s: 1e-4 }
 }
 
 fn grid(voxels: [usize; 3]) -> VolumeGrid {

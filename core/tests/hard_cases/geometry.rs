@@ -1,6 +1,6 @@
 //! Cameras that stand badly, or elsewhere than the calibration says.
 
-use lfpiv_hw::Pose;
+use lfpiv_hw::{Pose, RawImage};
 use nalgebra::Vector3;
 
 use super::bench::{FOCUS_BEHIND_MM, Measured, SEED, measured, shot, simulated, usual, usual_rms};
@@ -134,4 +134,23 @@ fn a_camera_beside_its_calibration_costs_accuracy_first_and_vectors_then() {
         assert!(found.valid_share() >= least_valid, "{shift_vox}: {}", found.valid_share());
         assert!(found.false_share() <= 0.05, "{shift_vox}: {}", found.false_share());
     }
+}
+
+/// A camera that looks into a mirror shows everything with its columns the other way round, and its
+/// pose is left-handed.
+#[test]
+fn a_mirrored_camera_measures_as_well() {
+    let config = usual();
+    let mut shot = shot(&config, SEED);
+    for image in &mut shot.images[1] {
+        let counts =
+            image.counts().chunks(image.columns()).flat_map(|row| row.iter().rev().copied());
+        *image = RawImage::new(image.columns(), image.rows(), counts.collect()).unwrap();
+    }
+    let mut mirrored = config.clone();
+    mirrored.camera[1].right = -mirrored.camera[1].right;
+    let found = measured(&mirrored, shot.images, &shot.truth.flow);
+    found.print("camera 2 looks into a mirror");
+    assert!(found.rms() <= 1.1 * usual_rms(), "{}", found.rms());
+    assert!(found.valid_share() >= 0.9, "{}", found.valid_share());
 }

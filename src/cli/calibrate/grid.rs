@@ -17,7 +17,7 @@ use super::{
 use crate::{
     archive::write_replacing,
     cli::output::{count, print},
-    config::ConfigFile,
+    config::{ConfigFile, Purpose},
 };
 
 /// Arguments of `lfpiv calibrate grid`.
@@ -80,7 +80,7 @@ pub fn grid(args: &GridArgs) -> anyhow::Result<()> {
 /// The configuration, if it has that camera.
 fn configured(args: &GridArgs) -> anyhow::Result<Option<ConfigFile>> {
     let Some(path) = &args.config else { return Ok(None) };
-    let file = ConfigFile::load(path)?;
+    let file = ConfigFile::load_for(Purpose::Optics, path)?;
     let cameras = file.config.camera.len();
     if args.camera.is_some_and(|number| usize::from(number) > cameras) {
         bail!("{} has {}: give --camera 1 to {cameras}", path.display(), count(cameras, "camera"));

@@ -8,13 +8,11 @@ use lfpiv_core::{
 };
 use serde::Serialize;
 
-use super::reference_images::{InputFile, sha256};
-
-/// What tells the file from others.
-const FORMAT: &str = "lfpiv micro-image grid";
-
-/// Raised when what is in the file changes its meaning.
-const VERSION: u32 = 1;
+use super::reference_images::InputFile;
+use crate::{
+    archive::sha256,
+    config::{CALIBRATION_VERSION, GRID_FORMAT},
+};
 
 /// How the numbers are meant.
 const MEANING: &str = "the micro-image of microlens (i, j) is centred at column a0 + a1 i + a2 j and \
@@ -102,8 +100,8 @@ impl GridFile {
             rows().map(|row| row.iter().map(|lens| thousandths(value(lens))).collect()).collect()
         };
         let mut file = Self {
-            format: FORMAT,
-            version: VERSION,
+            format: GRID_FORMAT,
+            version: CALIBRATION_VERSION,
             sha256: String::new(),
             program: concat!("lfpiv ", env!("CARGO_PKG_VERSION")),
             camera,

@@ -1,14 +1,20 @@
 //! `lfpiv calibrate`: what a camera is, from images made for it.
 
+mod focus;
 mod grid;
 mod grid_file;
 mod overlay;
 mod page;
 mod reference_images;
+mod volume;
+mod volume_file;
+mod volume_page;
 
 use clap::Subcommand;
 
+pub use focus::FocusArgs;
 pub use grid::GridArgs;
+pub use volume::VolumeArgs;
 
 /// Arguments of `lfpiv calibrate`.
 #[derive(Debug, clap::Args)]
@@ -21,11 +27,17 @@ pub struct CalibrateArgs {
 enum What {
     /// Find the micro-images of one camera in its white images.
     Grid(GridArgs),
+    /// Say where the plane in focus is, and whether f-numbers match.
+    Focus(FocusArgs),
+    /// Find how the cameras see the volume in images of a card.
+    Volume(VolumeArgs),
 }
 
 /// Does what the command line asks for.
 pub fn calibrate(args: &CalibrateArgs) -> anyhow::Result<()> {
     match &args.what {
         What::Grid(args) => grid::grid(args),
+        What::Focus(args) => focus::focus(args),
+        What::Volume(args) => volume::volume(args),
     }
 }

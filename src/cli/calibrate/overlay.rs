@@ -118,7 +118,11 @@ pub fn map(found: &GridCalibration, value: impl Fn(&Lens) -> f64) -> String {
 }
 
 /// Pixels as an image element of their own size; empty where it cannot be encoded.
-fn picture(pixels: Vec<u8>, [columns, rows]: [usize; 2], colour: ExtendedColorType) -> String {
+pub(super) fn picture(
+    pixels: Vec<u8>,
+    [columns, rows]: [usize; 2],
+    colour: ExtendedColorType,
+) -> String {
     let mut png = Vec::new();
     let encoder = PngEncoder::new(&mut png);
     if encoder.write_image(&pixels, columns as u32, rows as u32, colour).is_err() {

@@ -6,7 +6,7 @@ use lfpiv_core::calibration::{GridCalibration, LensState, WhiteImage};
 
 use super::{grid_file::GridFile, overlay};
 
-const STYLE: &str = "body{font:15px/1.45 sans-serif;margin:2em auto;max-width:1340px;color:#222}\
+pub(super) const STYLE: &str = "body{font:15px/1.45 sans-serif;margin:2em auto;max-width:1340px;color:#222}\
      figure{display:inline-block;margin:0 1em 1em 0;vertical-align:top}\
      svg{background:#111}svg image{image-rendering:pixelated}\
      .map{background:#eee}.stop,.second,.arrow{fill:none;stroke-width:0.16}.stop{stroke:#f80}\
@@ -104,6 +104,6 @@ fn table(found: &GridCalibration, file: &GridFile) -> String {
 }
 
 /// Text with what HTML would take for markup replaced.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,16 +1,12 @@
 //! White and dark images as they are given, and what says later which they were.
 
-use std::{
-    fmt::Write,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use lfpiv_hw::RawImage;
-use ring::digest::{SHA256, digest};
 use serde::{Deserialize, Serialize};
 
-use crate::archive::{ImageSize, read_grey_tiff, read_grey_tiff_of_any_size};
+use crate::archive::{ImageSize, read_grey_tiff, read_grey_tiff_of_any_size, sha256};
 
 /// A file that a calibration was made from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -26,16 +22,6 @@ impl InputFile {
     pub fn of_bytes(file: &Path, content: &[u8]) -> Self {
         Self { file: file.into(), sha256: sha256(content) }
     }
-}
-
-/// SHA-256 in hexadecimal digits.
-pub fn sha256(content: &[u8]) -> String {
-    let mut text = String::new();
-    for byte in digest(&SHA256, content).as_ref() {
-        // Writing to a String does not fail.
-        let _ = write!(text, "{byte:02x}");
-    }
-    text
 }
 
 /// Reads images, of the configured size if there is one.

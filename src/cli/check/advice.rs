@@ -43,7 +43,7 @@ pub fn of_configuration(config: &Config) -> Vec<Finding> {
 
 fn view(config: &Config) -> Finding {
     const CHECK: &str = "view";
-    let seen = Sight::new(&config.optics, &config.camera, &config.volume);
+    let seen = Sight::new(&config.optics, &config.poses(), &config.volume);
     let each = (0..).zip(&seen.each);
     let each: Vec<String> = each
         .map(|(camera, share)| format!("{} sees {:.0} %", CameraName(camera), 100.0 * share))
@@ -66,7 +66,8 @@ fn view(config: &Config) -> Finding {
 /// How the cameras stand to each other.
 fn angle(config: &Config) -> Finding {
     const CHECK: &str = "angle";
-    let [one, other] = config.camera.as_slice() else {
+    let poses = config.poses();
+    let [one, other] = poses.as_slice() else {
         let found = "one camera";
         let todo = "depth comes from its views alone, ten times coarser than the rest: use two";
         return Finding::advice(CHECK, found, todo);

@@ -151,13 +151,14 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
+    use crate::config::CameraTable;
     use lfpiv_core::{
         lightfield::{PhotometricZones, ViewLayout},
         reconstruction::{Reconstructor, ViewLevels},
     };
 
     /// The second camera of the bench, turned about x until it looks `degrees` beside the first.
-    fn cameras(degrees: f64) -> Vec<Pose> {
+    fn cameras(degrees: f64) -> Vec<CameraTable> {
         let mut poses = small().camera;
         let (sin, cos) = degrees.to_radians().sin_cos();
         poses[1].axis = Vector3::new(0.0, sin, cos);
@@ -176,7 +177,7 @@ mod tests {
         let (optics, scene) = (&config.optics, scene(config));
         let bench = config.bench_geometry();
         let reconstructor =
-            Reconstructor::new(optics, &config.camera, &config.volume, &config.reconstruction)?;
+            Reconstructor::new(optics, &config.poses(), &config.volume, &config.reconstruction)?;
         let layouts = reconstructor.layouts();
         let truth = scene.truth(&bench, scene.seed, 0);
         let decode = |(camera, layout): (usize, &ViewLayout)| {
@@ -231,7 +232,7 @@ mod tests {
             origin_mm: Vector3::zeros(),
         };
         let y = config.camera[1].clone();
-        config.camera = vec![x, y];
+        config.camera = vec![x.into(), y];
         let piece = slab(&config);
         assert_eq!(piece.volume.voxels, [20, 20, 16]);
         let thinner = piece.simulation.unwrap().ppm / scene(&config).ppm;

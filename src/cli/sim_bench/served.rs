@@ -27,7 +27,7 @@ use super::{
 };
 use crate::{
     acquisition::SynchroniserThread,
-    config::{Config, ConfigFile},
+    config::{Config, ConfigFile, Purpose},
 };
 
 /// How often frames that were sent are listed.
@@ -35,7 +35,7 @@ const LISTING: Duration = Duration::from_millis(100);
 
 /// Serves simulated instruments until Ctrl-C or SIGTERM.
 pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
-    let config = ConfigFile::load(&args.config)?.config;
+    let config = ConfigFile::load_for(Purpose::Optics, &args.config)?.config;
     let path = args.config.display();
     if let Some(shots) = args.drive {
         let streamed = drive(&config, shots).with_context(|| path.to_string())?;

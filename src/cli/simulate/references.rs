@@ -58,6 +58,11 @@ pub(super) fn write(
     Ok(())
 }
 
+/// `camK_NN.tif`.
+pub(super) fn image_name(camera: usize, number: u64) -> String {
+    format!("{}_{number:02}.tif", CameraName(camera))
+}
+
 fn write_images(
     folder: &Path,
     camera: usize,
@@ -66,8 +71,7 @@ fn write_images(
 ) -> anyhow::Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
     for (number, image) in images.enumerate() {
-        let name = format!("{}_{number:02}.tif", CameraName(camera));
-        write_grey_tiff(&folder.join(name), &image, depth)?;
+        write_grey_tiff(&folder.join(image_name(camera, number as u64)), &image, depth)?;
     }
     Ok(())
 }

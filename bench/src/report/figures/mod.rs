@@ -38,6 +38,7 @@ pub fn sections(report: &Report) -> Vec<Section> {
         rough::rough_flows,
         rough::gain,
         imperfect::imperfect_bench,
+        imperfect::calibration,
         model_parts::model_parts,
         loopback::streams,
     ]

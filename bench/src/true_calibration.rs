@@ -20,11 +20,8 @@ const DEGREE: usize = 4;
 /// Voxels beyond the volume that are reconstructed, too.
 const MARGIN_VOXELS: f64 = 6.0;
 
-/// The calibrations of a case's cameras; none where the case is not calibrated.
-pub fn calibrations(setting: &Setting) -> Vec<CameraCalibration> {
-    if !setting.case.calibrated {
-        return Vec::new();
-    }
+/// The calibrations of a case's cameras.
+pub fn true_calibrations(setting: &Setting) -> Vec<CameraCalibration> {
     (0..setting.config.camera.len()).map(|camera| calibration(setting, camera)).collect()
 }
 

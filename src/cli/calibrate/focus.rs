@@ -1,0 +1,186 @@
+//! `lfpiv calibrate focus`: where the plane in focus is, and whether f-numbers match.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    thread,
+    time::{Duration, SystemTime},
+};
+
+use anyhow::bail;
+use lfpiv_core::{
+    calibration::{Focus, GridCalibration, WhiteImage, calibrate_grid, focus as focus_of},
+    lightfield::MicroImageGrid,
+};
+use lfpiv_hw::{Optics, RawImage};
+
+use super::reference_images::read_images;
+use crate::{
+    archive::ImageSize,
+    cli::output::print,
+    config::{CalibrationContent, ConfigFile, Purpose, read_calibration},
+};
+
+/// How often watched files are looked at.
+const LOOK: Duration = Duration::from_millis(300);
+
+/// Nearer than this to the plane in focus, in mm, is in focus.
+const IN_FOCUS_MM: f64 = 0.1;
+
+/// Arguments of `lfpiv calibrate focus`.
+#[derive(Debug, clap::Args)]
+pub struct FocusArgs {
+    /// Configuration of the bench: the optics as drawn.
+    #[arg(long, value_name = "FILE")]
+    pub config: PathBuf,
+    /// Images of a card or of anything with structure that stands across the camera's axis where the
+    /// plane in focus should be; 8- or 16-bit grey TIFF.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub image: Vec<PathBuf>,
+    /// White images: they say whether f-numbers match, and where micro-images are.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub white: Vec<PathBuf>,
+    /// Dark images; their mean is subtracted.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub dark: Vec<PathBuf>,
+    /// The camera's grid from `lfpiv calibrate grid`; without it and without white images the drawn one.
+    #[arg(long, value_name = "FILE")]
+    pub grid: Option<PathBuf>,
+    /// Refractive index of what the card stands in.
+    #[arg(long, value_name = "N", default_value_t = 1.0, value_parser = index)]
+    pub medium_index: f64,
+    /// Go on: look at each file again as often as it is written, until Ctrl-C. A camera's own program
+    /// that keeps writing one file makes it live.
+    #[arg(long)]
+    pub watch: bool,
+}
+
+fn index(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(index) if (1.0..=3.0).contains(&index) => Ok(index),
+        _ => Err("allowed: 1 to 3".into()),
+    }
+}
+
+/// What every image is looked at with.
+struct Camera {
+    optics: Optics,
+    size: ImageSize,
+    dark: Vec<RawImage>,
+    grid: MicroImageGrid,
+    white: Option<WhiteImage>,
+    medium_index: f64,
+}
+
+/// Prints a line for the white images and one for every image.
+pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
+    if args.image.is_empty() && args.white.is_empty() {
+        bail!(
+            "give --white for the match of f-numbers, --image for the plane in focus, or both; \
+             docs/calibration.md says how to take them"
+        );
+    }
+    let optics = ConfigFile::load_for(Purpose::Optics, &args.config)?.config.optics;
+    let size = ImageSize::from(&optics.sensor);
+    let (dark, _) = read_images(&args.dark, Some(size))?;
+    let white = match args.white.as_slice() {
+        [] => None,
+        files => Some(WhiteImage::average(&read_images(files, Some(size))?.0, &dark)?),
+    };
+    let found = white.as_ref().map(|white| calibrate_grid(white, Some(&optics))).transpose()?;
+    if let Some(found) = &found {
+        print(&format!("f-numbers: {}", found.f_number))?;
+    }
+    let grid = grid(args, &optics, found)?;
+    let medium_index = args.medium_index;
+    let camera = Camera { optics, size, dark, grid, white, medium_index };
+    let mut seen: Vec<Option<SystemTime>> = vec![None; args.image.len()];
+    loop {
+        for (path, seen) in args.image.iter().zip(&mut seen) {
+            let written = fs::metadata(path).and_then(|data| data.modified()).ok();
+            if args.watch && (written.is_none() || written == *seen) {
+                continue;
+            }
+            *seen = written;
+            match camera.look_at(path) {
+                Ok(line) => print(&format!("{}: {line}", path.display()))?,
+                // It may be half written: the next time it is whole.
+                Err(error) if args.watch => tracing::debug!("{}: {error:#}", path.display()),
+                Err(error) => return Err(error),
+            }
+        }
+        if !args.watch {
+            return Ok(());
+        }
+        thread::sleep(LOOK);
+    }
+}
+
+/// Where micro-images are: as a file says, as the white images show, or as drawn.
+fn grid(
+    args: &FocusArgs,
+    optics: &Optics,
+    found: Option<GridCalibration>,
+) -> anyhow::Result<MicroImageGrid> {
+    let Some(path) = &args.grid else {
+        return Ok(found.map_or_else(|| MicroImageGrid::drawn(optics), |found| found.grid));
+    };
+    match read_calibration(path) {
+        Ok((CalibrationContent::Grid(content), _)) => Ok(content.grid),
+        Ok(_) => bail!("{}: it is no grid; `lfpiv calibrate grid` makes one", path.display()),
+        Err(message) => bail!("{}: {message}", path.display()),
+    }
+}
+
+impl Camera {
+    fn look_at(&self, path: &Path) -> anyhow::Result<String> {
+        let (images, _) = read_images(&[path.to_owned()], Some(self.size))?;
+        let image = WhiteImage::average(&images, &self.dark)?;
+        Ok(match focus_of(&self.optics, &self.grid, &image, self.white.as_ref()) {
+            Some(found) => words(&found, self.medium_index),
+            None => format!(
+                "no depth is sharper than the others: put a card or something printed there (dots of {:.1} \
+                 mm or more), and light it",
+                4.0 * self.optics.object_pitch_mm()
+            ),
+        })
+    }
+}
+
+fn words(found: &Focus, medium_index: f64) -> String {
+    let [columns, rows] = found.depth_mm.map(|mm| mm * medium_index);
+    let depth_mm = (columns + rows) / 2.0;
+    let side = if depth_mm > 0.0 { "nearer to the camera than" } else { "behind" };
+    let todo = match depth_mm {
+        near if near.abs() < IN_FOCUS_MM => "in focus".to_owned(),
+        nearer if nearer > 0.0 => {
+            format!("move the camera back by {:.2} mm, or focus that much nearer", found_mm(found))
+        }
+        _ => format!("move the camera on by {:.2} mm, or focus that much farther", found_mm(found)),
+    };
+    format!(
+        "{:.2} mm {side} the plane in focus (columns {columns:+.2}, rows {rows:+.2}; contrast {:.1}): {todo}",
+        depth_mm.abs(),
+        found.contrast
+    )
+}
+
+/// What the camera has to be moved by, in air.
+fn found_mm(found: &Focus) -> f64 {
+    ((found.depth_mm[0] + found.depth_mm[1]) / 2.0).abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_say_where_to_move_the_camera() {
+        let near = words(&Focus { depth_mm: [1.4, 1.6], contrast: 3.0 }, 1.333);
+        assert!(near.starts_with("2.00 mm nearer to the camera than"), "{near}");
+        assert!(near.contains("move the camera back by 1.50 mm"), "{near}");
+        let far = words(&Focus { depth_mm: [-0.5, -0.5], contrast: 3.0 }, 1.0);
+        assert!(far.contains("behind the plane in focus") && far.contains("on by 0.50"), "{far}");
+        assert!(words(&Focus { depth_mm: [0.02, 0.01], contrast: 3.0 }, 1.0).contains("in focus"));
+    }
+}

@@ -1,0 +1,231 @@
+//! What calibration files say of the configured cameras.
+//!
+//! A file that was made for another camera, other optics or another place is refused. What is taken of
+//! it becomes a part of the configuration's text, which is stored with every result: results say what
+//! they were made with, and a recorded run is measured again without its files.
+
+use std::path::{Path, PathBuf};
+
+use garde::Validate;
+use lfpiv_core::{
+    lightfield::MicroImageGrid,
+    model::{CameraCalibration, VolumeGrid, VolumeMap},
+};
+use lfpiv_hw::{CameraName, Optics};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::{
+    CalibratedCameraEntry, CalibrationFile, Config,
+    calibration_file::{Content, GridContent, read_calibration},
+    misfit::Misfit,
+};
+
+/// Numbers alike within this share are the same: files round them.
+const ALIKE: f64 = 1e-9;
+
+/// A `[[calibration]]` table of a stored configuration: what was read from a camera's file. Nobody
+/// writes it by hand.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[serde(deny_unknown_fields)]
+pub struct StoredCalibration {
+    /// Whose it is: 1 for the first `[[camera]]` table.
+    #[garde(range(min = 1, max = 2))]
+    pub camera: usize,
+    /// The file that it was read from.
+    #[garde(skip)]
+    pub file: PathBuf,
+    /// The file's hash.
+    #[garde(skip)]
+    pub sha256: String,
+    /// Serial number of the device that it was made with, where it was told.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[garde(skip)]
+    pub serial: Option<String>,
+    /// What the file says.
+    #[garde(skip)]
+    pub known: CameraCalibration,
+}
+
+/// Reads the calibrations that the `[[camera]]` tables name, relative to `folder`.
+pub(super) fn load(config: &Config, folder: &Path) -> Result<Vec<StoredCalibration>, Vec<Misfit>> {
+    let mut found = Vec::new();
+    let mut misfits = Vec::new();
+    for (index, table) in config.camera.iter().enumerate() {
+        let Some(file) = &table.calibration else { continue };
+        match of_camera(config, index, &folder.join(file)) {
+            Ok((known, serial, sha256)) => {
+                let (camera, file) = (index + 1, file.clone());
+                found.push(StoredCalibration { camera, file, sha256, serial, known });
+            }
+            Err(message) => {
+                misfits.push(Misfit::new(format!("camera[{index}].calibration"), message));
+            }
+        }
+    }
+    if let [one, other] = found.as_slice()
+        && one.known.map.is_some()
+        && other.known.map.is_some()
+        && one.sha256 != other.sha256
+    {
+        let message = "the cameras' maps come from different calibrations, whose cards need not have \
+                       stood at the same places: give both cameras the file of one `lfpiv calibrate volume`";
+        misfits.push(Misfit::new("camera[1].calibration", message.to_owned()));
+    }
+    if misfits.is_empty() { Ok(found) } else { Err(misfits) }
+}
+
+/// What a file says of a camera, the device's serial number where it has it, and the file's hash.
+fn of_camera(
+    config: &Config,
+    index: usize,
+    path: &Path,
+) -> Result<(CameraCalibration, Option<String>, String), String> {
+    let (content, sha256) = read_calibration(path)?;
+    let name = CameraName(index).to_string();
+    let (known, serial) = match content {
+        Content::Grid(GridContent { camera, grid }) => {
+            if let Some(other) = camera.filter(|camera| *camera != name) {
+                return Err(format!("it is the grid of {other}, not of {name}"));
+            }
+            check_grid(&grid, &config.optics)?;
+            (CameraCalibration { grid: Some(grid), map: None }, None)
+        }
+        Content::Cameras(file) => {
+            let CalibrationFile { optics, cameras, .. } = *file;
+            if let Some(different) = difference(&optics, &config.optics) {
+                return Err(format!(
+                    "it was made with other optics: {different}; calibrate again with this [optics]"
+                ));
+            }
+            let Some(entry) = cameras.into_iter().find(|entry| entry.camera == name) else {
+                return Err(format!("{name} is not in it"));
+            };
+            check_device(&entry, config, index)?;
+            if let Some(different) = difference(&entry.pose, &config.camera[index].pose()) {
+                return Err(format!(
+                    "it was made with {name} at another pose: {different}; calibrate again with this \
+                     pose, or correct it"
+                ));
+            }
+            check_grid(&entry.grid, &config.optics)?;
+            check_reach(&entry.map, config)?;
+            let known = CameraCalibration { grid: Some(entry.grid), map: Some(entry.map) };
+            (known, entry.serial)
+        }
+    };
+    Ok((known, serial, sha256))
+}
+
+/// Whether it is the same device and the same part of its sensor, where both sides say so.
+fn check_device(
+    entry: &CalibratedCameraEntry,
+    config: &Config,
+    index: usize,
+) -> Result<(), String> {
+    let Some(device) = config.instruments.as_ref().and_then(|all| all.camera.get(index)) else {
+        return Ok(());
+    };
+    if let (Some(of_file), Some(here)) = (&entry.serial, &device.serial)
+        && of_file != here
+    {
+        return Err(format!(
+            "it is of the camera with serial {of_file}, and instruments.camera[{index}].serial is {here}: \
+             calibrate this camera"
+        ));
+    }
+    let offset = |offset_px: Option<[u32; 2]>| {
+        offset_px.map_or("the whole sensor".to_owned(), |[column, row]| {
+            format!("a region from column {column} and row {row}")
+        })
+    };
+    if entry.offset_px != device.offset_px {
+        return Err(format!(
+            "it is of {}, and instruments.camera[{index}].offset_px asks for {}: take the images of the \
+             calibration with the region of the run",
+            offset(entry.offset_px),
+            offset(device.offset_px)
+        ));
+    }
+    Ok(())
+}
+
+/// Whether the grid can be of these optics and of an array that is reconstructed from.
+fn check_grid(grid: &MicroImageGrid, optics: &Optics) -> Result<(), String> {
+    if !grid.is_square() {
+        return Err(
+            "its microlens array is not square: volumes are reconstructed from square arrays only \
+                    (hexagonal ones are calibrated, not measured with)"
+                .into(),
+        );
+    }
+    let lenses = [optics.microlens.columns, optics.microlens.rows];
+    if grid.microlenses != lenses {
+        let [[i, j], [columns, rows]] = [grid.microlenses, lenses];
+        return Err(format!(
+            "it has {i} x {j} microlenses, [optics.microlens] {columns} x {rows}: calibrate the grid with \
+             --config and --camera, which number the lenses as the configuration does"
+        ));
+    }
+    Ok(())
+}
+
+/// Whether the map holds in the whole volume and its margin.
+fn check_reach(map: &VolumeMap, config: &Config) -> Result<(), String> {
+    let VolumeGrid { voxels, voxel_mm, centre_mm } = &config.volume;
+    let margin = (config.velocimetry.max_displacement_vox / 2.0).ceil() + 1.0;
+    let holds_mm = map.holds_mm();
+    for axis in 0..3 {
+        let half_mm = (voxels[axis] as f64 / 2.0 + margin) * voxel_mm;
+        let [from, to] = [centre_mm[axis] - half_mm, centre_mm[axis] + half_mm];
+        if from < holds_mm[axis][0] - 1e-6 || to > holds_mm[axis][1] + 1e-6 {
+            return Err(format!(
+                "it holds from {:.2} to {:.2} mm along {}, and [volume] with its margin reaches from \
+                 {from:.2} to {to:.2}: run `lfpiv calibrate volume` again with this [volume]",
+                holds_mm[axis][0],
+                holds_mm[axis][1],
+                ["x", "y", "z"][axis]
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The first number in which two things differ, in words.
+fn difference<T: Serialize>(of_file: &T, here: &T) -> Option<String> {
+    let values = [of_file, here].map(|thing| serde_json::to_value(thing).unwrap_or(Value::Null));
+    first_difference("", &values[0], &values[1])
+}
+
+fn first_difference(key: &str, of_file: &Value, here: &Value) -> Option<String> {
+    match (of_file, here) {
+        (Value::Object(a), Value::Object(b)) => b.iter().find_map(|(name, value)| {
+            let below = if key.is_empty() { name.clone() } else { format!("{key}.{name}") };
+            first_difference(&below, a.get(name).unwrap_or(&Value::Null), value)
+        }),
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            let differ = a.iter().zip(b).any(|(a, b)| first_difference(key, a, b).is_some());
+            differ.then(|| format!("{key} = {of_file} there, {here} here"))
+        }
+        _ => {
+            let alike = match (of_file.as_f64(), here.as_f64()) {
+                (Some(a), Some(b)) => (a - b).abs() <= ALIKE * (1.0 + a.abs().max(b.abs())),
+                _ => of_file == here,
+            };
+            (!alike).then(|| format!("{key} = {of_file} there, {here} here"))
+        }
+    }
+}
+
+/// What is added to the configuration's text before it is stored.
+pub(super) fn stored_text(calibration: &[StoredCalibration]) -> Result<String, toml::ser::Error> {
+    #[derive(Serialize)]
+    struct Tables<'a> {
+        calibration: &'a [StoredCalibration],
+    }
+    if calibration.is_empty() {
+        return Ok(String::new());
+    }
+    let tables = toml::to_string(&Tables { calibration })?;
+    Ok(format!("\n# What was read from the files of [[camera]] calibration:\n{tables}"))
+}
