@@ -3,6 +3,7 @@
 mod background;
 mod grid_sampling;
 mod layout;
+mod mean_micro_image;
 mod micro_image_grid;
 mod micro_images;
 mod pair;
@@ -14,6 +15,7 @@ mod settings;
 pub use background::{Condensation, StationaryLight};
 pub use grid_sampling::{GridSampling, NearestPixel, TIE_PX};
 pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
+pub use mean_micro_image::MeanMicroImage;
 pub use micro_image_grid::MicroImageGrid;
 pub use micro_images::MicroImages;
 pub use pair::ImagePair;
