@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo loopback test soak bench bench-peers deb packages network-tools components readers format lint test-rust test-readers clean
+.PHONY: help demo loopback test soak bench bench-peers deb packages network-tools components readers page-tools page format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
@@ -9,6 +9,8 @@ BUILD_PACKAGES := gcc libc6-dev pkg-config libnetcdf-dev libaravis-dev libusb-1.
 # Two simulated cameras run in a network of their own, and tests fill and break small disks of their
 # own: unshare, ip, mount and mkfs.ext4.
 NETWORK_PACKAGES := util-linux mount iproute2 e2fsprogs
+# The bench page is tested in a browser, and built again by node; `cargo build` needs neither.
+PAGE_PACKAGES := chromium
 
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
@@ -36,7 +38,8 @@ help:
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
 	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
 	@echo "make deb     a Debian package in target/deb: programs, systemd unit, documentation"
-	@echo "make clean   remove build outputs and the Python environments"
+	@echo "make page    build the bench page from web/bench, after a change there"
+	@echo "make clean   remove build outputs, the Python environments and the packages of node"
 
 demo: packages
 	cargo build --release --locked --package lfpiv
@@ -50,11 +53,11 @@ loopback: packages network-tools
 test: format test-rust test-readers
 
 # The adversary of `tests/adversary`, of which a minute is part of the tests, and the long cases.
-soak: packages network-tools
+soak: packages network-tools page-tools
 	LFPIV_SOAK_SECONDS=$(SECONDS) LFPIV_SOAK_SEED=$(SEED) LFPIV_SOAK_CASE=$(CASE) \
 		cargo test --release --locked --test adversary -- --nocapture the_adversary_finds_nothing
 	cargo test --release --locked --package lfpiv --package lfpiv-core --test recorded_run \
-		--test capabilities -- --ignored --nocapture long_
+		--test capabilities --test page -- --ignored --nocapture long_
 
 # The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages
@@ -94,11 +97,20 @@ readers: packages
 format: components
 	cargo fmt --all --check
 
+# Node of the system where there is one, Debian's otherwise; the packages that web/bench/package-lock.json names.
+page-tools:
+	@scripts/install-packages.sh $(PAGE_PACKAGES)
+	@command -v npm >/dev/null || scripts/install-packages.sh nodejs npm
+	@scripts/install-node.sh web/bench
+
+page: page-tools
+	cd web/bench && node build.mjs
+
 lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
 # Programs that passed with the same inputs are skipped, unless CI is set.
-test-rust: packages network-tools components
+test-rust: packages network-tools components page-tools
 	@command -v python3 >/dev/null || scripts/install-packages.sh python3
 	@python3 scripts/run-tests.py
 
@@ -109,4 +121,4 @@ test-readers: packages readers
 
 clean:
 	cargo clean
-	rm -rf .venv .venv-peers
+	rm -rf .venv .venv-peers web/bench/node_modules

@@ -3,8 +3,18 @@
 use std::process::Command;
 
 /// What the program is made from.
-const SOURCES: [&str; 8] =
-    ["build.rs", "Cargo.lock", "Cargo.toml", "core/src", "hw/src", "rawlog/src", "sim/src", "src"];
+const SOURCES: [&str; 10] = [
+    "build.rs",
+    "Cargo.lock",
+    "Cargo.toml",
+    "core/src",
+    "hw/src",
+    "rawlog/src",
+    "sim/src",
+    "src",
+    "web/bench/dist",
+    "web/openapi",
+];
 
 fn main() {
     let version = env!("CARGO_PKG_VERSION");

@@ -34,7 +34,11 @@ impl Run {
             }
             Some(CameraEvent::Stream { camera, connected, at, statistics }) => {
                 self.advance_time(at).await?;
-                self.ledger.lock().set_stream_statistics(camera, statistics);
+                {
+                    let mut ledger = self.ledger.lock();
+                    ledger.set_stream_statistics(camera, statistics);
+                    ledger.set_connected(camera, connected);
+                }
                 self.presence[camera].set_connected(connected);
                 let at_ns = self.at_ns();
                 self.record(Entry::Stream { at_ns, camera, connected, statistics }).await?;

@@ -69,6 +69,8 @@ const HISTORY: usize = 10_000;
 pub struct Ledger {
     accounts: Vec<Account>,
     streams: Vec<StreamStatistics>,
+    /// Whether each camera answers, as its driver says.
+    connected: Vec<bool>,
     entries: BTreeMap<u64, TriggerEntry>,
     /// Entries below this may have been dropped, and cannot be entered again.
     dropped_below: u64,
@@ -80,6 +82,7 @@ impl Ledger {
         Self {
             accounts: vec![Account::default(); cameras],
             streams: vec![StreamStatistics::default(); cameras],
+            connected: vec![true; cameras],
             entries: BTreeMap::new(),
             dropped_below: 0,
         }
@@ -153,6 +156,16 @@ impl Ledger {
             // A refusal means that it is already settled or unknown: it stays as it is.
             let _ = self.settle(trigger, camera, outcome);
         }
+    }
+
+    /// Records whether a camera answers.
+    pub fn set_connected(&mut self, camera: usize, connected: bool) {
+        self.connected[camera] = connected;
+    }
+
+    /// Whether each camera answers, as far as is known.
+    pub fn connected(&self) -> &[bool] {
+        &self.connected
     }
 
     /// Stores the counters of a camera's driver since the start of its stream.

@@ -4,6 +4,7 @@
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
 //! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files);
 //!   [`merge_segments`] makes few files of many segments.
+//! - [`RunResults`]: the same, read back.
 //! - [`StoredShots`]: the vectors of a run, shot by shot; [`write_csv`], [`write_tecplot`], [`Hdf5File`] put
 //!   them into the formats of other programs.
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
@@ -27,6 +28,7 @@ mod netcdf_open;
 mod pair_folder;
 mod pair_results;
 mod paraview;
+mod run_results;
 mod shot_result;
 mod shot_time;
 mod statistics_file;
@@ -48,6 +50,7 @@ pub use json_hash::{sha256, stated_and_true_hash};
 pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
 pub use paraview::{VtiSeries, VtiSource, write_vti};
+pub use run_results::RunResults;
 pub use shot_result::{RawLevel, ShotResult};
 pub use shot_time::ShotTime;
 pub use statistics_file::write_statistics;

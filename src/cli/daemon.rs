@@ -31,7 +31,7 @@ use super::{
     recorded_frames::RecordedFrames,
     recording::{Recording, tell_unfinished},
     run_folder::create_run_folder,
-    run_info::run_info,
+    run_info::{bench_settings, run_info},
     service::Service,
 };
 use crate::{
@@ -78,6 +78,7 @@ pub struct Daemon {
     address: SocketAddr,
     protection: Protection,
     state: ApiState,
+    run_loop: Heartbeat,
     ledger: Arc<Mutex<Ledger>>,
     board: Arc<Board>,
 }
@@ -117,6 +118,7 @@ impl Daemon {
         let recording = Recording::begin(&folder, &plan, &acquisition)?;
         let (control, inbox) = control(plan.mode, acquisition.schedule.dt_us, plan.planner());
         let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
+        let run_loop = Heartbeat::default();
         let first_pair = Duration::from_secs_f64(config.pipeline.first_pair_patience_s);
         let board = Arc::new(Board::with_patience(first_pair));
         let state = ApiState::new(
@@ -126,7 +128,9 @@ impl Daemon {
             recording.journal.clone(),
         )
         .with_controls(Arc::new(control.clone()), plan.remote_arming)
-        .with_frames(Arc::new(RecordedFrames::new(board.clone(), &folder)));
+        .with_frames(Arc::new(RecordedFrames::new(board.clone(), &folder)))
+        .with_run_loop(run_loop.clone())
+        .with_bench(bench_settings(&plan.file));
         Ok(Self {
             plan,
             acquisition,
@@ -141,6 +145,7 @@ impl Daemon {
             address,
             protection,
             state,
+            run_loop,
             ledger,
             board,
         })
@@ -207,7 +212,7 @@ impl Daemon {
             board: self.board.clone(),
             stop: stop.clone(),
         };
-        let heartbeat = Heartbeat::default();
+        let heartbeat = self.run_loop;
         let service = Service::new(&self.state, &self.ledger, &self.board, &heartbeat);
         let work = async {
             let bench = secure(bench).await?;

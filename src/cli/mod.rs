@@ -1,5 +1,5 @@
 //! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | correlate | run |
-//! replay | compare | statistics | export | merge | sim-bench | devices | doctor | bench | peers`.
+//! replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | peers`.
 //!
 //! Results and tables go to standard output, logs, progress and errors to standard error. The
 //! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line, 3 when
@@ -42,6 +42,7 @@ mod run;
 mod run_folder;
 mod run_info;
 mod run_processor;
+mod serve;
 mod service;
 mod shot_range;
 mod sim_bench;
@@ -70,6 +71,7 @@ pub use plan::PlanArgs;
 pub use process::ProcessArgs;
 pub use replay::ReplayArgs;
 pub use run::RunArgs;
+pub use serve::ServeArgs;
 pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
 pub use statistics::StatisticsArgs;
@@ -107,6 +109,8 @@ enum Command {
     Run(RunArgs),
     /// Play a recorded run again, through the same pipeline.
     Replay(ReplayArgs),
+    /// Show a run that is over in a browser, as one under way.
+    Serve(ServeArgs),
     /// Hold the results of a run played again against those of the run.
     Compare(CompareArgs),
     /// Mean, fluctuations, Reynolds stresses of a run, how sure they are, and how far fluctuations reach.
@@ -151,6 +155,7 @@ pub fn main() -> ExitCode {
         Command::Correlate(args) => correlate::correlate(&args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay_run(&args),
+        Command::Serve(args) => serve::serve_run(&args),
         Command::Compare(args) => compare::compare_runs(&args),
         Command::Statistics(args) => statistics::statistics(&args),
         Command::Export(args) => export::export(&args),

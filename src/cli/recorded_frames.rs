@@ -19,11 +19,18 @@ pub(super) struct RecordedFrames {
     board: Arc<Board>,
     run: PathBuf,
     opened: Mutex<Option<FramePlaces>>,
+    /// Of a run that is over.
+    last: Option<u64>,
 }
 
 impl RecordedFrames {
     pub fn new(board: Arc<Board>, run: &Path) -> Self {
-        Self { board, run: run.to_owned(), opened: Mutex::new(None) }
+        Self { board, run: run.to_owned(), opened: Mutex::new(None), last: None }
+    }
+
+    /// Of a run that is over, the last frames are those of this shot.
+    pub fn with_last(self, last: Option<u64>) -> Self {
+        Self { last, ..self }
     }
 
     /// Looks on in the record where the last look ended.
@@ -42,5 +49,9 @@ impl FrameSource for RecordedFrames {
     fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<RawImage> {
         let latest = self.board.gallery().frame(shot, camera, half);
         latest.or_else(|| self.recorded(shot, camera, half))
+    }
+
+    fn latest(&self) -> Option<u64> {
+        self.board.gallery().latest_frames().or(self.last)
     }
 }

@@ -118,6 +118,7 @@ async fn run_bench(
     go_on_on_signal(daemon.control())?;
     print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
+    print(&format!("bench:   {}/", daemon.url()))?;
 
     let table = Arc::new(Mutex::new(Table::default()));
     let bar = shots.map(|shots| progress_bar(shots.get() as usize, "shots"));

@@ -8,8 +8,18 @@ use lfpiv_hw::CameraName;
 use super::{daemon_plan::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
-    server::{CalibrationSummary, ConfigurationSummary, RunInfo},
+    config::ConfigFile,
+    server::{BenchSettings, CalibrationSummary, ConfigurationSummary, RunInfo},
 };
+
+/// What the server tells of the bench as it is configured.
+pub(super) fn bench_settings(file: &ConfigFile) -> BenchSettings {
+    BenchSettings {
+        configuration: file.text.clone(),
+        optics: file.config.optics.clone(),
+        timing: file.config.timing.clone(),
+    }
+}
 
 pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
     let config = &plan.file.config;
@@ -37,6 +47,8 @@ pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
                 .collect(),
             voxels_xyz: config.volume.voxels,
             voxel_mm: config.volume.voxel_mm,
+            centre_mm: config.volume.centre_mm,
+            max_displacement_vox: config.velocimetry.max_displacement_vox,
             window_mm: config.velocimetry.window_mm,
             dt_us: config.shot.dt_us,
             rate_hz: config.shot.rate_hz,

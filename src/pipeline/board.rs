@@ -89,6 +89,17 @@ pub struct PoolCounts {
     pub write_failed: u64,
 }
 
+impl PoolCounts {
+    fn add(&mut self, ended: Stage) {
+        match ended {
+            Stage::Processing => {}
+            Stage::Done => self.done += 1,
+            Stage::Failed => self.failed += 1,
+            Stage::WriteFailed => self.write_failed += 1,
+        }
+    }
+}
+
 /// Durability of the run's data: the number of shots at each level.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Watermarks {
@@ -181,6 +192,16 @@ impl Board {
         &self.statistics
     }
 
+    /// A shot of a run that is over, as it ended; nobody is told. Its result is kept as the latest ones are.
+    pub fn restore(&self, record: ShotRecord, result: Option<Arc<ShotResult>>) {
+        let mut state = self.state.lock();
+        state.counts.add(record.stage);
+        if let Some(result) = result {
+            state.keep(record.shot, result);
+        }
+        state.record(record);
+    }
+
     /// Records that a worker has started a shot.
     pub fn processing(&self, shot: u64) {
         let mut state = self.state.lock();
@@ -214,12 +235,7 @@ impl Board {
     /// last event of a shot is that of its end.
     fn finish(&self, record: ShotRecord, result: Option<Arc<ShotResult>>) -> ShotRecord {
         let mut state = self.state.lock();
-        match record.stage {
-            Stage::Processing => {}
-            Stage::Done => state.counts.done += 1,
-            Stage::Failed => state.counts.failed += 1,
-            Stage::WriteFailed => state.counts.write_failed += 1,
-        }
+        state.counts.add(record.stage);
         let fetchable = result.map(|result| state.keep(record.shot, result)).is_some();
         state.processing.remove(&record.shot);
         state.record(record.clone());

@@ -83,8 +83,12 @@ impl fmt::Debug for Desk {
 pub(super) struct ControlView {
     /// Whether this run can be controlled over HTTP at all.
     controllable: bool,
-    /// Whether `arm` and `start` are allowed.
+    /// Whether `arm` and `start` are allowed: both of the next two.
     may_arm: bool,
+    /// Whether the configuration allows them (`server.remote_arming`).
+    allowed_by_configuration: bool,
+    /// Whether an operator has enabled them at the bench for this run (`lfpiv run --remote-arming`).
+    enabled_at_bench: bool,
     /// Absent when the run cannot be controlled.
     state: Option<ControlState>,
 }
@@ -120,8 +124,13 @@ struct RefusedEvent<'a> {
     responses((status = 200, body = ControlView)))]
 pub(super) async fn show(State(app): State<App>) -> Json<ControlView> {
     let controls = app.run.desk.controls.as_ref();
-    let state = controls.map(|controls| controls.state());
-    Json(ControlView { controllable: controls.is_some(), may_arm: may_arm(&app), state })
+    Json(ControlView {
+        controllable: controls.is_some(),
+        may_arm: may_arm(&app),
+        allowed_by_configuration: app.protection.remote_arming,
+        enabled_at_bench: app.run.desk.enabled_at_bench,
+        state: controls.map(|controls| controls.state()),
+    })
 }
 
 /// Both permissions: the configuration's and the operator's.

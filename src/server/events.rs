@@ -1,6 +1,10 @@
 //! `/api/v1/events`: what happens, as it happens, as server-sent events.
 
-use std::{collections::VecDeque, convert::Infallible, time::Duration};
+use std::{
+    collections::VecDeque,
+    convert::Infallible,
+    time::{Duration, Instant},
+};
 
 use axum::{
     extract::State,
@@ -12,9 +16,16 @@ use axum::{
 };
 use futures_util::{Stream, stream};
 use serde::Serialize;
-use tokio::sync::{OwnedSemaphorePermit, watch};
+use tokio::{
+    sync::{OwnedSemaphorePermit, watch},
+    time::{Interval, MissedTickBehavior},
+};
 
-use super::{ApiError, ApiState, app::App, status::ShotCounts};
+use super::{
+    ApiError, ApiState,
+    app::App,
+    status::{CameraView, ShotCounts},
+};
 use crate::{
     acquisition::ControlState,
     pipeline::{EventKind, Watermarks},
@@ -24,6 +35,11 @@ use crate::{
 const BATCH: usize = 64;
 /// Silence after which a comment shows that the connection lives.
 const KEEP_ALIVE: Duration = Duration::from_secs(5);
+/// How often a stream says that the run is alive.
+const HEARTBEAT: Duration = Duration::from_millis(500);
+/// A run loop that has been silent for longer than this is not said to be alive. Programming a synchroniser
+/// takes it some seconds.
+const RUN_LOOP_PATIENCE: Duration = Duration::from_secs(5);
 /// How often the books are looked at for news.
 const NEWS: Duration = Duration::from_millis(250);
 
@@ -36,12 +52,13 @@ pub(super) struct Brief {
     pub shots: ShotCounts,
     pub watermarks: Option<Watermarks>,
     pub control: Option<ControlState>,
+    pub cameras: Vec<CameraView>,
 }
 
 /// Tells of the run when it has moved on, a few times a second at most, until it is dropped.
 pub(super) async fn tell_news(run: ApiState) {
     let mut ticks = tokio::time::interval(NEWS);
-    ticks.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
+    ticks.set_missed_tick_behavior(MissedTickBehavior::Delay);
     loop {
         ticks.tick().await;
         run.announce();
@@ -54,7 +71,7 @@ pub(super) async fn tell_news(run: ApiState) {
 /// be fetched), `watermarks` (how far data is safe), `control` (a request was granted) and `missed`.
 /// Without `Last-Event-ID` the stream begins with the present `status`; with it, with what came
 /// after that event. `missed` says how many events the server had forgotten by then; `null` when
-/// the number belongs to another run.
+/// the number belongs to another run. While the run is alive, the comment `heartbeat` comes twice a second.
 #[utoipa::path(get, path = "/api/v1/events", tag = "live",
     params(("Last-Event-ID" = Option<String>, Header,
         description = "The id of the last event that was seen.")),
@@ -81,6 +98,7 @@ struct Reader {
     /// Number of the last event that was read.
     place: u64,
     news: watch::Receiver<u64>,
+    heartbeat: Interval,
     pending: VecDeque<sse::Event>,
     _permit: OwnedSemaphorePermit,
 }
@@ -90,7 +108,9 @@ impl Reader {
         let log = app.run.board.events();
         let (run, news, now) = (log.run(), log.watch(), log.last_id());
         let pending = VecDeque::new();
-        let mut reader = Self { app, run, place: now, news, pending, _permit: permit };
+        let mut heartbeat = tokio::time::interval(HEARTBEAT);
+        heartbeat.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        let mut reader = Self { app, run, place: now, news, heartbeat, pending, _permit: permit };
         match last.map(|id| resumed(id, run)) {
             Some(Some(place)) => reader.place = place.min(now),
             other => {
@@ -112,6 +132,13 @@ impl Reader {
     fn tell_missed(&mut self, count: Option<u64>) {
         let data = serde_json::json!({ "missed": count }).to_string();
         self.pending.push_back(sse::Event::default().event("missed").data(data));
+    }
+
+    /// Says that the run is alive, if it is.
+    fn tell_heartbeat(&mut self) {
+        if self.app.run.run_loop.silent_for(Instant::now()) < RUN_LOOP_PATIENCE {
+            self.pending.push_back(sse::Event::default().comment("heartbeat"));
+        }
     }
 
     /// Takes what is new in the log.
@@ -141,6 +168,7 @@ impl Reader {
             }
             tokio::select! {
                 _ = self.news.changed() => {}
+                _ = self.heartbeat.tick() => self.tell_heartbeat(),
                 () = self.app.stop.cancelled() => {}
             }
         }

@@ -24,12 +24,18 @@ pub trait FrameSource: Send + Sync + 'static {
     /// Frame a (0) or b (1) of a camera, from 0; `None` where it is not to be had. May read a
     /// disk: it is not called on the runtime's threads.
     fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<RawImage>;
+    /// The last shot that has frames. Reads no disk.
+    fn latest(&self) -> Option<u64>;
 }
 
 /// The frames of the latest shot.
 impl FrameSource for Board {
     fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<RawImage> {
         self.gallery().frame(shot, camera, half)
+    }
+
+    fn latest(&self) -> Option<u64> {
+        self.gallery().latest_frames()
     }
 }
 
@@ -60,10 +66,7 @@ pub(super) async fn preview(
     Arguments(query): Arguments<WidthQuery>,
     headers: HeaderMap,
 ) -> Result<Response, ApiError> {
-    let shot = match shot.as_str() {
-        "latest" => app.run.board.gallery().latest_frames().ok_or_else(none_yet)?,
-        number => shot_number(number)?,
-    };
+    let shot = frame_shot(&app, &shot)?;
     let camera = camera_index(&camera, app.run.info.configuration.cameras.len())?;
     let half = image.strip_suffix(".png").unwrap_or(&image);
     let half = frame_index(half)?;
@@ -96,7 +99,15 @@ pub(super) enum FrameImage {
     B,
 }
 
-fn camera_index(text: &str, cameras: usize) -> Result<usize, ApiError> {
+/// The shot whose frames a path names, by number or as `latest`.
+pub(super) fn frame_shot(app: &App, shot: &str) -> Result<u64, ApiError> {
+    match shot {
+        "latest" => app.run.frames.latest().ok_or_else(none_yet),
+        number => shot_number(number),
+    }
+}
+
+pub(super) fn camera_index(text: &str, cameras: usize) -> Result<usize, ApiError> {
     let name: CameraName = text.parse().map_err(ApiError::bad_request)?;
     if name.0 < cameras {
         return Ok(name.0);
@@ -109,7 +120,7 @@ fn none_yet() -> ApiError {
     ApiError::not_found("no shot has come to a worker yet")
 }
 
-fn absent(shot: u64, known: bool) -> ApiError {
+pub(super) fn absent(shot: u64, known: bool) -> ApiError {
     if known {
         ApiError::gone(format!(
             "the frames of shot {shot} are not at hand: they have not come yet, or later shots \

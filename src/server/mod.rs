@@ -7,15 +7,19 @@
 //! | `GET /api/v1/shots?limit=N` | read | the last N shots (default 100, at most 1000), newest first |
 //! | `GET /api/v1/shots/{n}` | read | one shot |
 //! | `GET /api/v1/shots/{n}/frames/{camera}/{a,b}.png?width=` | read | a raw frame to look at |
+//! | `GET /api/v1/shots/{n}/frames/{camera}/statistics` | read | both frames in numbers |
+//! | `GET /api/v1/configuration` | read | the settings of the run |
 //! | `GET /api/v1/results/{n}` | read | the result of shot n, or of `latest` |
 //! | `GET /api/v1/results/{n}/volumes/{a,b}` | read | a frame's volume, as bytes |
 //! | `GET /api/v1/results/{n}/projections/{a,b}/{xy,xz,yz}.png` | read | its shadows |
 //! | `GET /api/v1/statistics` | read | what the shots so far say together |
 //! | `GET /api/v1/control` | read | what can be controlled |
+//! | `GET /api/v1/control/timing?dt_us=` | read | when the pulses fire |
 //! | `POST /api/v1/control/{start,stop,arm,disarm,dt,note}` | control | see [`control`] |
 //! | `GET /metrics` | read | counters and gauges in OpenMetrics text |
 //! | `GET /healthz` | – | `ok`, or 503 when the run has failed |
 //! | `GET /api/v1/openapi.json`, `/docs` | – | all of this, generated, and a page that shows it |
+//! | `GET /` | – | the bench in a browser |
 //!
 //! A request passes [`listener`] (connections, TLS, slow clients) and [`guard`] (rate, host and
 //! origin, deadline, scope) before a handler sees it; [`protection`] is made before an address is
@@ -25,16 +29,19 @@
 mod app;
 pub mod binary;
 mod bytes;
+mod configuration;
 mod control;
 mod error;
 mod events;
 mod extract;
+mod frame_statistics;
 mod frames;
 mod guard;
 mod light;
 mod listener;
 mod metrics;
 mod openapi;
+mod page;
 mod preview;
 mod protection;
 mod results;
@@ -55,10 +62,12 @@ use utoipa::OpenApi;
 use utoipa_axum::{router::OpenApiRouter, routes};
 
 use app::App;
+pub use configuration::BenchSettings;
 pub use control::Controls;
 use error::ApiError;
 pub use frames::FrameSource;
 pub use protection::{Protection, ProtectionError, open_files_needed, raise_open_files};
+pub use results::ResultSource;
 pub use state::{ApiState, CalibrationSummary, ConfigurationSummary, Phase, RunInfo};
 
 /// Largest body of a request.
@@ -94,6 +103,10 @@ struct Routes {
 fn routes() -> (Routes, utoipa::openapi::OpenApi) {
     let (open, mut document) = OpenApiRouter::with_openapi(openapi::Document::openapi())
         .routes(routes!(status::health))
+        .routes(routes!(page::page))
+        .routes(routes!(page::script))
+        .routes(routes!(page::style))
+        .routes(routes!(page::icon))
         .routes(routes!(openapi::document))
         .routes(routes!(openapi::page))
         .routes(routes!(openapi::script))
@@ -104,12 +117,15 @@ fn routes() -> (Routes, utoipa::openapi::OpenApi) {
         .routes(routes!(events::events))
         .routes(routes!(shots::list))
         .routes(routes!(shots::one))
+        .routes(routes!(configuration::configuration))
         .routes(routes!(frames::preview))
+        .routes(routes!(frame_statistics::statistics))
         .routes(routes!(results::one))
         .routes(routes!(statistics::statistics))
         .routes(routes!(light::volume))
         .routes(routes!(light::projection))
         .routes(routes!(control::show))
+        .routes(routes!(configuration::timing))
         .routes(routes!(metrics::metrics))
         .split_for_parts();
     let (control, control_document) = OpenApiRouter::new()

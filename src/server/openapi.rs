@@ -3,7 +3,6 @@
 use axum::{
     Json,
     extract::State,
-    http::{HeaderValue, header},
     response::{IntoResponse, Response},
 };
 use utoipa::{
@@ -15,15 +14,14 @@ use utoipa::{
     },
 };
 
-use super::app::App;
+use super::{
+    app::App,
+    page::{file, html},
+};
 
 const PAGE: &str = include_str!("../../web/openapi/index.html");
 const SCRIPT: &str = include_str!("../../web/openapi/viewer.js");
 const STYLE: &str = include_str!("../../web/openapi/viewer.css");
-/// The page runs its own script and talks to its own server only.
-const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; \
-                      img-src 'self' blob:; base-uri 'none'; form-action 'none'; \
-                      frame-ancestors 'none'";
 
 /// What is not said at a handler.
 #[derive(OpenApi)]
@@ -40,7 +38,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; c
         (name = "shots", description = "What became of each shot"),
         (name = "results", description = "Velocity fields, volumes and their projections"),
         (name = "control", description = "Needs a token of scope control, on loopback, too"),
-        (name = "document", description = "This document")
+        (name = "document", description = "This document, and the bench in a browser")
     ),
     components(schemas(super::error::ErrorBody)),
     modifiers(&Bearer)
@@ -106,8 +104,7 @@ pub(super) async fn document(State(app): State<App>) -> Response {
 #[utoipa::path(get, path = "/docs", tag = "document", security(()),
     responses((status = 200, content_type = "text/html", body = String)))]
 pub(super) async fn page() -> Response {
-    let policy = (header::CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
-    ([policy], file("text/html; charset=utf-8", PAGE)).into_response()
+    html(PAGE)
 }
 
 /// The page's script.
@@ -122,8 +119,4 @@ pub(super) async fn script() -> Response {
     responses((status = 200, content_type = "text/css", body = String)))]
 pub(super) async fn style() -> Response {
     file("text/css; charset=utf-8", STYLE)
-}
-
-fn file(media_type: &'static str, text: &'static str) -> Response {
-    ([(header::CONTENT_TYPE, media_type)], text).into_response()
 }

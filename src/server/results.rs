@@ -23,8 +23,21 @@ use super::{
 };
 use crate::{
     archive::{ShotResult, ShotTime},
-    pipeline::{Lookup, RESULTS_IN_MEMORY},
+    pipeline::{Board, Lookup, RESULTS_IN_MEMORY},
 };
+
+/// Where results come from.
+pub trait ResultSource: Send + Sync + 'static {
+    /// What is known of a shot's result. May read a disk: it is not called on the runtime's threads.
+    fn result(&self, shot: u64) -> Lookup;
+}
+
+/// The results in memory.
+impl ResultSource for Board {
+    fn result(&self, shot: u64) -> Lookup {
+        self.result(shot)
+    }
+}
 
 /// What a vector takes in JSON, generously.
 const JSON_VECTOR_BYTES: usize = 512;
@@ -158,7 +171,9 @@ pub(super) async fn one(
 ) -> Result<Response, ApiError> {
     let format = requested(&headers, &query);
     let shot = resolved(&app.run, &shot)?;
-    let result = match app.run.board.result(shot) {
+    let source = app.run.results.clone();
+    let looked_up = tokio::task::spawn_blocking(move || source.result(shot)).await;
+    let result = match looked_up.map_err(|error| ApiError::internal(error.to_string()))? {
         Lookup::Here(result) => result,
         other => return Err(absent(&app.run, shot, other)),
     };

@@ -7,12 +7,14 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::{
+    configuration::BenchSettings,
     control::{Controls, Desk},
     events::Brief,
     frames::FrameSource,
+    results::ResultSource,
 };
 use crate::{
-    acquisition::{Journal, Ledger},
+    acquisition::{Heartbeat, Journal, Ledger},
     pipeline::{Board, EventKind, Watermarks},
 };
 
@@ -67,6 +69,10 @@ pub struct ConfigurationSummary {
     pub voxel_mm: f64,
     /// Edge of an interrogation window.
     pub window_mm: f64,
+    /// Centre of the volume in the world frame.
+    pub centre_mm: [f64; 3],
+    /// Largest displacement that is looked for.
+    pub max_displacement_vox: f64,
     /// Time between the light pulses.
     pub dt_us: f64,
     /// Shots per second that the bench gives.
@@ -101,6 +107,11 @@ pub struct ApiState {
     pub(super) began: Instant,
     pub(super) desk: Desk,
     pub(super) frames: Arc<dyn FrameSource>,
+    pub(super) results: Arc<dyn ResultSource>,
+    /// Beats while the run loop turns.
+    pub(super) run_loop: Heartbeat,
+    /// Absent where no bench is configured.
+    pub(super) bench: Option<Arc<BenchSettings>>,
     phase: Arc<Mutex<Phase>>,
     /// What was told last.
     told: Arc<Mutex<Option<Brief>>>,
@@ -129,10 +140,13 @@ impl ApiState {
             info: Arc::new(info),
             ledger,
             frames: board.clone(),
+            results: board.clone(),
             board,
             journal,
             began: Instant::now(),
             desk: Desk::default(),
+            run_loop: Heartbeat::default(),
+            bench: None,
             phase,
             told: Arc::default(),
         }
@@ -148,6 +162,24 @@ impl ApiState {
     /// Previews show the frames of this source, instead of the latest ones only.
     pub fn with_frames(mut self, frames: Arc<dyn FrameSource>) -> Self {
         self.frames = frames;
+        self
+    }
+
+    /// Results are those of this source, instead of the latest ones only.
+    pub fn with_results(mut self, results: Arc<dyn ResultSource>) -> Self {
+        self.results = results;
+        self
+    }
+
+    /// The bench is configured like this.
+    pub fn with_bench(mut self, bench: BenchSettings) -> Self {
+        self.bench = Some(Arc::new(bench));
+        self
+    }
+
+    /// The run is alive while this beats.
+    pub fn with_run_loop(mut self, run_loop: Heartbeat) -> Self {
+        self.run_loop = run_loop;
         self
     }
 

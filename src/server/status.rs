@@ -25,6 +25,10 @@ pub(super) struct Status {
     stage: String,
     shots: ShotCounts,
     ledger: LedgerView,
+    /// Whether each camera answers, and what it has delivered.
+    cameras: Vec<CameraView>,
+    /// Room for results and raw data; absent where the disk does not say.
+    disk: Option<DiskView>,
     /// How far data is safe; absent where nothing is recorded.
     watermarks: Option<Watermarks>,
     /// What the raw log takes; absent where nothing is recorded.
@@ -113,6 +117,54 @@ impl RawLogView {
     }
 }
 
+/// What a camera's driver says.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
+pub(super) struct CameraView {
+    camera: String,
+    /// Whether it answers, as far as is known.
+    connected: bool,
+    /// Frames delivered whole.
+    frames: u64,
+}
+
+impl CameraView {
+    fn all(state: &ApiState) -> Vec<Self> {
+        let ledger = state.ledger.lock();
+        let names = state.info.configuration.cameras.iter();
+        let streams = ledger.streams().iter().zip(ledger.connected());
+        let views = names.zip(streams).map(|(camera, (stream, connected))| Self {
+            camera: camera.clone(),
+            connected: *connected,
+            frames: stream.completed,
+        });
+        views.collect()
+    }
+}
+
+/// Room on the disk of the results.
+#[derive(Debug, Clone, Copy, Serialize, ToSchema)]
+pub(super) struct DiskView {
+    free_bytes: u64,
+    /// Shots whose raw data fits in there, at what a shot has taken so far; absent before the first, and where
+    /// no raw data is kept.
+    shots_left: Option<u64>,
+}
+
+impl DiskView {
+    /// Asks the file system: not on the runtime's threads.
+    async fn of(state: &ApiState) -> Option<Self> {
+        let folder = state.info.results_dir.clone();
+        let asked = tokio::task::spawn_blocking(move || rustix::fs::statvfs(&folder));
+        let disk = asked.await.ok()?.ok()?;
+        let free_bytes = disk.f_bavail.saturating_mul(disk.f_frsize);
+        let written = state.watermarks().map_or(0, |marks| marks.written);
+        let taken = RawLogView::of(state).map_or(0, |log| log.bytes_written);
+        let shots_left = (taken > 0 && written > 0)
+            .then(|| (u128::from(free_bytes) * u128::from(written) / u128::from(taken)) as u64);
+        Some(Self { free_bytes, shots_left })
+    }
+}
+
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Ledger)]
 pub(super) struct LedgerView {
@@ -134,6 +186,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
     let shots = ShotCounts::of(&state);
     let phase = state.phase();
     let info = &state.info;
+    let disk = DiskView::of(&state).await;
     Json(Status {
         state: name(&state, &phase),
         error: error(&phase),
@@ -142,6 +195,8 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
         stage: stage(&state, &phase, shots),
         shots,
         ledger: ledger(&state),
+        cameras: CameraView::all(&state),
+        disk,
         watermarks: state.watermarks(),
         raw_log: RawLogView::of(&state),
         latency: state.board.latency(),
@@ -166,6 +221,7 @@ impl ApiState {
             shots,
             watermarks: self.watermarks(),
             control: self.control(),
+            cameras: CameraView::all(self),
         }
     }
 

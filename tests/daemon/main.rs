@@ -17,6 +17,7 @@ mod heartbeat;
 mod http;
 mod limits;
 mod measured;
+mod page;
 mod previews;
 mod replayed;
 mod run;

@@ -59,6 +59,8 @@ fn info() -> RunInfo {
             cameras: vec!["cam1".to_owned(), "cam2".to_owned()],
             voxels_xyz: [3, 2, 1],
             voxel_mm: 0.1,
+            centre_mm: [0.0; 3],
+            max_displacement_vox: 2.0,
             window_mm: 1.6,
             dt_us: 100.0,
             rate_hz: 10.0,

@@ -1,0 +1,140 @@
+//! `lfpiv serve`: a run that is over, on the same page and the same interface as one under way.
+
+mod stored_results;
+
+use std::{net::SocketAddr, path::PathBuf, sync::Arc};
+
+use anyhow::{Context, bail};
+use lfpiv_rawlog::regular_file::read_text;
+use parking_lot::Mutex;
+use serde_json::json;
+use tokio::net::TcpListener;
+
+use self::stored_results::StoredRun;
+use super::{
+    daemon_plan::DaemonPlan,
+    output::{count, print},
+    recorded_frames::RecordedFrames,
+    recording::refuse_running,
+    run_info::{bench_settings, run_info},
+    stop::stop_on_signals,
+};
+use crate::{
+    acquisition::{
+        Journal, Ledger, Outcome, OverloadPolicy, SynchroniserThread,
+        journal::{Entry, RAW_FOLDER, RecordedRun, ledger_of},
+    },
+    config::{Config, ConfigFile},
+    pipeline::{Board, EventKind},
+    server::{ApiState, Phase, Protection, serve},
+};
+
+/// Arguments of `lfpiv serve`.
+#[derive(Debug, clap::Args)]
+pub struct ServeArgs {
+    /// Folder of a run that is over.
+    #[arg(value_name = "RUN")]
+    pub run: PathBuf,
+    /// Address to serve on, instead of the one in the run's configuration.
+    #[arg(long, value_name = "ADDRESS")]
+    pub address: Option<SocketAddr>,
+}
+
+/// Serves the run until it is told to stop by Ctrl-C or SIGTERM. Nothing in its folder is changed.
+pub fn serve_run(args: &ServeArgs) -> anyhow::Result<()> {
+    if !args.run.is_dir() {
+        bail!("{} is no folder of a run", args.run.display());
+    }
+    refuse_running(&args.run)?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build()
+        .context("the runtime does not start")?;
+    runtime.block_on(show(args))
+}
+
+async fn show(args: &ServeArgs) -> anyhow::Result<()> {
+    let stop = stop_on_signals(&SynchroniserThread::default(), "nothing was being written")?;
+    let path = args.run.join("configuration.toml");
+    let text = read_text(&path).with_context(|| {
+        format!("cannot read {}: is {} the folder of a run?", path.display(), args.run.display())
+    })?;
+    let mut config = Config::parse("the run's configuration", &text)?;
+    if let Some(address) = args.address {
+        config.server.address = address;
+    }
+    let settings = config.server.clone();
+    let protection = Protection::open(&settings)?;
+    let plan = DaemonPlan {
+        raw_log: None,
+        ..DaemonPlan::new(ConfigFile { path, text, config }, None, OverloadPolicy::Wait)
+    };
+    let stored = StoredRun::open(&args.run, plan.file.config.volume.voxel_mm)?;
+    let Past { ledger, phase, notes } = past(args, &plan, &stored)?;
+    let board = Arc::new(Board::new());
+    stored.put_on(&board);
+    for text in notes {
+        let note = json!({ "command": "note", "text": text });
+        board.events().publish(EventKind::Control, &note);
+    }
+    let shots = stored.len();
+    let frames = RecordedFrames::new(board.clone(), &args.run).with_last(stored.last());
+    let state = ApiState::new(
+        run_info(&plan, &args.run),
+        Arc::new(Mutex::new(ledger)),
+        board.clone(),
+        Journal::none(),
+    )
+    .with_frames(Arc::new(frames))
+    .with_results(Arc::new(stored.with_board(board)))
+    .with_bench(bench_settings(&plan.file));
+    state.set_phase(phase);
+    let listener = TcpListener::bind(settings.address).await.with_context(|| {
+        format!("cannot listen on {}: give another --address", settings.address)
+    })?;
+    let address = listener.local_addr().context("the server has no address")?;
+    print(&format!("{}: {} with a result", args.run.display(), count(shots, "shot")))?;
+    print(&format!("bench:   {}/", settings.url(address)))?;
+    serve(listener, state, protection, stop).await;
+    Ok(())
+}
+
+/// What a run's record tells.
+struct Past {
+    ledger: Ledger,
+    phase: Phase,
+    notes: Vec<String>,
+}
+
+fn past(args: &ServeArgs, plan: &DaemonPlan, stored: &StoredRun) -> anyhow::Result<Past> {
+    if !args.run.join(RAW_FOLDER).is_dir() {
+        return Ok(Past {
+            ledger: of_results(plan, stored)?,
+            phase: Phase::Finished,
+            notes: Vec::new(),
+        });
+    }
+    let recorded = RecordedRun::open(&args.run)?.finished();
+    let ledger =
+        ledger_of(&recorded, &stored.shots().collect()).context("the record contradicts itself")?;
+    let (mut notes, mut error) = (Vec::new(), Some("the run was cut off".to_owned()));
+    for placed in recorded.entries().flatten() {
+        match placed.entry {
+            Entry::Note { text, .. } => notes.push(text),
+            Entry::Ended { error: reason, .. } => error = reason,
+            _ => {}
+        }
+    }
+    Ok(Past { ledger, phase: error.map_or(Phase::Finished, Phase::Failed), notes })
+}
+
+/// The ledger of a run whose raw data was not kept: what has a result was complete.
+fn of_results(plan: &DaemonPlan, stored: &StoredRun) -> anyhow::Result<Ledger> {
+    let mut ledger = Ledger::new(plan.file.config.camera.len());
+    for shot in stored.shots() {
+        ledger.enter(shot)?;
+        ledger.mark_queued(shot, &[]);
+        ledger.settle_all(shot, Outcome::Complete)?;
+    }
+    Ok(ledger)
+}

@@ -1,0 +1,121 @@
+//! `/api/v1/configuration` and `/api/v1/control/timing`: the run's settings, and when its pulses fire.
+
+use axum::{Json, extract::State, http::StatusCode};
+use lfpiv_hw::{
+    Optics,
+    timing::{PulseSchedule, TimingSettings},
+};
+use serde::{Deserialize, Serialize};
+use utoipa::{IntoParams, ToSchema};
+
+use super::{ApiError, app::App, extract::Arguments};
+
+/// The bench as it is configured.
+#[derive(Debug, Clone)]
+pub struct BenchSettings {
+    /// The configuration, TOML.
+    pub configuration: String,
+    /// Of every camera.
+    pub optics: Optics,
+    /// What the pulses are planned by.
+    pub timing: TimingSettings,
+}
+
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Configuration)]
+pub(super) struct ConfigurationView {
+    file: String,
+    /// The file's text, TOML.
+    text: String,
+}
+
+/// The configuration that the run was started with.
+#[utoipa::path(get, path = "/api/v1/configuration", tag = "live", responses(
+    (status = 200, body = ConfigurationView),
+    (status = 404, description = "None is known", body = super::error::ErrorBody)))]
+pub(super) async fn configuration(
+    State(app): State<App>,
+) -> Result<Json<ConfigurationView>, ApiError> {
+    let bench = app.run.bench.as_ref().ok_or_else(unknown)?;
+    let file = app.run.info.configuration.file.display().to_string();
+    Ok(Json(ConfigurationView { file, text: bench.configuration.clone() }))
+}
+
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(super) struct TimingQuery {
+    /// Time between the light pulses, in µs; that of the run unless given.
+    #[param(minimum = 0.1, maximum = 1_000_000.0)]
+    dt_us: Option<f64>,
+}
+
+/// A pulse schedule, in µs after T0.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = Timing)]
+pub(super) struct TimingView {
+    period_us: f64,
+    dt_us: f64,
+    /// Flash lamps of laser heads 1 and 2.
+    lamp_us: [f64; 2],
+    /// Q-switches of laser heads 1 and 2: the light pulses.
+    q_switch_us: [f64; 2],
+    camera_trigger_us: f64,
+    /// Start and end.
+    exposure_1_us: [f64; 2],
+    exposure_2_us: [f64; 2],
+    /// When the cameras can be triggered again.
+    camera_ready_us: f64,
+    pulse_width_us: f64,
+}
+
+impl From<PulseSchedule> for TimingView {
+    fn from(schedule: PulseSchedule) -> Self {
+        let PulseSchedule {
+            period_us,
+            dt_us,
+            lamp_us,
+            q_switch_us,
+            camera_trigger_us,
+            exposure_1_us,
+            exposure_2_us,
+            camera_ready_us,
+            pulse_width_us,
+            ..
+        } = schedule;
+        Self {
+            period_us,
+            dt_us,
+            lamp_us,
+            q_switch_us,
+            camera_trigger_us,
+            exposure_1_us,
+            exposure_2_us,
+            camera_ready_us,
+            pulse_width_us,
+        }
+    }
+}
+
+/// When lamps, Q-switches and cameras fire with a dt, or why no schedule has it. Changes nothing.
+#[utoipa::path(get, path = "/api/v1/control/timing", tag = "control", params(TimingQuery), responses(
+    (status = 200, body = TimingView),
+    (status = 404, description = "No bench is configured", body = super::error::ErrorBody),
+    (status = 409, description = "No schedule has this dt", body = super::error::ErrorBody)))]
+pub(super) async fn timing(
+    State(app): State<App>,
+    Arguments(query): Arguments<TimingQuery>,
+) -> Result<Json<TimingView>, ApiError> {
+    let bench = app.run.bench.as_ref().ok_or_else(unknown)?;
+    let configured = &app.run.info.configuration;
+    let now_us = app.run.control().map_or(configured.dt_us, |control| control.dt_us);
+    let dt_us = query.dt_us.unwrap_or(now_us);
+    match PulseSchedule::plan(&bench.timing, dt_us, configured.rate_hz) {
+        Ok(schedule) => Ok(Json(schedule.into())),
+        Err(error) => Err(ApiError::new(StatusCode::CONFLICT, error.to_string())),
+    }
+}
+
+fn unknown() -> ApiError {
+    ApiError::not_found("this server knows no configuration: it serves no configured bench")
+}

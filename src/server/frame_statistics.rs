@@ -1,0 +1,203 @@
+//! `/api/v1/shots/{shot}/frames/{camera}/statistics`: what a camera's images say of light, focus and aperture.
+
+use axum::{
+    extract::State,
+    http::{HeaderMap, HeaderValue, header},
+    response::{IntoResponse, Response},
+};
+use lfpiv_core::lightfield::{
+    AxisSampling, ImageSettings, LightLevels, MeanMicroImage, PhotometricZones,
+};
+use lfpiv_hw::{Optics, RawImage};
+use serde::Serialize;
+use utoipa::ToSchema;
+
+use super::{
+    ApiError,
+    app::App,
+    extract::Params,
+    frames::{absent, camera_index, frame_shot},
+};
+
+/// Bins of a histogram at most.
+const BINS: usize = 256;
+/// Memory that an answer takes, generously.
+const ANSWER_BYTES: usize = 64 << 10;
+
+/// A camera's two images of a shot, in numbers.
+#[derive(Debug, Serialize, ToSchema)]
+#[schema(as = FrameStatistics)]
+pub(super) struct StatisticsView {
+    shot: u64,
+    camera: String,
+    configured: ConfiguredMicroImages,
+    /// Frames a and b.
+    frames: Vec<FrameView>,
+    /// Light of frame a over that of frame b; absent where b is dark.
+    a_over_b: Option<f64>,
+}
+
+/// How the configured optics put the micro-images.
+#[derive(Debug, Serialize, ToSchema)]
+struct ConfiguredMicroImages {
+    /// Columns and rows of the sensor.
+    sensor_px: [usize; 2],
+    pitch_px: f64,
+    /// Of the aperture's picture.
+    diameter_px: f64,
+    /// Column and row of the middle of the micro-image nearest to the sensor's middle, from the middle of
+    /// the first pixel.
+    middle_px: [f64; 2],
+    /// Of the main lens.
+    f_number: f64,
+}
+
+/// One image.
+#[derive(Debug, Serialize, ToSchema)]
+struct FrameView {
+    least_counts: u16,
+    greatest_counts: u16,
+    /// Black level, from the dark corners of the micro-images.
+    offset_counts: f64,
+    noise_counts: f64,
+    /// Mean light of the lit pixels above black and background.
+    light_counts: f64,
+    background_counts: f64,
+    /// Share of the lit pixels that hold a particle's light.
+    bright_share: f64,
+    /// Absent where no pixel is saturated.
+    saturation_counts: Option<u16>,
+    saturated_share: f64,
+    /// Pixels per bin, from 0 counts upwards.
+    histogram: Vec<u64>,
+    /// Counts per bin.
+    bin_counts: u32,
+    /// Absent where the micro-images do not stand out.
+    micro_image: Option<MicroImageView>,
+}
+
+/// The mean micro-image.
+#[derive(Debug, Serialize, ToSchema)]
+struct MicroImageView {
+    /// Cells along an edge.
+    cells: usize,
+    /// Light of each cell in counts above black, row by row, the upper row first.
+    light: Vec<f64>,
+    /// Diameter of the aperture's picture over the pitch; absent where light does not fall to half.
+    diameter_pitches: Option<f64>,
+    /// The main lens' f-number that it amounts to.
+    f_number: Option<f64>,
+    /// Distance over which light falls from 80 % to 20 %.
+    edge_px: Option<f64>,
+    /// Light in the corners over that in the middle.
+    corner_share: f64,
+}
+
+/// A camera's two images in numbers: histogram, saturation, light, and the mean micro-image with what it says
+/// of aperture and focus.
+#[utoipa::path(get, path = "/api/v1/shots/{shot}/frames/{camera}/statistics", tag = "shots",
+    params(
+        ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
+        ("camera" = usize, Path, minimum = 1, description = "Camera: 1 or cam1 for the first.")),
+    responses(
+        (status = 200, body = StatisticsView),
+        (status = 404, description = "No such shot or camera", body = super::error::ErrorBody),
+        (status = 410, description = "The frames are not to be had any more", body = super::error::ErrorBody)))]
+pub(super) async fn statistics(
+    State(app): State<App>,
+    Params((shot, camera)): Params<(String, String)>,
+) -> Result<Response, ApiError> {
+    let shot = frame_shot(&app, &shot)?;
+    let names = &app.run.info.configuration.cameras;
+    let camera = camera_index(&camera, names.len())?;
+    let name = names[camera].clone();
+    let bench = app.run.bench.clone();
+    let optics = bench.map(|bench| bench.optics.clone()).ok_or_else(|| {
+        ApiError::not_found("this server knows no optics: it serves no configured bench")
+    })?;
+    let known = app.run.ledger.lock().entry(shot).is_some();
+    let frames = app.run.frames.clone();
+    let made = move || {
+        let image = |half| frames.frame(shot, camera, half).ok_or_else(|| absent(shot, known));
+        let view = view(shot, name, &optics, &[image(0)?, image(1)?]);
+        serde_json::to_vec(&view).map_err(|error| ApiError::internal(error.to_string()))
+    };
+    let json = app.work.make(ANSWER_BYTES, made).await?;
+    let mut headers = HeaderMap::new();
+    headers.insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
+    Ok((headers, json).into_response())
+}
+
+fn view(shot: u64, camera: String, optics: &Optics, images: &[RawImage; 2]) -> StatisticsView {
+    let zones =
+        PhotometricZones::new(optics, &AxisSampling::columns(optics), &AxisSampling::rows(optics));
+    let levels = images.each_ref().map(|image| zones.levels(image, &ImageSettings::default()));
+    let [a, b] = levels.each_ref().map(|levels| levels.mean_signal_counts);
+    let frames = images.iter().zip(&levels).map(|(image, levels)| frame(optics, image, levels));
+    StatisticsView {
+        shot,
+        camera,
+        configured: configured(optics),
+        frames: frames.collect(),
+        a_over_b: (b > 0.0).then(|| a / b),
+    }
+}
+
+fn configured(optics: &Optics) -> ConfiguredMicroImages {
+    let (sensor, lens) = (&optics.sensor, &optics.microlens);
+    let pixel_mm = optics.pixel_pitch_mm();
+    let magnification = optics.micro_image_magnification();
+    let middle = [lens.column_centre_mm(lens.columns / 2), lens.row_centre_mm(lens.rows / 2)];
+    ConfiguredMicroImages {
+        sensor_px: [sensor.columns, sensor.rows],
+        pitch_px: optics.micro_image_pitch_mm() / pixel_mm,
+        diameter_px: diameter_pitches(optics) * optics.micro_image_pitch_mm() / pixel_mm,
+        middle_px: [
+            (sensor.columns as f64 - 1.0) / 2.0 + middle[0] * magnification / pixel_mm,
+            (sensor.rows as f64 - 1.0) / 2.0 - middle[1] * magnification / pixel_mm,
+        ],
+        f_number: optics.f_number,
+    }
+}
+
+/// Diameter of the configured aperture's picture over the micro-images' pitch.
+fn diameter_pitches(optics: &Optics) -> f64 {
+    let picture_mm =
+        optics.pupil_diameter_mm() * optics.microlens.focal_length_mm / optics.image_distance_mm();
+    picture_mm / optics.micro_image_pitch_mm()
+}
+
+fn frame(optics: &Optics, image: &RawImage, levels: &LightLevels) -> FrameView {
+    let counts = image.counts();
+    let greatest_counts = counts.iter().copied().max().unwrap_or_default();
+    let bin_counts = (u32::from(greatest_counts) + 1).div_ceil(BINS as u32);
+    let mut histogram = vec![0u64; (u32::from(greatest_counts) / bin_counts + 1) as usize];
+    counts.iter().for_each(|&count| histogram[(u32::from(count) / bin_counts) as usize] += 1);
+    FrameView {
+        least_counts: counts.iter().copied().min().unwrap_or_default(),
+        greatest_counts,
+        offset_counts: levels.offset_counts,
+        noise_counts: levels.noise_counts,
+        light_counts: levels.mean_signal_counts,
+        background_counts: levels.background_counts,
+        bright_share: levels.bright_share,
+        saturation_counts: levels.saturation_counts,
+        saturated_share: levels.saturated_share,
+        histogram,
+        bin_counts,
+        micro_image: MeanMicroImage::of(optics, image).map(|mean| micro_image(optics, mean)),
+    }
+}
+
+fn micro_image(optics: &Optics, mean: MeanMicroImage) -> MicroImageView {
+    let f_number =
+        mean.diameter_pitches.map(|diameter| optics.f_number * diameter_pitches(optics) / diameter);
+    MicroImageView {
+        cells: mean.cells,
+        light: mean.light,
+        diameter_pitches: mean.diameter_pitches,
+        f_number,
+        edge_px: mean.edge_px,
+        corner_share: mean.corner_share,
+    }
+}

@@ -1,0 +1,134 @@
+//! What the bench page needs: its files, signs of life, settings, timing and images in numbers.
+
+use std::time::Duration;
+
+use lfpiv::{acquisition::Ledger, server::BenchSettings};
+use lfpiv_core::lightfield::ImagePair;
+use lfpiv_hw::{Optics, RawImage};
+use tokio::{
+    io::{AsyncReadExt, AsyncWriteExt},
+    net::TcpStream,
+};
+
+use crate::{
+    bench::configuration,
+    client::Ask,
+    previews::lit_board,
+    server::{Server, settings},
+};
+
+fn bench() -> BenchSettings {
+    let file = configuration(std::path::Path::new("unused"));
+    BenchSettings {
+        configuration: file.text,
+        optics: file.config.optics,
+        timing: file.config.timing,
+    }
+}
+
+async fn configured_server() -> Server {
+    let mut ledger = Ledger::new(2);
+    ledger.enter(7).unwrap();
+    let board = lit_board([4, 3, 2]);
+    let images = [image(&bench().optics, 300.0), image(&bench().optics, 150.0)];
+    board.gallery().show_frames(7, &ImagePair { cameras: vec![images.clone(), images] });
+    Server::with(ledger, board, &settings(), |state| state.with_bench(bench())).await
+}
+
+/// Round micro-images, every second one bright, on black 64.
+fn image(optics: &Optics, light: f64) -> RawImage {
+    let (sensor, pitch) = (&optics.sensor, optics.micro_image_pitch_mm());
+    let radius_mm = 0.42 * pitch;
+    let count = |row: usize, column: usize| {
+        let [x, y] = [sensor.column_centre_mm(column), sensor.row_centre_mm(row)];
+        let [i, j] = [x, y].map(|place| (place / pitch).round());
+        let is_lit = (x - i * pitch).hypot(y - j * pitch) < radius_mm;
+        let share = if (i + j).rem_euclid(2.0) < 0.5 { 1.0 } else { 0.4 };
+        64 + if is_lit { (share * light) as u16 } else { 0 }
+    };
+    let counts =
+        (0..sensor.rows).flat_map(|row| (0..sensor.columns).map(move |column| (row, column)));
+    let counts = counts.map(|(row, column)| count(row, column)).collect();
+    RawImage::new(sensor.columns, sensor.rows, counts).unwrap()
+}
+
+#[tokio::test]
+async fn the_page_is_at_the_root_and_may_run_its_own_scripts_only() {
+    let server = Server::empty(&settings()).await;
+    let page = server.get("/").await;
+    assert_eq!((page.status, page.media_type.as_str()), (200, "text/html; charset=utf-8"));
+    let policy = page.header("content-security-policy").unwrap();
+    for part in ["default-src 'none'", "script-src 'self'", "frame-ancestors 'none'"] {
+        assert!(policy.split("; ").any(|own| own == part), "{policy}");
+    }
+    assert!(!policy.contains("unsafe"), "{policy}");
+    let text = String::from_utf8(page.body).unwrap();
+    for path in ["/bench/bench.js", "/bench/bench.css", "/bench/icon.svg"] {
+        assert!(text.contains(&format!("\"{path}\"")), "{path}");
+        assert_eq!(server.get(path).await.status, 200, "{path}");
+    }
+    assert!(!text.contains("<style") && !text.contains("style=") && !text.contains(" on"));
+}
+
+#[tokio::test]
+async fn a_stream_says_that_the_run_is_alive() {
+    let server = Server::empty(&settings()).await;
+    let mut stream = TcpStream::connect(server.address).await.unwrap();
+    stream.write_all(&Ask::get("/api/v1/events").bytes(server.address)).await.unwrap();
+    let mut received = String::new();
+    let beats = async {
+        while received.matches(": heartbeat").count() < 3 {
+            let mut piece = [0; 1024];
+            let length = stream.read(&mut piece).await.unwrap();
+            received += &String::from_utf8_lossy(&piece[..length]);
+        }
+    };
+    tokio::time::timeout(Duration::from_secs(60), beats).await.expect("no heartbeat");
+}
+
+#[tokio::test]
+async fn settings_and_timing_are_told_and_nothing_is_changed() {
+    let server = configured_server().await;
+    let told = server.get("/api/v1/configuration").await.json();
+    assert!(told["text"].as_str().unwrap().contains("[optics.microlens]"));
+    let timing = server.get("/api/v1/control/timing").await.json();
+    assert_eq!(timing["dt_us"], 100.0);
+    let [q1, q2] = [0, 1].map(|n| timing["q_switch_us"][n].as_f64().unwrap());
+    assert!((q2 - q1 - 100.0).abs() < 1e-9);
+    let other = server.get("/api/v1/control/timing?dt_us=50").await.json();
+    assert_eq!(other["dt_us"], 50.0);
+    let refused = server.get("/api/v1/control/timing?dt_us=90000").await.error(409);
+    assert!(refused.contains("exposure 2"), "{refused}");
+    assert!(server.get("/api/v1/control/timing?dt_us=x").await.error(400).contains("dt_us"));
+    let empty = Server::empty(&settings()).await;
+    for path in ["/api/v1/configuration", "/api/v1/control/timing"] {
+        assert!(empty.get(path).await.error(404).contains("no configured bench"));
+    }
+}
+
+#[tokio::test]
+async fn images_are_told_in_numbers() {
+    let server = configured_server().await;
+    let told = server.get("/api/v1/shots/latest/frames/1/statistics").await.json();
+    assert_eq!((&told["shot"], &told["camera"]), (&7.into(), &"cam1".into()));
+    assert_eq!(told["configured"]["sensor_px"], serde_json::json!([92, 92]));
+    let ratio = told["a_over_b"].as_f64().unwrap();
+    assert!((ratio - 2.0).abs() < 0.1, "{ratio}");
+    for frame in told["frames"].as_array().unwrap() {
+        let pixels: u64 =
+            frame["histogram"].as_array().unwrap().iter().filter_map(|n| n.as_u64()).sum();
+        assert_eq!(pixels, 92 * 92);
+        assert_eq!(frame["least_counts"], 64);
+        let micro_image = &frame["micro_image"];
+        let diameter = micro_image["diameter_pitches"].as_f64().unwrap();
+        assert!((diameter - 0.84).abs() < 0.06, "{diameter}");
+        assert!(micro_image["f_number"].as_f64().unwrap() > 4.2);
+        assert!(micro_image["corner_share"].as_f64().unwrap() < 0.05);
+        let cells = micro_image["cells"].as_u64().unwrap();
+        assert_eq!(micro_image["light"].as_array().unwrap().len() as u64, cells * cells);
+    }
+    assert!(
+        server.get("/api/v1/shots/6/frames/1/statistics").await.error(404).contains("no shot 6")
+    );
+    assert!(server.get("/api/v1/shots/7/frames/9/statistics").await.error(404).contains("cam9"));
+}

@@ -1,0 +1,85 @@
+//! The real program on a simulated bench, with tokens and both permissions to arm.
+
+use std::{
+    fs,
+    io::{BufRead, BufReader},
+    os::unix::fs::PermissionsExt,
+    path::Path,
+    process::{Child, Command, Stdio},
+};
+
+use serde_json::Value;
+
+pub const READ: &str = "9c27d5f01ab8463e70c1f94d2e58b6a3";
+pub const CONTROL: &str = "Zr8+qT1/vXo2Lk9wBe5HdM==";
+
+pub struct Daemon {
+    child: Child,
+    pub port: u16,
+}
+
+impl Daemon {
+    /// A run without end; port 0 takes any.
+    pub fn start(folder: &Path, port: u16) -> Self {
+        let tokens = folder.join("tokens");
+        fs::write(&tokens, format!("read {READ}\ncontrol {CONTROL}\n")).unwrap();
+        fs::set_permissions(&tokens, PermissionsExt::from_mode(0o600)).unwrap();
+        let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
+        let text = fs::read_to_string(small).unwrap();
+        let server = format!(
+            "address = \"127.0.0.1:{port}\"\ntokens = {tokens:?}\nremote_arming = true\nrequests_per_s = 500.0"
+        );
+        let changes = [
+            ("address = \"127.0.0.1:0\"", server.as_str()),
+            ("dir = \"results\"", &format!("dir = {:?}", folder.join("results"))),
+            // A flow with something to see in it.
+            ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),
+            ("velocity_m_s = [1.0, -0.5, 0.25]", ""),
+        ];
+        let text = changes.iter().fold(text, |text, (from, to)| {
+            assert!(text.contains(from), "{from}");
+            text.replacen(from, to, 1)
+        });
+        let configuration = folder.join("page.toml");
+        fs::write(&configuration, text).unwrap();
+        let mut child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
+            .args(["run", "--remote-arming", "--config"])
+            .arg(&configuration)
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+        let address = lines.find_map(|line| {
+            let line = line.unwrap();
+            let rest = line.split("127.0.0.1:").nth(1)?;
+            rest.split('/').next().unwrap().parse().ok()
+        });
+        // What it says of shots is nobody's here, but must be read.
+        std::thread::spawn(move || lines.for_each(drop));
+        Self { child, port: address.expect("the daemon names its address") }
+    }
+
+    pub fn url(&self) -> String {
+        format!("http://127.0.0.1:{}", self.port)
+    }
+
+    pub fn get(&self, path: &str) -> Value {
+        let answer = ureq::get(format!("{}{path}", self.url()))
+            .header("Authorization", format!("Bearer {READ}"))
+            .call();
+        answer.unwrap().body_mut().read_json().unwrap()
+    }
+
+    /// Ends it as a power cut would.
+    pub fn kill(&mut self) {
+        self.child.kill().unwrap();
+        self.child.wait().unwrap();
+    }
+}
+
+impl Drop for Daemon {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}

@@ -1,0 +1,202 @@
+// Velocity: the field in space, in slices and along lines, over shots, and what it says of the measurement.
+
+import { colourBar } from "../colour_bar.js";
+import { ColourScale } from "../colour_scale.js";
+import { h, panel, reading, select, setText, slider, tick } from "../dom.js";
+import { Plot } from "../plot.js";
+import { shotChoice } from "../shot_choice.js";
+import { dtAdvice, histogram, lockingWords, validDisplacements } from "../velocity/displacement.js";
+import { component, magnitudes, quantile, validShare, vorticity } from "../velocity/field.js";
+import { FieldScene } from "../velocity/scene.js";
+import { PLANE, SliceCanvas, slicePixels, slicePlane } from "../velocity/slice.js";
+import { surface } from "../velocity/surface.js";
+import { number, percent } from "../words.js";
+
+const SHOWN = { shot: "this shot", mean: "mean over shots", rms: "rms over shots" };
+const QUANTITIES = {
+  speed: "speed",
+  u: "u along x",
+  v: "v along y",
+  w: "w along z",
+  vorticity: "|vorticity|",
+  vorticity_x: "vorticity about x",
+  vorticity_y: "vorticity about y",
+  vorticity_z: "vorticity about z",
+  uncertainty: "standard uncertainty",
+};
+const AXES = { 0: "x", 1: "y", 2: "z" };
+/** Scales reach to this share of the values: a few outliers must not darken all others. */
+const WHITE = 0.99;
+
+export function velocityView(run, results) {
+  const chosen = { shown: "shot", quantity: "speed", axis: 2, index: null, along: 0, line: null, level: 60 };
+  const scene = new FieldScene();
+  const bar = colourBar();
+  const sliceBar = colourBar();
+  const slice = new SliceCanvas((right, up) => pick(right, up));
+  const shot = shotChoice(run, (held) => results.hold(held));
+  const none = h("p", { class: "empty" });
+  const readings = {
+    valid: reading("Valid vectors"),
+    replaced: reading("Replaced"),
+    speed: reading("Largest speed", { title: "99th percentile" }),
+    uncertainty: reading("Uncertainty", { title: "median standard uncertainty of a component" }),
+    shots: reading("Shots in mean and rms"),
+  };
+  const vectors = tick("Vectors", true, () => redraw());
+  const surfaces = tick("Vorticity surface", true, () => redraw());
+  const inSpace = tick("Slice", true, () => redraw());
+  const level = slider("Surface at", { max: 95, value: chosen.level }, (value) => redraw({ level: value }));
+  const shown = select("Show", SHOWN, (value) => redraw({ shown: value }));
+  const quantity = select("Colour of the slice", QUANTITIES, (value) => redraw({ quantity: value }));
+  const axis = select("Slice across", AXES, (value) => redraw({ axis: Number(value), index: null, line: null }));
+  axis.input.value = "2";
+  const place = slider("at", { max: 1 }, (value) => redraw({ index: value }));
+  const along = select("Profile along", AXES, (value) => redraw({ along: Number(value), line: null }));
+  const profile = new Plot({
+    x: "position (mm)", y: "velocity (m/s)", alt: "Velocity along the dashed line of the slice",
+    series: [{ label: "u" }, { label: "v" }, { label: "w" }],
+  });
+  const displacements = [0, 1, 2].map((a) => new Plot({
+    x: `displacement along ${"xyz"[a]} (voxel)`, y: "vectors", height: 130,
+    alt: `Histogram of the displacements along ${"xyz"[a]}`, series: [{ label: "vectors", kind: "bars" }],
+  }));
+  const locking = h("p", { class: "advice" });
+  const advice = h("p", { class: "advice" });
+
+  const element = h("div", { class: "view velocity" },
+    h("div", { class: "controls" }, shot.element, shown.element, none),
+    h("dl", { class: "readings" }, ...Object.values(readings).map((one) => one.element)),
+    h("div", { class: "two" },
+      panel("In space", scene.element, bar.element,
+        h("div", { class: "controls" }, vectors.element, surfaces.element, level.element, inSpace.element)),
+      panel("Slice",
+        h("div", { class: "controls" }, axis.element, place.element, quantity.element),
+        slice.canvas, sliceBar.element)),
+    h("div", { class: "two" },
+      panel("Profile", h("div", { class: "controls" }, along.element, h("p", { class: "hint" }, "Press a place in the slice to move the line.")), profile.element),
+      panel("Displacements", ...displacements.map((plot) => plot.element), locking, advice)));
+
+  results.watch(() => redraw());
+
+  function redraw(change = {}) {
+    Object.assign(chosen, change);
+    if (element.isConnected && !element.hidden) draw();
+  }
+
+  function pick(right, up) {
+    const { field } = results;
+    if (!field) return;
+    const [a, b] = PLANE[chosen.axis];
+    const isAcross = chosen.along === b;
+    const [share, n] = isAcross ? [right, field.n[a]] : [up, field.n[b]];
+    if (chosen.along === chosen.axis) chosen.along = a;
+    along.input.value = String(chosen.along);
+    redraw({ line: Math.min(n - 1, Math.floor(share * n)) });
+  }
+
+  /** The vectors that are chosen. */
+  function chosenVectors(field) {
+    if (chosen.shown === "shot" || results.running.shots === 0) return field.u;
+    return chosen.shown === "mean" ? results.running.mean() : results.running.rms();
+  }
+
+  function chosenValues(field, u, rotation) {
+    const name = chosen.quantity;
+    if (name === "speed") return [magnitudes(u), "speed (m/s)", false];
+    if (name === "uncertainty") return [magnitudes(field.uncertainty).map((size) => size / Math.sqrt(3)), "standard uncertainty of a component (m/s)", false];
+    if (name === "vorticity") return [magnitudes(rotation), "|vorticity| (1/s)", false];
+    const axisOf = { u: 0, v: 1, w: 2, vorticity_x: 0, vorticity_y: 1, vorticity_z: 2 }[name];
+    return name.startsWith("vorticity")
+      ? [component(rotation, axisOf), `${QUANTITIES[name]} (1/s)`, true]
+      : [component(u, axisOf), `${QUANTITIES[name]} (m/s)`, chosen.shown !== "rms"];
+  }
+
+  function draw() {
+    const { field } = results;
+    setText(none, field ? results.error ?? "" : results.error ?? "No result yet: the first shot that is measured appears here.");
+    element.classList.toggle("without", !field);
+    if (!field) return;
+    const u = chosenVectors(field);
+    const rotation = vorticity(field, u);
+    const speeds = magnitudes(u);
+    const speedScale = new ColourScale(0, quantile(speeds, WHITE));
+    scene.frame(field);
+    scene.showVectors(field, u, speedScale, vectors.input.checked);
+    bar.show(speedScale, chosen.shown === "rms" ? "fluctuation (m/s)" : "speed (m/s)");
+
+    const spin = magnitudes(rotation);
+    const surfaceLevel = (quantile(spin, 0.995) * chosen.level) / 100;
+    setText(level.shown, `${number(surfaceLevel)} 1/s`);
+    scene.showSurface(field, surfaces.input.checked && surfaceLevel > 0 ? surface(spin, field.n, surfaceLevel) : null);
+    drawSlice(field, u, rotation, speedScale);
+    drawProfile(field, u);
+    drawWords(field, speeds);
+    scene.draw();
+  }
+
+  function drawSlice(field, u, rotation, speedScale) {
+    const n = field.n[chosen.axis];
+    chosen.index = Math.min(n - 1, chosen.index ?? Math.floor(n / 2));
+    place.input.max = n - 1;
+    place.input.value = chosen.index;
+    setText(place.shown, `${"xyz"[chosen.axis]} = ${number(field.first[chosen.axis] + chosen.index * field.spacing, 2)} mm`);
+    const [values, label, signed] = chosenValues(field, u, rotation);
+    const high = quantile(values.map(Math.abs), WHITE);
+    const scale = new ColourScale(signed ? -high : 0, high, signed);
+    if (chosen.along === chosen.axis) chosen.along = PLANE[chosen.axis][0];
+    along.input.value = String(chosen.along);
+    const [right, up] = PLANE[chosen.axis];
+    const isAlongRight = chosen.along === right;
+    const lines = field.n[isAlongRight ? up : right];
+    chosen.line = Math.min(lines - 1, chosen.line ?? Math.floor(lines / 2));
+    const line = { along: isAlongRight ? 0 : 1, index: chosen.line };
+    slice.draw(field, values, u, { axis: chosen.axis, index: chosen.index, scale, longest: speedScale.high, line });
+    sliceBar.show(scale, label);
+    const rows = slicePlane(field, values, chosen.axis, chosen.index);
+    const pixels = inSpace.input.checked ? slicePixels(rows, scale) : null;
+    scene.showSlice(field, chosen.axis, chosen.index, pixels, rows[0].length, rows.length);
+  }
+
+  function drawProfile(field, u) {
+    const [right, up] = PLANE[chosen.axis];
+    const other = chosen.along === right ? up : right;
+    const positions = [];
+    const lines = [[], [], []];
+    for (let m = 0; m < field.n[chosen.along]; m += 1) {
+      const at = [0, 0, 0];
+      [at[chosen.axis], at[chosen.along], at[other]] = [chosen.index, m, chosen.line];
+      const v = at[0] + field.n[0] * (at[1] + field.n[1] * at[2]);
+      positions.push(field.first[chosen.along] + m * field.spacing);
+      lines.forEach((line, c) => line.push(u[3 * v + c] === u[3 * v + c] ? u[3 * v + c] : null));
+    }
+    profile.show([positions, ...lines]);
+  }
+
+  function drawWords(field, speeds) {
+    const replaced = field.status.reduce((sum, status) => sum + (status === 1), 0);
+    const share = validShare(field);
+    readings.valid.show(percent(share, 1), share < 0.7 ? "doubt" : null);
+    readings.replaced.show(percent(replaced / field.status.length, 1));
+    readings.speed.show(`${number(quantile(speeds, WHITE))} m/s`);
+    readings.uncertainty.show(`${number(quantile(field.uncertainty, 0.5), 2)} m/s`);
+    readings.shots.show(String(results.running.shots));
+    displacements.forEach((plot, a) => {
+      const values = validDisplacements(field, a);
+      const bins = histogram(values, Math.min(48, Math.max(8, Math.round(1.5 * Math.sqrt(values.length)))));
+      plot.show([bins.centres, bins.counts]);
+    });
+    for (const [line, words] of [[locking, lockingWords(field)], [advice, adviceWords(field)]]) {
+      setText(line, words?.text ?? "");
+      if (words?.tone) line.dataset.tone = words.tone;
+      else delete line.dataset.tone;
+    }
+  }
+
+  function adviceWords(field) {
+    const window = run.status?.configuration.window_mm;
+    return window ? dtAdvice(field, window) : null;
+  }
+
+  return { element, update: () => shot.update(), show: () => draw() };
+}

@@ -1,0 +1,160 @@
+// Volume: the light that was reconstructed, seen along three axes.
+
+import { ApiError, getImage } from "../api.js";
+import { fitCanvas, h, panel, reading, select, setText, themeColour } from "../dom.js";
+import { shotChoice } from "../shot_choice.js";
+import { count, number, percent, tickNumber } from "../words.js";
+
+const PLANES = { xy: [0, 1], xz: [0, 2], yz: [1, 2] };
+const LEAST_MS = 700;
+
+export function volumeView(run) {
+  const choice = { frame: "a", held: null };
+  const shot = shotChoice(run, (held) => {
+    choice.held = held;
+    load();
+  });
+  const frame = select("Frame", { a: "a", b: "b" }, (value) => {
+    choice.frame = value;
+    load();
+  });
+  const problem = h("p", { class: "empty" });
+  const readings = {
+    size: reading("Volume"),
+    voxels: reading("Voxels"),
+    particles: reading("Particles", { title: "from the statistics of the first measured pair's views" }),
+    perWindow: reading("Particles per window"),
+    unexplained: reading("Light unexplained", { title: "per camera; 0: everything is explained" }),
+    agreement: reading("Cameras agree", { title: "correlation of the cameras' light along the direction that both see" }),
+    disparity: reading("Cameras apart"),
+  };
+  const planes = Object.entries(PLANES).map(([name, axes]) => plane(name, axes));
+  const element = h("div", { class: "view volume" },
+    h("div", { class: "controls" }, shot.element, frame.element, problem),
+    h("dl", { class: "readings" }, ...Object.values(readings).map((one) => one.element)),
+    h("div", { class: "three" }, ...planes.map((one) => one.element)));
+  let shown = null;
+  let busy = false;
+  let last = -Infinity;
+
+  async function load() {
+    if (busy || element.hidden || document.hidden || !run.status) return;
+    const wanted = choice.held ?? run.latestResult;
+    if (wanted === null) {
+      setText(problem, "No result yet.");
+      return;
+    }
+    busy = true;
+    last = performance.now();
+    try {
+      const images = await Promise.all(planes.map((one) => getImage(`/api/v1/results/${wanted}/projections/${choice.frame}/${one.name}.png`)));
+      planes.forEach((one, n) => one.show(images[n].bitmap, run.status.configuration));
+      shown = `${wanted} ${choice.frame}`;
+      setText(problem, "");
+    } catch (error) {
+      setText(problem, error instanceof ApiError ? error.message : "the daemon does not answer");
+    } finally {
+      busy = false;
+    }
+  }
+
+  function update() {
+    shot.update();
+    const { status } = run;
+    if (!status) return;
+    const { voxels_xyz: voxels, voxel_mm: voxel } = status.configuration;
+    readings.size.show(`${voxels.map((n) => number(n * voxel)).join(" × ")} mm`);
+    readings.voxels.show(`${voxels.join(" × ")} of ${number(voxel)} mm`);
+    const scene = status.model_choice?.scene;
+    const cubicMm = voxels.reduce((product, n) => product * n * voxel, 1);
+    readings.particles.show(scene ? `${count(Math.round(scene.particles_per_mm3 * cubicMm))}, ${number(scene.particles_per_mm3, 2)} per mm³` : "–");
+    readings.perWindow.show(number(scene?.particles_per_window, 2));
+    const fit = status.model_fit;
+    readings.unexplained.show(fit ? fit.cameras.map((camera) => percent(camera.unexplained)).join(", ") : "–");
+    readings.agreement.show(number(fit?.camera_agreement, 2));
+    readings.disparity.show(fit?.camera_disparity_mm ? `${number(fit.camera_disparity_mm, 2)} mm` : "–");
+    const wanted = `${choice.held ?? run.latestResult} ${choice.frame}`;
+    if (wanted !== shown && choice.held === null && performance.now() - last > LEAST_MS) load();
+  }
+
+  return {
+    element,
+    update,
+    show() {
+      load();
+      planes.forEach((one) => one.draw());
+    },
+  };
+}
+
+/** A projection with its axes in mm. */
+function plane(name, [right, up]) {
+  const across = "xyz"[3 - right - up];
+  const canvas = h("canvas", { class: "projection", role: "img", "aria-label": `Largest light along ${across}` });
+  let bitmap = null;
+  let configuration = null;
+  new ResizeObserver(() => draw()).observe(canvas);
+
+  function draw() {
+    const { width, height, ratio } = fitCanvas(canvas);
+    const context = canvas.getContext("2d");
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, width, height);
+    if (!bitmap) return;
+    const size = [right, up].map((axis) => configuration.voxels_xyz[axis] * configuration.voxel_mm);
+    const middle = [right, up].map((axis) => configuration.centre_mm[axis]);
+    const [left, below, rest] = [46 * ratio, 38 * ratio, 10 * ratio];
+    const scale = Math.min((width - left - rest) / size[0], (height - below - rest) / size[1]);
+    const [w, hgt] = size.map((mm) => mm * scale);
+    const [x, y] = [left + (width - left - rest - w) / 2, rest + (height - below - rest - hgt) / 2];
+    context.imageSmoothingEnabled = false;
+    context.drawImage(bitmap, x, y, w, hgt);
+    const ink = themeColour("ink");
+    context.strokeStyle = context.fillStyle = ink;
+    context.lineWidth = ratio;
+    context.strokeRect(x, y, w, hgt);
+    context.font = `${12 * ratio}px system-ui, sans-serif`;
+    for (const [axis, along] of [[0, "x"], [1, "y"]]) {
+      for (const tick of ticks(middle[axis] - size[axis] / 2, middle[axis] + size[axis] / 2)) {
+        const at = (tick - middle[axis] + size[axis] / 2) * scale;
+        context.beginPath();
+        if (along === "x") {
+          context.moveTo(x + at, y + hgt);
+          context.lineTo(x + at, y + hgt + 5 * ratio);
+          context.textAlign = "center";
+          context.textBaseline = "top";
+          context.fillText(tickNumber(tick), x + at, y + hgt + 7 * ratio);
+        } else {
+          context.moveTo(x, y + hgt - at);
+          context.lineTo(x - 5 * ratio, y + hgt - at);
+          context.textAlign = "right";
+          context.textBaseline = "middle";
+          context.fillText(tickNumber(tick), x - 8 * ratio, y + hgt - at);
+        }
+        context.stroke();
+      }
+    }
+  }
+
+  return {
+    name,
+    element: panel(`Along ${across}: ${"xyz"[right]} to the right, ${"xyz"[up]} upwards, in mm`, canvas),
+    show(image, settings) {
+      bitmap?.close();
+      bitmap = image;
+      configuration = settings;
+      draw();
+    },
+    draw,
+  };
+}
+
+/** Round numbers between two lengths, about five of them. */
+function ticks(low, high) {
+  const rough = (high - low) / 5;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((factor) => factor * power).find((one) => one >= rough);
+  const found = [];
+  for (let n = Math.ceil(low / step); n * step <= high + 1e-9; n += 1) found.push(n * step);
+  return found;
+}

@@ -1,0 +1,146 @@
+// Debian's Chromium without a screen, WebGL by software, driven by playwright-core.
+
+import assert from "node:assert/strict";
+import { chromium } from "playwright-core";
+
+const CHROMIUM = process.env.LFPIV_CHROMIUM ?? "/usr/bin/chromium";
+const PATIENCE_MS = 60_000;
+
+/** Starts the browser, and ends it when `body` has ended. */
+export async function withBrowser(body) {
+  const browser = await chromium.launch({
+    executablePath: CHROMIUM,
+    args: [
+      "--no-sandbox", "--no-first-run", "--disable-background-networking", "--use-gl=angle",
+      "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc",
+    ],
+  });
+  try {
+    await body(browser);
+  } finally {
+    await browser.close();
+  }
+}
+
+/** A page at `url` that notes what it complains of, and where it asks. */
+export async function openBench(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 1000 }, ...options });
+  context.setDefaultTimeout(PATIENCE_MS);
+  const page = await context.newPage();
+  const complaints = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.stack ?? error}`));
+  page.on("dialog", (dialog) => {
+    complaints.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
+  page.on("request", (request) => {
+    const asked = request.url();
+    if (!asked.startsWith(url) && !asked.startsWith("blob:")) complaints.push(`asked elsewhere: ${asked}`);
+  });
+  await page.goto(`${url}/`);
+  return { page, context, complaints };
+}
+
+/** What a page complained of, but for what is expected there. */
+export function assertQuiet(complaints, expected = /^$/) {
+  const rest = complaints.filter((line) => !expected.test(line));
+  assert.deepEqual(rest, [], "the page complains");
+}
+
+/** Waits until `read` gives something that is `reached`, and gives that. */
+export async function until(read, reached, what, patienceMs = PATIENCE_MS) {
+  const began = Date.now();
+  let seen;
+  for (;;) {
+    seen = await read();
+    if (reached(seen)) return seen;
+    if (Date.now() - began > patienceMs) throw new Error(`${what} did not come; last seen: ${JSON.stringify(seen)}`);
+    await new Promise((wake) => setTimeout(wake, 150));
+  }
+}
+
+/** Goes to a view. */
+export async function look(page, view) {
+  await page.click(`nav a[data-view="${view}"]`);
+  await page.waitForSelector(`.view:not([hidden])`);
+}
+
+/** Enters a token. */
+export async function enterToken(page, token) {
+  if (!(await page.locator("dialog[open] #token").count())) await page.click(".connection button");
+  await page.fill("#token", token);
+  await page.press("#token", "Enter");
+}
+
+export const laserWord = (page) => page.locator(".lamp.laser strong").textContent();
+
+/** Pictures of elements, read by a page of nobody: what is counted is what is on the screen. */
+export class Pictures {
+  static async open(browser) {
+    const pictures = new Pictures();
+    pictures.reader = await browser.newPage();
+    return pictures;
+  }
+
+  async take(locator) {
+    return (await locator.screenshot()).toString("base64");
+  }
+
+  /** How many pixels of `picture` differ by more than a trace from `other`, or from its own commonest colour. */
+  differing(picture, other = null) {
+    return this.reader.evaluate(async ([one, two]) => {
+      const pixels = async (base64) => {
+        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+        const draw = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+        draw.drawImage(bitmap, 0, 0);
+        return draw.getImageData(0, 0, bitmap.width, bitmap.height).data;
+      };
+      const commonest = (data) => {
+        const counts = new Map();
+        const colours = new Uint32Array(data.buffer);
+        for (const colour of colours) counts.set(colour, (counts.get(colour) ?? 0) + 1);
+        const [colour] = [...counts].reduce((most, next) => (next[1] > most[1] ? next : most));
+        return new Uint8ClampedArray(new Uint32Array(colours.length).fill(colour).buffer);
+      };
+      const a = await pixels(one);
+      const b = two ? await pixels(two) : commonest(a);
+      let count = 0;
+      for (let n = 0; n < a.length; n += 4) {
+        count += Math.abs(a[n] - b[n]) + Math.abs(a[n + 1] - b[n + 1]) + Math.abs(a[n + 2] - b[n + 2]) > 30;
+      }
+      return count;
+    }, [picture, other]);
+  }
+}
+
+/** What a page holds after everything that can go is gone: bytes of heap, DOM nodes, GPU objects. */
+export async function holdings(page) {
+  const session = await page.context().newCDPSession(page);
+  for (let n = 0; n < 3; n += 1) await session.send("HeapProfiler.collectGarbage");
+  await session.send("Performance.enable");
+  const { metrics } = await session.send("Performance.getMetrics");
+  const metric = (name) => metrics.find((one) => one.name === name).value;
+  const gpu = await page.evaluate(() => Number(document.querySelector("canvas.space")?.dataset.gpuObjects ?? 0));
+  await session.detach();
+  return { heap: metric("JSHeapUsedSize"), nodes: metric("Nodes"), gpu };
+}
+
+/** Asks whoever started this program for something, and waits for the answer. */
+export async function demand(what) {
+  process.stdout.write(`ask ${what}\n`);
+  process.stdin.resume();
+  // A line may come in pieces.
+  let answer = "";
+  while (!answer.endsWith("\n")) {
+    answer += await new Promise((answered) => process.stdin.once("data", answered));
+  }
+  // Standard input that is listened to would keep this program alive.
+  process.stdin.pause();
+  return answer.trim();
+}
+
+export { assert };

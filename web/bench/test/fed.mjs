@@ -1,0 +1,39 @@
+// The page before a server that is fed with shots: fed.mjs URL SHOTS. It must not grow, whatever it is told.
+
+import { assert, assertQuiet, demand, holdings, look, openBench, until, withBrowser } from "./browser.mjs";
+
+const [url, shots] = process.argv.slice(2);
+/** Four times as many shots fill everything that is bounded. */
+const FILLED = 1100;
+const MOST_GROWTH = 1.05;
+
+await withBrowser(async (browser) => {
+  const { page, complaints } = await openBench(browser, url);
+  const fed = async (count) => {
+    const last = await demand(`feed ${count}`);
+    await until(() => page.locator(".lamp.shot").textContent(), (text) => text.includes(`shot ${last}`), `shot ${last}`, 600_000);
+    await page.waitForTimeout(1500);
+  };
+  for (const view of ["cameras", "volume", "run", "velocity", "overview"]) await look(page, view);
+  // Twice what is measured below: what is made once, or up to a bound, is there then.
+  for (const view of ["velocity", "overview", "velocity", "overview"]) {
+    await look(page, view);
+    await fed(FILLED);
+  }
+  await until(() => page.locator(".overview .log").textContent(), (text) => text.includes("<img"), "hostile words");
+  const before = await holdings(page);
+  await look(page, "velocity");
+  await fed(Math.floor(Number(shots) / 2));
+  await look(page, "overview");
+  await fed(Math.ceil(Number(shots) / 2));
+  const after = await holdings(page);
+  console.log(JSON.stringify({ shots: Number(shots), before, after }));
+  for (const what of ["heap", "nodes", "gpu"]) {
+    assert.ok(after[what] <= MOST_GROWTH * before[what], `${what} grew from ${before[what]} to ${after[what]}`);
+  }
+  assert.ok(before.gpu > 0, "something is drawn in space");
+  // Words of the server have stayed words.
+  assert.equal(await page.evaluate(() => window.taken), undefined);
+  assert.equal(await page.locator("main img, main script, main iframe").count(), 0);
+  assertQuiet(complaints, /Failed to load resource: the server responded with a status of (404|410|503)/);
+});

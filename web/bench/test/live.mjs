@@ -1,0 +1,161 @@
+// The page before a run that takes shots: live.mjs URL READ_TOKEN CONTROL_TOKEN PICTURES
+
+import { mkdir, readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { createRequire } from "node:module";
+import {
+  Pictures, assert, assertQuiet, demand, enterToken, laserWord, look, openBench, until, withBrowser,
+} from "./browser.mjs";
+
+const [url, readToken, controlToken, pictures] = process.argv.slice(2);
+const VIEWS = ["overview", "cameras", "volume", "velocity", "run"];
+const HOSTILE = `<img src=x onerror="window.taken=1"><script>window.taken=2</script>&lt;b&gt;`;
+/** The browser's own lines on refused requests, and on those that nobody answered while the daemon was away. */
+const EXPECTED = /Failed to load resource: (the server responded with a status of (401|403|404|409|410|503)|net::ERR_(CONNECTION|INCOMPLETE|EMPTY|FAILED))/;
+
+const began = Date.now();
+const step = (words) => console.log(`${((Date.now() - began) / 1000).toFixed(1)} s: ${words}`);
+
+await withBrowser(async (browser) => {
+  await mkdir(pictures, { recursive: true });
+  const { page, context, complaints } = await openBench(browser, url);
+
+  step("nothing is shown without a token, and the laser is unknown");
+  await page.waitForSelector("dialog[open] #token");
+  assert.equal(await laserWord(page), "unknown");
+  await enterToken(page, readToken);
+  await until(() => laserWord(page), (word) => word === "firing", "the laser's state");
+
+  step("the token is nowhere but in memory");
+  assert.deepEqual(await context.cookies(), []);
+  assert.deepEqual(await page.evaluate(() => [localStorage.length, sessionStorage.length, location.href.includes("?")]), [0, 0, false]);
+  const held = await page.evaluate(() => document.documentElement.outerHTML);
+  assert.ok(!held.includes(readToken));
+
+  step("numbers are live");
+  const firstShot = () => page.locator(".overview tbody tr td").first().textContent();
+  const before = Number(await until(firstShot, (text) => /^\d+$/.test(text ?? ""), "a shot"));
+  await until(firstShot, (text) => Number(text) > before + 2, "more shots");
+  await until(() => page.locator(".lamp.camera strong").allTextContents(), (words) => words.join() === "delivers,delivers", "both cameras");
+
+  step("vectors are drawn, and turn");
+  await look(page, "velocity");
+  const space = page.locator("canvas.space");
+  await until(() => space.getAttribute("data-gpu-objects"), (objects) => Number(objects) > 0, "a field", 120_000);
+  // What is held does not change by itself.
+  await page.click(".velocity .shot-choice button:text('Hold')");
+  await page.waitForTimeout(800);
+  const eye = await Pictures.open(browser);
+  const straight = await eye.take(space);
+  assert.ok((await eye.differing(straight)) > 2000, `${await eye.differing(straight)} pixels are drawn`);
+  assert.ok((await eye.differing(straight, await eye.take(space))) < 50, "the picture changes by itself");
+  await space.focus();
+  for (let n = 0; n < 4; n += 1) await page.keyboard.press("ArrowRight");
+  await page.waitForTimeout(300);
+  const turned = await eye.take(space);
+  const changed = await eye.differing(straight, turned);
+  assert.ok(changed > 2000, `turning changes ${changed} pixels`);
+  const box = await space.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 30, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  assert.ok((await eye.differing(turned, await eye.take(space))) > 2000, "the mouse turns it");
+  await page.click(".velocity .shot-choice button:text('Follow')");
+
+  step("control fails without the scope");
+  await page.click(".press .stop");
+  const said = () => page.locator(".said").textContent();
+  await until(said, (text) => text.includes("needs control"), "the refusal");
+  assert.equal(await laserWord(page), "firing");
+
+  step("control works with a token: stop and disarm are one press in every view");
+  await enterToken(page, controlToken);
+  for (const view of VIEWS) {
+    await look(page, view);
+    for (const name of ["stop", "disarm"]) {
+      assert.ok(await page.locator(`.press .${name}`).isEnabled());
+      assert.ok(await page.locator(`.press .${name}`).isVisible());
+    }
+  }
+  await page.click(".press .stop");
+  await until(() => laserWord(page), (word) => word === "armed", "the end of the shots");
+  await page.click(".press .disarm");
+  await until(() => laserWord(page), (word) => word === "safe", "the safe state");
+
+  step("arming asks first");
+  await look(page, "run");
+  await page.click("button:text('Arm …')");
+  assert.ok(await page.locator("button:text('Arm the laser')").isDisabled());
+  await page.check("#goggles");
+  await page.click("button:text('Arm the laser')");
+  await until(() => laserWord(page), (word) => word === "armed", "the armed state");
+
+  step("dt is previewed, refused and set");
+  await page.fill("#dt", "90000");
+  await until(() => page.locator(".run .advice").textContent(), (text) => text.length > 20, "why no schedule has it");
+  await page.fill("#dt", "110");
+  await until(() => page.locator(".run .advice").textContent(), (text) => text === "", "a schedule");
+  await page.click("button:text('Set dt')");
+  await until(said, (text) => text.startsWith("dt: done"), "the dt");
+
+  step("a hostile note is words");
+  await page.fill("#note", HOSTILE);
+  await page.click("button:text('Add the note')");
+  await until(() => page.locator(".run .log").textContent(), (text) => text.includes(HOSTILE), "the note");
+  assert.equal(await page.evaluate(() => window.taken), undefined);
+  assert.equal(await page.locator("main img, main script").count(), 0);
+
+  step("start");
+  await page.click("button:text('Start')");
+  await until(() => laserWord(page), (word) => word === "firing", "shots");
+
+  step("pictures, and what axe finds");
+  const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+  await page.evaluate(axe);
+  const serious = [];
+  for (const theme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme: theme, reducedMotion: "reduce" });
+    for (const view of VIEWS) {
+      await look(page, view);
+      await page.waitForTimeout(view === "cameras" || view === "volume" ? 2500 : 1000);
+      await page.screenshot({ path: join(pictures, `${view}-${theme}.png`), fullPage: true });
+      const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
+      serious.push(...violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
+        .map(({ id, nodes }) => `${view}, ${theme}: ${id}: ${nodes.map((node) => `${node.target} ${node.any[0]?.message ?? ""}`).slice(0, 4).join(" | ")}`));
+    }
+  }
+  assert.deepEqual(serious, []);
+
+  step("a tablet shows all of it, without a scroll bar below");
+  await page.setViewportSize({ width: 820, height: 1180 });
+  for (const view of VIEWS) {
+    await look(page, view);
+    const [inner, whole] = await page.evaluate(() => [innerWidth, document.documentElement.scrollWidth]);
+    assert.ok(whole <= inner + 1, `${view} is ${whole} pixels wide`);
+    await page.screenshot({ path: join(pictures, `${view}-tablet.png`) });
+  }
+  await page.setViewportSize({ width: 1440, height: 1000 });
+
+  step("keys reach everything: views by Tab and Enter");
+  await page.locator('nav a[data-view="volume"]').focus();
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".view.volume:not([hidden])");
+  await look(page, "overview");
+
+  step("the daemon goes away: values are grey, the laser is unknown");
+  await demand("kill");
+  const killed = Date.now();
+  await until(() => laserWord(page), (word) => word === "unknown", "doubt", 10_000);
+  assert.ok(Date.now() - killed < 5000, "within a few seconds");
+  assert.ok(await page.evaluate(() => document.documentElement.hasAttribute("data-stale")));
+  await page.screenshot({ path: join(pictures, "overview-stale.png") });
+  step("and is back");
+  await demand("start");
+  await until(() => laserWord(page), (word) => word === "firing", "the run");
+  await until(firstShot, (text) => Number(text) >= 1, "shots of the new run");
+  await until(() => page.locator(".overview .log").textContent(), (text) => text.includes("another run"), "a word on it");
+  assertQuiet(complaints, EXPECTED);
+});
+step("done");

@@ -1,0 +1,102 @@
+// What the page reckons, held against what is known.
+
+import assert from "node:assert/strict";
+import { EventParser } from "../src/event_stream.js";
+import { dtAdvice, histogram, locking } from "../src/velocity/displacement.js";
+import { decode, magnitudes, quantile, validShare, vorticity } from "../src/velocity/field.js";
+import { Running } from "../src/velocity/running.js";
+import { surface } from "../src/velocity/surface.js";
+
+/** A field as the daemon sends it, with displacements by a function of the place in mm. */
+function field(n, displacement, { status = () => 0, dt = 1e-4 } = {}) {
+  const count = n[0] * n[1] * n[2];
+  const start = 80;
+  const uncertain = Math.ceil((start + 17 * count) / 4) * 4;
+  const buffer = new ArrayBuffer(uncertain + 12 * count);
+  const view = new DataView(buffer);
+  new Uint8Array(buffer).set(new TextEncoder().encode("LFPIVVF2"));
+  view.setBigUint64(8, 42n, true);
+  n.forEach((m, axis) => view.setUint32(16 + 4 * axis, m, true));
+  view.setUint32(28, start, true);
+  const [first, spacing] = [[-1, -2, -3], 0.5];
+  first.forEach((mm, axis) => view.setFloat64(32 + 8 * axis, mm, true));
+  view.setFloat64(56, spacing, true);
+  view.setFloat64(64, 0.1, true);
+  view.setFloat64(72, dt, true);
+  for (let v = 0; v < count; v += 1) {
+    const place = [v % n[0], Math.floor(v / n[0]) % n[1], Math.floor(v / n[0] / n[1])].map((m, axis) => first[axis] + m * spacing);
+    const state = status(v);
+    displacement(...place).forEach((d, c) => {
+      view.setFloat32(start + 4 * (3 * v + c), state === 2 ? NaN : d, true);
+      view.setFloat32(uncertain + 4 * (3 * v + c), state === 2 ? NaN : 0.02, true);
+    });
+    view.setUint8(start + 16 * count + v, state);
+  }
+  return decode(buffer);
+}
+
+// One voxel of 0.1 mm in 100 us is 1 m/s.
+const rotation = field([7, 6, 5], (x, y, z) => [-2 * y + z, 2 * x, 0.5 * y], { status: (v) => (v === 100 ? 2 : v === 7 ? 1 : 0) });
+assert.equal(rotation.shot, 42);
+assert.ok(Math.abs(rotation.u[0] - (4 - 3)) < 1e-6);
+assert.ok(Math.abs(rotation.uncertainty[1] - 0.02) < 1e-6);
+assert.ok(Math.abs(validShare(rotation) - (210 - 2) / 210) < 1e-9);
+const spin = vorticity(rotation);
+for (let v = 0; v < 210; v += 1) {
+  const found = [...spin.slice(3 * v, 3 * v + 3)];
+  if (v === 100) assert.ok(found.every(Number.isNaN));
+  // curl (−2y + z, 2x, y/2) = (1/2, 1, 4) per mm of displacement: 1000 times that per second.
+  else [500, 1000, 4000].forEach((expected, c) => assert.ok(Math.abs(found[c] - expected) < 1, `${v}: ${found}`));
+}
+assert.ok(Number.isNaN(magnitudes(rotation.u)[100]));
+assert.equal(quantile([3, NaN, 1, 2], 0.99), 3);
+
+// The naive reference of mean and rms.
+const shots = [1, 2, 4, 9].map((size) => field([3, 3, 3], (x) => [size * x, size, -size], { status: (v) => (v === 5 && size === 4 ? 2 : 0) }));
+const running = new Running();
+shots.forEach((shot) => running.add(shot));
+const [mean, rms] = [running.mean(), running.rms()];
+for (let c = 0; c < mean.length; c += 1) {
+  const values = shots.map((shot) => shot.u[c]).filter((value) => !Number.isNaN(value));
+  const average = values.reduce((sum, value) => sum + value, 0) / values.length;
+  const square = values.reduce((sum, value) => sum + (value - average) ** 2, 0) / (values.length - 1);
+  assert.ok(Math.abs(mean[c] - average) < 1e-5);
+  assert.ok(Math.abs(rms[c] - Math.sqrt(square)) < 1e-5);
+}
+running.add(field([4, 3, 3], () => [1, 1, 1]));
+assert.equal(running.shots, 1, "another grid begins anew");
+
+// A sphere.
+const n = [21, 21, 21];
+const distance = Array.from({ length: 21 ** 3 }, (_, v) => Math.hypot((v % 21) - 10, (Math.floor(v / 21) % 21) - 10, Math.floor(v / 441) - 10));
+const triangles = surface(distance, n, 7);
+let area = 0;
+for (let t = 0; t < triangles.length; t += 9) {
+  const [a, b] = [3, 6].map((o) => [0, 1, 2].map((c) => triangles[t + o + c] - triangles[t + c]));
+  area += Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]) / 2;
+}
+assert.ok(Math.abs(area / (4 * Math.PI * 49) - 1) < 0.01, `${area}`);
+
+// Peak locking.
+let seed = 1;
+const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
+const smooth = Array.from({ length: 4000 }, () => 4 * random() - 2);
+assert.ok(locking(smooth) < 0.05);
+assert.ok(locking(smooth.map((d) => Math.round(d) + 0.2 * (d - Math.round(d)))) > 0.5);
+assert.equal(locking(smooth.map((d) => 0.1 * d)), null, "a narrow flow does not tell");
+assert.equal(histogram(smooth, 40).counts.reduce((sum, count) => sum + count, 0), 4000);
+
+// A window of 1.6 mm is 16 voxels: a quarter is 4.
+const slow = dtAdvice(field([5, 5, 5], () => [1, 0, 0]), 1.6);
+assert.ok(Math.abs(slow.bestUs - 400) < 1 && slow.text.includes("longer"), slow.text);
+const fast = dtAdvice(field([5, 5, 5], () => [8, 0, 0]), 1.6);
+assert.ok(Math.abs(fast.bestUs - 50) < 1 && fast.text.includes("too long"), fast.text);
+
+// Events in pieces of any size.
+const wire = ": heartbeat\n\nevent: shot\nid: a-1\ndata: {\"x\":\ndata: 1}\n\r\ndata: plain\n\n";
+for (let size = 1; size < 12; size += 1) {
+  const told = [];
+  const parser = new EventParser({ event: (...event) => told.push(event), comment: (text) => told.push(text) });
+  for (let at = 0; at < wire.length; at += size) parser.push(wire.slice(at, at + size));
+  assert.deepEqual(told, ["heartbeat", ["shot", '{"x":\n1}', "a-1"], ["message", "plain", null]]);
+}
