@@ -12,6 +12,7 @@ const CRATES: [(&str, &[&str]); 2] = [
             "lightfield",
             "model",
             "reconstruction",
+            "particles",
             "velocimetry",
             "ensemble",
             "calibration",

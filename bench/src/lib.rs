@@ -16,6 +16,7 @@ mod kernel;
 mod machine;
 mod measure;
 mod paper;
+mod particle_score;
 pub mod peers;
 mod record;
 pub mod report;

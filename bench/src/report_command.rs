@@ -77,6 +77,8 @@ fn line(row: &Row) -> String {
         row.covered_68
             .zip(row.covered_95)
             .map(|(one, two)| format!("{:.0} and {:.0} % covered", 100.0 * one, 100.0 * two)),
+        row.vectors_s.map(|seconds| format!("{seconds:.3} s of them for vectors")),
+        particles(row),
         row.fwhm_mm.map(|width| format!("FWHM {width:.4} mm")),
         row.centroid_error_mm.map(|error| format!("centroid off by {error:.4} mm")),
         row.peak_mb.map(|peak| format!("{peak:.0} MB")),
@@ -93,4 +95,23 @@ fn line(row: &Row) -> String {
         row.seed,
         facts.join(", ")
     )
+}
+
+/// What a row says of placed particles.
+fn particles(row: &Row) -> Option<String> {
+    let percent = |share: Option<f64>| {
+        share.map_or_else(|| "none".to_owned(), |share| format!("{:.1} %", 100.0 * share))
+    };
+    Some(format!(
+        "particles: {} found ({} far from focus, {} near it), {} false, displacement error median \
+         {:.4} mean {:.4} voxel, intervals hold {} and {}",
+        percent(row.particles_found),
+        percent(row.particles_found_far),
+        percent(row.particles_found_near),
+        percent(Some(row.particles_false?)),
+        row.particles_median_error_vox?,
+        row.particles_mean_error_vox?,
+        percent(row.covered_68),
+        percent(row.covered_95)
+    ))
 }

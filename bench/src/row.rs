@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Stamp;
+use super::{Stamp, particle_score::ParticleScore};
 
 /// What was measured, what came out, and where. Absent figures were not part of the measurement.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -56,6 +56,8 @@ pub struct Row {
     /// Volumes to vectors, in s.
     pub correlate_s: Option<f64>,
     pub judge_s: Option<f64>,
+    /// What the vectors took of the seconds, where particles were placed after them.
+    pub vectors_s: Option<f64>,
     /// Peak resident memory, in MB (10⁶ bytes).
     pub peak_mb: Option<f64>,
     /// Quality factor (paper, Eq. 5).
@@ -111,6 +113,18 @@ pub struct Row {
     pub covered_68: Option<f64>,
     /// Within 1.96; 95 % where they are right.
     pub covered_95: Option<f64>,
+    /// Share of the particles lit in both frames that were placed within 0.2 voxel.
+    pub particles_found: Option<f64>,
+    /// Of those further than 0.8 mm from every camera's focal plane.
+    pub particles_found_far: Option<f64>,
+    /// Of those nearer to one.
+    pub particles_found_near: Option<f64>,
+    /// Share of the placed particles without a true one within 0.5 voxel.
+    pub particles_false: Option<f64>,
+    /// Median |error| of the components of placed particles' displacements, in voxels.
+    pub particles_median_error_vox: Option<f64>,
+    /// Mean.
+    pub particles_mean_error_vox: Option<f64>,
     /// Full width at half maximum along z, in mm.
     pub fwhm_mm: Option<f64>,
     /// Mean |error| of the intensity-weighted centroid along z, in mm.
@@ -175,6 +189,16 @@ impl Row {
     /// Shares within 0.3 voxels along x, y, z.
     pub fn within(&self) -> Option<[f64; 3]> {
         Some([self.within_x?, self.within_y?, self.within_z?])
+    }
+
+    pub(super) fn set_particles(&mut self, score: &ParticleScore) {
+        let [all, far, near] = score.found;
+        self.particles_found = all;
+        (self.particles_found_far, self.particles_found_near) = (far, near);
+        self.particles_false = Some(score.wrong);
+        let [median, mean] = score.error_vox.map(Some);
+        (self.particles_median_error_vox, self.particles_mean_error_vox) = (median, mean);
+        (self.covered_68, self.covered_95) = (Some(score.covered[0]), Some(score.covered[1]));
     }
 
     pub(super) fn set_error(&mut self, [x, y, z]: [f64; 3]) {

@@ -190,6 +190,9 @@ pub enum Measure {
     /// Four images to vectors, in this process: error beside that of the true particles, seconds by
     /// stage.
     Velocity,
+    /// Four images to particles placed in them: how many are found, how many are false, and how well they
+    /// are known.
+    Particles,
     /// One frame to a volume: Q and seconds of the solver, its start counted.
     Volume,
     /// Q and ε after every pass of a solver of the SART family.

@@ -1,8 +1,9 @@
 //! Light-field images to velocity: no files, no devices and no clock.
 //!
 //! The rooms, lowest floor first: [`lightfield`] decodes images into views, [`model`] says which pixel
-//! sees which voxel, [`reconstruction`] finds the volume behind the views, [`velocimetry`] the
-//! displacement between two volumes, [`ensemble`] what many shots say together, [`calibration`] where a camera's micro-images are, [`measurement`] does
+//! sees which voxel, [`reconstruction`] finds the volume behind the views, [`particles`] places
+//! particles in the images, [`velocimetry`] finds the displacement between two volumes, [`ensemble`]
+//! what many shots say together, [`calibration`] how a camera sees the volume, [`measurement`] does
 //! all of it for a pair of images.
 //!
 //! # Images in, vectors out
@@ -88,6 +89,7 @@ pub mod ensemble;
 pub mod lightfield;
 pub mod measurement;
 pub mod model;
+pub mod particles;
 pub mod reconstruction;
 pub mod statistics;
 pub mod velocimetry;

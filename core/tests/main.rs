@@ -10,6 +10,8 @@ mod forward_model;
 mod hard_cases;
 mod model_fit;
 mod model_parts;
+mod placed_particles;
+mod point_image;
 mod reconstruction_paper;
 mod support;
 #[path = "../src/test_bench.rs"]

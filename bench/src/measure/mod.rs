@@ -5,6 +5,7 @@ mod convergence;
 mod elongation;
 mod loopback;
 mod matrix;
+mod particles;
 mod process;
 mod velocity;
 mod volume;
@@ -55,6 +56,7 @@ pub fn measure(
 ) -> Result<(), BenchmarkError> {
     match setting.case.measure {
         Measure::Velocity => velocity::measure(setting, methods, surroundings, findings),
+        Measure::Particles => particles::measure(setting, methods, surroundings, findings),
         Measure::Volume => volume::measure(setting, methods, surroundings, findings),
         Measure::Convergence => convergence::measure(setting, methods, surroundings, findings),
         Measure::Elongation => elongation::measure(setting, methods, surroundings, findings),

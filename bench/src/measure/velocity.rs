@@ -64,7 +64,7 @@ pub(super) fn measure(
 }
 
 /// What the reconstruction is told of the cameras.
-fn calibrations(
+pub(super) fn calibrations(
     setting: &Setting,
     surroundings: &Surroundings,
 ) -> Result<Vec<CameraCalibration>, BenchmarkError> {

@@ -10,7 +10,7 @@ use crate::Row;
 pub type Column = (&'static str, fn(&Report, &Row) -> String);
 
 /// The columns of the page; the CSV file has all there are.
-pub const COLUMNS: [Column; 20] = [
+pub const COLUMNS: [Column; 22] = [
     ("case", |_, row| row.case.clone()),
     ("method", |report, row| report.label(row)),
     ("ppm", |_, row| known(row.ppm)),
@@ -25,6 +25,10 @@ pub const COLUMNS: [Column; 20] = [
     ("true particles, windows only", |_, row| three(row.true_windows_vox())),
     ("true particles, followed", |_, row| three(row.true_followed_vox())),
     ("valid / %", |_, row| value(row.valid_share.map(|share| 100.0 * share))),
+    ("particles found, false / %", |_, row| two(row.particles_found, row.particles_false, 100.0)),
+    ("particles: median, mean error / voxel", |_, row| {
+        two(row.particles_median_error_vox, row.particles_mean_error_vox, 1.0)
+    }),
     ("FWHM / mm", |_, row| value(row.fwhm_mm)),
     ("peak / MB", |_, row| value(row.peak_mb)),
     ("threads", |_, row| row.threads.to_string()),
@@ -40,6 +44,11 @@ fn known(figure: f64) -> String {
 
 fn value(figure: Option<f64>) -> String {
     figure.map_or_else(String::new, number)
+}
+
+fn two(one: Option<f64>, other: Option<f64>, unit: f64) -> String {
+    let figures = one.zip(other).map(|(one, other)| [one, other].map(|f| number(unit * f)));
+    figures.map_or_else(String::new, |figures| figures.join(" "))
 }
 
 fn three(figures: Option<[f64; 3]>) -> String {

@@ -271,10 +271,11 @@ fn drop_cut_views(views: &mut Vec<View>, edge: ApertureEdge) {
 }
 
 /// The round aperture of the main lens.
-struct Aperture {
-    radius_mm: f64,
+pub struct Aperture {
+    /// Half its diameter.
+    pub radius_mm: f64,
     /// Width of the pupil interval that contributes to a pixel, in mm.
-    interval_mm: f64,
+    pub interval_mm: f64,
 }
 
 impl Aperture {
@@ -339,7 +340,7 @@ impl Aperture {
     }
 
     /// Share of the pupil cell around a point inside the aperture.
-    fn covered(&self, [u, v]: [f64; 2]) -> f64 {
+    pub fn covered(&self, [u, v]: [f64; 2]) -> f64 {
         let half_mm = self.interval_mm / 2.0;
         let square = |u: f64, v: f64| u * u + v * v;
         let radius_square = self.radius_mm * self.radius_mm;

@@ -14,7 +14,7 @@ mod settings;
 
 pub use background::{Condensation, StationaryLight};
 pub use grid_sampling::{GridSampling, NearestPixel, TIE_PX};
-pub use layout::{ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
+pub use layout::{Aperture, ApertureEdge, MicrolensWindow, View, ViewLayout, ViewStack};
 pub use mean_micro_image::MeanMicroImage;
 pub use micro_image_grid::MicroImageGrid;
 pub use micro_images::MicroImages;

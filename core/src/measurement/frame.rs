@@ -1,5 +1,7 @@
 //! One frame of all cameras, cut into views.
 
+use std::borrow::Cow;
+
 use lfpiv_hw::{CameraName, RawImage};
 
 use crate::{
@@ -29,6 +31,28 @@ pub(super) struct Correction<'a> {
     pub stationary: &'a [[StationaryLight; 2]],
 }
 
+impl Correction<'_> {
+    /// The image of a camera in frame 0 (a) or 1 (b) without stationary light, and its light levels.
+    pub fn levels<'a>(
+        &self,
+        pair: &'a ImagePair,
+        camera: usize,
+        frame: usize,
+    ) -> (Cow<'a, RawImage>, LightLevels) {
+        let raw: &RawImage = &pair.cameras[camera][frame];
+        let mut settings = self.image.clone();
+        let image = match self.stationary.get(camera) {
+            None => Cow::Borrowed(raw),
+            Some(lights) => {
+                settings.offset_counts = None;
+                Cow::Owned(lights[frame].remove_from(raw))
+            }
+        };
+        let levels = self.zones[camera].levels(&image, &settings);
+        (image, levels)
+    }
+}
+
 /// One frame of all cameras, cut into views.
 pub(super) struct Frame {
     pub views: Vec<ViewStack>,
@@ -51,19 +75,8 @@ impl Frame {
         let (views, levels, warnings) = (Vec::new(), Vec::new(), Vec::new());
         let mut decoded = Self { views, levels, warnings, lit: true, saturated_share: 0.0 };
         for (camera, layout) in layouts.iter().enumerate() {
-            let raw: &RawImage = &pair.cameras[camera][frame];
-            let corrected;
-            let mut settings = correction.image.clone();
-            let image = match correction.stationary.get(camera) {
-                None => raw,
-                Some(lights) => {
-                    settings.offset_counts = None;
-                    corrected = lights[frame].remove_from(raw);
-                    &corrected
-                }
-            };
-            let levels = correction.zones[camera].levels(image, &settings);
-            let views = layout.decode_above_black(image, &levels);
+            let (image, levels) = correction.levels(pair, camera, frame);
+            let views = layout.decode_above_black(&image, &levels);
             let name = format!("{}, frame {}", CameraName(camera), ['a', 'b'][frame]);
             decoded.judge(&name, &levels);
             decoded.levels.push(ViewLevels::of(&views, levels.noise_counts));

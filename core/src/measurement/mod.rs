@@ -6,6 +6,7 @@ mod forecast;
 mod frame;
 mod model_fit;
 mod part_errors;
+mod placed;
 mod plan;
 mod processor;
 mod scene;

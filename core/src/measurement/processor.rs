@@ -15,9 +15,11 @@ use crate::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
+        placed::{Found, point_cameras},
         plan::Plan,
     },
     model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid},
+    particles::PlacedParticles,
     reconstruction::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
     },
@@ -66,6 +68,9 @@ pub enum SetupError {
 /// Why a pair gave no result.
 #[derive(Debug, Error, PartialEq)]
 pub enum ProcessError {
+    /// Cameras that cannot be modelled.
+    #[error(transparent)]
+    Model(#[from] ModelError),
     /// Not one pair of images per configured camera.
     #[error("the pair holds images of {found} cameras, the configuration has {expected}")]
     CameraCount { expected: usize, found: usize },
@@ -188,17 +193,42 @@ impl Processor {
         Ok((result, volumes))
     }
 
+    /// Measures one pair and places its particles in its images.
+    ///
+    /// # Errors
+    /// [`ProcessError`]: images that do not fit the configuration.
+    pub fn process_with_particles(
+        &self,
+        pair: &ImagePair,
+    ) -> Result<(PairResult, PlacedParticles), ProcessError> {
+        let (result, [a, b]) = self.measure(pair)?;
+        let grid = self.interrogation.cloud_grid();
+        let placed = Found {
+            cameras: &point_cameras(&self.measurement, &grid)?,
+            correction: &self.correction(),
+            volumes: [&a, &b],
+            field: &result.field,
+            grid: &grid,
+        }
+        .place(pair);
+        Ok((result, placed))
+    }
+
+    fn correction(&self) -> Correction<'_> {
+        Correction {
+            image: &self.measurement.image,
+            zones: &self.zones,
+            stationary: &self.stationary,
+        }
+    }
+
     fn measure(
         &self,
         handed: impl Borrow<ImagePair>,
     ) -> Result<(PairResult, [SparseVolume; 2]), ProcessError> {
         let pair = handed.borrow();
         self.check(pair)?;
-        let correction = Correction {
-            image: &self.measurement.image,
-            zones: &self.zones,
-            stationary: &self.stationary,
-        };
+        let correction = self.correction();
         let fitted = self.models.fitted(&self.measurement, pair, &correction);
         let started = (self.clock)();
         let layouts = fitted.reconstructor.layouts();

@@ -7,7 +7,6 @@
 //! aside by the few that are wrong.
 
 mod fit;
-mod neighbours;
 mod pairs;
 mod particles;
 mod samples;

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::{neighbours::Neighbours, particles::Particle, spline::Spline};
+use super::{particles::Particle, spline::Spline};
+use crate::particles::Neighbours;
 
 /// Farthest that a particle is looked for from where the field expects it, in voxels: about as far as
 /// its neighbours are at 1 ppm.

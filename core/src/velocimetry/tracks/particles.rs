@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::{super::cloud::PointCloud, neighbours::Neighbours};
-use crate::statistics::median;
+use super::super::cloud::PointCloud;
+use crate::{particles::Neighbours, statistics::median};
 
 /// Light nearer than this to the brightest place of a knot belongs to it, in voxels. This and the two
 /// below: docs/decisions.md, "Constants that were fitted".

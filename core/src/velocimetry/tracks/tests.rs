@@ -4,7 +4,6 @@ use rand_pcg::Pcg64Mcg;
 
 use super::{
     super::differences::{Layout, Penalty},
-    neighbours::Neighbours,
     pairs::Pair,
     particles::Particle,
     samples::{add_transposed, values_at},
@@ -12,6 +11,7 @@ use super::{
     variance::{Waves, near_faces},
     *,
 };
+use crate::particles::Neighbours;
 
 const NODES: [usize; 3] = [7, 6, 5];
 const STEP: f32 = 8.0;

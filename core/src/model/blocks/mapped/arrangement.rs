@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 
-use super::optics::MappedOptics;
+use crate::model::mapped_optics::MappedOptics;
 use crate::model::{VolumeGrid, blocks::aligned_tables::Axes, footprint::RayMap};
 
 /// Largest displacement of a shadow by sharing a position, relative to the source's edge.

@@ -10,7 +10,6 @@ use super::{
     arrangement::Layers,
     lens_phases::LensPhases,
     lit_bits::LitBits,
-    optics::SeenPoint,
     places::ViewAddresses,
     support::Support,
     tile::{LENSES, MAX_BITS, MAX_LINES, TilePlace, TileResult, Views},
@@ -20,6 +19,7 @@ use crate::{
     model::{
         HullCriteria, LitBlocks, VolumeGrid,
         blocks::{aligned_tables::Axes, blocks_along},
+        mapped_optics::SeenPoint,
     },
 };
 

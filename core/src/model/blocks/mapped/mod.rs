@@ -9,7 +9,6 @@ mod arrangement;
 mod lens_phases;
 mod lit;
 mod lit_bits;
-mod optics;
 mod places;
 mod projector;
 mod rounding;
@@ -28,12 +27,14 @@ use super::{
 use crate::{
     lightfield::{View, ViewLayout, ViewStack},
     model::{
-        CameraCalibration, ModelError, ModelParts, VolumeGrid, footprint::RayMap, tables::Nodes,
+        CameraCalibration, ModelError, ModelParts, VolumeGrid,
+        footprint::RayMap,
+        mapped_optics::{MappedOptics, SeenPoint},
+        tables::Nodes,
         thin_lens::coverage_bytes,
     },
 };
 use arrangement::{Arrangement, Layers};
-use optics::{MappedOptics, SeenPoint};
 use places::{AxisAddresses, BlockPlaces, ViewAddresses};
 use projector::MappedProjector;
 use share_table::{FootprintGeometry, ShareTable};

@@ -2,11 +2,10 @@
 
 use super::{
     lens_phases::phase_px,
-    optics::SeenPoint,
     rounding::{nearest, whole},
     share_table::{PHASE_CLASSES, SLOPE_CLASSES, TableLayout},
 };
-use crate::model::blocks::kernels::BATCH;
+use crate::model::{blocks::kernels::BATCH, mapped_optics::SeenPoint};
 
 /// Positions are clamped to this distance from the window, in microlenses. Nothing is lit so far
 /// outside, and pixel numbers stay small.

@@ -21,7 +21,7 @@ const MARGIN: f64 = 2.0;
 
 /// One camera's view of the volume.
 #[derive(Debug, Clone)]
-pub(super) struct MappedOptics {
+pub struct MappedOptics {
     pub optics: Optics,
     pub sampling: Arc<GridSampling>,
     /// The microlenses that light from the grid can reach.
@@ -36,7 +36,7 @@ pub(super) struct MappedOptics {
 
 /// A point as seen by one camera, along the array's columns and rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct SeenPoint {
+pub struct SeenPoint {
     /// Fractional microlens index that the ray through the pupil's centre meets, relative to the
     /// window's first.
     pub place: [f64; 2],
@@ -128,6 +128,12 @@ impl MappedOptics {
     pub fn pitch_mm(&self) -> [f64; 2] {
         let mm_per_px = self.optics.pixel_pitch_mm() / self.optics.micro_image_magnification();
         self.sampling.grid.pitch_px().map(|pitch_px| pitch_px * mm_per_px)
+    }
+
+    /// Column and row of the centre of a micro-image, by the microlens' number in the window.
+    pub fn centre_px(&self, lens: [usize; 2]) -> [f64; 2] {
+        let first = [self.window.columns.start, self.window.rows.start];
+        self.sampling.grid.centre_px((lens[0] + first[0]) as f64, (lens[1] + first[1]) as f64)
     }
 
     /// Radius of the pupil, in microlenses along i and along j.

@@ -1,0 +1,76 @@
+//! The particles of a pair, placed in its images.
+
+use lfpiv_hw::CameraName;
+
+use super::{Measurement, frame::Correction};
+use crate::{
+    lightfield::ImagePair,
+    model::{CameraCalibration, ModelError, PointCamera, VolumeGrid},
+    particles::{
+        Candidate, FIRST_WIDTH_PX, FrameStart, ParticleImage, PixelNoise, PlacedParticles,
+        blur_of_width, place_pairs,
+    },
+    reconstruction::SparseVolume,
+    velocimetry::{PointCloud, Predictor, VelocityField, particles},
+};
+
+/// How the cameras image points of `volume`, before the images said how wide points are.
+///
+/// # Errors
+/// A camera does not see the volume, or its array is not square.
+pub(super) fn point_cameras(
+    measurement: &Measurement,
+    volume: &VolumeGrid,
+) -> Result<Vec<PointCamera>, ModelError> {
+    let Measurement { optics, cameras, calibrations, .. } = measurement;
+    let drawn = CameraCalibration::default();
+    let blur = blur_of_width(FIRST_WIDTH_PX, optics.pixel_pitch_mm());
+    let camera = |(n, pose)| {
+        let calibration = calibrations.get(n).unwrap_or(&drawn);
+        PointCamera::new(optics, pose, calibration, volume, CameraName(n), blur)
+    };
+    cameras.iter().enumerate().map(camera).collect()
+}
+
+/// What is known of a pair before its particles are placed.
+pub(super) struct Found<'a> {
+    pub cameras: &'a [PointCamera],
+    pub correction: &'a Correction<'a>,
+    /// The light of frames a and b.
+    pub volumes: [&'a SparseVolume; 2],
+    /// The displacement by correlation.
+    pub field: &'a VelocityField,
+    /// The grid, with margin, that light is in.
+    pub grid: &'a VolumeGrid,
+}
+
+impl Found<'_> {
+    /// The particles: candidates are the knots of light of the volumes.
+    pub fn place(&self, pair: &ImagePair) -> PlacedParticles {
+        let predictor = Predictor::new(self.field);
+        let flow = |at_mm: [f64; 3]| predictor.displacement_mm(at_mm);
+        let starts = [0, 1].map(|frame| self.start(pair, frame));
+        place_pairs(self.cameras, self.grid.voxel_mm, starts, &flow)
+    }
+
+    fn start(&self, pair: &ImagePair, frame: usize) -> FrameStart {
+        let image = |camera: usize| {
+            let (image, levels) = self.correction.levels(pair, camera, frame);
+            let dark = (levels.noise_counts * levels.noise_counts) as f32;
+            let noise = PixelNoise { dark, gain: 0.0, misfit: 0.0 };
+            ParticleImage::new(&image, &levels, noise)
+        };
+        let grid = self.grid;
+        let cloud = PointCloud::from_volume(self.volumes[frame], grid);
+        let candidates = particles(&cloud).into_iter().map(|knot| Candidate {
+            at_mm: std::array::from_fn(|axis| {
+                grid.coordinate_mm(axis, f64::from(knot.at_vox[axis]))
+            }),
+            light: f64::from(knot.light),
+        });
+        FrameStart {
+            images: (0..self.cameras.len()).map(image).collect(),
+            candidates: candidates.collect(),
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! Shares of a point's light on the pixels behind one microlens, along one axis.
+//!
+//! A ray of a point meets the microlens plane at D + a U from the middle of a microlens, D its ray
+//! through the pupil's middle (docs/theory.md, section 2). The microlens takes those with |D + a U|
+//! below half its width: an interval of the pupil. A pixel edge that is at T for the ray through the
+//! microlens' middle sees U = (T + D)/(1 − a) (`footprint::RayMap::spread`): a pixel is another
+//! interval, and its share is what both have in common. With G(P) the part of the microlens' interval
+//! [A, B] beyond P,
+//!
+//! G(P) = r(B − P) − r(A − P), r(t) = max(t, 0),
+//!
+//! a pixel's share is the difference of G at its two edges. Blur moves the interval's ends about those of the
+//! pixel: r becomes its mean over the density of their distance, Epanechnikov's here, which is a
+//! polynomial.
+
+/// How a point's image is smeared, as standard deviations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointBlur {
+    /// On the microlens plane, in mm: the particle's own size, diffraction and aberrations of the main lens.
+    pub plane_mm: f64,
+    /// On the sensor, in pixels: diffraction at the microlens, crosstalk of pixels.
+    pub sensor_px: f64,
+}
+
+/// Half-width of Epanechnikov's density over its standard deviation.
+const HALF_WIDTH: f64 = 2.236_067_977_499_79;
+
+/// Rays of a point in focus all meet the microlens plane in one place; this far from it they are told
+/// apart: over the bench's pupil by 0.1 µm.
+const LEAST_PARALLAX: f64 = 1e-5;
+
+/// A point before one row of microlenses.
+#[derive(Debug, Clone, Copy)]
+pub struct AxisPoint {
+    /// a of x = D + a U.
+    pub parallax: f64,
+    /// Half the width of a microlens, in mm.
+    pub half_lens_mm: f64,
+    /// Pupil cell that a pixel sees, in mm.
+    pub cell_mm: f64,
+    /// Blur of the image.
+    pub blur: PointBlur,
+}
+
+/// A share and its derivatives, in pupil cells and pupil cells per mm.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Share {
+    /// Pupil cells.
+    pub value: f64,
+    /// By D, per mm.
+    pub by_offset: f64,
+    /// By a.
+    pub by_parallax: f64,
+}
+
+impl std::ops::Sub for Share {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self {
+            value: self.value - other.value,
+            by_offset: self.by_offset - other.by_offset,
+            by_parallax: self.by_parallax - other.by_parallax,
+        }
+    }
+}
+
+/// What a row of microlenses has in common for one point.
+#[derive(Debug, Clone, Copy)]
+pub struct AxisShares {
+    point: AxisPoint,
+    /// a, not zero.
+    parallax: f64,
+    /// Half-width of the density of an end's distance, in mm on the pupil.
+    half_mm: f64,
+    /// Its derivative by a.
+    half_by_parallax: f64,
+}
+
+impl AxisShares {
+    /// For a point with blur.
+    pub fn new(point: AxisPoint) -> Self {
+        let parallax = if point.parallax.abs() < LEAST_PARALLAX {
+            LEAST_PARALLAX.copysign(point.parallax)
+        } else {
+            point.parallax
+        };
+        let plane_mm = HALF_WIDTH * point.blur.plane_mm / parallax;
+        let sensor_mm = HALF_WIDTH * point.blur.sensor_px * point.cell_mm;
+        let half_mm = plane_mm.hypot(sensor_mm).max(1e-6);
+        let half_by_parallax = -plane_mm * plane_mm / (parallax * half_mm);
+        Self { point, parallax, half_mm, half_by_parallax }
+    }
+
+    /// Width on the pupil that a pixel sees, in mm.
+    pub fn cell_mm(&self) -> f64 {
+        self.point.cell_mm
+    }
+
+    /// The pupil interval of a microlens, widened by the blur, from `offset_mm` (D).
+    pub fn interval_mm(&self, offset_mm: f64) -> [f64; 2] {
+        let [low, high] = self.ends_mm(offset_mm);
+        [low - self.half_mm, high + self.half_mm]
+    }
+
+    fn ends_mm(&self, offset_mm: f64) -> [f64; 2] {
+        let half = self.point.half_lens_mm.copysign(self.parallax);
+        [(-half - offset_mm) / self.parallax, (half - offset_mm) / self.parallax]
+    }
+
+    /// T of the pixel edge that sees the pupil at `pupil_mm`.
+    pub fn edge_at(&self, pupil_mm: f64, offset_mm: f64) -> f64 {
+        pupil_mm * (1.0 - self.parallax) - offset_mm
+    }
+
+    /// G at the pixel edge `edge_mm` (T) behind the microlens at `offset_mm` (D).
+    pub fn beyond(&self, edge_mm: f64, offset_mm: f64) -> Share {
+        let spread = 1.0 - self.parallax;
+        let pupil_mm = (edge_mm + offset_mm) / spread;
+        let pupil_by = [1.0 / spread, pupil_mm / spread];
+        let ends = self.ends_mm(offset_mm);
+        let [low, high] = ends.map(|end| {
+            let ramp = Ramp::at((end - pupil_mm) / self.half_mm);
+            let by = [-1.0 / self.parallax - pupil_by[0], -end / self.parallax - pupil_by[1]];
+            Share {
+                value: self.half_mm * ramp.value,
+                by_offset: ramp.step * by[0],
+                by_parallax: ramp.step * by[1] + ramp.by_width * self.half_by_parallax,
+            }
+        });
+        let cell = self.point.cell_mm;
+        let Share { value, by_offset, by_parallax } = high - low;
+        Share { value: value / cell, by_offset: by_offset / cell, by_parallax: by_parallax / cell }
+    }
+}
+
+/// max(t, 0) averaged over Epanechnikov's density 3/4 (1 − s²) of half-width 1, and what belongs to
+/// it when the half-width is h: h `value`(t/h), with the derivatives `step` by t and `by_width` by h.
+#[derive(Debug, Clone, Copy)]
+struct Ramp {
+    value: f64,
+    step: f64,
+    by_width: f64,
+}
+
+impl Ramp {
+    fn at(s: f64) -> Self {
+        let c = s.clamp(-1.0, 1.0);
+        let square = c * c;
+        let rest = 1.0 - square;
+        Self {
+            value: 0.1875 + c * 0.5 + square * (0.375 - 0.0625 * square) + (s - 1.0).max(0.0),
+            step: 0.5 + c * (0.75 - 0.25 * square),
+            by_width: 0.1875 * rest * rest,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn shares(parallax: f64, blur: PointBlur) -> AxisShares {
+        AxisShares::new(AxisPoint { parallax, half_lens_mm: 0.05, cell_mm: 1.375, blur })
+    }
+
+    /// The naive reference: rays through the pupil one by one, each blurred at both places.
+    fn traced(parallax: f64, offset_mm: f64, edges_mm: [f64; 2], blur: PointBlur) -> f64 {
+        let steps = 24;
+        let density = |n: i32| {
+            let s = (f64::from(n) + 0.5) / f64::from(steps) * 2.0 - 1.0;
+            (s, 0.75 * (1.0 - s * s) * 2.0 / f64::from(steps))
+        };
+        let shares = shares(parallax, blur);
+        let rays = 20_000;
+        let pupil_mm = |ray: i32| (f64::from(ray) + 0.5) / f64::from(rays) * 60.0 - 30.0;
+        let mut sum = 0.0;
+        for ray in 0..rays {
+            let pupil_mm = pupil_mm(ray);
+            for n in 0..steps {
+                // The microlens' ends move about the ray, the pixel's do not.
+                let (shift, weight) = density(n);
+                let moved_mm = pupil_mm - shift * shares.half_mm;
+                let taken = (offset_mm + parallax * moved_mm).abs() < 0.05;
+                let edge_mm = shares.edge_at(pupil_mm, offset_mm);
+                if taken && edge_mm >= edges_mm[0] && edge_mm < edges_mm[1] {
+                    sum += weight;
+                }
+            }
+        }
+        sum * 60.0 / f64::from(rays) / 1.375
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn a_share_is_what_traced_rays_leave(
+            parallax in 0.003..0.03f64, negative: bool, offset in -0.2..0.2f64, edge in -8.0..8.0f64,
+            plane in 0.0..0.005f64, sensor in 0.0..0.7f64,
+        ) {
+            let parallax = if negative { -parallax } else { parallax };
+            let blur = PointBlur { plane_mm: plane, sensor_px: sensor };
+            let axis = shares(parallax, blur);
+            let value = axis.beyond(edge, offset).value - axis.beyond(edge + 1.375, offset).value;
+            let reference = traced(parallax, offset, [edge, edge + 1.375], blur);
+            prop_assert!((value - reference).abs() < 4e-3, "{value} {reference}");
+        }
+
+        #[test]
+        fn derivatives_are_those_of_small_steps(
+            parallax in 1e-4..0.03f64, negative: bool, offset in -0.2..0.2f64, edge in -8.0..8.0f64,
+            plane in 0.001..0.005f64, sensor in 0.1..0.7f64,
+        ) {
+            let parallax = if negative { -parallax } else { parallax };
+            let blur = PointBlur { plane_mm: plane, sensor_px: sensor };
+            let pixel = |parallax: f64, offset: f64| {
+                let axis = shares(parallax, blur);
+                axis.beyond(edge, offset) - axis.beyond(edge + 1.375, offset)
+            };
+            let here = pixel(parallax, offset);
+            let (by_d, by_a) = (1e-7, 1e-4 * parallax.abs());
+            let offset_slope =
+                (pixel(parallax, offset + by_d).value - pixel(parallax, offset - by_d).value) / (2.0 * by_d);
+            let parallax_slope =
+                (pixel(parallax + by_a, offset).value - pixel(parallax - by_a, offset).value) / (2.0 * by_a);
+            let close = |a: f64, b: f64, unit: f64| (a - b).abs() < 1e-3 * (a.abs() + unit);
+            prop_assert!(close(here.by_offset, offset_slope, 10.0), "{here:?} {offset_slope}");
+            prop_assert!(close(here.by_parallax, parallax_slope, 100.0), "{here:?} {parallax_slope}");
+        }
+    }
+
+    #[test]
+    fn a_point_in_focus_lights_its_microlens_alone() {
+        let axis = shares(0.0, PointBlur { plane_mm: 1e-4, sensor_px: 0.1 });
+        let pixel = |offset| (axis.beyond(2.0, offset) - axis.beyond(3.375, offset)).value;
+        assert!((pixel(0.0) - 1.0).abs() < 1e-6 && (pixel(0.049) - 1.0).abs() < 1e-6);
+        assert!((pixel(0.05) - 0.5).abs() < 1e-3 && pixel(0.051).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,69 @@
+//! How wide points are in a camera, from the images.
+
+use rayon::prelude::*;
+
+use super::fit::FrameFit;
+use crate::model::{PointBlur, PointCamera, PointFootprint};
+
+/// Widths that are tried, as factors of the one before.
+const FACTOR: f64 = 1.4;
+
+/// Bounds, as standard deviations in pixels.
+const WIDTHS_PX: [f64; 2] = [0.08, 1.2];
+
+/// Most moves to a wider or a narrower one.
+const MOVES: usize = 6;
+
+/// One particle in so many is asked.
+const EVERY: usize = 3;
+
+/// Width of points before the images were asked, in pixels.
+pub const FIRST_WIDTH_PX: f64 = 0.25;
+
+/// The same width on the sensor and, seen from there, on the microlenses: microlenses have the f-number
+/// that the main lens works at, so diffraction makes both alike.
+pub fn blur_of_width(width_px: f64, pixel_mm: f64) -> PointBlur {
+    PointBlur { plane_mm: width_px * pixel_mm, sensor_px: width_px }
+}
+
+/// The width at which the particles numbered `of` leave the least of camera number `c`'s image.
+pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usize]) -> PointBlur {
+    let before = cameras[c].blur;
+    let pixel_mm = before.plane_mm / before.sensor_px;
+    let asked: Vec<usize> = of.iter().copied().step_by(EVERY).collect();
+    let misfit = |log_width: f64| {
+        let mut camera = cameras[c].clone();
+        camera.blur = blur_of_width(log_width.exp(), pixel_mm);
+        let mut image = fit.images[c].clone();
+        image.clear();
+        let mut footprint = PointFootprint::default();
+        for particle in &fit.particles {
+            camera.image(particle.at_mm, &mut footprint);
+            image.add(&camera, &footprint, particle.light[c] as f32);
+        }
+        let left = |footprint: &mut PointFootprint, &n: &usize| {
+            camera.image(fit.particles[n].at_mm, footprint);
+            image.equations(&camera, footprint).misfit[0]
+        };
+        let left: Vec<f64> = asked.par_iter().map_init(PointFootprint::default, left).collect();
+        left.iter().sum::<f64>()
+    };
+    let step = FACTOR.ln();
+    let [low, high] = WIDTHS_PX.map(f64::ln);
+    let mut middle = before.sensor_px.ln().clamp(low + step, high - step);
+    let mut at = [-step, 0.0, step].map(|further| misfit(middle + further));
+    for _ in 0..MOVES {
+        if at[0] < at[1] && middle - 2.0 * step >= low {
+            middle -= step;
+            at = [misfit(middle - step), at[0], at[1]];
+        } else if at[2] < at[1] && middle + 2.0 * step <= high {
+            middle += step;
+            at = [at[1], at[2], misfit(middle + step)];
+        } else {
+            break;
+        }
+    }
+    let curvature = at[0] - 2.0 * at[1] + at[2];
+    let vertex = if curvature > 0.0 { (at[0] - at[2]) / (2.0 * curvature) } else { 0.0 };
+    blur_of_width((middle + vertex.clamp(-1.0, 1.0) * step).exp(), pixel_mm)
+}

@@ -1,0 +1,150 @@
+//! Damped Gauss–Newton for many particles at once: each is stepped by itself against the common residual.
+
+use rayon::prelude::*;
+
+use super::{
+    image::ParticleImage,
+    normal::{LightPrior, Normal, Particle, StepRule},
+};
+use crate::model::{PointCamera, PointFootprint};
+
+/// Images and particles of one frame.
+#[derive(Debug, Clone)]
+pub struct FrameFit {
+    /// Per camera.
+    pub images: Vec<ParticleImage>,
+    /// The particles; the images' model is theirs.
+    pub particles: Vec<Particle>,
+    /// Length of each particle's last step, in mm.
+    pub steps_mm: Vec<f64>,
+}
+
+impl FrameFit {
+    /// A frame without particles.
+    pub fn new(images: Vec<ParticleImage>) -> Self {
+        Self { images, particles: Vec::new(), steps_mm: Vec::new() }
+    }
+
+    /// Adds particles; the model does not hold them before [`Self::render`].
+    pub fn extend(&mut self, particles: impl IntoIterator<Item = Particle>) {
+        self.particles.extend(particles);
+        self.steps_mm.resize(self.particles.len(), f64::INFINITY);
+    }
+
+    /// Has pixels believed no further than to this relative error of the model.
+    pub fn believe(&mut self, misfit: f32) {
+        self.images.iter_mut().for_each(|image| image.noise.misfit = misfit);
+    }
+
+    /// Makes the model anew.
+    pub fn render(&mut self, cameras: &[PointCamera]) {
+        let particles = &self.particles;
+        self.images.par_iter_mut().zip(cameras).enumerate().for_each(|(c, (image, camera))| {
+            image.clear();
+            let mut footprint = PointFootprint::default();
+            for particle in particles {
+                camera.image(particle.at_mm, &mut footprint);
+                image.add(camera, &footprint, particle.light[c] as f32);
+            }
+        });
+    }
+
+    /// The normal equations of the numbered particles.
+    pub fn equations(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
+        of.par_iter()
+            .with_min_len(64)
+            .map_init(PointFootprint::default, |footprint, &n| {
+                let particle = &self.particles[n];
+                let mut normal = Normal::default();
+                for (c, camera) in cameras.iter().enumerate() {
+                    camera.image(particle.at_mm, footprint);
+                    let equations = self.images[c].equations(camera, footprint);
+                    normal.add(&equations, &footprint.by_place, particle.light[c], c);
+                }
+                normal
+            })
+            .collect()
+    }
+
+    /// Covariance of the gradients of the numbered particles, by the residuals: in the place of the
+    /// matrix of [`Self::equations`].
+    pub fn gradient_covariances(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
+        let covariance = |footprint: &mut PointFootprint, &n: &usize| {
+            let particle = &self.particles[n];
+            let mut normal = Normal::default();
+            for (c, camera) in cameras.iter().enumerate() {
+                camera.image(particle.at_mm, footprint);
+                let equations = self.images[c].gradient_covariance(camera, footprint);
+                normal.add(&equations, &footprint.by_place, particle.light[c], c);
+            }
+            normal
+        };
+        of.par_iter().with_min_len(64).map_init(PointFootprint::default, covariance).collect()
+    }
+
+    /// The normal equations of a particle that is not in the model.
+    pub fn alone(
+        &self,
+        cameras: &[PointCamera],
+        particle: &Particle,
+        footprint: &mut PointFootprint,
+    ) -> Normal {
+        let mut normal = Normal::default();
+        for (c, camera) in cameras.iter().enumerate() {
+            camera.image(particle.at_mm, footprint);
+            let mut equations = self.images[c].equations(camera, footprint);
+            // Its own light is not in the model yet.
+            let light = particle.light[c];
+            for (n, right) in equations.right.iter_mut().enumerate() {
+                *right -= light * equations.matrix[n];
+            }
+            normal.add(&equations, &footprint.by_place, light, c);
+        }
+        normal
+    }
+
+    /// One step of the numbered particles.
+    pub fn step(
+        &mut self,
+        cameras: &[PointCamera],
+        of: &[usize],
+        prior: &LightPrior,
+        rule: &StepRule,
+    ) {
+        let normals = self.equations(cameras, of);
+        let moved: Vec<(Particle, f64)> = of
+            .iter()
+            .zip(&normals)
+            .map(|(&n, normal)| normal.stepped(&self.particles[n], cameras.len(), prior, rule))
+            .collect();
+        if 2 * of.len() > self.particles.len() {
+            self.take(of, &moved);
+            self.render(cameras);
+        } else {
+            let before: Vec<Particle> = of.iter().map(|&n| self.particles[n]).collect();
+            self.take(of, &moved);
+            self.exchange(cameras, &before, of);
+        }
+    }
+
+    fn take(&mut self, of: &[usize], moved: &[(Particle, f64)]) {
+        for (&n, &(particle, step_mm)) in of.iter().zip(moved) {
+            self.particles[n] = particle;
+            self.steps_mm[n] = step_mm;
+        }
+    }
+
+    /// Puts the numbered particles into the model in the place of what they were `before`.
+    fn exchange(&mut self, cameras: &[PointCamera], before: &[Particle], of: &[usize]) {
+        let particles = &self.particles;
+        self.images.par_iter_mut().zip(cameras).enumerate().for_each(|(c, (image, camera))| {
+            let mut footprint = PointFootprint::default();
+            for (old, &n) in before.iter().zip(of) {
+                camera.image(old.at_mm, &mut footprint);
+                image.add(camera, &footprint, -old.light[c] as f32);
+                camera.image(particles[n].at_mm, &mut footprint);
+                image.add(camera, &footprint, particles[n].light[c] as f32);
+            }
+        });
+    }
+}

@@ -1,0 +1,113 @@
+//! One camera's image of one frame, and what the particles known so far make of it.
+
+use lfpiv_hw::RawImage;
+
+use super::{
+    kernels::{self, Equations},
+    noise::noise_of,
+};
+use crate::{
+    lightfield::LightLevels,
+    model::{LANES, PointCamera, PointFootprint},
+};
+
+/// What is known of the noise of a pixel that should hold m counts: its variance is
+/// `dark` + `gain` m + (`misfit` m)², in counts².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PixelNoise {
+    /// Of a pixel that no particle lights.
+    pub dark: f32,
+    /// Counts per photo-electron: shot noise.
+    pub gain: f32,
+    /// Relative error of the footprint, and of what is taken for particles.
+    pub misfit: f32,
+}
+
+/// A raw image and the model of it.
+#[derive(Debug, Clone)]
+pub struct ParticleImage {
+    /// Counts, row-major, and [`LANES`] more values.
+    counts: Vec<u16>,
+    /// What the particles should leave in each pixel, in counts above `black`; as long.
+    model: Vec<f32>,
+    width: usize,
+    /// Count of a pixel that no particle lights.
+    black: f32,
+    /// From which count on a pixel says nothing.
+    saturation: u16,
+    /// Noise of its pixels.
+    pub noise: PixelNoise,
+}
+
+impl ParticleImage {
+    /// An image without particles.
+    pub fn new(image: &RawImage, levels: &LightLevels, noise: PixelNoise) -> Self {
+        let mut counts = image.counts().to_vec();
+        counts.extend([0; LANES]);
+        let model = vec![0.0; counts.len()];
+        let black = (levels.offset_counts + levels.background_counts) as f32;
+        let saturation = levels.saturation_counts.unwrap_or(u16::MAX);
+        Self { counts, model, width: image.columns(), black, saturation, noise }
+    }
+
+    /// Takes all particles out of the model.
+    pub fn clear(&mut self) {
+        self.model.fill(0.0);
+    }
+
+    /// Adds a particle of `light` counts in an open pixel to the model; a negative light takes it out.
+    pub fn add(&mut self, camera: &PointCamera, footprint: &PointFootprint, light: f32) {
+        let open = camera.open_shares();
+        for patch in &footprint.patches {
+            let columns = footprint.padded(0, &patch.columns);
+            for (r, &row) in footprint.of(0, &patch.rows).iter().enumerate() {
+                let at = (patch.rows.first_px + r) * self.width + patch.columns.first_px;
+                let open = &open[patch.open + r * camera.open_stride()..];
+                kernels::add_row(&mut self.model[at..], open, columns, row * light / 255.0);
+            }
+        }
+    }
+
+    /// What the residual says about a particle.
+    pub fn equations(&self, camera: &PointCamera, footprint: &PointFootprint) -> Equations {
+        let (open, stride) = (camera.open_shares(), camera.open_stride());
+        kernels::equations(&self.view(), open, stride, footprint, false)
+    }
+
+    /// The same with the covariance of the gradient in place of the matrix.
+    pub fn gradient_covariance(
+        &self,
+        camera: &PointCamera,
+        footprint: &PointFootprint,
+    ) -> Equations {
+        let (open, stride) = (camera.open_shares(), camera.open_stride());
+        kernels::equations(&self.view(), open, stride, footprint, true)
+    }
+
+    /// What the residual says about the light of a particle alone: Σ g r / v and Σ g² / v, with g its
+    /// image per unit of light.
+    pub fn light_equation(&self, camera: &PointCamera, footprint: &PointFootprint) -> [f64; 2] {
+        let (open, stride) = (camera.open_shares(), camera.open_stride());
+        kernels::light_equation(&self.view(), open, stride, footprint)
+    }
+
+    fn view(&self) -> kernels::View<'_> {
+        kernels::View {
+            counts: &self.counts,
+            model: &self.model,
+            width: self.width,
+            black: self.black,
+            saturation: self.saturation,
+            noise: self.noise,
+        }
+    }
+
+    /// The noise of its pixels by what the particles leave of it; that of dark ones is kept.
+    pub fn noise_of_residual(&self) -> PixelNoise {
+        let pixels = self.counts.len() - LANES;
+        let residual =
+            |n: usize| (self.model[n], f32::from(self.counts[n]) - self.black - self.model[n]);
+        let seen = (0..pixels).filter(|&n| self.counts[n] < self.saturation).map(residual);
+        noise_of(seen, self.noise.dark)
+    }
+}

@@ -1,0 +1,368 @@
+//! From candidates in both frames to particles that both frames and the flow agree on.
+
+use rayon::prelude::*;
+
+use super::{
+    blur::fitted_blur,
+    fit::FrameFit,
+    flow::{Flow, FlowCorrection},
+    image::ParticleImage,
+    neighbours::Neighbours,
+    normal::{CAMERAS, LightPrior, Normal, Particle, StepRule},
+    partners::{Partners, exchange},
+    select::Candidate,
+};
+use crate::{
+    model::{PointBlur, PointCamera, PointFootprint},
+    statistics::median,
+};
+
+/// What is known of a frame before its particles are.
+pub struct FrameStart {
+    /// Per camera.
+    pub images: Vec<ParticleImage>,
+    /// From the light of its volume.
+    pub candidates: Vec<Candidate>,
+}
+
+/// A particle that both frames show and the flow explains.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParticlePair {
+    /// Its place in frames a and b, in mm.
+    pub places_mm: [[f64; 3]; 2],
+    /// Covariance of each, in mm².
+    pub covariances_mm2: [[[f64; 3]; 3]; 2],
+    /// Its light in each frame and camera, in counts of an open pixel that gets all of it.
+    pub light: [[f64; CAMERAS]; 2],
+}
+
+/// The particles of a pair of frames.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlacedParticles {
+    /// Seen in both.
+    pub pairs: Vec<ParticlePair>,
+    /// Seen in one only.
+    pub unpaired: [Vec<Particle>; 2],
+    /// How wide points are in each camera.
+    pub blurs: Vec<PointBlur>,
+    /// Typical light of a particle in each frame and camera, in counts.
+    pub typical: [[f64; CAMERAS]; 2],
+}
+
+impl ParticlePair {
+    /// Where it is in the middle of the pair, in mm.
+    pub fn middle_mm(&self) -> [f64; 3] {
+        let [a, b] = self.places_mm;
+        std::array::from_fn(|axis| (a[axis] + b[axis]) / 2.0)
+    }
+
+    /// How far it moves, in mm.
+    pub fn displacement_mm(&self) -> [f64; 3] {
+        let [a, b] = self.places_mm;
+        std::array::from_fn(|axis| b[axis] - a[axis])
+    }
+
+    /// Standard uncertainty of the displacement along x, y, z, in mm.
+    pub fn uncertainty_mm(&self) -> [f64; 3] {
+        let [a, b] = self.covariances_mm2;
+        std::array::from_fn(|axis| (a[axis][axis] + b[axis][axis]).sqrt())
+    }
+}
+
+/// Steps against images in which particles may still be missing or doubled ...
+const FIRST_STEPS: usize = 5;
+const SECOND_STEPS: usize = 4;
+/// ... after an exchange between the frames, before and after faint ones go ...
+const EXCHANGE_STEPS: [usize; 2] = [5, 3];
+/// ... and at last.
+const LAST_STEPS: usize = 4;
+
+/// Exchanges between the frames.
+const EXCHANGES: usize = 3;
+
+/// Exchanges before which the width of points is looked for anew.
+const BLUR_ROUNDS: usize = 2;
+
+/// Relative error of the model that pixels are believed with while particles are missing, by exchange.
+const MISFITS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.15, 0.15];
+
+/// Least error that they are believed with at last: that of the footprint.
+const LEAST_MISFIT: f32 = 0.02;
+
+/// Least share of the typical light of a particle, at first and after an exchange.
+const LEAST_LIGHT: [f64; 2] = [0.15, 0.25];
+
+/// In voxels: particles nearer to each other are one.
+const ONE_VOX: f64 = 0.35;
+
+/// A particle that moves less in a step has settled.
+const SETTLED_VOX: f64 = 0.003;
+
+/// Partners that agree so well are left alone; at most this, and at least a few standard deviations of what the
+/// flow is known to.
+const AGREE_VOX: [f64; 2] = [0.15, 0.5];
+const AGREE_DEVIATIONS: f64 = 3.0;
+
+/// How far partners are looked for when the flow is corrected.
+const CORRECT_VOX: f64 = 1.0;
+
+/// How far a particle of one frame may be from where the other's is proposed for them to be rivals.
+const RIVAL_VOX: f64 = 1.0;
+
+/// Partners are no further apart than this at last.
+const PAIR_VOX: f64 = 0.5;
+
+/// Starts beside a particle's place, along each axis.
+const STARTS_VOX: [f64; 6] = [-0.6, -0.3, -0.15, 0.15, 0.3, 0.6];
+
+/// How far from a particle the places that the other frame proposes are starts, too.
+const STARTS_REACH_VOX: f64 = 1.5;
+
+/// How a particle is stepped.
+const RULE: StepRule = StepRule { relaxation: 0.8, damping: 0.01, longest_mm: 0.0 };
+
+/// Longest step, in voxels.
+const LONGEST_VOX: f64 = 0.2;
+
+/// Places particles in the images of both frames.
+///
+/// `flow` is what is known of the displacement; it may be a part of a voxel off. `voxel_mm` is the unit
+/// of all lengths that are chosen: about a microlens in the volume.
+pub fn place_pairs(
+    cameras: &[PointCamera],
+    voxel_mm: f64,
+    starts: [FrameStart; 2],
+    flow: Flow<'_>,
+) -> PlacedParticles {
+    let mut placing = Placing {
+        cameras: cameras.to_vec(),
+        voxel_mm,
+        rule: StepRule { longest_mm: LONGEST_VOX * voxel_mm, ..RULE },
+        priors: starts.each_ref().map(|start| LightPrior::of_candidates(&start.candidates)),
+    };
+    let mut fits = starts.map(|start| {
+        let mut fit = FrameFit::new(start.images);
+        fit.propose(&start.candidates);
+        fit
+    });
+    placing.begin(&mut fits);
+    for round in 0..EXCHANGES {
+        placing.support(&mut fits, flow, round);
+    }
+    placing.finish(&mut fits, flow)
+}
+
+struct Placing {
+    cameras: Vec<PointCamera>,
+    voxel_mm: f64,
+    rule: StepRule,
+    priors: [LightPrior; 2],
+}
+
+/// The flow, and what the particles known in both frames add to it.
+struct Corrected {
+    correction: FlowCorrection,
+    /// Partners that are nearer to each other agree, in voxels.
+    agree_vox: f64,
+}
+
+impl Placing {
+    /// First steps of all candidates; those that no light is left for go.
+    fn begin(&self, fits: &mut [FrameFit; 2]) {
+        let settled_mm = SETTLED_VOX * self.voxel_mm;
+        self.each(fits, |fit, prior| {
+            fit.believe(MISFITS[0]);
+            fit.render(&self.cameras);
+            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, FIRST_STEPS));
+            fit.prune(&self.cameras, prior, (LEAST_LIGHT[0], ONE_VOX * self.voxel_mm));
+            fit.unsettle();
+            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, SECOND_STEPS));
+        });
+    }
+
+    /// Has both frames propose particles to each other, and those on which they do not agree start again.
+    fn support(&mut self, fits: &mut [FrameFit; 2], flow: Flow<'_>, round: usize) {
+        let corrected = self.corrected(fits, flow);
+        let correction = corrected.correction.ready();
+        let flow = |at_mm: [f64; 3]| added(flow(at_mm), correction(at_mm));
+        let partners = self.partners(fits, &flow, corrected.agree_vox);
+        self.learn(fits, &partners, round);
+        exchange(fits, &partners, &flow, &self.priors, (RIVAL_VOX, self.voxel_mm));
+        let settled_mm = SETTLED_VOX * self.voxel_mm;
+        let misfit = MISFITS[round + 1];
+        self.each(fits, |fit, prior| {
+            fit.believe(misfit);
+            fit.unsettle();
+            fit.render(&self.cameras);
+            let [before, after] = EXCHANGE_STEPS;
+            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, before));
+            fit.prune(&self.cameras, prior, (LEAST_LIGHT[1], ONE_VOX * self.voxel_mm));
+            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, after));
+        });
+        self.restart(fits, &flow, corrected.agree_vox);
+    }
+
+    /// What the particles on which both frames agree say of light and blur.
+    fn learn(&mut self, fits: &[FrameFit; 2], partners: &Partners, round: usize) {
+        let pairs: Vec<[usize; 2]> = partners.pairs().collect();
+        for (frame, fit) in fits.iter().enumerate() {
+            let agreed: Vec<Particle> =
+                pairs.iter().map(|pair| fit.particles[pair[frame]]).collect();
+            self.priors[frame] = self.priors[frame].of_particles(&agreed, self.cameras.len());
+        }
+        if round < BLUR_ROUNDS {
+            let of: Vec<usize> = pairs.iter().map(|pair| pair[0]).collect();
+            let blurs: Vec<PointBlur> = (0..self.cameras.len())
+                .map(|c| fitted_blur(&fits[0], &self.cameras, c, &of))
+                .collect();
+            for (camera, blur) in self.cameras.iter_mut().zip(blurs) {
+                camera.blur = blur;
+            }
+        }
+    }
+
+    /// Starts those particles again that have no partner that agrees.
+    fn restart(&self, fits: &mut [FrameFit; 2], flow: Flow<'_>, agree_vox: f64) {
+        let partners = self.partners(fits, flow, agree_vox);
+        let proposals = [0, 1].map(|frame: usize| -> Vec<[f64; 3]> {
+            let other = 1 - frame;
+            (0..fits[other].particles.len())
+                .filter(|&n| partners.partners[other][n].is_none())
+                .map(|n| partners.place_in(frame, n, flow, self.voxel_mm))
+                .collect()
+        });
+        let reach = STARTS_REACH_VOX * self.voxel_mm;
+        let restart = |frame: usize, fit: &mut FrameFit| {
+            let places: Vec<[f32; 3]> =
+                proposals[frame].iter().map(|at| at.map(|mm| mm as f32)).collect();
+            let near = Neighbours::new(&places, reach as f32);
+            let mut footprint = PointFootprint::default();
+            for n in 0..fit.particles.len() {
+                if partners.partners[frame][n].is_some() {
+                    continue;
+                }
+                let own = fit.particles[n].at_mm;
+                let mut starts = Vec::new();
+                near.visit(own.map(|mm| mm as f32), |place, _| {
+                    starts.push(proposals[frame][place]);
+                });
+                for (axis, vox) in (0..3).flat_map(|axis| STARTS_VOX.map(|vox| (axis, vox))) {
+                    let mut start = own;
+                    start[axis] += vox * self.voxel_mm;
+                    starts.push(start);
+                }
+                let how = (&self.priors[frame], &self.rule);
+                fit.restart(&self.cameras, n, &starts, how, &mut footprint);
+            }
+        };
+        let [a, b] = fits;
+        rayon::join(|| restart(0, a), || restart(1, b));
+    }
+
+    /// Last steps, with pixels believed as far as their noise allows, and the result.
+    fn finish(&self, fits: &mut [FrameFit; 2], flow: Flow<'_>) -> PlacedParticles {
+        let settled_mm = SETTLED_VOX * self.voxel_mm / 2.0;
+        self.each(fits, |fit, prior| {
+            for image in &mut fit.images {
+                image.noise = image.noise_of_residual();
+                image.noise.misfit = image.noise.misfit.max(LEAST_MISFIT);
+            }
+            fit.unsettle();
+            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, LAST_STEPS));
+        });
+        let corrected = self.corrected(fits, flow);
+        let correction = corrected.correction.ready();
+        let flow = |at_mm: [f64; 3]| added(flow(at_mm), correction(at_mm));
+        let partners = self.partners(fits, &flow, PAIR_VOX);
+        let pairs: Vec<[usize; 2]> = partners.pairs().collect();
+        let covariances = [0, 1].map(|frame: usize| {
+            let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
+            let normals = fits[frame].equations(&self.cameras, &of);
+            let gradients = fits[frame].gradient_covariances(&self.cameras, &of);
+            let known = (self.cameras.len(), &self.priors[frame], self.voxel_mm);
+            let covariance = |((&n, normal), gradient): ((&usize, &Normal), &Normal)| {
+                normal.covariance_mm2(gradient, &fits[frame].particles[n], known)
+            };
+            of.iter().zip(&normals).zip(&gradients).map(covariance).collect::<Vec<_>>()
+        });
+        let unpaired = [0, 1].map(|frame: usize| {
+            let alone = partners.partners[frame].iter().zip(&fits[frame].particles);
+            alone.filter(|(partner, _)| partner.is_none()).map(|(_, particle)| *particle).collect()
+        });
+        let pair = |(n, &[a, b]): (usize, &[usize; 2])| {
+            let particles = [fits[0].particles[a], fits[1].particles[b]];
+            ParticlePair {
+                places_mm: particles.map(|particle| particle.at_mm),
+                covariances_mm2: [covariances[0][n], covariances[1][n]],
+                light: particles.map(|particle| particle.light),
+            }
+        };
+        PlacedParticles {
+            pairs: pairs.iter().enumerate().map(pair).collect(),
+            unpaired,
+            blurs: self.cameras.iter().map(|camera| camera.blur).collect(),
+            typical: self.priors.map(|prior| prior.typical),
+        }
+    }
+
+    /// The flow by those particles that are each other's nearest.
+    fn corrected(&self, fits: &[FrameFit; 2], flow: Flow<'_>) -> Corrected {
+        let partners = self.partners(fits, flow, CORRECT_VOX);
+        let pairs: Vec<[usize; 2]> = partners.pairs().collect();
+        let middle = |pair: &[usize; 2]| -> [f64; 3] {
+            let [a, b] = [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
+            std::array::from_fn(|axis| (a[axis] + b[axis]) / 2.0)
+        };
+        let missed = |pair: &[usize; 2]| -> [f64; 3] {
+            let [a, b] = [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
+            let moved = flow(middle(pair));
+            std::array::from_fn(|axis| b[axis] - a[axis] - moved[axis])
+        };
+        let middles_mm: Vec<[f64; 3]> = pairs.par_iter().map(middle).collect();
+        let missed_mm: Vec<[f64; 3]> = pairs.par_iter().map(missed).collect();
+        let middles =
+            middles_mm.iter().map(|at| at.map(|mm| (mm / self.voxel_mm) as f32)).collect();
+        let density = density(&middles_mm, self.voxel_mm);
+        let correction = FlowCorrection::new(middles, missed_mm.clone(), density, self.voxel_mm);
+        let agree_vox = {
+            let correct = correction.ready();
+            let left = |(at, missed): (&[f64; 3], &[f64; 3])| {
+                let known = correct(*at);
+                (0..3).map(|axis| (missed[axis] - known[axis]).powi(2)).sum::<f64>().sqrt()
+            };
+            let left: Vec<f64> = middles_mm.par_iter().zip(&missed_mm).map(left).collect();
+            let typical = median(left).unwrap_or_default() / self.voxel_mm;
+            (AGREE_DEVIATIONS * typical).clamp(AGREE_VOX[0], AGREE_VOX[1])
+        };
+        Corrected { correction, agree_vox }
+    }
+
+    fn partners(&self, fits: &[FrameFit; 2], flow: Flow<'_>, reach_vox: f64) -> Partners {
+        let frames = [&fits[0].particles[..], &fits[1].particles[..]];
+        Partners::new(frames, flow, reach_vox, self.voxel_mm)
+    }
+
+    /// Does something to both frames.
+    fn each(&self, fits: &mut [FrameFit; 2], act: impl Fn(&mut FrameFit, &LightPrior) + Sync) {
+        let [a, b] = fits;
+        rayon::join(|| act(a, &self.priors[0]), || act(b, &self.priors[1]));
+    }
+}
+
+/// Points per cubic voxel in the box that holds nine tenths of them along each axis.
+fn density(points_mm: &[[f64; 3]], voxel_mm: f64) -> f64 {
+    if points_mm.is_empty() {
+        return 0.0;
+    }
+    let length = |axis: usize| {
+        let mut along: Vec<f64> = points_mm.iter().map(|at| at[axis]).collect();
+        along.sort_unstable_by(f64::total_cmp);
+        let at = |share: f64| along[((along.len() - 1) as f64 * share) as usize];
+        ((at(0.95) - at(0.05)) / voxel_mm).max(1.0)
+    };
+    0.729 * points_mm.len() as f64 / (0..3).map(length).product::<f64>()
+}
+
+fn added(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| one[axis] + other[axis])
+}

@@ -1,0 +1,103 @@
+//! Particles placed in the images, against those that made them.
+//!
+//! Figures are printed: `cargo test --package lfpiv-core --test capabilities placed -- --nocapture`;
+//! the whole bench's are those of `lfpiv bench --set particles`.
+
+use lfpiv_core::{lightfield::ImagePair, measurement::Processor, particles::PlacedParticles};
+use lfpiv_sim::{Scene, Truth};
+
+use crate::support::Bench;
+
+/// Both focal planes cross it, as they do the bench: 3 x 3 x 3 mm, at the bench's density.
+fn placed(change: impl Fn(&mut Scene)) -> (PlacedParticles, Truth, Bench) {
+    let mut config = Bench::shipped("bench");
+    config.volume.voxels = [30; 3];
+    let scene = config.simulation.as_mut().unwrap();
+    scene.ppm = 12.5 * 3.0 * 0.01;
+    change(scene);
+    let shot = config.simulation.as_ref().unwrap().shot(&config.geometry(), 3, 0);
+    let pair = ImagePair { cameras: shot.images };
+    let processor = Processor::new(config.measurement()).unwrap();
+    let (_, placed) = processor.process_with_particles(&pair).unwrap();
+    (placed, shot.truth, config)
+}
+
+struct Found {
+    /// Share of the true particles, lit in both frames, within 0.2 voxel.
+    found: f64,
+    /// Share of the pairs with no such particle within 0.5 voxel.
+    wrong: f64,
+    /// Median |error| of a displacement's component, in voxels.
+    median_vox: f64,
+}
+
+fn judged(placed: &PlacedParticles, truth: &Truth, config: &Bench) -> Found {
+    let voxel_mm = config.volume.voxel_mm;
+    let half_mm = config.volume.voxels[0] as f64 * voxel_mm / 2.0;
+    let inside = |at: &[f64; 3]| at.iter().all(|mm| mm.abs() < half_mm);
+    let apart = |a: [f64; 3], b: [f64; 3]| -> f64 {
+        (0..3).map(|n| (a[n] - b[n]).powi(2)).sum::<f64>().sqrt() / voxel_mm
+    };
+    let middle = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|n| (a[n] + b[n]) / 2.0);
+    let lit: Vec<_> = truth.particles.iter().filter(|p| p.visible_a && p.visible_b).collect();
+    let counted: Vec<[f64; 3]> =
+        lit.iter().map(|p| middle(p.a_mm, p.b_mm)).filter(inside).collect();
+    let near = |at: [f64; 3], vox: f64| placed.pairs.iter().any(|p| apart(p.middle_mm(), at) < vox);
+    let found = counted.iter().filter(|&&at| near(at, 0.2)).count();
+    let (mut errors, mut pairs, mut wrong) = (Vec::new(), 0, 0);
+    for pair in placed.pairs.iter().filter(|pair| inside(&pair.middle_mm())) {
+        pairs += 1;
+        let is = |p: &&&lfpiv_sim::Tracer| apart(middle(p.a_mm, p.b_mm), pair.middle_mm()) < 0.5;
+        let Some(particle) = lit.iter().find(is) else {
+            wrong += 1;
+            continue;
+        };
+        for n in 0..3 {
+            let moved_mm = particle.b_mm[n] - particle.a_mm[n];
+            errors.push((pair.displacement_mm()[n] - moved_mm).abs() / voxel_mm);
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    Found {
+        found: found as f64 / counted.len() as f64,
+        wrong: f64::from(wrong) / f64::from(pairs),
+        median_vox: errors[errors.len() / 2],
+    }
+}
+
+fn print(name: &str, found: &Found) {
+    println!(
+        "{name}: {:.1} % found, {:.1} % false, median displacement error {:.4} voxel",
+        100.0 * found.found,
+        100.0 * found.wrong,
+        found.median_vox
+    );
+}
+
+#[test]
+fn particles_are_placed_to_a_hundredth_of_a_voxel() {
+    let (placed, truth, config) = placed(|_| {});
+    let found = judged(&placed, &truth, &config);
+    print("bench", &found);
+    assert!(found.found > 0.85 && found.wrong < 0.03 && found.median_vox < 0.006);
+}
+
+/// Neither blur nor the cameras' shares of the light are told: the images say them.
+#[test]
+fn blur_and_lights_are_found_in_the_images() {
+    let (placed, truth, config) = placed(|scene| {
+        scene.diffraction = true;
+        scene.lighting.camera_light = vec![1.0, 0.7];
+        scene.lighting.camera_spread = 0.3;
+    });
+    let found = judged(&placed, &truth, &config);
+    print("diffraction, uneven light", &found);
+    for blur in &placed.blurs {
+        // 0.42 wavelengths times f/8 over a pixel of 5.5 µm.
+        assert!((blur.sensor_px - 0.325).abs() < 0.1, "{blur:?}");
+    }
+    for [first, second] in placed.typical {
+        assert!((second / first - 0.7).abs() < 0.1, "{first} {second}");
+    }
+    assert!(found.found > 0.75 && found.wrong < 0.04 && found.median_vox < 0.01);
+}
