@@ -70,7 +70,7 @@ async fn a_unit_that_was_silent_fires_once_an_operator_says_so() {
     );
     laser.served.unit().silence_after(0);
     run.until("the loss", || run.control.state().mode == Mode::Lost).await;
-    assert!(run.control.state().held[0].contains("looked for"), "{:?}", run.control.state());
+    assert!(run.control.state().held[0].contains("searching for it"), "{:?}", run.control.state());
     for command in [Command::Start, Command::Arm, Command::Resume] {
         assert!(run.control.request(command).await.is_err(), "there is no unit to fire");
     }
