@@ -75,6 +75,10 @@ const EXAMPLES: [(&str, &[Example]); 19] = [
     ),
     ("replay", &[("lfpiv replay results/run-20261121T090000Z", "the same, bit for bit?")]),
     (
+        "serve",
+        &[("lfpiv serve results/run-20261121T090000Z", "a finished run on the page of the bench")],
+    ),
+    (
         "compare",
         &[(
             "lfpiv compare results/run-20261121T090000Z results/run-20261121T100000Z",

@@ -131,7 +131,9 @@ fn calibrated() -> Bench {
          cam2_grid.json --out calibration.json",
     );
     println!("{said}");
-    assert!(!said.contains("warning"), "{said}");
+    // The card is a little narrower than the volume with its margin; nothing else is to be warned of.
+    let mut warnings = said.lines().filter(|line| line.starts_with("warning"));
+    assert!(warnings.all(|line| line.contains("farther along")), "{said}");
     bench
 }
 

@@ -49,7 +49,7 @@ fn a_unit_that_rounds_differently_is_refused_with_the_value() {
     let refusal = message(unit.program(&planned));
     // The lamp of head 2 at 200.5 us is the first that the unit cannot set.
     assert!(refusal.contains(":PULSE3:DEL 0.00020050000"), "{refusal}");
-    assert!(refusal.contains("\"0.00020100000\" is read back"), "{refusal}");
+    assert!(refusal.contains("reads back \"0.00020100000\""), "{refusal}");
     assert!(message(unit.fire(1)).contains("no schedule is programmed"));
     assert_eq!(unit.state().unwrap(), SynchroniserState::Safe);
 }

@@ -146,7 +146,7 @@ fn makes_safe(unit: &mut dyn Synchroniser, bench: &Bench, reached: &mut Reached)
 /// It says what was sent and what came of it.
 fn assert_is_clear(error: &DeviceError) {
     let words = error.to_string();
-    let reason = ["no reply to", "was answered ?", "is read back", "not confirmed", "is gone"];
+    let reason = ["no reply to", "was answered ?", "reads back", "not confirmed", "is lost"];
     let unknown_unit = words.contains("a BNC 575 or 577 or a Quantum Composers");
     assert!(unknown_unit || reason.iter().any(|reason| words.contains(reason)), "{words}");
     if matches!(error, DeviceError::Lost { .. }) {
