@@ -5,7 +5,7 @@ use clap::Command;
 /// Command, and lines that do something with it, each with a word on what.
 type Example = (&'static str, &'static str);
 
-const EXAMPLES: [(&str, &[Example]); 19] = [
+const EXAMPLES: [(&str, &[Example]); 20] = [
     (
         "init",
         &[
