@@ -27,7 +27,7 @@ use crate::{
 };
 
 /// Beyond the volume and the margin that is reconstructed, the maps hold for so much, in mm.
-const BEYOND_MM: f64 = 1.0;
+const BEYOND_MM: f64 = 0.5;
 
 /// Arguments of `lfpiv calibrate volume`.
 #[derive(Debug, clap::Args)]
