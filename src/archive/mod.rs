@@ -4,7 +4,7 @@
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
 //! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files);
 //!   [`merge_segments`] makes few files of many segments.
-//! - [`RunResults`]: the same, read back.
+//! - [`RunResults`]: results of a finished run, read back as they were measured.
 //! - [`StoredShots`]: the vectors of a run, shot by shot; [`write_csv`], [`write_tecplot`], [`Hdf5File`] put
 //!   them into the formats of other programs.
 //! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
@@ -34,6 +34,7 @@ mod shot_time;
 mod statistics_file;
 mod store;
 mod stored;
+mod stored_record;
 mod stored_shots;
 #[cfg(test)]
 mod test_data;

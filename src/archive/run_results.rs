@@ -1,28 +1,25 @@
 //! The results of a run that is over, read back as they were measured.
 
-use std::{
-    collections::BTreeMap,
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 use lfpiv_core::{
     model::ModelChoice,
     reconstruction::{CameraFit, FitVerdict, ModelFit},
-    velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
+    velocimetry::{PairResult, StageSeconds, VelocityField},
 };
 
 use super::{
     ArchiveError, RawLevel, ShotResult, ShotTime,
     netcdf_file::FILL_F64,
     netcdf_open::open,
-    stored::{records_of, segments},
+    stored::missing,
+    stored_record::{RecordPlace, StoredRecord, places_in_segments},
 };
 
-/// Where the results of a run are. A shot that is there twice, after a merge that was cut off, counts once.
+/// Where the results of a run are.
 #[derive(Debug, Clone, Default)]
 pub struct RunResults {
-    places: BTreeMap<u64, (PathBuf, usize)>,
+    places: BTreeMap<u64, RecordPlace>,
     voxel_mm: f64,
 }
 
@@ -32,13 +29,7 @@ impl RunResults {
     /// # Errors
     /// The folder or a segment cannot be read.
     pub fn find(folder: &Path, voxel_mm: f64) -> Result<Self, ArchiveError> {
-        let mut places = BTreeMap::new();
-        for path in segments(folder, ".nc")? {
-            for (record, shot) in records_of(&path)?.into_iter().enumerate() {
-                let Ok(shot) = u64::try_from(shot) else { continue };
-                places.entry(shot).or_insert_with(|| (path.clone(), record));
-            }
-        }
+        let places = places_in_segments(folder)?;
         Ok(Self { places, voxel_mm })
     }
 
@@ -63,157 +54,112 @@ impl RunResults {
     /// # Errors
     /// Its segment cannot be read.
     pub fn read(&self, shot: u64) -> Result<Option<ShotResult>, ArchiveError> {
-        let Some((path, record)) = self.places.get(&shot) else { return Ok(None) };
-        let read = || Record { file: open(path)?, number: *record }.result(self.voxel_mm);
+        let Some(RecordPlace { path, record }) = self.places.get(&shot) else { return Ok(None) };
+        let read =
+            || result_of(StoredRecord { file: &open(path)?, record: *record }, self.voxel_mm);
         read().map(Some).map_err(ArchiveError::unreadable_results(path))
     }
 }
 
-/// A record of a segment.
-struct Record {
-    file: netcdf::File,
-    number: usize,
+fn result_of(record: StoredRecord<'_>, voxel_mm: f64) -> netcdf::Result<ShotResult> {
+    let seconds = |name: &str| -> netcdf::Result<f64> { Ok(record.number(name)?.unwrap_or(0.0)) };
+    let measured = PairResult {
+        field: field_of(record, voxel_mm)?,
+        seconds: StageSeconds {
+            decode_s: seconds("decode_seconds")?,
+            reconstruct_s: seconds("reconstruct_seconds")?,
+            correlate_s: seconds("correlate_seconds")?,
+            judge_s: seconds("judge_seconds")?,
+        },
+        warnings: Vec::new(),
+        model: Arc::new(model_of(record)?),
+        fit: fit_of(record)?,
+        light: None,
+    };
+    Ok(ShotResult { measured, time: time_of(record)?, raw: raw_level_of(record)? })
 }
 
-impl Record {
-    fn result(&self, voxel_mm: f64) -> netcdf::Result<ShotResult> {
-        let field = self.field(voxel_mm)?;
-        let seconds =
-            |name: &str| -> netcdf::Result<f64> { Ok(self.number_of(name)?.unwrap_or(0.0)) };
-        let measured = PairResult {
-            field,
-            seconds: StageSeconds {
-                decode_s: seconds("decode_seconds")?,
-                reconstruct_s: seconds("reconstruct_seconds")?,
-                correlate_s: seconds("correlate_seconds")?,
-                judge_s: seconds("judge_seconds")?,
-            },
-            warnings: Vec::new(),
-            model: Arc::new(self.model()?),
-            fit: self.fit()?,
-            light: None,
-        };
-        Ok(ShotResult { measured, time: self.time()?, raw: self.raw()? })
-    }
+fn field_of(record: StoredRecord<'_>, voxel_mm: f64) -> netcdf::Result<VelocityField> {
+    let dt_s = record.number("dt")?.ok_or_else(|| missing("dt"))?;
+    let voxels_per_m_s = dt_s / (voxel_mm * 1e-3);
+    let triples = |names: [&str; 3], factor: f64| -> netcdf::Result<Vec<[f32; 3]>> {
+        let stored = record.triples(names)?.into_iter();
+        Ok(stored.map(|triple| triple.map(|value| scaled(value, factor))).collect())
+    };
+    let divergence = record.vectors("divergence")?;
+    Ok(VelocityField {
+        grid: record.grid()?,
+        displacement_vox: triples(["u", "v", "w"], voxels_per_m_s)?,
+        uncertainty_vox: triples(
+            ["u_uncertainty", "v_uncertainty", "w_uncertainty"],
+            voxels_per_m_s,
+        )?,
+        status: record.status()?,
+        peak_ratio: record.vectors("peak_ratio")?,
+        has_gradient: divergence.iter().map(|d| !d.is_nan()).collect(),
+        vorticity: triples(["vorticity_x", "vorticity_y", "vorticity_z"], dt_s)?,
+        divergence: divergence.into_iter().map(|d| scaled(d, dt_s)).collect(),
+        voxel_mm,
+        dt_s,
+    })
+}
 
-    fn field(&self, voxel_mm: f64) -> netcdf::Result<VelocityField> {
-        let dt_s = self.number_of("dt")?.ok_or_else(|| missing("dt"))?;
-        let per_voxel = voxel_mm * 1e-3 / dt_s;
-        let (valid, replaced) = (self.vectors("valid")?, self.vectors("replaced")?);
-        let status = valid.iter().zip(&replaced).map(|flags| match flags {
-            (1.0, _) => VectorStatus::Valid,
-            (_, 1.0) => VectorStatus::Replaced,
-            _ => VectorStatus::Invalid,
-        });
-        let divergence = self.vectors("divergence")?;
-        let vorticity = self.triples(["vorticity_x", "vorticity_y", "vorticity_z"], dt_s)?;
-        Ok(VelocityField {
-            grid: self.grid()?,
-            displacement_vox: self.triples(["u", "v", "w"], 1.0 / per_voxel)?,
-            uncertainty_vox: self
-                .triples(["u_uncertainty", "v_uncertainty", "w_uncertainty"], 1.0 / per_voxel)?,
-            status: status.collect(),
-            peak_ratio: self.vectors("peak_ratio")?,
-            has_gradient: divergence.iter().map(|d| !d.is_nan()).collect(),
-            vorticity,
-            divergence: divergence.into_iter().map(|d| scaled(d, dt_s)).collect(),
-            voxel_mm,
-            dt_s,
-        })
-    }
+/// The default where an early version stored none, or where it cannot be understood.
+fn model_of(record: StoredRecord<'_>) -> netcdf::Result<ModelChoice> {
+    let Some(choice) = record.file.attribute("model_choice") else {
+        return Ok(ModelChoice::default());
+    };
+    let text = String::try_from(choice.value()?)?;
+    Ok(serde_json::from_str(&text).unwrap_or_default())
+}
 
-    /// A number per vector.
-    fn vectors(&self, name: &str) -> netcdf::Result<Vec<f32>> {
-        let variable = self.file.variable(name).ok_or_else(|| missing(name))?;
-        variable.get_values((self.number, .., .., ..))
-    }
+fn fit_of(record: StoredRecord<'_>) -> netcdf::Result<Option<ModelFit>> {
+    let Some(verdict) = record.number("model_fit")? else { return Ok(None) };
+    let known = |number: Option<f64>| number.filter(|number| !number.is_nan());
+    let per_camera = |name: &str| -> netcdf::Result<Vec<f64>> {
+        let variable = record.file.variable(name).ok_or_else(|| missing(name))?;
+        variable.get_values((record.record, ..))
+    };
+    let cameras = per_camera("unexplained_light")?.into_iter();
+    let cameras = cameras.zip(per_camera("micro_image_offset")?);
+    let camera = |(unexplained, offset)| CameraFit {
+        unexplained,
+        micro_image_offset_px: known(Some(offset)),
+    };
+    Ok(Some(ModelFit {
+        verdict: match verdict as i64 {
+            0 => FitVerdict::Good,
+            1 => FitVerdict::Doubtful,
+            _ => FitVerdict::Poor,
+        },
+        cameras: cameras.map(camera).collect(),
+        camera_agreement: known(record.number("camera_agreement")?),
+        camera_disparity_mm: known(record.number("camera_disparity")?),
+        valid_share: record.number("valid_share")?.unwrap_or(0.0),
+        causes: Vec::new(),
+    }))
+}
 
-    /// Three numbers per vector, times a factor.
-    fn triples(&self, names: [&str; 3], factor: f64) -> netcdf::Result<Vec<[f32; 3]>> {
-        let [x, y, z] = names.map(|name| self.vectors(name));
-        let (x, y, z) = (x?, y?, z?);
-        let triples = x.into_iter().zip(y).zip(z);
-        Ok(triples.map(|((x, y), z)| [x, y, z].map(|value| scaled(value, factor))).collect())
-    }
+fn time_of(record: StoredRecord<'_>) -> netcdf::Result<Option<ShotTime>> {
+    let known = |number: Option<f64>| number.filter(|number| *number < FILL_F64);
+    let Some(utc_s) = known(record.number("time")?) else { return Ok(None) };
+    let uncertainty_s = known(record.number("time_uncertainty")?).unwrap_or(0.0);
+    let clock_synchronised = record.number("time_clock")? == Some(1.0);
+    Ok(Some(ShotTime {
+        utc_ns: (utc_s * 1e9).round() as i64,
+        uncertainty_ns: (uncertainty_s * 1e9).round() as u64,
+        clock_synchronised,
+    }))
+}
 
-    /// A number of the record, or, where it is the same for all of a segment, of that; `None` where it is not
-    /// stored.
-    fn number_of(&self, name: &str) -> netcdf::Result<Option<f64>> {
-        let Some(variable) = self.file.variable(name) else { return Ok(None) };
-        let numbers = variable.get_values::<f64, _>(..)?;
-        Ok(numbers.get(if variable.dimensions().is_empty() { 0 } else { self.number }).copied())
-    }
-
-    fn grid(&self) -> netcdf::Result<VectorGrid> {
-        let axis = |name: &str| -> netcdf::Result<Vec<f64>> {
-            self.file.variable(name).ok_or_else(|| missing(name))?.get_values(..)
-        };
-        let axes = [axis("x")?, axis("y")?, axis("z")?];
-        let spacing = axes.iter().find(|axis| axis.len() > 1).map(|axis| axis[1] - axis[0]);
-        Ok(VectorGrid {
-            vectors: axes.each_ref().map(Vec::len),
-            first_mm: axes.each_ref().map(|axis| axis.first().copied().unwrap_or_default()),
-            spacing_mm: spacing.unwrap_or(1.0),
-        })
-    }
-
-    /// Early versions stored none, and what cannot be understood is none.
-    fn model(&self) -> netcdf::Result<ModelChoice> {
-        let Some(choice) = self.file.attribute("model_choice") else {
-            return Ok(ModelChoice::default());
-        };
-        let text = String::try_from(choice.value()?)?;
-        Ok(serde_json::from_str(&text).unwrap_or_default())
-    }
-
-    fn fit(&self) -> netcdf::Result<Option<ModelFit>> {
-        let Some(verdict) = self.number_of("model_fit")? else { return Ok(None) };
-        let known = |number: Option<f64>| number.filter(|number| !number.is_nan());
-        let per_camera = |name: &str| -> netcdf::Result<Vec<f64>> {
-            let variable = self.file.variable(name).ok_or_else(|| missing(name))?;
-            variable.get_values((self.number, ..))
-        };
-        let cameras = per_camera("unexplained_light")?.into_iter();
-        let cameras = cameras.zip(per_camera("micro_image_offset")?);
-        let camera = |(unexplained, offset)| CameraFit {
-            unexplained,
-            micro_image_offset_px: known(Some(offset)),
-        };
-        Ok(Some(ModelFit {
-            verdict: match verdict as i64 {
-                0 => FitVerdict::Good,
-                1 => FitVerdict::Doubtful,
-                _ => FitVerdict::Poor,
-            },
-            cameras: cameras.map(camera).collect(),
-            camera_agreement: known(self.number_of("camera_agreement")?),
-            camera_disparity_mm: known(self.number_of("camera_disparity")?),
-            valid_share: self.number_of("valid_share")?.unwrap_or(0.0),
-            causes: Vec::new(),
-        }))
-    }
-
-    fn time(&self) -> netcdf::Result<Option<ShotTime>> {
-        let known = |number: Option<f64>| number.filter(|number| *number < FILL_F64);
-        let Some(utc_s) = known(self.number_of("time")?) else { return Ok(None) };
-        let uncertainty_s = known(self.number_of("time_uncertainty")?).unwrap_or(0.0);
-        let clock_synchronised = self.number_of("time_clock")? == Some(1.0);
-        Ok(Some(ShotTime {
-            utc_ns: (utc_s * 1e9).round() as i64,
-            uncertainty_ns: (uncertainty_s * 1e9).round() as u64,
-            clock_synchronised,
-        }))
-    }
-
-    fn raw(&self) -> netcdf::Result<RawLevel> {
-        Ok(match self.number_of("raw_level")?.map(|level| level as i64) {
-            Some(1) => RawLevel::Lost,
-            Some(2) => RawLevel::Acquired,
-            Some(3) => RawLevel::Written,
-            Some(4) => RawLevel::Synced,
-            _ => RawLevel::NotKept,
-        })
-    }
+fn raw_level_of(record: StoredRecord<'_>) -> netcdf::Result<RawLevel> {
+    Ok(match record.number("raw_level")?.map(|level| level as i64) {
+        Some(1) => RawLevel::Lost,
+        Some(2) => RawLevel::Acquired,
+        Some(3) => RawLevel::Written,
+        Some(4) => RawLevel::Synced,
+        _ => RawLevel::NotKept,
+    })
 }
 
 /// Times a factor; zero where there is no value, as fields have it in memory.
@@ -221,12 +167,10 @@ fn scaled(value: f32, factor: f64) -> f32 {
     if value.is_nan() { 0.0 } else { (f64::from(value) * factor) as f32 }
 }
 
-fn missing(variable: &str) -> netcdf::Error {
-    netcdf::Error::NotFound(variable.to_owned())
-}
-
 #[cfg(test)]
 mod tests {
+    use lfpiv_core::velocimetry::VectorStatus;
+
     use super::*;
     use crate::archive::{ResultStore, test_data::result};
 

@@ -2,7 +2,7 @@
 
 use std::{
     collections::{BTreeMap, BTreeSet},
-    path::{Path, PathBuf},
+    path::Path,
 };
 
 use lfpiv_core::velocimetry::{VectorGrid, VectorStatus};
@@ -12,7 +12,8 @@ use super::{
     netcdf_file::FILL_F64,
     netcdf_open::open,
     pair_results::pair_results,
-    stored::{missing, records_of, segments, stored_configuration},
+    stored::{missing, records_of, stored_configuration},
+    stored_record::{RecordPlace, StoredRecord, places_in_segments},
 };
 
 /// A stored result, in SI units but for places. Every array is in the order z, y, x (x fastest); what a
@@ -46,13 +47,7 @@ pub struct StoredShot {
 #[derive(Debug)]
 pub struct StoredShots {
     /// Where each shot is.
-    places: BTreeMap<u64, Place>,
-}
-
-#[derive(Debug, Clone)]
-struct Place {
-    path: PathBuf,
-    record: usize,
+    places: BTreeMap<u64, RecordPlace>,
 }
 
 impl StoredShots {
@@ -61,21 +56,14 @@ impl StoredShots {
     /// # Errors
     /// The folder or a file cannot be read.
     pub fn find(folder: &Path) -> Result<Self, ArchiveError> {
-        let files = segments(folder, ".nc")?;
-        if !files.is_empty() {
-            let mut places = BTreeMap::new();
-            for path in files {
-                for (record, shot) in records_of(&path)?.into_iter().enumerate() {
-                    let Ok(shot) = u64::try_from(shot) else { continue };
-                    places.entry(shot).or_insert_with(|| Place { path: path.clone(), record });
-                }
-            }
+        let places = places_in_segments(folder)?;
+        if !places.is_empty() {
             return Ok(Self { places });
         }
         let (mut numbered, mut places) = (BTreeMap::new(), Vec::new());
         for path in pair_results(folder)? {
             for shot in records_of(&path)?.into_iter().filter_map(|shot| u64::try_from(shot).ok()) {
-                let place = Place { path: path.clone(), record: 0 };
+                let place = RecordPlace { path: path.clone(), record: 0 };
                 numbered.insert(shot, place.clone());
                 places.push(place);
             }
@@ -132,7 +120,7 @@ impl StoredShots {
         mut take: impl FnMut(StoredShot) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut last: Option<(&Path, netcdf::File)> = None;
-        for (shot, Place { path, record }) in &self.places {
+        for (shot, RecordPlace { path, record }) in &self.places {
             let unreadable = ArchiveError::unreadable_results(path);
             let file = match last.take().filter(|(open, _)| *open == path) {
                 Some((_, file)) => file,
@@ -141,8 +129,8 @@ impl StoredShots {
                     Err(reason) => return Err(unreadable(reason).into()),
                 },
             };
-            let read =
-                read(&file, *shot, *record).map_err(ArchiveError::unreadable_results(path))?;
+            let read = read(StoredRecord { file: &file, record: *record }, *shot)
+                .map_err(ArchiveError::unreadable_results(path))?;
             last = Some((path, file));
             take(read)?;
         }
@@ -150,24 +138,8 @@ impl StoredShots {
     }
 }
 
-fn read(file: &netcdf::File, shot: u64, record: usize) -> netcdf::Result<StoredShot> {
-    let grid = grid_of(file)?;
-    let vectors = |name: &str| -> netcdf::Result<Vec<f32>> {
-        let variable = file.variable(name).ok_or_else(|| missing(name))?;
-        variable.get_values((record, .., .., ..))
-    };
-    let triples = |names: [&str; 3]| -> netcdf::Result<Vec<[f32; 3]>> {
-        let [x, y, z] = names.map(vectors);
-        let (x, y, z) = (x?, y?, z?);
-        Ok((0..x.len()).map(|i| [x[i], y[i], z[i]]).collect())
-    };
-    let (valid, replaced) = (vectors("valid")?, vectors("replaced")?);
-    let status = valid.iter().zip(&replaced).map(|flags| match flags {
-        (1.0, _) => VectorStatus::Valid,
-        (_, 1.0) => VectorStatus::Replaced,
-        _ => VectorStatus::Invalid,
-    });
-    let status: Vec<VectorStatus> = status.collect();
+fn read(record: StoredRecord<'_>, shot: u64) -> netcdf::Result<StoredShot> {
+    let status = record.status()?;
     // The first files had zeros where there is no vector.
     let or_nan = |mut values: Vec<[f32; 3]>| {
         for (value, status) in values.iter_mut().zip(&status) {
@@ -179,37 +151,19 @@ fn read(file: &netcdf::File, shot: u64, record: usize) -> netcdf::Result<StoredS
     };
     Ok(StoredShot {
         shot,
-        time_s: number(file, "time", record)?.filter(|time_s| *time_s < FILL_F64),
-        dt_s: number(file, "dt", record)?.ok_or_else(|| missing("dt"))?,
-        grid,
-        velocity_m_s: or_nan(triples(["u", "v", "w"])?),
-        uncertainty_m_s: or_nan(triples(["u_uncertainty", "v_uncertainty", "w_uncertainty"])?),
-        peak_ratio: vectors("peak_ratio")?,
-        vorticity_per_s: triples(["vorticity_x", "vorticity_y", "vorticity_z"])?,
-        divergence_per_s: vectors("divergence")?,
+        time_s: record.number("time")?.filter(|time_s| *time_s < FILL_F64),
+        dt_s: record.number("dt")?.ok_or_else(|| missing("dt"))?,
+        grid: record.grid()?,
+        velocity_m_s: or_nan(record.triples(["u", "v", "w"])?),
+        uncertainty_m_s: or_nan(record.triples([
+            "u_uncertainty",
+            "v_uncertainty",
+            "w_uncertainty",
+        ])?),
+        peak_ratio: record.vectors("peak_ratio")?,
+        vorticity_per_s: record.triples(["vorticity_x", "vorticity_y", "vorticity_z"])?,
+        divergence_per_s: record.vectors("divergence")?,
         status,
-    })
-}
-
-/// A number of a shot, or, in files of earlier versions, of all of them; none where it is not in the file.
-fn number(file: &netcdf::File, name: &str, record: usize) -> netcdf::Result<Option<f64>> {
-    let Some(variable) = file.variable(name) else { return Ok(None) };
-    let numbers = variable.get_values::<f64, _>(..)?;
-    Ok(numbers.get(if variable.dimensions().is_empty() { 0 } else { record }).copied())
-}
-
-fn grid_of(file: &netcdf::File) -> netcdf::Result<VectorGrid> {
-    let axis = |name: &str| -> netcdf::Result<Vec<f64>> {
-        file.variable(name).ok_or_else(|| missing(name))?.get_values(..)
-    };
-    let axes = [axis("x")?, axis("y")?, axis("z")?];
-    let spacings = axes.iter().filter(|axis| axis.len() > 1);
-    let spacing_mm =
-        spacings.map(|axis| (axis[axis.len() - 1] - axis[0]) / (axis.len() - 1) as f64);
-    Ok(VectorGrid {
-        vectors: [0, 1, 2].map(|a| axes[a].len()),
-        first_mm: [0, 1, 2].map(|a| axes[a].first().copied().unwrap_or_default()),
-        spacing_mm: spacing_mm.into_iter().next().unwrap_or(1.0),
     })
 }
 

@@ -1,0 +1,94 @@
+//! A shot's record in a NetCDF file of results, variable by variable.
+
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+};
+
+use lfpiv_core::velocimetry::{VectorGrid, VectorStatus};
+
+use super::{
+    ArchiveError,
+    stored::{missing, records_of, segments},
+};
+
+/// Where the record of a shot is.
+#[derive(Debug, Clone)]
+pub(super) struct RecordPlace {
+    pub(super) path: PathBuf,
+    pub(super) record: usize,
+}
+
+/// The records of a run's sealed segments, by shot. A shot that is there twice, after a merge that was cut
+/// off, counts once.
+///
+/// # Errors
+/// The folder or a segment cannot be read.
+pub(super) fn places_in_segments(
+    folder: &Path,
+) -> Result<BTreeMap<u64, RecordPlace>, ArchiveError> {
+    let mut places = BTreeMap::new();
+    for path in segments(folder, ".nc")? {
+        for (record, shot) in records_of(&path)?.into_iter().enumerate() {
+            let Ok(shot) = u64::try_from(shot) else { continue };
+            places.entry(shot).or_insert_with(|| RecordPlace { path: path.clone(), record });
+        }
+    }
+    Ok(places)
+}
+
+/// A record of an open file.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StoredRecord<'a> {
+    pub(super) file: &'a netcdf::File,
+    pub(super) record: usize,
+}
+
+impl StoredRecord<'_> {
+    /// A number per vector.
+    pub(super) fn vectors(&self, name: &str) -> netcdf::Result<Vec<f32>> {
+        let variable = self.file.variable(name).ok_or_else(|| missing(name))?;
+        variable.get_values((self.record, .., .., ..))
+    }
+
+    /// Three numbers per vector.
+    pub(super) fn triples(&self, names: [&str; 3]) -> netcdf::Result<Vec<[f32; 3]>> {
+        let [x, y, z] = names.map(|name| self.vectors(name));
+        Ok(x?.into_iter().zip(y?).zip(z?).map(|((x, y), z)| [x, y, z]).collect())
+    }
+
+    /// What each vector is worth.
+    pub(super) fn status(&self) -> netcdf::Result<Vec<VectorStatus>> {
+        let (valid, replaced) = (self.vectors("valid")?, self.vectors("replaced")?);
+        let status = valid.iter().zip(&replaced).map(|flags| match flags {
+            (1.0, _) => VectorStatus::Valid,
+            (_, 1.0) => VectorStatus::Replaced,
+            _ => VectorStatus::Invalid,
+        });
+        Ok(status.collect())
+    }
+
+    /// A number of the shot, or, in files of earlier versions, of all shots; `None` where it is not in the
+    /// file.
+    pub(super) fn number(&self, name: &str) -> netcdf::Result<Option<f64>> {
+        let Some(variable) = self.file.variable(name) else { return Ok(None) };
+        let numbers = variable.get_values::<f64, _>(..)?;
+        Ok(numbers.get(if variable.dimensions().is_empty() { 0 } else { self.record }).copied())
+    }
+
+    /// Where the vectors are.
+    pub(super) fn grid(&self) -> netcdf::Result<VectorGrid> {
+        let axis = |name: &str| -> netcdf::Result<Vec<f64>> {
+            self.file.variable(name).ok_or_else(|| missing(name))?.get_values(..)
+        };
+        let axes = [axis("x")?, axis("y")?, axis("z")?];
+        let spacings = axes.iter().filter(|axis| axis.len() > 1);
+        let mut spacings =
+            spacings.map(|axis| (axis[axis.len() - 1] - axis[0]) / (axis.len() - 1) as f64);
+        Ok(VectorGrid {
+            vectors: axes.each_ref().map(Vec::len),
+            first_mm: axes.each_ref().map(|axis| axis.first().copied().unwrap_or_default()),
+            spacing_mm: spacings.next().unwrap_or(1.0),
+        })
+    }
+}
