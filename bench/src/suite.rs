@@ -82,7 +82,7 @@ pub struct Case {
     /// ([`Measure::Velocity`]).
     #[serde(default)]
     pub sweep: Option<Sweep>,
-    /// What the reconstruction is told of the cameras beyond the drawing.
+    /// How the cameras are calibrated for the reconstruction.
     #[serde(default)]
     pub calibration: Calibration,
     /// The card of calibrations by command, relative to the suite's folder.
@@ -117,7 +117,7 @@ pub struct Sweep {
     pub directions: Vec<[[f64; 3]; 2]>,
 }
 
-/// What a reconstruction is told of the cameras beyond the drawing.
+/// Calibration of the cameras that a reconstruction is given.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Calibration {

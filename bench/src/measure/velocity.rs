@@ -63,7 +63,7 @@ pub(super) fn measure(
     Ok(())
 }
 
-/// What the reconstruction is told of the cameras.
+/// The calibrations that the reconstruction is given.
 pub(super) fn calibrations(
     setting: &Setting,
     surroundings: &Surroundings,

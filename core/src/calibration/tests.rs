@@ -150,7 +150,7 @@ impl Scene {
     }
 }
 
-/// Found, with no doubts, to 0.02 px, and both estimators say the same.
+/// Found without warnings to 0.02 px, and both estimators say the same.
 fn assert_found(scene: &Scene, seed: u64) -> GridCalibration {
     let found = scene.calibrated(seed);
     let worst = scene.worst_px(&found.grid);

@@ -1,10 +1,10 @@
-//! What a calibration doubts about itself.
+//! Warnings of a grid calibration.
 
 use thiserror::Error;
 
 use super::Agreement;
 
-/// A doubt about a grid, with what to do about it.
+/// What makes a grid doubtful, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GridWarning {
     /// The estimators' grids differ.

@@ -3,7 +3,7 @@
 //!
 //! [`Ensemble`] takes shots one at a time, in any order, and keeps moments, no shots. Two ensembles of the same
 //! places can be put together. [`Ensemble::estimates`] gives the statistics of each place with intervals that
-//! hold the scatter of the flow and that of the measurement, told apart; [`Ensemble::convergence`] says how
+//! hold the scatter of the flow and, apart from it, that of the measurement; [`Ensemble::convergence`] says how
 //! they settle; [`Ensemble::correlations`] and [`Correlation::spectrum`] look along the lattice's axes.
 //!
 //! Velocities are in m/s, lengths in mm, as in docs/theory.md, section 8, which has the formulas.

@@ -18,7 +18,7 @@ use crate::{
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct CardErrors {
-    /// Standard deviation of the card's true places beside the told ones, along each axis of the
+    /// Standard deviation of the card's true positions about the stated ones, along each axis of the
     /// world, in µm.
     #[garde(custom(finite), range(min = 0.0, max = 1000.0))]
     pub stage_um: f64,

@@ -119,9 +119,9 @@ fn tell(args: &GridArgs, page: &Path, found: &GridCalibration) -> anyhow::Result
     for warning in &found.warnings {
         print(&format!("warning: {warning}"))?;
     }
-    let doubts = match found.warnings.len() {
+    let warned = match found.warnings.len() {
         0 => String::new(),
-        doubts => format!(", with {}", count(doubts, "warning")),
+        warnings => format!(", with {}", count(warnings, "warning")),
     };
-    print(&format!("{} and {}{doubts}", args.out.display(), page.display()))
+    print(&format!("{} and {}{warned}", args.out.display(), page.display()))
 }

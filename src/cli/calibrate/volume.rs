@@ -264,12 +264,12 @@ fn tell(args: &VolumeArgs, page: &Path, found: &VolumeCalibration) -> anyhow::Re
     for warning in &found.warnings {
         print(&format!("warning: {warning}"))?;
     }
-    let doubts = match found.warnings.len() {
+    let warned = match found.warnings.len() {
         0 => String::new(),
-        doubts => format!(", with {}", count(doubts, "warning")),
+        warnings => format!(", with {}", count(warnings, "warning")),
     };
     print(&format!(
-        "{} and {}{doubts}; name the first in each [[camera]] table: calibration = \"{}\"",
+        "{} and {}{warned}; name the first in each [[camera]] table: calibration = \"{}\"",
         args.out.display(),
         page.display(),
         args.out.display()

@@ -81,7 +81,7 @@ fn summary(found: &VolumeCalibration, file: &VolumeFile) -> String {
             ),
         ),
         ("Condition number", format!("{:.2e}", found.condition_number)),
-        ("Card beside its told places, um", moved.join(" ")),
+        ("Card beside its stated positions, um", moved.join(" ")),
         ("SHA-256 of the calibration", file.sha256().to_owned()),
     ];
     let lines =

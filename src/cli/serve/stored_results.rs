@@ -45,7 +45,7 @@ impl StoredRun {
         self.results.shots().next_back()
     }
 
-    /// Puts the last results on a board, and a record of every other one. What cannot be read is told.
+    /// Puts the last results on a board, and a record of every other one. What cannot be read is logged.
     pub fn put_on(&self, board: &Board) {
         let first_kept = self.len().saturating_sub(RESULTS_IN_MEMORY);
         let first_listed = self.len().saturating_sub(LISTED);

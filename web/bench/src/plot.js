@@ -5,7 +5,7 @@ import uPlot from "uplot";
 import { h, themeColour } from "./dom.js";
 import { tickNumber } from "./words.js";
 
-/** Lines that are told apart by colour (Okabe and Ito 2008) and by dash. */
+/** Lines that differ by colour (Okabe and Ito 2008) and by dash. */
 const DASHES = [[], [8, 4], [2, 3]];
 
 function axis(label, ink, grid) {

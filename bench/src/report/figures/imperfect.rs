@@ -11,13 +11,13 @@ use crate::{
     },
 };
 
-/// A bench with faults that the reconstruction is not told of.
+/// A bench with faults that the reconstruction does not know.
 pub fn imperfect_bench(report: &Report) -> Option<Section> {
     let compared = beside_the_first(report, Figure::ImperfectBench)?;
     Some(Section {
         id: "imperfect",
         title: "A bench that is not as drawn",
-        caption: "Images of a bench with faults that the reconstruction is not told of, alone and \
+        caption: "Images of a bench with faults that the reconstruction does not know, alone and \
                   together: bench/report.toml says what each case has. Errors are means of |error| \
                   over all vectors, valid or not; in brackets, over those of the bench as drawn. \
                   Coverage is of valid vectors: 68 and 95 % lie within the stated intervals where \
@@ -28,7 +28,7 @@ pub fn imperfect_bench(report: &Report) -> Option<Section> {
     })
 }
 
-/// The bench of config/imperfect.toml with what a reconstruction is told of it.
+/// The bench of config/imperfect.toml, by the calibration that the reconstruction is given.
 pub fn calibration(report: &Report) -> Option<Section> {
     let compared = beside_the_first(report, Figure::Calibration)?;
     Some(Section {

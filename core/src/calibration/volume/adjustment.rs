@@ -48,7 +48,7 @@ pub(super) struct Bench<'a> {
     pub(super) walls: &'a [Wall],
     pub(super) card: &'a Card,
     pub(super) origins_mm: &'a [Point3<f64>],
-    /// Standard deviation of the card's true places beside those told, along each axis, in mm; zero
+    /// Standard deviation of the card's true positions about the stated ones, along each axis, in mm; zero
     /// takes them as they are.
     pub(super) stage_deviation_mm: f64,
     /// Standard deviations of a mark's place, in mm, and of its slopes.

@@ -7,8 +7,8 @@ use rayon::prelude::*;
 use super::{
     CalibratedCamera, HeldOut, VolumeError, VolumeInput, VolumeWarning,
     adjustment::{Adjusted, Bench, Sighting, first_deviations},
+    checks,
     coarse_shift::coarse_shifts,
-    doubts::doubts,
     held_out::held_out,
     mark_fit::{MarkSearch, SeenMark},
     parameters::CameraParameters,
@@ -76,7 +76,7 @@ pub fn calibrate_volume(input: &VolumeInput<'_>) -> Result<VolumeCalibration, Vo
     let cameras: Vec<CalibratedCamera> = (0..input.poses.len())
         .map(|camera| CalibratedCamera::of(input, &bench, &sightings, &adjusted, camera))
         .collect::<Result<_, _>>()?;
-    warnings.extend(doubts(input, &sightings, &adjusted, &held_out));
+    warnings.extend(checks::warnings(input, &sightings, &adjusted, &held_out));
     Ok(VolumeCalibration {
         cameras,
         held_out,

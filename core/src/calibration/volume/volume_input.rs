@@ -24,7 +24,7 @@ pub struct VolumeInput<'a> {
     pub card: &'a CalibrationCard,
     /// The card's light, by position and then by camera.
     pub light: &'a [Vec<CardLight<'a>>],
-    /// Standard deviation of the card's true places beside those told, along each axis, in mm; zero takes
+    /// Standard deviation of the card's true positions about the stated ones, along each axis, in mm; zero takes
     /// them as they are.
     pub stage_deviation_mm: f64,
     /// Middle and half the edges of the box that the maps must hold in, in mm.

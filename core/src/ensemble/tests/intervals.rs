@@ -37,7 +37,7 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
-/// What the measurement adds is told from what the flow has. On average over many places: one jackknife of 23
+/// The scatter of the measurement is separated from that of the flow. On average over many places: one jackknife of 23
 /// groups is itself uncertain by a third.
 #[test]
 fn the_parts_of_flow_and_measurement_are_told_apart() {

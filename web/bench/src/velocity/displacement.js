@@ -3,7 +3,7 @@
 
 import { VALID, quantile } from "./field.js";
 
-/** Below this spread, in voxels, locking cannot be told from a flow that is nearly uniform. */
+/** Below this spread, in voxels, peak locking cannot be distinguished from a flow that is nearly uniform. */
 const LEAST_SPREAD = 0.35;
 /** Fewer vectors than this do not tell, either: they scatter by themselves. */
 const LEAST_VECTORS = 300;
@@ -60,7 +60,7 @@ export function lockingWords(field) {
   const found = ["x", "y", "z"].map((name, axis) => [name, locking(validDisplacements(field, axis))]);
   const known = found.filter(([, degree]) => degree !== null);
   if (known.length === 0) {
-    return { text: "Peak locking cannot be told: too few vectors, or displacements spread over less than a voxel.", tone: null };
+    return { text: "Peak locking cannot be judged: too few vectors, or displacements spread over less than a voxel.", tone: null };
   }
   const locked = known.filter(([, degree]) => degree > LOCKED).map(([name]) => name);
   const degrees = known.map(([name, degree]) => `${name} ${degree.toFixed(2)}`).join(", ");

@@ -31,7 +31,7 @@ struct Trial {
     flaws: CameraFlaws,
     shifts_mm: [[f64; 3]; 2],
     card: Card,
-    /// How far the card is from its told places.
+    /// How far the card is from its stated positions.
     stage_mm: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What a calibration of the volume finds doubtful in itself.
+//! Checks of a finished calibration: what its user should be warned of.
 
 use lfpiv_hw::CameraName;
 use nalgebra::Point3;
@@ -12,8 +12,8 @@ use super::{
 /// Held-out marks of a flat card on a good stage, in microlenses.
 const USUAL_HELD_OUT: f64 = 0.05;
 
-/// What the calibration cannot vouch for.
-pub(super) fn doubts(
+/// Warnings of a calibration whose residuals, parameters or covered volume are unusual.
+pub(super) fn warnings(
     input: &VolumeInput<'_>,
     sightings: &[Sighting],
     adjusted: &Adjusted,
