@@ -14,7 +14,7 @@ use crate::{
     velocimetry::{PointCloud, Predictor, VelocityField, particles},
 };
 
-/// How the cameras image points of `volume`, before the images said how wide points are.
+/// How the cameras image points of `volume`, with the blur that the fit starts from.
 ///
 /// # Errors
 /// A camera does not see the volume, or its array is not square.
@@ -32,7 +32,7 @@ pub(super) fn point_cameras(
     cameras.iter().enumerate().map(camera).collect()
 }
 
-/// What is known of a pair before its particles are placed.
+/// A pair after correlation, before its particles are placed.
 pub(super) struct Found<'a> {
     pub cameras: &'a [PointCamera],
     pub correction: &'a Correction<'a>,
@@ -45,7 +45,7 @@ pub(super) struct Found<'a> {
 }
 
 impl Found<'_> {
-    /// The particles: candidates are the knots of light of the volumes.
+    /// The particles: candidates are the local maxima of light in the volumes.
     pub fn place(&self, pair: &ImagePair) -> PlacedParticles {
         let predictor = Predictor::new(self.field);
         let flow = |at_mm: [f64; 3]| predictor.displacement_mm(at_mm);

@@ -1,4 +1,5 @@
-//! Damped Gauss–Newton for many particles at once: each is stepped by itself against the common residual.
+//! Damped Gauss–Newton for many particles at once: block-diagonal, every particle steps against the common
+//! residual images.
 
 use rayon::prelude::*;
 
@@ -31,12 +32,12 @@ impl FrameFit {
         self.steps_mm.resize(self.particles.len(), f64::INFINITY);
     }
 
-    /// Has pixels believed no further than to this relative error of the model.
-    pub fn believe(&mut self, misfit: f32) {
+    /// Sets the relative error of the model, which bounds the weight of bright pixels.
+    pub fn set_model_error(&mut self, misfit: f32) {
         self.images.iter_mut().for_each(|image| image.noise.misfit = misfit);
     }
 
-    /// Makes the model anew.
+    /// Renders the model of all particles from scratch.
     pub fn render(&mut self, cameras: &[PointCamera]) {
         let particles = &self.particles;
         self.images.par_iter_mut().zip(cameras).enumerate().for_each(|(c, (image, camera))| {
@@ -66,8 +67,8 @@ impl FrameFit {
             .collect()
     }
 
-    /// Covariance of the gradients of the numbered particles, by the residuals: in the place of the
-    /// matrix of [`Self::equations`].
+    /// Covariance of the gradients of the numbered particles, estimated from the residuals. It takes the
+    /// place of the matrix of [`Self::equations`].
     pub fn gradient_covariances(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
         let covariance = |footprint: &mut PointFootprint, &n: &usize| {
             let particle = &self.particles[n];
@@ -83,7 +84,7 @@ impl FrameFit {
     }
 
     /// The normal equations of a particle that is not in the model.
-    pub fn alone(
+    pub fn equations_of_new(
         &self,
         cameras: &[PointCamera],
         particle: &Particle,
@@ -134,7 +135,7 @@ impl FrameFit {
         }
     }
 
-    /// Puts the numbered particles into the model in the place of what they were `before`.
+    /// Replaces the image of the numbered particles, as they were `before`, by their present one.
     fn exchange(&mut self, cameras: &[PointCamera], before: &[Particle], of: &[usize]) {
         let particles = &self.particles;
         self.images.par_iter_mut().zip(cameras).enumerate().for_each(|(c, (image, camera))| {

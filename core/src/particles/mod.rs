@@ -1,14 +1,13 @@
 //! Particles placed in the images.
 //!
-//! A reconstructed volume knows a particle to a voxel's tenth, the images far better. Candidates come
-//! from the light of the volume; each is fitted, place and light, to the pixels of all cameras
-//! with the exact footprint of a point ([`crate::model::PointCamera`]), all against common
-//! residual images (`fit`): iterative particle reconstruction (Wieneke, Measurement Science and Technology 24, 2013; Jahn,
-//! Schanz and Schröder, Experiments in Fluids 62, 2021) for light fields. Both frames support each
-//! other (`partners`; two pulses: Novara, Schanz and Schröder, 2023): where they do not agree, each gets
-//! what the other has, and particles start again from several places (`restart`). How wide points are
-//! (`blur`), how bright in which camera (`select`), and how far pixels can be believed (`noise`), the images
-//! say.
+//! The light of a reconstructed volume gives a particle's position to a tenth of a voxel, the images far
+//! better. Candidates come from the light of the volume. Position and light of each are fitted to the pixels
+//! of all cameras with the exact footprint of a point ([`crate::model::PointCamera`]), all against common
+//! residual images (`fit`): iterative particle reconstruction (Wieneke, Measurement Science and Technology
+//! 24, 2013; Jahn, Schanz and Schröder, Experiments in Fluids 62, 2021) for light fields. Both frames support
+//! each other (`partners`; two pulses: Novara, Schanz and Schröder, 2023): a particle without a partner is
+//! proposed to the other frame, and starts again from several positions (`restart`). Blur (`blur`), the
+//! cameras' shares of the light (`select`) and pixel noise (`noise`) are estimated from the images.
 
 mod blur;
 mod fit;

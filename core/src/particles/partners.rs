@@ -7,11 +7,11 @@ use super::{
     normal::{CAMERAS, LightPrior, Particle},
 };
 
-/// Share of its partner's light that a particle starts with where the frame has none of its own: what is right
-/// grows.
+/// Share of its partner's light that a proposed particle starts with where the frame has none of its own.
+/// The fit increases the light of a true one.
 const STARTING_SHARE: f64 = 0.3;
 
-/// The particles of both frames in the middle of the pair, and who is whose.
+/// The particles of both frames at mid-pair, and which of them belong together.
 pub struct Partners {
     /// In voxels.
     pub middles: [Vec<[f32; 3]>; 2],
@@ -20,7 +20,7 @@ pub struct Partners {
 }
 
 impl Partners {
-    /// Each other's nearest in the middle of the pair, no further apart than `reach_vox`.
+    /// Mutual nearest neighbours at mid-pair, no further apart than `reach_vox`.
     pub fn new(frames: [&[Particle]; 2], flow: Flow<'_>, reach_vox: f64, voxel_mm: f64) -> Self {
         let middles = [0, 1].map(|frame| {
             let sign = [1.0, -1.0][frame];
@@ -62,8 +62,8 @@ fn mutual(middles: &[Vec<[f32; 3]>; 2], reach: f32) -> [Vec<Option<usize>>; 2] {
     [both(&a, &b), both(&b, &a)]
 }
 
-/// Proposes to each frame what the other has and it has not. A particle without a partner that is near to a
-/// proposal shares its light with it: the images decide which of both stays.
+/// Proposes particles without a partner to the other frame. A particle without a partner near a proposal
+/// shares its light with it: the fit decides which of the two remains.
 pub fn exchange(
     fits: &mut [FrameFit; 2],
     partners: &Partners,

@@ -1,4 +1,4 @@
-//! From candidates in both frames to particles that both frames and the flow agree on.
+//! The sequence of the fit: from candidates in both frames to pairs of particles that agree with the flow.
 
 use rayon::prelude::*;
 
@@ -17,7 +17,7 @@ use crate::{
     statistics::median,
 };
 
-/// What is known of a frame before its particles are.
+/// A frame before its particles are fitted.
 pub struct FrameStart {
     /// Per camera.
     pub images: Vec<ParticleImage>,
@@ -43,7 +43,7 @@ pub struct PlacedParticles {
     pub pairs: Vec<ParticlePair>,
     /// Seen in one only.
     pub unpaired: [Vec<Particle>; 2],
-    /// How wide points are in each camera.
+    /// Width of a point's image in each camera.
     pub blurs: Vec<PointBlur>,
     /// Typical light of a particle in each frame and camera, in counts.
     pub typical: [[f64; CAMERAS]; 2],
@@ -69,53 +69,53 @@ impl ParticlePair {
     }
 }
 
-/// Steps against images in which particles may still be missing or doubled ...
+/// Most steps before and after the first removal of faint and doubled particles.
 const FIRST_STEPS: usize = 5;
 const SECOND_STEPS: usize = 4;
-/// ... after an exchange between the frames, before and after faint ones go ...
+/// Most steps after an exchange between the frames, before and after the removal.
 const EXCHANGE_STEPS: [usize; 2] = [5, 3];
-/// ... and at last.
+/// Most steps of the last fit.
 const LAST_STEPS: usize = 4;
 
 /// Exchanges between the frames.
 const EXCHANGES: usize = 3;
 
-/// Exchanges before which the width of points is looked for anew.
+/// Exchanges before which the blur is estimated again.
 const BLUR_ROUNDS: usize = 2;
 
-/// Relative error of the model that pixels are believed with while particles are missing, by exchange.
-const MISFITS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.15, 0.15];
+/// Relative error of the model while particles are missing, by exchange.
+const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.15, 0.15];
 
-/// Least error that they are believed with at last: that of the footprint.
-const LEAST_MISFIT: f32 = 0.02;
+/// Least relative error of the model in the last fit: that of the footprint.
+const LEAST_MODEL_ERROR: f32 = 0.02;
 
 /// Least share of the typical light of a particle, at first and after an exchange.
 const LEAST_LIGHT: [f64; 2] = [0.15, 0.25];
 
-/// In voxels: particles nearer to each other are one.
+/// Particles nearer to each other than this are merged, in voxels.
 const ONE_VOX: f64 = 0.35;
 
-/// A particle that moves less in a step has settled.
-const SETTLED_VOX: f64 = 0.003;
+/// A particle whose step is shorter has converged, in voxels.
+const CONVERGED_VOX: f64 = 0.003;
 
-/// Partners that agree so well are left alone; at most this, and at least a few standard deviations of what the
-/// flow is known to.
+/// Partners that are nearer to each other than this are not started again, in voxels: a few standard
+/// deviations of the flow, within these bounds.
 const AGREE_VOX: [f64; 2] = [0.15, 0.5];
 const AGREE_DEVIATIONS: f64 = 3.0;
 
-/// How far partners are looked for when the flow is corrected.
+/// Largest distance of partners from which the flow is corrected, in voxels.
 const CORRECT_VOX: f64 = 1.0;
 
-/// How far a particle of one frame may be from where the other's is proposed for them to be rivals.
+/// A proposal this near to a particle without a partner competes with it, in voxels.
 const RIVAL_VOX: f64 = 1.0;
 
-/// Partners are no further apart than this at last.
+/// Largest distance of partners in the result, in voxels.
 const PAIR_VOX: f64 = 0.5;
 
 /// Starts beside a particle's place, along each axis.
 const STARTS_VOX: [f64; 6] = [-0.6, -0.3, -0.15, 0.15, 0.3, 0.6];
 
-/// How far from a particle the places that the other frame proposes are starts, too.
+/// Proposals of the other frame within this distance of a particle are starts as well, in voxels.
 const STARTS_REACH_VOX: f64 = 1.5;
 
 /// How a particle is stepped.
@@ -159,7 +159,7 @@ struct Placing {
     priors: [LightPrior; 2],
 }
 
-/// The flow, and what the particles known in both frames add to it.
+/// The flow with the correction by particles that both frames agree on.
 struct Corrected {
     correction: FlowCorrection,
     /// Partners that are nearer to each other agree, in voxels.
@@ -167,20 +167,20 @@ struct Corrected {
 }
 
 impl Placing {
-    /// First steps of all candidates; those that no light is left for go.
+    /// First steps of all candidates, and removal of those without light.
     fn begin(&self, fits: &mut [FrameFit; 2]) {
-        let settled_mm = SETTLED_VOX * self.voxel_mm;
+        let converged_mm = CONVERGED_VOX * self.voxel_mm;
         self.each(fits, |fit, prior| {
-            fit.believe(MISFITS[0]);
+            fit.set_model_error(MODEL_ERRORS[0]);
             fit.render(&self.cameras);
-            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, FIRST_STEPS));
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, FIRST_STEPS));
             fit.prune(&self.cameras, prior, (LEAST_LIGHT[0], ONE_VOX * self.voxel_mm));
-            fit.unsettle();
-            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, SECOND_STEPS));
+            fit.reactivate();
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, SECOND_STEPS));
         });
     }
 
-    /// Has both frames propose particles to each other, and those on which they do not agree start again.
+    /// Exchanges particles between the frames, fits them, and starts those again that have no partner.
     fn support(&mut self, fits: &mut [FrameFit; 2], flow: Flow<'_>, round: usize) {
         let corrected = self.corrected(fits, flow);
         let correction = corrected.correction.ready();
@@ -188,21 +188,21 @@ impl Placing {
         let partners = self.partners(fits, &flow, corrected.agree_vox);
         self.learn(fits, &partners, round);
         exchange(fits, &partners, &flow, &self.priors, (RIVAL_VOX, self.voxel_mm));
-        let settled_mm = SETTLED_VOX * self.voxel_mm;
-        let misfit = MISFITS[round + 1];
+        let converged_mm = CONVERGED_VOX * self.voxel_mm;
+        let misfit = MODEL_ERRORS[round + 1];
         self.each(fits, |fit, prior| {
-            fit.believe(misfit);
-            fit.unsettle();
+            fit.set_model_error(misfit);
+            fit.reactivate();
             fit.render(&self.cameras);
             let [before, after] = EXCHANGE_STEPS;
-            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, before));
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, before));
             fit.prune(&self.cameras, prior, (LEAST_LIGHT[1], ONE_VOX * self.voxel_mm));
-            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, after));
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, after));
         });
         self.restart(fits, &flow, corrected.agree_vox);
     }
 
-    /// What the particles on which both frames agree say of light and blur.
+    /// Estimates light and blur from the particles that both frames agree on.
     fn learn(&mut self, fits: &[FrameFit; 2], partners: &Partners, round: usize) {
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         for (frame, fit) in fits.iter().enumerate() {
@@ -221,7 +221,7 @@ impl Placing {
         }
     }
 
-    /// Starts those particles again that have no partner that agrees.
+    /// Starts particles without a partner again.
     fn restart(&self, fits: &mut [FrameFit; 2], flow: Flow<'_>, agree_vox: f64) {
         let partners = self.partners(fits, flow, agree_vox);
         let proposals = [0, 1].map(|frame: usize| -> Vec<[f64; 3]> {
@@ -259,16 +259,16 @@ impl Placing {
         rayon::join(|| restart(0, a), || restart(1, b));
     }
 
-    /// Last steps, with pixels believed as far as their noise allows, and the result.
+    /// Last steps, with pixels weighted by their estimated noise, and the result.
     fn finish(&self, fits: &mut [FrameFit; 2], flow: Flow<'_>) -> PlacedParticles {
-        let settled_mm = SETTLED_VOX * self.voxel_mm / 2.0;
+        let converged_mm = CONVERGED_VOX * self.voxel_mm / 2.0;
         self.each(fits, |fit, prior| {
             for image in &mut fit.images {
                 image.noise = image.noise_of_residual();
-                image.noise.misfit = image.noise.misfit.max(LEAST_MISFIT);
+                image.noise.misfit = image.noise.misfit.max(LEAST_MODEL_ERROR);
             }
-            fit.unsettle();
-            fit.settle(&self.cameras, prior, &self.rule, (settled_mm, LAST_STEPS));
+            fit.reactivate();
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, LAST_STEPS));
         });
         let corrected = self.corrected(fits, flow);
         let correction = corrected.correction.ready();
@@ -305,7 +305,7 @@ impl Placing {
         }
     }
 
-    /// The flow by those particles that are each other's nearest.
+    /// The flow corrected by mutual nearest neighbours.
     fn corrected(&self, fits: &[FrameFit; 2], flow: Flow<'_>) -> Corrected {
         let partners = self.partners(fits, flow, CORRECT_VOX);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
@@ -342,7 +342,7 @@ impl Placing {
         Partners::new(frames, flow, reach_vox, self.voxel_mm)
     }
 
-    /// Does something to both frames.
+    /// Applies `act` to both frames at once.
     fn each(&self, fits: &mut [FrameFit; 2], act: impl Fn(&mut FrameFit, &LightPrior) + Sync) {
         let [a, b] = fits;
         rayon::join(|| act(a, &self.priors[0]), || act(b, &self.priors[1]));

@@ -1,8 +1,8 @@
 //! Several starts for one particle: where its image fits best with all others as they are.
 //!
 //! Near a camera's focal plane the image of a particle is flat: all views show the same microlens, and
-//! nothing in this camera pulls a particle that was put beside its place along what the other
-//! camera sees as depth. What is left in the images then still says which of several places is better.
+//! no gradient of this camera moves a misplaced particle along what the other camera sees as
+//! depth. The residual still tells which of several starting positions is better.
 
 use super::{
     fit::FrameFit,
@@ -16,23 +16,23 @@ const STEPS: usize = 4;
 /// Starts that are followed.
 const FOLLOWED: usize = 3;
 
-/// A path is at its end when a step is shorter, in mm.
-const SETTLED_MM: f64 = 1e-4;
+/// A start has converged when a step is shorter than this, in mm.
+const CONVERGED_MM: f64 = 1e-4;
 
-/// How much lights that do not fit each other count against a place.
-const LIGHT_DOUBT: f64 = 0.02;
+/// Weight of a mismatch between the cameras' lights when places are compared.
+const LIGHT_MISMATCH_WEIGHT: f64 = 0.02;
 
-/// What a particle at a place would explain.
+/// How much of the residual a particle at a place would explain.
 #[derive(Debug, Clone, Copy)]
 struct Gain {
     particle: Particle,
-    /// Drop of the sum of squared residuals over their variances, less where lights do not fit each other.
+    /// Decrease of the weighted sum of squared residuals, reduced where the cameras' lights do not match.
     value: f64,
 }
 
 impl FrameFit {
-    /// Moves a particle to where it explains most: of `starts`, its own place and what is reached from
-    /// them.
+    /// Moves a particle to where it explains most of the residual. `starts` and its own position are tried,
+    /// and the best of them are followed by a few steps.
     pub fn restart(
         &mut self,
         cameras: &[PointCamera],
@@ -56,10 +56,10 @@ impl FrameFit {
             .map(|start| {
                 let mut particle = start.particle;
                 for _ in 0..STEPS {
-                    let normal = self.alone(cameras, &particle, footprint);
+                    let normal = self.equations_of_new(cameras, &particle, footprint);
                     let (moved, step_mm) = normal.stepped(&particle, cameras.len(), prior, rule);
                     particle = moved;
-                    if step_mm < SETTLED_MM {
+                    if step_mm < CONVERGED_MM {
                         break;
                     }
                 }
@@ -109,7 +109,7 @@ impl FrameFit {
         if cameras.len() == CAMERAS {
             let [a, b] = prior.relative(&particle);
             let apart = 2.0 * (a - b) / (prior.spread * (a + b).max(0.1));
-            value /= 1.0 + LIGHT_DOUBT * apart * apart;
+            value /= 1.0 + LIGHT_MISMATCH_WEIGHT * apart * apart;
         }
         Gain { particle, value }
     }

@@ -1,4 +1,4 @@
-//! Which particles a frame keeps, and what is typical of them.
+//! Convergence, removal and merging of a frame's particles, and the prior of their light.
 
 use super::{
     fit::FrameFit,
@@ -19,24 +19,24 @@ pub struct Candidate {
     pub light: f64,
 }
 
-/// What is known of lights before anything was fitted: how far they differ between cameras.
+/// Relative spread of a particle's light between cameras that is assumed before the first fit.
 const SPREAD_BEFORE: f64 = 0.5;
 
-/// Bounds of what is taken for the spread.
+/// Bounds of the estimated spread.
 const SPREADS: [f64; 2] = [0.05, 1.0];
 
 /// Standard deviation of a normal distribution over its median absolute deviation.
 const NORMAL_OF_MEDIAN: f64 = 1.4826;
 
 impl LightPrior {
-    /// Before anything was fitted. Remnants are many and faint: candidates count by their light.
+    /// The prior before the first fit. Faint candidates are many and mostly false, so each counts by its light.
     pub fn of_candidates(candidates: &[Candidate]) -> Self {
         let lights = candidates.iter().map(|candidate| (candidate.light, candidate.light));
         let typical = weighted_median(lights.collect()).filter(|&light| light > 0.0);
         Self { typical: [typical.unwrap_or(1.0); CAMERAS], spread: SPREAD_BEFORE }
     }
 
-    /// By particles that are known well, where there are any.
+    /// The prior from particles that both frames agree on; unchanged without any.
     pub fn of_particles(self, particles: &[Particle], cameras: usize) -> Self {
         let mut prior = self;
         for camera in 0..cameras {
@@ -74,17 +74,17 @@ impl FrameFit {
         self.extend(candidates.iter().map(particle));
     }
 
-    /// Steps of those that have not settled: that moved by more than `settled_mm` last.
-    pub fn settle(
+    /// Steps the particles that have not converged: their last step was longer than `converged_mm`.
+    pub fn iterate(
         &mut self,
         cameras: &[PointCamera],
         prior: &LightPrior,
         rule: &StepRule,
-        (settled_mm, rounds): (f64, usize),
+        (converged_mm, rounds): (f64, usize),
     ) {
         for _ in 0..rounds {
             let of: Vec<usize> =
-                (0..self.particles.len()).filter(|&n| self.steps_mm[n] > settled_mm).collect();
+                (0..self.particles.len()).filter(|&n| self.steps_mm[n] > converged_mm).collect();
             if of.is_empty() {
                 break;
             }
@@ -92,13 +92,13 @@ impl FrameFit {
         }
     }
 
-    /// Has all particles step again.
-    pub fn unsettle(&mut self) {
+    /// Has all particles step again, converged ones too.
+    pub fn reactivate(&mut self) {
         self.steps_mm.fill(f64::INFINITY);
     }
 
-    /// Takes particles away that have less than `least_light` of the typical light, and puts those
-    /// together that are nearer than `one_mm`.
+    /// Removes particles with less than `least_light` of the typical light, and merges those that are nearer
+    /// to each other than `one_mm`.
     pub fn prune(
         &mut self,
         cameras: &[PointCamera],
