@@ -60,21 +60,34 @@ pub(super) struct MarkSearch<'a> {
     pub(super) most_pixels: usize,
 }
 
-/// A pixel's light and the rays through it.
+/// A pixel's light, and where its rays meet the card, in mm along the marks.
 struct Sampled {
     share: f64,
     view: [i32; 2],
-    /// Its microlens and the middle of the pupil interval that it sees.
-    place_mm: [f64; 2],
+    /// The middle of the pupil interval that it sees.
     pupil_mm: [f64; 2],
     /// No ray meets the card farther from the middle one, in mm.
     reach_mm: f64,
-    rays: [([f64; 2], [f64; 2]); RAYS],
+    middle_mm: [f64; 2],
+    rays_mm: [[f64; 2]; RAYS],
+    /// How far these places move per mm on the microlens plane along x and along y. Within a mark that is
+    /// the same to a few thousandths.
+    per_mm: [[f64; 2]; 2],
+}
+
+impl Sampled {
+    /// How far the card moves under the pixel's rays if the image of it moves by `beside_mm`, and by
+    /// `slopes` per mm on the pupil.
+    fn moved_mm(&self, beside_mm: [f64; 2], slopes: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [0, 1].map(|axis| beside_mm[axis] + slopes[axis] * self.pupil_mm[axis]);
+        [0, 1].map(|along| -x * self.per_mm[0][along] - y * self.per_mm[1][along])
+    }
 }
 
 /// What a mark's light depends on.
 #[derive(Debug, Clone, Copy)]
 struct State {
+    /// Beside where the search began.
     beside_mm: [f64; 2],
     slopes: [f64; 2],
     ground: f64,
@@ -97,10 +110,10 @@ impl MarkSearch<'_> {
         let map = MarkMap::new(self.model, self.card, self.origin_mm, place_mm, half_mm, pupil_mm)?;
         let at_mm = std::array::from_fn(|axis| place_mm[axis] + self.shift_mm[axis]);
         let pixels = self.pixels(&map, at_mm, half_mm, along_mm, spread_mm)?;
-        let (state, misfit, views_rms_mm) = self.adjusted(&map, &pixels, pitch_mm, pupil_mm)?;
+        let (state, misfit, views_rms_mm) = self.adjusted(&pixels, pitch_mm, pupil_mm)?;
         Some(SeenMark {
             number,
-            place_mm: std::array::from_fn(|axis| place_mm[axis] + state.beside_mm[axis]),
+            place_mm: std::array::from_fn(|axis| at_mm[axis] + state.beside_mm[axis]),
             slopes: std::array::from_fn(|axis| slopes[axis] + state.slopes[axis]),
             misfit,
             views_rms_mm,
@@ -142,7 +155,7 @@ impl MarkSearch<'_> {
             return None;
         }
         let stride = found.len().div_ceil(self.most_pixels.max(1));
-        Some(found.iter().step_by(stride).map(|pixel| self.sampled(pixel, reach_mm)).collect())
+        Some(found.iter().step_by(stride).map(|pixel| self.sampled(map, pixel, reach_mm)).collect())
     }
 
     /// How far from its middle ray a pixel sees the card, in mm: half a microlens' diagonal and what the
@@ -165,75 +178,75 @@ impl MarkSearch<'_> {
         across * across * leaning * self.light.pixels_per_lens()
     }
 
-    fn sampled(&self, pixel: &LitPixel, reach_mm: f64) -> Sampled {
+    fn sampled(&self, map: &MarkMap, pixel: &LitPixel, reach_mm: f64) -> Sampled {
         let optics = self.light.optics();
-        let pixel_mm = optics.pixel_pitch_mm();
+        let (pixel_mm, pitch_mm) = (optics.pixel_pitch_mm(), optics.microlens.pitch_mm);
         let centre_mm = self.light.place_mm(pixel.lens);
         let start = fractions_of(pixel.number);
-        let rays = std::array::from_fn(|ray| {
+        let from_mm = |place_mm: [f64; 2]| [0, 1].map(|axis| place_mm[axis] - self.shift_mm[axis]);
+        let rays_mm = std::array::from_fn(|ray| {
             let [x, y, right, up] = rank_one(start, ray);
             let place_mm = self.light.place_mm([pixel.lens[0] + x, pixel.lens[1] + y]);
             let off_mm = std::array::from_fn(|axis| place_mm[axis] - centre_mm[axis]);
             let beside_mm =
                 [pixel.beside_mm[0] + right * pixel_mm, pixel.beside_mm[1] + up * pixel_mm];
-            (place_mm, self.light.pupil_mm(off_mm, beside_mm))
+            map.along_mm(from_mm(place_mm), self.light.pupil_mm(off_mm, beside_mm))
+        });
+        let pupil_mm = self.light.pupil_mm([0.0; 2], pixel.beside_mm);
+        let per_mm = [0, 1].map(|axis| {
+            let [below, above] = [-0.5, 0.5].map(|pitches| {
+                let mut place_mm = from_mm(centre_mm);
+                place_mm[axis] += pitches * pitch_mm;
+                map.along_mm(place_mm, pupil_mm)
+            });
+            [0, 1].map(|along| (above[along] - below[along]) / pitch_mm)
         });
         Sampled {
             share: f64::from(pixel.share),
             view: pixel.beside_mm.map(|mm| (mm / pixel_mm).round() as i32),
-            place_mm: centre_mm,
-            pupil_mm: self.light.pupil_mm([0.0; 2], pixel.beside_mm),
+            pupil_mm,
             reach_mm,
-            rays,
+            middle_mm: map.along_mm(from_mm(centre_mm), pupil_mm),
+            rays_mm,
+            per_mm,
         }
     }
 
     /// Share of a pixel's rays that meet something bright, with the card moved.
-    fn bright(&self, map: &MarkMap, pixel: &Sampled, beside_mm: [f64; 2], slopes: [f64; 2]) -> f64 {
-        let met_mm = |place_mm: [f64; 2], pupil_mm: [f64; 2]| {
-            let from_mm = std::array::from_fn(|axis| {
-                place_mm[axis] - beside_mm[axis] - slopes[axis] * pupil_mm[axis]
-            });
-            map.along_mm(from_mm, pupil_mm)
-        };
-        let middle_mm = met_mm(pixel.place_mm, pixel.pupil_mm);
+    fn bright(&self, pixel: &Sampled, beside_mm: [f64; 2], slopes: [f64; 2]) -> f64 {
+        let moved_mm = pixel.moved_mm(beside_mm, slopes);
+        let at_mm = |[right, up]: [f64; 2]| [right + moved_mm[0], up + moved_mm[1]];
+        let middle_mm = at_mm(pixel.middle_mm);
         if self.card.edge_distance_mm(middle_mm) > pixel.reach_mm {
             return f64::from(u8::from(self.card.is_bright(middle_mm)));
         }
-        let bright = pixel
-            .rays
-            .iter()
-            .filter(|(place_mm, pupil_mm)| self.card.is_bright(met_mm(*place_mm, *pupil_mm)));
+        let bright = pixel.rays_mm.iter().filter(|&&met_mm| self.card.is_bright(at_mm(met_mm)));
         bright.count() as f64 / RAYS as f64
     }
 
     /// Light and its change with the mark's place along both axes, per mm.
-    fn rendered(&self, map: &MarkMap, pixel: &Sampled, state: &State, step_mm: f64) -> [f64; 3] {
+    fn rendered(&self, pixel: &Sampled, state: &State, step_mm: f64) -> [f64; 3] {
         let at = |axis: usize, sign: f64| {
             let mut beside_mm = state.beside_mm;
             beside_mm[axis] += sign * step_mm;
-            self.bright(map, pixel, beside_mm, state.slopes)
+            self.bright(pixel, beside_mm, state.slopes)
         };
         let [low_x, high_x, low_y, high_y] = [at(0, -1.0), at(0, 1.0), at(1, -1.0), at(1, 1.0)];
-        let here = self.bright(map, pixel, state.beside_mm, state.slopes);
+        let here = self.bright(pixel, state.beside_mm, state.slopes);
         [here, (high_x - low_x) / (2.0 * step_mm), (high_y - low_y) / (2.0 * step_mm)]
     }
 
     /// Gauss and Newton: place, slopes, ground and contrast that leave the least squares.
     fn adjusted(
         &self,
-        map: &MarkMap,
         pixels: &[Sampled],
         pitch_mm: f64,
         pupil_mm: f64,
     ) -> Option<(State, f64, f64)> {
-        let mut state =
-            State { beside_mm: self.shift_mm, slopes: [0.0; 2], ground: 0.0, contrast: 1.0 };
+        let mut state = State { beside_mm: [0.0; 2], slopes: [0.0; 2], ground: 0.0, contrast: 1.0 };
         for step in 0..MOST_STEPS {
-            let rendered: Vec<[f64; 3]> = pixels
-                .iter()
-                .map(|pixel| self.rendered(map, pixel, &state, STEP * pitch_mm))
-                .collect();
+            let rendered: Vec<[f64; 3]> =
+                pixels.iter().map(|pixel| self.rendered(pixel, &state, STEP * pitch_mm)).collect();
             if step == 0 {
                 [state.ground, state.contrast] = line_through(&rendered, pixels)?;
             }
