@@ -379,3 +379,30 @@ fn a_merge_that_is_cut_off_goes_on() {
     assert!(success, "{said}");
     assert_same(&at_once, &run);
 }
+
+#[test]
+fn a_merge_survives_kills_at_any_moment() {
+    let root = tempfile::tempdir().unwrap();
+    let recorded = recorded(root.path());
+    let at_once = copied(&recorded, &root.path().join("at_once"));
+    assert!(lfpiv(&["process", path(&at_once)]).status.success());
+    let folders = parts(&recorded, &root.path().join("parts"), 3);
+    let mut cut_off = 0;
+    for turn in 0..8 {
+        let run = copied(&recorded, &root.path().join(format!("run{turn}")));
+        for kill in 0..2 {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
+            command.args(["process", path(&run), "--merge"]).args(&folders);
+            let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+            std::thread::sleep(Duration::from_millis(5 + 7 * turn + 11 * kill));
+            child.kill().unwrap();
+            child.wait().unwrap();
+            cut_off += u32::from(run.join("merging_parts").exists());
+        }
+        let (success, said) = merge(&run, &folders);
+        // One that was over before it was killed is not made again.
+        assert!(success || said.contains("is there twice"), "{said}");
+        assert_same(&at_once, &run);
+    }
+    println!("{cut_off} of 16 merges were cut off while they copied");
+}

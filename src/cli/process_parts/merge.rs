@@ -15,7 +15,10 @@ use super::{
     part_file::{Conditions, NAME},
     verify::{PartFolder, Run},
 };
-use crate::cli::{process_run::UnfinishedRun, recorded_shots::Finished};
+use crate::{
+    archive::write_replacing,
+    cli::{process_run::UnfinishedRun, recorded_shots::Finished},
+};
 
 /// Where parts are looked for when none is given, in the run's folder.
 const PARTS: &str = "parts";
@@ -120,29 +123,27 @@ impl Marker {
         }
         names.sort();
         let parts = names.concat();
-        let is_there = path.exists();
-        if is_there {
-            let others = read_text(&path)?;
-            if others != parts {
-                bail!(
-                    "{}: the merge of other parts was cut off; merge those first:\n{}",
-                    run.display(),
-                    others.trim_end()
-                );
-            }
+        let others = if path.exists() { read_text(&path)? } else { String::new() };
+        // One that a power cut has left empty was not on disk before anything was copied.
+        let is_there = !others.is_empty();
+        if is_there && others != parts {
+            bail!(
+                "{}: the merge of other parts was cut off; merge those first:\n{}",
+                run.display(),
+                others.trim_end()
+            );
         }
         Ok(Self { path, parts, is_there })
     }
 
     /// On disk before anything is copied.
     fn set(&self) -> anyhow::Result<()> {
-        let write = || -> std::io::Result<()> {
-            let mut file = File::create(&self.path)?;
-            file.write_all(self.parts.as_bytes())?;
-            file.sync_all()?;
-            File::open(self.path.parent().unwrap_or(Path::new(".")))?.sync_all()
-        };
-        write().with_context(|| format!("cannot write {}", self.path.display()))
+        write_replacing(&self.path, |writer| writer.write_all(self.parts.as_bytes()))?;
+        let folder = self.path.parent().unwrap_or(Path::new("."));
+        [&self.path, folder].into_iter().try_for_each(|path| {
+            let synced = File::open(path).and_then(|file| file.sync_all());
+            synced.with_context(|| format!("cannot sync {}", path.display()))
+        })
     }
 
     fn remove(&self) -> anyhow::Result<()> {
