@@ -56,7 +56,7 @@ pub use shot_result::{RawLevel, ShotResult};
 pub use shot_time::ShotTime;
 pub use statistics_file::write_statistics;
 pub use store::ResultStore;
-pub use stored::{StoredResults, stored_configuration, stored_vectors};
+pub use stored::{SealedFile, StoredResults, stored_configuration, stored_vectors};
 pub use stored_shots::{StoredShot, StoredShots};
 pub use velocity_file::write_velocity;
 pub use volume_file::{read_volumes, write_volumes};

@@ -12,6 +12,8 @@
 //!
 //! [`super::merge_segments`] makes few files of the segments of a run that is over.
 
+mod adopt;
+
 use std::{
     fs,
     io::Write as _,

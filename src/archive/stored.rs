@@ -113,7 +113,7 @@ pub(super) fn missing(variable: &str) -> netcdf::Error {
 
 /// Shot numbers of a segment, in the order in which they were stored; a record that could not be
 /// written whole has none.
-fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
+pub(super) fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
     let records = records_of(path)?;
     Ok(records.into_iter().filter_map(|shot| u64::try_from(shot).ok()).collect())
 }
@@ -126,6 +126,43 @@ pub(super) fn first_stored(path: &Path) -> Result<Option<u64>, ArchiveError> {
     match read().map_err(ArchiveError::unreadable_results(path))? {
         Some(AttributeValue::Longlong(shot)) => Ok(u64::try_from(shot).ok()),
         _ => Ok(shots_in(path)?.first().copied()),
+    }
+}
+
+/// What a sealed file of results says of itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SealedFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its shots, in the order in which they were stored.
+    pub shots: Vec<u64>,
+    /// The configuration, TOML.
+    pub configuration: String,
+    /// The forward model and why, JSON; absent in files of earlier versions.
+    pub model_choice: Option<String>,
+}
+
+impl SealedFile {
+    /// Those in the folder of a run, sorted by name.
+    ///
+    /// # Errors
+    /// As [`StoredResults::find`].
+    pub fn find_all(folder: &Path) -> Result<Vec<Self>, ArchiveError> {
+        segments(folder, ".nc")?.into_iter().map(Self::read).collect()
+    }
+
+    fn read(path: PathBuf) -> Result<Self, ArchiveError> {
+        let model_choice = || -> Result<Option<String>, netcdf::Error> {
+            let file = open(&path)?;
+            let Some(choice) = file.attribute("model_choice") else { return Ok(None) };
+            choice.value().and_then(String::try_from).map(Some)
+        };
+        Ok(Self {
+            shots: shots_in(&path)?,
+            configuration: stored_configuration(&path)?,
+            model_choice: model_choice().map_err(ArchiveError::unreadable_results(&path))?,
+            path,
+        })
     }
 }
 

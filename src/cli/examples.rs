@@ -57,6 +57,14 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
                 "what is missing",
             ),
             ("lfpiv process results/run-20261121T090000Z", "what a recorded run has not measured"),
+            (
+                "lfpiv process results/run-20261121T090000Z --part 2/8 --out parts/2",
+                "an eighth of that, on one of eight machines",
+            ),
+            (
+                "lfpiv process results/run-20261121T090000Z --merge parts/1 parts/2 parts/3",
+                "the results of all parts, verified, into the run",
+            ),
         ],
     ),
     (

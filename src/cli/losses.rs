@@ -87,6 +87,16 @@ impl Losses {
         }
     }
 
+    /// Nothing, so far, of the shots of a run that are read.
+    pub fn none_yet(run: &Path) -> Self {
+        Self { run: run.into(), ..Self::default() }
+    }
+
+    /// Shots that were recorded and cannot be read, and why.
+    pub fn shots(&self) -> &BTreeMap<u64, String> {
+        &self.shots
+    }
+
     /// Notes a shot that cannot be read.
     pub fn lose(&mut self, shot: u64, why: impl fmt::Display) {
         self.shots.entry(shot).or_insert_with(|| why.to_string());

@@ -32,10 +32,12 @@ pub mod output;
 mod plan;
 mod process;
 mod process_jobs;
+mod process_parts;
 mod process_run;
 #[cfg(feature = "aravis")]
 mod recorded_bench;
 mod recorded_frames;
+mod recorded_shots;
 mod recording;
 mod replay;
 mod run;

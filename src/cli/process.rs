@@ -20,6 +20,7 @@ use tokio_util::sync::CancellationToken;
 use super::{
     output::{count, print, progress_bar},
     process_jobs::{Existing, Job, jobs, settle_existing},
+    process_parts::{Part, merge_parts, process_part},
     process_run::{is_run, process_run},
     run_processor::background_images,
     solver::{solver_by_name, solver_name},
@@ -57,6 +58,14 @@ pub struct ProcessArgs {
     /// Solver to use instead of the configuration's.
     #[arg(long, value_name = "NAME", value_parser = solver_by_name)]
     pub solver: Option<Solver>,
+    /// Measure one part of the shots without a result of a recorded run, K from 1 to N, into the folder
+    /// OUT; the run is only read. For several machines.
+    #[arg(long, value_name = "K/N", requires = "out", conflicts_with = "merge")]
+    pub part: Option<Part>,
+    /// Make the results of all parts those of the recorded run, once each shot is there once: folders of
+    /// the parts, RUN/parts/* without any.
+    #[arg(long, value_name = "PART", num_args = 0..)]
+    pub merge: Option<Vec<PathBuf>>,
     /// Pair folders, folders of pair folders, or one folder of a recorded run, whose missing
     /// results are made.
     #[arg(required = true, value_name = "DIR")]
@@ -87,6 +96,9 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         && is_run(folder)
     {
         return process_recorded(folder, args, &stop);
+    }
+    if args.part.is_some() || args.merge.is_some() {
+        bail!("--part and --merge are for the folder of one recorded run: it has a folder raw")
     }
     let (Some(config), Some(out)) = (&args.config, &args.out) else {
         bail!(
@@ -209,14 +221,20 @@ fn process_recorded(
             folder.display()
         );
     }
-    if args.config.is_some() || args.out.is_some() || args.solver.is_some() || args.save_volumes {
+    let out = args.out.as_deref();
+    let own_folder = out.filter(|_| args.part.is_none());
+    if args.config.is_some() || own_folder.is_some() || args.solver.is_some() || args.save_volumes {
         bail!(
             "{} is a recorded run: its missing results are made as it was configured, in its own \
              folder. To measure its images otherwise, `lfpiv export` them first",
             folder.display()
         );
     }
-    process_run(folder, stop)
+    match (args.part.zip(out), &args.merge) {
+        (Some((part, out)), _) => process_part(folder, part, out, stop),
+        (None, Some(parts)) => merge_parts(folder, parts, stop),
+        (None, None) => process_run(folder, stop),
+    }
 }
 
 /// What is the same for all pairs.

@@ -6,8 +6,7 @@
 
 use std::path::Path;
 
-use anyhow::{Context, bail};
-use lfpiv_core::{lightfield::ImagePair, measurement::Processor, model::ModelMode};
+use anyhow::Context;
 use lfpiv_rawlog::recover;
 use tokio_util::sync::CancellationToken;
 
@@ -16,13 +15,13 @@ use super::{
         has_ledger, note_processed_later, set_damaged_ledger_aside, write_recovered_ledger,
     },
     losses::{Losses, tell_cut_off},
-    output::{count, print, progress_bar},
+    output::{count, print},
+    recorded_shots::{Finished, ShotProcessor},
     recording::RunLock,
-    run_processor::run_processor,
 };
 use crate::{
     acquisition::journal::{RAW_FOLDER, RecordedRun, RecordedShot, RunIndex, ledger_of},
-    archive::{RawLevel, ResultStore, ShotResult, StoredResults, merge_segments},
+    archive::{ResultStore, StoredResults, merge_segments},
     config::Config,
 };
 
@@ -33,140 +32,109 @@ pub(super) fn is_run(folder: &Path) -> bool {
 
 /// Finishes the run in `folder`; told to stop, it ends after the shot in hand.
 pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Result<()> {
-    let _lock = RunLock::take(folder)?;
-    let recovery = recover(&folder.join(RAW_FOLDER))?;
-    for torn in recovery.segments.iter().filter_map(|segment| segment.torn.as_ref()) {
-        tracing::warn!("{torn}");
-    }
-    let recorded = RecordedRun::open(folder)?.finished();
-    let index = recorded.index();
-    let text = &recorded.description().configuration;
-    let config = Config::parse("the run's configuration", text)?;
-    let (store, stored) = ResultStore::reopen(folder, text)?;
-    let store = store.for_paraview(config.output.paraview);
-    for part in &stored.unreadable {
-        tracing::warn!("{}: the run was killed before this was sealed", part.display());
-    }
-    let mut losses = Losses::of(folder, &index);
-    for shot in stored.shots.iter().filter(|shot| !index.shots.contains_key(shot)) {
-        losses.lose(*shot, "it has a result, and its images are not in the record");
-    }
-    losses.tell();
-    tell_cut_off(folder, &index);
-    let missing: Vec<&RecordedShot> =
-        index.shots.values().filter(|shot| !stored.shots.contains(&shot.trigger)).collect();
-    // First: whatever happens to the results, it says what the run itself came to.
-    let has_ledger = has_ledger(folder);
-    let damaged = if has_ledger { set_damaged_ledger_aside(folder)? } else { None };
-    if let Some(aside) = &damaged {
-        let aside = aside.display();
-        tracing::warn!(
-            "the ledger is damaged: what is left of it is {aside}, and it is made again"
-        );
-    }
-    if !has_ledger || damaged.is_some() {
-        let ledger =
-            ledger_of(&recorded, &stored.shots).context("the record contradicts itself")?;
-        write_recovered_ledger(folder, &ledger, index.end.as_ref())?;
-    }
+    let (run, store) = UnfinishedRun::open(folder)?;
+    let mut losses = run.losses();
+    run.settle_ledger()?;
+    let missing = run.missing();
     let mut finished = Finished::default();
     if missing.is_empty() {
         store.close()?;
     } else {
-        let processor = prepare(&config, &recorded, &index, &stored)?;
-        finished = measure(&recorded, &processor, &missing, &mut losses, store, stop)?;
+        let UnfinishedRun { config, recorded, index, stored, .. } = &run;
+        let mut processor = ShotProcessor::prepare(config, recorded, index, stored)?;
+        finished = processor.measure(&missing, |_| true, &mut losses, store, stop)?;
     }
-    merge_segments(folder, || !stop.is_cancelled())?;
-    let measured = StoredResults::find(folder)?.shots;
-    note_processed_later(folder, &measured)?;
-    let (had, now) = (stored.shots.len(), measured.len());
-    print(&format!(
-        "{}: {} recorded, {had} had a result, {now} have one now",
-        folder.display(),
-        count(index.shots.len(), "shot"),
-    ))?;
-    if finished.left > 0 {
-        bail!(
-            "interrupted: {} without a result are left; the same command measures them",
-            count(finished.left, "shot")
-        );
-    }
-    if finished.failed.is_empty() {
-        return losses.conclude();
-    }
-    let listed: String = finished.failed.iter().map(|failure| format!("\n  {failure}")).collect();
-    bail!("{} gave no result{listed}", count(finished.failed.len(), "shot"))
+    run.complete(stop)?;
+    finished.conclude()?;
+    losses.conclude()
 }
 
-/// What came of the shots that had no result.
-#[derive(Debug, Default)]
-struct Finished {
-    failed: Vec<String>,
-    /// Shots that were not looked at.
-    left: usize,
+/// A recorded run that nobody else writes, and what it has so far.
+pub(super) struct UnfinishedRun<'a> {
+    folder: &'a Path,
+    pub recorded: RecordedRun,
+    pub index: RunIndex,
+    pub config: Config,
+    pub stored: StoredResults,
+    _lock: RunLock,
 }
 
-fn measure(
-    recorded: &RecordedRun,
-    processor: &Processor,
-    missing: &[&RecordedShot],
-    losses: &mut Losses,
-    mut store: ResultStore,
-    stop: &CancellationToken,
-) -> anyhow::Result<Finished> {
-    let bar = progress_bar(missing.len(), "shots");
-    let mut finished = Finished { left: missing.len(), ..Finished::default() };
-    for shot in missing {
-        if stop.is_cancelled() {
-            break;
+impl<'a> UnfinishedRun<'a> {
+    /// Cuts off what a crash has left half-written; with the store that its results go to.
+    ///
+    /// # Errors
+    /// Another program has the run, or its record or results cannot be read.
+    pub fn open(folder: &'a Path) -> anyhow::Result<(Self, ResultStore)> {
+        let lock = RunLock::take(folder)?;
+        let recovery = recover(&folder.join(RAW_FOLDER))?;
+        for torn in recovery.segments.iter().filter_map(|segment| segment.torn.as_ref()) {
+            tracing::warn!("{torn}");
         }
-        finished.left -= 1;
-        match recorded.pair(shot).map(|pair| measure_one(processor, shot, pair)) {
-            Ok(Ok(result)) => {
-                store.append(shot.trigger, &result)?;
-            }
-            Ok(Err(error)) => finished.failed.push(format!("shot {}: {error:#}", shot.trigger)),
-            Err(error) => losses.note(shot.trigger, error)?,
+        let recorded = RecordedRun::open(folder)?.finished();
+        let index = recorded.index();
+        let text = &recorded.description().configuration;
+        let config = Config::parse("the run's configuration", text)?;
+        let (store, stored) = ResultStore::reopen(folder, text)?;
+        let store = store.for_paraview(config.output.paraview);
+        for part in &stored.unreadable {
+            tracing::warn!("{}: the run was killed before this was sealed", part.display());
         }
-        bar.inc(1);
+        Ok((Self { folder, recorded, index, config, stored, _lock: lock }, store))
     }
-    bar.finish_and_clear();
-    store.close()?;
-    Ok(finished)
+
+    /// What its record lacks, told.
+    pub fn losses(&self) -> Losses {
+        let mut losses = Losses::of(self.folder, &self.index);
+        for shot in self.stored.shots.iter().filter(|shot| !self.index.shots.contains_key(shot)) {
+            losses.lose(*shot, "it has a result, and its images are not in the record");
+        }
+        losses.tell();
+        tell_cut_off(self.folder, &self.index);
+        losses
+    }
+
+    /// Shots without a result.
+    pub fn missing(&self) -> Vec<&RecordedShot> {
+        missing(&self.index, &self.stored)
+    }
+
+    /// Makes a ledger from the record where the run has none. Before its results: whatever happens to
+    /// them, it says what the run itself came to.
+    pub fn settle_ledger(&self) -> anyhow::Result<()> {
+        let has_ledger = has_ledger(self.folder);
+        let damaged = if has_ledger { set_damaged_ledger_aside(self.folder)? } else { None };
+        if let Some(aside) = &damaged {
+            let aside = aside.display();
+            tracing::warn!(
+                "the ledger is damaged: what is left of it is {aside}, and it is made again"
+            );
+        }
+        if !has_ledger || damaged.is_some() {
+            let ledger = ledger_of(&self.recorded, &self.stored.shots)
+                .context("the record contradicts itself")?;
+            write_recovered_ledger(self.folder, &ledger, self.index.end.as_ref())?;
+        }
+        Ok(())
+    }
+
+    /// Merges the results, completes the ledger, and says what the run has now.
+    ///
+    /// # Errors
+    /// A file cannot be read or written.
+    pub fn complete(&self, stop: &CancellationToken) -> anyhow::Result<()> {
+        merge_segments(self.folder, || !stop.is_cancelled())?;
+        let measured = StoredResults::find(self.folder)?.shots;
+        note_processed_later(self.folder, &measured)?;
+        let (had, now) = (self.stored.shots.len(), measured.len());
+        print(&format!(
+            "{}: {} recorded, {had} had a result, {now} have one now",
+            self.folder.display(),
+            count(self.index.shots.len(), "shot"),
+        ))
+    }
 }
 
-/// The processor, with the forward model that the run's first result decided.
-fn prepare(
-    config: &Config,
-    recorded: &RecordedRun,
-    index: &RunIndex,
-    stored: &StoredResults,
-) -> anyhow::Result<Processor> {
-    let processor = run_processor(config)?;
-    if config.model.mode == ModelMode::Explicit {
-        return Ok(processor);
-    }
-    let candidates = stored.first.iter().chain(&stored.shots);
-    for shot in candidates.filter_map(|number| index.shots.get(number)) {
-        match recorded.pair(shot) {
-            Ok(pair) => {
-                processor.process(pair)?;
-                break;
-            }
-            Err(error) => tracing::warn!("{error}: another shot decides the forward model"),
-        }
-    }
-    Ok(processor)
-}
-
-fn measure_one(
-    processor: &Processor,
-    shot: &RecordedShot,
-    pair: ImagePair,
-) -> anyhow::Result<ShotResult> {
-    let mut measured = processor.process(pair)?;
-    measured.field.dt_s = shot.dt_us * 1e-6;
-    let words = shot.suspect.iter().map(|words| format!("suspect pairing: {words}"));
-    measured.warnings.extend(words);
-    Ok(ShotResult { measured, time: shot.time, raw: RawLevel::Synced })
+/// Shots of a run without a result, in their order.
+pub(super) fn missing<'a>(index: &'a RunIndex, stored: &StoredResults) -> Vec<&'a RecordedShot> {
+    index.shots.values().filter(|shot| !stored.shots.contains(&shot.trigger)).collect()
 }

@@ -4,8 +4,8 @@ use std::{
     fs,
     io::{BufRead, BufReader},
     os::unix::fs::PermissionsExt,
-    path::Path,
-    process::{Child, Command, Stdio},
+    path::{Path, PathBuf},
+    process::{Child, Command, ExitStatus, Stdio},
 };
 
 use serde_json::Value;
@@ -21,33 +21,17 @@ pub struct Daemon {
 impl Daemon {
     /// A run without end; port 0 takes any.
     pub fn start(folder: &Path, port: u16) -> Self {
-        let tokens = folder.join("tokens");
-        fs::write(&tokens, format!("read {READ}\ncontrol {CONTROL}\n")).unwrap();
-        fs::set_permissions(&tokens, PermissionsExt::from_mode(0o600)).unwrap();
-        let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
-        let text = fs::read_to_string(small).unwrap();
-        let server = format!(
-            "address = \"127.0.0.1:{port}\"\ntokens = {tokens:?}\nremote_arming = true\nrequests_per_s = 500.0"
-        );
-        let changes = [
-            ("address = \"127.0.0.1:0\"", server.as_str()),
-            ("dir = \"results\"", &format!("dir = {:?}", folder.join("results"))),
-            // A flow with something to see in it.
-            ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),
-            ("velocity_m_s = [1.0, -0.5, 0.25]", ""),
-        ];
-        let text = changes.iter().fold(text, |text, (from, to)| {
-            assert!(text.contains(from), "{from}");
-            text.replacen(from, to, 1)
-        });
-        let configuration = folder.join("page.toml");
-        fs::write(&configuration, text).unwrap();
-        let mut child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
-            .args(["run", "--remote-arming", "--config"])
-            .arg(&configuration)
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let configuration = configuration(folder, port);
+        Self::of(lfpiv(&["run", "--remote-arming", "--config"]).arg(configuration))
+    }
+
+    /// A run that is over, on any port.
+    pub fn serve(run: &Path) -> Self {
+        Self::of(lfpiv(&["serve", "--address", "127.0.0.1:0"]).arg(run))
+    }
+
+    fn of(command: &mut Command) -> Self {
+        let mut child = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
         let address = lines.find_map(|line| {
             let line = line.unwrap();
@@ -70,6 +54,24 @@ impl Daemon {
         answer.unwrap().body_mut().read_json().unwrap()
     }
 
+    /// The status of the answer to a POST with a token that may control.
+    pub fn post(&self, path: &str, body: &str) -> u16 {
+        let agent = ureq::Agent::config_builder().http_status_as_error(false).build();
+        let answer = ureq::Agent::from(agent)
+            .post(format!("{}{path}", self.url()))
+            .header("Authorization", format!("Bearer {CONTROL}"))
+            .header("Content-Type", "application/json")
+            .send(body);
+        answer.unwrap().status().as_u16()
+    }
+
+    /// Asks it to end, and waits until it has.
+    pub fn terminate(&mut self) -> ExitStatus {
+        let terminate = format!("kill -TERM {}", self.child.id());
+        assert!(Command::new("sh").args(["-c", &terminate]).status().unwrap().success());
+        self.child.wait().unwrap()
+    }
+
     /// Ends it as a power cut would.
     pub fn kill(&mut self) {
         self.child.kill().unwrap();
@@ -82,4 +84,39 @@ impl Drop for Daemon {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
+}
+
+/// The program, with these arguments.
+pub fn lfpiv(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
+    command.args(arguments);
+    command
+}
+
+/// A small bench with tokens, and arming allowed.
+pub fn configuration(folder: &Path, port: u16) -> PathBuf {
+    let tokens = folder.join("tokens");
+    fs::write(&tokens, format!("read {READ}\ncontrol {CONTROL}\n")).unwrap();
+    fs::set_permissions(&tokens, PermissionsExt::from_mode(0o600)).unwrap();
+    let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
+    let text = fs::read_to_string(small).unwrap();
+    let server = format!(
+        "address = \"127.0.0.1:{port}\"\ntokens = {tokens:?}\nremote_arming = true\nrequests_per_s = 500.0"
+    );
+    let changes = [
+        ("address = \"127.0.0.1:0\"", server.as_str()),
+        ("dir = \"results\"", &format!("dir = {:?}", folder.join("results"))),
+        // More would be shed, and take the browser's processors.
+        ("rate_hz = 10.0", "rate_hz = 2.0"),
+        // A flow with something to see in it.
+        ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),
+        ("velocity_m_s = [1.0, -0.5, 0.25]", ""),
+    ];
+    let text = changes.iter().fold(text, |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    });
+    let configuration = folder.join("page.toml");
+    fs::write(&configuration, text).unwrap();
+    configuration
 }

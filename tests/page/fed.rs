@@ -7,7 +7,9 @@ use lfpiv::{
     archive::ShotResult,
     config::ServerSettings,
     pipeline::Board,
-    server::{ApiState, ConfigurationSummary, Phase, Protection, RunInfo, serve},
+    server::{
+        ApiState, CalibrationSummary, ConfigurationSummary, Phase, Protection, RunInfo, serve,
+    },
 };
 use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 use parking_lot::Mutex;
@@ -17,6 +19,8 @@ use tokio_util::sync::CancellationToken;
 use crate::{BROWSER, script::run_script};
 
 const HOSTILE: &str = "<img src=x onerror=\"window.taken=1\"><script>window.taken=1</script>";
+/// The hash of a calibration file.
+const CALIBRATION: &str = "f0e4c2f76c58916ec258f246851bea091d14d4247a2fc3e18694461b1816e13b";
 /// Shots fed at once, and the pause behind them: the log of events holds 2048.
 const AT_ONCE: u64 = 200;
 const PAUSE: Duration = Duration::from_millis(60);
@@ -39,7 +43,7 @@ fn feed(shots: u64) {
     let runtime = Runtime::new().unwrap();
     let mut feeder = Feeder::new(&runtime);
     let (url, shots) = (feeder.url.clone(), shots.to_string());
-    run_script("fed.mjs", &[&url, &shots], |asked| {
+    run_script("fed.mjs", &[&url, &shots, CALIBRATION], |asked| {
         let count = asked.strip_prefix("feed ").unwrap().parse().unwrap();
         feeder.feed(count);
         (feeder.next - 1).to_string()
@@ -131,7 +135,11 @@ fn info() -> RunInfo {
         model: HOSTILE.to_owned(),
         solver: "os-mart".to_owned(),
         configuration: ConfigurationSummary {
-            calibrations: Vec::new(),
+            calibrations: vec![CalibrationSummary {
+                camera: "cam2".to_owned(),
+                file: PathBuf::from(format!("{HOSTILE}.json")),
+                sha256: CALIBRATION.to_owned(),
+            }],
             file: PathBuf::from(format!("{HOSTILE}.toml")),
             simulated: true,
             cameras: vec![format!("cam1{HOSTILE}"), "cam2".to_owned()],

@@ -8,6 +8,7 @@ mod built;
 mod daemon;
 mod fed;
 mod script;
+mod served;
 
 use std::{path::PathBuf, sync::Mutex};
 

@@ -7,6 +7,7 @@ mod disk;
 mod fixture;
 mod flood;
 mod killed;
+mod parts;
 mod processed_later;
 mod replayed;
 mod small_disk;

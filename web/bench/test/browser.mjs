@@ -36,10 +36,21 @@ export async function openBench(browser, url, options = {}) {
     complaints.push(`dialog: ${dialog.message()}`);
     dialog.dismiss();
   });
+  const underWay = new Set();
+  let lastEnd = Date.now();
   page.on("request", (request) => {
     const asked = request.url();
     if (!asked.startsWith(url) && !asked.startsWith("blob:")) complaints.push(`asked elsewhere: ${asked}`);
+    // The event stream has no end.
+    if (!asked.endsWith("/events")) underWay.add(request);
   });
+  for (const end of ["requestfinished", "requestfailed"]) {
+    page.on(end, (request) => {
+      underWay.delete(request);
+      lastEnd = Date.now();
+    });
+  }
+  page.quietFor = () => (underWay.size ? 0 : Date.now() - lastEnd);
   await page.goto(`${url}/`);
   return { page, context, complaints };
 }
@@ -68,6 +79,13 @@ export async function look(page, view) {
   await page.waitForSelector(`.view:not([hidden])`);
 }
 
+/** Waits until the page has had nothing to ask for `quietMs`, or for `mostMs`, and has drawn what it got. */
+export async function settle(page, { quietMs = 250, mostMs = 2500 } = {}) {
+  const began = Date.now();
+  while (Math.min(page.quietFor(), Date.now() - began) < quietMs && Date.now() - began < mostMs) await page.waitForTimeout(30);
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+}
+
 /** Enters a token. */
 export async function enterToken(page, token) {
   if (!(await page.locator("dialog[open] #token").count())) await page.click(".connection button");
@@ -85,8 +103,8 @@ export class Pictures {
     return pictures;
   }
 
-  async take(locator) {
-    return (await locator.screenshot()).toString("base64");
+  async take(shown, options = {}) {
+    return (await shown.screenshot(options)).toString("base64");
   }
 
   /** How many pixels of `picture` differ by more than a trace from `other`, or from its own commonest colour. */

@@ -1,8 +1,8 @@
-// The page before a server that is fed with shots: fed.mjs URL SHOTS. It must not grow, whatever it is told.
+// The page before a server that is fed with shots: fed.mjs URL SHOTS CALIBRATION. It must not grow, whatever it is told.
 
-import { assert, assertQuiet, demand, holdings, look, openBench, until, withBrowser } from "./browser.mjs";
+import { assert, assertQuiet, demand, holdings, look, openBench, settle, until, withBrowser } from "./browser.mjs";
 
-const [url, shots] = process.argv.slice(2);
+const [url, shots, calibration] = process.argv.slice(2);
 /** Four times as many shots fill everything that is bounded. */
 const FILLED = 1100;
 const MOST_GROWTH = 1.05;
@@ -12,7 +12,7 @@ await withBrowser(async (browser) => {
   const fed = async (count) => {
     const last = await demand(`feed ${count}`);
     await until(() => page.locator(".lamp.shot").textContent(), (text) => text.includes(`shot ${last}`), `shot ${last}`, 600_000);
-    await page.waitForTimeout(1500);
+    await settle(page, { quietMs: 500 });
   };
   for (const view of ["cameras", "volume", "run", "velocity", "overview"]) await look(page, view);
   // Twice what is measured below: what is made once, or up to a bound, is there then.
@@ -21,6 +21,8 @@ await withBrowser(async (browser) => {
     await fed(FILLED);
   }
   await until(() => page.locator(".overview .log").textContent(), (text) => text.includes("<img"), "hostile words");
+  assert.match(await page.locator(".overview").textContent(), /1 of 2 cameras/);
+  assert.match(await page.locator(".overview .hashes tbody tr").textContent(), new RegExp(`^cam2<img.*${calibration}$`));
   const before = await holdings(page);
   await look(page, "velocity");
   await fed(Math.floor(Number(shots) / 2));

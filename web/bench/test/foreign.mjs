@@ -16,7 +16,7 @@ await withBrowser(async (browser) => {
   const said = [];
   page.on("console", (message) => said.push(message.text()));
   await page.goto(foreign);
-  await page.waitForTimeout(1000);
+  for (let n = 0; n < 100 && !said.some((text) => /frame/i.test(text)); n += 1) await page.waitForTimeout(50);
   const framed = await page.evaluate(() => {
     try {
       return document.getElementById("bench").contentDocument?.body?.innerHTML ?? "closed";

@@ -4,7 +4,8 @@ import { mkdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { createRequire } from "node:module";
 import {
-  Pictures, assert, assertQuiet, demand, enterToken, laserWord, look, openBench, until, withBrowser,
+  Pictures, assert, assertQuiet, demand, enterToken, laserWord, look, openBench, settle, until,
+  withBrowser,
 } from "./browser.mjs";
 
 const [url, readToken, controlToken, pictures] = process.argv.slice(2);
@@ -44,7 +45,7 @@ await withBrowser(async (browser) => {
   await until(() => space.getAttribute("data-gpu-objects"), (objects) => Number(objects) > 0, "a field", 120_000);
   // What is held does not change by itself.
   await page.click(".velocity .shot-choice button:text('Hold')");
-  await page.waitForTimeout(800);
+  await settle(page);
   const eye = await Pictures.open(browser);
   const straight = await eye.take(space);
   assert.ok((await eye.differing(straight)) > 2000, `${await eye.differing(straight)} pixels are drawn`);
@@ -62,6 +63,12 @@ await withBrowser(async (browser) => {
   await page.mouse.up();
   await page.waitForTimeout(300);
   assert.ok((await eye.differing(turned, await eye.take(space))) > 2000, "the mouse turns it");
+  // However it is turned, its box is whole: nothing reaches the rim.
+  const rims = [{ y: box.y }, { y: box.y + box.height - 3 }, { width: 3 }, { x: box.x + box.width - 3, width: 3 }];
+  for (const rim of rims) {
+    const clip = { ...box, height: rim.width ? box.height : 3, ...rim };
+    assert.equal(await eye.differing(await eye.take(page, { clip })), 0, `something is cut at ${JSON.stringify(clip)}`);
+  }
   await page.click(".velocity .shot-choice button:text('Follow')");
 
   step("control fails without the scope");
@@ -119,7 +126,7 @@ await withBrowser(async (browser) => {
     await page.emulateMedia({ colorScheme: theme, reducedMotion: "reduce" });
     for (const view of VIEWS) {
       await look(page, view);
-      await page.waitForTimeout(view === "cameras" || view === "volume" ? 2500 : 1000);
+      await settle(page);
       await page.screenshot({ path: join(pictures, `${view}-${theme}.png`), fullPage: true });
       const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
       serious.push(...violations.filter(({ impact }) => ["serious", "critical"].includes(impact))

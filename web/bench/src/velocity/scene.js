@@ -16,6 +16,10 @@ import { number } from "../words.js";
 const UP = new Vector3(0, 1, 0);
 /** A step of an arrow key, in rad. */
 const TURN = Math.PI / 24;
+/** Where the view stands at first, seen from the middle of the field. */
+const VIEWPOINT = new Vector3(0.7, 0.5, 1.22).normalize();
+/** Room around the field for its labels, as a share of its size. */
+const MARGIN = 1.08;
 
 /** An arrow of length 1 along y, about its middle. */
 function arrow() {
@@ -63,6 +67,7 @@ export class FieldScene {
     this.slice.visible = false;
     this.group.add(this.slice);
     this.size = null;
+    this.isFramed = false;
   }
 
   key(event) {
@@ -95,8 +100,16 @@ export class FieldScene {
     const box = new BoxGeometry(...size);
     this.box.geometry = new EdgesGeometry(box);
     box.dispose();
-    const far = Math.hypot(...size);
-    this.camera.position.set(0.7 * far, 0.5 * far, 1.22 * far);
+    this.isFramed = false;
+  }
+
+  /** Stands so far away that the box is whole, however it is turned: its corners lie on a sphere. */
+  standBack() {
+    const upright = (this.camera.fov / 2) * (Math.PI / 180);
+    const narrowest = Math.min(upright, Math.atan(Math.tan(upright) * this.camera.aspect));
+    const radius = Math.hypot(...this.size) / 2;
+    this.camera.position.copy(VIEWPOINT).multiplyScalar((MARGIN * radius) / Math.sin(narrowest));
+    this.isFramed = true;
     this.controls.target.set(0, 0, 0);
     this.controls.update();
   }
@@ -196,6 +209,7 @@ export class FieldScene {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (!this.isFramed) this.standBack();
     this.box.material.color.set(themeColour("faint-ink"));
     this.surface.material.color.set(themeColour("surface"));
     this.renderer.render(this.scene, this.camera);

@@ -25,6 +25,8 @@ export function overviewView(run) {
     calibration: reading("Calibration"), seeding: reading("Seeding"),
   };
   const causes = h("ul", { class: "causes" });
+  const calibrations = table("Calibrated cameras: the file and its SHA-256");
+  calibrations.element.classList.add("hashes");
   const ledger = table("Triggers by camera and outcome");
   const marks = table("How many shots have got how far");
   const shots = table("Latest shots, newest first");
@@ -38,7 +40,7 @@ export function overviewView(run) {
     h("div", { class: "two" },
       h("div", {},
         panel("Shots", waiting, shots.element),
-        panel("Model fit", h("dl", { class: "readings" }, ...Object.values(fit).map((one) => one.element)), causes)),
+        panel("Model fit", h("dl", { class: "readings" }, ...Object.values(fit).map((one) => one.element)), causes, calibrations.element)),
       h("div", {},
         panel("What happened", quiet, log),
         panel("Ledger", ledger.element, marks.element),
@@ -82,13 +84,19 @@ export function overviewView(run) {
     fit.unexplained.show(cameras((camera) => percent(camera.unexplained)));
     fit.offset.show(found ? `${cameras((camera) => number(camera.micro_image_offset_px, 2))} px` : "–");
     fit.disparity.show(found?.camera_disparity_mm ? `${number(found.camera_disparity_mm, 2)} mm` : "–");
-    fit.calibration.show(status.calibration ?? "as configured");
+    showCalibrations(status.configuration);
     const scene = status.model_choice?.scene;
     fit.seeding.show(scene ? `${number(scene.seeding_ppm, 2)} per microlens` : "–");
     const words = found?.causes ?? [];
     if (causes.childElementCount !== words.length || [...causes.children].some((line, n) => line.textContent !== words[n])) {
       causes.replaceChildren(...words.map((cause) => h("li", {}, cause)));
     }
+  }
+
+  function showCalibrations({ cameras, calibrations: files }) {
+    fit.calibration.show(files.length === 0 ? "as configured" : `${files.length} of ${cameras.length} cameras`);
+    calibrations.element.hidden = files.length === 0;
+    calibrations.show(["Camera", "file", "SHA-256"], files.map(({ camera, file, sha256 }) => [camera, file, sha256]));
   }
 
   function showLedger(status) {
