@@ -1,10 +1,11 @@
-//! The statistics of a run as NetCDF-4/CF: what each place comes to, how it converges, how far fluctuations
-//! reach.
+//! The statistics of a run as NetCDF-4/CF: statistics per point, convergence, two-point
+//! correlations and spectra.
 //!
-//! Per place (`z, y, x`): `samples`, and for each quantity (`u_mean`, `u_rms`, `uv`, `u_skewness`, ...) its value,
-//! `_uncertainty` (standard, of all), `_uncertainty_flow` and `_uncertainty_measurement` (the parts), and
-//! `_interval` over `bound`: 95 %. What is not known is NaN. Over `part`: convergence. Along each axis:
-//! `covariance_x`, `correlation_x` over `separation_x`, `spectrum_x` over `wavenumber_x`.
+//! Per point (`z, y, x`): `samples`, and for each quantity (`u_mean`, `u_rms`, `uv`, `u_skewness`,
+//! ...) its value, the standard uncertainty `_uncertainty` with its parts `_uncertainty_flow` and
+//! `_uncertainty_measurement`, and the 95 % interval `_interval` over `bound`. Unknown numbers are
+//! NaN. Over `part`: convergence. Along each axis: `covariance_x`, `correlation_x` over
+//! `separation_x`, `spectrum_x` over `wavenumber_x`.
 
 use std::path::Path;
 
@@ -17,11 +18,11 @@ use super::{
 
 const PLACES: [&str; 3] = ["z", "y", "x"];
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// A value, three uncertainties and two bounds of each quantity; a count; room for the rest.
+/// Bytes per point: value, three uncertainties and two bounds of each quantity, and a count.
 const PLACE_BYTES: u64 = 6 * 4 * Quantity::ALL.len() as u64 + 8;
 const REST_BYTES: u64 = 4 << 20;
 
-/// One number of an estimate.
+/// A number of an estimate: suffix of its name, prefix of its description, accessor.
 type Part = (&'static str, &'static str, fn(&Estimate) -> f64);
 
 const PARTS: [Part; 4] = [
@@ -39,8 +40,8 @@ const PARTS: [Part; 4] = [
     ),
 ];
 
-/// Writes the statistics of a run, replacing an older file; `configuration` is the TOML text that its vectors
-/// were made with.
+/// Writes the statistics of a run, replacing an older file; `configuration` is the TOML text of the
+/// measurement.
 pub fn write_statistics(
     path: &Path,
     configuration: &str,
@@ -243,7 +244,7 @@ mod tests {
         }
         let file = netcdf::open(&path).unwrap();
         let numbers = |name: &str| file.variable(name).unwrap().get_values::<f64, _>(..).unwrap();
-        // Of three vectors one is valid.
+        // One of three vectors is valid.
         assert_eq!(numbers("samples")[..3], [5.0, 0.0, 0.0]);
         assert_eq!(numbers("shots"), [5.0]);
         // A voxel of 0.1 mm in 100 us is 1 m/s.
