@@ -131,7 +131,7 @@ async fn statistics_are_those_of_the_shots_so_far() {
     assert_eq!((&stress["unit"], &stress["value"][0]), (&"m2/s2".into(), &0.0.into()));
     assert_eq!(statistics["convergence"].as_array().unwrap().last().unwrap()["shots"], done);
     let refused = server.get("/api/v1/statistics?quantities=u_mean,warp").await;
-    assert!(refused.error(400).contains("'warp' is no quantity"));
+    assert!(refused.error(400).contains("'warp' is not a quantity"));
 }
 
 /// Reads the bytes by the documented offsets.
@@ -163,7 +163,7 @@ async fn what_is_not_there_is_said_with_the_reason() {
     server.assert_error(&result(done + 1), 404, "shed").await;
     server.assert_error(&result(done + 2), 404, "lost").await;
     server.assert_error(&result(done + 3), 404, "being processed").await;
-    server.assert_error(&result(done + 4), 404, "waits for a worker").await;
+    server.assert_error(&result(done + 4), 404, "is waiting for a worker").await;
     server.assert_error(&result(done + 5), 404, "frames").await;
     server.assert_error(&result(999), 404, "no shot 999").await;
     server.assert_error("/api/v1/shots/999", 404, "no shot 999").await;
@@ -173,9 +173,9 @@ async fn what_is_not_there_is_said_with_the_reason() {
 #[tokio::test]
 async fn what_is_no_number_is_a_bad_request() {
     let (server, _) = busy_server().await;
-    server.assert_error("/api/v1/shots/first", 400, "'first' is no shot number").await;
-    server.assert_error("/api/v1/results/-1", 400, "'-1' is no shot number").await;
-    server.assert_error("/api/v1/results/1.5", 400, "no shot number").await;
+    server.assert_error("/api/v1/shots/first", 400, "'first' is not a shot number").await;
+    server.assert_error("/api/v1/results/-1", 400, "'-1' is not a shot number").await;
+    server.assert_error("/api/v1/results/1.5", 400, "not a shot number").await;
     server.assert_error("/api/v1/shots?limit=many", 400, "limit").await;
     server.assert_error("/api/v1/shots?limit=5000", 400, "0 to 1000").await;
     server.assert_error("/api/v1/results/latest?format=xml", 400, "`binary`").await;

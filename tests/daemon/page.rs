@@ -102,7 +102,7 @@ async fn settings_and_timing_are_told_and_nothing_is_changed() {
     assert!(server.get("/api/v1/control/timing?dt_us=x").await.error(400).contains("dt_us"));
     let empty = Server::empty(&settings()).await;
     for path in ["/api/v1/configuration", "/api/v1/control/timing"] {
-        assert!(empty.get(path).await.error(404).contains("no configured bench"));
+        assert!(empty.get(path).await.error(404).contains("no configuration of a bench"));
     }
 }
 

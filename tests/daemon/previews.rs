@@ -118,7 +118,7 @@ async fn raw_frames_are_shown_at_the_width_asked_for() {
     server.assert_error(&frame(3, "a"), 404, "no cam3, but cam1 to cam2").await;
     server.assert_error(&frame(0, "a"), 400, "'0' is not a camera").await;
     server.assert_error(&frame(1, "c"), 400, "give a or b").await;
-    server.assert_error("/api/v1/shots/8/frames/1/a.png", 410, "not at hand").await;
+    server.assert_error("/api/v1/shots/8/frames/1/a.png", 410, "not available").await;
     server.assert_error("/api/v1/shots/9/frames/1/a.png", 404, "no shot 9").await;
 }
 
@@ -131,7 +131,7 @@ async fn light_that_has_left_the_memory_is_gone_with_the_reason() {
     server.assert_error(&volume(done), 404, "camera 2 is dark").await;
     server.assert_error(&volume(999), 404, "no shot 999").await;
     server.assert_error("/api/v1/results/1/volumes/c", 400, "give a or b").await;
-    server.assert_error("/api/v1/results/1/projections/a/zz.png", 400, "no plane").await;
+    server.assert_error("/api/v1/results/1/projections/a/zz.png", 400, "not a plane").await;
 }
 
 #[tokio::test]

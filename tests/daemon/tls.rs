@@ -86,7 +86,7 @@ async fn unusable_certificates_and_keys_are_refused_with_what_to_do() {
     let absent = refusal(TlsSettings { key: folder.path().join("absent"), ..tls.clone() });
     assert!(absent.contains("server.tls.key"), "{absent}");
     let swapped = TlsSettings { certificate: tls.key.clone(), key: tls.key.clone() };
-    assert!(refusal(swapped).contains("no certificate in it"));
+    assert!(refusal(swapped).contains("contains no certificate"));
     let other = tempfile::tempdir().unwrap();
     let (others, _) = secured(other.path());
     let foreign = refusal(TlsSettings { key: others.tls.unwrap().key, ..tls });
