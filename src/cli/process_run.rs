@@ -1,8 +1,8 @@
 //! `lfpiv process RUN`: measures the shots of a recorded run that have no result yet.
 //!
-//! The run may have shed them, or been killed. Raw log first: what a crash has left half-written
-//! is cut off, and said. Then the ledger, made from the record where the run had no time to write it.
-//! Then the results: whole segments stay, no shot is measured twice.
+//! The run may have shed them or been killed. First the raw log is recovered: incomplete data after
+//! a crash is cut off and reported. Then the ledger is made from the record, if the run did not
+//! write it. Then results are added: sealed segments stay, and no shot is measured twice.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ use super::{
     ledger_file::{
         has_ledger, note_processed_later, set_damaged_ledger_aside, write_recovered_ledger,
     },
-    losses::{Losses, tell_cut_off},
+    losses::{Losses, warn_if_cut_off},
     output::{count, print, progress_bar},
     recording::RunLock,
     run_processor::run_processor,
@@ -26,12 +26,12 @@ use crate::{
     config::Config,
 };
 
-/// Whether `folder` is that of a recorded run.
+/// Whether `folder` is the folder of a recorded run.
 pub(super) fn is_run(folder: &Path) -> bool {
     folder.join(RAW_FOLDER).is_dir()
 }
 
-/// Finishes the run in `folder`; told to stop, it ends after the shot in hand.
+/// Finishes the run in `folder`. When interrupted, it ends after the current shot.
 pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Result<()> {
     let _lock = RunLock::take(folder)?;
     let recovery = recover(&folder.join(RAW_FOLDER))?;
@@ -49,19 +49,19 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
     }
     let mut losses = Losses::of(folder, &index);
     for shot in stored.shots.iter().filter(|shot| !index.shots.contains_key(shot)) {
-        losses.lose(*shot, "it has a result, and its images are not in the record");
+        losses.add(*shot, "it has a result, but its images are not in the record");
     }
-    losses.tell();
-    tell_cut_off(folder, &index);
+    losses.log();
+    warn_if_cut_off(folder, &index);
     let missing: Vec<&RecordedShot> =
         index.shots.values().filter(|shot| !stored.shots.contains(&shot.trigger)).collect();
-    // First: whatever happens to the results, it says what the run itself came to.
+    // The ledger is written before the results, because it describes the run itself.
     let has_ledger = has_ledger(folder);
     let damaged = if has_ledger { set_damaged_ledger_aside(folder)? } else { None };
     if let Some(aside) = &damaged {
         let aside = aside.display();
         tracing::warn!(
-            "the ledger is damaged: what is left of it is {aside}, and it is made again"
+            "the ledger is damaged: it is moved to {aside} and made again from the record"
         );
     }
     if !has_ledger || damaged.is_some() {
@@ -87,7 +87,7 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
     ))?;
     if finished.left > 0 {
         bail!(
-            "interrupted: {} without a result are left; the same command measures them",
+            "interrupted: {} without a result remain; repeat the command to measure them",
             count(finished.left, "shot")
         );
     }
@@ -98,11 +98,11 @@ pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Re
     bail!("{} gave no result{listed}", count(finished.failed.len(), "shot"))
 }
 
-/// What came of the shots that had no result.
+/// Outcome of the shots without a result.
 #[derive(Debug, Default)]
 struct Finished {
     failed: Vec<String>,
-    /// Shots that were not looked at.
+    /// Shots that were not processed.
     left: usize,
 }
 
@@ -135,7 +135,7 @@ fn measure(
     Ok(finished)
 }
 
-/// The processor, with the forward model that the run's first result decided.
+/// The processor with the forward model that the run's first result chose.
 fn prepare(
     config: &Config,
     recorded: &RecordedRun,
@@ -153,7 +153,7 @@ fn prepare(
                 processor.process(pair)?;
                 break;
             }
-            Err(error) => tracing::warn!("{error}: another shot decides the forward model"),
+            Err(error) => tracing::warn!("{error}: another shot chooses the forward model"),
         }
     }
     Ok(processor)

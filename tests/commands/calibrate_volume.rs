@@ -93,7 +93,8 @@ impl Bench {
             .collect();
         fs::write(bench.at("card.toml"), format!("{CARD}{positions}")).unwrap();
         bench.succeeds(
-            "simulate --config drawn.toml --out images/ --shots 1 --white 3 --dark 2 --card card.toml",
+            "simulate --config drawn.toml --out images/ --shots 1 --white 3 --dark 2 --card \
+             card.toml",
         );
         bench
     }
@@ -121,7 +122,8 @@ fn calibrated() -> Bench {
             (0..count).map(|i| format!("images/{kind}/cam{n}_{i:02}.tif ")).collect()
         };
         bench.succeeds(&format!(
-            "calibrate grid --config drawn.toml --camera {n} --white {} --dark {} --out cam{n}_grid.json",
+            "calibrate grid --config drawn.toml --camera {n} --white {} --dark {} --out \
+             cam{n}_grid.json",
             images("white", 3),
             images("dark", 2)
         ));
@@ -268,7 +270,7 @@ fn what_is_missing_for_a_calibration_is_said() {
     };
     let volume =
         "calibrate volume --config drawn.toml --out calibration.json --card card.toml --grid";
-    assert!(said(&format!("{volume} cam1.json")).contains("give the grid of each"));
+    assert!(said(&format!("{volume} cam1.json")).contains("give one grid per camera"));
     assert!(said(&format!("{volume} cam1.json cam2.json")).contains("cannot be read"));
     fs::write(bench.at("card.toml"), CARD.replace("marks = [9, 11]", "marks = [9, 10]")).unwrap();
     assert!(said(&format!("{volume} cam1.json cam2.json")).contains("position"));

@@ -110,7 +110,7 @@ fn a_machine_that_is_fit_is_told_so_in_figures() {
     let config = bench_writing_to(root.path(), &root.path().join("not/yet"));
     let examined = Examined::of(&config);
     assert_eq!(examined.code, Some(0), "{}{}", examined.report, examined.stderr);
-    for check in ["output folder", "free room", "processor", "memory", "clock", "address"] {
+    for check in ["output folder", "free space", "processor", "memory", "clock", "address"] {
         assert_ne!(examined.check(check).0, "problem", "{}", examined.report);
     }
     let checks = examined.report["checks"].as_array().expect("checks");
@@ -161,7 +161,7 @@ fn a_disk_that_is_soon_full_is_a_problem() {
     assert_eq!(examined.code, Some(1), "{}", examined.report);
     assert_eq!(examined.check("output folder").0, "ok");
     assert!(examined.check("writing speed").1.contains("16 MB written and synced"));
-    let (verdict, found, advice) = examined.check("free room");
+    let (verdict, found, advice) = examined.check("free space");
     assert_eq!(verdict, "problem", "{found}");
     assert!(found.starts_with("0.1 GB") && advice.contains("remove old runs"), "{found}");
 }
