@@ -11,8 +11,8 @@ use serde_json::Value;
 
 use crate::{bench::quick_result, client::Ask, server::Server};
 
-/// More done shots than fit in memory, then one failed, shed, lost, processing, queued and
-/// awaiting frames each.
+/// A server with more finished shots than fit in memory, then one shot each that is failed, shed,
+/// lost, processing, queued, and waiting for frames.
 pub async fn busy_server() -> (Server, u64) {
     let (mut ledger, board) = (Ledger::new(2), Board::new());
     let done = RESULTS_IN_MEMORY as u64 + 2;
@@ -115,7 +115,7 @@ async fn a_result_is_json_or_bytes() {
 }
 
 #[tokio::test]
-async fn statistics_are_those_of_the_shots_so_far() {
+async fn statistics_include_the_shots_so_far() {
     let (server, done) = busy_server().await;
     let brief = server.get("/api/v1/statistics").await.json();
     assert_eq!((&brief["shots"], &brief["maps"]), (&done.into(), &serde_json::json!([])));
@@ -134,7 +134,7 @@ async fn statistics_are_those_of_the_shots_so_far() {
     assert!(refused.error(400).contains("'warp' is not a quantity"));
 }
 
-/// Reads the bytes by the documented offsets.
+/// Checks the bytes at the documented offsets.
 fn check_layout(bytes: &[u8], shot: u64) {
     let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     let f32_at = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
@@ -153,7 +153,7 @@ fn check_layout(bytes: &[u8], shot: u64) {
 }
 
 #[tokio::test]
-async fn what_is_not_there_is_said_with_the_reason() {
+async fn missing_resources_are_reported_with_the_reason() {
     let (server, done) = busy_server().await;
     let gone = server.assert_error("/api/v1/results/0", 410, "read it from disk").await;
     assert_eq!(gone["results_dir"], "/data/run-1");
@@ -171,7 +171,7 @@ async fn what_is_not_there_is_said_with_the_reason() {
 }
 
 #[tokio::test]
-async fn what_is_no_number_is_a_bad_request() {
+async fn an_invalid_number_is_a_bad_request() {
     let (server, _) = busy_server().await;
     server.assert_error("/api/v1/shots/first", 400, "'first' is not a shot number").await;
     server.assert_error("/api/v1/results/-1", 400, "'-1' is not a shot number").await;
