@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pause_seals_what_is_old_enough_only() {
+    fn a_pause_seals_only_segments_that_are_old_enough() {
         let root = tempfile::tempdir().unwrap();
         let hour = Duration::from_secs(3600);
         let mut store = ResultStore::with_segment_age(root.path(), "", hour).unwrap();

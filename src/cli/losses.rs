@@ -163,7 +163,7 @@ impl fmt::Display for DamagedRecord {
             formatter,
             "done, except for damaged or missing parts in the record of {}: {}, {} lost",
             run.display(),
-            count(places.len(), "damaged place"),
+            count(places.len(), "part"),
             count(shots.len(), "shot")
         )?;
         places.iter().try_for_each(|place| write!(formatter, "\n  {place}"))?;

@@ -214,7 +214,7 @@ async fn metrics_and_health_follow_the_run() {
 }
 
 #[tokio::test]
-async fn the_server_ends_when_told() {
+async fn the_server_ends_when_cancelled() {
     let server = Server::start(Ledger::new(1), Board::new()).await;
     assert_eq!(server.get("/healthz").await.status, 200);
     server.stop.cancel();

@@ -5,7 +5,7 @@ use std::{io::Write, path::Path};
 use super::{QUANTITIES, numbers};
 use crate::archive::{ArchiveError, StoredShot, durable::replace};
 
-const PLACE: &str = "shot,time_s,dt_s,x_mm,y_mm,z_mm";
+const POSITION_COLUMNS: &str = "shot,time_s,dt_s,x_mm,y_mm,z_mm";
 const NAMES: [&str; QUANTITIES] = [
     "u_m_s",
     "v_m_s",
@@ -26,7 +26,7 @@ const NAMES: [&str; QUANTITIES] = [
 /// their units. A missing number is an empty field. `time_s` is UTC in seconds since 1970.
 pub fn write_csv(path: &Path, shot: &StoredShot) -> Result<(), ArchiveError> {
     replace(path, |writer| {
-        writeln!(writer, "{PLACE},{}", NAMES.join(","))?;
+        writeln!(writer, "{POSITION_COLUMNS},{}", NAMES.join(","))?;
         let time = shot.time_s.map_or(String::new(), |time_s| format!("{time_s:.6}"));
         for index in 0..shot.grid.len() {
             // Rounds away the meaningless digits of summed spacings.

@@ -46,8 +46,8 @@ pub fn write_tecplot(path: &Path, shot: &StoredShot) -> Result<(), ArchiveError>
             shot.shot
         )?;
         for axis in 0..3 {
-            let places = (0..count).map(|index| shot.grid.position_mm(index)[axis] * 1e-3);
-            write_block(writer, places)?;
+            let positions = (0..count).map(|index| shot.grid.position_mm(index)[axis] * 1e-3);
+            write_block(writer, positions)?;
         }
         for quantity in 0..QUANTITIES {
             let known = |number: f32| if number.is_nan() { 0.0 } else { f64::from(number) };
