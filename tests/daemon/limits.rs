@@ -41,8 +41,8 @@ async fn too_large_a_body_or_header_is_refused() {
         let error = answer.error(413);
         assert!(error.contains(words), "{error}");
     };
-    refused(note(70_000).of(server.address).await, "allowed: 65536");
-    refused(note(4097).of(server.address).await, "allowed: 4096");
+    refused(note(70_000).of(server.address).await, "at most 65536");
+    refused(note(4097).of(server.address).await, "at most 4096");
     assert_eq!(note(4096).of(server.address).await.status, 409);
     // A claimed length is refused before the body is read.
     let claimed = Ask::post("/api/v1/control/note")

@@ -181,7 +181,7 @@ fn a_recorded_run_gives_the_same_vectors_and_ledger_over_the_wires() {
             let stage = Stage::with_run_of("12");
             let (output, told) = stage.play(&stage.recorded, &[], &stage.daemon(), "12");
             assert!(output.status.success(), "{}", text(&output.stderr));
-            assert!(told.contains("12 triggers as recorded; dark: 0 in"), "{told}");
+            assert!(told.contains("12 triggers as recorded; dark: 0 with"), "{told}");
             let again = folder_of(&output);
             assert_same(&stage.recorded, &again, SHOTS);
             assert!(images(&again) == images(&stage.recorded), "other pixels");
@@ -298,7 +298,7 @@ fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
 
             let received = [stage.received(0), stage.received(1)];
             let (output, told) = stage.play(&disturbed, &[], &stage.daemon(), "16");
-            assert!(told.contains("16 triggers as recorded; dark: 0 in"), "{told}");
+            assert!(told.contains("16 triggers as recorded; dark: 0 with"), "{told}");
             assert_same(&disturbed, &folder_of(&output), whole);
             // Including those of incomplete shots.
             assert_eq!([stage.received(0), stage.received(1)], received);
