@@ -34,6 +34,9 @@ const LEAST_COMMON_VIEW: f64 = 0.5;
 /// Cameras closer to each other see the same: the pupil of one alone spans several degrees.
 const LEAST_DEGREES_APART: f64 = 1.0;
 
+/// Most vectors of a field: some 200 bytes each while they are measured and sent.
+const MOST_VECTORS: f64 = 4e6;
+
 /// A key, and why its value does not fit the rest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Misfit {
@@ -50,6 +53,7 @@ impl Misfit {
 /// Everything that does not fit together for `purpose`.
 pub(super) fn misfits(config: &Config, purpose: Purpose) -> Vec<Misfit> {
     let mut found = windows(config);
+    found.extend(vectors(config));
     if purpose != Purpose::Volumes {
         found.extend(domain(config));
         found.extend(common_view(config));
@@ -91,6 +95,18 @@ fn windows(config: &Config) -> Vec<Misfit> {
             Misfit::new(key, message)
         })
         .collect()
+}
+
+/// Vectors closer than the windows are many soon.
+fn vectors(config: &Config) -> Option<Misfit> {
+    let (spacing_mm, grid) = (config.output.spacing_mm?, &config.volume);
+    let volume_mm3: f64 = grid.voxels.iter().map(|&n| n as f64 * grid.voxel_mm).product();
+    (volume_mm3 / spacing_mm.powi(3) > MOST_VECTORS).then(|| {
+        let least_mm = ((volume_mm3 / MOST_VECTORS).cbrt() * 100.0).ceil() / 100.0;
+        let message =
+            format!("more than {MOST_VECTORS:.0} vectors; allowed: {least_mm} mm or more");
+        Misfit::new("output.spacing_mm", message)
+    })
 }
 
 fn common_view(config: &Config) -> Option<Misfit> {

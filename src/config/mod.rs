@@ -136,7 +136,7 @@ pub struct Config {
     pub server: ServerSettings,
     /// Where results go.
     #[serde(default)]
-    #[garde(skip)]
+    #[garde(dive)]
     pub output: OutputSettings,
     /// The bench's instruments.
     #[serde(default)]
@@ -191,19 +191,25 @@ impl Default for PipelineSettings {
     }
 }
 
-/// Where a run's results go.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// Where a run's results go, and where in the volume they lie.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct OutputSettings {
     /// Folder under which every run makes its own.
+    #[garde(skip)]
     pub dir: PathBuf,
     /// Whether every shot gets a file for ParaView (`.vti`), too.
+    #[garde(skip)]
     pub paraview: bool,
+    /// Distance of the vectors, in mm, from the first window's centre to the last's; that of the windows
+    /// when absent. Between windows the field through single particles is what there is.
+    #[garde(inner(range(min = 0.01, max = 100.0)))]
+    pub spacing_mm: Option<f64>,
 }
 
 impl Default for OutputSettings {
     fn default() -> Self {
-        Self { dir: PathBuf::from("results"), paraview: true }
+        Self { dir: PathBuf::from("results"), paraview: true, spacing_mm: None }
     }
 }
 
@@ -320,6 +326,7 @@ impl Config {
             model: self.model.clone(),
             reconstruction: self.reconstruction.clone(),
             velocimetry: self.velocimetry.clone(),
+            spacing_mm: self.output.spacing_mm,
             dt_s: self.shot.dt_us / 1e6,
         }
     }
