@@ -13,18 +13,49 @@ use lfpiv::{
 };
 use lfpiv_core::model::CameraCalibration;
 use lfpiv_hw::CameraName;
+use lfpiv_sim::Flow;
 
 use crate::{BenchmarkError, case::Setting};
 
 /// White and dark images of each camera.
 const IMAGES: &str = "5";
 
+/// Benches that were calibrated before, by their drawing and card: particles and flow change nothing.
+#[derive(Debug, Default)]
+pub struct CalibratedBenches(Vec<(String, Vec<CameraCalibration>)>);
+
+impl CalibratedBenches {
+    /// See [`calibrations_by_commands`], which runs once for each bench.
+    ///
+    /// # Errors
+    /// As [`calibrations_by_commands`].
+    pub fn found(
+        &mut self,
+        setting: &Setting,
+        program: &Path,
+        work: &Path,
+        card: Option<&Path>,
+    ) -> Result<Vec<CameraCalibration>, BenchmarkError> {
+        let mut config = setting.config.clone();
+        if let Some(scene) = &mut config.simulation {
+            (scene.ppm, scene.flow) = (1.0, Flow::default());
+        }
+        let bench = format!("{config:?} {card:?}");
+        if let Some((_, known)) = self.0.iter().find(|(other, _)| *other == bench) {
+            return Ok(known.clone());
+        }
+        let found = calibrations_by_commands(setting, program, work, card)?;
+        self.0.push((bench, found.clone()));
+        Ok(found)
+    }
+}
+
 /// What the commands find of a case's cameras: their grids, and with `card` their maps. Files go to
 /// the folder `work`, which exists.
 ///
 /// # Errors
 /// A command fails, or its file does not fit the bench.
-pub fn calibrations_by_commands(
+fn calibrations_by_commands(
     setting: &Setting,
     program: &Path,
     work: &Path,

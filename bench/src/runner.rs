@@ -4,6 +4,7 @@ use std::{fs, path::Path};
 
 use super::{
     BenchmarkError, Case, Record, Row, Stamp, Suite,
+    calibration_commands::CalibratedBenches,
     kernel::reference_seconds,
     measure::{Findings, Surroundings, measure},
 };
@@ -37,8 +38,12 @@ pub fn run(
     let mut findings = Findings::default();
     fs::create_dir_all(options.work)
         .map_err(|reason| BenchmarkError::Unreadable { path: options.work.into(), reason })?;
-    let mut surroundings =
-        Surroundings { program: options.program, work: options.work, progress: &mut stamped };
+    let mut surroundings = Surroundings {
+        program: options.program,
+        work: options.work,
+        progress: &mut stamped,
+        calibrated: CalibratedBenches::default(),
+    };
     let mut failures = Vec::new();
     for case in &suite.cases {
         if let Err(error) = run_case(suite, case, &mut surroundings, &mut findings) {

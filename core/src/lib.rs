@@ -60,6 +60,7 @@
 //!         max_displacement_vox: 2.0,
 //!         ..VelocimetrySettings::default()
 //!     },
+//!     spacing_mm: None, // As far apart as the windows.
 //!     dt_s: 1e-4,
 //! })?;
 //! let result = processor.process(pair)?;

@@ -138,7 +138,7 @@ pub struct Config {
     pub server: ServerSettings,
     /// Location of the results.
     #[serde(default)]
-    #[garde(skip)]
+    #[garde(dive)]
     pub output: OutputSettings,
     /// The bench's instruments.
     #[serde(default)]
@@ -193,19 +193,25 @@ impl Default for PipelineSettings {
     }
 }
 
-/// Location of a run's results.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// Location of a run's results, and spacing of its vectors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct OutputSettings {
     /// Folder in which every run creates its own folder.
+    #[garde(skip)]
     pub dir: PathBuf,
     /// Whether every shot also gets a file for ParaView (`.vti`).
+    #[garde(skip)]
     pub paraview: bool,
+    /// Spacing of the vectors between the centres of the first and the last window, in mm; that of
+    /// the windows when absent. Vectors between windows come from the field through single particles.
+    #[garde(inner(range(min = 0.01, max = 100.0)))]
+    pub spacing_mm: Option<f64>,
 }
 
 impl Default for OutputSettings {
     fn default() -> Self {
-        Self { dir: PathBuf::from("results"), paraview: true }
+        Self { dir: PathBuf::from("results"), paraview: true, spacing_mm: None }
     }
 }
 
@@ -322,6 +328,7 @@ impl Config {
             model: self.model.clone(),
             reconstruction: self.reconstruction.clone(),
             velocimetry: self.velocimetry.clone(),
+            spacing_mm: self.output.spacing_mm,
             dt_s: self.shot.dt_us / 1e6,
         }
     }

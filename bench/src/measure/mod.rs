@@ -13,7 +13,8 @@ mod volume;
 use std::path::Path;
 
 use super::{
-    BenchmarkError, Curve, Measure, MeasuredField, Method, Projection, Row, case::Setting,
+    BenchmarkError, Curve, Measure, MeasuredField, Method, Projection, Row,
+    calibration_commands::CalibratedBenches, case::Setting,
 };
 
 /// What measurements add to a record.
@@ -37,6 +38,8 @@ pub struct Surroundings<'a> {
     pub work: &'a Path,
     /// Told about every row that is added.
     pub progress: &'a mut dyn FnMut(&Row),
+    /// What the calibration commands found so far.
+    pub calibrated: CalibratedBenches,
 }
 
 impl Findings {

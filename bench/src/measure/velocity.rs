@@ -13,7 +13,6 @@ use super::{Findings, Surroundings};
 use crate::{
     BenchmarkError, Calibration, Curve, Figure, MeasuredField, Method, Row,
     between::{error_between_vox, gain},
-    calibration_commands::calibrations_by_commands,
     case::Setting,
     score::{Score, true_field},
     true_calibration::true_calibrations,
@@ -66,10 +65,10 @@ pub(super) fn measure(
 /// The calibrations that the reconstruction is given.
 pub(super) fn calibrations(
     setting: &Setting,
-    surroundings: &Surroundings,
+    surroundings: &mut Surroundings,
 ) -> Result<Vec<CameraCalibration>, BenchmarkError> {
-    let by_commands =
-        |card| calibrations_by_commands(setting, surroundings.program, surroundings.work, card);
+    let Surroundings { program, work, calibrated, .. } = surroundings;
+    let mut by_commands = |card| calibrated.found(setting, program, work, card);
     match setting.case.calibration {
         Calibration::None => Ok(Vec::new()),
         Calibration::TrueMap => Ok(true_calibrations(setting)),

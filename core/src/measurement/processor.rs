@@ -45,6 +45,8 @@ pub struct Measurement {
     pub reconstruction: ReconstructionSettings,
     /// How volumes are correlated.
     pub velocimetry: VelocimetrySettings,
+    /// Distance of the vectors, in mm; that of the windows where absent.
+    pub spacing_mm: Option<f64>,
     /// Time between the frames, in s.
     pub dt_s: f64,
 }
@@ -113,13 +115,14 @@ impl Processor {
     /// # Errors
     /// A camera does not see the volume.
     pub fn timed(measurement: Measurement, clock: Clock) -> Result<Self, SetupError> {
-        let Measurement { optics, volume, velocimetry, .. } = &measurement;
+        let Measurement { optics, volume, velocimetry, spacing_mm, .. } = &measurement;
         // Light that crosses a face between the frames must have voxels on both sides of it.
         let margin = (velocimetry.max_displacement_vox / 2.0).ceil() as usize + 1;
         let models = Models::new(&measurement, margin, clock)?;
         let layouts = models.configured().reconstructor.layouts();
         let zones = layouts.iter().map(|layout| PhotometricZones::of(optics, layout)).collect();
-        let interrogation = Interrogation::new(volume, margin, velocimetry);
+        let interrogation =
+            Interrogation::new(volume, margin, velocimetry).with_spacing_mm(*spacing_mm);
         Ok(Self { measurement, models, clock, zones, interrogation, stationary: Vec::new() })
     }
 

@@ -1,8 +1,9 @@
-//! The result: one displacement vector per interrogation window.
+//! The result: displacement vectors on a regular grid.
 
 use serde::{Deserialize, Serialize};
 
-/// Where the vectors are: the centres of the interrogation windows.
+/// Where the vectors are: the centres of the interrogation windows, or places between the first and the last
+/// of them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct VectorGrid {
     /// Vector counts along x, y, z.
@@ -29,6 +30,21 @@ impl VectorGrid {
         let [nx, ny, _] = self.vectors;
         let ijk = [index % nx, index / nx % ny, index / (nx * ny)];
         std::array::from_fn(|a| self.first_mm[a] + ijk[a] as f64 * self.spacing_mm)
+    }
+
+    /// Vectors `spacing_mm` apart within the same box, in its middle.
+    pub fn with_spacing_mm(&self, spacing_mm: f64) -> Self {
+        // What rounding takes off the last vector is given back.
+        const ROUNDING: f64 = 1e-6;
+        let length_mm = self.vectors.map(|count| (count.max(1) - 1) as f64 * self.spacing_mm);
+        let steps = length_mm.map(|length| (length / spacing_mm + ROUNDING).floor());
+        Self {
+            vectors: steps.map(|steps| steps as usize + 1),
+            first_mm: std::array::from_fn(|axis| {
+                self.first_mm[axis] + (length_mm[axis] - steps[axis] * spacing_mm) / 2.0
+            }),
+            spacing_mm,
+        }
     }
 
     /// World coordinates of the vectors along one axis (0 is x), in mm.

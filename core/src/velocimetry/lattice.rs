@@ -87,12 +87,20 @@ impl Lattice {
 
     /// The vector of the node nearest to a position.
     pub fn nearest(&self, position_vox: [f32; 3]) -> [f32; 3] {
-        let node = std::array::from_fn(|axis| {
-            let place = (position_vox[axis] - self.first_vox[axis]) / self.step_vox;
-            // The cast takes what is below zero to zero.
-            (place.round() as usize).min(self.nodes[axis] - 1)
-        });
-        self.values[Layout { nodes: self.nodes }.number(node)]
+        self.values[self.nearest_node(position_vox)]
+    }
+
+    /// The node nearest to a position.
+    pub fn nearest_node(&self, position_vox: [f32; 3]) -> usize {
+        let at = self.coordinates(position_vox);
+        // The cast takes what is below zero to zero.
+        let node = |axis: usize| (at[axis].round() as usize).min(self.nodes[axis] - 1);
+        Layout { nodes: self.nodes }.number(std::array::from_fn(node))
+    }
+
+    /// A position in node distances from the first node.
+    pub fn coordinates(&self, position_vox: [f32; 3]) -> [f32; 3] {
+        std::array::from_fn(|axis| (position_vox[axis] - self.first_vox[axis]) / self.step_vox)
     }
 
     /// The field at a position: cubic convolution (Keys 1981) between the nodes, linear outside.

@@ -17,6 +17,7 @@ mod multipass;
 mod peak;
 mod predictor;
 mod raster;
+mod report;
 mod result;
 mod settings;
 mod smoothing;

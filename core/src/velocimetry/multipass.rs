@@ -8,17 +8,18 @@
 use rayon::prelude::*;
 
 use super::{
-    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
+    VectorGrid, VelocimetrySettings, VelocityField,
     cloud::PointCloud,
     correlation::Frames,
     differences::Layout,
-    judge::{Judge, Vector, field_of, move_to, settled},
+    judge::{Judge, Vector, field_of, settled},
     lags::Lags,
     lattice::Lattice,
     peak::{Peak, highest_peak},
     raster::{Image, Raster},
+    report::Report,
     settings::Sizes,
-    tracks::{Refined, follow, is_fine},
+    tracks::{follow, is_fine},
     uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
 };
@@ -30,6 +31,8 @@ pub struct Interrogation {
     margin: usize,
     settings: VelocimetrySettings,
     nodes: [usize; 3],
+    /// Where vectors are asked for; the windows' centres where absent.
+    spacing_mm: Option<f64>,
     search: Windows,
     search_lags: Lags,
     windows: Windows,
@@ -84,7 +87,13 @@ impl Interrogation {
         };
         let (search, search_lags) = search_windows(&windows, search, reach);
         let (grid, settings) = (grid.clone(), settings.clone());
-        Self { grid, margin, settings, nodes, search, search_lags, windows }
+        Self { grid, margin, settings, nodes, spacing_mm: None, search, search_lags, windows }
+    }
+
+    /// With vectors this far apart from the first window's centre to the last's, in mm, and not on the
+    /// centres.
+    pub fn with_spacing_mm(self, spacing_mm: Option<f64>) -> Self {
+        Self { spacing_mm, ..self }
     }
 
     /// The grid, with margin, in whose voxels clouds are given.
@@ -95,10 +104,14 @@ impl Interrogation {
     /// Where the vectors will be.
     pub fn vector_grid(&self) -> VectorGrid {
         let first = (self.windows.edge as f64 - 1.0) / 2.0;
-        VectorGrid {
+        let windows = VectorGrid {
             vectors: self.nodes,
             first_mm: std::array::from_fn(|axis| self.grid.coordinate_mm(axis, first)),
             spacing_mm: self.windows.step as f64 * self.grid.voxel_mm,
+        };
+        match self.spacing_mm {
+            Some(spacing_mm) => windows.with_spacing_mm(spacing_mm),
+            None => windows,
         }
     }
 
@@ -130,9 +143,8 @@ impl Interrogation {
             field = self.judge(&field, &found.peaks).predictor(&found.uncertainty_vox);
         }
         let found = self.pass(a, b, &mut field, WIDE);
-        let mut vectors = self.judge(&field, &found.peaks).vectors(&found.uncertainty_vox);
-        self.to_particles(&mut vectors, particles.then_some([a, b]));
-        self.report(&vectors, &found.peaks, dt_s)
+        let vectors = self.judge(&field, &found.peaks).vectors(&found.uncertainty_vox);
+        self.report(&vectors, &found.peaks, particles.then_some([a, b]), dt_s)
     }
 
     /// Deforms by `field` and adds to it what is left.
@@ -208,44 +220,30 @@ impl Interrogation {
         Judge { settings: &self.settings, field, peaks }
     }
 
-    /// Moves the last pass's vectors to the likeliest field behind them, and from there to the one
-    /// that the particles of `frames` follow. What was replaced is valid where particles measure it; what
-    /// is invalid stays so.
-    fn to_particles(&self, vectors: &mut [Vector], frames: Option<[&PointCloud; 2]>) {
-        let (field, uncertainty_vox) = settled(vectors, self.windows.at_rest());
-        let settled = match frames {
-            Some(frames) => follow(&field, &uncertainty_vox, frames),
-            None => {
-                let by_particles = vec![false; vectors.len()];
-                Refined { field, uncertainty_vox, by_particles }
-            }
-        };
-        move_to(&settled.field, vectors, |n, vector| {
-            if settled.by_particles[n] {
-                vector.status = VectorStatus::Valid;
-            }
-            if let (VectorStatus::Valid, Some(uncertainty_vox)) =
-                (vector.status, settled.uncertainty_vox[n])
-            {
-                vector.uncertainty_vox = uncertainty_vox;
-            }
-        });
-    }
-
-    fn report(&self, vectors: &[Vector], peaks: &[Option<Peak>], dt_s: f64) -> VelocityField {
-        let [nx, ny, nz] = self.nodes;
-        let all = self.windows.nodes;
-        let mut kept = Vec::with_capacity(nx * ny * nz);
-        for k in GUARD..nz + GUARD {
-            for j in GUARD..ny + GUARD {
-                let row = (k * all[1] + j) * all[0];
-                kept.extend(row + GUARD..row + GUARD + nx);
-            }
-        }
-        let vectors: Vec<Vector> = kept.iter().map(|&n| vectors[n]).collect();
-        let ratios: Vec<f32> =
-            kept.iter().map(|&n| peaks[n].map_or(0.0, |peak| peak.ratio)).collect();
-        field_of(self.vector_grid(), &self.grid, dt_s, &vectors, &ratios)
+    /// The likeliest field behind the last pass's vectors, or the one that the particles of `frames` follow
+    /// near it, where vectors are asked for.
+    fn report(
+        &self,
+        vectors: &[Vector],
+        peaks: &[Option<Peak>],
+        frames: Option<[&PointCloud; 2]>,
+        dt_s: f64,
+    ) -> VelocityField {
+        let (windows, uncertainty_vox) = settled(vectors, self.windows.at_rest());
+        let refined = frames
+            .map(|frames| follow(&windows, &uncertainty_vox, frames, self.settings.incompressible));
+        let grid = self.vector_grid();
+        let report = Report { windows: &windows, vectors, peaks, refined: refined.as_ref() };
+        let cloud_grid = self.cloud_grid();
+        let places: Vec<[f32; 3]> = (0..grid.len())
+            .map(|n| {
+                let at_mm = grid.position_mm(n);
+                std::array::from_fn(|axis| cloud_grid.index_of(axis, at_mm[axis]) as f32)
+            })
+            .collect();
+        let (reported, ratios): (Vec<Vector>, Vec<f32>) =
+            places.iter().map(|&at_vox| report.at(at_vox)).unzip();
+        field_of(grid, &self.grid, dt_s, &reported, &ratios)
     }
 }
 

@@ -34,6 +34,10 @@ pub struct VelocimetrySettings {
     /// coarser than half of the configured ones.
     #[garde(skip)]
     pub follow_particles: bool,
+    /// The flow is incompressible: the field through particles is nearly free of divergence, which tells it
+    /// more than the particles alone. Not for a plane of a flow, nor for gases at speed.
+    #[garde(skip)]
+    pub incompressible: bool,
     /// Threshold of the normalised median test (Westerweel and Scarano 2005).
     #[garde(range(min = 0.5, max = 100.0))]
     pub median_threshold: f64,
@@ -93,6 +97,7 @@ impl Default for VelocimetrySettings {
             max_displacement_vox: 6.0,
             first_window_mm: None,
             follow_particles: true,
+            incompressible: false,
             median_threshold: 2.0,
             median_epsilon_vox: 0.1,
             least_peak_ratio: 1.2,

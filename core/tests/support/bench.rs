@@ -80,6 +80,7 @@ impl Bench {
             model: self.model.clone(),
             reconstruction: self.reconstruction.clone(),
             velocimetry: self.velocimetry.clone(),
+            spacing_mm: None,
             dt_s: self.shot.dt_us / 1e6,
         }
     }

@@ -20,6 +20,7 @@ fn bench(cameras: Vec<Pose>) -> Measurement {
         model: ModelSettings::default(),
         reconstruction: ReconstructionSettings::default(),
         velocimetry: VelocimetrySettings::default(),
+        spacing_mm: None,
         dt_s: 1e-4,
     }
 }

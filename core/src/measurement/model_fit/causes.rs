@@ -304,7 +304,10 @@ fn unexplained(evidence: &Evidence<'_>) -> Finding {
         return good();
     }
     let flattened = evidence.saturated_share > CLIPPED_SHARE;
-    let verdict = match evidence.is_unexplained(MOST_UNEXPLAINED) && !flattened {
+    // Light that is not explained and windows without vectors come from different faults on a correct bench.
+    let both_fail = evidence.valid_share.is_some_and(|share| share < FEW_VALID);
+    let is_poor = evidence.is_unexplained(MOST_UNEXPLAINED) || both_fail;
+    let verdict = match is_poor && !flattened {
         true => FitVerdict::Poor,
         false => FitVerdict::Doubtful,
     };

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! over the displacements d of single particles, the correlation's vectors y and the third
-//! differences of the coefficients. ρ is the negative logarithm of Student's distribution: a
+//! differences of the coefficients; in an incompressible flow also of the field's divergence (`divergence`),
+//! which ties the components together. ρ is the negative logarithm of Student's distribution: a
 //! particle that was taken for another, or whose light is another's in part, is wrong by more than a
 //! normal distribution allows, and pulls the less the further off it is. It is minimised by
 //! reweighted least squares (Lange, Little and Taylor, J. Am. Stat. Assoc. 84, 1989).
@@ -20,6 +21,7 @@ use super::{
         differences::{Layout, Penalty},
         lattice::Lattice,
     },
+    divergence::Divergence,
     samples::{Samples, add_diagonal, add_transposed, cells_at, values_at},
     spline::{Spline, Taps},
     variance::{Waves, near_faces},
@@ -50,6 +52,21 @@ const COMMON_BLUR_ERROR_VOX: f64 = 0.01;
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
 
+/// The same for components that share the cost of their divergence. Of more steps the field follows what
+/// particles near each other err in common: with 60 the error of the smooth bench doubles.
+const UNTIL_TOGETHER: Until = Until { tolerance: 0.03, steps: 15 };
+
+/// One component's part of the equations.
+struct Weighed {
+    /// Of particles and of the correlation's vectors.
+    weights: Vec<f64>,
+    certainty: Vec<f64>,
+    /// What particles weigh per cell about each node.
+    density: Vec<f64>,
+    diagonal: Vec<f64>,
+    right: Vec<f64>,
+}
+
 /// The equations of all three components.
 pub struct Fit {
     layout: Layout,
@@ -62,6 +79,10 @@ pub struct Fit {
     /// none, the mean of the others' variance.
     vectors: [Vec<f64>; 3],
     variance: [Vec<f64>; 3],
+    /// Share of the correlation's variance that third differences may have without being seen.
+    unseen_share: f64,
+    /// Where the flow is incompressible.
+    divergence: Option<Divergence>,
     /// 1/τ² of the coefficients' third differences.
     penalties: [Penalty; 3],
     /// Particles about each node, and what they weigh per cell.
@@ -73,8 +94,15 @@ pub struct Fit {
 
 impl Fit {
     /// Equations near the correlation's `field` with standard uncertainty `uncertainty_vox`, `None` where
-    /// there is no vector, for splines whose coefficients lie in `layout`.
-    pub fn new(field: &Lattice, uncertainty_vox: &[Option<[f32; 3]>], layout: Layout) -> Self {
+    /// there is no vector, for splines whose coefficients lie in `layout`. Windows stand `window_step_vox`
+    /// apart, the nodes as far or closer.
+    pub fn new(
+        field: &Lattice,
+        uncertainty_vox: &[Option<[f32; 3]>],
+        layout: Layout,
+        window_step_vox: f32,
+        incompressible: bool,
+    ) -> Self {
         let (nodes, count) = (field.nodes, field.values.len());
         let unknown = Penalty { layout, stiffness: [0; 3].map(|_| vec![0.0; layout.len()]) };
         Self {
@@ -86,6 +114,10 @@ impl Fit {
                 field.values.iter().map(|v| f64::from(v[c])).collect()
             }),
             variance: std::array::from_fn(|c| variances(uncertainty_vox, c)),
+            // The third difference of an error as smooth as a window goes with the cube of the step.
+            unseen_share: f64::from(field.step_vox / window_step_vox).powi(6),
+            divergence: incompressible
+                .then(|| Divergence { layout, step_vox: f64::from(field.step_vox) }),
             penalties: [unknown.clone(), unknown.clone(), unknown],
             counts: vec![0.0; count],
             densities: std::array::from_fn(|_| vec![0.0; count]),
@@ -98,65 +130,103 @@ impl Fit {
         self.penalties = self.penalties(spline, &self.measured(samples));
         self.counts = samples.counts();
         self.variance_inflation = samples.variance_inflation().to_vec();
-        let adjusted: Vec<(Vec<f64>, Vec<f64>)> = (0..3usize)
-            .into_par_iter()
-            .map(|c| self.adjusted(c, &spline.coefficients[c], samples))
-            .collect();
-        for (c, (coefficients, density)) in adjusted.into_iter().enumerate() {
-            spline.coefficients[c] = coefficients;
-            self.densities[c] = density;
-        }
-    }
-
-    /// New coefficients of component `c`, and what the samples weigh in them, per cell.
-    fn adjusted(&self, c: usize, start: &[f64], samples: &Samples) -> (Vec<f64>, Vec<f64>) {
-        let measured = samples.displacements(c);
-        let mut coefficients = start.to_vec();
-        let mut density = Vec::new();
         for _ in 0..REWEIGHTINGS {
-            let values = values_at(self.layout, samples.taps(), &coefficients);
-            let residual: Vec<f64> = measured.iter().zip(values).map(|(m, v)| m - v).collect();
-            let weights = samples.weights(c, &residual);
-            density = samples.density(&weights);
-            coefficients = self.solved(
-                c,
-                coefficients,
-                [samples.taps(), &self.on_nodes],
-                [(&measured, &weights), (&self.vectors[c], &self.certainty(c, &density))],
-            );
+            let weighed: Vec<Weighed> = (0..3usize)
+                .into_par_iter()
+                .map(|c| self.weighed(c, &spline.coefficients[c], samples))
+                .collect();
+            spline.coefficients = match self.divergence {
+                Some(divergence) => {
+                    self.solved_together(&divergence, &spline.coefficients, samples, &weighed)
+                }
+                None => self.solved(&spline.coefficients, samples, &weighed),
+            };
+            for (density, weighed) in self.densities.iter_mut().zip(weighed) {
+                *density = weighed.density;
+            }
         }
-        (coefficients, density)
     }
 
-    /// Solution of (Σ BᵀWB + ΔᵀPΔ) c = Σ BᵀW y for two kinds of samples with their `taps`, values y
-    /// and weights W.
-    fn solved(
+    /// What component `c` is compared with, weighed by what its coefficients leave of it.
+    fn weighed(&self, c: usize, coefficients: &[f64], samples: &Samples) -> Weighed {
+        let measured = samples.displacements(c);
+        let values = values_at(self.layout, samples.taps(), coefficients);
+        let residual: Vec<f64> = measured.iter().zip(values).map(|(m, v)| m - v).collect();
+        let weights = samples.weights(c, &residual);
+        let density = samples.density(&weights);
+        let certainty = self.certainty(c, &density);
+        let (mut diagonal, mut right) =
+            (vec![0.0; coefficients.len()], vec![0.0; coefficients.len()]);
+        self.penalties[c].add_diagonal(&mut diagonal);
+        for (taps, values, weights) in
+            [(samples.taps(), &measured, &weights), (&self.on_nodes, &self.vectors[c], &certainty)]
+        {
+            add_diagonal(self.layout, taps, weights, &mut diagonal);
+            add_transposed(self.layout, taps, &products(values, weights), &mut right);
+        }
+        Weighed { weights, certainty, density, diagonal, right }
+    }
+
+    /// (Σ BᵀWB + ΔᵀPΔ) c of component `c`, for both kinds of samples.
+    fn applied(
         &self,
         c: usize,
-        start: Vec<f64>,
-        taps: [&[Taps]; 2],
-        samples: [(&[f64], &[f64]); 2],
+        coefficients: &[f64],
+        samples: &Samples,
+        weighed: &Weighed,
     ) -> Vec<f64> {
-        let layout = self.layout;
-        let weighted = |values: &[f64], weights: &[f64]| -> Vec<f64> {
-            values.iter().zip(weights).map(|(value, weight)| value * weight).collect()
-        };
-        let (mut diagonal, mut right) = (vec![0.0; start.len()], vec![0.0; start.len()]);
-        self.penalties[c].add_diagonal(&mut diagonal);
-        for (taps, (values, weights)) in taps.into_iter().zip(samples) {
-            add_diagonal(layout, taps, weights, &mut diagonal);
-            add_transposed(layout, taps, &weighted(values, weights), &mut right);
+        let mut sum = vec![0.0; coefficients.len()];
+        self.penalties[c].add_forces(coefficients, &mut sum);
+        for (taps, weights) in
+            [(samples.taps(), &weighed.weights), (&self.on_nodes, &weighed.certainty)]
+        {
+            let values = values_at(self.layout, taps, coefficients);
+            add_transposed(self.layout, taps, &products(&values, weights), &mut sum);
         }
+        sum
+    }
+
+    /// Coefficients nearer to the solution, each component by itself.
+    fn solved(
+        &self,
+        start: &[Vec<f64>; 3],
+        samples: &Samples,
+        weighed: &[Weighed],
+    ) -> [Vec<f64>; 3] {
+        let mut solved: [Vec<f64>; 3] = Default::default();
+        solved.par_iter_mut().enumerate().for_each(|(c, solved)| {
+            let part = &weighed[c];
+            let apply = |coefficients: &[f64]| self.applied(c, coefficients, samples, part);
+            *solved = solve(apply, &part.diagonal, &part.right, start[c].clone(), UNTIL);
+        });
+        solved
+    }
+
+    /// The same for components that share the cost of their divergence.
+    fn solved_together(
+        &self,
+        divergence: &Divergence,
+        start: &[Vec<f64>; 3],
+        samples: &Samples,
+        weighed: &[Weighed],
+    ) -> [Vec<f64>; 3] {
+        let count = self.layout.len();
         let apply = |coefficients: &[f64]| {
-            let mut sum = vec![0.0; coefficients.len()];
-            self.penalties[c].add_forces(coefficients, &mut sum);
-            for (taps, (_, weights)) in taps.into_iter().zip(samples) {
-                let values = values_at(layout, taps, coefficients);
-                add_transposed(layout, taps, &weighted(&values, weights), &mut sum);
-            }
+            let parts: Vec<Vec<f64>> = coefficients
+                .par_chunks(count)
+                .enumerate()
+                .map(|(c, part)| self.applied(c, part, samples, &weighed[c]))
+                .collect();
+            let mut sum = parts.concat();
+            divergence.add_forces(coefficients, &mut sum);
             sum
         };
-        solve(apply, &diagonal, &right, start, UNTIL)
+        let own = divergence.diagonal();
+        let diagonal: Vec<f64> =
+            weighed.iter().flat_map(|part| part.diagonal.iter().map(|d| d + own)).collect();
+        let right: Vec<f64> = weighed.iter().flat_map(|part| part.right.clone()).collect();
+        let solved = solve(apply, &diagonal, &right, start.concat(), UNTIL_TOGETHER);
+        std::array::from_fn(|c| solved[c * count..][..count].to_vec())
     }
 
     /// 1/u² of the correlation's vectors: little beside particles that know better, all there is
@@ -194,10 +264,8 @@ impl Fit {
                 let squares = layout.roughness(axis, &spline.coefficients[c], measured);
                 let stiffness = |(n, square): (usize, f64)| {
                     let middle = node_in_the_middle(layout, self.nodes, axis, n);
-                    let uncertain = self.variance[c][middle];
-                    let most = PRIOR_VARIANCE_FACTOR * square
-                        + uncertain
-                        + RESOLUTION_VOX * RESOLUTION_VOX;
+                    let unseen = self.variance[c][middle] + RESOLUTION_VOX * RESOLUTION_VOX;
+                    let most = PRIOR_VARIANCE_FACTOR * square + self.unseen_share * unseen;
                     if layout.starts(axis, n) { 1.0 / most } else { 0.0 }
                 };
                 squares.into_iter().enumerate().map(stiffness).collect()
@@ -254,6 +322,11 @@ impl Fit {
             self.penalties[c].stiffness[along][start]
         })
     }
+}
+
+/// Values times weights, one by one.
+fn products(values: &[f64], weights: &[f64]) -> Vec<f64> {
+    values.iter().zip(weights).map(|(value, weight)| value * weight).collect()
 }
 
 /// How much larger a variance is whose scatter is known from as few particles as share the weight:

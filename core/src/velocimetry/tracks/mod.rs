@@ -6,6 +6,7 @@
 //! own place. The field that follows most of them (`fit`) resolves more than a window and is not drawn
 //! aside by the few that are wrong.
 
+mod divergence;
 mod fit;
 mod pairs;
 mod particles;
@@ -16,11 +17,11 @@ mod variance;
 pub use self::particles::{Particle, particles};
 use self::{
     fit::Fit,
-    pairs::{FARTHEST_VOX, pairs},
+    pairs::{FARTHEST_VOX, Pair, pairs},
     samples::Samples,
     spline::Spline,
 };
-use super::{cloud::PointCloud, lattice::Lattice};
+use super::{cloud::PointCloud, differences::Layout, lattice::Lattice};
 
 /// Particles are at last looked for so near to where the field expects them, in voxels: some standard
 /// deviations of a reconstructed particle's place, and less than the distance to its neighbours.
@@ -30,9 +31,16 @@ const NEAREST_VOX: f32 = 0.6;
 /// them.
 const FAR_ROUNDS: usize = 5;
 
-/// The field is settled when no more than a twentieth of its components move further than this, in
-/// voxels: its uncertainty on the bench.
+/// A component of the field moves if it moves further than this, in voxels: its uncertainty on the bench.
 const SETTLED_VOX: f32 = 0.015;
+
+/// Shares of the components that may still move when the field is settled, on the windows' nodes and on finer ones:
+/// what is rough in a small part of the volume is found on these.
+const COARSE_MOVING_SHARE: f64 = 0.05;
+const FINE_MOVING_SHARE: f64 = 0.002;
+
+/// Least particles in a cell between nodes that are not too close.
+const LEAST_PER_FINER_CELL: f64 = 0.5;
 
 /// Coarsest voxels, in those of the configuration, whose light tells where in them a particle is: it is
 /// drawn from two or more along each axis.
@@ -46,51 +54,115 @@ pub fn is_fine(cloud: &PointCloud) -> bool {
 /// A displacement field after particles were followed, and its standard uncertainty, in voxels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refined {
-    /// The vectors.
-    pub field: Lattice,
-    /// Along x, y, z, for every node; greater than zero. `None` where neither a vector nor a particle
-    /// says anything.
+    /// The field.
+    pub spline: Spline,
+    /// Its values on its own nodes, which may be closer than the windows.
+    pub nodes: Lattice,
+    /// Along x, y, z, for every one of these; greater than zero. `None` where neither a vector nor a
+    /// particle says anything.
     pub uncertainty_vox: Vec<Option<[f32; 3]>>,
-    /// Nodes about which particles by themselves measure the vector.
+    /// Windows about which particles by themselves measure the vector.
     pub by_particles: Vec<bool>,
 }
 
 /// The field that the particles of both frames follow, near the correlation's `field`, whose
 /// standard uncertainty is `uncertainty_vox`, `None` where it has measured nothing. At least three nodes
-/// along every axis.
+/// along every axis. `incompressible`: the field is nearly free of divergence.
 pub fn follow(
     field: &Lattice,
     uncertainty_vox: &[Option<[f32; 3]>],
     frames: [&PointCloud; 2],
+    incompressible: bool,
 ) -> Refined {
     let [a, b] = frames;
     let (a, b) = rayon::join(|| particles(a), || particles(b));
-    let mut spline = Spline::through(field);
-    let mut fit = Fit::new(field, uncertainty_vox, spline.layout);
-    for _ in 0..FAR_ROUNDS {
-        let before = spline.on_nodes(field);
-        let pairs = pairs(&spline, [&a, &b], FARTHEST_VOX);
-        let samples = Samples::new(field.nodes, &spline, &pairs);
-        fit.adjust(&mut spline, &samples);
-        if has_settled(&before, &spline.on_nodes(field)) {
-            break;
-        }
+    let frames: [&[Particle]; 2] = [&a, &b];
+    let fit_on = |nodes: Lattice, uncertainty_vox: &[Option<[f32; 3]>]| {
+        Stage::new(nodes, uncertainty_vox, field.step_vox, incompressible)
+    };
+    let mut stage = fit_on(field.clone(), uncertainty_vox);
+    stage.settle(frames, COARSE_MOVING_SHARE);
+    let near = pairs(&stage.spline, frames, NEAREST_VOX);
+    stage.adjust(&near);
+    let by_particles =
+        Samples::new(field.nodes, &stage.spline, &near).agree(&stage.spline, NEAREST_VOX);
+    if stage.allows_finer(near.len()) {
+        let (nodes, known) = stage.finer(uncertainty_vox);
+        stage = fit_on(nodes, &known);
+        stage.settle(frames, FINE_MOVING_SHARE);
+        stage.adjust(&pairs(&stage.spline, frames, NEAREST_VOX));
     }
-    let pairs = pairs(&spline, [&a, &b], NEAREST_VOX);
-    let samples = Samples::new(field.nodes, &spline, &pairs);
-    fit.adjust(&mut spline, &samples);
     Refined {
-        field: spline.on_nodes(field),
-        uncertainty_vox: fit.uncertainty_vox(),
-        by_particles: samples.agree(&spline, NEAREST_VOX),
+        uncertainty_vox: stage.fit.uncertainty_vox(),
+        nodes: stage.spline.on_nodes(&stage.nodes),
+        spline: stage.spline,
+        by_particles,
     }
 }
 
-/// Whether a field is that of the round before but for what is left to its uncertainty.
-fn has_settled(before: &Lattice, now: &Lattice) -> bool {
+/// A field on nodes of some distance.
+struct Stage {
+    nodes: Lattice,
+    spline: Spline,
+    fit: Fit,
+}
+
+impl Stage {
+    fn new(
+        nodes: Lattice,
+        uncertainty_vox: &[Option<[f32; 3]>],
+        window_step_vox: f32,
+        incompressible: bool,
+    ) -> Self {
+        let spline = Spline::through(&nodes);
+        let fit = Fit::new(&nodes, uncertainty_vox, spline.layout, window_step_vox, incompressible);
+        Self { nodes, spline, fit }
+    }
+
+    /// Pairs particles along the field and fits the field to them until no more than `moving_share` of its
+    /// components move.
+    fn settle(&mut self, frames: [&[Particle]; 2], moving_share: f64) {
+        for _ in 0..FAR_ROUNDS {
+            let before = self.spline.on_nodes(&self.nodes);
+            self.adjust(&pairs(&self.spline, frames, FARTHEST_VOX));
+            if moved(&before, &self.spline.on_nodes(&self.nodes)) <= moving_share {
+                return;
+            }
+        }
+    }
+
+    fn adjust(&mut self, pairs: &[Pair]) {
+        let samples = Samples::new(self.nodes.nodes, &self.spline, pairs);
+        self.fit.adjust(&mut self.spline, &samples);
+    }
+
+    /// Whether nodes at half the distance have particles enough.
+    fn allows_finer(&self, particles: usize) -> bool {
+        let cells: usize = self.nodes.nodes.iter().map(|n| n - 1).product();
+        particles as f64 >= LEAST_PER_FINER_CELL * 8.0 * cells as f64
+    }
+
+    /// The same field on nodes at half the distance, and the standard uncertainty of the windows' vectors,
+    /// `uncertainty_vox`, where these stand.
+    fn finer(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> (Lattice, Vec<Option<[f32; 3]>>) {
+        let spline = &self.spline;
+        let nodes =
+            self.nodes.finer().sampling(|at| spline.of(&spline.taps(at)).map(|value| value as f32));
+        let (coarse, fine) = (Layout { nodes: self.nodes.nodes }, Layout { nodes: nodes.nodes });
+        let mut known = vec![None; fine.len()];
+        for (n, uncertainty) in uncertainty_vox.iter().enumerate() {
+            known[fine.number(coarse.place(n).map(|place| 2 * place))] = *uncertainty;
+        }
+        (nodes, known)
+    }
+}
+
+/// Share of a field's components that differ from those of the round before by more than what is left to
+/// their uncertainty.
+fn moved(before: &Lattice, now: &Lattice) -> f64 {
     let [before, now] = [before, now].map(|field| field.values.as_flattened());
     let moved = before.iter().zip(now).filter(|(a, b)| (**a - **b).abs() > SETTLED_VOX).count();
-    20 * moved <= now.len()
+    moved as f64 / now.len() as f64
 }
 
 #[cfg(test)]
