@@ -36,14 +36,10 @@ const LEAST_COMMON_VIEW: f64 = 0.5;
 /// several degrees.
 const LEAST_DEGREES_APART: f64 = 1.0;
 
-<<<<<<< HEAD:src/config/consistency.rs
-/// A key whose value contradicts other values, and the reason.
-=======
-/// Most vectors of a field: some 200 bytes each while they are measured and sent.
+/// Largest number of vectors of a field, which take some 200 bytes each while they are measured and sent.
 const MOST_VECTORS: f64 = 4e6;
 
-/// A key, and why its value does not fit the rest.
->>>>>>> field-new:src/config/misfit.rs
+/// A key whose value contradicts other values, and the reason.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Inconsistency {
     pub key: Cow<'static, str>,
@@ -103,23 +99,19 @@ fn windows(config: &Config) -> Vec<Inconsistency> {
         .collect()
 }
 
-<<<<<<< HEAD:src/config/consistency.rs
-fn common_view(config: &Config) -> Option<Inconsistency> {
-=======
-/// Vectors closer than the windows are many soon.
-fn vectors(config: &Config) -> Option<Misfit> {
+/// A spacing that gives more vectors than memory should hold.
+fn vectors(config: &Config) -> Option<Inconsistency> {
     let (spacing_mm, grid) = (config.output.spacing_mm?, &config.volume);
     let volume_mm3: f64 = grid.voxels.iter().map(|&n| n as f64 * grid.voxel_mm).product();
     (volume_mm3 / spacing_mm.powi(3) > MOST_VECTORS).then(|| {
         let least_mm = ((volume_mm3 / MOST_VECTORS).cbrt() * 100.0).ceil() / 100.0;
         let message =
             format!("more than {MOST_VECTORS:.0} vectors; allowed: {least_mm} mm or more");
-        Misfit::new("output.spacing_mm", message)
+        Inconsistency::new("output.spacing_mm", message)
     })
 }
 
-fn common_view(config: &Config) -> Option<Misfit> {
->>>>>>> field-new:src/config/misfit.rs
+fn common_view(config: &Config) -> Option<Inconsistency> {
     let sight = |grid: &VolumeGrid| Sight::new(&config.optics, &config.poses(), grid);
     let seen = sight(&config.volume);
     if seen.common >= LEAST_COMMON_VIEW {
