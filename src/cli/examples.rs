@@ -131,10 +131,20 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
     ),
     (
         "calibrate",
-        &[(
-            "lfpiv calibrate grid --white white/cam1_00.tif --dark dark/cam1_00.tif --out grid.json",
-            "where the micro-images are",
-        )],
+        &[
+            (
+                "lfpiv calibrate focus --config bench.toml --camera 1 --live",
+                "where the plane in focus is, from the camera",
+            ),
+            (
+                "lfpiv calibrate grid --white white/cam1_00.tif --dark dark/cam1_00.tif --out grid.json",
+                "where the micro-images are",
+            ),
+            (
+                "lfpiv calibrate volume --card card/card.toml --config bench.toml --grid cam1.json cam2.json --out calibration.json",
+                "how the cameras see the volume",
+            ),
+        ],
     ),
     ("bench", &[("lfpiv bench --set speed", "speed against error, in one report")]),
     ("peers", &[("lfpiv peers --help", "what can be timed beside other programs")]),

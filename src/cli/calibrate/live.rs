@@ -1,0 +1,168 @@
+//! A camera that runs freely, and the newest of its frames.
+
+use std::{
+    panic::resume_unwind,
+    thread,
+    time::{Duration, Instant},
+};
+
+use anyhow::{Context, bail};
+use lfpiv_hw::{
+    CameraName,
+    device::{Camera, DeviceError, Frame, FrameStatus},
+    gige::{self, CameraSettings, ImageSize},
+};
+use tokio::sync::watch;
+use tokio_util::sync::CancellationToken;
+
+use super::FocusArgs;
+use crate::{
+    acquisition::SynchroniserThread,
+    cli::{output::count, stop::stop_on_signals},
+    config::Config,
+};
+
+/// How soon a signal is heard.
+const FRAME_WAIT: Duration = Duration::from_millis(100);
+
+/// A camera that is silent for longer than this, beyond its exposure, does not run freely.
+const SILENCE: Duration = Duration::from_secs(3);
+
+/// A configured camera to look at.
+pub(super) struct LiveCamera {
+    name: CameraName,
+    settings: CameraSettings,
+    size: ImageSize,
+}
+
+impl LiveCamera {
+    /// The camera of this number, from 1.
+    ///
+    /// # Errors
+    /// The configuration has no instruments, or no camera of this number.
+    pub fn configured(args: &FocusArgs, config: &Config, number: u8) -> anyhow::Result<Self> {
+        let path = args.config.display();
+        let Some(instruments) = &config.instruments else {
+            bail!(
+                "{path} has no [instruments], where the address of a camera stands (config/loopback.toml \
+                 explains the keys); `--image FILE --watch` looks at images of another program"
+            );
+        };
+        let (index, cameras) = (usize::from(number) - 1, instruments.camera.len());
+        let Some(settings) = instruments.camera.get(index) else {
+            bail!("{path} has {}: give --camera 1 to {cameras}", count(cameras, "camera"));
+        };
+        let settings = CameraSettings {
+            exposure_us: args.exposure_us.or(settings.exposure_us),
+            // Who looks at a camera waits for nobody.
+            control_patience_s: 0.0,
+            ..settings.clone()
+        };
+        Ok(Self { name: CameraName(index), settings, size: (&config.optics.sensor).into() })
+    }
+
+    /// Its name, as `cam1`.
+    pub fn name(&self) -> CameraName {
+        self.name
+    }
+
+    /// Lets the camera run, and calls `look` with its newest whole frame until Ctrl-C or SIGTERM. Frames
+    /// that arrive meanwhile are passed over.
+    ///
+    /// # Errors
+    /// Another program controls the camera, it is lost, or `look` fails.
+    pub fn watch(&self, look: impl FnMut(&Frame) -> anyhow::Result<()>) -> anyhow::Result<()> {
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(1)
+            .enable_all()
+            .build()
+            .context("nothing can listen for Ctrl-C")?;
+        let words = "the camera keeps the settings that it was looked at with";
+        // There is no laser to wait for.
+        let laser = SynchroniserThread::default();
+        let listening = async { stop_on_signals(&laser, words) };
+        let stop = runtime.block_on(listening)?;
+        let name = self.name.to_string();
+        let mut camera = gige::open_free_running(&name, &self.settings, self.size)
+            .with_context(|| format!("{name} cannot be looked at"))?;
+        let (newest, seen) = watch::channel(None);
+        let exposure = Duration::from_secs_f64(self.settings.exposure_us.unwrap_or(0.0) / 1e6);
+        let receiver = Receiver { patience: SILENCE + 2 * exposure, stop: stop.clone() };
+        thread::scope(|scope| {
+            let receiving = scope.spawn(|| receiver.receive(camera.as_mut(), newest));
+            let looked = runtime.block_on(each(seen, &stop, look));
+            stop.cancel();
+            let received = receiving.join().unwrap_or_else(|panic| resume_unwind(panic));
+            looked?;
+            Ok(received?)
+        })
+    }
+}
+
+/// The thread that takes frames off the camera, so that the newest one is always at hand.
+struct Receiver {
+    /// How long a silent camera is waited for before that is said.
+    patience: Duration,
+    stop: CancellationToken,
+}
+
+impl Receiver {
+    fn receive(
+        &self,
+        camera: &mut dyn Camera,
+        newest: watch::Sender<Option<Frame>>,
+    ) -> Result<(), DeviceError> {
+        camera.start()?;
+        let (mut heard, mut told) = (Instant::now(), false);
+        while !self.stop.is_cancelled() {
+            match camera.next_frame(FRAME_WAIT)? {
+                Some(frame) if frame.status == FrameStatus::Complete => {
+                    (heard, told) = (Instant::now(), false);
+                    newest.send_replace(Some(frame));
+                }
+                Some(frame) => {
+                    heard = Instant::now();
+                    tracing::warn!(
+                        camera = camera.name(),
+                        "frame {} is damaged, packets were lost: `lfpiv doctor` looks at the network",
+                        frame.frame_id
+                    );
+                }
+                None if !told && camera.is_connected() && heard.elapsed() > self.patience => {
+                    told = true;
+                    tracing::warn!(
+                        camera = camera.name(),
+                        "no frame for {:.0} s: if it was set to a double exposure that only a trigger starts, \
+                         set it to a single one in its maker's program",
+                        heard.elapsed().as_secs_f64()
+                    );
+                }
+                None => {}
+            }
+        }
+        camera.stop()
+    }
+}
+
+/// Looks at the newest frame again and again; ends with the frames.
+async fn each(
+    mut seen: watch::Receiver<Option<Frame>>,
+    stop: &CancellationToken,
+    mut look: impl FnMut(&Frame) -> anyhow::Result<()>,
+) -> anyhow::Result<()> {
+    loop {
+        tokio::select! {
+            biased;
+            () = stop.cancelled() => return Ok(()),
+            changed = seen.changed() => {
+                if changed.is_err() {
+                    return Ok(());
+                }
+            }
+        }
+        let frame = seen.borrow_and_update().clone();
+        if let Some(frame) = frame {
+            look(&frame)?;
+        }
+    }
+}
