@@ -23,6 +23,13 @@ pub(super) fn background_images(config: &Config) -> anyhow::Result<ImagePair> {
         .context("cannot read the background images")
 }
 
+/// Says once what calibrations leave as it was drawn.
+pub(super) fn warn_of_drawn_places(config: &Config) {
+    if let Some(left) = config.left_as_drawn() {
+        tracing::warn!("{left}");
+    }
+}
+
 /// Tables for a run's shots, and its stationary light where the configuration has images of it.
 ///
 /// # Errors
@@ -30,6 +37,7 @@ pub(super) fn background_images(config: &Config) -> anyhow::Result<ImagePair> {
 /// The volume cannot be measured, the background images cannot be read, or the background is to be
 /// taken from pairs that a run does not have yet.
 pub(super) fn run_processor(config: &Config) -> anyhow::Result<Processor> {
+    warn_of_drawn_places(config);
     let mut processor =
         Processor::timed(config.measurement(), monotonic).context("this cannot be measured")?;
     match config.image.background {

@@ -75,6 +75,30 @@ pub(super) fn load(config: &Config, folder: &Path) -> Result<Vec<StoredCalibrati
     if misfits.is_empty() { Ok(found) } else { Err(misfits) }
 }
 
+/// What the calibrations leave as it was drawn although there are some, and what to do; `None` where there are
+/// none, or each camera has all.
+pub(super) fn left_as_drawn(config: &Config) -> Option<String> {
+    let with = |has: fn(&CameraCalibration) -> bool| -> Vec<usize> {
+        let of_kind = config.calibration.iter().filter(|stored| has(&stored.known));
+        of_kind.filter_map(|stored| stored.camera.checked_sub(1)).collect()
+    };
+    let (grids, maps) = (with(|known| known.grid.is_some()), with(|known| known.map.is_some()));
+    let names = |of: &dyn Fn(&usize) -> bool| {
+        let cameras = (0..config.camera.len()).filter(of);
+        cameras.map(|camera| CameraName(camera).to_string()).collect::<Vec<_>>().join(" and ")
+    };
+    let placeless = names(&|camera| !maps.contains(camera));
+    if config.calibration.is_empty() || placeless.is_empty() {
+        return None;
+    }
+    let calibrated = names(&|camera| grids.contains(camera));
+    Some(format!(
+        "micro-images of {calibrated} are calibrated, the place and optics of {placeless} are not, and are taken as \
+         drawn, which costs vectors where the bench differs by a voxel: run `lfpiv calibrate volume`, and name \
+         its file in each [[camera]] table"
+    ))
+}
+
 /// What a file says of a camera, the device's serial number where it has it, and the file's hash.
 fn of_camera(
     config: &Config,

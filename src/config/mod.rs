@@ -287,6 +287,12 @@ impl Config {
         }
     }
 
+    /// A warning where calibrations correct only a part of what cameras are: what is still taken as drawn,
+    /// and what to do.
+    pub fn left_as_drawn(&self) -> Option<String> {
+        calibration::left_as_drawn(self)
+    }
+
     /// The bench as the simulator sees it.
     pub fn bench_geometry(&self) -> BenchGeometry {
         BenchGeometry {

@@ -38,7 +38,20 @@ const GOOD_PARTICLES: f64 = 5.0;
 pub fn of_configuration(config: &Config) -> Vec<Finding> {
     let mut findings = vec![view(config), angle(config), f_numbers(config), particles(config)];
     findings.extend(background(config));
+    findings.extend(calibration(config));
     findings
+}
+
+/// What of the cameras is calibrated; nothing to say where all is as drawn.
+fn calibration(config: &Config) -> Option<Finding> {
+    const CHECK: &str = "calibration";
+    if config.calibration.is_empty() {
+        return None;
+    }
+    Some(match config.left_as_drawn() {
+        Some(left) => Finding::advice(CHECK, "only a part of what the cameras are", left),
+        None => Finding::ok(CHECK, "micro-images, places and optics of all cameras"),
+    })
 }
 
 fn view(config: &Config) -> Finding {
