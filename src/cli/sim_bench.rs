@@ -19,6 +19,10 @@ pub struct SimBenchArgs {
     /// is not that of the record, give dark images.
     #[arg(long, value_name = "RUN", conflicts_with = "drive")]
     pub replay: Option<PathBuf>,
+    /// Images that the cameras show while they run freely, one of each, in their order: 8- or 16-bit grey
+    /// TIFF. Without them such frames are dark.
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "drive")]
+    pub show: Vec<PathBuf>,
     /// Disturb frames and serial line: a file of fault settings (TOML).
     #[arg(long, value_name = "FILE", conflicts_with = "drive")]
     pub faults: Option<PathBuf>,

@@ -17,7 +17,7 @@ use lfpiv_hw::{CameraName, Optics, RawImage};
 use super::{live::LiveCamera, reference_images::read_images};
 use crate::{
     archive::ImageSize,
-    cli::output::print,
+    cli::output::{print, print_while_read},
     config::{CalibrationContent, ConfigFile, Purpose, read_calibration},
 };
 
@@ -122,7 +122,7 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
     if let Some(device) = &device {
         return device.watch(|frame| {
             let line = camera.words_of(std::slice::from_ref(&frame.image))?;
-            print(&format!("{}, frame {}: {line}", device.name(), frame.frame_id))
+            print_while_read(&format!("{}, frame {}: {line}", device.name(), frame.frame_id))
         });
     }
     let mut seen: Vec<Option<SystemTime>> = vec![None; args.image.len()];
@@ -134,7 +134,11 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
             }
             *seen = written;
             match camera.look_at(path) {
-                Ok(line) => print(&format!("{}: {line}", path.display()))?,
+                Ok(line) => {
+                    if !print_while_read(&format!("{}: {line}", path.display()))? {
+                        return Ok(());
+                    }
+                }
                 // It may be half written: the next time it is whole.
                 Err(error) if args.watch => tracing::debug!("{}: {error:#}", path.display()),
                 Err(error) => return Err(error),

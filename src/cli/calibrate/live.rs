@@ -67,11 +67,11 @@ impl LiveCamera {
     }
 
     /// Lets the camera run, and calls `look` with its newest whole frame until Ctrl-C or SIGTERM. Frames
-    /// that arrive meanwhile are passed over.
+    /// that arrive meanwhile are passed over. It ends, too, when `look` says that nobody looks any more.
     ///
     /// # Errors
     /// Another program controls the camera, it is lost, or `look` fails.
-    pub fn watch(&self, look: impl FnMut(&Frame) -> anyhow::Result<()>) -> anyhow::Result<()> {
+    pub fn watch(&self, look: impl FnMut(&Frame) -> anyhow::Result<bool>) -> anyhow::Result<()> {
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(1)
             .enable_all()
@@ -148,7 +148,7 @@ impl Receiver {
 async fn each(
     mut seen: watch::Receiver<Option<Frame>>,
     stop: &CancellationToken,
-    mut look: impl FnMut(&Frame) -> anyhow::Result<()>,
+    mut look: impl FnMut(&Frame) -> anyhow::Result<bool>,
 ) -> anyhow::Result<()> {
     loop {
         tokio::select! {
@@ -161,8 +161,10 @@ async fn each(
             }
         }
         let frame = seen.borrow_and_update().clone();
-        if let Some(frame) = frame {
-            look(&frame)?;
+        if let Some(frame) = frame
+            && !look(&frame)?
+        {
+            return Ok(());
         }
     }
 }
