@@ -1,8 +1,8 @@
-//! Known flows: what the particles of a simulated shot follow.
+//! Known flows that carry the particles of a simulated shot.
 //!
-//! Every flow is steady and given in the world frame (mm); velocities are in m/s, so that one
-//! unit is 1000 mm/s. Particle paths are integrated from the middle of the pulse pair, half a
-//! pulse separation back and half forward.
+//! Every flow is steady and defined in the world frame (mm); velocities are in m/s, and 1 m/s is
+//! 1000 mm/s. Particle paths are integrated from the middle of the pulse pair, half a pulse
+//! separation backwards and half forwards.
 
 mod fields;
 mod turbulence;
@@ -63,15 +63,15 @@ impl Flow {
         }
     }
 
-    /// Where the particle that is at `position_mm` now will be after `duration_s` (negative:
-    /// where it was), in mm. Classical fourth-order Runge-Kutta.
+    /// Position after `duration_s` of the particle that is at `position_mm` now, in mm; a negative
+    /// duration gives an earlier position. Classical fourth-order Runge-Kutta.
     pub fn advect_mm(&self, position_mm: [f64; 3], duration_s: f64) -> [f64; 3] {
         let step = duration_s * MM_PER_M / STEPS_PER_HALF as f64;
         (0..STEPS_PER_HALF).fold(position_mm, |at, _| self.runge_kutta_step(at, step))
     }
 
-    /// Displacement x_b − x_a over a pulse pair `dt_s` apart, in mm, of the particle that is at
-    /// `position_mm` in the middle of the pair.
+    /// Displacement x_b − x_a in mm, over a pulse pair with separation `dt_s`, of the particle that
+    /// is at `position_mm` in the middle of the pair.
     pub fn displacement_mm(&self, position_mm: [f64; 3], dt_s: f64) -> [f64; 3] {
         let before = self.advect_mm(position_mm, -dt_s / 2.0);
         let after = self.advect_mm(position_mm, dt_s / 2.0);
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plane_wave_is_transverse_whatever_direction_is_asked_for() {
+    fn a_plane_wave_is_transverse_for_any_component() {
         let wave = PlaneWave {
             wavelength_mm: 2.4,
             amplitude_m_s: 0.5,
@@ -226,10 +226,10 @@ mod tests {
             prop_assert!(divergence_per_s(&Flow::Jet(Jet::default()), [x, y, z]).abs() < 1e-3);
         }
 
-        /// The ring's swirl is free of divergence in the meridional plane; bending the core into
-        /// a circle leaves exactly u_r / r (see `RingVortex`).
+        /// The ring's swirl is free of divergence in the meridional plane. Bending the core into a
+        /// circle leaves a divergence of exactly u_r / r (see `RingVortex`).
         #[test]
-        fn the_ring_diverges_by_its_curvature_alone(
+        fn the_rings_divergence_comes_from_its_curvature(
             radius in 1.0..6.0_f64, angle in 0.0..6.2_f64, z in -3.0..3.0_f64,
         ) {
             let at = [radius * angle.cos(), radius * angle.sin(), z];

@@ -1,11 +1,12 @@
-//! Light-field images by ray tracing: what a camera's sensor collects from points of light.
+//! Light-field images by ray tracing.
 //!
 //! Rays leave a point through equal-area strata of the circular pupil and follow the thin-lens
-//! rules of docs/theory.md, section 2, ray by ray. Nothing here knows voxel weights, so these images can
-//! judge a reconstruction; nor the map that a calibration fits, so they can judge that. What is not as
-//! drawn in a camera ([`CameraFlaws`]) is where the rays go. Simplifications: every particle sends the
-//! same light through the pupil wherever it is (no fall-off with distance, nothing reflected by a
-//! wall), and lenses are free of aberrations but distortion.
+//! rules of docs/theory.md, section 2, ray by ray. The tracer shares neither voxel weights with the
+//! reconstruction nor the fitted map with the calibration, so its images can test both. Deviations
+//! of a camera from its nominal properties ([`CameraFlaws`]) change the paths of the rays.
+//! Simplifications: every particle sends the same light through the pupil from any position (no
+//! fall-off with distance, no reflection at walls), and lenses have no aberrations except
+//! distortion.
 
 mod blemishes;
 mod card;
@@ -36,31 +37,31 @@ pub use electron_image::ElectronImage;
 pub use flaws::{CameraFlaws, Distortion, Dust, SecondAperture, WallSettings};
 pub use white::TrueMicroImageGrid;
 
-/// Particles traced in parallel before they are added to the image: bounds the memory of the
+/// Particles traced in parallel before they are added to the image. Limits the memory for
 /// footprints, about 20 kB each.
 const PARTICLES_PER_BATCH: usize = 1024;
 
 /// Rays of a box traced as one task.
 const RAYS_PER_BOX_TASK: u64 = 1 << 16;
 
-/// How rays are drawn.
+/// Settings of ray tracing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RaySettings {
     /// Rays per particle, rounded up to a square number.
     pub rays_per_particle: usize,
-    /// Wavelength in nm where diffraction is wanted. Each Airy pattern, of the main lens on the
-    /// microlenses and of a microlens on the sensor, is replaced by a Gaussian of the same core.
+    /// Wavelength in nm to simulate diffraction. Each Airy pattern, of the main lens on the
+    /// microlenses and of a microlens on the sensor, is replaced by a Gaussian with the same core.
     pub diffraction_nm: Option<f64>,
 }
 
-/// A point of light in the world.
+/// A point light source in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointSource {
-    /// Which random stream it draws from: the particle's number, not its place in a list.
+    /// Number of its random stream: the particle's number, independent of the order of a list.
     pub id: u64,
     /// World position, in mm.
     pub position_mm: [f64; 3],
-    /// Photo-electrons it would release if no ray were lost.
+    /// Photo-electrons that it would release if no ray were lost.
     pub electrons: f64,
 }
 
@@ -92,13 +93,13 @@ impl RayBundle for Bundle {
 }
 
 impl<'a> RayTracer<'a> {
-    /// A tracer through `optics` standing at `pose`.
+    /// A tracer for nominal `optics` at `pose`.
     pub fn new(optics: &'a Optics, pose: &Pose, settings: &RaySettings) -> Self {
         Self::imperfect(optics, pose, [0.0; 3], &CameraFlaws::default(), settings)
     }
 
-    /// A tracer through a camera that should have these `optics` and stand at `pose`, but stands
-    /// `shift_mm` beside it (x, y, z of the world) and has `flaws`.
+    /// A tracer for a camera with nominal `optics` and `pose` that is displaced by `shift_mm` (x,
+    /// y, z of the world) and has `flaws`.
     pub fn imperfect(
         optics: &'a Optics,
         pose: &Pose,
@@ -127,14 +128,14 @@ impl<'a> RayTracer<'a> {
         }
     }
 
-    /// The image of `sources`. `stream` (seed, shot, camera, frame…) and each source's id choose
-    /// the random numbers: the result is the same bit for bit whatever the number of threads.
+    /// The image of `sources`. `stream` (seed, shot, camera, frame…) and each source's id select
+    /// the random numbers, so the result is identical, bit for bit, for any number of threads.
     pub fn trace(&self, sources: &[PointSource], stream: &[u64]) -> ElectronImage {
         let mut image = ElectronImage::dark(self.optics);
         for batch in sources.chunks(PARTICLES_PER_BATCH) {
             let footprints: Vec<Vec<(u32, u32)>> =
                 batch.par_iter().map(|source| self.footprint(source, stream)).collect();
-            // Adding in the order of the sources keeps the rounding independent of the threads.
+            // Adding in the order of the sources makes rounding independent of the threads.
             for (source, footprint) in batch.iter().zip(footprints) {
                 let per_ray = source.electrons / self.strata.rays() as f64;
                 for (pixel, rays) in footprint {
@@ -146,10 +147,9 @@ impl<'a> RayTracer<'a> {
         image
     }
 
-    /// The image of a box of edge `edge_mm` about `centre_mm` (edges along the world axes) that
-    /// glows uniformly with `electrons` in all, by `rays` rays (rounded up to a multiple of
-    /// 65,536) from points spread through it. For tests of forward models.
-    ///
+    /// The image of a uniformly glowing box with edges of `edge_mm` along the world axes and its
+    /// centre at `centre_mm`, releasing `electrons` in total. `rays` rays, rounded up to a multiple
+    /// of 65,536, start at points spread through the box. Used to test forward models.
     /// Points and directions follow a five-dimensional additive sequence (Roberts' R-sequence),
     /// randomly shifted by `seed`: it converges faster than independent draws. A voxel of the
     /// bench repeats within 1 % (L1, between seeds) at 2^20 rays and 0.3 % at 2^22.
@@ -200,7 +200,8 @@ impl<'a> RayTracer<'a> {
         count_runs(&mut pixels)
     }
 
-    /// Pixels hit by the rays of one source and by how many in a row; a pixel may come again.
+    /// Pixels hit by the rays of one source, with the number of consecutive hits; a pixel may occur
+    /// several times.
     fn footprint(&self, source: &PointSource, stream: &[u64]) -> Vec<(u32, u32)> {
         let key: Vec<u64> = stream.iter().copied().chain([source.id]).collect();
         match self.bundle(source.position_mm) {
@@ -227,14 +228,15 @@ impl<'a> RayTracer<'a> {
         runs
     }
 
-    /// Where the ray of a world point through a place on the stop meets the microlens plane, both
-    /// in mm along the sensor's right and up; `None` for a point that the camera cannot see.
+    /// Position on the microlens plane of the ray from a world point through a position on the
+    /// stop, both in mm along the sensor's right and up; `None` for a point that the camera cannot
+    /// see.
     pub fn on_microlenses_mm(&self, position_mm: [f64; 3], stop_mm: [f64; 2]) -> Option<[f64; 2]> {
         Some(self.bundle(position_mm)?.on_microlenses_mm(stop_mm))
     }
 
-    /// The rays of a world point, or `None` for one that is not in front of the camera, or that a
-    /// wall should separate from it and does not.
+    /// The rays of a world point. `None` for a point that is not in front of the camera, or is not
+    /// behind the wall if there is one.
     fn bundle(&self, position_mm: [f64; 3]) -> Option<Bundle> {
         let position_mm = Point3::from(position_mm);
         Some(match &self.wall {

@@ -1,4 +1,4 @@
-//! What is in front of the simulated cameras: the `[simulation]` table of the configuration.
+//! The simulated scene: the `[simulation]` table of the configuration.
 
 mod card;
 mod lighting;
@@ -22,22 +22,22 @@ pub use card::CardErrors;
 pub use lighting::Lighting;
 pub use pulses::LightPulse;
 
-/// Most particles of a shot: ten million take minutes and about a gigabyte.
+/// Largest number of particles in a shot: ten million take minutes and about a gigabyte.
 pub const PARTICLE_LIMIT: f64 = 1e7;
 
 /// Why a scene cannot be simulated.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SceneError {
-    /// ppm, light sheet and volume together ask for too many.
+    /// ppm, light sheet and volume together give too many particles.
     #[error(
-        "ppm, sheet_mm and the volume ask for {particles:.0} particles: allowed: at most \
+        "ppm, sheet_mm and the volume give {particles:.0} particles: allowed: at most \
          {PARTICLE_LIMIT:.0}"
     )]
     TooManyParticles { particles: f64 },
-    /// A stop or an aperture that would stand at the microlenses or behind them.
+    /// A stop or an aperture at the microlenses or behind them.
     #[error(
-        "simulation.camera[{camera}].{key} = {behind_lens_mm}: allowed: less than the image distance, \
-         {image_distance_mm} mm: light passes it before it reaches the microlenses"
+        "simulation.camera[{camera}].{key} = {behind_lens_mm}: allowed: less than the image \
+         distance, {image_distance_mm} mm, so that light passes it before the microlenses"
     )]
     BehindMicrolenses {
         camera: usize,
@@ -45,10 +45,10 @@ pub enum SceneError {
         behind_lens_mm: f64,
         image_distance_mm: f64,
     },
-    /// A wall that stands among the particles, or behind the lens.
+    /// A wall among the particles, or behind the lens.
     #[error(
-        "simulation.camera[{camera}].wall: allowed: a wall between all of the light sheet and the lens; \
-         change its distance_mm, thickness_mm or tilt_deg"
+        "simulation.camera[{camera}].wall: allowed: a wall between the whole light sheet and the \
+         lens; change its distance_mm, thickness_mm or tilt_deg"
     )]
     WallElsewhere { camera: usize },
 }
@@ -61,40 +61,40 @@ pub struct Scene {
     /// the measurement volume.
     #[garde(custom(finite), range(min = 0.0, max = 20.0))]
     pub ppm: f64,
-    /// Whether particles sit anywhere (`off-grid`) or on voxel centres (`on-grid`).
+    /// Whether particles are anywhere (`off-grid`) or at voxel centres (`on-grid`).
     #[garde(skip)]
     pub placement: Placement,
     /// Half-width s of the uniform distribution of relative brightness on [1 − s, 1 + s].
     #[garde(custom(finite), range(min = 0.0, max = 1.0))]
     pub intensity_spread: f64,
-    /// Edge lengths (x, y, z) of the sharp-edged light sheet, centred on the volume, in mm; the
-    /// volume's own when absent. Another size is seeded at the same number density.
+    /// Edge lengths (x, y, z) of the sharp-edged light sheet, centred on the volume, in mm;
+    /// default: those of the volume. Other sizes have the same number density.
     #[garde(inner(inner(custom(finite), range(min = 0.01, max = 1000.0))))]
     pub sheet_mm: Option<[f64; 3]>,
-    /// Seed of a run that names none.
+    /// Default seed of a run.
     #[garde(skip)]
     pub seed: u64,
-    /// How far each camera stands beside its pose (x, y, z of the world), in mm, in the order of the
-    /// cameras: an error of calibration, of which a reconstruction knows nothing. Cameras that are
-    /// not listed stand where their poses say.
+    /// Displacement of each camera from its pose (x, y, z of the world), in mm, in the order of the
+    /// cameras: a calibration error that is unknown to the reconstruction. Cameras that are not
+    /// listed are at their poses.
     #[garde(inner(inner(custom(finite), range(min = -10.0, max = 10.0))))]
     pub camera_shift_mm: Vec<[f64; 3]>,
-    /// Photo-electrons that the mean particle releases per exposure if no ray is lost. In focus
-    /// they spread over about 256 pixels of the bench's cameras.
+    /// Photo-electrons that a particle of mean brightness releases per exposure if no ray is lost.
+    /// In focus they are spread over about 256 pixels of the bench's cameras.
     #[garde(custom(finite), range(min = 0.0, max = 1e9))]
     pub particle_photoelectrons: f64,
-    /// How this light differs between frames and between cameras.
+    /// Differences of light between frames and cameras.
     #[garde(dive)]
     pub lighting: Lighting,
-    /// What is not as drawn in each camera, in the order of the cameras; those that are not listed
-    /// are perfect.
+    /// Deviations of each camera, in the order of the cameras; cameras that are not listed are
+    /// perfect.
     #[garde(dive)]
     pub camera: Vec<CameraFlaws>,
-    /// How far a calibration card is from what its file says.
+    /// Deviations of a calibration card from its file.
     #[garde(dive)]
     pub card: CardErrors,
-    /// Rays per particle and frame, rounded up to a square number. A white image and that of a card
-    /// have 8 times as many per microlens.
+    /// Rays per particle and frame, rounded up to a square number. White images and images of a
+    /// card have 8 times as many per microlens.
     #[garde(range(min = 1, max = 4_000_000))]
     pub rays_per_particle: usize,
     /// Whether light is spread by diffraction at the main lens and at the microlenses.
@@ -103,10 +103,10 @@ pub struct Scene {
     /// Wavelength of the laser, in nm; only diffraction depends on it.
     #[garde(custom(finite), range(min = 100.0, max = 2000.0))]
     pub wavelength_nm: f64,
-    /// What the particles follow.
+    /// The flow that carries the particles.
     #[garde(dive)]
     pub flow: Flow,
-    /// How light becomes counts.
+    /// Conversion of light into counts.
     #[garde(dive)]
     pub sensor: SensorSettings,
 }
@@ -133,16 +133,16 @@ impl Default for Scene {
     }
 }
 
-/// The images of one shot, and what is behind them.
+/// The images of one shot and the true particles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulatedShot {
     /// Exposures 1 and 2 of every camera, in the order of the poses.
     pub images: Vec<[RawImage; 2]>,
-    /// The particles that made them.
+    /// The particles in the images.
     pub truth: Truth,
 }
 
-/// What a simulated shot shows.
+/// The true content of a simulated shot.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Truth {
     /// Seed of the run.
@@ -153,15 +153,15 @@ pub struct Truth {
     pub dt_s: f64,
     /// The velocity field.
     pub flow: Flow,
-    /// Every particle that is lit in at least one frame.
+    /// All particles that are lit in at least one frame.
     pub particles: Vec<Tracer>,
 }
 
 impl Scene {
-    /// Whether this scene can be simulated on `bench`; call it once before asking for shots.
+    /// Checks whether this scene can be simulated on `bench`. Call it once before requesting shots.
     ///
-    /// Errors: more particles than [`PARTICLE_LIMIT`]; a stop, an aperture or a wall where it cannot
-    /// be.
+    /// Errors: more particles than [`PARTICLE_LIMIT`]; an impossible position of a stop, an
+    /// aperture or a wall.
     pub fn check(&self, bench: &BenchGeometry) -> Result<(), SceneError> {
         let particles =
             self.seeding().drawn(&bench.volume, bench.object_pitch_mm(), &self.flow, bench.dt_s);
@@ -201,7 +201,7 @@ impl Scene {
         Ok(())
     }
 
-    /// The particles of one shot: the truth without the images.
+    /// The particles of one shot, without images.
     pub fn truth(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Truth {
         let particles = self.seeding().particles(
             &bench.volume,
@@ -213,8 +213,8 @@ impl Scene {
         Truth { seed, shot, dt_s: bench.dt_s, flow: self.flow.clone(), particles }
     }
 
-    /// One shot as all cameras record it. The same for the same scene, bench, seed and shot,
-    /// whatever the number of threads.
+    /// One shot as recorded by all cameras. Equal scene, bench, seed and shot give equal results
+    /// for any number of threads.
     pub fn shot(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> SimulatedShot {
         let truth = self.truth(bench, seed, shot);
         let images = (0..bench.poses.len())
@@ -228,7 +228,7 @@ impl Scene {
         SimulatedShot { images, truth }
     }
 
-    /// What one camera's sensor collects in one frame, before background and noise.
+    /// The light on one camera's sensor in one frame, without background and noise.
     pub fn light(
         &self,
         bench: &BenchGeometry,
@@ -243,8 +243,8 @@ impl Scene {
         tracer.trace(&self.sources(&truth.particles, frame, key), &key)
     }
 
-    /// The rays of a camera as it really is; `None` for one that the bench does not have. It tells
-    /// where a ray meets the microlens plane, and where micro-images are centred.
+    /// The ray tracer of a camera with its deviations; `None` if the bench has no such camera. It
+    /// gives the positions of rays on the microlens plane and the true micro-image grid.
     pub fn tracer<'a>(&self, bench: &'a BenchGeometry, camera: usize) -> Option<RayTracer<'a>> {
         let pose = bench.poses.get(camera)?;
         let shift_mm = self.camera_shift_mm.get(camera).copied().unwrap_or_default();
@@ -252,12 +252,12 @@ impl Scene {
         Some(RayTracer::imperfect(&bench.optics, pose, shift_mm, &flaws, &self.rays()))
     }
 
-    /// What is not as drawn in a camera.
+    /// Deviations of a camera.
     fn flaws(&self, camera: usize) -> CameraFlaws {
         self.camera.get(camera).cloned().unwrap_or_default()
     }
 
-    /// How a camera's sensor turns light into counts.
+    /// Sensor settings of a camera, with its own gain.
     fn sensor_of(&self, camera: usize) -> SensorSettings {
         let gain = self.sensor.gain_counts_per_electron * self.flaws(camera).gain;
         SensorSettings { gain_counts_per_electron: gain, ..self.sensor.clone() }
@@ -293,13 +293,14 @@ impl Scene {
         lit.collect()
     }
 
-    /// What a particle releases in the exposure `[seed, shot, camera, frame]` if no ray is lost.
+    /// Photo-electrons that a particle releases in the exposure `[seed, shot, camera, frame]` if no
+    /// ray is lost.
     fn electrons(&self, particle: &Tracer, id: u64, exposure: [u64; 4]) -> f64 {
         particle.intensity * self.particle_photoelectrons * self.lighting.factor(exposure, id)
     }
 }
 
-/// Names the random streams of one exposure.
+/// Key of the random streams of one exposure.
 fn stream_key(truth: &Truth, camera: usize, frame: FrameOfPair) -> [u64; 4] {
     [truth.seed, truth.shot, camera as u64, frame as u64]
 }

@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all.
+//! Files that are either complete or absent.
 
 use std::{
     fs::{self, File},
@@ -10,53 +10,54 @@ use std::{
 
 use super::ArchiveError;
 
-/// Where files in memory are made: on the machine's memory, else where temporary files are.
+/// Preferred folder for files in memory; the fallback is the folder of temporary files.
 const IN_MEMORY: &str = "/dev/shm";
 
-/// Room that is left free there, in bytes.
-const SPARED_BYTES: u64 = 16 << 20;
+/// Free space to leave in that folder, in bytes.
+const RESERVE_BYTES: u64 = 16 << 20;
 
-/// A file in memory, for a library that writes to a path and cannot bear that writing fails: the disk
-/// comes into it only when the file is finished, and then through [`Self::store`]. It has no name, and
-/// ends with the process.
+/// A file in memory, for a library that writes to a path and does not survive a failed write. The
+/// finished file is copied to disk by [`Self::store`]. The file has no name and ends with the
+/// process.
 #[derive(Debug)]
 pub(super) struct MemoryFile(File);
 
 impl MemoryFile {
-    /// A file with room for `bytes`, and what `open` makes of its path, which is gone afterwards.
+    /// Creates a file with room for `bytes`. Returns it with the result of `open`, which gets the
+    /// file's path; the path is removed afterwards.
     pub fn create<T, E>(
         bytes: u64,
         open: impl FnOnce(&Path) -> Result<T, E>,
     ) -> io::Result<(Self, Result<T, E>)> {
         let places = [PathBuf::from(IN_MEMORY), std::env::temp_dir()];
-        let has_room = |place: &&PathBuf| free_bytes(place) >= bytes.saturating_add(SPARED_BYTES);
+        let has_room = |place: &&PathBuf| free_bytes(place) >= bytes.saturating_add(RESERVE_BYTES);
         let place = places.iter().find(has_room).ok_or_else(|| {
             let mb = bytes as f64 / 1e6;
             io::Error::other(format!(
-                "it is made in memory first, and neither {} nor {} has {mb:.0} MB free",
+                "the file is built in memory first, but neither {} nor {} has {mb:.0} MB free",
                 places[0].display(),
                 places[1].display()
             ))
         })?;
-        let (file, path) = unnamed_yet(place)?;
+        let (file, path) = create_private(place)?;
         let opened = open(&path);
         fs::remove_file(&path)?;
         Ok((Self(file), opened))
     }
 
-    /// Its size in bytes, as far as the library has written it.
+    /// Bytes that the library has written so far.
     pub fn bytes(&self) -> u64 {
         self.0.metadata().map_or(0, |metadata| metadata.len())
     }
 
-    /// Writes it to `path`, where it appears whole. It can be tried again after a failure, which leaves
-    /// nothing behind.
+    /// Writes the file to `path`, complete or not at all. A failed call leaves nothing behind and
+    /// can be repeated.
     pub fn store(&self, path: &Path) -> Result<(), ArchiveError> {
         self.write_part(path)?;
         seal(path)
     }
 
-    /// The first half of [`Self::store`]: [`seal`] is the second.
+    /// Writes the `.part` file; [`seal`] completes the work of [`Self::store`].
     pub fn write_part(&self, path: &Path) -> Result<(), ArchiveError> {
         let part = part_path(path);
         let written = File::create(&part).and_then(|mut file| {
@@ -66,22 +67,22 @@ impl MemoryFile {
             file.sync_all()
         });
         written.map_err(|reason| {
-            // Half a file is of no use, and takes room.
+            // A partial file is useless and takes space.
             let _ = fs::remove_file(&part);
             ArchiveError::unwritten(path, Some(self.bytes()))(reason)
         })
     }
 }
 
-/// Where a file lies while it is being written: the final name with `.part` appended.
+/// Path of a file while it is being written: the final name with `.part` appended.
 pub(super) fn part_path(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".part");
     PathBuf::from(name)
 }
 
-/// A new file in `folder`, for this user only.
-fn unnamed_yet(folder: &Path) -> io::Result<(File, PathBuf)> {
+/// Creates a new file in `folder` that only this user can read.
+fn create_private(folder: &Path) -> io::Result<(File, PathBuf)> {
     static NUMBER: AtomicU64 = AtomicU64::new(0);
     loop {
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
@@ -89,30 +90,31 @@ fn unnamed_yet(folder: &Path) -> io::Result<(File, PathBuf)> {
         let mut options = File::options();
         match options.read(true).write(true).create_new(true).mode(0o600).open(&path) {
             Ok(file) => return Ok((file, path)),
-            // Left by a process of this number that was killed in between.
+            // A killed process with the same id left this file.
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
             Err(error) => return Err(error),
         }
     }
 }
 
-/// Room on the file system of a folder, in bytes; 0 where it cannot be asked.
+/// Free space on the file system of a folder, in bytes; 0 if it cannot be determined.
 pub(super) fn free_bytes(folder: &Path) -> u64 {
     rustix::fs::statvfs(folder).map_or(0, |fs| fs.f_bavail * fs.f_frsize)
 }
 
-/// Moves a finished, closed `.part` file to its final name, so that it survives a power cut.
+/// Renames a finished, closed `.part` file to its final name and syncs, so that it survives a power
+/// cut.
 pub(super) fn seal(path: &Path) -> Result<(), ArchiveError> {
     let part = part_path(path);
     File::open(&part).and_then(|file| file.sync_all()).map_err(ArchiveError::io("sync", &part))?;
-    fs::rename(&part, path).map_err(ArchiveError::io("give its final name to", &part))?;
-    // The new name itself lives in the folder.
+    fs::rename(&part, path).map_err(ArchiveError::io("rename", &part))?;
+    // The new name is stored in the folder, which needs its own sync.
     let folder = path.parent().unwrap_or(Path::new("."));
     File::open(folder).and_then(|file| file.sync_all()).map_err(ArchiveError::io("sync", folder))
 }
 
-/// Writes a convenience file (one that can be made again): a reader sees the old or the new
-/// content, never half of it. Not fsynced.
+/// Replaces a file that can be regenerated: readers see either the old or the new content. The file
+/// is not synced.
 pub fn replace(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>,
@@ -125,10 +127,10 @@ pub fn replace(
             writer.flush()
         })
         .map_err(ArchiveError::unwritten(path, None))?;
-    fs::rename(&part, path).map_err(ArchiveError::io("give its final name to", &part))
+    fs::rename(&part, path).map_err(ArchiveError::io("rename", &part))
 }
 
-/// Creates a folder and those above it.
+/// Creates a folder and its parents.
 pub(super) fn create_folder(path: &Path) -> Result<(), ArchiveError> {
     fs::create_dir_all(path).map_err(ArchiveError::io("create the folder", path))
 }
@@ -167,9 +169,9 @@ mod tests {
     }
 
     #[test]
-    fn what_the_memory_has_no_room_for_is_not_begun() {
+    fn a_file_larger_than_the_free_memory_is_refused() {
         let refused = MemoryFile::create(u64::MAX, |_| -> Result<(), ()> { unreachable!() });
-        assert!(refused.unwrap_err().to_string().contains("made in memory first"));
+        assert!(refused.unwrap_err().to_string().contains("built in memory first"));
     }
 
     #[test]

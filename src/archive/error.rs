@@ -11,20 +11,20 @@ use super::{ImageSize, durable::free_bytes};
 
 /// Why something could not be read from or written to disk.
 ///
-/// Every message is complete: the reason is part of it, not a `source` to be printed after it.
+/// Every message is complete: it contains the reason, which is not repeated as `source`.
 #[derive(Debug, Error)]
 pub enum ArchiveError {
-    /// The operating system refused.
+    /// The operating system reported an error.
     #[error("cannot {action} {}: {reason}", path.display())]
     Io {
-        /// What was tried.
+        /// The attempted action.
         action: &'static str,
-        /// On which file or folder.
+        /// The file or folder.
         path: PathBuf,
-        /// The system's reason.
+        /// The system's error.
         reason: io::Error,
     },
-    /// There is no room for a file.
+    /// The disk has no room for a file.
     #[error(
         "the disk is full: {} needs {needed} and {free_mb:.1} MB are free; make room on its disk",
         path.display()
@@ -32,34 +32,34 @@ pub enum ArchiveError {
     DiskFull {
         /// The file.
         path: PathBuf,
-        /// Its size, as far as it is known, in words.
+        /// The file's size in words, or "more" if unknown.
         needed: String,
-        /// What is free, in MB of 10⁶ bytes.
+        /// Free space, in MB of 10⁶ bytes.
         free_mb: f64,
     },
-    /// The NetCDF library refused.
+    /// The NetCDF library reported an error.
     #[error("cannot write NetCDF file {}: {reason}", path.display())]
     NetCdf {
         /// The file.
         path: PathBuf,
-        /// The library's reason.
+        /// The library's error.
         reason: netcdf::Error,
     },
-    /// Stored results that cannot be read.
+    /// Stored results cannot be read.
     #[error(
-        "cannot read the results in {}: {reason}; move the file away to have its shots measured \
-         again", path.display()
+        "cannot read the results in {}: {reason}; to measure its shots again, move the file \
+         away", path.display()
     )]
     UnreadableResults {
         /// The file.
         path: PathBuf,
-        /// The library's reason.
+        /// The library's error.
         reason: netcdf::Error,
     },
-    /// Volumes that cannot be taken from a file.
+    /// A file does not contain usable volumes.
     #[error(
-        "cannot take volumes from {}: {reason}; it needs variables a and b over z, y, x, on the \
-         voxels of [volume]", path.display()
+        "cannot read volumes from {}: {reason}; the file needs variables a and b over z, y, x, on \
+         the voxels of [volume]", path.display()
     )]
     UnreadableVolumes {
         /// The file.
@@ -67,31 +67,31 @@ pub enum ArchiveError {
         /// What is wrong.
         reason: String,
     },
-    /// An image of the pair is not there.
+    /// An image of a pair is missing.
     #[error(
         "{} is missing: with {cameras} configured a pair folder needs {needed}; \
          add the image or remove the camera from the configuration", path.display()
     )]
     MissingImage {
-        /// The file that should be there.
+        /// The missing file.
         path: PathBuf,
         /// "1 camera" or "2 cameras".
         cameras: String,
-        /// All files that should be there.
+        /// All required files.
         needed: String,
     },
-    /// Two files with names of one image.
+    /// Two files match the name of one image.
     #[error(
-        "{} and {} are both named as the same image: remove one of them", first.display(),
+        "{} and {} match the same image: remove one of them", first.display(),
         second.display()
     )]
     TwoImages {
-        /// A file that may be meant.
+        /// One file.
         first: PathBuf,
-        /// Another one.
+        /// The other file.
         second: PathBuf,
     },
-    /// The file is damaged or no TIFF.
+    /// The file is damaged or not a TIFF.
     #[error(
         "cannot read {}: {reason}; the file is damaged, truncated or not a TIFF: \
          copy or record it again", path.display()
@@ -99,7 +99,7 @@ pub enum ArchiveError {
     UnreadableImage {
         /// The file.
         path: PathBuf,
-        /// The decoder's reason.
+        /// The decoder's error.
         reason: String,
     },
     /// The image is not 8- or 16-bit grey.
@@ -113,9 +113,9 @@ pub enum ArchiveError {
         /// The pixel type found.
         found: String,
     },
-    /// The file holds more than one picture.
+    /// The file contains several images.
     #[error(
-        "{} holds several pages of {size} pixels and it is not said which one is meant: save each \
+        "{} holds several pages of {size} pixels: save each \
          frame of each camera as a file of its own", path.display()
     )]
     SeveralPages {
@@ -124,7 +124,7 @@ pub enum ArchiveError {
         /// Size of the pages.
         size: ImageSize,
     },
-    /// The image is not as large as the sensor.
+    /// The image size differs from the sensor size.
     #[error(
         "{} has {found} pixels but the configured sensor has {expected}: correct \
          optics.sensor.columns and rows, or use the configuration this image was recorded with",
@@ -138,7 +138,7 @@ pub enum ArchiveError {
         /// The sensor's size.
         expected: ImageSize,
     },
-    /// There is nothing to process.
+    /// The folder contains no image pair.
     #[error(
         "no image pair in {}: a pair folder holds cam1_a.tif and cam1_b.tif (and cam2_a.tif, \
          cam2_b.tif with two cameras); give such a folder or the folder above several of them",
@@ -154,21 +154,21 @@ pub enum ArchiveError {
         /// The folder.
         path: PathBuf,
     },
-    /// One file holds one vector grid.
+    /// All vectors of a file share one grid.
     #[error(
-        "shot {shot} lies on another vector grid than the shots already in {}: start a new run for \
-         changed settings", path.display()
+        "the vector grid of shot {shot} differs from that of the shots already in {}: start a new \
+         run for changed settings", path.display()
     )]
     GridChanged {
-        /// The shot refused.
+        /// The refused shot.
         shot: u64,
-        /// The file that holds the others.
+        /// The file with the earlier shots.
         path: PathBuf,
     },
 }
 
 impl ArchiveError {
-    /// Adapter for `map_err`: adds what was tried and on which path.
+    /// Adapter for `map_err`: adds the attempted action and the path.
     pub(super) fn io(
         action: &'static str,
         path: impl Into<PathBuf>,
@@ -177,7 +177,7 @@ impl ArchiveError {
         move |reason| Self::Io { action, path, reason }
     }
 
-    /// Adapter for `map_err`: adds the file that was to be written, and its size where it is known.
+    /// Adapter for `map_err`: adds the file being written and its size, if known.
     pub(super) fn unwritten(
         path: &Path,
         bytes: Option<u64>,
@@ -194,7 +194,7 @@ impl ArchiveError {
         }
     }
 
-    /// Adapter for `map_err`: adds the file of stored results that was to be read.
+    /// Adapter for `map_err`: adds the file of stored results being read.
     pub(super) fn unreadable_results(path: &Path) -> impl FnOnce(netcdf::Error) -> Self {
         move |reason| Self::UnreadableResults { path: path.into(), reason }
     }

@@ -1,4 +1,4 @@
-//! The model fit of every shot, as variables of a velocity file.
+//! The model fit of each shot as variables of a velocity file.
 
 use lfpiv_core::reconstruction::{FitVerdict, ModelFit};
 
@@ -57,7 +57,7 @@ pub(super) fn define(file: &mut NetCdfFile, fit: &ModelFit) -> Result<(), Archiv
     Ok(())
 }
 
-/// Writes the fit of record `record`; what is absent is the fill value.
+/// Writes the fit of record `record`; missing numbers become the fill value.
 pub(super) fn put(
     file: &mut NetCdfFile,
     record: usize,

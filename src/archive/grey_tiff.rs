@@ -1,4 +1,4 @@
-//! One grey TIFF image.
+//! Reads and writes grey TIFF images.
 
 use std::{
     fmt,
@@ -57,23 +57,23 @@ impl FileDepth {
     }
 }
 
-/// Edges of tiles are multiples of this (TIFF 6.0, section 15).
+/// Tile edges are multiples of this (TIFF 6.0, section 15).
 const TILE_STEP: u32 = 16;
 
-/// Reads an 8- or 16-bit grey TIFF of `size`; the counts are those in the file.
+/// Reads an 8- or 16-bit grey TIFF of `size` pixels; counts are returned as stored.
 ///
-/// What the file says of itself is checked before any of its pixels are decoded.
+/// The header is checked before any pixels are decoded.
 ///
 /// # Errors
-/// It cannot be opened, is no such image, damaged, or of another size.
+/// The file cannot be opened, is damaged, is not a grey TIFF or has another size.
 pub fn read_grey_tiff(path: &Path, size: ImageSize) -> Result<RawImage, ArchiveError> {
     read(path, Some(size))
 }
 
-/// The same for an image of whatever size it says it has.
+/// Reads an 8- or 16-bit grey TIFF of any size.
 ///
 /// # Errors
-/// It cannot be opened, is no such image, or damaged.
+/// The file cannot be opened, is damaged or is not a grey TIFF.
 pub fn read_grey_tiff_of_any_size(path: &Path) -> Result<RawImage, ArchiveError> {
     read(path, None)
 }
@@ -101,7 +101,7 @@ fn read(path: &Path, expected: Option<ImageSize>) -> Result<RawImage, ArchiveErr
     })
 }
 
-/// The image's size, if it is of a kind and size that is read.
+/// Checks pixel type, tiles and size, and returns the size.
 fn check<R: Read + Seek>(
     decoder: &mut Decoder<R>,
     path: &Path,
@@ -118,8 +118,9 @@ fn check<R: Read + Seek>(
     if matches!(decoder.get_chunk_type(), ChunkType::Tile)
         && [width, height].iter().any(|edge| edge % TILE_STEP != 0)
     {
-        let reason =
-            format!("it has tiles of {width} x {height} pixels, no multiples of {TILE_STEP}");
+        let reason = format!(
+            "it has tiles of {width} x {height} pixels, which are not multiples of {TILE_STEP}"
+        );
         return Err(ArchiveError::UnreadableImage { path: path.into(), reason });
     }
     let (columns, rows) = decoder.dimensions().map_err(failure)?;
@@ -132,8 +133,8 @@ fn check<R: Read + Seek>(
     }
 }
 
-/// Whether a second page is as large as the first. Both frames of a pair in one file would otherwise
-/// be read as the first frame twice: no motion. Thumbnails are no harm.
+/// Whether a second page has the size of the first. If both frames of a pair were in one file, the
+/// first would be read twice and no motion would be measured. Thumbnails are allowed.
 fn has_second_page<R: Read + Seek>(decoder: &mut Decoder<R>) -> bool {
     let mut pages = || -> TiffResult<bool> {
         let first = decoder.dimensions()?;
@@ -148,7 +149,7 @@ fn has_second_page<R: Read + Seek>(decoder: &mut Decoder<R>) -> bool {
     pages().unwrap_or(false)
 }
 
-/// Writes an uncompressed grey TIFF. Counts above what `depth` holds become its maximum.
+/// Writes an uncompressed grey TIFF. Counts above the maximum of `depth` are clipped.
 pub fn write_grey_tiff(
     path: &Path,
     image: &RawImage,
@@ -208,7 +209,7 @@ mod tests {
 
     const RAMP: ImageSize = ImageSize { columns: 3, rows: 2 };
 
-    /// What is said against a file, as an image of `size`.
+    /// The error message on reading a file as an image of `size`.
     fn refusal(path: &Path, [columns, rows]: [usize; 2]) -> String {
         read_grey_tiff(path, ImageSize { columns, rows }).unwrap_err().to_string()
     }
@@ -262,12 +263,12 @@ mod tests {
         assert_eq!(read_grey_tiff(&path, size).unwrap().columns(), 8);
     }
 
-    /// A small file may claim any size; a bit is no grey; tiles have edges of multiples of 16.
+    /// A small file may claim any size; 1-bit images are refused; tile edges are multiples of 16.
     #[test]
-    fn what_a_file_says_of_itself_is_checked_before_it_is_decoded() {
+    fn the_header_is_checked_before_pixels_are_decoded() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("cam1_a.tif");
-        // Little-endian, one directory at byte 8: tags of one number each, all of them short.
+        // Little-endian, one directory at byte 8: each tag has one 16-bit number.
         let write = |tags: &[(Tag, u16)]| {
             let mut bytes = [&b"II*\0"[..], &8_u32.to_le_bytes()].concat();
             bytes.extend((tags.len() as u16).to_le_bytes());
@@ -307,7 +308,7 @@ mod tests {
         assert!(read_grey_tiff(&path, ImageSize { columns: 8, rows: 8 }).is_ok());
         write(&[&image(8, 8)[..], &tiles(10)].concat());
         let said = refusal(&path, [8, 8]);
-        assert!(said.contains("tiles of 10 x 16 pixels, no multiples of 16"), "{said}");
+        assert!(said.contains("tiles of 10 x 16 pixels, which are not multiples of 16"), "{said}");
         write(&[&image(65_535, 16)[..], &strip(65_535)].concat());
         let said = refusal(&path, [8, 8]);
         assert!(
@@ -317,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pipe_is_not_waited_for() {
+    fn a_pipe_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("cam1_a.tif");
         assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());

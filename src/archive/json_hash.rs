@@ -1,11 +1,11 @@
-//! JSON files that carry their own hash.
+//! JSON files that contain their own hash.
 
 use std::fmt::Write;
 
 use ring::digest::{SHA256, digest};
 
-/// Where the hash of a file stands in it.
-const OWN: &str = "\"sha256\":\"";
+/// Text before a file's own hash.
+const HASH_KEY: &str = "\"sha256\":\"";
 
 /// SHA-256 in hexadecimal digits.
 pub fn sha256(content: &[u8]) -> String {
@@ -17,11 +17,12 @@ pub fn sha256(content: &[u8]) -> String {
     text
 }
 
-/// The hash that a JSON file states, and that of what is in it: SHA-256 of its text without white
-/// space, its own hash, the first "sha256", empty. `None` for a text without one.
+/// The hash that a JSON file states and the hash of its content. The latter is the SHA-256 of the
+/// text without white space and with the first "sha256" value empty. `None` if the file states no
+/// hash.
 pub fn stated_and_true_hash(json: &str) -> Option<[String; 2]> {
     let mut text = without_white_space(json);
-    let from = text.find(OWN)? + OWN.len();
+    let from = text.find(HASH_KEY)? + HASH_KEY.len();
     let to = from + text[from..].find('"')?;
     let stated = text[from..to].to_owned();
     text.replace_range(from..to, "");

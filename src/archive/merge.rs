@@ -1,12 +1,12 @@
-//! Sealed segments of a run made into few files, sorted by shot.
+//! Merges the sealed segments of a finished run into few files, sorted by shot.
 //!
-//! A run seals a segment a minute, and a slow one has a shot or two in each. Once it is over,
-//! segments are merged, as long as they agree in all but their shots: model, vectors,
-//! configuration. A merged file has the name of its first shot and a bounded size, and its shots follow
-//! those of the file before it: readers that put files together by their coordinates need that.
+//! A run seals a segment every minute, so segments of a slow run hold one or two shots. Segments
+//! are merged if they differ in their shots only: model, grid and configuration must be equal. A
+//! merged file is named by its first shot and bounded in size. The shots of consecutive files
+//! follow each other, as required by readers that concatenate files by coordinates.
 //!
-//! Merged files are sealed first, and what they were made of is removed then. Who is killed in between
-//! leaves shots that are there twice, with the same numbers: the next merge keeps one of each.
+//! Merged files are sealed before their segments are removed. If the process is killed in between,
+//! some shots are stored twice with equal numbers; the next merge removes the duplicates.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -28,21 +28,21 @@ use super::{
     stored::{FIRST_STORED, first_stored, records_of, segments},
 };
 
-/// The dimension along which segments are put together.
+/// The dimension along which segments are concatenated.
 const SHOT: &str = "shot";
-/// Global attributes in which segments of one run may differ.
-const OWN_ATTRIBUTES: [&str; 2] = ["history", FIRST_STORED];
+/// Global attributes that may differ between segments of one run.
+const SEGMENT_ATTRIBUTES: [&str; 2] = ["history", FIRST_STORED];
 
-/// How large a merged file may become.
+/// Largest size of a merged file.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bounds {
-    /// Shots: the library's memory grows with them, by some 5 kB each.
+    /// Number of shots: the library needs some 5 kB of memory per shot.
     pub shots: usize,
-    /// Bytes of the segments in it: it is made in memory.
+    /// Bytes of the segments: the merged file is built in memory.
     pub bytes: u64,
 }
 
-/// How large segments are, in the measures of [`Bounds`].
+/// Size of segments, in the terms of [`Bounds`].
 #[derive(Debug, Clone, Copy, Default)]
 struct Size {
     shots: usize,
@@ -61,14 +61,15 @@ impl Size {
 
 const BOUNDS: Bounds = Bounds { shots: 10_000, bytes: 256 << 20 };
 
-/// Times the segments' bytes that are asked for: chunks of a merged file are not those of its segments.
+/// Memory to request, as a multiple of the segments' size: the chunks of a merged file differ from
+/// those of its segments.
 const MEMORY_FACTOR: u64 = 2;
 
-/// Merges the sealed segments in a run's folder. `go_on` is asked before each file that is
-/// written; what is not merged stays as it is.
+/// Merges the sealed segments in a run's folder. `go_on` is called before each merged file is
+/// written; when it returns `false`, the remaining segments stay as they are.
 ///
 /// # Errors
-/// A segment cannot be read, or a merged file not written; the segments are all there then.
+/// A segment cannot be read or a merged file cannot be written; then no segment is lost.
 pub fn merge_segments(folder: &Path, go_on: impl FnMut() -> bool) -> Result<(), ArchiveError> {
     merge_within(folder, BOUNDS, go_on)
 }
@@ -78,12 +79,12 @@ pub(super) fn merge_within(
     bounds: Bounds,
     mut go_on: impl FnMut() -> bool,
 ) -> Result<(), ArchiveError> {
-    let mut alike: BTreeMap<String, Vec<Segment>> = BTreeMap::new();
+    let mut by_kind: BTreeMap<String, Vec<Segment>> = BTreeMap::new();
     for path in segments(folder, ".nc")? {
         let segment = Segment::read(path)?;
-        alike.entry(segment.kind.clone()).or_default().push(segment);
+        by_kind.entry(segment.kind.clone()).or_default().push(segment);
     }
-    for segments in alike.into_values() {
+    for segments in by_kind.into_values() {
         for group in grouped(segments, bounds) {
             if group.iter().all(|segment| group.len() == 1 && segment.is_sorted()) {
                 continue;
@@ -97,13 +98,13 @@ pub(super) fn merge_within(
     Ok(())
 }
 
-/// A sealed segment as far as its place in a merged file depends on it.
+/// The properties of a sealed segment that decide where it is merged.
 #[derive(Debug)]
 struct Segment {
     path: PathBuf,
-    /// Per record; below zero where it was not written whole.
+    /// Shot of each record; negative for an incomplete record.
     shots: Vec<i64>,
-    /// Equal for segments that can be one file.
+    /// Equal for segments that can be merged into one file.
     kind: String,
     bytes: u64,
     sealed: SystemTime,
@@ -137,12 +138,13 @@ impl Segment {
     }
 }
 
-/// All that a file says besides its shots: attributes, variables, and those without shots.
+/// Describes everything in a file that does not depend on the shots: attributes, variables, and the
+/// values of variables without the shot dimension.
 fn kind_of(path: &Path) -> netcdf::Result<String> {
     let file = open(path)?;
     let mut kind = String::new();
     for attribute in file.attributes() {
-        if !OWN_ATTRIBUTES.contains(&attribute.name()) {
+        if !SEGMENT_ATTRIBUTES.contains(&attribute.name()) {
             kind += &format!("{} {:?}\n", attribute.name(), attribute.value()?);
         }
     }
@@ -160,8 +162,8 @@ fn kind_of(path: &Path) -> netcdf::Result<String> {
     Ok(kind)
 }
 
-/// Whole segments in the order of their shots, as many together as the bounds allow. Those whose shots lie
-/// between each other's stay together, however many they are.
+/// Groups whole segments in the order of their shots, as many per group as the bounds allow.
+/// Segments with interleaved shots stay together regardless of the bounds.
 fn grouped(mut segments: Vec<Segment>, bounds: Bounds) -> Vec<Vec<Segment>> {
     segments.sort_by_key(Segment::lowest);
     let (mut chains, mut highest) = (Vec::<Vec<Segment>>::new(), i64::MIN);
@@ -194,15 +196,15 @@ fn grouped(mut segments: Vec<Segment>, bounds: Bounds) -> Vec<Vec<Segment>> {
 #[derive(Debug, Clone, Copy)]
 struct Record {
     shot: i64,
-    /// Which segment of the group, and which record there.
+    /// Index of the segment in the group, and of the record in the segment.
     segment: usize,
     record: usize,
-    /// Its share of the segment's bytes.
+    /// The record's share of the segment's bytes.
     bytes: u64,
 }
 
-/// Every shot of a group once, in order, in pieces within the bounds. Of a shot that is there twice, the
-/// first one is taken.
+/// Each shot of a group once, in order, split into pieces within the bounds. For a shot stored
+/// twice, the first record is used.
 fn pieces(group: &[Segment], bounds: Bounds) -> Vec<Vec<Record>> {
     let mut records: BTreeMap<i64, Record> = BTreeMap::new();
     for (number, segment) in group.iter().enumerate() {
@@ -232,11 +234,11 @@ fn pieces(group: &[Segment], bounds: Bounds) -> Vec<Vec<Record>> {
     pieces
 }
 
-/// Puts as few files as the bounds allow in the place of a group.
+/// Replaces a group by as few files as the bounds allow.
 fn merge(folder: &Path, group: &[Segment], bounds: Bounds) -> Result<(), ArchiveError> {
     let mut written: Vec<PathBuf> = Vec::new();
     for piece in pieces(group, bounds).iter().filter(|piece| !piece.is_empty()) {
-        let path = place_of(folder, group, piece, &written);
+        let path = path_for(folder, group, piece, &written);
         write_piece(&path, group, piece)?;
         written.push(path);
     }
@@ -249,9 +251,9 @@ fn merge(folder: &Path, group: &[Segment], bounds: Bounds) -> Result<(), Archive
     Ok(())
 }
 
-/// Where a merged file goes: to the name of its first shot, unless a file is there whose shots would be
-/// lost. That may be a segment with other shots, or one of another model that has the same shot.
-fn place_of(folder: &Path, group: &[Segment], piece: &[Record], written: &[PathBuf]) -> PathBuf {
+/// Path for a merged file, named by its first shot. A suffix is added if a file of that name has
+/// shots that are not in `piece`, or belongs to another group.
+fn path_for(folder: &Path, group: &[Segment], piece: &[Record], written: &[PathBuf]) -> PathBuf {
     let shots: BTreeSet<i64> = piece.iter().map(|record| record.shot).collect();
     let is_free = |path: &PathBuf| match group.iter().find(|segment| segment.path == *path) {
         _ if written.contains(path) => false,
@@ -266,11 +268,11 @@ fn place_of(folder: &Path, group: &[Segment], piece: &[Record], written: &[PathB
     names.find(is_free).unwrap_or_default()
 }
 
-/// Writes one merged file, with the time of the oldest of its group.
+/// Writes one merged file; its modification time is that of the oldest segment of the group.
 fn write_piece(path: &Path, group: &[Segment], piece: &[Record]) -> Result<(), ArchiveError> {
     let oldest = group.iter().min_by_key(|segment| segment.sealed);
     let records = piece.iter().map(|record| record.bytes).sum::<u64>();
-    // What a file has beside its records, it has once more.
+    // A file also contains data besides its records.
     let bytes = records + group.iter().map(|segment| segment.bytes).min().unwrap_or_default();
     let (memory, merged) = MemoryFile::create(MEMORY_FACTOR * bytes, create)
         .map_err(ArchiveError::io("write", path))?;
@@ -308,7 +310,8 @@ fn write(
     merged.close()
 }
 
-/// Dimensions, variables and attributes as in `like`, and the values that belong to no shot.
+/// Defines dimensions, variables and attributes as in `like`, and copies values that do not belong
+/// to a shot.
 fn define(
     merged: &mut FileMut,
     like: &Path,
@@ -353,7 +356,8 @@ fn define(
     Ok(())
 }
 
-/// Copies records of a segment, each to its place.
+/// Copies records of a segment. `places` lists pairs of the record's index in the segment and in
+/// the merged file.
 fn copy_records(
     merged: &mut FileMut,
     from: &Path,
@@ -361,7 +365,7 @@ fn copy_records(
 ) -> netcdf::Result<()> {
     let segment = open(from)?;
     for variable in segment.variables().filter(has_shots) {
-        // Records that follow each other in both files are one piece.
+        // Records that are consecutive in both files are copied together.
         for piece in places.chunk_by(|a, b| b.0 == a.0 + 1 && b.1 == a.1 + 1) {
             copy(merged, &variable, Some((piece[0], piece.len())))?;
         }
@@ -369,7 +373,8 @@ fn copy_records(
     Ok(())
 }
 
-/// Copies a variable: all of it, or so many records from one place to another.
+/// Copies a variable: the whole variable, or `piece` = ((first source record, first target record),
+/// number of records).
 fn copy(
     merged: &mut FileMut,
     variable: &Variable<'_>,
@@ -380,7 +385,7 @@ fn copy(
         NcVariableType::Float(FloatType::F64) => copy_as::<f64>(merged, variable, piece),
         NcVariableType::Int(IntType::I8) => copy_as::<i8>(merged, variable, piece),
         NcVariableType::Int(IntType::I64) => copy_as::<i64>(merged, variable, piece),
-        _ => Err(netcdf::Error::Str(format!("{}: no type of a result", variable.name()))),
+        _ => Err(netcdf::Error::Str(format!("{}: unexpected variable type", variable.name()))),
     }
 }
 

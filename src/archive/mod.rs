@@ -1,20 +1,19 @@
-//! What is on disk: image pairs as they come in, results as they go out.
+//! Files on disk: image pairs as input, results as output.
 //!
 //! - [`read_pair`], [`find_pair_folders`], [`write_pair`]: folders of grey TIFF images
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
-//! - [`ResultStore`]: what a run writes shot by shot (NetCDF segments, ParaView files);
-//!   [`merge_segments`] makes few files of many segments.
-//! - [`RunResults`]: results of a finished run, read back as they were measured.
-//! - [`StoredShots`]: the vectors of a run, shot by shot; [`write_csv`], [`write_tecplot`], [`Hdf5File`] put
-//!   them into the formats of other programs.
-//! - [`write_velocity`], [`write_volumes`]: the files of one processed pair; [`read_volumes`] takes
-//!   volumes of any program.
+//! - [`ResultStore`]: stores the results of a run shot by shot (NetCDF segments, ParaView files);
+//!   [`merge_segments`] merges segments into few files.
+//! - [`RunResults`]: reads results of a finished run as they were measured.
+//! - [`StoredShots`]: reads the vectors of a run shot by shot; [`write_csv`], [`write_tecplot`],
+//!   [`Hdf5File`] write them in the formats of other programs.
+//! - [`write_velocity`], [`write_volumes`]: write the files of one processed pair; [`read_volumes`]
+//!   reads volumes, which may come from other programs.
+//! - [`sha256`], [`stated_and_true_hash`]: JSON files that contain their own hash.
 //!
-//! - [`sha256`], [`stated_and_true_hash`]: JSON files that carry their own hash.
-//!
-//! NetCDF files appear under their final name only when they are whole: they are made in memory, where
-//! the library meets no failing disk, written as `NAME.part`, fsynced and renamed. A `.part` file is the
-//! rest of a run that was killed.
+//! NetCDF files get their final name only when they are complete. They are built in memory, because
+//! the library does not survive a failed write, then written as `NAME.part`, fsynced and renamed. A
+//! `.part` file is left only by a killed process.
 
 mod durable;
 mod error;

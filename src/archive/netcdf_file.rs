@@ -1,4 +1,4 @@
-//! What all NetCDF files of this program share: provenance, axes, described variables.
+//! Common parts of the program's NetCDF files: provenance, axes, described variables.
 
 use std::path::{Path, PathBuf};
 
@@ -8,27 +8,27 @@ use time::{OffsetDateTime, format_description::well_known::Rfc3339};
 
 use super::{ArchiveError, durable::MemoryFile, netcdf_open::create};
 
-/// The program as files name it.
+/// Program name and version in files.
 const VERSION: &str = concat!("lfpiv ", env!("CARGO_PKG_VERSION"));
 
-/// Names and meaning of one variable.
+/// Name and description of a variable.
 pub(super) struct Described<'a> {
     /// NetCDF name.
     pub name: &'a str,
-    /// UDUNITS unit; "1" for a plain number.
+    /// UDUNITS unit; "1" for a dimensionless number.
     pub units: &'a str,
-    /// One line for the reader.
+    /// Description in one line.
     pub long_name: &'a str,
 }
 
-/// Stands for a number that is not known: the library's own, outside of every range.
+/// Fill value for unknown numbers: the library's default, outside of every range.
 pub(super) const FILL_F64: f64 = 9.969_209_968_386_869e36;
 
-/// What the library writes where nothing was written.
+/// The library's value for data that was never written.
 pub(super) const FILL_F32: f32 = 9.969_21e36;
 
-/// A NetCDF-4 file being written in memory: after a write that fails, the HDF5 library may crash as the
-/// process ends.
+/// A NetCDF-4 file being written in memory. On disk, a failed write may crash the HDF5 library when
+/// the process ends.
 pub(super) struct NetCdfFile {
     path: PathBuf,
     file: FileMut,
@@ -43,24 +43,24 @@ pub(super) struct Finished {
 }
 
 impl Finished {
-    /// Puts it in its place on disk, and says where that is. It can be tried again.
+    /// Writes the file to disk and returns its path. A failed call can be repeated.
     pub fn store(&self) -> Result<&Path, ArchiveError> {
         self.memory.store(&self.path)?;
         Ok(&self.path)
     }
 }
 
-/// The calibrations that a configuration was used with, as `cam1: HASH, cam2: HASH`; `None` for cameras
-/// as drawn.
+/// The hashes of the calibrations in a configuration, as `cam1: HASH, cam2: HASH`; `None` without
+/// any.
 fn calibration_hashes(configuration: &str) -> Option<String> {
     let table: toml::Table = configuration.parse().ok()?;
     let hashes: Vec<String> = table
         .get("calibration")?
         .as_array()?
         .iter()
-        .filter_map(|of_camera| {
-            let camera = usize::try_from(of_camera.get("camera")?.as_integer()?).ok()?;
-            let hash = of_camera.get("sha256")?.as_str()?;
+        .filter_map(|entry| {
+            let camera = usize::try_from(entry.get("camera")?.as_integer()?).ok()?;
+            let hash = entry.get("sha256")?.as_str()?;
             Some(format!("{}: {hash}", CameraName(camera.checked_sub(1)?)))
         })
         .collect();
@@ -68,8 +68,8 @@ fn calibration_hashes(configuration: &str) -> Option<String> {
 }
 
 impl NetCdfFile {
-    /// Begins the file that is to lie at `path` and be no larger than `bytes`, with the global
-    /// attributes; `configuration` is the TOML text the results were made with.
+    /// Creates a file of at most `bytes`, to be stored at `path`, with the global attributes.
+    /// `configuration` is the TOML text of the measurement.
     pub fn create(
         path: &Path,
         bytes: u64,
@@ -96,18 +96,18 @@ impl NetCdfFile {
         Ok(Self { path: path.into(), file, memory })
     }
 
-    /// Its size in bytes so far.
+    /// Size of the file so far, in bytes.
     pub fn bytes(&self) -> u64 {
         self.memory.bytes()
     }
 
-    /// Where the finished file will lie.
+    /// Path of the finished file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Adds the dimensions x, y, z with their coordinates in mm (`axes_mm` in this order). They have no
-    /// attribute `axis`: CF means longitude, latitude and height by it.
+    /// Adds the dimensions x, y, z with their coordinates in mm (`axes_mm` in this order). They
+    /// have no attribute `axis`, which in CF means longitude, latitude and height.
     pub fn add_axes(&mut self, axes_mm: [Vec<f64>; 3]) -> Result<(), ArchiveError> {
         for (name, coordinates) in ["x", "y", "z"].into_iter().zip(axes_mm) {
             self.with(|file| file.add_dimension(name, coordinates.len()).map(|_| ()))?;
@@ -132,7 +132,8 @@ impl NetCdfFile {
         self.with(|file| file.add_dimension(name, length).map(|_| ()))
     }
 
-    /// Says which value of a variable stands for a missing one; must come before its values.
+    /// Sets the value that marks missing data of a variable. Must be called before values are
+    /// written.
     pub fn put_fill_value<T: NcTypeDescriptor>(
         &mut self,
         name: &str,
@@ -155,8 +156,8 @@ impl NetCdfFile {
         })
     }
 
-    /// Adds a described variable whose numbers may be missing: its fill value is NaN, which stays what it
-    /// is for a reader who does not know of fill values.
+    /// Adds a variable of vectors with missing values. Its fill value is NaN, which readers that
+    /// ignore fill values also recognize as missing.
     pub fn add_with_gaps(
         &mut self,
         described: &Described,
@@ -166,7 +167,7 @@ impl NetCdfFile {
         self.with(|file| required(file, described.name)?.set_fill_value(f32::NAN))
     }
 
-    /// Adds a described variable whose value may be unknown, and is [`FILL_F64`] then.
+    /// Adds a variable of numbers that may be unknown; unknown ones are [`FILL_F64`].
     pub fn add_with_fill(
         &mut self,
         described: &Described,
@@ -176,7 +177,7 @@ impl NetCdfFile {
         self.with(|file| required(file, described.name)?.set_fill_value(FILL_F64))
     }
 
-    /// Adds a variable of 0 and 1 as signed bytes with the meaning of both values.
+    /// Adds a variable of signed bytes 0, 1, ... with the meaning of each value.
     pub fn add_flag(
         &mut self,
         described: &Described,
@@ -203,12 +204,12 @@ impl NetCdfFile {
         self.with(|file| required(file, name)?.put_attribute(attribute, text).map(|_| ()))
     }
 
-    /// Compresses a variable losslessly; must come before its values.
+    /// Compresses a variable losslessly. Must be called before values are written.
     pub fn compress(&mut self, name: &str) -> Result<(), ArchiveError> {
         self.with(|file| required(file, name)?.set_compression(1, true))
     }
 
-    /// Writes a whole variable without record dimension.
+    /// Writes a whole variable that has no record dimension.
     pub fn put<T: NcTypeDescriptor>(
         &mut self,
         name: &str,
@@ -238,7 +239,7 @@ impl NetCdfFile {
         Ok(Finished { path: self.path, memory: self.memory })
     }
 
-    /// Closes the file and puts it on disk.
+    /// Closes the file and writes it to disk.
     pub fn store(self) -> Result<(), ArchiveError> {
         self.finish()?.store().map(|_| ())
     }
@@ -251,7 +252,7 @@ impl NetCdfFile {
     }
 }
 
-/// A line of a file's history: what was done to it now.
+/// A line for a file's history: the current time and what was done.
 pub(super) fn history_line(done: &str) -> String {
     let now = OffsetDateTime::now_utc().truncate_to_second().format(&Rfc3339);
     format!("{} {done} by {VERSION}", now.unwrap_or_default())

@@ -1,7 +1,7 @@
-//! Opening NetCDF files without the HDF5 library's own diagnostics.
+//! Opens NetCDF files without the diagnostics of the HDF5 library.
 //!
-//! The library prints pages to standard error for every error, expected ones included, in every thread that
-//! has not told it otherwise; the NetCDF library tells it in the first thread only.
+//! HDF5 prints pages to standard error on every error, including expected ones, in every thread
+//! that has not disabled this. The NetCDF library disables it in the first thread only.
 
 use std::{cell::Cell, path::Path, ptr};
 
@@ -9,21 +9,21 @@ use hdf5_sys::{LOCK, h5e};
 use lfpiv_rawlog::regular_file::open_regular;
 use netcdf::{Error, File, FileMut};
 
-/// Opens a file to read; it stays on this thread.
+/// Opens a file for reading. Use it on this thread only.
 pub(super) fn open(path: &Path) -> netcdf::Result<File> {
-    // The library would wait for a pipe.
+    // The library would block on a pipe.
     open_regular(path).map_err(|reason| Error::Str(reason.to_string()))?;
     silence();
     netcdf::open(path)
 }
 
-/// Makes a file; it stays on this thread.
+/// Creates a file. Use it on this thread only.
 pub(super) fn create(path: &Path) -> netcdf::Result<FileMut> {
     silence();
     netcdf::create(path)
 }
 
-/// Switches the diagnostics of this thread off.
+/// Disables the diagnostics in this thread.
 #[expect(unsafe_code)]
 fn silence() {
     thread_local! {
@@ -33,8 +33,8 @@ fn silence() {
         return;
     }
     let _lock = LOCK.lock();
-    // SAFETY: the default stack is always there, no function and no data are what the library takes
-    // for "print nothing", and its lock is held.
+    // SAFETY: the default error stack always exists, a null function with null data means "print
+    // nothing", and the library's lock is held.
     unsafe { h5e::H5Eset_auto2(h5e::H5E_DEFAULT, None, ptr::null_mut()) };
 }
 
@@ -44,7 +44,7 @@ mod tests {
 
     use super::*;
 
-    /// Standard error belongs to the whole process: a child of this test has one of its own.
+    /// Standard error belongs to the whole process, so the test runs itself in a child process.
     #[test]
     fn a_damaged_file_is_an_error_and_nothing_is_printed() {
         if std::env::var_os("LFPIV_OPENS").is_some() {

@@ -18,21 +18,21 @@ pub fn image_names(index: usize) -> [String; 2] {
 
 /// Reads the images of the first `cameras` cameras from a pair folder.
 ///
-/// Every image must have `size` pixels. Images are read side by side. Images of further cameras in
-/// the folder are ignored. Other programs end names in `.tiff` or write them in capitals: that is
-/// all the same.
+/// Every image must have `size` pixels. Images are read in parallel. Images of further cameras in
+/// the folder are ignored. Names may also end in `.tiff` or be in capitals.
 pub fn read_pair(
     folder: &Path,
     cameras: usize,
     size: ImageSize,
 ) -> Result<ImagePair, ArchiveError> {
     let read = |name: String| read_image(folder, &name, cameras, size);
-    let of_camera = |index: usize| {
+    let read_frames = |index: usize| {
         let [a, b] = image_names(index);
         rayon::join(|| read(a), || read(b))
     };
-    // All are read before the first failure is reported: always that of the first file.
-    let read: Vec<_> = (0..cameras).into_par_iter().map(of_camera).collect();
+    // All images are read before an error is reported, so the error is always that of the first
+    // file.
+    let read: Vec<_> = (0..cameras).into_par_iter().map(read_frames).collect();
     let cameras = read.into_iter().map(|(a, b)| Ok([a?, b?])).collect::<Result<_, _>>()?;
     Ok(ImagePair { cameras })
 }
@@ -64,20 +64,20 @@ fn read_image(
     read_grey_tiff(&path, size)
 }
 
-/// The files that may be meant by a name such as `cam1_a.tif`, sorted: in small letters or in
-/// capitals, with `.tif` or `.tiff`.
+/// The files that match a name such as `cam1_a.tif`, sorted: in lower or upper case, with `.tif` or
+/// `.tiff`.
 fn files_of(folder: &Path, name: &str) -> Vec<PathBuf> {
-    let meant = |path: &PathBuf| {
+    let matches = |path: &PathBuf| {
         let found = path.file_name().map(|found| found.to_string_lossy().to_ascii_lowercase());
         found.is_some_and(|found| found == name || found == format!("{name}f"))
     };
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(meant).collect();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(matches).collect();
     files.sort();
     files
 }
 
-/// Writes a pair folder, creating it if need be.
+/// Writes a pair folder; creates it if necessary.
 pub fn write_pair(folder: &Path, pair: &ImagePair, depth: FileDepth) -> Result<(), ArchiveError> {
     super::durable::create_folder(folder)?;
     for (index, frames) in pair.cameras.iter().enumerate() {
@@ -88,10 +88,10 @@ pub fn write_pair(folder: &Path, pair: &ImagePair, depth: FileDepth) -> Result<(
     Ok(())
 }
 
-/// The pair folders that `folder` stands for: itself when it holds images of a pair, otherwise
-/// those directly below it that do, sorted by name.
+/// The pair folders in `folder`: `folder` itself if it contains images of a pair, otherwise its
+/// direct subfolders that do, sorted by name.
 ///
-/// A folder with only some of its images counts: the missing ones are reported when it is read.
+/// A folder with only some images counts: [`read_pair`] reports the missing ones.
 pub fn find_pair_folders(folder: &Path) -> Result<Vec<PathBuf>, ArchiveError> {
     if holds_images(folder) {
         return Ok(vec![folder.into()]);
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn images_are_found_whatever_program_named_them() {
+    fn image_names_may_have_capitals_and_a_long_suffix() {
         let root = tempfile::tempdir().unwrap();
         write_pair(root.path(), &pair(2), FileDepth::Eight).unwrap();
         let names = ["cam1_a.tiff", "cam1_b.TIF", "CAM2_A.TIFF", "cam2_b.tif"];
@@ -159,7 +159,7 @@ mod tests {
         }
         assert_eq!(read_pair(root.path(), 2, SIZE).unwrap().cameras, pair(2).cameras);
         assert_eq!(find_pair_folders(root.path()).unwrap(), [root.path()]);
-        // Which of two is meant, nobody can know.
+        // Two files match one image.
         fs::copy(root.path().join("cam1_a.tiff"), root.path().join("cam1_a.tif")).unwrap();
         let message = failure(root.path(), 2);
         assert!(message.contains("cam1_a.tif ") && message.contains("cam1_a.tiff"), "{message}");
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_stands_for_itself_or_for_the_pairs_below_it() {
+    fn pair_folders_are_the_folder_itself_or_its_subfolders() {
         let root = tempfile::tempdir().unwrap();
         assert!(find_pair_folders(root.path()).unwrap_err().to_string().contains("cam1_a.tif"));
         for name in ["shot_0001", "shot_0000"] {

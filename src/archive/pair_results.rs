@@ -1,4 +1,4 @@
-//! The files that `lfpiv process` writes for image pairs: a folder for each.
+//! The files that `lfpiv process` writes for image pairs, one folder per pair.
 
 use std::{
     fs,
@@ -7,11 +7,10 @@ use std::{
 
 use super::ArchiveError;
 
-/// The velocity of a pair, in the folder of its results.
+/// Name of a pair's velocity file.
 const VELOCITY: &str = "velocity.nc";
 
-/// The velocity files of the pairs whose results are in `folder`: a pair's own folder, or the one that has
-/// those of several.
+/// The velocity files in `folder`, which is the result folder of one pair or the parent of several.
 pub(super) fn pair_results(folder: &Path) -> Result<Vec<PathBuf>, ArchiveError> {
     let own = folder.join(VELOCITY);
     if own.is_file() {

@@ -11,21 +11,21 @@ use serde::Serialize;
 
 use super::{ArchiveError, durable::replace};
 
-/// VTK's mark of a point that filters and pictures leave out (`vtkDataSetAttributes::HIDDENPOINT`).
+/// VTK's flag for points that filters and views ignore (`vtkDataSetAttributes::HIDDENPOINT`).
 const HIDDEN_POINT: u8 = 2;
 
-/// Where a file for ParaView comes from.
+/// Origin of a file for ParaView.
 #[derive(Debug, Clone, Copy)]
 pub struct VtiSource<'a> {
     /// Shot number.
     pub shot: u64,
-    /// UTC of its trigger in seconds since 1970, where that is known.
+    /// UTC of the trigger in seconds since 1970, if known.
     pub utc_s: Option<f64>,
     /// The configuration's TOML text.
     pub configuration: &'a str,
 }
 
-/// One array of the file: name, VTK type, components, little-endian bytes.
+/// One array of the file: name, VTK type, number of components, little-endian bytes.
 struct Array {
     name: &'static str,
     vtk_type: &'static str,
@@ -49,13 +49,13 @@ impl Array {
     }
 }
 
-/// Writes one velocity field for ParaView: vectors at the points of an ImageData, in SI units, places in
-/// metres as velocities in metres per second.
+/// Writes one velocity field for ParaView: vectors at the points of an ImageData, in SI units
+/// (positions in m, velocities in m/s).
 ///
 /// Point arrays: `velocity` and its standard uncertainty `velocity_uncertainty` (m/s),
-/// `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`, `replaced`; `vtkGhostType` hides
-/// invalid vectors, whose numbers are NaN. Field data: `shot`, `dt_s`, `TimeValue` (s since 1970, UTC)
-/// where it is known, `source` and `configuration`.
+/// `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`, `replaced`. `vtkGhostType` hides
+/// invalid vectors, whose numbers are NaN. Field data: `shot`, `dt_s`, `TimeValue` (UTC, s since
+/// 1970, if known), `source` and `configuration`.
 pub fn write_vti(
     path: &Path,
     source: &VtiSource,
@@ -128,7 +128,7 @@ fn write_header(
     write!(writer, "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_")
 }
 
-/// What belongs to the whole field: its time, where it is known, and where it comes from.
+/// Writes the field data: time, if known, and origin.
 fn write_field_data(writer: &mut impl Write, source: &VtiSource, dt_s: f64) -> io::Result<()> {
     let VtiSource { shot, utc_s, configuration } = source;
     writeln!(writer, "<FieldData>")?;
@@ -154,7 +154,7 @@ fn write_number(
     )
 }
 
-/// VTK writes a text as the numbers of its bytes, ended by zero.
+/// VTK stores text as the numbers of its bytes, terminated by zero.
 fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()> {
     write!(writer, r#"<Array type="String" Name="{name}" NumberOfTuples="1" format="ascii">"#)?;
     for byte in text.bytes() {
@@ -165,11 +165,10 @@ fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()>
 
 /// A list of `.vti` files that ParaView opens as one animation: the `.vti.series` file.
 ///
-/// ParaView's time is UTC in seconds since 1970, or, where not every shot has a time, the shot's
-/// number.
+/// ParaView's time is UTC in seconds since 1970, or the shot number unless every shot has a time.
 pub struct VtiSeries<'a> {
     name_of: Box<dyn Fn(u64) -> String + Send + 'a>,
-    /// In order of shots. A run may have a million of them.
+    /// Sorted by shot. A run may have a million files, so only their numbers and times are kept.
     files: Vec<ListedFile>,
 }
 
@@ -178,7 +177,7 @@ struct ListedFile {
     utc_s: Option<f64>,
 }
 
-/// The file as ParaView reads it.
+/// The file in ParaView's format.
 #[derive(Serialize)]
 struct SeriesFile {
     #[serde(rename = "file-series-version")]
@@ -193,12 +192,12 @@ struct SeriesEntry {
 }
 
 impl<'a> VtiSeries<'a> {
-    /// An empty list; `name_of` a shot is the path of its file, seen from the series file.
+    /// An empty list. `name_of` maps a shot to the path of its file, relative to the series file.
     pub fn new(name_of: impl Fn(u64) -> String + Send + 'a) -> Self {
         Self { name_of: Box::new(name_of), files: Vec::new() }
     }
 
-    /// Adds the file of a shot, once; `utc_s` is the shot's time where it is known.
+    /// Adds or replaces the file of a shot; `utc_s` is the shot's time, if known.
     pub fn push(&mut self, shot: u64, utc_s: Option<f64>) {
         let file = ListedFile { shot, utc_s };
         match self.files.binary_search_by_key(&shot, |file| file.shot) {
@@ -207,12 +206,12 @@ impl<'a> VtiSeries<'a> {
         }
     }
 
-    /// Files in it.
+    /// Number of listed files.
     pub fn len(&self) -> usize {
         self.files.len()
     }
 
-    /// Whether there is none.
+    /// Whether no file is listed.
     pub fn is_empty(&self) -> bool {
         self.files.is_empty()
     }
@@ -237,7 +236,7 @@ mod tests {
     use crate::archive::test_data::result;
 
     #[test]
-    fn appended_arrays_lie_where_the_header_says() {
+    fn appended_arrays_start_at_the_offsets_in_the_header() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("shot.vti");
         let field = result([4, 3, 2]).measured.field;
@@ -273,7 +272,7 @@ mod tests {
         assert_eq!(timed["file-series-version"], "1.0");
         assert_eq!(timed["files"][0]["name"], "shot_000002.vti");
         assert_eq!(timed["files"][1]["time"], 1_700_000_000.5);
-        // A number beside a date would be half a century earlier.
+        // A shot number among dates would appear decades earlier.
         series.push(4, None);
         let times = read(&series)["files"].as_array().unwrap().clone();
         let times: Vec<_> = times.iter().map(|file| file["time"].as_f64().unwrap()).collect();

@@ -1,4 +1,4 @@
-//! The results of a run that is over, read back as they were measured.
+//! Reads the results of a finished run as they were measured.
 
 use std::{collections::BTreeMap, path::Path, sync::Arc};
 
@@ -16,7 +16,7 @@ use super::{
     stored_record::{RecordPlace, StoredRecord, places_in_segments},
 };
 
-/// Where the results of a run are.
+/// Index of a run's stored results.
 #[derive(Debug, Clone, Default)]
 pub struct RunResults {
     places: BTreeMap<u64, RecordPlace>,
@@ -24,7 +24,7 @@ pub struct RunResults {
 }
 
 impl RunResults {
-    /// Looks through the folder of a run whose voxels have this edge. Only sealed segments count.
+    /// Indexes the sealed segments in a run's folder; `voxel_mm` is the voxel size of the run.
     ///
     /// # Errors
     /// The folder or a segment cannot be read.
@@ -38,21 +38,21 @@ impl RunResults {
         self.places.len()
     }
 
-    /// Whether there is none.
+    /// Whether no shot has a result.
     pub fn is_empty(&self) -> bool {
         self.places.is_empty()
     }
 
-    /// Their numbers, in order.
+    /// The shots with a result, in ascending order.
     pub fn shots(&self) -> impl DoubleEndedIterator<Item = u64> {
         self.places.keys().copied()
     }
 
-    /// The result of a shot; `None` where it has none. Warnings and the causes of a poor fit are not stored,
-    /// and missing.
+    /// Reads the result of a shot; `None` if it has none. Warnings and the causes of a poor fit are
+    /// not stored, so they are empty.
     ///
     /// # Errors
-    /// Its segment cannot be read.
+    /// The segment cannot be read.
     pub fn read(&self, shot: u64) -> Result<Option<ShotResult>, ArchiveError> {
         let Some(RecordPlace { path, record }) = self.places.get(&shot) else { return Ok(None) };
         let read =
@@ -104,7 +104,7 @@ fn field_of(record: StoredRecord<'_>, voxel_mm: f64) -> netcdf::Result<VelocityF
     })
 }
 
-/// The default where an early version stored none, or where it cannot be understood.
+/// The stored model; the default if an early version stored none or the text cannot be parsed.
 fn model_of(record: StoredRecord<'_>) -> netcdf::Result<ModelChoice> {
     let Some(choice) = record.file.attribute("model_choice") else {
         return Ok(ModelChoice::default());
@@ -162,7 +162,7 @@ fn raw_level_of(record: StoredRecord<'_>) -> netcdf::Result<RawLevel> {
     })
 }
 
-/// Times a factor; zero where there is no value, as fields have it in memory.
+/// A value times a factor; a missing value becomes zero, as in fields in memory.
 fn scaled(value: f32, factor: f64) -> f32 {
     if value.is_nan() { 0.0 } else { (f64::from(value) * factor) as f32 }
 }

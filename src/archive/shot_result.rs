@@ -1,39 +1,39 @@
-//! What is kept of a shot: its measurement, its time, and how safe its images are.
+//! The result of a shot: measurement, time, and durability of its images.
 
 use lfpiv_core::velocimetry::PairResult;
 use serde::{Deserialize, Serialize};
 
 use super::ShotTime;
 
-/// How safe the raw images behind a result are.
+/// Durability of the raw images of a result.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RawLevel {
-    /// They are in no raw log: imported images, or a run without one.
+    /// Not recorded: imported images, or a run without a raw log.
     #[default]
     NotKept,
-    /// They should have been kept, and could not be written.
+    /// Recording failed.
     Lost,
-    /// In memory, on their way to the disk.
+    /// In memory, waiting to be written.
     Acquired,
-    /// With the operating system: they survive the end of this process.
+    /// Handed to the operating system: the images survive the end of this process.
     Written,
-    /// On the disk: they survive a power cut.
+    /// On the disk: the images survive a power cut.
     Synced,
 }
 
-/// A measurement as a shot of a run.
+/// The measurement of one shot of a run.
 #[derive(Debug, Clone)]
 pub struct ShotResult {
-    /// What its images gave.
+    /// The vectors and their quality.
     pub measured: PairResult,
-    /// When its trigger was given; absent for images that come without a time.
+    /// Time of the trigger; `None` for images without a time.
     pub time: Option<ShotTime>,
-    /// How safe its raw images were when the result was stored.
+    /// Durability of the raw images when the result was stored.
     pub raw: RawLevel,
 }
 
-/// The measurement of images that belong to no run.
+/// For images that do not belong to a run.
 impl From<PairResult> for ShotResult {
     fn from(measured: PairResult) -> Self {
         Self { measured, time: None, raw: RawLevel::NotKept }

@@ -1,24 +1,24 @@
-//! When a shot was taken.
+//! The time of a shot.
 
 use std::fmt::{self, Display};
 
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 use time::{OffsetDateTime, format_description::well_known::Rfc3339};
 
-/// When the trigger of a shot (T0 of its pulse schedule) was given.
+/// Time of a shot's trigger (T0 of its pulse schedule).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ShotTime {
     /// UTC in ns since 1970-01-01T00:00:00Z, without leap seconds, as computers count it.
     pub utc_ns: i64,
-    /// Standard uncertainty, in ns. It has the error of the host's clock where that is known.
+    /// Standard uncertainty, in ns. It includes the error of the host's clock, if that is known.
     pub uncertainty_ns: u64,
-    /// Whether the host's clock was known to be synchronised with UTC. Where it was not, the
-    /// uncertainty is that of the trigger by that clock.
+    /// Whether the host's clock was known to be synchronised with UTC. If not, the error of that
+    /// clock is not in the uncertainty.
     pub clock_synchronised: bool,
 }
 
 impl ShotTime {
-    /// Seconds since 1970-01-01T00:00:00Z; good to 0.3 µs.
+    /// UTC in seconds since 1970-01-01T00:00:00Z, rounded to 0.3 µs.
     pub fn utc_s(&self) -> f64 {
         let (seconds, rest_ns) =
             (self.utc_ns.div_euclid(1_000_000_000), self.utc_ns.rem_euclid(1_000_000_000));
@@ -31,7 +31,7 @@ impl ShotTime {
     }
 }
 
-/// RFC 3339, to the microsecond.
+/// Formats as RFC 3339 with microseconds.
 impl Display for ShotTime {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let whole_us = i128::from(self.utc_ns).div_euclid(1000) * 1000;
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_time_is_told_as_a_date_with_its_uncertainty() {
+    fn a_time_is_serialized_as_a_date_with_its_uncertainty() {
         let time = ShotTime {
             utc_ns: 1_700_000_000_123_456_789,
             uncertainty_ns: 2_500_000,

@@ -1,10 +1,11 @@
-//! The statistics of a run as NetCDF-4/CF: what each place comes to, how it converges, how far fluctuations
-//! reach.
+//! The statistics of a run as NetCDF-4/CF: statistics per point, convergence, two-point
+//! correlations and spectra.
 //!
-//! Per place (`z, y, x`): `samples`, and for each quantity (`u_mean`, `u_rms`, `uv`, `u_skewness`, ...) its value,
-//! `_uncertainty` (standard, of all), `_uncertainty_flow` and `_uncertainty_measurement` (the parts), and
-//! `_interval` over `bound`: 95 %. What is not known is NaN. Over `part`: convergence. Along each axis:
-//! `covariance_x`, `correlation_x` over `separation_x`, `spectrum_x` over `wavenumber_x`.
+//! Per point (`z, y, x`): `samples`, and for each quantity (`u_mean`, `u_rms`, `uv`, `u_skewness`,
+//! ...) its value, the standard uncertainty `_uncertainty` with its parts `_uncertainty_flow` and
+//! `_uncertainty_measurement`, and the 95 % interval `_interval` over `bound`. Unknown numbers are
+//! NaN. Over `part`: convergence. Along each axis: `covariance_x`, `correlation_x` over
+//! `separation_x`, `spectrum_x` over `wavenumber_x`.
 
 use std::path::Path;
 
@@ -15,13 +16,13 @@ use super::{
     netcdf_file::{Described, NetCdfFile},
 };
 
-const PLACES: [&str; 3] = ["z", "y", "x"];
+const POINTS: [&str; 3] = ["z", "y", "x"];
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// A value, three uncertainties and two bounds of each quantity; a count; room for the rest.
-const PLACE_BYTES: u64 = 6 * 4 * Quantity::ALL.len() as u64 + 8;
+/// Bytes per point: value, three uncertainties and two bounds of each quantity, and a count.
+const POINT_BYTES: u64 = 6 * 4 * Quantity::ALL.len() as u64 + 8;
 const REST_BYTES: u64 = 4 << 20;
 
-/// One number of an estimate.
+/// A number of an estimate: suffix of its name, prefix of its description, accessor.
 type Part = (&'static str, &'static str, fn(&Estimate) -> f64);
 
 const PARTS: [Part; 4] = [
@@ -29,30 +30,30 @@ const PARTS: [Part; 4] = [
     ("_uncertainty", "standard uncertainty of ", Estimate::uncertainty),
     (
         "_uncertainty_flow",
-        "part of it for the flow's fluctuations: standard uncertainty of ",
+        "part due to the flow's fluctuations of the standard uncertainty of ",
         |e| e.flow_uncertainty,
     ),
     (
         "_uncertainty_measurement",
-        "part of it for the uncertainty of each measured velocity: standard uncertainty of ",
+        "part due to the uncertainty of each measured velocity of the standard uncertainty of ",
         |e| e.measurement_uncertainty,
     ),
 ];
 
-/// Writes the statistics of a run, replacing an older file; `configuration` is the TOML text that its vectors
-/// were made with.
+/// Writes the statistics of a run, replacing an older file; `configuration` is the TOML text of the
+/// measurement.
 pub fn write_statistics(
     path: &Path,
     configuration: &str,
     ensemble: &Ensemble,
 ) -> Result<(), ArchiveError> {
     let grid = ensemble.grid();
-    let bytes = 2 * (REST_BYTES + PLACE_BYTES * grid.len() as u64);
+    let bytes = 2 * (REST_BYTES + POINT_BYTES * grid.len() as u64);
     let mut file = NetCdfFile::create(path, bytes, "Statistics of velocity", configuration)?;
     file.add_axes([0, 1, 2].map(|axis| grid.axis_mm(axis)))?;
     file.add_dimension("bound", 2)?;
     file.add_dimension("component", 3)?;
-    write_places(&mut file, ensemble)?;
+    write_points(&mut file, ensemble)?;
     write_convergence(&mut file, &ensemble.convergence())?;
     for correlation in ensemble.correlations() {
         write_correlation(&mut file, &correlation)?;
@@ -61,36 +62,35 @@ pub fn write_statistics(
     file.store()
 }
 
-fn write_places(file: &mut NetCdfFile, ensemble: &Ensemble) -> Result<(), ArchiveError> {
+fn write_points(file: &mut NetCdfFile, ensemble: &Ensemble) -> Result<(), ArchiveError> {
     let estimates = ensemble.estimates();
-    let shots =
-        Described { name: "shots", units: "1", long_name: "shots that the statistics are made of" };
+    let shots = Described { name: "shots", units: "1", long_name: "number of shots" };
     file.add::<i64>(&shots, &[])?;
     file.put(shots.name, &[ensemble.shots() as i64])?;
     let samples = Described {
         name: "samples",
         units: "1",
-        long_name: "valid vectors, or particles, that the statistics of a place are made of",
+        long_name: "number of valid vectors, or particles, at each point",
     };
-    file.add::<i64>(&samples, &PLACES)?;
+    file.add::<i64>(&samples, &POINTS)?;
     let counts: Vec<i64> = estimates.counts.iter().map(|count| *count as i64).collect();
     file.put(samples.name, &counts)?;
     for quantity in Quantity::ALL {
         let (units, what) = (units(quantity), meaning(quantity));
-        let places = estimates.of(quantity);
+        let points = estimates.of(quantity);
         let or_nan = |part: fn(&Estimate) -> f64| {
-            let number = |place: &Option<Estimate>| place.as_ref().map_or(f64::NAN, part) as f32;
-            places.iter().map(number).collect::<Vec<f32>>()
+            let number = |point: &Option<Estimate>| point.as_ref().map_or(f64::NAN, part) as f32;
+            points.iter().map(number).collect::<Vec<f32>>()
         };
         for (ending, words, part) in PARTS {
             let name = format!("{}{ending}", quantity.name());
             let long_name = format!("{words}{what}");
             let described = Described { name: &name, units, long_name: &long_name };
-            file.add_with_gaps(&described, &PLACES)?;
+            file.add_with_gaps(&described, &POINTS)?;
             file.put(&name, &or_nan(part))?;
         }
         let name = format!("{}_interval", quantity.name());
-        let long_name = format!("interval that holds {what} with a probability of 95 %");
+        let long_name = format!("95 % interval of {what}");
         let described = Described { name: &name, units, long_name: &long_name };
         file.add_with_gaps(&described, &["z", "y", "x", "bound"])?;
         let bounds = or_nan(|e| e.interval_95[0]).into_iter().zip(or_nan(|e| e.interval_95[1]));
@@ -112,7 +112,7 @@ fn meaning(quantity: Quantity) -> String {
     match quantity {
         Quantity::Mean(c) => format!("the mean velocity along {}", along(c)),
         Quantity::Rms(c) => format!(
-            "the root-mean-square of the flow's fluctuations along {}, without the measurement's",
+            "the root-mean-square of the flow's fluctuations along {}, without the measurement's noise",
             along(c)
         ),
         Quantity::Stress(i, j) => format!(
@@ -131,22 +131,22 @@ fn write_convergence(file: &mut NetCdfFile, steps: &[Convergence]) -> Result<(),
     const COLUMNS: [(&str, &str, OfStep); 4] = [
         (
             "convergence_mean_uncertainty",
-            "root-mean-square over the places of the standard uncertainty of the mean",
+            "root mean square over the points of the standard uncertainty of the mean",
             |s| s.mean_uncertainty_m_s,
         ),
         (
             "convergence_mean_difference",
-            "root-mean-square difference of the means of so many shots from those of all",
+            "root-mean-square difference between the means of these shots and of all shots",
             |s| s.mean_difference_m_s,
         ),
         (
             "convergence_mean_difference_expected",
-            "what that difference comes to when shots are independent",
+            "expected difference for independent shots",
             |s| s.mean_difference_expected_m_s,
         ),
         (
             "convergence_rms_difference",
-            "root-mean-square difference of the standard deviations from those of all shots",
+            "root-mean-square difference between the standard deviations of these shots and of all shots",
             |s| s.rms_difference_m_s,
         ),
     ];
@@ -154,7 +154,7 @@ fn write_convergence(file: &mut NetCdfFile, steps: &[Convergence]) -> Result<(),
     let shots = Described {
         name: "convergence_shots",
         units: "1",
-        long_name: "shots in a part of the run",
+        long_name: "number of shots in each part of the run",
     };
     file.add::<i64>(&shots, &["part"])?;
     if steps.is_empty() {
@@ -172,7 +172,7 @@ fn write_correlation(file: &mut NetCdfFile, correlation: &Correlation) -> Result
     let axis = AXES[correlation.axis];
     let separation = format!("separation_{axis}");
     file.add_dimension(&separation, correlation.separation_mm.len())?;
-    let along = format!("distance of two places along {axis}");
+    let along = format!("distance between two points along {axis}");
     file.add::<f64>(
         &Described { name: &separation, units: "mm", long_name: &along },
         &[&separation],
@@ -180,14 +180,14 @@ fn write_correlation(file: &mut NetCdfFile, correlation: &Correlation) -> Result
     file.put(&separation, &correlation.separation_mm)?;
     let (name, long_name) = (
         format!("covariance_{axis}"),
-        format!("covariance of u, v, w with itself so far away along {axis}, over all places"),
+        format!("covariance of u, v, w with itself at this distance along {axis}, over all points"),
     );
     let described = Described { name: &name, units: "m2 s-2", long_name: &long_name };
     file.add::<f64>(&described, &[&separation, "component"])?;
     file.put(&name, correlation.covariance_m2_s2.as_flattened())?;
     let (name, long_name) = (
         format!("correlation_{axis}"),
-        format!("coefficient of correlation of u, v, w with itself so far away along {axis}"),
+        format!("correlation coefficient of u, v, w with itself at this distance along {axis}"),
     );
     let described = Described { name: &name, units: "1", long_name: &long_name };
     file.add_with_gaps(&described, &[&separation, "component"])?;
@@ -195,7 +195,9 @@ fn write_correlation(file: &mut NetCdfFile, correlation: &Correlation) -> Result
     file.put(&name, &correlation.coefficient.iter().flatten().map(known).collect::<Vec<f32>>())?;
     let (name, long_name) = (
         format!("integral_scale_{axis}"),
-        format!("integral of the coefficient of u, v, w along {axis} up to its first zero"),
+        format!(
+            "integral of the correlation coefficient of u, v, w along {axis} up to its first zero"
+        ),
     );
     let described = Described { name: &name, units: "mm", long_name: &long_name };
     file.add_with_gaps(&described, &["component"])?;
@@ -243,7 +245,7 @@ mod tests {
         }
         let file = netcdf::open(&path).unwrap();
         let numbers = |name: &str| file.variable(name).unwrap().get_values::<f64, _>(..).unwrap();
-        // Of three vectors one is valid.
+        // One of three vectors is valid.
         assert_eq!(numbers("samples")[..3], [5.0, 0.0, 0.0]);
         assert_eq!(numbers("shots"), [5.0]);
         // A voxel of 0.1 mm in 100 us is 1 m/s.

@@ -1,4 +1,4 @@
-//! The results of a run on disk, shot by shot.
+//! Stores the results of a run, shot by shot.
 //!
 //! ```text
 //! DIR/configuration.toml     the configuration of the run
@@ -7,10 +7,10 @@
 //! DIR/velocity.vti.series    the list of the above
 //! ```
 //!
-//! The segment being written is in memory, some 32 MB of it at most. One that finds no room on its disk
-//! stays there, and no other result is taken before it is stored.
+//! The open segment is in memory and has at most some 32 MB. If a finished segment does not fit on
+//! the disk, it stays in memory, and no further result is accepted before it is stored.
 //!
-//! [`super::merge_segments`] makes few files of the segments of a run that is over.
+//! [`super::merge_segments`] merges the segments of a finished run into few files.
 
 mod adopt;
 
@@ -30,23 +30,24 @@ use super::{
     velocity_file::VelocityFile,
 };
 
-/// How long a segment stays open: what a crash can cost of the NetCDF results.
+/// Age at which a segment is sealed. A crash loses the NetCDF results of at most this time.
 const SEGMENT_AGE: Duration = Duration::from_secs(60);
-/// How many shots it takes: the library's memory grows with them, by some 5 kB each.
+/// Largest number of shots in a segment: the library needs some 5 kB of memory per shot.
 const SEGMENT_SHOTS: usize = 600;
-/// The list for ParaView is written anew with every shot up to so many, and later with every
-/// segment: it is as long as the run.
-const SHOTS_LISTED_AT_ONCE: usize = 100;
+/// Up to this number of shots the list for ParaView is written after every shot. Beyond it the list
+/// is written with every segment, because it is as long as the run.
+const SHOTS_LISTED_IMMEDIATELY: usize = 100;
 
-/// Writes the results of one run. Used by one thread; [`Self::close`] it to learn of failures.
+/// Writes the results of one run, from one thread. Call [`Self::close`] at the end to learn of
+/// failures.
 pub struct ResultStore {
     folder: PathBuf,
     configuration: String,
     segment_age: Duration,
     segment: Option<Segment>,
-    /// Finished, and not on disk yet: one at most.
+    /// A finished segment that is not on disk yet.
     unstored: Option<Unstored>,
-    /// Absent where no files for ParaView are written.
+    /// `None` if no files for ParaView are written.
     series: Option<VtiSeries<'static>>,
 }
 
@@ -62,16 +63,17 @@ struct Unstored {
 }
 
 impl ResultStore {
-    /// Starts a run in `folder`, created if need be; `configuration` is the TOML text used.
+    /// Starts a run in `folder`, which is created if necessary; `configuration` is the run's TOML
+    /// text.
     ///
     /// # Errors
-    /// [`ArchiveError::AlreadyUsed`] when the folder holds the results of another run;
+    /// [`ArchiveError::AlreadyUsed`] if the folder contains the results of another run;
     /// [`ArchiveError::Io`].
     pub fn create(folder: &Path, configuration: &str) -> Result<Self, ArchiveError> {
         Self::with_segment_age(folder, configuration, SEGMENT_AGE)
     }
 
-    /// [`Self::create`] with segments sealed after another time than 60 s.
+    /// [`Self::create`] with another segment age than 60 s.
     pub fn with_segment_age(
         folder: &Path,
         configuration: &str,
@@ -93,11 +95,11 @@ impl ResultStore {
         })
     }
 
-    /// Goes on with a run whose results lie in `folder`. Results that a crash has left unreadable
-    /// are removed: nothing but whole segments counts.
+    /// Continues a run whose results are in `folder`. Incomplete segments left by a crash are
+    /// removed.
     ///
     /// # Errors
-    /// [`ArchiveError::Io`]; a sealed segment that cannot be read.
+    /// [`ArchiveError::Io`]; a sealed segment cannot be read.
     pub fn reopen(
         folder: &Path,
         configuration: &str,
@@ -119,22 +121,22 @@ impl ResultStore {
         Ok((store, stored))
     }
 
-    /// Writes a file per shot for ParaView, as it does unless told otherwise, or none.
+    /// Sets whether a file for ParaView is written for each shot; the default is yes.
     pub fn for_paraview(mut self, wanted: bool) -> Self {
         self.series = self.series.take().filter(|_| wanted);
         self
     }
 
-    /// The folder of the run.
+    /// The run's folder.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Stores the result of one shot. Seals the open segment when its time has come, or when the
-    /// forward model is another: a file tells of one.
+    /// Stores the result of one shot. First seals the open segment if it has another forward model,
+    /// as each file has one model. Afterwards seals the open segment if it is due.
     ///
-    /// Shots may come in any order, each once. The `.vti` can be read on return; the NetCDF
-    /// record once its segment is sealed.
+    /// Each shot is stored once, in any order. On return its `.vti` can be read; its NetCDF record
+    /// can be read once the segment is sealed.
     pub fn append(&mut self, shot: u64, result: &ShotResult) -> Result<(), ArchiveError> {
         if self.segment.as_ref().is_some_and(|segment| !segment.file.suits(result)) {
             self.seal()?;
@@ -156,8 +158,8 @@ impl ResultStore {
         self.seal_if_due().map(|_| ())
     }
 
-    /// Seals the open segment if it is old enough, or full. For the pauses of a run, when no shot comes
-    /// whose [`Self::append`] would do it.
+    /// Seals the open segment if it is old enough or full. Call it in pauses of a run, when
+    /// [`Self::append`] is not called.
     pub fn seal_if_due(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
         let is_due = |segment: &Segment| {
             segment.opened.elapsed() >= self.segment_age
@@ -173,7 +175,7 @@ impl ResultStore {
         let source = VtiSource { shot, utc_s, configuration: &self.configuration };
         write_vti(&self.folder.join(vti_name(shot)), &source, &result.measured.field)?;
         series.push(shot, utc_s);
-        if series.len() <= SHOTS_LISTED_AT_ONCE { self.write_series() } else { Ok(()) }
+        if series.len() <= SHOTS_LISTED_IMMEDIATELY { self.write_series() } else { Ok(()) }
     }
 
     fn write_series(&self) -> Result<(), ArchiveError> {
@@ -181,17 +183,17 @@ impl ResultStore {
         series.write(&self.folder.join("velocity.vti.series"))
     }
 
-    /// Seals the open segment, if any, and says where it lies. After a failure it is tried again with the
-    /// next shot or pause.
+    /// Seals the open segment, if any, and returns its path. If this fails, the next shot or pause
+    /// tries again.
     pub fn seal(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
-        // The one before first: only one can wait.
-        let before = self.store()?;
-        let Some(Segment { file, shots, .. }) = self.segment.take() else { return Ok(before) };
+        // Store an earlier segment first: only one can wait.
+        let earlier = self.store()?;
+        let Some(Segment { file, shots, .. }) = self.segment.take() else { return Ok(earlier) };
         self.unstored = Some(Unstored { file: file.finish()?, shots });
         self.store()
     }
 
-    /// Puts a finished segment that waits for room on disk.
+    /// Writes the finished segment that waits for disk space.
     fn store(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
         let Some(unstored) = &self.unstored else { return Ok(None) };
         let path = unstored.file.store()?.to_owned();
@@ -200,34 +202,34 @@ impl ResultStore {
         Ok(Some(path))
     }
 
-    /// Seals what is open and ends the run.
+    /// Seals the open segment and ends the run.
     ///
     /// # Errors
-    /// As [`Self::seal`]; the shots that are lost with it are told.
+    /// As [`Self::seal`]; the log lists the shots that are lost.
     pub fn close(mut self) -> Result<(), ArchiveError> {
         let sealed = self.seal();
-        self.tell_lost();
+        self.report_lost();
         sealed.map(|_| ())
     }
 
-    /// Says which shots have no result on disk, and gives them up.
-    fn tell_lost(&mut self) {
+    /// Logs which shots have no result on disk, and discards them.
+    fn report_lost(&mut self) {
         let unstored = self.unstored.take().map(|unstored| unstored.shots);
         let open = self.segment.take().map(|segment| segment.shots);
         let mut shots: Vec<u64> = [unstored, open].into_iter().flatten().flatten().collect();
         shots.sort_unstable();
         if let [first, .., last] | [first @ last] = shots.as_slice() {
             tracing::error!(
-                "{} of the shots {first} to {last} are not on disk: once there is room, `lfpiv process \
-                 {}` measures them again from their images, if these are recorded",
+                "{} of the shots {first} to {last} are not on disk: make room, then `lfpiv process \
+                 {}` measures them again from their recorded images",
                 shots.len(),
                 self.folder.display()
             );
         }
     }
 
-    /// A name by the first shot. There may be a sealed segment of it: one whose first shot could
-    /// not be stored, and later ones were.
+    /// A path named by the segment's first shot. A sealed segment may have that name already, if
+    /// its first shot could not be stored but later ones were.
     fn unused_name(&self, shot: u64) -> PathBuf {
         let named = |suffix: String| self.folder.join(format!("velocity_{shot:06}{suffix}.nc"));
         let suffixes = (2..MAX_SUFFIX).map(|number| format!("_{number}"));
@@ -242,7 +244,8 @@ impl ResultStore {
     }
 }
 
-/// Longest search for a name; a segment is named anew only where its first shot was not stored.
+/// Largest suffix tried for a segment name. Names repeat only after a first shot could not be
+/// stored.
 const MAX_SUFFIX: u32 = 1000;
 
 fn vti_name(shot: u64) -> String {
@@ -254,7 +257,7 @@ impl Drop for ResultStore {
         if let Err(error) = self.seal() {
             tracing::error!(%error, "the last results of the run are not sealed");
         }
-        self.tell_lost();
+        self.report_lost();
     }
 }
 
@@ -344,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pause_seals_what_is_old_enough_only() {
+    fn a_pause_seals_only_segments_that_are_old_enough() {
         let root = tempfile::tempdir().unwrap();
         let hour = Duration::from_secs(3600);
         let mut store = ResultStore::with_segment_age(root.path(), "", hour).unwrap();

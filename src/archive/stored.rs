@@ -1,4 +1,4 @@
-//! Which results of a run are on disk.
+//! Finds the results of a run on disk.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -10,26 +10,26 @@ use netcdf::AttributeValue;
 
 use super::{ArchiveError, netcdf_file::FILL_F64, netcdf_open::open};
 
-/// Attribute of a merged file: the shot that was stored before its others.
+/// Attribute of a merged file: the shot that was stored first.
 pub(super) const FIRST_STORED: &str = "first_stored_shot";
 
-/// What lies in a run's folder. Only sealed segments count: their results are whole.
+/// The results in a run's folder. Only sealed segments count, because they are complete.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StoredResults {
     /// Shots with a stored result.
     pub shots: BTreeSet<u64>,
-    /// UTC of those whose time is known, in seconds since 1970.
+    /// UTC of the shots with a known time, in seconds since 1970.
     pub times_s: BTreeMap<u64, f64>,
-    /// Results in all; more than the shots if one were there twice.
+    /// Number of records; larger than the number of shots if a shot is stored twice.
     pub records: usize,
-    /// The shot whose result was stored first, which decided the forward model.
+    /// The shot that was stored first. It decided the forward model.
     pub first: Option<u64>,
-    /// Segments that were being written when the run was killed.
+    /// Incomplete segments of a killed run.
     pub unreadable: Vec<PathBuf>,
 }
 
 impl StoredResults {
-    /// Looks through the folder of a run.
+    /// Reads the sealed segments in a run's folder.
     ///
     /// # Errors
     /// The folder cannot be listed, or a sealed segment cannot be read.
@@ -51,8 +51,7 @@ impl StoredResults {
     }
 }
 
-/// Every number of the stored vectors of each shot in the run's folder, as bits: for holding one
-/// run against another.
+/// All numbers of the stored vectors of each shot in a run's folder, as bits, to compare runs.
 ///
 /// # Errors
 /// As [`StoredResults::find`].
@@ -80,7 +79,7 @@ fn vectors_of(path: &Path, record: usize) -> Result<Vec<u32>, netcdf::Error> {
     for name in COMPARED {
         let numbers = numbers_of(name)?;
         let is_flag = name == "valid" || name == "replaced";
-        // The first files had zeros where there is no vector, later ones have fill values.
+        // The first versions stored zeros for missing vectors, later ones fill values.
         let missing = |n: usize| !is_flag && valid[n] == 0.0 && replaced[n] == 0.0;
         let number = |(n, value)| if missing(n) { f32::NAN } else { value };
         bits.extend(numbers.into_iter().enumerate().map(number).map(f32::to_bits));
@@ -88,11 +87,11 @@ fn vectors_of(path: &Path, record: usize) -> Result<Vec<u32>, netcdf::Error> {
     Ok(bits)
 }
 
-/// What a result consists of; the time it took is not of it.
+/// The compared variables; processing times are left out.
 const COMPARED: [&str; 8] =
     ["u", "v", "w", "u_uncertainty", "v_uncertainty", "w_uncertainty", "valid", "replaced"];
 
-/// Segments in the run's folder whose names end so, sorted by name.
+/// Segments in the run's folder whose names end in `ending`, sorted by name.
 pub(super) fn segments(folder: &Path, ending: &str) -> Result<Vec<PathBuf>, ArchiveError> {
     let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
     let mut paths = Vec::new();
@@ -111,14 +110,13 @@ pub(super) fn missing(variable: &str) -> netcdf::Error {
     netcdf::Error::NotFound(variable.to_owned())
 }
 
-/// Shot numbers of a segment, in the order in which they were stored; a record that could not be
-/// written whole has none.
+/// Shot numbers of a segment in the order of storage, without incomplete records.
 pub(super) fn shots_in(path: &Path) -> Result<Vec<u64>, ArchiveError> {
     let records = records_of(path)?;
     Ok(records.into_iter().filter_map(|shot| u64::try_from(shot).ok()).collect())
 }
 
-/// The shot of a segment that was stored before its others.
+/// The shot of a segment that was stored first.
 pub(super) fn first_stored(path: &Path) -> Result<Option<u64>, ArchiveError> {
     let read = || -> Result<_, netcdf::Error> {
         open(path)?.attribute(FIRST_STORED).map(|first| first.value()).transpose()
@@ -166,7 +164,7 @@ impl SealedFile {
     }
 }
 
-/// The configuration with which a file of results was made, TOML.
+/// The configuration of a result file, TOML.
 ///
 /// # Errors
 /// The file cannot be read.
@@ -179,7 +177,7 @@ pub fn stored_configuration(path: &Path) -> Result<String, ArchiveError> {
     read().map_err(ArchiveError::unreadable_results(path))
 }
 
-/// The times of the shots of a segment, as far as they are known; earlier versions stored none.
+/// The known times of a segment's shots; earlier versions stored none.
 fn times_in(path: &Path) -> Result<Vec<(u64, f64)>, ArchiveError> {
     let read = || -> Result<Vec<f64>, netcdf::Error> {
         let file = open(path)?;
@@ -191,7 +189,7 @@ fn times_in(path: &Path) -> Result<Vec<(u64, f64)>, ArchiveError> {
     Ok(known.filter_map(|(shot, time_s)| Some((u64::try_from(shot).ok()?, time_s))).collect())
 }
 
-/// Shot numbers as they are in the file: below zero where a record was not written whole.
+/// Shot numbers as stored: negative for an incomplete record.
 pub(super) fn records_of(path: &Path) -> Result<Vec<i64>, ArchiveError> {
     let read = || -> Result<Vec<i64>, netcdf::Error> {
         open(path)?.variable("shot").ok_or_else(|| missing("shot"))?.get_values(..)
@@ -205,7 +203,7 @@ mod tests {
     use crate::archive::{ResultStore, test_data::result};
 
     #[test]
-    fn sealed_results_count_and_the_rest_of_a_crash_does_not() {
+    fn only_sealed_results_count_after_a_crash() {
         let root = tempfile::tempdir().unwrap();
         let mut store = ResultStore::create(root.path(), "").unwrap();
         for shot in [3, 4] {
@@ -213,7 +211,7 @@ mod tests {
         }
         store.seal().unwrap();
         store.append(5, &result([4, 3, 2])).unwrap();
-        // As a killed process would: the destructor does not run, and half a file may be there.
+        // Like a killed process: the destructor does not run and an incomplete file remains.
         std::mem::forget(store);
         fs::write(root.path().join("velocity_000005.nc.part"), b"half").unwrap();
         let stored = StoredResults::find(root.path()).unwrap();

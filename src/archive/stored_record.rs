@@ -1,4 +1,4 @@
-//! A shot's record in a NetCDF file of results, variable by variable.
+//! Reads the record of a shot in a NetCDF file of results, variable by variable.
 
 use std::{
     collections::BTreeMap,
@@ -12,15 +12,15 @@ use super::{
     stored::{missing, records_of, segments},
 };
 
-/// Where the record of a shot is.
+/// Location of a shot's record.
 #[derive(Debug, Clone)]
 pub(super) struct RecordPlace {
     pub(super) path: PathBuf,
     pub(super) record: usize,
 }
 
-/// The records of a run's sealed segments, by shot. A shot that is there twice, after a merge that was cut
-/// off, counts once.
+/// The records in a run's sealed segments, by shot. A shot that is stored twice, after an
+/// interrupted merge, counts once.
 ///
 /// # Errors
 /// The folder or a segment cannot be read.
@@ -45,7 +45,7 @@ pub(super) struct StoredRecord<'a> {
 }
 
 impl StoredRecord<'_> {
-    /// A number per vector.
+    /// One number per vector.
     pub(super) fn vectors(&self, name: &str) -> netcdf::Result<Vec<f32>> {
         let variable = self.file.variable(name).ok_or_else(|| missing(name))?;
         variable.get_values((self.record, .., .., ..))
@@ -57,7 +57,7 @@ impl StoredRecord<'_> {
         Ok(x?.into_iter().zip(y?).zip(z?).map(|((x, y), z)| [x, y, z]).collect())
     }
 
-    /// What each vector is worth.
+    /// The status of each vector.
     pub(super) fn status(&self) -> netcdf::Result<Vec<VectorStatus>> {
         let (valid, replaced) = (self.vectors("valid")?, self.vectors("replaced")?);
         let status = valid.iter().zip(&replaced).map(|flags| match flags {
@@ -68,15 +68,15 @@ impl StoredRecord<'_> {
         Ok(status.collect())
     }
 
-    /// A number of the shot, or, in files of earlier versions, of all shots; `None` where it is not in the
-    /// file.
+    /// A number of the shot, or, in files of earlier versions, of all shots; `None` if the file has
+    /// no such variable.
     pub(super) fn number(&self, name: &str) -> netcdf::Result<Option<f64>> {
         let Some(variable) = self.file.variable(name) else { return Ok(None) };
         let numbers = variable.get_values::<f64, _>(..)?;
         Ok(numbers.get(if variable.dimensions().is_empty() { 0 } else { self.record }).copied())
     }
 
-    /// Where the vectors are.
+    /// The grid of the vectors.
     pub(super) fn grid(&self) -> netcdf::Result<VectorGrid> {
         let axis = |name: &str| -> netcdf::Result<Vec<f64>> {
             self.file.variable(name).ok_or_else(|| missing(name))?.get_values(..)

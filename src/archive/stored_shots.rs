@@ -1,4 +1,4 @@
-//! The vectors of a folder of results, shot by shot, as they were measured.
+//! Reads the vectors in a folder of results, shot by shot.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -16,23 +16,23 @@ use super::{
     stored_record::{RecordPlace, StoredRecord, places_in_segments},
 };
 
-/// A stored result, in SI units but for places. Every array is in the order z, y, x (x fastest); what a
-/// vector does not have is NaN.
+/// A stored result in SI units, with positions in mm. Arrays are in the order z, y, x (x fastest).
+/// Missing numbers are NaN.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredShot {
     /// Shot number.
     pub shot: u64,
-    /// UTC of its trigger in seconds since 1970, where it is known.
+    /// UTC of the trigger in seconds since 1970, if known.
     pub time_s: Option<f64>,
     /// Time between the frames, in s.
     pub dt_s: f64,
-    /// Where the vectors are.
+    /// The grid of the vectors.
     pub grid: VectorGrid,
     /// Velocity along x, y, z, in m/s.
     pub velocity_m_s: Vec<[f32; 3]>,
-    /// Its standard uncertainty, in m/s.
+    /// Standard uncertainty of the velocity, in m/s.
     pub uncertainty_m_s: Vec<[f32; 3]>,
-    /// What each vector is worth.
+    /// The status of each vector.
     pub status: Vec<VectorStatus>,
     /// Highest over second highest correlation peak.
     pub peak_ratio: Vec<f32>,
@@ -42,16 +42,16 @@ pub struct StoredShot {
     pub divergence_per_s: Vec<f32>,
 }
 
-/// The shots with stored results in a folder: that of a run, or one that `lfpiv process` has written pairs'
-/// results to.
+/// The shots with stored results in a folder: that of a run, or one in which `lfpiv process` has
+/// stored the results of pairs.
 #[derive(Debug)]
 pub struct StoredShots {
-    /// Where each shot is.
+    /// Location of each shot's record.
     places: BTreeMap<u64, RecordPlace>,
 }
 
 impl StoredShots {
-    /// Looks through `folder`. Only sealed files count. A shot that is there twice counts once.
+    /// Indexes the sealed files in `folder`. A shot that is stored twice counts once.
     ///
     /// # Errors
     /// The folder or a file cannot be read.
@@ -68,7 +68,7 @@ impl StoredShots {
                 places.push(place);
             }
         }
-        // Earlier versions numbered every pair 0.
+        // Earlier versions gave every pair the number 0.
         if numbered.len() < places.len() {
             numbered = (0..).zip(places).collect();
         }
@@ -80,20 +80,20 @@ impl StoredShots {
         self.places.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no shots.
     pub fn is_empty(&self) -> bool {
         self.places.is_empty()
     }
 
-    /// Number of files that they are in.
+    /// Number of files that contain the shots.
     pub fn files(&self) -> usize {
         self.places.values().map(|place| &place.path).collect::<BTreeSet<_>>().len()
     }
 
-    /// The configuration with which the first shot was measured, TOML; empty without shots.
+    /// The configuration of the first shot, TOML; empty without shots.
     ///
     /// # Errors
-    /// Its file cannot be read.
+    /// The file cannot be read.
     pub fn configuration(&self) -> Result<String, ArchiveError> {
         self.places
             .values()
@@ -101,20 +101,20 @@ impl StoredShots {
             .map_or(Ok(String::new()), |place| stored_configuration(&place.path))
     }
 
-    /// The shots' numbers, in order.
+    /// The shot numbers, ascending.
     pub fn shots(&self) -> impl Iterator<Item = u64> {
         self.places.keys().copied()
     }
 
-    /// Leaves out the shots that are not wanted.
+    /// Keeps only the shots for which `is_wanted` is true.
     pub fn retain(&mut self, is_wanted: impl Fn(u64) -> bool) {
         self.places.retain(|shot, _| is_wanted(*shot));
     }
 
-    /// Reads the shots in their order, one at a time; `take` may end it with an error of its own.
+    /// Reads the shots in ascending order and passes each to `take`, which can stop with an error.
     ///
     /// # Errors
-    /// A file cannot be read; what `take` says.
+    /// A file cannot be read, or the error of `take`.
     pub fn for_each<E: From<ArchiveError>>(
         &self,
         mut take: impl FnMut(StoredShot) -> Result<(), E>,
@@ -140,7 +140,7 @@ impl StoredShots {
 
 fn read(record: StoredRecord<'_>, shot: u64) -> netcdf::Result<StoredShot> {
     let status = record.status()?;
-    // The first files had zeros where there is no vector.
+    // The first versions stored zeros for missing vectors.
     let or_nan = |mut values: Vec<[f32; 3]>| {
         for (value, status) in values.iter_mut().zip(&status) {
             if *status == VectorStatus::Invalid {
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn shots_come_in_their_order_with_what_was_measured() {
+    fn shots_are_read_in_order_as_measured() {
         let root = tempfile::tempdir().unwrap();
         let mut store = ResultStore::create(root.path(), "").unwrap();
         for shot in [4, 3, 9] {
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn pairs_that_were_processed_are_shots_too() {
+    fn processed_pairs_are_read_as_shots() {
         let root = tempfile::tempdir().unwrap();
         for (shot, name) in [(0, "a"), (1, "b")] {
             let folder = root.path().join(name);

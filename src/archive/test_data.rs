@@ -1,10 +1,10 @@
-//! A made-up result for the tests of this room.
+//! A synthetic result for the tests of this room.
 
 use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
 
 use super::{RawLevel, ShotResult, ShotTime};
 
-/// A result whose every number can be told from the others; voxels of 0.1 mm, dt 100 µs.
+/// A result in which all numbers differ; voxels of 0.1 mm, dt 100 µs.
 pub(super) fn result(vectors: [usize; 3]) -> ShotResult {
     let grid = VectorGrid { vectors, first_mm: [-1.0, -2.0, -3.0], spacing_mm: 0.8 };
     let numbers = |scale: f32| -> Vec<f32> {

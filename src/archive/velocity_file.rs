@@ -1,12 +1,12 @@
 //! Velocity fields as NetCDF-4/CF, one record per shot.
 //!
-//! Dimensions `shot, z, y, x`. An invalid vector has the fill value, NaN, in velocity and uncertainty; a
-//! replaced one carries the interpolated value with `valid` = 0 and `replaced` = 1. Vorticity and
-//! divergence have it where the field has no gradient. Each velocity component names its standard
-//! uncertainty as an ancillary variable.
+//! Dimensions `shot, z, y, x`. Velocity and uncertainty of an invalid vector are the fill value,
+//! NaN. A replaced vector has the interpolated value, `valid` = 0 and `replaced` = 1. Vorticity and
+//! divergence are the fill value where the field has no gradient. Each velocity component names its
+//! standard uncertainty as an ancillary variable.
 //!
-//! `time` is when the trigger of a shot was given (CF, UTC), with its standard uncertainty; both
-//! have their fill value where images came without a time.
+//! `time` is the time of the shot's trigger (CF, UTC), with its standard uncertainty. Both are the
+//! fill value for images without a time.
 
 use std::{path::Path, sync::Arc};
 
@@ -23,7 +23,7 @@ use super::{
 /// Meanings of `raw_level`, in the order of [`RawLevel`](super::RawLevel).
 const RAW_LEVELS: &str = "not_kept lost acquired written synced";
 
-/// A quantity that each vector has.
+/// A quantity of each vector.
 type PerVector = fn(&VelocityField, usize) -> f32;
 
 /// The time spent in one stage.
@@ -108,7 +108,7 @@ fn uncertainty_of(field: &VelocityField, index: usize, component: usize) -> f32 
     in_metres_per_second(field, index, field.uncertainty_vox[index][component])
 }
 
-/// Voxel per pair to m/s, for vector `index`; NaN where it has no value.
+/// Converts voxels per pair to m/s for vector `index`; NaN if it has no value.
 fn in_metres_per_second(field: &VelocityField, index: usize, number_vox: f32) -> f32 {
     match field.status[index] {
         VectorStatus::Invalid => f32::NAN,
@@ -116,7 +116,7 @@ fn in_metres_per_second(field: &VelocityField, index: usize, number_vox: f32) ->
     }
 }
 
-/// Voxel per voxel and pair to s⁻¹, about vector `index`; NaN where it has no gradient.
+/// Converts voxels per voxel and pair to s⁻¹ for vector `index`; NaN if it has no gradient.
 fn per_second(field: &VelocityField, index: usize, gradient: f32) -> f32 {
     match field.has_gradient[index] {
         true => (f64::from(gradient) / field.dt_s) as f32,
@@ -130,10 +130,10 @@ fn add_time(file: &mut NetCdfFile) -> Result<(), ArchiveError> {
     file.add_flag(&CLOCK, &["shot"], "not_known_to_be_synchronised synchronised")?;
     file.put_text(TIME.name, "standard_name", "time")?;
     file.put_text(TIME.name, "calendar", "standard")?;
-    // Seconds since 1970 as the system's clock counts them: without leap seconds.
+    // Seconds since 1970 without leap seconds, as the system's clock counts.
     file.put_text(TIME.name, "units_metadata", "leap_seconds: none")?;
-    let beside = format!("{} {}", TIME_UNCERTAINTY.name, CLOCK.name);
-    file.put_text(TIME.name, "ancillary_variables", &beside)
+    let ancillary = format!("{} {}", TIME_UNCERTAINTY.name, CLOCK.name);
+    file.put_text(TIME.name, "ancillary_variables", &ancillary)
 }
 
 /// Writes the result of one pair as a file of one shot, replacing an older one.
@@ -148,9 +148,9 @@ pub fn write_velocity(
     file.finish()?.store().map(|_| ())
 }
 
-/// Room that a file may need: it is finished as soon as it has half of it.
+/// Memory requested for a file; it is twice the size at which a file counts as full.
 const LARGEST_BYTES: u64 = 2 * FULL_BYTES;
-/// Size from which a file is large enough.
+/// Size at which a file counts as full.
 const FULL_BYTES: u64 = 32 << 20;
 
 /// A velocity file that is being written.
@@ -162,7 +162,7 @@ pub(super) struct VelocityFile {
 }
 
 impl VelocityFile {
-    /// Creates the file for results on the grid and by the model of `like`.
+    /// Creates a file for results with the grid and model of `like`.
     pub fn create(
         path: &Path,
         configuration: &str,
@@ -186,11 +186,11 @@ impl VelocityFile {
         file.add_flag(&VALID, &VECTORS, "not_measured measured")?;
         file.add_flag(&REPLACED, &VECTORS, "as_measured interpolated")?;
         for component in ["u", "v", "w"] {
-            let beside = format!("{component}_uncertainty valid replaced peak_ratio");
-            file.put_text(component, "ancillary_variables", &beside)?;
+            let ancillary = format!("{component}_uncertainty valid replaced peak_ratio");
+            file.put_text(component, "ancillary_variables", &ancillary)?;
         }
         if time.is_some() {
-            // An auxiliary coordinate that is not known would make its data count as missing.
+            // CF readers treat data with an unknown auxiliary coordinate as missing.
             for (described, _) in &FIELDS {
                 file.put_text(described.name, "coordinates", TIME.name)?;
             }
@@ -204,7 +204,7 @@ impl VelocityFile {
         Ok(Self { file, grid: like.grid.clone(), model, shots: 0 })
     }
 
-    /// Whether a result may be added: all in a file have the same model.
+    /// Whether a result can be added: all results of a file have the same model.
     pub fn suits(&self, result: &ShotResult) -> bool {
         self.model == result.measured.model
     }
@@ -236,7 +236,7 @@ impl VelocityFile {
         if let Some(fit) = &measured.fit {
             fit_variables::put(&mut self.file, record, fit)?;
         }
-        // Last: a record that could not be written whole has no number, and counts as none.
+        // Written last: an incomplete record has no shot number and is ignored.
         self.file.put_record(SHOT.name, record, &[shot as i64])?;
         self.shots += 1;
         Ok(())
@@ -251,12 +251,12 @@ impl VelocityFile {
         self.file.put_record(CLOCK.name, record, &[i8::from(synchronised)])
     }
 
-    /// Whether it is large enough.
+    /// Whether the file has reached its intended size.
     pub fn is_full(&self) -> bool {
         self.file.bytes() >= FULL_BYTES
     }
 
-    /// Closes the file, which is not on disk yet.
+    /// Closes the file; it is not on disk yet.
     pub fn finish(self) -> Result<Finished, ArchiveError> {
         self.file.finish()
     }
@@ -285,7 +285,7 @@ mod tests {
         let expected: Vec<f64> =
             result.measured.field.displacement_vox.iter().map(|d| f64::from(d[1])).collect();
         for (n, (found, expected)) in floats("v").iter().zip(expected).enumerate() {
-            // Every third is invalid.
+            // Every third vector is invalid.
             let missing = found.is_nan() && n % 3 == 2;
             assert!(missing || (found - expected).abs() < 1e-6, "{n}: {found} {expected}");
         }
@@ -296,9 +296,9 @@ mod tests {
         }
         let uncertainty = f64::from(result.measured.field.uncertainty_vox[4][1]);
         assert!((floats("v_uncertainty")[4] - uncertainty).abs() < 1e-6);
-        let beside = file.variable("v").unwrap().attribute_value("ancillary_variables");
-        let beside = String::try_from(beside.unwrap().unwrap()).unwrap();
-        assert_eq!(beside, "v_uncertainty valid replaced peak_ratio");
+        let ancillary = file.variable("v").unwrap().attribute_value("ancillary_variables");
+        let ancillary = String::try_from(ancillary.unwrap().unwrap()).unwrap();
+        assert_eq!(ancillary, "v_uncertainty valid replaced peak_ratio");
         let spin = f64::from(result.measured.field.vorticity[4][2]) / 1e-4;
         assert!((floats("vorticity_z")[4] - spin).abs() < 1e-3 * spin.abs());
         assert_eq!(floats("valid")[..3], [1.0, 0.0, 0.0]);

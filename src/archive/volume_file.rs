@@ -1,4 +1,4 @@
-//! The volumes of one pair as NetCDF-4/CF: reconstructed here, or by another program.
+//! Reads and writes the volumes of one pair as NetCDF-4/CF.
 
 use std::path::Path;
 
@@ -16,9 +16,9 @@ const NAMES: [Described; 2] = [
     Described { name: "b", units: "1", long_name: "light intensity per voxel, frame b" },
 ];
 
-/// Writes frames a and b as variables `a` and `b` over `z, y, x` with coordinates in mm.
+/// Writes frames a and b as variables `a` and `b` over `z, y, x`, with coordinates in mm.
 ///
-/// Compressed losslessly: most voxels are empty. Both frames must share their grid.
+/// Compressed losslessly, because most voxels are empty. Both frames must have the same grid.
 pub fn write_volumes(
     path: &Path,
     configuration: &str,
@@ -27,7 +27,7 @@ pub fn write_volumes(
     let grid = &volumes[0].grid;
     let axes_mm = [0, 1, 2]
         .map(|axis| (0..grid.voxels[axis]).map(|i| grid.coordinate_mm(axis, i as f64)).collect());
-    // Compressed, unless nothing can be.
+    // Upper bound: the size without compression.
     let bytes = (volumes.len() * grid.len() * size_of::<f32>() + (1 << 20)) as u64;
     let mut file = NetCdfFile::create(path, bytes, "Reconstructed volumes", configuration)?;
     file.add_axes(axes_mm)?;
@@ -39,21 +39,21 @@ pub fn write_volumes(
     file.store()
 }
 
-/// Reads frames a and b on `grid` from variables `a` and `b` over `z, y, x`; coordinates in mm, where
-/// the file has them, must be the grid's.
+/// Reads frames a and b from variables `a` and `b` over `z, y, x`. Coordinates in mm, if present,
+/// must be those of `grid`.
 ///
-/// A file from elsewhere may crash the HDF5 library: read it in a process that may die.
+/// A foreign file may crash the HDF5 library: read it in a separate process.
 ///
 /// # Errors
-/// [`ArchiveError::UnreadableVolumes`]: no such file or variables, other dimensions or voxels than the
-/// grid's, packed or missing values, or light that is negative or no number.
+/// [`ArchiveError::UnreadableVolumes`]: the file or a variable is missing, dimensions or voxels
+/// differ from the grid's, values are packed or missing, or light is negative or not finite.
 pub fn read_volumes(path: &Path, grid: &VolumeGrid) -> Result<[DenseVolume; 2], ArchiveError> {
     read(path, grid).map_err(|reason| ArchiveError::UnreadableVolumes { path: path.into(), reason })
 }
 
 fn read(path: &Path, grid: &VolumeGrid) -> Result<[DenseVolume; 2], String> {
     let file = open(path).map_err(words)?;
-    // Sizes of all before any value: what a file claims is not allocated.
+    // Check all sizes before reading values: a file may claim any size.
     for name in FRAMES {
         check_shape(&variable(&file, name)?, grid)?;
     }
@@ -76,16 +76,16 @@ fn words(error: netcdf::Error) -> String {
 }
 
 fn variable<'f>(file: &'f netcdf::File, name: &str) -> Result<Variable<'f>, String> {
-    file.variable(name).ok_or_else(|| format!("it has no {name}"))
+    file.variable(name).ok_or_else(|| format!("the file has no {name}"))
 }
 
-/// The frame must lie over z, y, x: on a cube, other orders have the same size.
+/// Checks that the frame is over z, y, x: in a cube other orders have the same size.
 fn check_shape(frame: &Variable<'_>, grid: &VolumeGrid) -> Result<(), String> {
     let name = frame.name();
     let dimensions = frame.dimensions();
     let names: Vec<String> = dimensions.iter().map(|d| d.name()).collect();
     if names != ["z", "y", "x"] {
-        return Err(format!("{name} lies over ({}), not over (z, y, x)", names.join(", ")));
+        return Err(format!("{name} is over ({}), not over (z, y, x)", names.join(", ")));
     }
     let found: Vec<usize> = dimensions.iter().map(|d| d.len()).collect();
     let [nx, ny, nz] = grid.voxels;
@@ -105,10 +105,10 @@ fn number_of(value: &AttributeValue) -> Option<f64> {
     f64::try_from(value.clone()).ok()
 }
 
-/// Coordinates, where there are some, must be those of the grid's voxels.
+/// Checks that coordinates are those of the grid's voxels.
 fn check_axis(coordinates: &Variable<'_>, grid: &VolumeGrid, axis: usize) -> Result<(), String> {
     let name = coordinates.name();
-    let other = || format!("its voxels along {name} are not the configured ones");
+    let other = || format!("the voxels along {name} are not the configured ones");
     let lengths: Vec<usize> = coordinates.dimensions().iter().map(|d| d.len()).collect();
     if lengths != [grid.voxels[axis]] {
         return Err(other());
@@ -119,7 +119,7 @@ fn check_axis(coordinates: &Variable<'_>, grid: &VolumeGrid, axis: usize) -> Res
     if own_mm.zip(&found_mm).all(near) { Ok(()) } else { Err(other()) }
 }
 
-/// The light of a frame; no value may be missing.
+/// The light of a frame; fails if a value is missing.
 fn light(frame: &Variable<'_>) -> Result<Vec<f32>, String> {
     let name = frame.name();
     let intensity: Vec<f32> = frame.get_values(..).map_err(words)?;
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn volumes_read_back_on_their_own_voxels_only() {
+    fn volumes_are_read_on_their_own_grid_only() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("volumes.nc");
         let grid = VolumeGrid { voxels: [4, 3, 2], voxel_mm: 0.1, centre_mm: [1.0, 0.0, 0.0] };
@@ -185,14 +185,14 @@ mod tests {
         says(&path, &moved, "along x are not the configured ones");
         let longer = VolumeGrid { voxels: [4, 3, 3], ..grid.clone() };
         says(&path, &longer, "a has [2, 3, 4] voxels, not [3, 3, 4]");
-        says(&folder.path().join("none.nc"), &grid, "cannot take volumes from");
+        says(&folder.path().join("none.nc"), &grid, "cannot read volumes from");
         for bad in [-1.0, f32::NAN] {
             write_volumes(&path, "", &[volume(1.0), volume(bad)]).unwrap();
             says(&path, &grid, "b is ");
         }
     }
 
-    /// A file with variables as another program may write them.
+    /// A file with variables as other programs may write them.
     fn foreign(
         path: &Path,
         dimensions: [&str; 3],
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn volumes_of_other_programs_are_taken_for_what_they_are_or_refused() {
+    fn volumes_of_other_programs_are_read_correctly_or_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("volumes.nc");
         let grid = VolumeGrid { voxels: [2, 2, 2], voxel_mm: 0.1, centre_mm: [0.0; 3] };
@@ -226,7 +226,7 @@ mod tests {
         foreign(&path, usual, |_| {}, light);
         assert_eq!(read_volumes(&path, &grid).unwrap()[1].intensity, [1.0; 8]);
         foreign(&path, ["x", "y", "z"], |_| {}, light);
-        says("a lies over (x, y, z), not over (z, y, x)");
+        says("a is over (x, y, z), not over (z, y, x)");
         let packed = |frame: &mut netcdf::VariableMut<'_>| {
             frame.put_attribute("scale_factor", 0.5).unwrap();
         };
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_file_claims_is_not_allocated() {
+    fn a_claimed_size_is_not_allocated() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("volumes.nc");
         let mut file = netcdf::create(&path).unwrap();

@@ -1,4 +1,4 @@
-//! The file of a calibration card.
+//! Reads the file of a calibration card.
 
 use std::path::Path;
 
@@ -8,15 +8,18 @@ use lfpiv_hw::card::CalibrationCard;
 
 use crate::config::read_or_shipped;
 
-/// Reads a card file and checks what it says of the card.
+/// Reads a card file and checks the described card.
 ///
 /// # Errors
-/// It cannot be read or understood, or describes no card that can be.
+/// The file cannot be read or parsed, or describes an impossible card.
 pub(super) fn read_card(path: &Path) -> anyhow::Result<CalibrationCard> {
     let text = read_or_shipped(path)
         .with_context(|| format!("cannot read the card file {}", path.display()))?;
     let card: CalibrationCard = toml::from_str(&text).with_context(|| {
-        format!("{} is no card file (config/card.toml is one, with every key)", path.display())
+        format!(
+            "{} is not a card file (config/card.toml is an example with every key)",
+            path.display()
+        )
     })?;
     if let Err(problems) = card.validate() {
         bail!("{}: {}", path.display(), problems.to_string().trim_end());

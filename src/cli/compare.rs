@@ -1,4 +1,4 @@
-//! Holds two runs against each other: every number of every vector, and the ledgers.
+//! `lfpiv compare`: compares two runs, with every number of every vector, and their ledgers.
 
 use std::{
     collections::BTreeMap,
@@ -21,36 +21,36 @@ pub struct CompareArgs {
     /// Folder of the run.
     #[arg(value_name = "RUN")]
     pub run: PathBuf,
-    /// Folder of the same run played again.
+    /// Folder of the run's replay.
     #[arg(value_name = "AGAIN")]
     pub again: PathBuf,
 }
 
-/// Compares vectors, bit for bit, and ledgers.
+/// Compares vectors bit for bit, and ledgers.
 pub fn compare_runs(args: &CompareArgs) -> anyhow::Result<()> {
     let [then, now] = [&args.run, &args.again].map(|run| {
         let results = Results::read(run)?;
         if results.vectors.is_empty() {
-            bail!("{} holds no results: is it the folder of a run?", run.display());
+            bail!("{} contains no results: is it the folder of a run?", run.display());
         }
         Ok(results)
     });
     compare(&then?, &now?)
 }
 
-/// What a run has on disk.
+/// The results of a run on disk.
 pub(super) struct Results {
     /// The bits of each shot's vectors.
     vectors: BTreeMap<u64, Vec<u32>>,
-    /// Each camera's counts; empty where there is nothing to compare: a run that was killed had
-    /// something in hand that is undecided in its record, and a replay decides it.
+    /// Each camera's counts. Empty if they cannot be compared: the record of a killed run has
+    /// undecided triggers, which a replay decides.
     accounts: Vec<BTreeMap<String, u64>>,
 }
 
 impl Results {
     /// # Errors
     ///
-    /// Something is there and cannot be read.
+    /// Existing results or an existing ledger cannot be read.
     pub fn read(run: &Path) -> anyhow::Result<Self> {
         let accounts = if has_ledger(run) { accounts(run)? } else { Vec::new() };
         Ok(Self { vectors: stored_vectors(run)?, accounts })
@@ -61,7 +61,7 @@ impl Results {
         self.vectors.contains_key(&shot)
     }
 
-    /// Leaves out what a damaged record cannot give again: these shots, and the counts.
+    /// Excludes the shots that a damaged record has lost, and the counts.
     pub fn leave_out(&mut self, is_lost: impl Fn(u64) -> bool) {
         let before = self.vectors.len();
         self.vectors.retain(|shot, _| !is_lost(*shot));
@@ -74,24 +74,25 @@ impl Results {
     }
 }
 
-/// Compares what a run had with what it has when played again. Shots without a stored result then
-/// (shed, or lost with a crash) are left out, and said.
+/// Compares the results of a run with those of its replay. Shots without a stored result in the run
+/// (shed, or lost in a crash) are left out and counted.
 ///
 /// # Errors
 ///
-/// They differ; where.
+/// The runs differ; the message says where.
 pub(super) fn compare(then: &Results, now: &Results) -> anyhow::Result<()> {
     let mut differ = Vec::new();
     for (shot, vectors) in &then.vectors {
         match now.vectors.get(shot) {
             Some(same) if same == vectors => {}
-            Some(_) => differ.push(format!("shot {shot}: other vectors")),
-            None => differ.push(format!("shot {shot}: no result now")),
+            Some(_) => differ.push(format!("shot {shot}: different vectors")),
+            None => differ.push(format!("shot {shot}: no result in the replay")),
         }
     }
     let more = now.vectors.keys().filter(|shot| !then.vectors.contains_key(shot)).count();
     print(&format!(
-        "{} held against the recorded run's results bit for bit, {} different; {more} had none then",
+        "{} compared with the recorded run's results bit for bit, {} different; {more} had no \
+         result in the run",
         count(then.vectors.len(), "shot"),
         differ.len()
     ))?;
@@ -108,22 +109,23 @@ pub(super) fn compare(then: &Results, now: &Results) -> anyhow::Result<()> {
     bail!("the replay differs from the recorded run:{listed}")
 }
 
-/// Cameras' accounts that differ. What was shed live and is measured now moved from one count to
-/// another, and is no difference.
+/// Differences between the cameras' accounts. Shots shed live but measured in the replay are not a
+/// difference.
 fn ledger_differences(then: &Results, now: &Results) -> Vec<String> {
     let cameras = then.accounts.iter().zip(&now.accounts).enumerate();
     let lines = cameras.flat_map(|(camera, (then, now))| {
         then.iter().filter_map(move |(name, before)| {
             let after = now.get(name).copied().unwrap_or_default();
-            (after != *before)
-                .then(|| format!("{}: {name} {before} then, {after} now", CameraName(camera)))
+            (after != *before).then(|| {
+                format!("{}: {name} {before} in the run, {after} in the replay", CameraName(camera))
+            })
         })
     });
     lines.collect()
 }
 
-/// Counts of each camera, shed ones among the complete, without triggers that nothing shows to have
-/// been given: how many of those were due depends on when the run ended.
+/// Counts of each camera. Shed shots count as complete. Triggers without evidence that they were
+/// given are left out, because their number depends on when the run ended.
 fn accounts(run: &Path) -> anyhow::Result<Vec<BTreeMap<String, u64>>> {
     let ledger = read_json(run)?;
     if ledger["error"] == CUT_OFF {

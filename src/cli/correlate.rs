@@ -1,4 +1,4 @@
-//! `lfpiv correlate`: two volumes that are there already to velocity.
+//! `lfpiv correlate`: velocity from two given volumes.
 
 use std::{
     path::{Path, PathBuf},
@@ -24,19 +24,19 @@ use crate::{
 /// Arguments of `lfpiv correlate`.
 #[derive(Debug, clap::Args)]
 pub struct CorrelateArgs {
-    /// Configuration file (TOML): where the volume is, the windows, and the time between frames.
+    /// Configuration file (TOML): position of the volume, windows, and time between frames.
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
     /// Folder for the result.
     #[arg(long, value_name = "OUT")]
     pub out: PathBuf,
-    /// NetCDF file with frames a and b over z, y, x: as `process --save-volumes` writes them, or from
-    /// any other reconstruction.
+    /// NetCDF file with frames a and b over z, y, x, written by `process --save-volumes` or by any
+    /// other reconstruction.
     #[arg(value_name = "VOLUMES")]
     pub volumes: PathBuf,
 }
 
-/// Measures the displacement between the frames of a file.
+/// Measures the displacement between the two frames of a file.
 pub fn correlate(args: &CorrelateArgs) -> anyhow::Result<()> {
     let ConfigFile { config, text, .. } = ConfigFile::load_for(Purpose::Volumes, &args.config)?;
     let [a, b] = read_safely(&args.volumes, &config.volume)?;
@@ -79,7 +79,7 @@ fn store(
         field,
         seconds,
         warnings: Vec::new(),
-        // Whatever made the volumes, no model of ours.
+        // The volumes come from elsewhere, so there is no model of ours.
         model: Arc::new(ModelChoice::default()),
         fit: None,
         light: None,

@@ -1,4 +1,4 @@
-//! The daemon: acquisition, worker pool, result store and server put together for one run.
+//! The daemon: acquisition, worker pool, result store and server of one run.
 //!
 //! ```text
 //! bench -> acquire -> queue -> pool -> results on disk
@@ -6,9 +6,9 @@
 //!           ledger            board  <- server -> HTTP
 //! ```
 //!
-//! Every task started here is awaited here. The run ends when the shots are done, when `stop` is
-//! cancelled, or when acquisition or pool fail; in each case the laser is off before anything
-//! else is ended, the shot in hand is finished, and the ledger is written last.
+//! Every task started here is awaited here. The run ends when all shots are done, when `stop` is
+//! cancelled, or when acquisition or pool fail. In each case the laser is switched off before
+//! anything else ends, shots in process are finished, and the ledger is written last.
 
 use std::{
     fmt::Display,
@@ -29,7 +29,7 @@ pub use super::daemon_plan::DaemonPlan;
 use super::{
     ledger_file::write_ledger,
     recorded_frames::RecordedFrames,
-    recording::{Recording, tell_unfinished},
+    recording::{Recording, report_unfinished},
     run_folder::create_run_folder,
     run_info::{bench_settings, run_info},
     service::Service,
@@ -45,25 +45,25 @@ use crate::{
     server::{ApiState, Phase, Protection, raise_open_files, serve},
 };
 
-/// How long open HTTP connections may delay the end.
+/// How long open HTTP connections may delay the end of the run.
 const SERVER_GRACE: Duration = Duration::from_secs(2);
-/// No merged file is begun later than this after the end: who stops a service does not wait for ever.
-/// `lfpiv process RUN` merges what is left.
+/// Time after the end of the run during which a new merged file may be started, so that stopping a
+/// service does not take long. `lfpiv process RUN` merges the rest.
 const MERGE_TIME: Duration = Duration::from_secs(20);
 
-/// What decides times and bursts of a run that is played again.
+/// Determines times and bursts of a replayed run.
 pub struct RunScript {
-    /// Shows the recorded times.
+    /// Returns the recorded times.
     pub clock: Arc<dyn RunClock>,
-    /// Which bursts are fired when.
+    /// The bursts and when they are fired.
     pub bursts: Arc<dyn BurstScript>,
-    /// Ends acquisition, and leaves the pool to measure what it has.
+    /// Ends acquisition; the pool still measures the queued shots.
     pub stop: CancellationToken,
-    /// Shots in the longest of them: so many wait for a worker without being shed.
+    /// Number of shots in the longest burst, which is the queue length needed to avoid shedding.
     pub longest_burst: usize,
 }
 
-/// A run that is listening but takes no shots yet.
+/// A run whose server is listening but which takes no shots yet.
 pub struct Daemon {
     plan: DaemonPlan,
     acquisition: AcquisitionSettings,
@@ -83,24 +83,24 @@ pub struct Daemon {
     board: Arc<Board>,
 }
 
-/// How a run ended.
+/// Outcome of a run.
 #[derive(Debug, Clone)]
 pub struct DaemonReport {
-    /// Where results and ledger are.
+    /// Folder of results and ledger.
     pub folder: PathBuf,
-    /// What acquisition counted.
+    /// Counts of the acquisition.
     pub acquisition: AcquisitionReport,
-    /// The ledger, every trigger settled.
+    /// The ledger with every trigger settled.
     pub ledger: Ledger,
 }
 
 impl Daemon {
-    /// Checks the timing, makes the run's folder and binds the server's address.
+    /// Checks the timing, creates the run's folder and binds the server's address.
     ///
     /// # Errors
     ///
-    /// An impossible schedule, a server that would be open to others, a folder that cannot be made,
-    /// an address in use.
+    /// An impossible schedule, a server that would be open to others, a folder that cannot be
+    /// created, or an address in use.
     pub async fn prepare(plan: DaemonPlan) -> anyhow::Result<Self> {
         let config = &plan.file.config;
         let acquisition = plan.acquisition()?;
@@ -111,7 +111,7 @@ impl Daemon {
             format!("cannot listen on {address}: is another lfpiv running? See server.address")
         })?;
         let address = listener.local_addr().context("the server has no address")?;
-        tell_unfinished(&config.output.dir);
+        report_unfinished(&config.output.dir);
         let folder = create_run_folder(&config.output.dir)?;
         let store =
             ResultStore::create(&folder, &plan.file.text)?.for_paraview(config.output.paraview);
@@ -156,37 +156,37 @@ impl Daemon {
         self.address
     }
 
-    /// Where a browser finds the server.
+    /// The URL of the server.
     pub fn url(&self) -> String {
         self.plan.file.config.server.url(self.address)
     }
 
-    /// Where the results go.
+    /// The folder of the results.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Asks the run, for whoever is at this machine.
+    /// Sends requests to the run, for an operator at this machine.
     pub fn control(&self) -> Control {
         self.control.clone()
     }
 
-    /// The run follows a script.
+    /// Makes the run follow a script.
     pub fn follow(&mut self, script: RunScript) {
         self.script = Some(script);
     }
 
-    /// The thread of the run's synchroniser belongs to `owner`, too.
+    /// Shares the thread of the run's synchroniser with `owner`.
     pub fn share_synchroniser(&mut self, owner: SynchroniserThread) {
         self.synchroniser = owner;
     }
 
-    /// Runs to the end. `processor` builds the tables, slowly, on a thread of its own;
-    /// `observer` sees every shot that leaves the pool.
+    /// Runs to the end. `processor` builds the tables on a thread of its own; `observer` receives
+    /// every shot that leaves the pool.
     ///
     /// # Errors
     ///
-    /// What ended the run before its time; results and ledger are on disk even then.
+    /// What ended the run early; results and ledger are on disk even then.
     pub async fn run<P, E>(
         self,
         bench: Bench,
@@ -266,27 +266,28 @@ impl Daemon {
     }
 }
 
-/// Makes few files of the run's segments. The results are safe before: a failure is only told.
+/// Merges the run's segments into few files. A failure is only logged, because the results are
+/// safe.
 async fn merge(folder: &Path) {
     let (folder, until) = (folder.to_owned(), Instant::now() + MERGE_TIME);
     let merging = tokio::task::spawn_blocking(move || {
-        merge_segments(&folder, || Instant::now() < until).context("segments are left unmerged")
+        merge_segments(&folder, || Instant::now() < until).context("some segments are not merged")
     });
     if let Err(error) = unpanicked(merging).await.and_then(|merged| merged) {
         tracing::warn!("{error:#}; lfpiv process merges them");
     }
 }
 
-/// Waits for the requests in hand, but not for a client that keeps its connection open.
+/// Waits for pending requests, but not for a client that keeps its connection open.
 async fn end_server(mut server: JoinHandle<()>) {
     match tokio::time::timeout(SERVER_GRACE, &mut server).await {
         Ok(Ok(())) => {}
-        Ok(Err(error)) => tracing::error!(%error, "the server ended by a panic"),
+        Ok(Err(error)) => tracing::error!(%error, "the server panicked"),
         Err(_) => server.abort(),
     }
 }
 
-/// Acquisition and pool side by side until both have ended.
+/// Runs acquisition and pool until both have ended.
 async fn take_and_process<P, E>(
     acquiring: impl Future<Output = Result<AcquisitionReport, AcquisitionError>> + Send + 'static,
     synchroniser: &SynchroniserThread,
@@ -300,19 +301,19 @@ where
 {
     let pool = tokio::spawn(pool.run(queue));
     let acquired = unpanicked(tokio::spawn(acquiring)).await;
-    // A run loop that panicked has not waited for its laser.
+    // If the run loop panicked, the laser may not be safe yet.
     let acquired = match (acquired, synchroniser.join().await) {
         (Err(panic), Err(not_safe)) => Err(panic.context(not_safe)),
         (acquired, _) => acquired,
     };
     state.set_phase(Phase::Stopping);
     let processed = unpanicked(pool).await;
-    let report = acquired?.context("acquisition ended before its time")?;
-    processed?.context("processing ended before its time")?;
+    let report = acquired?.context("acquisition ended early")?;
+    processed?.context("processing ended early")?;
     Ok(report)
 }
 
-/// A task's result; its panic becomes an error.
+/// The result of a task; a panic becomes an error.
 async fn unpanicked<T>(
     task: impl Future<Output = Result<T, tokio::task::JoinError>>,
 ) -> anyhow::Result<T> {

@@ -1,4 +1,4 @@
-//! What a run is to do.
+//! Settings of a run.
 
 use std::{num::NonZeroU64, time::Duration};
 
@@ -11,34 +11,34 @@ use crate::{
     config::ConfigFile,
 };
 
-/// Rendering sets the pace of a simulated bench, and may take a minute for a large volume.
+/// Patience with a simulated bench, whose rendering may take a minute for a large volume.
 const SIMULATED_PATIENCE: Duration = Duration::from_secs(120);
 
-/// What a run is to do.
+/// Settings of a run.
 #[derive(Debug, Clone)]
 pub struct DaemonPlan {
-    /// The configuration, checked.
+    /// The checked configuration.
     pub file: ConfigFile,
-    /// Triggers to give; unbounded when absent.
+    /// Number of triggers to give; unlimited if `None`.
     pub shots: Option<NonZeroU64>,
-    /// What happens when shots come faster than they are processed.
+    /// What happens when shots arrive faster than they are processed.
     pub overload: OverloadPolicy,
-    /// How the raw data is kept; `None` for a run that is played again.
+    /// Storage of the raw data; `None` for a replay.
     pub raw_log: Option<RawLogSettings>,
-    /// What it does first.
+    /// Mode at the start.
     pub mode: Mode,
-    /// Whether an operator at the bench lets clients arm the laser over HTTP.
+    /// Whether an operator at the bench allows clients to arm the laser over HTTP.
     pub remote_arming: bool,
 }
 
 impl DaemonPlan {
-    /// A run that takes shots at once and keeps its raw data as its configuration says.
+    /// A run that takes shots at once and stores its raw data as configured.
     pub fn new(file: ConfigFile, shots: Option<NonZeroU64>, overload: OverloadPolicy) -> Self {
         let raw_log = Some(file.config.raw_log.clone());
         Self { file, shots, overload, raw_log, mode: Mode::Firing, remote_arming: false }
     }
 
-    /// Plans the schedule for another time between the pulses.
+    /// Returns a function that plans the schedule for another time between the pulses.
     pub(super) fn planner(&self) -> Planner {
         let (timing, rate_hz) = (self.file.config.timing.clone(), self.file.config.shot.rate_hz);
         Box::new(move |dt_us| {
@@ -63,7 +63,7 @@ impl DaemonPlan {
     }
 }
 
-/// Memory of an image of the sensor.
+/// Memory of one image, in bytes.
 pub(super) fn frame_bytes(sensor: &Sensor) -> u64 {
     (sensor.columns * sensor.rows * size_of::<u16>()) as u64
 }

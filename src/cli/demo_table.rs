@@ -1,4 +1,4 @@
-//! The table at the end of a bounded run: what was measured, how well, how fast.
+//! The table at the end of a bounded run: results, errors, and processing times.
 
 use std::{collections::VecDeque, fmt::Write};
 
@@ -11,22 +11,22 @@ use crate::{
     pipeline::{ShotRecord, Stage},
 };
 
-/// One shot of the table.
+/// One row of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// How the shot ended.
+    /// State in which the shot ended.
     stage: Stage,
     shot: u64,
     message: Option<String>,
     vectors: usize,
     valid_share: f64,
-    /// Mean |error| of the valid vectors along x, y, z; absent when none is valid.
+    /// Mean |error| of the valid vectors along x, y, z; `None` if none is valid.
     error_vox: Option<[f64; 3]>,
     seconds: StageSeconds,
 }
 
 impl Row {
-    /// A row for a shot, measured against the flow that is there, if that is known.
+    /// A row for a shot, with errors against the true flow, if known.
     pub fn new(record: &ShotRecord, result: Option<&ShotResult>, truth: Option<&Flow>) -> Self {
         Self {
             stage: record.stage,
@@ -61,8 +61,8 @@ impl Row {
     }
 }
 
-/// Mean |measured − true| per component over the valid vectors, in voxels. The truth is the
-/// displacement of the particle that passes the vector's position half-way between the frames.
+/// Mean |measured − true| per component over the valid vectors, in voxels. The true value is the
+/// displacement of the particle that is at the vector's position half-way between the frames.
 fn mean_error_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]> {
     let valid = |index: &usize| field.status[*index] == VectorStatus::Valid;
     let (mut sum, mut count) = ([0.0; 3], 0_usize);
@@ -77,14 +77,14 @@ fn mean_error_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]> {
     (count > 0).then(|| sum.map(|total| total / count as f64))
 }
 
-/// Says what the figures mean.
+/// Explanation of the numbers.
 const NOTE: &str = "Errors are those of valid vectors against the simulated flow. Seconds are \
-wall-clock, while\nthe same cores render the next shots: `lfpiv process` measures alone.";
+wall-clock, while\nthe same cores render the next shots: `lfpiv process` times processing alone.";
 
-/// Rows that are kept: nobody reads more, and a run may have a million shots.
+/// Largest number of rows: a run may have a million shots.
 const ROWS: usize = 100;
 
-/// The last shots of a run, and how many there were.
+/// The last shots of a run, and the number of all shots.
 #[derive(Debug, Default)]
 pub struct Table {
     rows: VecDeque<Row>,
@@ -103,17 +103,17 @@ impl Table {
         }
     }
 
-    /// Shots added.
+    /// Number of shots added.
     pub fn ended(&self) -> u64 {
         self.ended
     }
 
-    /// Of them, those that were measured and written.
+    /// Number of shots that were measured and stored.
     pub fn measured(&self) -> u64 {
         self.measured
     }
 
-    /// The table, in order of shots.
+    /// The table, ordered by shot.
     pub fn text(&self) -> String {
         let text = table(&self.rows);
         match self.ended > self.rows.len() as u64 {
@@ -141,7 +141,7 @@ fn table(rows: &VecDeque<Row>) -> String {
     text
 }
 
-/// What the cameras' drivers counted, one line per camera.
+/// Counters of the cameras' drivers, one line per camera.
 pub fn stream_table(streams: &[StreamStatistics]) -> String {
     let mut text = format!(
         "{:<7}  {:>9} {:>7} {:>9}  {:>8} {:>8}  {:>10}",

@@ -1,4 +1,4 @@
-//! `lfpiv devices`: which instruments are there?
+//! `lfpiv devices`: lists the instruments.
 
 use lfpiv_hw::gige::{Access, FoundCamera, list_devices};
 

@@ -1,4 +1,4 @@
-//! A simulated bench at the ends of wires, driven by this program's drivers as fast as it is asked to.
+//! Drives a simulated bench over real wires with this program's drivers, as fast as requested.
 
 use std::{num::NonZeroU64, sync::Arc, time::Duration, time::Instant};
 
@@ -25,13 +25,13 @@ use crate::{
     config::{Config, InstrumentSettings},
 };
 
-/// How frames are sent.
+/// Pixel format of the frames.
 const PIXEL_FORMAT: PixelFormat = PixelFormat::Mono12Packed;
 
-/// The driver unpacks a frame from Aravis' buffer into the image that the program keeps.
+/// The driver copies each frame once: from Aravis' buffer, unpacked, into the stored image.
 const COPIES_PER_FRAME: usize = 1;
 
-/// The same picture for every exposure: making pictures is not what is measured.
+/// Returns the same image for every exposure, because image generation is not measured.
 struct Still(RawImage);
 
 impl Pictures for Still {
@@ -40,10 +40,10 @@ impl Pictures for Still {
     }
 }
 
-/// Takes `shots` shots over the wires that `config` describes and lets them go.
+/// Takes `shots` shots over the wires described by `config` and discards them.
 ///
 /// # Errors
-/// No `[wire]` table, instruments that cannot be had, or a run that fails.
+/// There is no `[wire]` table, an instrument is not available, or the run fails.
 pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     let Some(wire) = &config.wire else { bail!("there is no [wire] table") };
     let size = ImageSize::from(&config.optics.sensor);
@@ -78,7 +78,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     })
 }
 
-/// The instruments at the other ends, as a configuration for `lfpiv run` would name them.
+/// Settings for the simulated instruments, as in a configuration for `lfpiv run`.
 fn instruments(wire: &WireSettings) -> anyhow::Result<InstrumentSettings> {
     let port = wire.port.to_str().context("the port's path is not UTF-8")?;
     let camera = |&ip| CameraSettings {
@@ -106,8 +106,8 @@ async fn take_all(
     settings: AcquisitionSettings,
     ledger: &Arc<Mutex<Ledger>>,
 ) -> anyhow::Result<()> {
-    let room = settings.max_burst() as usize;
-    let (sender, mut receiver) = shot_queue(room);
+    let capacity = settings.max_burst() as usize;
+    let (sender, mut receiver) = shot_queue(capacity);
     let stop = CancellationToken::new();
     let links = AcquisitionLinks::new(ledger.clone(), sender, stop);
     let acquiring = tokio::spawn(acquire(bench, settings, links));
@@ -118,7 +118,7 @@ async fn take_all(
     Ok(())
 }
 
-/// User and system time of this process so far, in s.
+/// User and system time used by this process, in s.
 fn processor_seconds() -> f64 {
     let time = clock_gettime(ClockId::ProcessCPUTime);
     time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9

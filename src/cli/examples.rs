@@ -1,15 +1,15 @@
-//! What `--help` shows of each command in use.
+//! The examples in `--help` of each command.
 
 use clap::Command;
 
-/// Command, and lines that do something with it, each with a word on what.
+/// A command line and its explanation.
 type Example = (&'static str, &'static str);
 
 const EXAMPLES: [(&str, &[Example]); 20] = [
     (
         "init",
         &[
-            ("lfpiv init --out bench.toml", "ask about the optics, write a commented file"),
+            ("lfpiv init --out bench.toml", "ask about the optics and write a commented file"),
             (
                 "lfpiv init --defaults --set focal_length_mm=200 --set f_number=4 --out bench.toml",
                 "ask nothing",
@@ -17,30 +17,34 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
             ("lfpiv init --camera 192.168.10.11 --out bench.toml", "read the sensor's size"),
         ],
     ),
-    ("check", &[("lfpiv check --config config/bench.toml", "what is wrong, what could be better")]),
+    (
+        "check",
+        &[(
+            "lfpiv check --config config/bench.toml",
+            "check a configuration and show what could be better",
+        )],
+    ),
     (
         "plan",
         &[
             (
                 "lfpiv plan --config config/bench.toml",
-                "the uncertainty over the volume, what would help",
+                "the uncertainty over the volume, and what would reduce it",
             ),
-            ("lfpiv plan --config bench.toml --ppm 0.3 --svg plan.svg", "with less seeding, drawn"),
+            (
+                "lfpiv plan --config bench.toml --ppm 0.3 --svg plan.svg",
+                "with less seeding, and a chart",
+            ),
         ],
     ),
-    (
-        "timing",
-        &[(
-            "lfpiv timing --config config/jet.toml --svg timing.svg",
-            "when lamps and cameras fire",
-        )],
-    ),
+    ("timing", &[("lfpiv timing --config config/jet.toml --svg timing.svg", "the timing diagram")]),
     (
         "simulate",
         &[
             ("lfpiv simulate --config config/sim.toml --out pairs --shots 3", "three pairs"),
             (
-                "lfpiv simulate --config config/imperfect.toml --out images --shots 0 --white 5 --dark 5",
+                "lfpiv simulate --config config/imperfect.toml --out images --shots 0 --white 5 \
+                 --dark 5",
                 "white and dark images, for a calibration",
             ),
         ],
@@ -54,9 +58,12 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
             ),
             (
                 "lfpiv process --config config/sim.toml --out results --resume pairs",
-                "what is missing",
+                "measure the pairs without results",
             ),
-            ("lfpiv process results/run-20261121T090000Z", "what a recorded run has not measured"),
+            (
+                "lfpiv process results/run-20261121T090000Z",
+                "measure the unmeasured shots of a recorded run",
+            ),
             (
                 "lfpiv process results/run-20261121T090000Z --part 2/8 --out parts/2",
                 "an eighth of that, on one of eight machines",
@@ -71,7 +78,7 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
         "correlate",
         &[(
             "lfpiv correlate --config config/sim.toml --out results volumes.nc",
-            "volumes to vectors",
+            "vectors from two volumes",
         )],
     ),
     (
@@ -81,16 +88,19 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
             ("lfpiv run --config bench.toml", "until Ctrl-C; the page is at server.address"),
         ],
     ),
-    ("replay", &[("lfpiv replay results/run-20261121T090000Z", "the same, bit for bit?")]),
     (
-        "serve",
-        &[("lfpiv serve results/run-20261121T090000Z", "a finished run on the page of the bench")],
+        "replay",
+        &[(
+            "lfpiv replay results/run-20261121T090000Z",
+            "replay a run and compare its results bit for bit",
+        )],
     ),
+    ("serve", &[("lfpiv serve results/run-20261121T090000Z", "show a finished run in a browser")]),
     (
         "compare",
         &[(
             "lfpiv compare results/run-20261121T090000Z results/run-20261121T100000Z",
-            "two runs, number by number",
+            "compare two runs number by number",
         )],
     ),
     (
@@ -98,30 +108,33 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
         &[
             (
                 "lfpiv statistics results/run-20261121T090000Z",
-                "all shots; writes statistics.nc there",
+                "all shots; writes statistics.nc into the run's folder",
             ),
             (
                 "lfpiv statistics results/run-20261121T090000Z --shots 100..299 --out later.nc",
-                "some of them",
+                "some shots only",
             ),
         ],
     ),
     (
         "export",
         &[
-            ("lfpiv export results/run-20261121T090000Z --out pairs", "the recorded images, TIFF"),
+            (
+                "lfpiv export results/run-20261121T090000Z --out pairs",
+                "the recorded images as TIFF",
+            ),
             (
                 "lfpiv export results/run-20261121T090000Z --out tables --format csv --shots 0..9",
                 "vectors of ten shots",
             ),
         ],
     ),
-    ("merge", &[("lfpiv merge results/run-20261121T090000Z", "few NetCDF files of many")]),
+    ("merge", &[("lfpiv merge results/run-20261121T090000Z", "merge many NetCDF files into few")]),
     (
         "sim-bench",
         &[(
             "lfpiv sim-bench --config config/loopback-bench.toml",
-            "instruments for a daemon to drive",
+            "simulated instruments for a daemon",
         )],
     ),
     ("devices", &[("lfpiv devices", "cameras on the network, their addresses and sensors")]),
@@ -134,20 +147,20 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
         &[
             (
                 "lfpiv calibrate focus --config bench.toml --camera 1 --live",
-                "where the plane in focus is, from the camera",
+                "the plane in focus, live from the camera",
             ),
             (
                 "lfpiv calibrate grid --white white/cam1_00.tif --dark dark/cam1_00.tif --out grid.json",
-                "where the micro-images are",
+                "the centres of the micro-images",
             ),
             (
                 "lfpiv calibrate volume --card card/card.toml --config bench.toml --grid cam1.json cam2.json --out calibration.json",
-                "how the cameras see the volume",
+                "the cameras in the volume",
             ),
         ],
     ),
-    ("bench", &[("lfpiv bench --set speed", "speed against error, in one report")]),
-    ("peers", &[("lfpiv peers --help", "what can be timed beside other programs")]),
+    ("bench", &[("lfpiv bench --set speed", "a report of speed against error")]),
+    ("peers", &[("lfpiv peers --help", "cases to compare with other programs")]),
 ];
 
 /// Adds the examples to the help of every command.
@@ -181,7 +194,7 @@ mod tests {
             assert!(EXAMPLES.iter().any(|(name, _)| *name == command), "{command} has no example");
         }
         for (name, examples) in EXAMPLES {
-            assert!(Cli::command().find_subcommand(name).is_some(), "{name} is no command");
+            assert!(Cli::command().find_subcommand(name).is_some(), "{name} is not a command");
             for (line, _) in examples {
                 let words = line.split_whitespace();
                 let read = Cli::command().try_get_matches_from(words);
@@ -192,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn help_shows_them() {
+    fn help_shows_examples() {
         let mut command = with_examples(Cli::command());
         let help = command.find_subcommand_mut("export").unwrap().render_help().to_string();
         assert!(help.contains("Examples:\n  lfpiv export results/"), "{help}");

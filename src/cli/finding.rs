@@ -1,16 +1,16 @@
-//! What a check has to say.
+//! The result of a check.
 
 use std::{collections::BTreeMap, fmt::Write};
 
 use serde::Serialize;
 
-/// How it stands, the best first.
+/// Verdict of a check, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// Nothing to do.
     Ok,
-    /// A run will do, but better is possible, or something cannot be seen from here.
+    /// A run is possible but could be better, or something cannot be checked from here.
     Advice,
     /// A run would fail or lose shots.
     Problem,
@@ -26,31 +26,31 @@ impl Verdict {
     }
 }
 
-/// One check.
+/// Result of one check.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
-    /// What was looked at; names are stable.
+    /// Name of the check; names are stable.
     pub check: &'static str,
-    /// How it stands.
+    /// The verdict.
     pub verdict: Verdict,
     /// What was found, in words.
     pub found: String,
-    /// What was measured, by names that carry the unit.
+    /// Measured values; their names include the unit.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub values: BTreeMap<&'static str, f64>,
-    /// What to do; absent when nothing.
+    /// What to do, if anything.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub advice: Option<String>,
 }
 
 impl Finding {
-    /// All is well.
+    /// Nothing to do.
     pub fn ok(check: &'static str, found: impl Into<String>) -> Self {
         let (found, values) = (found.into(), BTreeMap::new());
         Self { check, verdict: Verdict::Ok, found, values, advice: None }
     }
 
-    /// Better is possible.
+    /// Something could be better.
     pub fn advice(check: &'static str, found: impl Into<String>, todo: impl Into<String>) -> Self {
         Self { verdict: Verdict::Advice, advice: Some(todo.into()), ..Self::ok(check, found) }
     }
@@ -60,14 +60,14 @@ impl Finding {
         Self { verdict: Verdict::Problem, advice: Some(todo.into()), ..Self::ok(check, found) }
     }
 
-    /// With a measured value.
+    /// Adds a measured value.
     pub fn with(mut self, name: &'static str, value: f64) -> Self {
         self.values.insert(name, value);
         self
     }
 }
 
-/// The findings for people: one line each, and one for what to do.
+/// The findings as text: one line each, and one for its advice.
 pub fn report(findings: &[Finding]) -> String {
     let width = findings.iter().map(|finding| finding.check.len()).max().unwrap_or(0);
     let mut text = String::new();
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn advice_stands_under_its_finding() {
+    fn advice_is_printed_below_its_finding() {
         let findings = [
             Finding::ok("cores", "8"),
             Finding::problem("output folder", "read-only", "mount it rw"),

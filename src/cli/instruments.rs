@@ -1,4 +1,4 @@
-//! Opens the instruments that a configuration names.
+//! Opens the configured instruments.
 
 use std::{fs, net::Ipv4Addr, path::Path, time::Duration};
 
@@ -16,14 +16,14 @@ use crate::{
     config::{Config, InstrumentSettings},
 };
 
-/// Opens synchroniser and cameras, in this order: opening the synchroniser disables its outputs,
-/// and what an earlier run left behind must not fire while cameras are looked for.
+/// Opens the synchroniser and then the cameras. Opening the synchroniser disables its outputs, so
+/// that settings left by an earlier run cannot fire the laser while the cameras are opened.
 ///
 /// # Errors
-/// The first instrument that cannot be had.
+/// The first instrument that cannot be opened.
 pub(super) fn open(config: &Config, instruments: &InstrumentSettings) -> anyhow::Result<Bench> {
     let (bytes, transcript) = mpsc::unbounded_channel();
-    // Nobody listens where no record of the run is kept.
+    // Without a record of the run there is no receiver.
     let listener = Transcript::to_listener(move |entry| drop(bytes.send(entry)));
     let (settings, timing) = (instruments.synchroniser.clone(), config.timing.clone());
     let patience = settings.reconnect_patience_s.map(Duration::from_secs_f64);
@@ -46,8 +46,8 @@ pub(super) fn open(config: &Config, instruments: &InstrumentSettings) -> anyhow:
     Ok(Bench { cameras, synchroniser, transcript: Some(transcript), reconnection })
 }
 
-/// Whether cameras that are found by their address are those of their calibrations, as far as discovery
-/// reaches them.
+/// Checks that cameras opened by address are those of their calibrations, if discovery reaches
+/// them.
 fn check_serials(config: &Config, instruments: &InstrumentSettings) -> anyhow::Result<()> {
     let expected: Vec<(usize, Ipv4Addr, &str)> = config
         .calibration
@@ -60,19 +60,20 @@ fn check_serials(config: &Config, instruments: &InstrumentSettings) -> anyhow::R
     if expected.is_empty() {
         return Ok(());
     }
-    let found = gige::list_devices().context("nobody can say which cameras these are")?;
+    let found =
+        gige::list_devices().context("the serial numbers of the cameras cannot be checked")?;
     for (index, ip, serial) in expected {
         let name = CameraName(index);
         match found.iter().find(|camera| camera.address == ip.to_string()) {
             Some(camera) if camera.serial == serial => {}
             Some(camera) => bail!(
-                "{name}: the camera at {ip} has serial {}, and its calibration is of {serial}: calibrate this \
-                 camera, or correct instruments.camera[{index}].ip",
+                "{name}: the camera at {ip} has serial {}, but its calibration is for {serial}: \
+                 calibrate this camera, or correct instruments.camera[{index}].ip",
                 camera.serial
             ),
             None => tracing::warn!(
-                "{name}: the camera at {ip} does not answer discovery, so that nobody knows whether its \
-                 calibration, of serial {serial}, is its own"
+                "{name}: the camera at {ip} does not answer discovery, so it is unknown whether \
+                 its calibration, for serial {serial}, is the right one"
             ),
         }
     }

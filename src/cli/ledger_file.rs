@@ -1,4 +1,4 @@
-//! `ledger.json`: what became of every trigger of a run.
+//! `ledger.json`: the outcome of every trigger of a run.
 
 use std::{
     collections::BTreeSet,
@@ -19,35 +19,36 @@ use crate::{
     pipeline::{Board, ShotRecord, Stage},
 };
 
-/// The file's name in the run's folder.
+/// Name of the file in the run's folder.
 const NAME: &str = "ledger.json";
 
-/// What is left of one that cannot be read any more.
+/// New name of a ledger that cannot be read.
 const DAMAGED_NAME: &str = "ledger.json.damaged";
 
-/// Most bytes of it: of exceptions and shots without a result only so many are remembered.
+/// Largest size to read. The numbers of exceptions and shots without a result in a ledger are
+/// limited.
 const MOST_BYTES: u64 = 64 << 20;
 
 #[derive(Serialize)]
 struct LedgerFile<'a> {
     code_version: &'static str,
     synchroniser: Option<&'a str>,
-    /// Why the run ended before its time.
+    /// Why the run ended early.
     error: Option<String>,
     /// Whether every trigger is accounted for.
     balanced: bool,
     /// One account per camera, in the order of the configuration.
     cameras: &'a [Account],
-    /// What each camera's driver counted.
+    /// Counters of each camera's driver.
     streams: &'a [StreamStatistics],
     frames: Option<crate::acquisition::pairing::FrameCounters>,
-    /// The triggers that are not complete or suspect, as far as they are remembered.
+    /// Triggers that are incomplete or suspect, up to a limit.
     exceptions: Vec<&'a TriggerEntry>,
-    /// Shots that were acquired and gave no result, as far as they are remembered.
+    /// Shots that were acquired but gave no result, up to a limit.
     without_result: Vec<ShotRecord>,
 }
 
-/// The ledger of a run that had no time to write it.
+/// The ledger of a run that ended without writing it.
 #[derive(Serialize)]
 struct RecoveredLedgerFile<'a> {
     code_version: &'static str,
@@ -58,7 +59,7 @@ struct RecoveredLedgerFile<'a> {
     exceptions: Vec<&'a TriggerEntry>,
 }
 
-/// Says in a ledger that it is not the run's own.
+/// `error` of a ledger that was not written by the run itself.
 pub(super) const CUT_OFF: &str = "the run was cut off; this is made from its record";
 
 /// Whether the run in `folder` has a ledger.
@@ -66,20 +67,20 @@ pub(super) fn has_ledger(folder: &Path) -> bool {
     folder.join(NAME).exists()
 }
 
-/// What a run's ledger says of its triggers.
+/// What a run's ledger says about its triggers.
 pub(super) struct RunLedger {
-    /// The run wrote it itself and ended as it should.
+    /// Whether the run wrote the ledger itself and ended normally.
     pub has_ended: bool,
-    /// Triggers given.
+    /// Number of triggers given.
     pub triggers: u64,
-    /// Triggers that gave no shot, as far as they are remembered.
+    /// Triggers without images, up to a limit.
     pub without_images: BTreeSet<u64>,
 }
 
-/// Reads the ledger of the run in `folder`; nothing where there is none.
+/// Reads the ledger of the run in `folder`; `None` if there is none.
 ///
 /// # Errors
-/// It cannot be read, or is none.
+/// The file cannot be read or is not a ledger.
 pub(super) fn read_ledger(folder: &Path) -> anyhow::Result<Option<RunLedger>> {
     if !has_ledger(folder) {
         return Ok(None);
@@ -104,21 +105,21 @@ pub(super) fn read_ledger(folder: &Path) -> anyhow::Result<Option<RunLedger>> {
     }))
 }
 
-/// The ledger of the run in `folder` as it is written.
+/// The ledger of the run in `folder` as JSON.
 ///
 /// # Errors
-/// As [`read_ledger`]; there is none.
+/// As [`read_ledger`]; there is no ledger.
 pub(super) fn read_json(folder: &Path) -> anyhow::Result<Value> {
     let path = folder.join(NAME);
     let text = read_regular(&path, MOST_BYTES)
         .with_context(|| format!("cannot read {}", path.display()))?;
-    serde_json::from_slice(&text).with_context(|| format!("{} is no ledger", path.display()))
+    serde_json::from_slice(&text).with_context(|| format!("{} is not a ledger", path.display()))
 }
 
-/// Gives a file that is no ledger any more another name, which is returned.
+/// Renames a damaged ledger and returns the new path.
 ///
 /// # Errors
-/// The disk refuses to read or rename it.
+/// The file cannot be read or renamed.
 pub(super) fn set_damaged_ledger_aside(folder: &Path) -> anyhow::Result<Option<PathBuf>> {
     let is_damaged = |error: &anyhow::Error| error.is::<serde_json::Error>();
     match read_json(folder) {
@@ -130,7 +131,7 @@ pub(super) fn set_damaged_ledger_aside(folder: &Path) -> anyhow::Result<Option<P
     Ok(Some(aside))
 }
 
-/// Writes the ledger of a run from its record; `end` is absent for one that was killed.
+/// Writes the ledger of a run from its record; `end` is `None` for a killed run.
 pub(super) fn write_recovered_ledger(
     folder: &Path,
     ledger: &Ledger,
@@ -142,13 +143,13 @@ pub(super) fn write_recovered_ledger(
         balanced: ledger.is_balanced(),
         cameras: ledger.accounts(),
         streams: ledger.streams(),
-        exceptions: ledger.entries().filter(is_odd).collect(),
+        exceptions: ledger.entries().filter(is_exception).collect(),
     };
     write_json(folder, &file)
 }
 
-/// Notes in the ledger which shots gave no result in the run and have one now. What the run
-/// itself came to stays as it was written.
+/// Notes in the ledger which shots without a result in the run have one now. Everything else stays
+/// as the run wrote it.
 pub(super) fn note_processed_later(folder: &Path, measured: &BTreeSet<u64>) -> anyhow::Result<()> {
     let mut ledger = read_json(folder)?;
     let shed = |entry: &&Value| {
@@ -163,7 +164,7 @@ pub(super) fn note_processed_later(folder: &Path, measured: &BTreeSet<u64>) -> a
     write_json(folder, &ledger)
 }
 
-fn is_odd(entry: &&TriggerEntry) -> bool {
+fn is_exception(entry: &&TriggerEntry) -> bool {
     !entry.is_complete() || !entry.suspect.is_empty()
 }
 
@@ -194,7 +195,7 @@ pub(super) fn write_ledger(
         cameras: ledger.accounts(),
         streams: ledger.streams(),
         frames: report.map(|report| report.frames),
-        exceptions: ledger.entries().filter(is_odd).collect(),
+        exceptions: ledger.entries().filter(is_exception).collect(),
         without_result,
     };
     write_json(folder, &file)

@@ -1,4 +1,4 @@
-//! Logs on standard error: for a terminal with time and colour, for journald with a priority.
+//! Logs to standard error: with time and colour on a terminal, with priorities in journald.
 
 use std::{
     fmt, io,
@@ -14,8 +14,8 @@ use tracing_subscriber::{
     registry::LookupSpan,
 };
 
-/// Starts logging to standard error. `RUST_LOG` chooses what (`warn`, `info,lfpiv=debug`); notices
-/// and worse when it is absent or cannot be read.
+/// Starts logging to standard error. `RUST_LOG` sets the filter (`warn`, `info,lfpiv=debug`). The
+/// default is `info`, also if the variable is invalid.
 pub fn start() {
     let wanted = std::env::var("RUST_LOG").ok().and_then(|wanted| wanted.parse::<Targets>().ok());
     let filter = wanted.unwrap_or_else(|| Targets::new().with_default(LevelFilter::INFO));
@@ -29,8 +29,8 @@ pub fn start() {
     tracing_subscriber::registry().with(layer).with(filter).init();
 }
 
-/// Says why the program ends without having done what it should.
-pub fn complain(error: &anyhow::Error) {
+/// Prints the error that ends the program.
+pub fn print_error(error: &anyhow::Error) {
     let priority = if is_journal() { Priority::Error.prefix() } else { "" };
     eprintln!("{priority}error: {error:#}");
 }
@@ -41,14 +41,14 @@ pub fn is_journal() -> bool {
     named.is_some_and(|named| is_stream(&named, io::stderr().as_fd()))
 }
 
-/// Whether `JOURNAL_STREAM` (device:inode) means this descriptor: children inherit the variable,
-/// and their standard error may go elsewhere.
+/// Whether `JOURNAL_STREAM` (device:inode) refers to this descriptor. Child processes inherit the
+/// variable, but their standard error may go elsewhere.
 fn is_stream(named: &str, descriptor: BorrowedFd<'_>) -> bool {
     rustix::fs::fstat(descriptor)
         .is_ok_and(|status| named == format!("{}:{}", status.st_dev, status.st_ino))
 }
 
-/// syslog's priorities, as sd-daemon(3) writes them before a line.
+/// Priorities of syslog, written before each line as in sd-daemon(3).
 #[derive(Clone, Copy)]
 enum Priority {
     Error,
@@ -77,7 +77,7 @@ impl Priority {
     }
 }
 
-/// Lines that begin with their priority; a message of several lines has it before each.
+/// Formats events with a priority before each line.
 struct WithPriority<F>(F);
 
 impl<S, N, F> FormatEvent<S, N> for WithPriority<F>
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stream_is_known_by_device_and_inode() {
+    fn a_stream_is_identified_by_device_and_inode() {
         let file: File = tempfile::tempfile().unwrap();
         let status = file.metadata().unwrap();
         let (device, inode) = (status.dev(), status.ino());

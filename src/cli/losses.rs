@@ -1,4 +1,4 @@
-//! What of a recorded run cannot be read any more, and how a command ends that read around it.
+//! Damaged or missing parts of a recorded run, and the end of commands that skip them.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -14,37 +14,37 @@ use super::{
 };
 use crate::acquisition::journal::{RecordedRunError, RunIndex};
 
-/// Shots behind the end of the record that are named: a ledger that is damaged itself may count any
+/// Largest number of listed shots after the end of the record: a damaged ledger may state any
 /// number.
-const MOST_NAMED: usize = 1_000_000;
+const MAX_LISTED: usize = 1_000_000;
 
-/// Says of a run that nobody writes any more that it has not ended in order, where that is so.
-pub(super) fn tell_cut_off(run: &Path, index: &RunIndex) {
+/// Warns if a run that is no longer written to has not ended normally.
+pub(super) fn warn_if_cut_off(run: &Path, index: &RunIndex) {
     if index.end.is_none() {
         tracing::warn!(
-            "{} was cut off: nothing says how many shots followed the last one that is there",
+            "{} was cut off: it is unknown how many shots followed the last recorded one",
             run.display()
         );
     }
 }
 
-/// What is damaged or missing in the record of a run.
+/// Damaged or missing parts in the record of a run.
 #[derive(Debug, Default)]
 pub(super) struct Losses {
     run: PathBuf,
-    /// Places in the record, in words.
+    /// Damaged places in the record, in words.
     places: Vec<String>,
-    /// Shots that were recorded and cannot be read, and why.
+    /// Recorded shots that cannot be read, and the reasons.
     shots: BTreeMap<u64, String>,
 }
 
-/// Everything was done that could be done with a record that is damaged or incomplete.
+/// The error of a command that has done everything possible with a damaged or incomplete record.
 #[derive(Debug, Error)]
 pub(super) struct DamagedRecord(Losses);
 
 impl Losses {
-    /// What the record itself shows, and what the run's ledger says beyond it. The record is of a
-    /// run that nobody writes any more.
+    /// Losses found in the record, and those found by comparing it with the run's ledger. The run
+    /// must no longer be written to.
     pub fn of(run: &Path, index: &RunIndex) -> Self {
         let mut losses =
             Self { run: run.into(), places: index.damaged.clone(), shots: index.lost.clone() };
@@ -57,32 +57,37 @@ impl Losses {
         };
         let mut unknown = index.unknown.clone();
         if let Some(ledger) = &ledger {
-            losses.hold_against(ledger, index, &mut unknown);
+            losses.compare_with_ledger(ledger, index, &mut unknown);
         }
         for shot in unknown {
             if !ledger.as_ref().is_some_and(|ledger| ledger.without_images.contains(&shot)) {
-                let why = "nothing of it is in the record: see what is damaged or missing there";
-                losses.lose(shot, why);
+                let why = "the record does not contain it: see the damaged or missing parts";
+                losses.add(shot, why);
             }
         }
         losses
     }
 
-    /// A run that wrote its ledger and ended as it should has an end in its record, too.
-    fn hold_against(&mut self, ledger: &RunLedger, index: &RunIndex, unknown: &mut BTreeSet<u64>) {
+    /// Finds missing records: the record of a run that ended normally has an end, too.
+    fn compare_with_ledger(
+        &mut self,
+        ledger: &RunLedger,
+        index: &RunIndex,
+        unknown: &mut BTreeSet<u64>,
+    ) {
         if !ledger.has_ended {
             return;
         }
         if index.end.is_none() {
             self.places.push(
-                "ledger.json says that the run ended as it should, and the record breaks off \
+                "according to ledger.json the run ended normally, but the record breaks off \
                  before that: its last records are missing"
                     .into(),
             );
         }
         if !self.places.is_empty() {
             let last = index.shots.last_key_value().map_or(0, |(shot, _)| shot + 1);
-            unknown.extend((last..ledger.triggers).take(MOST_NAMED));
+            unknown.extend((last..ledger.triggers).take(MAX_LISTED));
             unknown.retain(|shot| !index.shots.contains_key(shot));
         }
     }
@@ -97,28 +102,28 @@ impl Losses {
         &self.shots
     }
 
-    /// Notes a shot that cannot be read.
-    pub fn lose(&mut self, shot: u64, why: impl fmt::Display) {
+    /// Adds a shot that cannot be read.
+    pub fn add(&mut self, shot: u64, why: impl fmt::Display) {
         self.shots.entry(shot).or_insert_with(|| why.to_string());
     }
 
-    /// Notes a shot whose images cannot be read.
+    /// Adds a shot whose images cannot be read.
     ///
     /// # Errors
-    /// The error is of another kind.
+    /// The error is not one of damaged data.
     pub fn note(&mut self, shot: u64, error: RecordedRunError) -> Result<(), RecordedRunError> {
         if !error.is_damage() {
             return Err(error);
         }
         tracing::error!("shot {shot} is lost: {error}");
-        self.lose(shot, error);
+        self.add(shot, error);
         Ok(())
     }
 
-    /// Notes a place in the record that cannot be read and belongs to no shot.
+    /// Adds a damaged place that belongs to no shot.
     ///
     /// # Errors
-    /// The error is of another kind.
+    /// The error is not one of damaged data.
     pub fn note_place(&mut self, error: RecordedRunError) -> Result<(), RecordedRunError> {
         if !error.is_damage() {
             return Err(error);
@@ -127,12 +132,12 @@ impl Losses {
         Ok(())
     }
 
-    /// Whether this shot is among those lost.
+    /// Whether this shot is lost.
     pub fn has(&self, shot: u64) -> bool {
         self.shots.contains_key(&shot)
     }
 
-    /// Only these shots are of interest.
+    /// Keeps only the given shots.
     pub fn only(&mut self, wanted: impl Fn(&u64) -> bool) {
         self.shots.retain(|shot, _| wanted(shot));
     }
@@ -142,8 +147,8 @@ impl Losses {
         self.places.is_empty() && self.shots.is_empty()
     }
 
-    /// Says what the record lacks, before work on the rest begins.
-    pub fn tell(&self) {
+    /// Logs the losses; called before work on the rest begins.
+    pub fn log(&self) {
         for place in &self.places {
             tracing::error!("{place}");
         }
@@ -152,7 +157,7 @@ impl Losses {
         }
     }
 
-    /// The end of a command that has done everything else.
+    /// Ends a command that has done everything else.
     ///
     /// # Errors
     /// Something is damaged or missing: [`DamagedRecord`].
@@ -166,9 +171,9 @@ impl fmt::Display for DamagedRecord {
         let Losses { run, places, shots } = &self.0;
         write!(
             formatter,
-            "done, except for what is damaged or missing in the record of {}: {} in it, {} lost",
+            "done, except for damaged or missing parts in the record of {}: {}, {} lost",
             run.display(),
-            count(places.len(), "place"),
+            count(places.len(), "part"),
             count(shots.len(), "shot")
         )?;
         places.iter().try_for_each(|place| write!(formatter, "\n  {place}"))?;
@@ -191,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_ledger_says_beyond_the_record_is_missing() {
+    fn shots_in_the_ledger_but_not_in_the_record_are_missing() {
         let run = tempfile::tempdir().unwrap();
         ledger(run.path(), "null");
         let losses = Losses::of(run.path(), &RunIndex::default());
@@ -201,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn a_run_that_was_cut_off_or_has_its_end_lacks_nothing() {
+    fn nothing_is_missing_after_a_cut_off_or_with_a_recorded_end() {
         let run = tempfile::tempdir().unwrap();
         ledger(run.path(), r#""the disk was full""#);
         assert!(Losses::of(run.path(), &RunIndex::default()).is_empty());
@@ -211,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_trigger_that_gave_no_images_is_no_lost_shot() {
+    fn a_trigger_without_images_is_not_a_lost_shot() {
         let run = tempfile::tempdir().unwrap();
         ledger(run.path(), r#""the disk was full""#);
         let index = RunIndex {

@@ -1,4 +1,4 @@
-//! `lfpiv merge`: few files of the many that a run has sealed under way.
+//! `lfpiv merge`: merges the many NetCDF files of a run into few.
 
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ use crate::archive::{StoredShots, merge_segments};
 /// Arguments of `lfpiv merge`.
 #[derive(Debug, clap::Args)]
 pub struct MergeArgs {
-    /// Folders of runs that are over.
+    /// Folders of finished runs.
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 }
@@ -22,7 +22,7 @@ pub struct MergeArgs {
 pub fn merge(args: &MergeArgs) -> anyhow::Result<()> {
     for run in &args.runs {
         if !run.join("configuration.toml").is_file() {
-            bail!("{} is no folder of a run: it has no configuration.toml", run.display());
+            bail!("{} is not the folder of a run: it has no configuration.toml", run.display());
         }
         let _lock = RunLock::take(run)?;
         let before = StoredShots::find(run)?.files();

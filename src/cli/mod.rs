@@ -1,11 +1,11 @@
 //! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | correlate | run |
 //! replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | peers`.
 //!
-//! Results and tables go to standard output, logs, progress and errors to standard error. The
-//! exit code is 0 when everything asked for was done, 1 when not, 2 for a wrong command line, 3 when
+//! Results and tables go to standard output; logs, progress and errors go to standard error. Exit
+//! codes: 0 when everything requested was done, 1 when not, 2 for a wrong command line, 3 when
 //! everything was done that a damaged or incomplete record of a run allows.
 
-mod beside;
+mod bench_program;
 mod calibrate;
 mod card_file;
 mod check;
@@ -60,7 +60,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-pub use beside::BesideArgs;
+pub use bench_program::ForwardedArgs;
 pub use calibrate::CalibrateArgs;
 pub use check::CheckArgs;
 pub use compare::CompareArgs;
@@ -91,57 +91,58 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Write a commented configuration, from what is asked about the bench.
+    /// Write a commented configuration from answers about the bench.
     Init(InitArgs),
-    /// Check a configuration and print what will be done with it.
+    /// Check a configuration and show what a run will do.
     Check(CheckArgs),
-    /// How well a bench will measure, before it is built, and what would improve it most.
+    /// Forecast how well a bench will measure, and what would improve it most.
     Plan(PlanArgs),
     /// Draw the timing diagram of a configuration, as text and as SVG.
     Timing(TimingArgs),
     /// Make image pairs of a known flow by ray tracing.
     Simulate(SimulateArgs),
-    /// Find out from images made for it what a camera is.
+    /// Calibrate cameras from images made for it.
     Calibrate(CalibrateArgs),
     /// Measure recorded image pairs.
     Process(ProcessArgs),
-    /// Measure two volumes that are reconstructed already.
+    /// Measure two volumes that are already reconstructed.
     Correlate(CorrelateArgs),
     /// Run the bench: acquire, measure, serve and store.
     Run(RunArgs),
-    /// Play a recorded run again, through the same pipeline.
+    /// Replay a recorded run through the same pipeline.
     Replay(ReplayArgs),
-    /// Show a run that is over in a browser, as one under way.
+    /// Show a finished run in a browser.
     Serve(ServeArgs),
-    /// Hold the results of a run played again against those of the run.
+    /// Compare the results of a replay with those of its run.
     Compare(CompareArgs),
-    /// Mean, fluctuations, Reynolds stresses of a run, how sure they are, and how far fluctuations reach.
+    /// Compute a run's mean, fluctuations and Reynolds stresses with uncertainties, and correlation
+    /// lengths.
     Statistics(StatisticsArgs),
-    /// Write a run's images or vectors in the files of other programs.
+    /// Export a run's images or vectors in the formats of other programs.
     Export(ExportArgs),
-    /// Make few NetCDF files of the many that a run has sealed under way.
+    /// Merge the many NetCDF files of a run into few.
     Merge(MergeArgs),
-    /// Put simulated instruments at the ends of real wires, for a daemon to run.
+    /// Connect simulated instruments to real wires, for a daemon to run.
     SimBench(SimBenchArgs),
     /// List the cameras on the network.
     Devices,
-    /// Look whether this machine is fit for the bench, and say what to do.
+    /// Check whether this machine is fit for the bench, and say what to do.
     Doctor(DoctorArgs),
     /// Measure speed against error of declared cases and methods, and write a report.
     #[command(disable_help_flag = true)]
-    Bench(BesideArgs),
-    /// Make cases that other programs can be timed on, and time this one (see bench/peers).
+    Bench(ForwardedArgs),
+    /// Make cases for timing other programs, and time this one (see bench/peers).
     #[command(disable_help_flag = true)]
-    Peers(BesideArgs),
-    /// Read volumes for a parent that must not die of them.
+    Peers(ForwardedArgs),
+    /// Read volumes for a parent process, which must survive crashes of the library.
     #[command(hide = true)]
     ReadVolumes(ReadVolumesArgs),
 }
 
-/// Done, but some of the recorded data was damaged or missing.
+/// Exit code when some of the recorded data was damaged or missing.
 const DAMAGED: u8 = 3;
 
-/// Parses the command line, does what it says and reports errors.
+/// Parses the command line, runs the command and reports errors.
 pub fn main() -> ExitCode {
     let matches = examples::with_examples(Cli::command()).get_matches();
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
@@ -165,14 +166,14 @@ pub fn main() -> ExitCode {
         Command::SimBench(args) => sim_bench::sim_bench(&args),
         Command::Devices => devices::devices(),
         Command::Doctor(args) => doctor::doctor(&args),
-        Command::Bench(args) => beside::start("bench", &args),
-        Command::Peers(args) => beside::start("peers", &args),
+        Command::Bench(args) => bench_program::start("bench", &args),
+        Command::Peers(args) => bench_program::start("peers", &args),
         Command::ReadVolumes(args) => volume_reader::read_for_parent(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            logging::complain(&error);
+            logging::print_error(&error);
             if error.is::<losses::DamagedRecord>() {
                 ExitCode::from(DAMAGED)
             } else {

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use anyhow::Context;
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Writes a line to standard output. A reader that has gone away (`lfpiv … | head`) is no error.
+/// Writes a line to standard output. A closed pipe (`lfpiv … | head`) is not an error.
 pub fn print(line: &str) -> anyhow::Result<()> {
     print_while_read(line).map(|_| ())
 }
@@ -18,13 +18,13 @@ pub fn print_while_read(line: &str) -> anyhow::Result<bool> {
     }
 }
 
-/// A progress bar on standard error with the time left; hidden where that is no terminal.
+/// A progress bar with the remaining time on standard error; hidden unless that is a terminal.
 pub fn progress_bar(steps: usize, what: &str) -> ProgressBar {
     let style = ProgressStyle::with_template(&format!(
         "{{bar:30}} {{pos}} of {{len}} {what}, {{elapsed}} gone, {{eta}} left  {{msg}}"
     ));
     let bar = ProgressBar::new(steps as u64);
-    // A template that cannot be read costs the looks, not the work.
+    // An invalid template only changes the appearance.
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 

@@ -1,4 +1,4 @@
-//! `lfpiv plan`: how well a bench will measure, before it is built.
+//! `lfpiv plan`: forecasts how well a bench will measure.
 
 mod changes;
 mod chart;
@@ -19,14 +19,14 @@ use crate::config::{Config, ConfigFile, Purpose};
 /// Arguments of `lfpiv plan`.
 #[derive(Debug, clap::Args)]
 pub struct PlanArgs {
-    /// Configuration file (TOML). Its [simulation] table, where it has one, says what seeding and light there will
-    /// be: ppm, particle_photoelectrons and the sensor.
+    /// Configuration file (TOML). Its [simulation] table, if present, gives seeding and light: ppm,
+    /// particle_photoelectrons and the sensor.
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
     /// Particles per microlens, instead of the configuration's.
     #[arg(long, value_name = "PPM")]
     pub ppm: Option<f64>,
-    /// Draw the uncertainty over the volume into this file, too.
+    /// Also write a chart of the uncertainty over the volume to this file.
     #[arg(long, value_name = "FILE")]
     pub svg: Option<PathBuf>,
 }
@@ -37,8 +37,8 @@ pub fn plan(args: &PlanArgs) -> anyhow::Result<()> {
     let scene = config.simulation.clone().unwrap_or_default();
     if config.simulation.is_none() {
         tracing::warn!(
-            "{} has no [simulation] table, which says how much light and how many particles there will be: \
-             {} particles per microlens of {} photo-electrons are assumed",
+            "{} has no [simulation] table, which would give light and seeding: \
+             assuming {} particles per microlens with {} photo-electrons each",
             args.config.display(),
             scene.ppm,
             scene.particle_photoelectrons
@@ -47,26 +47,26 @@ pub fn plan(args: &PlanArgs) -> anyhow::Result<()> {
     let mut conditions = conditions(&scene);
     if let Some(ppm) = args.ppm {
         if !(ppm > 0.0 && ppm.is_finite()) {
-            bail!("--ppm {ppm}: a seeding is greater than 0");
+            bail!("--ppm {ppm}: seeding must be greater than 0");
         }
         conditions.ppm = ppm;
     }
     let places = forecast(&config.measurement(), &conditions)
-        .with_context(|| format!("{} cannot be planned", args.config.display()))?;
+        .with_context(|| format!("no forecast is possible for {}", args.config.display()))?;
     print(&report(&config, &conditions, &places))?;
     print(&improvements(&config, &conditions, &places))?;
     if let Some(path) = &args.svg {
         let drawing = chart_svg(&places, metres_per_second_per_voxel(&config));
         fs::write(path, drawing).with_context(|| format!("cannot write {}", path.display()))?;
-        print(&format!("drawn in {}", path.display()))?;
+        print(&format!("chart written to {}", path.display()))?;
     }
     Ok(())
 }
 
-/// Seeding and light of a scene, in one exposure of the mean camera.
+/// Seeding and light of a scene, for one exposure of an average camera.
 fn conditions(scene: &Scene) -> Conditions {
     let gain = scene.sensor.gain_counts_per_electron.max(f64::MIN_POSITIVE);
-    // Steps of a count are noise, too, of a uniform distribution.
+    // Quantization adds the noise of a uniform distribution.
     let step = 1.0 / gain / 12f64.sqrt();
     Conditions {
         ppm: scene.ppm,
@@ -81,7 +81,7 @@ fn metres_per_second_per_voxel(config: &Config) -> f64 {
     config.volume.voxel_mm * 1e3 / config.shot.dt_us
 }
 
-/// The uncertainty in slabs along each axis.
+/// The uncertainty in slabs along each axis, as text.
 fn report(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) -> String {
     let speed = metres_per_second_per_voxel(config);
     let [u, v, w] = medians(places);
@@ -101,8 +101,8 @@ fn report(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) ->
         let windows = correlation_error_vox(window_vox, in_window);
         let _ = writeln!(
             text,
-            "follow_particles = false: windows alone add some {windows:.3} voxel in a flow of 10 mm \
-             wavelength."
+            "follow_particles = false: windows alone add some {windows:.3} voxel in a flow of 10 \
+             mm wavelength."
         );
     }
     for axis in 0..3 {
@@ -115,7 +115,7 @@ fn report(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) ->
     text
 }
 
-/// What would improve the worst component most, the best first.
+/// The changes that would reduce the worst component's uncertainty most, best first.
 fn improvements(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) -> String {
     let before = medians(places);
     let worst = (0..3).max_by(|a, b| before[*a].total_cmp(&before[*b])).unwrap_or(0);
@@ -124,7 +124,7 @@ fn improvements(config: &Config, conditions: &Conditions, places: &[ForecastPlac
     let bar = progress_bar(changes.len(), "benches");
     for change in changes {
         bar.inc(1);
-        // What cannot be built is no improvement.
+        // Skip benches that cannot be built.
         let Ok(after) = forecast(&change.measurement, &change.conditions) else { continue };
         tried.push((medians(&after)[worst] / before[worst], change));
     }
@@ -136,7 +136,7 @@ fn improvements(config: &Config, conditions: &Conditions, places: &[ForecastPlac
         let _ = writeln!(text, "{factor:>7.2} times  {}", change.words);
     }
     if tried.first().is_none_or(|(factor, _)| *factor > 0.9) {
-        text.push_str("Nothing here improves it by more than a tenth.\n");
+        text.push_str("None of these improves it by more than a tenth.\n");
     }
     text
 }
@@ -155,7 +155,7 @@ fn medians(places: &[ForecastPlace]) -> [f64; 3] {
     })
 }
 
-/// Medians of the places at each position along an axis.
+/// Medians over the points at each position along an axis.
 fn slabs(places: &[ForecastPlace], axis: usize) -> Vec<(f64, [f64; 3])> {
     let mut positions: Vec<f64> = places.iter().map(|place| place.position_mm[axis]).collect();
     positions.sort_by(f64::total_cmp);
@@ -176,14 +176,14 @@ mod tests {
     }
 
     #[test]
-    fn a_plan_names_slabs_and_what_helps() {
+    fn a_plan_lists_slabs_and_improvements() {
         let mut config = shipped("sim");
         config.camera.truncate(1);
         let conditions = conditions(config.simulation.as_ref().unwrap());
         let places = forecast(&config.measurement(), &conditions).unwrap();
         let report = report(&config, &conditions, &places);
         assert!(report.contains("z (mm)") && report.lines().count() > 20, "{report}");
-        // One camera does not see depth: a second one is what helps.
+        // One camera does not resolve depth, so a second one helps most.
         let improvements = improvements(&config, &conditions, &places);
         assert!(improvements.contains("along z, the largest"), "{improvements}");
         let best = improvements.lines().nth(1).unwrap();

@@ -1,4 +1,4 @@
-//! `lfpiv process`: recorded or imported image pairs to velocity.
+//! `lfpiv process`: velocity from recorded or imported image pairs.
 
 use std::{
     collections::HashMap,
@@ -22,7 +22,7 @@ use super::{
     process_jobs::{Existing, Job, jobs, settle_existing},
     process_parts::{Part, merge_parts, process_part},
     process_run::{is_run, process_run},
-    run_processor::{background_images, warn_of_drawn_places},
+    run_processor::{background_images, warn_of_nominal_poses},
     solver::{solver_by_name, solver_name},
     stop::stop_on_signals,
 };
@@ -42,20 +42,20 @@ pub struct ProcessArgs {
     /// Configuration file (TOML) of the bench that took the images; a recorded run has its own.
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
-    /// Folder for the results: one folder per pair, called as the pair's; a recorded run gets them
-    /// in its own.
+    /// Folder for the results: one folder per pair, named like the pair's folder. Results of a
+    /// recorded run go into the run's folder.
     #[arg(long, value_name = "OUT")]
     pub out: Option<PathBuf>,
-    /// Write the reconstructed volumes, too.
+    /// Also write the reconstructed volumes.
     #[arg(long)]
     pub save_volumes: bool,
-    /// Measure the pairs that have no results in OUT yet.
+    /// Measure only the pairs without results in OUT.
     #[arg(long, conflicts_with = "overwrite")]
     pub resume: bool,
-    /// Remove the pairs' results that are in OUT, and measure all of them.
+    /// Remove existing results of the pairs in OUT, and measure all pairs.
     #[arg(long)]
     pub overwrite: bool,
-    /// Solver to use instead of the configuration's.
+    /// Solver to use instead of the configured one.
     #[arg(long, value_name = "NAME", value_parser = solver_by_name)]
     pub solver: Option<Solver>,
     /// Measure one part of the shots without a result of a recorded run, K from 1 to N, into the folder
@@ -66,8 +66,8 @@ pub struct ProcessArgs {
     /// the parts, RUN/parts/* without any.
     #[arg(long, value_name = "PART", num_args = 0..)]
     pub merge: Option<Vec<PathBuf>>,
-    /// Pair folders, folders of pair folders, or one folder of a recorded run, whose missing
-    /// results are made.
+    /// Pair folders, folders of pair folders, or the folder of one recorded run, whose unmeasured
+    /// shots are measured.
     #[arg(required = true, value_name = "DIR")]
     pub folders: Vec<PathBuf>,
 }
@@ -82,14 +82,14 @@ impl ProcessArgs {
     }
 }
 
-/// A pair's result for ParaView, in its folder.
+/// Name of a pair's result for ParaView.
 const VTI: &str = "velocity.vti";
 
-/// With fewer pairs than this, what they have in common includes particles.
+/// Smallest number of pairs for estimating the background. With fewer, it would include particles.
 const LEAST_BACKGROUND_PAIRS: usize = 3;
 
-/// Measures every pair; a pair that fails is reported and the others are still measured. Told to
-/// stop, it ends after the pair in hand.
+/// Measures every pair; a failing pair is reported and the others are still measured. When
+/// interrupted, it ends after the current pair.
 pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     let (_signals, stop) = stop_between_shots()?;
     if let [folder] = args.folders.as_slice()
@@ -102,12 +102,12 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     }
     let (Some(config), Some(out)) = (&args.config, &args.out) else {
         bail!(
-            "image pairs need --config FILE and --out OUT; only the folder of one recorded run (it \
-             has a folder raw) does without"
+            "image pairs need --config FILE and --out OUT; only the folder of one recorded run \
+             (which has a folder raw) does not need them"
         )
     };
     let file = configuration(args, config)?;
-    warn_of_drawn_places(&file.config);
+    warn_of_nominal_poses(&file.config);
     let (mut jobs, mut failures) = jobs(&args.folders, out);
     settle_existing(&mut jobs, args.existing(), &file.text, args.save_volumes)?;
     let (mut run, mut read_already) = Run::prepare(args, file, &jobs)?;
@@ -119,13 +119,13 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     let bar = progress_bar(jobs.iter().filter(|job| !job.is_done).count(), "pairs");
     let names: HashMap<u64, &str> = jobs.iter().map(|job| (job.shot, job.name.as_str())).collect();
     let path_of = |shot: u64| format!("{}/{VTI}", names.get(&shot).copied().unwrap_or_default());
-    let (mut series, mut finished, mut looked) = (VtiSeries::new(path_of), 0_usize, 0_usize);
+    let (mut series, mut finished, mut tried) = (VtiSeries::new(path_of), 0_usize, 0_usize);
     let mut full = None;
     for job in &jobs {
         if stop.is_cancelled() {
             break;
         }
-        looked += 1;
+        tried += 1;
         if !job.is_done {
             match run.measure(job, read_already.take()) {
                 Ok(result) => report(&bar, job, &result)?,
@@ -155,40 +155,43 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         return Err(full.context(unfinished("stopped", finished, jobs.len())));
     }
     written?;
-    complain(failures.len(), (looked < jobs.len()).then_some([finished, jobs.len()]))
+    conclude(failures.len(), (tried < jobs.len()).then_some([finished, jobs.len()]))
 }
 
-/// Whether no other pair's results could be written, either.
+/// Whether the disk is full, so that no other result could be written either.
 fn is_disk_full(error: &anyhow::Error) -> bool {
     let full = |cause: &ArchiveError| matches!(cause, ArchiveError::DiskFull { .. });
     error.downcast_ref::<ArchiveError>().is_some_and(full)
 }
 
-/// How far it got, and how to go on.
+/// Message about the progress and how to continue.
 fn unfinished(why: &str, finished: usize, pairs: usize) -> String {
     format!(
-        "{why}: {finished} of {} have results; the same command with --resume measures the others",
+        "{why}: {finished} of {} have results; repeat the command with --resume to measure the \
+         others",
         count(pairs, "pair")
     )
 }
 
-/// A token that is cancelled by Ctrl-C or SIGTERM, and what listens for them: drop it last.
+/// A token that is cancelled by Ctrl-C or SIGTERM, and the runtime that listens for them, which
+/// must be dropped last.
 fn stop_between_shots() -> anyhow::Result<(Runtime, CancellationToken)> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(1)
         .enable_all()
         .build()
-        .context("nothing can listen for Ctrl-C")?;
+        .context("cannot listen for Ctrl-C")?;
     // There is no laser to wait for.
     let laser = SynchroniserThread::default();
-    let words = "the results of the pair in hand are not written";
+    let words = "the results of the current pair are not written";
     let listening = async { stop_on_signals(&laser, words) };
     let stop = runtime.block_on(listening)?;
     Ok((runtime, stop))
 }
 
-/// What failed has been told; `interrupted` are the pairs that have results, of how many.
-fn complain(failures: usize, interrupted: Option<[usize; 2]>) -> anyhow::Result<()> {
+/// The final error, if any; failures have been logged. `interrupted` is the number of pairs with
+/// results and of all pairs.
+fn conclude(failures: usize, interrupted: Option<[usize; 2]>) -> anyhow::Result<()> {
     let failed = format!("{} could not be measured, see above", count(failures, "pair folder"));
     match interrupted {
         Some([finished, pairs]) => bail!(unfinished("interrupted", finished, pairs)),
@@ -197,7 +200,7 @@ fn complain(failures: usize, interrupted: Option<[usize; 2]>) -> anyhow::Result<
     }
 }
 
-/// The configuration, with what the command line overrides.
+/// The configuration with the overrides of the command line.
 fn configuration(args: &ProcessArgs, config: &Path) -> anyhow::Result<ConfigFile> {
     let mut file = ConfigFile::load(config)?;
     if let Some(solver) = args.solver {
@@ -209,7 +212,7 @@ fn configuration(args: &ProcessArgs, config: &Path) -> anyhow::Result<ConfigFile
     Ok(file)
 }
 
-/// A run has its configuration and its place for results.
+/// Processes a recorded run, which has its own configuration and result folder.
 fn process_recorded(
     folder: &Path,
     args: &ProcessArgs,
@@ -226,8 +229,9 @@ fn process_recorded(
     let own_folder = out.filter(|_| args.part.is_none());
     if args.config.is_some() || own_folder.is_some() || args.solver.is_some() || args.save_volumes {
         bail!(
-            "{} is a recorded run: its missing results are made as it was configured, in its own \
-             folder. To measure its images otherwise, `lfpiv export` them first",
+            "{} is a recorded run: its unmeasured shots are measured with its own configuration, \
+             in its own folder. To measure its images with other settings, `lfpiv export` them \
+             first",
             folder.display()
         );
     }
@@ -238,7 +242,7 @@ fn process_recorded(
     }
 }
 
-/// What is the same for all pairs.
+/// What all pairs have in common.
 struct Run {
     processor: Processor,
     file: ConfigFile,
@@ -246,7 +250,7 @@ struct Run {
 }
 
 impl Run {
-    /// Builds the tables, and reads the first pair to be measured meanwhile.
+    /// Builds the tables while reading the first pair to be measured.
     fn prepare(
         args: &ProcessArgs,
         file: ConfigFile,
@@ -258,12 +262,12 @@ impl Run {
             || first.map(|job| read(&file.config, &job.pair)),
         );
         let processor = processor
-            .with_context(|| format!("{} cannot be measured with", file.path.display()))?;
+            .with_context(|| format!("no measurement is possible with {}", file.path.display()))?;
         Ok((Self { processor, file, save_volumes: args.save_volumes }, first))
     }
 
-    /// Where the first pair chose the forward model, and has been measured before, it chooses
-    /// again: the others are measured by the same one.
+    /// If the first pair chose the forward model in an earlier call, lets it choose again, so that
+    /// all pairs are measured with the same model.
     fn choose_model_again(&self, jobs: &[Job]) {
         let first = jobs.iter().find(|job| job.is_done);
         let Some(first) = first.filter(|_| self.file.config.model.mode == ModelMode::Auto) else {
@@ -272,7 +276,7 @@ impl Run {
         let chosen = self.read(&first.pair).and_then(|pair| Ok(self.processor.process(pair)?));
         if let Err(error) = chosen {
             let pair = first.pair.display();
-            tracing::warn!("{pair}: {error:#}; another pair decides the forward model");
+            tracing::warn!("{pair}: {error:#}; another pair chooses the forward model");
         }
     }
 
@@ -280,8 +284,8 @@ impl Run {
         read(&self.file.config, folder)
     }
 
-    /// Learns stationary light where the configuration asks for it: from its background images,
-    /// or from all the pairs. A pair that cannot be read is reported when its turn comes.
+    /// Learns stationary light if configured: from background images or from all pairs. A pair that
+    /// cannot be read is reported when it is processed.
     fn learn_background(&mut self, jobs: &[Job]) -> anyhow::Result<()> {
         let config = &self.file.config;
         match config.image.background {
@@ -292,8 +296,8 @@ impl Run {
             Background::Minimum | Background::Mean => {
                 if jobs.len() < LEAST_BACKGROUND_PAIRS {
                     bail!(
-                        "image.background takes what {} have in common for stationary light: \
-                         at least {LEAST_BACKGROUND_PAIRS} are needed, or particles would be \
+                        "image.background estimates stationary light from {}: \
+                         at least {LEAST_BACKGROUND_PAIRS} are needed, otherwise particles are \
                          removed; give more folders, or set image.background = \"constant\"",
                         count(jobs.len(), "pair")
                     );
@@ -308,7 +312,7 @@ impl Run {
         }
     }
 
-    /// Measures and stores one pair, and reads it where that has not been tried already.
+    /// Measures and stores one pair, which is read unless `read_already` is given.
     fn measure(
         &self,
         job: &Job,
@@ -331,7 +335,7 @@ impl Run {
             let source = VtiSource { shot: job.shot, utc_s: None, configuration: &self.file.text };
             write_vti(&folder.join(VTI), &source, &result.field)?;
         }
-        // Last: where this file is, the results are whole.
+        // Written last: this file marks complete results.
         let result = ShotResult::from(result);
         write_velocity(&folder.join("velocity.nc"), &self.file.text, job.shot, &result)?;
         Ok(result.measured)
@@ -345,7 +349,8 @@ fn read(config: &Config, folder: &Path) -> anyhow::Result<ImagePair> {
 fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<()> {
     let seconds = &result.seconds;
     let line = format!(
-        "{}: {}, {:.1} % valid{}; decoded in {:.2} s, reconstructed in {:.2} s, correlated in {:.2} s, judged in {:.2} s -> {}",
+        "{}: {}, {:.1} % valid{}; decoded in {:.2} s, reconstructed in {:.2} s, correlated in \
+         {:.2} s, judged in {:.2} s -> {}",
         job.name,
         count(result.field.grid.len(), "vector"),
         100.0 * result.field.valid_share(),

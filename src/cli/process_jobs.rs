@@ -1,4 +1,4 @@
-//! Which pairs `lfpiv process` is to measure, and which have results already.
+//! Lists the pairs that `lfpiv process` measures, and handles existing results.
 
 use std::{
     collections::{BTreeSet, HashMap},
@@ -13,29 +13,29 @@ use anyhow::{Context, bail};
 use super::output::count;
 use crate::archive::{find_pair_folders, stored_configuration};
 
-/// What becomes of results that are there already.
+/// Treatment of existing results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Existing {
-    /// Nothing is measured beside them.
+    /// Refuse to measure if there are any.
     Refuse,
-    /// They stay, and the pairs without are measured.
+    /// Keep them, and measure the other pairs.
     Keep,
-    /// They are removed, and all pairs are measured.
+    /// Remove them, and measure all pairs.
     Replace,
 }
 
-/// The files of a pair's results. `velocity.nc` comes last: with it the results are whole.
+/// The files of a pair's results. `velocity.nc` is written last and marks complete results.
 pub(super) const RESULT_FILES: [&str; 3] = ["velocity.vti", "volumes.nc", "velocity.nc"];
 
-/// One pair and where its results go.
+/// One pair and the folder of its results.
 #[derive(Debug, PartialEq)]
 pub(super) struct Job {
     pub pair: PathBuf,
     pub name: String,
     pub results: PathBuf,
-    /// Its number among the pairs.
+    /// The pair's shot number.
     pub shot: u64,
-    /// Its results are there already, and stay.
+    /// Whether existing results are kept.
     pub is_done: bool,
 }
 
@@ -45,7 +45,7 @@ impl Job {
     }
 }
 
-/// The pairs below all folders given, and a message for each that cannot be one.
+/// The pairs in all given folders, and a message for each folder that cannot be used.
 pub(super) fn jobs(folders: &[PathBuf], out: &Path) -> (Vec<Job>, Vec<String>) {
     let (mut jobs, mut failures) = (Vec::new(), Vec::new());
     let mut taken: HashMap<String, PathBuf> = HashMap::new();
@@ -76,8 +76,8 @@ pub(super) fn jobs(folders: &[PathBuf], out: &Path) -> (Vec<Job>, Vec<String>) {
     (jobs, failures)
 }
 
-/// Gives each pair the number at the end of its folder's name, or, where not every name has one of its own,
-/// that of its turn.
+/// Numbers each pair by the number at the end of its folder's name. If these numbers are missing or
+/// not unique, pairs are numbered in order.
 fn number_shots(jobs: &mut [Job]) {
     let named: Option<Vec<u64>> = jobs.iter().map(|job| last_number(&job.name)).collect();
     let distinct =
@@ -88,18 +88,19 @@ fn number_shots(jobs: &mut [Job]) {
     }
 }
 
-/// The number that a name ends with.
+/// The number at the end of a name.
 fn last_number(name: &str) -> Option<u64> {
     let digits = name.len() - name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-    // A date and a time are no shot number that a file can hold.
+    // Digits of a date and time may exceed the range of shot numbers in files.
     name[name.len() - digits..].parse().ok().filter(|number| *number <= i64::MAX as u64)
 }
 
-/// Deals with results that are there already; `configuration` is the text that the others will be
-/// measured with, and `with_volumes` whether volumes belong to a pair's results.
+/// Handles existing results. `configuration` is the text for the new measurements; `with_volumes`
+/// tells whether results must include volumes.
 ///
 /// # Errors
-/// There are some and nothing was said about them, or those that shall stay were made otherwise.
+/// Results exist but no treatment was requested, or results to keep were made with another
+/// configuration.
 pub(super) fn settle_existing(
     jobs: &mut [Job],
     existing: Existing,
@@ -113,8 +114,9 @@ pub(super) fn settle_existing(
             let found: Vec<&mut Job> = jobs.iter_mut().filter(has_results).collect();
             let Some(first) = found.first() else { return Ok(()) };
             bail!(
-                "{} of {} have results already, {} among them: --resume measures the others, \
-                 --overwrite removes these results and measures all, another --out keeps both",
+                "{} of {} have results already, such as {}: --resume measures the others, \
+                 --overwrite removes these results and measures all pairs, another --out keeps \
+                 both",
                 found.len(),
                 count(pairs, "pair"),
                 first.file("velocity.nc").display()
@@ -125,9 +127,9 @@ pub(super) fn settle_existing(
                 let path = job.file("velocity.nc");
                 if stored_configuration(&path)? != configuration {
                     bail!(
-                        "{} was measured with another configuration than the one given (its \
-                         attribute `configuration` has it): resume with that one, or measure all \
-                         anew with --overwrite",
+                        "{} was measured with another configuration than the given one (see its \
+                         attribute `configuration`): resume with that one, or measure all pairs \
+                         again with --overwrite",
                         path.display()
                     );
                 }
@@ -147,7 +149,7 @@ pub(super) fn settle_existing(
     }
 }
 
-/// A folder's own name, for `.` and `..` too.
+/// A folder's name, also for `.` and `..`.
 fn name_of(folder: &Path) -> String {
     let own = |path: &Path| path.file_name().map(OsString::from);
     let name = own(folder).or_else(|| folder.canonicalize().ok().as_deref().and_then(own));
@@ -159,7 +161,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_pairs_of_one_name_are_not_written_over_each_other() {
+    fn pairs_with_the_same_name_do_not_overwrite_each_other() {
         let root = tempfile::tempdir().unwrap();
         let folders: Vec<PathBuf> =
             ["monday/shot_0000", "tuesday/shot_0000"].map(|name| root.path().join(name)).into();
@@ -174,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn pairs_have_the_numbers_of_their_folders_or_of_their_turns() {
+    fn pairs_are_numbered_by_their_folders_or_in_order() {
         let numbers = |names: &[&str]| -> Vec<u64> {
             let job = |name: &&str| Job {
                 pair: PathBuf::new(),
@@ -194,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_given_as_a_dot_has_its_own_name() {
+    fn a_folder_given_as_a_dot_is_resolved() {
         let here = std::env::current_dir().unwrap();
         assert_eq!(name_of(Path::new(".")), here.file_name().unwrap().to_string_lossy());
     }

@@ -1,8 +1,8 @@
 //! `lfpiv process RUN`: measures the shots of a recorded run that have no result yet.
 //!
-//! The run may have shed them, or been killed. Raw log first: what a crash has left half-written
-//! is cut off, and said. Then the ledger, made from the record where the run had no time to write it.
-//! Then the results: whole segments stay, no shot is measured twice.
+//! The run may have shed them or been killed. First the raw log is recovered: incomplete data after
+//! a crash is cut off and reported. Then the ledger is made from the record, if the run did not
+//! write it. Then results are added: sealed segments stay, and no shot is measured twice.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use super::{
     ledger_file::{
         has_ledger, note_processed_later, set_damaged_ledger_aside, write_recovered_ledger,
     },
-    losses::{Losses, tell_cut_off},
+    losses::{Losses, warn_if_cut_off},
     output::{count, print},
     recorded_shots::{Finished, ShotProcessor},
     recording::RunLock,
@@ -25,12 +25,12 @@ use crate::{
     config::Config,
 };
 
-/// Whether `folder` is that of a recorded run.
+/// Whether `folder` is the folder of a recorded run.
 pub(super) fn is_run(folder: &Path) -> bool {
     folder.join(RAW_FOLDER).is_dir()
 }
 
-/// Finishes the run in `folder`; told to stop, it ends after the shot in hand.
+/// Finishes the run in `folder`. When interrupted, it ends after the current shot.
 pub(super) fn process_run(folder: &Path, stop: &CancellationToken) -> anyhow::Result<()> {
     let (run, store) = UnfinishedRun::open(folder)?;
     let mut losses = run.losses();
@@ -86,10 +86,10 @@ impl<'a> UnfinishedRun<'a> {
     pub fn losses(&self) -> Losses {
         let mut losses = Losses::of(self.folder, &self.index);
         for shot in self.stored.shots.iter().filter(|shot| !self.index.shots.contains_key(shot)) {
-            losses.lose(*shot, "it has a result, and its images are not in the record");
+            losses.add(*shot, "it has a result, but its images are not in the record");
         }
-        losses.tell();
-        tell_cut_off(self.folder, &self.index);
+        losses.log();
+        warn_if_cut_off(self.folder, &self.index);
         losses
     }
 
@@ -106,7 +106,7 @@ impl<'a> UnfinishedRun<'a> {
         if let Some(aside) = &damaged {
             let aside = aside.display();
             tracing::warn!(
-                "the ledger is damaged: what is left of it is {aside}, and it is made again"
+                "the ledger is damaged: it is moved to {aside} and made again from the record"
             );
         }
         if !has_ledger || damaged.is_some() {

@@ -1,4 +1,4 @@
-//! Frames for previews: the latest from memory, earlier ones from the run's raw log.
+//! Frames for previews: the latest ones from memory, earlier ones from the run's raw log.
 
 use std::{
     path::{Path, PathBuf},
@@ -14,12 +14,12 @@ use crate::{
     server::FrameSource,
 };
 
-/// See the module. The record is read beside the run that writes it.
+/// Source of frames. It may read the record while the run writes it.
 pub(super) struct RecordedFrames {
     board: Arc<Board>,
     run: PathBuf,
     opened: Mutex<Option<FramePlaces>>,
-    /// Of a run that is over.
+    /// The last shot of a finished run.
     last: Option<u64>,
 }
 
@@ -28,12 +28,12 @@ impl RecordedFrames {
         Self { board, run: run.to_owned(), opened: Mutex::new(None), last: None }
     }
 
-    /// Of a run that is over, the last frames are those of this shot.
+    /// Sets the shot that counts as the latest of a finished run.
     pub fn with_last(self, last: Option<u64>) -> Self {
         Self { last, ..self }
     }
 
-    /// Looks on in the record where the last look ended.
+    /// Reads a frame from the record, continuing where the last search ended.
     fn recorded(&self, shot: u64, camera: usize, half: usize) -> Option<RawImage> {
         let mut opened = self.opened.lock();
         if opened.is_none() {

@@ -39,7 +39,7 @@ impl Finished {
     pub fn conclude(self) -> anyhow::Result<()> {
         if self.left > 0 {
             bail!(
-                "interrupted: {} without a result are left; the same command measures them",
+                "interrupted: {} without a result remain; repeat the command to measure them",
                 count(self.left, "shot")
             );
         }

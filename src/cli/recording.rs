@@ -1,4 +1,4 @@
-//! The raw log of a run: begun with it, closed after it.
+//! The raw log of a run, from its start to its end.
 
 use std::{
     fs::{self, File, TryLockError},
@@ -17,7 +17,7 @@ use crate::acquisition::{
     journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
 };
 
-/// A run's record under way.
+/// The record of a run in progress.
 pub(super) struct Recording {
     pub journal: Journal,
     writer: Option<RawLogWriter>,
@@ -25,7 +25,7 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// Begins the record of a run in `folder`, where the configuration asks for one.
+    /// Starts the record of a run in `folder`, if configured.
     pub fn begin(
         folder: &Path,
         plan: &DaemonPlan,
@@ -48,8 +48,8 @@ impl Recording {
         Ok(Self { journal: Journal::new(log), writer: Some(writer), lock })
     }
 
-    /// What brings everything to the disk and seals the last segment, blocking; and the run's
-    /// lock, to be held until its last file is written.
+    /// Returns the run's lock and a blocking function that writes everything to disk and seals the
+    /// last segment. The lock must be held until the run's last file is written.
     pub fn end(self) -> (RunLock, impl FnOnce() -> anyhow::Result<()> + Send + 'static) {
         let Self { writer, lock, .. } = self;
         let close = move || match writer {
@@ -60,9 +60,9 @@ impl Recording {
     }
 }
 
-/// Says which runs in `results_dir` were cut off: they have a record, no ledger, and nobody writes
-/// them.
-pub(super) fn tell_unfinished(results_dir: &Path) {
+/// Logs which runs in `results_dir` were cut off: they have a record but no ledger, and no process
+/// is writing them.
+pub(super) fn report_unfinished(results_dir: &Path) {
     for entry in fs::read_dir(results_dir).into_iter().flatten().flatten() {
         let run = entry.path();
         let is_cut_off = run.join(RAW_FOLDER).is_dir() && !run.join("ledger.json").exists();
@@ -73,32 +73,32 @@ pub(super) fn tell_unfinished(results_dir: &Path) {
     }
 }
 
-/// Refuses a run that is being written: what is there is not yet all.
+/// Refuses a run that is still being written, because it is incomplete.
 ///
 /// # Errors
-/// Another program has the run.
+/// Another process is writing the run.
 pub(super) fn refuse_running(run: &Path) -> anyhow::Result<()> {
-    // Read only: a run on a disk that cannot be written may be looked at.
+    // Opened for reading only, so that runs on read-only disks can be used.
     let Ok(lock) = open_regular(&run.join(LOCK)) else { return Ok(()) };
     match lock.try_lock_shared() {
         Err(TryLockError::WouldBlock) => bail!(
-            "{} is running: another lfpiv writes it; wait until it has ended, or stop it",
+            "{} is running: another lfpiv is writing it; wait until it has ended, or stop it",
             run.display()
         ),
         _ => Ok(()),
     }
 }
 
-/// What a program that writes a run locks, in the run's folder.
+/// Name of the lock file in the run's folder.
 const LOCK: &str = "lock";
 
-/// One program at a time works on a run. The operating system lets go of the lock with the
-/// process, however it ends.
+/// Ensures that only one process writes a run. The operating system releases the lock when the
+/// process ends, for any reason.
 pub(super) struct RunLock(#[expect(dead_code, reason = "held, not used")] File);
 
 impl RunLock {
     /// # Errors
-    /// Another program has the run.
+    /// Another process is writing the run.
     pub fn take(run: &Path) -> anyhow::Result<Self> {
         let path = run.join(LOCK);
         let file = open_regular_with(File::options().create(true).append(true), &path)
@@ -106,7 +106,7 @@ impl RunLock {
         match file.try_lock() {
             Ok(()) => Ok(Self(file)),
             Err(TryLockError::WouldBlock) => bail!(
-                "{} is running: another lfpiv writes it; wait until it has ended, or stop it",
+                "{} is running: another lfpiv is writing it; wait until it has ended, or stop it",
                 run.display()
             ),
             Err(TryLockError::Error(error)) => {

@@ -1,4 +1,4 @@
-//! `lfpiv replay`: a recorded run again, through the same run loop and pipeline.
+//! `lfpiv replay`: replays a recorded run through the same run loop and pipeline.
 
 use std::{
     net::{Ipv4Addr, SocketAddr},
@@ -36,33 +36,33 @@ pub struct ReplayArgs {
     /// Folder of the recorded run.
     #[arg(value_name = "RUN")]
     pub run: PathBuf,
-    /// Folder below which the replay makes one of its own.
+    /// Folder in which the replay creates its own folder.
     #[arg(long, value_name = "DIR", default_value = "results/replay")]
     pub out: PathBuf,
-    /// As fast as the run was (1), or as fast as its frames can be read (max).
+    /// Speed: that of the run (1), or as fast as frames can be read (max).
     #[arg(long, value_name = "1|max", default_value = "max", value_parser = speed)]
     pub speed: Speed,
-    /// Disturb the recorded frames: a file of fault settings (TOML).
+    /// File of fault settings (TOML) to disturb the recorded frames.
     #[arg(long, value_name = "FILE")]
     pub faults: Option<PathBuf>,
-    /// Address for status and results meanwhile; a free port of this machine when absent.
+    /// Address for status and results during the replay; default: a free port of this machine.
     #[arg(long, value_name = "ADDRESS")]
     pub address: Option<SocketAddr>,
 }
 
-/// Plays the run; without faults its results and its ledger are compared with the recorded ones,
-/// as far as the record is whole.
+/// Replays the run. Without faults, results and ledger are compared with the recorded ones, as far
+/// as the record is undamaged.
 pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
     let faults = args.faults.as_deref().map(read_faults).transpose()?;
     refuse_running(&args.run)?;
     let mut recorded = Results::read(&args.run)?;
     let index = RecordedRun::open(&args.run)?.finished().index();
     let mut losses = Losses::of(&args.run, &index);
-    losses.tell();
+    losses.log();
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
-        .context("the runtime does not start")?;
+        .context("cannot start the runtime")?;
     let (folder, unreadable) = runtime.block_on(play(args, faults.as_ref()))?;
     print(&format!("results are in {}", folder.display()))?;
     for (place, error) in unreadable {
@@ -75,7 +75,7 @@ pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
     if faults.is_none() {
         let again = Results::read(&folder)?;
         if !losses.is_empty() {
-            // Which frames belong together was decided by records that may be lost, too.
+            // The record that assigned frames to shots may be lost, too.
             recorded.leave_out(|shot| {
                 losses.has(shot) || !index.shots.contains_key(&shot) || !again.has(shot)
             });
@@ -85,7 +85,7 @@ pub fn replay_run(args: &ReplayArgs) -> anyhow::Result<()> {
     losses.conclude()
 }
 
-/// Frames that could not be read.
+/// Frames that could not be read, and the reasons.
 type Unread = Vec<(Position, RecordedRunError)>;
 
 async fn play(
@@ -133,11 +133,11 @@ fn disturbed(bench: Bench, faults: &FaultSettings) -> Bench {
     Bench { cameras: bench.cameras.into_iter().enumerate().map(wrap).collect(), ..bench }
 }
 
-/// Reads a file of fault settings.
+/// Reads and checks a file of fault settings.
 pub(super) fn read_faults(path: &Path) -> anyhow::Result<FaultSettings> {
     let text = read_text(path).with_context(|| format!("cannot read {}", path.display()))?;
     let faults: FaultSettings =
-        toml::from_str(&text).with_context(|| format!("{} is no fault file", path.display()))?;
+        toml::from_str(&text).with_context(|| format!("{} is not a fault file", path.display()))?;
     if let Err(problems) = faults.validate() {
         bail!("{}: {problems}", path.display());
     }

@@ -18,7 +18,7 @@ use super::{
     demo_table::{Row, Table, stream_table},
     instruments,
     logging::is_journal,
-    operator::go_on_on_signal,
+    operator::resume_on_signal,
     output::{count, print, progress_bar},
     run_processor::run_processor,
     stop::stop_on_signals,
@@ -35,23 +35,23 @@ pub struct RunArgs {
     /// Configuration file (TOML).
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
-    /// Stop after this many shots; without it, run until told to stop.
+    /// Stop after this many shots; the default is to run until stopped.
     #[arg(long, value_name = "N")]
     pub shots: Option<NonZeroU64>,
-    /// Configuration file whose [simulation] table has the flow that the table at the end of a
-    /// bounded run compares vectors with; the run's own when absent.
+    /// Configuration file with the true flow in its [simulation] table, for the table at the end of
+    /// a bounded run; default: the run's configuration.
     #[arg(long, value_name = "FILE")]
     pub truth: Option<PathBuf>,
-    /// Begin with the laser safe: shots are taken once a client asks for them.
+    /// Start with the laser safe; shots are taken when a client requests it.
     #[arg(long)]
     pub disarmed: bool,
-    /// Let clients with a control token arm the laser and start, in this run; the configuration
-    /// must allow it, too (server.remote_arming).
+    /// Allow clients with a control token to arm the laser and start in this run; the configuration
+    /// must allow it as well (server.remote_arming).
     #[arg(long)]
     pub remote_arming: bool,
 }
 
-/// Runs the bench until its shots are done or it is told to stop by Ctrl-C or SIGTERM.
+/// Runs the bench until its shots are done or it is stopped by Ctrl-C or SIGTERM.
 pub fn run(args: RunArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load_for(Purpose::Bench, &args.config)?;
     let truth = match &args.truth {
@@ -60,13 +60,13 @@ pub fn run(args: RunArgs) -> anyhow::Result<()> {
     };
     let bench = open_bench(&file.config, args.shots)
         .with_context(|| format!("{} cannot be run", args.config.display()))?;
-    // It outlives the runtime and its tasks: whatever becomes of them, the laser is waited for.
+    // Outlives the runtime and its tasks, so that the laser is made safe in any case.
     let synchroniser = SynchroniserThread::default();
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
-        .context("the runtime does not start")?;
-    // A bounded run is there for its results: triggers wait for them.
+        .context("cannot start the runtime")?;
+    // In a bounded run every shot is to be measured, so triggers wait for the results.
     let overload = match args.shots {
         Some(_) => OverloadPolicy::Wait,
         None => OverloadPolicy::Shed,
@@ -80,7 +80,7 @@ pub fn run(args: RunArgs) -> anyhow::Result<()> {
     runtime.block_on(run)
 }
 
-/// The instruments that the configuration names, or the simulated bench.
+/// Opens the configured instruments, or the simulated bench.
 fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Bench> {
     if let Some(instruments) = &config.instruments {
         return instruments::open(config, instruments);
@@ -91,7 +91,7 @@ fn open_bench(config: &Config, shots: Option<NonZeroU64>) -> anyhow::Result<Benc
              or config/loopback.toml"
         );
     };
-    // An unbounded simulated run behaves as a real bench does.
+    // An unbounded simulated run keeps the rate of a real bench.
     let pacing = match shots {
         Some(_) => Pacing::AsFramesAreTaken,
         None => Pacing::RealTime,
@@ -115,15 +115,15 @@ async fn run_bench(
     let stop = stop_on_signals(synchroniser, "the last results may not be on disk")?;
     let mut daemon = Daemon::prepare(plan).await?;
     daemon.share_synchroniser(synchroniser.clone());
-    go_on_on_signal(daemon.control())?;
+    resume_on_signal(daemon.control())?;
     print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
     print(&format!("bench:   {}/", daemon.url()))?;
 
     let table = Arc::new(Mutex::new(Table::default()));
     let bar = shots.map(|shots| progress_bar(shots.get() as usize, "shots"));
-    let kept = shots.is_some().then(|| table.clone());
-    let observer = observer(truth, kept, bar.clone(), tells_shots(shots));
+    let bounded_table = shots.is_some().then(|| table.clone());
+    let observer = observer(truth, bounded_table, bar.clone(), prints_shots(shots));
     let processor = move || {
         let processor = run_processor(&config)?;
         Ok(move |pair: &_| processor.process_with_light(pair))
@@ -144,23 +144,23 @@ async fn run_bench(
     if let Some(shed) = shed(&report, keeps_images) {
         print(&shed)?;
     }
-    complain(&report, &table, stop.is_cancelled())
+    check_complete(&report, &table, stop.is_cancelled())
 }
 
-/// Whether every shot gets a line when it is measured: where nobody sees a bar, but not in the
-/// system's journal, which has the log.
-fn tells_shots(shots: Option<NonZeroU64>) -> bool {
+/// Whether a line is printed for every shot: yes if no progress bar is visible, but not in the
+/// system's journal, which contains the log.
+fn prints_shots(shots: Option<NonZeroU64>) -> bool {
     let shows_bar = shots.is_some() && io::stdout().is_terminal();
     !shows_bar && !is_journal()
 }
 
-/// Collects a table row, moves the bar and says what came of it for every shot that leaves the
-/// pool. Only a bounded run has a table.
+/// Returns a function that adds a table row, advances the bar and prints a line for every shot that
+/// leaves the pool. Only bounded runs have a table.
 fn observer(
     truth: Option<Flow>,
     table: Option<Arc<Mutex<Table>>>,
     bar: Option<ProgressBar>,
-    tells: bool,
+    prints: bool,
 ) -> Observer {
     Box::new(move |record, result| {
         let bar = bar.clone().unwrap_or_else(ProgressBar::hidden);
@@ -168,7 +168,7 @@ fn observer(
             for warning in &record.warnings {
                 tracing::warn!(shot = record.shot, "{warning}");
             }
-            if tells && let Err(error) = print(&shot_line(record)) {
+            if prints && let Err(error) = print(&shot_line(record)) {
                 tracing::warn!("{error:#}");
             }
         });
@@ -179,7 +179,7 @@ fn observer(
     })
 }
 
-/// What came of a shot.
+/// A line about the outcome of a shot.
 fn shot_line(record: &ShotRecord) -> String {
     let shot = record.shot;
     match (record.stage, record.vectors, record.seconds) {
@@ -189,13 +189,14 @@ fn shot_line(record: &ShotRecord) -> String {
             100.0 * record.valid_share.unwrap_or(0.0),
             seconds.total_s()
         ),
-        // Why, says the log.
+        // The log gives the reason.
         (Stage::WriteFailed, ..) => format!("shot {shot}: measured, but not written"),
         _ => format!("shot {shot}: no result"),
     }
 }
 
-/// What was taken but not measured, and how to measure it; nothing where there is nothing.
+/// A line about shots that were taken but not measured, and how to measure them; `None` if there
+/// are none.
 fn shed(report: &DaemonReport, keeps_images: bool) -> Option<String> {
     let shed = |account: &Account| account.outcomes.of(Outcome::Shed);
     let shots = report.ledger.accounts().iter().map(shed).max().filter(|&shots| shots > 0)?;
@@ -204,12 +205,14 @@ fn shed(report: &DaemonReport, keeps_images: bool) -> Option<String> {
     Some(if keeps_images {
         format!("{shots} of {of} shots were not measured yet: lfpiv process {folder}")
     } else {
-        format!("{shots} of {of} shots were not measured, and their images not kept (raw_log.keep)")
+        format!(
+            "{shots} of {of} shots were not measured, and their images were not kept (raw_log.keep)"
+        )
     })
 }
 
-/// A run that was asked for shots and did not measure all of them has not done what it should.
-fn complain(report: &DaemonReport, table: &Table, stopped: bool) -> anyhow::Result<()> {
+/// Fails if some requested shots have no result.
+fn check_complete(report: &DaemonReport, table: &Table, stopped: bool) -> anyhow::Result<()> {
     let triggers = report.acquisition.triggers;
     let measured = table.measured();
     if table.ended() == 0 || stopped || measured == triggers {

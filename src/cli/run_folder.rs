@@ -1,14 +1,14 @@
-//! Where a run keeps its results.
+//! The folder of a run.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use time::{OffsetDateTime, macros::format_description};
 
-/// Runs that may start within one second.
+/// Largest number of runs that can start within one second.
 const MAX_SUFFIX: u32 = 100;
 
-/// Makes `results_dir/run-<UTC time>`, with a number appended when that is taken.
+/// Creates `results_dir/run-<UTC time>`, with a number appended if that exists.
 pub(super) fn create_run_folder(results_dir: &Path) -> anyhow::Result<PathBuf> {
     std::fs::create_dir_all(results_dir)
         .with_context(|| format!("cannot create {}", results_dir.display()))?;
@@ -24,7 +24,7 @@ pub(super) fn create_run_folder(results_dir: &Path) -> anyhow::Result<PathBuf> {
             }
         }
     }
-    anyhow::bail!("{} holds too many runs of this second: try again", results_dir.display())
+    anyhow::bail!("{} has too many runs of this second: try again", results_dir.display())
 }
 
 fn folder_name(now: OffsetDateTime) -> anyhow::Result<String> {

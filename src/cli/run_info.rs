@@ -1,4 +1,4 @@
-//! What the server tells about a run's settings.
+//! Settings of a run as shown by the server.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use crate::{
     server::{BenchSettings, CalibrationSummary, ConfigurationSummary, RunInfo},
 };
 
-/// What the server tells of the bench as it is configured.
+/// The configured bench as shown by the server.
 pub(super) fn bench_settings(file: &ConfigFile) -> BenchSettings {
     BenchSettings {
         configuration: file.text.clone(),

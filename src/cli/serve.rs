@@ -1,4 +1,4 @@
-//! `lfpiv serve`: a run that is over, on the same page and the same interface as one under way.
+//! `lfpiv serve`: shows a finished run on the same page and interface as a running one.
 
 mod stored_results;
 
@@ -32,24 +32,24 @@ use crate::{
 /// Arguments of `lfpiv serve`.
 #[derive(Debug, clap::Args)]
 pub struct ServeArgs {
-    /// Folder of a run that is over.
+    /// Folder of a finished run.
     #[arg(value_name = "RUN")]
     pub run: PathBuf,
-    /// Address to serve on, instead of the one in the run's configuration.
+    /// Address to serve on, instead of the configured one.
     #[arg(long, value_name = "ADDRESS")]
     pub address: Option<SocketAddr>,
 }
 
-/// Serves the run until it is told to stop by Ctrl-C or SIGTERM. Nothing in its folder is changed.
+/// Serves the run until Ctrl-C or SIGTERM. Nothing in its folder is changed.
 pub fn serve_run(args: &ServeArgs) -> anyhow::Result<()> {
     if !args.run.is_dir() {
-        bail!("{} is no folder of a run", args.run.display());
+        bail!("{} is not the folder of a run", args.run.display());
     }
     refuse_running(&args.run)?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
-        .context("the runtime does not start")?;
+        .context("cannot start the runtime")?;
     runtime.block_on(show(args))
 }
 
@@ -70,9 +70,9 @@ async fn show(args: &ServeArgs) -> anyhow::Result<()> {
         ..DaemonPlan::new(ConfigFile { path, text, config }, None, OverloadPolicy::Wait)
     };
     let stored = StoredRun::open(&args.run, plan.file.config.volume.voxel_mm)?;
-    let Past { ledger, phase, notes } = past(args, &plan, &stored)?;
+    let RunHistory { ledger, phase, notes } = history(args, &plan, &stored)?;
     let board = Arc::new(Board::new());
-    stored.put_on(&board);
+    stored.fill(&board);
     for text in notes {
         let note = json!({ "command": "note", "text": text });
         board.events().publish(EventKind::Control, &note);
@@ -99,17 +99,17 @@ async fn show(args: &ServeArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// What a run's record tells.
-struct Past {
+/// What the record of a run contains.
+struct RunHistory {
     ledger: Ledger,
     phase: Phase,
     notes: Vec<String>,
 }
 
-fn past(args: &ServeArgs, plan: &DaemonPlan, stored: &StoredRun) -> anyhow::Result<Past> {
+fn history(args: &ServeArgs, plan: &DaemonPlan, stored: &StoredRun) -> anyhow::Result<RunHistory> {
     if !args.run.join(RAW_FOLDER).is_dir() {
-        return Ok(Past {
-            ledger: of_results(plan, stored)?,
+        return Ok(RunHistory {
+            ledger: ledger_of_results(plan, stored)?,
             phase: Phase::Finished,
             notes: Vec::new(),
         });
@@ -125,11 +125,11 @@ fn past(args: &ServeArgs, plan: &DaemonPlan, stored: &StoredRun) -> anyhow::Resu
             _ => {}
         }
     }
-    Ok(Past { ledger, phase: error.map_or(Phase::Finished, Phase::Failed), notes })
+    Ok(RunHistory { ledger, phase: error.map_or(Phase::Finished, Phase::Failed), notes })
 }
 
-/// The ledger of a run whose raw data was not kept: what has a result was complete.
-fn of_results(plan: &DaemonPlan, stored: &StoredRun) -> anyhow::Result<Ledger> {
+/// The ledger of a run without raw data: every shot with a result counts as complete.
+fn ledger_of_results(plan: &DaemonPlan, stored: &StoredRun) -> anyhow::Result<Ledger> {
     let mut ledger = Ledger::new(plan.file.config.camera.len());
     for shot in stored.shots() {
         ledger.enter(shot)?;

@@ -1,6 +1,6 @@
-//! The daemon as a systemd service: ready when shots can be taken, a watchdog that is fed only
-//! while the loops turn and no worker hangs, a line of status. Without systemd (`NOTIFY_SOCKET`) a
-//! worker that hangs is logged, and nothing else happens.
+//! The daemon as a systemd service. It reports when it is ready for shots, triggers the watchdog
+//! while all loops run and no worker hangs, and sets the status line. Without systemd
+//! (`NOTIFY_SOCKET`), hung workers are only logged.
 
 use std::{
     future::Future,
@@ -17,12 +17,12 @@ use crate::{
     server::{ApiState, Phase},
 };
 
-/// How often the loops are looked at.
-const LOOK: Duration = Duration::from_millis(100);
-/// How often the line of status may change.
+/// Interval at which the loops are checked.
+const CHECK_INTERVAL: Duration = Duration::from_millis(100);
+/// Smallest interval between changes of the status line.
 const STATUS_INTERVAL: Duration = Duration::from_secs(1);
 
-/// What the service manager is told.
+/// A message to the service manager.
 #[derive(Debug, Clone, PartialEq)]
 enum Message {
     Ready,
@@ -31,12 +31,12 @@ enum Message {
     Status(String),
 }
 
-/// Decides what the service manager is told; time is passed in.
+/// Decides which messages are sent. Time is passed in.
 #[derive(Debug)]
 struct Watch {
     acquisition: Heartbeat,
     writer: Heartbeat,
-    /// The service is killed after so long without a sign of life.
+    /// The service manager kills the service after this time without a message.
     limit: Option<Duration>,
     ready: bool,
     stopping: bool,
@@ -61,7 +61,7 @@ impl Watch {
         }
     }
 
-    fn look(
+    fn check(
         &mut self,
         now: Instant,
         phase: &Phase,
@@ -89,35 +89,36 @@ impl Watch {
         messages
     }
 
-    /// Said once.
+    /// The message is sent once.
     fn stop(&mut self) -> Option<Message> {
         (!std::mem::replace(&mut self.stopping, true)).then_some(Message::Stopping)
     }
 
-    /// Whether the watchdog is due, every loop has turned lately and no worker hangs. A loop may take
-    /// half the limit, so that the other half is left to say so.
+    /// Whether the watchdog is to be triggered: it is due, every loop has run recently and no
+    /// worker hangs. A loop may take half the limit; the other half is reserve.
     fn may_feed(&mut self, now: Instant, hung: Option<HungPair>) -> bool {
         let hanging = self.silent_loop(now).or_else(|| hung.map(|hung| hung.to_string()));
         let hung_before = std::mem::replace(&mut self.hangs, hanging.is_some());
         if let Some(words) = hanging.filter(|_| !hung_before) {
-            let fed = if self.limit.is_some() { ": no watchdog is fed" } else { "" };
+            let fed =
+                if self.limit.is_some() { "; the watchdog is no longer triggered" } else { "" };
             tracing::error!("{words}{fed}");
         }
         let Some(limit) = self.limit.filter(|_| !self.hangs) else { return false };
         self.fed_at.is_none_or(|fed| now >= fed + limit / 4)
     }
 
-    /// A loop that has not turned for too long, in words.
+    /// A loop that has been silent for too long, in words.
     fn silent_loop(&self, now: Instant) -> Option<String> {
         let limit = self.limit?;
         let loops = [("acquisition", &self.acquisition), ("the writer of results", &self.writer)];
         let silent = loops.map(|(name, beat)| (name, beat.silent_for(now)));
         let (name, silence) = silent.into_iter().find(|(_, silence)| *silence > limit / 2)?;
-        Some(format!("{name} has not turned for {} s", silence.as_secs()))
+        Some(format!("{name} has been silent for {} s", silence.as_secs()))
     }
 }
 
-/// Tells the service manager how a run goes.
+/// Reports the state of a run to the service manager.
 pub(super) struct Service {
     watch: Watch,
     state: ApiState,
@@ -126,7 +127,7 @@ pub(super) struct Service {
 }
 
 impl Service {
-    /// For a run with these books; `acquisition` beats in its loop.
+    /// For the given run; `acquisition` is the heartbeat of its loop.
     pub fn new(
         state: &ApiState,
         ledger: &Arc<Mutex<Ledger>>,
@@ -138,9 +139,9 @@ impl Service {
         Self { watch, state: state.clone(), ledger: ledger.clone(), board: board.clone() }
     }
 
-    /// Does `work`, and looks after it meanwhile.
+    /// Runs `work` and reports meanwhile.
     pub async fn accompany<T>(mut self, work: impl Future<Output = T>) -> T {
-        let mut look = tokio::time::interval(LOOK);
+        let mut check = tokio::time::interval(CHECK_INTERVAL);
         tokio::pin!(work);
         loop {
             tokio::select! {
@@ -148,31 +149,31 @@ impl Service {
                     send(self.watch.stop().into_iter().collect());
                     return done;
                 }
-                _ = look.tick() => {
+                _ = check.tick() => {
                     let (phase, status) = (self.state.phase(), self.status());
                     let now = Instant::now();
                     let hung = self.board.pair_times().hung(now);
-                    send(self.watch.look(now, &phase, hung, status));
+                    send(self.watch.check(now, &phase, hung, status));
                 }
             }
         }
     }
 
-    /// A line for `systemctl status`.
+    /// The status line for `systemctl status`.
     fn status(&self) -> String {
         let what = match self.state.phase() {
             Phase::Starting => "preparing the measurement",
             Phase::Running if !self.watch.ready => "preparing the instruments",
             Phase::Running => match self.state.control() {
                 Some(control) if control.mode == Mode::Lost => {
-                    "bench lost, looking for the synchroniser"
+                    "bench lost, searching for the synchroniser"
                 }
                 Some(control) if control.mode == Mode::Disarmed && !control.held.is_empty() => {
                     "bench back, waiting for an operator"
                 }
                 _ => "taking shots",
             },
-            Phase::Stopping => "finishing the shots in hand",
+            Phase::Stopping => "finishing the shots in process",
             Phase::Finished => "finished",
             Phase::Failed(_) => "failed",
         };
@@ -197,7 +198,7 @@ fn send(messages: Vec<Message>) {
         })
         .collect();
     if let Err(error) = sd_notify::notify(&states) {
-        tracing::debug!(%error, "the service manager cannot be told");
+        tracing::debug!(%error, "cannot notify the service manager");
     }
 }
 
@@ -224,15 +225,15 @@ mod tests {
             Self { watch, acquisition, writer, pairs, began: Instant::now() }
         }
 
-        /// What is said when nothing has beaten for `seconds`.
+        /// The messages when no heartbeat has occurred for `seconds`.
         fn after(&mut self, seconds: u64, phase: &Phase) -> Vec<Message> {
             let now = self.began + Duration::from_secs(seconds);
-            self.watch.look(now, phase, self.pairs.hung(now), String::new())
+            self.watch.check(now, phase, self.pairs.hung(now), String::new())
         }
     }
 
     #[test]
-    fn ready_is_said_once_and_only_when_the_run_loop_turns() {
+    fn ready_is_sent_once_and_only_when_the_run_loop_runs() {
         let mut run = Watched::new();
         assert_eq!(run.after(0, &Phase::Starting), [Message::Alive]);
         assert_eq!(run.after(0, &Phase::Running), []);
@@ -252,12 +253,12 @@ mod tests {
             assert!(run.after(1, &Phase::Running).contains(&Message::Alive));
             assert_eq!(run.after(2, &Phase::Running), [], "not due");
             assert_eq!(run.after(3, &Phase::Running), [Message::Alive]);
-            // One rests, the other one should have turned and has not.
+            // One loop rests, the other hangs.
             beats[1 - hung].rest();
             for seconds in 5..30 {
                 assert_eq!(run.after(seconds, &Phase::Running), [], "{seconds} s");
             }
-            // It was slow, and goes on.
+            // The slow loop continues.
             beats[hung].rest();
             assert_eq!(run.after(30, &Phase::Running), [Message::Alive]);
         }
@@ -275,21 +276,21 @@ mod tests {
         }
         run.pairs.end(7, run.began + 30 * LIMIT / 8, true);
         assert_eq!(run.after(31, &Phase::Running), [Message::Alive], "it was only slow");
-        // From now on it is known how slow pairs are.
+        // From now on the duration of a pair is known.
         run.pairs.begin(8, run.began + 31 * LIMIT / 8);
         assert_eq!(run.after(331, &Phase::Running), [Message::Alive]);
         assert_eq!(run.after(340, &Phase::Running), []);
     }
 
     #[test]
-    fn a_status_is_told_when_it_changes_and_at_most_once_a_second() {
+    fn the_status_is_sent_when_it_changes_and_at_most_once_a_second() {
         let mut watch = Watch::new(Heartbeat::default(), Heartbeat::default(), None);
         let began = Instant::now();
-        let mut look = |ms: u64, line: &str| {
+        let mut check = |ms: u64, line: &str| {
             let now = began + Duration::from_millis(ms);
-            !watch.look(now, &Phase::Running, None, line.to_owned()).is_empty()
+            !watch.check(now, &Phase::Running, None, line.to_owned()).is_empty()
         };
-        let told = [look(0, "a"), look(100, "b"), look(1000, "b"), look(2500, "b")];
-        assert_eq!(told, [true, false, true, false]);
+        let sent = [check(0, "a"), check(100, "b"), check(1000, "b"), check(2500, "b")];
+        assert_eq!(sent, [true, false, true, false]);
     }
 }

@@ -1,11 +1,12 @@
-//! Which shots a command is for.
+//! Parses ranges of shots.
 
 use std::ops::RangeInclusive;
 
-/// Reads a number, or first and last as A..B.
+/// Parses a number, or first and last as A..B.
 pub fn shot_range(text: &str) -> Result<RangeInclusive<u64>, String> {
-    let number =
-        |text: &str| text.trim().parse::<u64>().map_err(|_| format!("'{text}' is no shot number"));
+    let number = |text: &str| {
+        text.trim().parse::<u64>().map_err(|_| format!("'{text}' is not a shot number"))
+    };
     match text.split_once("..") {
         None => number(text).map(|shot| shot..=shot),
         Some((first, last)) => Ok(number(first)?..=number(last.trim_start_matches('='))?),
@@ -17,7 +18,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_name_their_first_and_last_shot() {
+    fn ranges_include_first_and_last_shot() {
         assert_eq!(shot_range("7"), Ok(7..=7));
         assert_eq!(shot_range("3..5"), Ok(3..=5));
         assert_eq!(shot_range("3..=5"), Ok(3..=5));

@@ -1,5 +1,5 @@
-//! `lfpiv simulate`: image pairs of a known flow, and what a calibration needs: white and dark images,
-//! and those of a card; with the truth beside them.
+//! `lfpiv simulate`: image pairs of a known flow, and images for calibration (white, dark, and of a
+//! card), each with the true values.
 
 mod card;
 mod references;
@@ -35,31 +35,30 @@ pub struct SimulateArgs {
     /// Number of shots.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub shots: u64,
-    /// White images of each camera, of a diffuser that fills its pupil: white/camK_NN.tif, with
-    /// white/camK_grid_true.json beside them.
+    /// White images of each camera, of a diffuser that fills its pupil: white/camK_NN.tif, with the
+    /// true grid in white/camK_grid_true.json.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub white: u64,
     /// Dark images of each camera: dark/camK_NN.tif.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub dark: u64,
-    /// Images of a calibration card at its positions: card/pNN_camK.tif, with card/card.toml, which
-    /// names them and the white and dark images; FILE says what the card is and where it is put
-    /// (config/card.toml).
+    /// Images of a calibration card at its positions: card/pNN_camK.tif. card/card.toml names them
+    /// and the white and dark images. FILE describes the card and its positions (config/card.toml).
     #[arg(long, value_name = "FILE")]
     pub card: Option<PathBuf>,
-    /// Seed of the random numbers; the configuration's when absent.
+    /// Seed of the random numbers; default: that of the configuration.
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
 }
 
-/// Writes pair folders with 8- or 16-bit images, as the sensor is, and `truth.json` in each:
-/// particle positions at both pulses in mm, their brightness, the flow and dt; and white and dark
-/// images and those of a card that were asked for.
+/// Writes pair folders with 8- or 16-bit images, depending on the sensor, each with `truth.json`:
+/// particle positions at both pulses in mm, their brightness, the flow and dt. Also writes the
+/// requested white, dark and card images.
 pub fn simulate(args: &SimulateArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load_for(Purpose::Optics, &args.config)?;
     let Some(scene) = &file.config.simulation else {
         bail!(
-            "{} has no [simulation] table: add one, or take config/sim.toml as a start",
+            "{} has no [simulation] table: add one; config/sim.toml is an example",
             args.config.display()
         );
     };
@@ -103,7 +102,8 @@ fn written(args: &SimulateArgs) -> String {
     if args.card.is_some() { format!("{images}, a card") } else { images }
 }
 
-/// The shots' folders; none may exist, nor those of other images that are asked for, so that no recorded image is overwritten.
+/// The shots' folders. Fails if one of them, or the folder of other requested images, exists, so
+/// that no image is overwritten.
 fn new_folders(args: &SimulateArgs) -> anyhow::Result<Vec<PathBuf>> {
     let folders: Vec<PathBuf> =
         (0..args.shots).map(|shot| args.out.join(format!("shot_{shot:04}"))).collect();

@@ -1,4 +1,4 @@
-//! Solvers by the names they have in the configuration.
+//! Conversion between solvers and their names in the configuration.
 
 use lfpiv_core::reconstruction::Solver;
 use serde::{
@@ -11,10 +11,10 @@ pub fn solver_name(solver: Solver) -> String {
     solver.to_string()
 }
 
-/// The solver of this name, or a message that lists all names.
+/// The solver with this name, or a message that lists all names.
 pub fn solver_by_name(name: &str) -> Result<Solver, String> {
     Solver::deserialize(StrDeserializer::<Error>::new(name))
-        .map_err(|error| error.to_string().replace("unknown variant", "no solver is called"))
+        .map_err(|error| error.to_string().replace("unknown variant", "unknown solver"))
 }
 
 #[cfg(test)]
@@ -22,7 +22,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_lead_to_solvers_and_back() {
+    fn solver_names_round_trip() {
         assert_eq!(solver_by_name("os-sart"), Ok(Solver::OsSart));
         assert_eq!(solver_name(Solver::OsSart), "os-sart");
         let message = solver_by_name("magic").unwrap_err();

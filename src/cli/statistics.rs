@@ -1,4 +1,4 @@
-//! `lfpiv statistics`: what the shots of a run say together.
+//! `lfpiv statistics`: ensemble statistics of a run's shots.
 
 use std::{
     ops::RangeInclusive,
@@ -18,10 +18,10 @@ use crate::archive::{StoredShot, StoredShots, write_statistics};
 /// Arguments of `lfpiv statistics`.
 #[derive(Debug, clap::Args)]
 pub struct StatisticsArgs {
-    /// Folder of the run, or one that `lfpiv process` has written.
+    /// Folder of the run, or an output folder of `lfpiv process`.
     #[arg(value_name = "RUN")]
     pub run: PathBuf,
-    /// File for the statistics of every place (NetCDF); statistics.nc in the run's folder when absent.
+    /// File for the statistics at every point (NetCDF); default: statistics.nc in the run's folder.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Only these shots: a number, or first and last as A..B.
@@ -29,7 +29,7 @@ pub struct StatisticsArgs {
     pub shots: Option<RangeInclusive<u64>>,
 }
 
-/// Goes through the stored vectors once, writes the statistics and prints what they come to in the middle.
+/// Reads the stored vectors once, writes the statistics and prints medians over the points.
 pub fn statistics(args: &StatisticsArgs) -> anyhow::Result<()> {
     let mut stored = StoredShots::find(&args.run)?;
     let all = stored.len();
@@ -37,8 +37,8 @@ pub fn statistics(args: &StatisticsArgs) -> anyhow::Result<()> {
     if stored.is_empty() {
         let run = args.run.display();
         match all {
-            0 => bail!("{run} holds no results: is it the folder of a run?"),
-            _ => bail!("{run} holds no such shot: it has results of {}", count(all, "shot")),
+            0 => bail!("{run} contains no results: is it the folder of a run?"),
+            _ => bail!("{run} has none of these shots: it has results of {}", count(all, "shot")),
         }
     }
     let configuration = stored.configuration()?;
@@ -59,14 +59,14 @@ pub fn statistics(args: &StatisticsArgs) -> anyhow::Result<()> {
     write_statistics(&out, &configuration, &ensemble)?;
     print(&summary(&ensemble))?;
     let per_shot_ms = 1e3 * spent.as_secs_f64() / stored.len() as f64;
-    print(&format!("{per_shot_ms:.2} ms a shot, without reading it"))?;
-    print(&format!("every place: {}", out.display()))
+    print(&format!("{per_shot_ms:.2} ms per shot, without reading"))?;
+    print(&format!("all points: {}", out.display()))
 }
 
 fn add(ensemble: &mut Ensemble, shot: &StoredShot) -> anyhow::Result<()> {
     if *ensemble.grid() != shot.grid {
         bail!(
-            "the vectors of shot {} are at other places than those before it: take shots of one \
+            "the vector grid of shot {} differs from that of earlier shots: select shots of one \
              configuration at a time, with --shots A..B",
             shot.shot
         );
@@ -76,17 +76,17 @@ fn add(ensemble: &mut Ensemble, shot: &StoredShot) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// A table of medians over the places, and what can be said of the run as a whole.
+/// Medians over the points, and properties of the run as a whole, as a table.
 fn summary(ensemble: &Ensemble) -> String {
     let estimates = ensemble.estimates();
     let mut counts: Vec<f64> = estimates.counts.iter().map(|count| *count as f64).collect();
     let mut lines = vec![format!(
-        "{}, {}, {:.0} valid vectors in the middle one",
+        "{}, {}, {:.0} valid vectors at the median point",
         count(ensemble.shots() as usize, "shot"),
-        count(counts.len(), "place"),
+        count(counts.len(), "point"),
         median(&mut counts).unwrap_or_default()
     )];
-    lines.push(format!("{:34}{:>12}{:>12}{:>12}", "median over the places, m/s", "u", "v", "w"));
+    lines.push(format!("{:34}{:>12}{:>12}{:>12}", "median over the points, m/s", "u", "v", "w"));
     let mut row = |name: &str, of: &dyn Fn(usize) -> Option<f64>| {
         let cell = |c: usize| of(c).map_or("-".to_owned(), |number| format!("{number:.4}"));
         lines.push(format!("{name:34}{:>12}{:>12}{:>12}", cell(0), cell(1), cell(2)));
@@ -97,8 +97,8 @@ fn summary(ensemble: &Ensemble) -> String {
     };
     row("mean", &mean(|e| e.value));
     row("  standard uncertainty", &mean(Estimate::uncertainty));
-    row("  of it for the flow", &mean(|e| e.flow_uncertainty));
-    row("  of it for the measurement", &mean(|e| e.measurement_uncertainty));
+    row("  part due to the flow", &mean(|e| e.flow_uncertainty));
+    row("  part due to the measurement", &mean(|e| e.measurement_uncertainty));
     row("rms of the flow", &|c| middle(&estimates, Quantity::Rms(c), |e| e.value));
     row("  standard uncertainty", &|c| middle(&estimates, Quantity::Rms(c), Estimate::uncertainty));
     row("skewness (a number)", &|c| middle(&estimates, Quantity::Skewness(c), |e| e.value));

@@ -1,4 +1,4 @@
-//! How a program that runs without end is told to end.
+//! Stops a running program on signals.
 
 use std::time::Duration;
 
@@ -8,11 +8,11 @@ use tokio_util::sync::CancellationToken;
 
 use crate::acquisition::SynchroniserThread;
 
-/// How long a program that is told to end at once waits for the laser's read-back.
+/// How long an immediate stop waits for the laser's read-back.
 const SAFE_WITHIN: Duration = Duration::from_secs(5);
 
-/// A token that is cancelled by the first Ctrl-C or SIGTERM. The second one ends the process
-/// where it stands, with the words `at_once`, as soon as `synchroniser` has been made safe and read
+/// Returns a token that is cancelled by the first Ctrl-C or SIGTERM. The second signal ends the
+/// process immediately with the message `at_once`, after `synchroniser` has been made safe and read
 /// back, or after [`SAFE_WITHIN`].
 pub(super) fn stop_on_signals(
     synchroniser: &SynchroniserThread,
@@ -21,20 +21,20 @@ pub(super) fn stop_on_signals(
     let mut interrupt = signal(SignalKind::interrupt()).context("cannot listen for Ctrl-C")?;
     let mut terminate = signal(SignalKind::terminate()).context("cannot listen for SIGTERM")?;
     let stop = CancellationToken::new();
-    let (told, synchroniser) = (stop.clone(), synchroniser.clone());
+    let (cancelled, synchroniser) = (stop.clone(), synchroniser.clone());
     tokio::spawn(async move {
         loop {
             tokio::select! {
                 _ = interrupt.recv() => {}
                 _ = terminate.recv() => {}
             }
-            if told.is_cancelled() {
+            if cancelled.is_cancelled() {
                 break;
             }
-            tracing::info!("stopping: what is in hand is finished first");
-            told.cancel();
+            tracing::info!("stopping: work in progress is finished first");
+            cancelled.cancel();
         }
-        // A thread of its own: the runtime's may be what hangs.
+        // On a thread of its own, because the runtime's threads may hang.
         std::thread::spawn(move || end_at_once(&synchroniser, at_once));
     });
     Ok(stop)
@@ -44,6 +44,6 @@ fn end_at_once(synchroniser: &SynchroniserThread, at_once: &str) {
     if let Err(error) = synchroniser.make_safe_within(SAFE_WITHIN) {
         eprintln!("{error}");
     }
-    eprintln!("stopped at once; {at_once}");
+    eprintln!("stopped immediately; {at_once}");
     std::process::exit(130);
 }

@@ -1,4 +1,4 @@
-//! `lfpiv timing`: when lamps, Q-switches and cameras fire.
+//! `lfpiv timing`: the timing diagram of lamps, Q-switches and cameras.
 
 use std::{fs, path::PathBuf};
 
@@ -14,12 +14,12 @@ pub struct TimingArgs {
     /// Configuration file (TOML).
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
-    /// Draw the diagram into this file, too.
+    /// Also write the diagram to this file.
     #[arg(long, value_name = "FILE")]
     pub svg: Option<PathBuf>,
 }
 
-/// Plans the pulse schedule and prints its diagram, or says which rules it breaks.
+/// Plans the pulse schedule and prints its diagram, or the rules that it violates.
 pub fn timing(args: &TimingArgs) -> anyhow::Result<()> {
     let config = ConfigFile::load_for(Purpose::Optics, &args.config)?.config;
     let schedule = PulseSchedule::plan(&config.timing, config.shot.dt_us, config.shot.rate_hz)

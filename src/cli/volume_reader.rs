@@ -1,8 +1,8 @@
-//! Volumes of other programs, read in a process of their own: the HDF5 library may crash on a damaged
-//! file, or ask for more memory than there is.
+//! Reads volumes of other programs in a child process, because the HDF5 library may crash on a
+//! damaged file or request too much memory.
 //!
-//! The child writes [`VOLUMES`] and the light of frames a and b (f32, little-endian) to its standard
-//! output, or [`REASON`] and why it cannot.
+//! The child writes [`VOLUMES`] and the light of frames a and b (f32, little-endian) to its
+//! standard output, or [`REASON`] and an error message.
 
 use std::{
     io::{self, Read, Write},
@@ -21,11 +21,11 @@ use crate::archive::read_volumes;
 const VOLUMES: u8 = 1;
 const REASON: u8 = 0;
 
-/// Longest reason that is passed on, in bytes.
+/// Largest length of the error message, in bytes.
 const LONGEST_REASON: u64 = 4096;
 
-/// What the child may use: this many seconds of a processor, and memory for so many copies of both
-/// volumes and the program itself.
+/// Limits of the child: processor seconds, and memory for this many copies of both volumes in
+/// addition to the program.
 const CPU_SECONDS: u64 = 600;
 const COPIES: u64 = 4;
 const PROGRAM_BYTES: u64 = 1 << 30;
@@ -33,7 +33,7 @@ const PROGRAM_BYTES: u64 = 1 << 30;
 /// Arguments of the command that the child runs.
 #[derive(Debug, clap::Args)]
 pub struct ReadVolumesArgs {
-    /// The voxels, as JSON.
+    /// The voxel grid as JSON.
     pub grid: String,
     /// The file.
     pub volumes: PathBuf,
@@ -42,14 +42,14 @@ pub struct ReadVolumesArgs {
 /// Reads frames a and b of the file at `path` in a child process.
 ///
 /// # Errors
-/// What is wrong with the file, as [`read_volumes`]; a child that died of it.
+/// An error of [`read_volumes`], or the child's death.
 pub(super) fn read_safely(path: &Path, grid: &VolumeGrid) -> anyhow::Result<[DenseVolume; 2]> {
-    let cannot = || format!("cannot take volumes from {}", path.display());
+    let cannot = || format!("cannot read volumes from {}", path.display());
     open_regular(path).with_context(cannot)?;
-    let program = std::env::current_exe().context("the program does not find itself")?;
+    let program = std::env::current_exe().context("cannot find this program's own file")?;
     let mut child = Command::new(program)
         .arg("read-volumes")
-        .arg(serde_json::to_string(grid).context("the voxels are not described")?)
+        .arg(serde_json::to_string(grid).context("cannot serialize the voxel grid")?)
         .arg(path)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -57,7 +57,7 @@ pub(super) fn read_safely(path: &Path, grid: &VolumeGrid) -> anyhow::Result<[Den
         .spawn()
         .context("cannot start a process that reads volumes")?;
     let answer = answer_of(&mut child, grid);
-    let status = child.wait().context("the process that reads volumes is lost")?;
+    let status = child.wait().context("cannot wait for the process that reads volumes")?;
     match answer {
         Ok(Answer::Volumes(volumes)) => Ok(volumes),
         Ok(Answer::Reason(reason)) => bail!(reason),
@@ -66,8 +66,8 @@ pub(super) fn read_safely(path: &Path, grid: &VolumeGrid) -> anyhow::Result<[Den
                 format!("it ended with signal {signal}")
             });
             bail!(
-                "{}: the process that read it died ({how}): the file is damaged, or takes more \
-                 memory or time than its voxels need",
+                "{}: the reading process died ({how}): the file is damaged, or needs more \
+                 memory or time than its voxels justify",
                 cannot()
             )
         }
@@ -98,9 +98,10 @@ fn answer_of(child: &mut Child, grid: &VolumeGrid) -> io::Result<Answer> {
     Ok(Answer::Volumes([frame()?, frame()?]))
 }
 
-/// What the child does.
+/// Runs in the child.
 pub(super) fn read_for_parent(args: &ReadVolumesArgs) -> anyhow::Result<()> {
-    let grid: VolumeGrid = serde_json::from_str(&args.grid).context("the voxels")?;
+    let grid: VolumeGrid =
+        serde_json::from_str(&args.grid).context("cannot parse the voxel grid")?;
     let bytes = 2 * (size_of::<f32>() * grid.len()) as u64;
     limit(Resource::As, COPIES * bytes + PROGRAM_BYTES)?;
     limit(Resource::Cpu, CPU_SECONDS)?;
@@ -123,5 +124,5 @@ pub(super) fn read_for_parent(args: &ReadVolumesArgs) -> anyhow::Result<()> {
 
 fn limit(resource: Resource, most: u64) -> anyhow::Result<()> {
     let limits = Rlimit { current: Some(most), maximum: Some(most) };
-    setrlimit(resource, limits).context("cannot limit the process")
+    setrlimit(resource, limits).context("cannot set the limits of the process")
 }

@@ -1,8 +1,8 @@
-//! What calibration files say of the configured cameras.
+//! Loads the calibration files named by `[[camera]]` tables and checks them against the bench.
 //!
-//! A file that was made for another camera, other optics or another place is refused. What is taken of
-//! it becomes a part of the configuration's text, which is stored with every result: results say what
-//! they were made with, and a recorded run is measured again without its files.
+//! A file made for another camera, other optics or another pose is refused. The content used is
+//! appended to the configuration's text, which is stored with every result. Results thus document
+//! their calibration, and a recorded run can be measured again without the files.
 
 use std::path::{Path, PathBuf};
 
@@ -18,48 +18,52 @@ use serde_json::Value;
 use super::{
     CalibratedCameraEntry, CalibrationFile, Config,
     calibration_file::{Content, GridContent, read_calibration},
-    misfit::Misfit,
+    consistency::Inconsistency,
 };
 
-/// Numbers alike within this share are the same: files round them.
-const ALIKE: f64 = 1e-9;
+/// Relative difference up to which two numbers count as equal: files round numbers.
+const RELATIVE_TOLERANCE: f64 = 1e-9;
 
-/// A `[[calibration]]` table of a stored configuration: what was read from a camera's file. Nobody
-/// writes it by hand.
+/// A `[[calibration]]` table of a stored configuration: the content of a camera's calibration file.
+/// It is written by the program, not by hand.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct StoredCalibration {
-    /// Whose it is: 1 for the first `[[camera]]` table.
+    /// Number of the camera: 1 for the first `[[camera]]` table.
     #[garde(range(min = 1, max = 2))]
     pub camera: usize,
-    /// The file that it was read from.
+    /// The calibration file.
     #[garde(skip)]
     pub file: PathBuf,
-    /// The file's hash.
+    /// The file's SHA-256 hash.
     #[garde(skip)]
     pub sha256: String,
-    /// Serial number of the device that it was made with, where it was told.
+    /// Serial number of the calibrated device, if the file states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[garde(skip)]
     pub serial: Option<String>,
-    /// What the file says.
+    /// The camera's calibration as read from the file.
     #[garde(skip)]
     pub known: CameraCalibration,
 }
 
-/// Reads the calibrations that the `[[camera]]` tables name, relative to `folder`.
-pub(super) fn load(config: &Config, folder: &Path) -> Result<Vec<StoredCalibration>, Vec<Misfit>> {
+/// Reads the calibration files named by the `[[camera]]` tables, relative to `folder`.
+pub(super) fn load(
+    config: &Config,
+    folder: &Path,
+) -> Result<Vec<StoredCalibration>, Vec<Inconsistency>> {
     let mut found = Vec::new();
-    let mut misfits = Vec::new();
+    let mut inconsistencies = Vec::new();
     for (index, table) in config.camera.iter().enumerate() {
         let Some(file) = &table.calibration else { continue };
-        match of_camera(config, index, &folder.join(file)) {
+        match read_for_camera(config, index, &folder.join(file)) {
             Ok((known, serial, sha256)) => {
                 let (camera, file) = (index + 1, file.clone());
                 found.push(StoredCalibration { camera, file, sha256, serial, known });
             }
             Err(message) => {
-                misfits.push(Misfit::new(format!("camera[{index}].calibration"), message));
+                inconsistencies
+                    .push(Inconsistency::new(format!("camera[{index}].calibration"), message));
             }
         }
     }
@@ -68,16 +72,17 @@ pub(super) fn load(config: &Config, folder: &Path) -> Result<Vec<StoredCalibrati
         && other.known.map.is_some()
         && one.sha256 != other.sha256
     {
-        let message = "the cameras' maps come from different calibrations, whose cards need not have \
-                       stood at the same places: give both cameras the file of one `lfpiv calibrate volume`";
-        misfits.push(Misfit::new("camera[1].calibration", message.to_owned()));
+        let message = "the cameras' maps come from different calibrations, so their cards may have \
+                       stood at different places: give both cameras the file of one `lfpiv \
+                       calibrate volume`";
+        inconsistencies.push(Inconsistency::new("camera[1].calibration", message.to_owned()));
     }
-    if misfits.is_empty() { Ok(found) } else { Err(misfits) }
+    if inconsistencies.is_empty() { Ok(found) } else { Err(inconsistencies) }
 }
 
-/// What the calibrations leave as it was drawn although there are some, and what to do; `None` where there are
-/// none, or each camera has all.
-pub(super) fn left_as_drawn(config: &Config) -> Option<String> {
+/// Which cameras have nominal poses and optics although something is calibrated, and what to do. `None` without
+/// calibrations, and if every camera is calibrated in the volume.
+pub(super) fn left_nominal(config: &Config) -> Option<String> {
     let with = |has: fn(&CameraCalibration) -> bool| -> Vec<usize> {
         let of_kind = config.calibration.iter().filter(|stored| has(&stored.known));
         of_kind.filter_map(|stored| stored.camera.checked_sub(1)).collect()
@@ -87,20 +92,20 @@ pub(super) fn left_as_drawn(config: &Config) -> Option<String> {
         let cameras = (0..config.camera.len()).filter(of);
         cameras.map(|camera| CameraName(camera).to_string()).collect::<Vec<_>>().join(" and ")
     };
-    let placeless = names(&|camera| !maps.contains(camera));
-    if config.calibration.is_empty() || placeless.is_empty() {
+    let nominal = names(&|camera| !maps.contains(camera));
+    if config.calibration.is_empty() || nominal.is_empty() {
         return None;
     }
     let calibrated = names(&|camera| grids.contains(camera));
     Some(format!(
-        "micro-images of {calibrated} are calibrated, the place and optics of {placeless} are not, and are taken as \
-         drawn, which costs vectors where the bench differs by a voxel: run `lfpiv calibrate volume`, and name \
-         its file in each [[camera]] table"
+        "the micro-images of {calibrated} are calibrated, but pose and optics of {nominal} are the nominal ones of \
+         the configuration, which invalidates vectors if the bench differs by about a voxel: run `lfpiv \
+         calibrate volume` and name its file in each [[camera]] table"
     ))
 }
 
-/// What a file says of a camera, the device's serial number where it has it, and the file's hash.
-fn of_camera(
+/// A camera's calibration from its file, the device's serial number if stated, and the file's hash.
+fn read_for_camera(
     config: &Config,
     index: usize,
     path: &Path,
@@ -110,7 +115,7 @@ fn of_camera(
     let (known, serial) = match content {
         Content::Grid(GridContent { camera, grid }) => {
             if let Some(other) = camera.filter(|camera| *camera != name) {
-                return Err(format!("it is the grid of {other}, not of {name}"));
+                return Err(format!("the file is the grid of {other}, not of {name}"));
             }
             check_grid(&grid, &config.optics)?;
             (CameraCalibration { grid: Some(grid), map: None }, None)
@@ -119,17 +124,18 @@ fn of_camera(
             let CalibrationFile { optics, cameras, .. } = *file;
             if let Some(different) = difference(&optics, &config.optics) {
                 return Err(format!(
-                    "it was made with other optics: {different}; calibrate again with this [optics]"
+                    "the file was made with other optics: {different}; calibrate again with this \
+                     [optics]"
                 ));
             }
             let Some(entry) = cameras.into_iter().find(|entry| entry.camera == name) else {
-                return Err(format!("{name} is not in it"));
+                return Err(format!("the file has no entry for {name}"));
             };
             check_device(&entry, config, index)?;
             if let Some(different) = difference(&entry.pose, &config.camera[index].pose()) {
                 return Err(format!(
-                    "it was made with {name} at another pose: {different}; calibrate again with this \
-                     pose, or correct it"
+                    "the file was made with {name} at another pose: {different}; calibrate again \
+                     with this pose, or correct it"
                 ));
             }
             check_grid(&entry.grid, &config.optics)?;
@@ -141,7 +147,7 @@ fn of_camera(
     Ok((known, serial, sha256))
 }
 
-/// Whether it is the same device and the same part of its sensor, where both sides say so.
+/// Checks that device and sensor region are those of the configuration, where both state them.
 fn check_device(
     entry: &CalibratedCameraEntry,
     config: &Config,
@@ -154,8 +160,8 @@ fn check_device(
         && of_file != here
     {
         return Err(format!(
-            "it is of the camera with serial {of_file}, and instruments.camera[{index}].serial is {here}: \
-             calibrate this camera"
+            "the file is for the camera with serial {of_file}, but \
+             instruments.camera[{index}].serial is {here}: calibrate this camera"
         ));
     }
     let offset = |offset_px: Option<[u32; 2]>| {
@@ -165,8 +171,8 @@ fn check_device(
     };
     if entry.offset_px != device.offset_px {
         return Err(format!(
-            "it is of {}, and instruments.camera[{index}].offset_px asks for {}: take the images of the \
-             calibration with the region of the run",
+            "the file is for {}, but instruments.camera[{index}].offset_px asks for {}: take the \
+             images of the calibration with the region of the run",
             offset(entry.offset_px),
             offset(device.offset_px)
         ));
@@ -174,12 +180,12 @@ fn check_device(
     Ok(())
 }
 
-/// Whether the grid can be of these optics and of an array that is reconstructed from.
+/// Checks that the grid is square and has the number of microlenses of `optics`.
 fn check_grid(grid: &MicroImageGrid, optics: &Optics) -> Result<(), String> {
     if !grid.is_square() {
         return Err(
-            "its microlens array is not square: volumes are reconstructed from square arrays only \
-                    (hexagonal ones are calibrated, not measured with)"
+            "its microlens array is not square: volumes can be reconstructed from square arrays \
+             only (hexagonal arrays can be calibrated, but not used for measurements)"
                 .into(),
         );
     }
@@ -187,14 +193,15 @@ fn check_grid(grid: &MicroImageGrid, optics: &Optics) -> Result<(), String> {
     if grid.microlenses != lenses {
         let [[i, j], [columns, rows]] = [grid.microlenses, lenses];
         return Err(format!(
-            "it has {i} x {j} microlenses, [optics.microlens] {columns} x {rows}: calibrate the grid with \
-             --config and --camera, which number the lenses as the configuration does"
+            "the file has {i} x {j} microlenses, but [optics.microlens] has {columns} x {rows}: \
+             calibrate the grid with --config and --camera, which number the lenses as the \
+             configuration does"
         ));
     }
     Ok(())
 }
 
-/// Whether the map holds in the whole volume and its margin.
+/// Checks that the map is valid in the whole volume and its margin.
 fn check_reach(map: &VolumeMap, config: &Config) -> Result<(), String> {
     let VolumeGrid { voxels, voxel_mm, centre_mm } = &config.volume;
     let margin = (config.velocimetry.max_displacement_vox / 2.0).ceil() + 1.0;
@@ -204,8 +211,9 @@ fn check_reach(map: &VolumeMap, config: &Config) -> Result<(), String> {
         let [from, to] = [centre_mm[axis] - half_mm, centre_mm[axis] + half_mm];
         if from < holds_mm[axis][0] - 1e-6 || to > holds_mm[axis][1] + 1e-6 {
             return Err(format!(
-                "it holds from {:.2} to {:.2} mm along {}, and [volume] with its margin reaches from \
-                 {from:.2} to {to:.2}: run `lfpiv calibrate volume` again with this [volume]",
+                "the map is valid from {:.2} to {:.2} mm along {}, but [volume] with its margin \
+                 reaches from {from:.2} to {to:.2}: run `lfpiv calibrate volume` again with this \
+                 [volume]",
                 holds_mm[axis][0],
                 holds_mm[axis][1],
                 ["x", "y", "z"][axis]
@@ -215,7 +223,7 @@ fn check_reach(map: &VolumeMap, config: &Config) -> Result<(), String> {
     Ok(())
 }
 
-/// The first number in which two things differ, in words.
+/// The first value in which the two serialized values differ, in words.
 fn difference<T: Serialize>(of_file: &T, here: &T) -> Option<String> {
     let values = [of_file, here].map(|thing| serde_json::to_value(thing).unwrap_or(Value::Null));
     first_difference("", &values[0], &values[1])
@@ -229,19 +237,21 @@ fn first_difference(key: &str, of_file: &Value, here: &Value) -> Option<String> 
         }),
         (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
             let differ = a.iter().zip(b).any(|(a, b)| first_difference(key, a, b).is_some());
-            differ.then(|| format!("{key} = {of_file} there, {here} here"))
+            differ.then(|| format!("{key} = {of_file} in the file, {here} in the configuration"))
         }
         _ => {
             let alike = match (of_file.as_f64(), here.as_f64()) {
-                (Some(a), Some(b)) => (a - b).abs() <= ALIKE * (1.0 + a.abs().max(b.abs())),
+                (Some(a), Some(b)) => {
+                    (a - b).abs() <= RELATIVE_TOLERANCE * (1.0 + a.abs().max(b.abs()))
+                }
                 _ => of_file == here,
             };
-            (!alike).then(|| format!("{key} = {of_file} there, {here} here"))
+            (!alike).then(|| format!("{key} = {of_file} in the file, {here} in the configuration"))
         }
     }
 }
 
-/// What is added to the configuration's text before it is stored.
+/// The text that is appended to the configuration's text before it is stored.
 pub(super) fn stored_text(calibration: &[StoredCalibration]) -> Result<String, toml::ser::Error> {
     #[derive(Serialize)]
     struct Tables<'a> {
@@ -251,5 +261,5 @@ pub(super) fn stored_text(calibration: &[StoredCalibration]) -> Result<String, t
         return Ok(String::new());
     }
     let tables = toml::to_string(&Tables { calibration })?;
-    Ok(format!("\n# What was read from the files of [[camera]] calibration:\n{tables}"))
+    Ok(format!("\n# Content of the calibration files named in [[camera]]:\n{tables}"))
 }

@@ -1,4 +1,4 @@
-//! The file that `lfpiv calibrate volume` writes: what the cameras of a bench are.
+//! The JSON files of `lfpiv calibrate grid` and `lfpiv calibrate volume`.
 
 use std::path::Path;
 
@@ -9,59 +9,60 @@ use serde::{Deserialize, Serialize};
 
 use crate::archive::{sha256, stated_and_true_hash};
 
-/// What tells the file of cameras from others.
+/// `format` of a file that calibrates the cameras of a bench.
 const CAMERAS: &str = "lfpiv camera calibration";
 
-/// What tells the file of one camera's grid from others.
+/// `format` of a file with one camera's micro-image grid.
 pub const GRID: &str = "lfpiv micro-image grid";
 
-/// Raised when what is in one of the files changes its meaning.
+/// Version of both formats; raised when the meaning of a field changes.
 pub const VERSION: u32 = 1;
 
-/// How the numbers are meant.
-const MEANING: &str = "grid: as in a grid file; map: what an ideal camera as drawn (optics, right, up, \
-                       axis, origin_mm) would see in place of a world point: with x, y, z = (world - \
-                       centre_mm) / half_mm, the sums of terms times x^a y^b z^c, a + b + c up to degree, \
-                       by rising a, then b, then c; of each term the factors of both lateral coordinates \
-                       along right and up and of both depths along axis, for columns and for rows, in mm";
+/// Explanation of the numbers, written into the file.
+const MEANING: &str = "grid: as in a grid file; map: what an ideal camera as drawn (optics, right, \
+                       up, axis, origin_mm) would see in place of a world point: with x, y, z = \
+                       (world - centre_mm) / half_mm, the sums of terms times x^a y^b z^c, a + b + \
+                       c up to degree, by rising a, then b, then c; of each term the factors of \
+                       both lateral coordinates along right and up and of both depths along axis, \
+                       for columns and for rows, in mm";
 
-/// What is known of the cameras of a bench.
+/// The calibration of a bench's cameras.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CalibrationFile {
-    /// What kind of file it is.
+    /// [`CAMERAS`].
     format: String,
     /// [`VERSION`].
     version: u32,
-    /// SHA-256 of this file's content as JSON without white space, with this one empty.
+    /// SHA-256 of the file's content as JSON without white space, computed with this field empty.
     pub sha256: String,
     /// The program that wrote it.
     program: String,
     meaning: String,
-    /// The optics as drawn.
+    /// The nominal optics.
     pub optics: Optics,
     /// One entry per camera.
     pub cameras: Vec<CalibratedCameraEntry>,
 }
 
-/// One camera.
+/// The calibration of one camera.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CalibratedCameraEntry {
-    /// Its name, as `cam1`.
+    /// The camera's name, such as `cam1`.
     pub camera: String,
-    /// The device's serial number, where it was told.
+    /// The device's serial number, if it was given.
     pub serial: Option<String>,
-    /// Column and row of the sensor where its images begin, where it was told.
+    /// First column and row of the sensor region that was calibrated, if given.
     pub offset_px: Option<[u32; 2]>,
-    /// Where it stands, as drawn.
+    /// The camera's nominal pose.
     pub pose: Pose,
-    /// Where its micro-images are centred.
+    /// The centres of its micro-images.
     pub grid: MicroImageGrid,
-    /// How it sees the volume.
+    /// The map from world points to what the nominal camera would see.
     pub map: VolumeMap,
 }
 
 impl CalibrationFile {
-    /// The file of these cameras; its hash is still to be set by [`hashed`].
+    /// A file with these cameras. Its hash is empty; [`hash_of`] computes it.
     pub fn new(optics: Optics, cameras: Vec<CalibratedCameraEntry>) -> Self {
         Self {
             format: CAMERAS.into(),
@@ -75,30 +76,30 @@ impl CalibrationFile {
     }
 }
 
-/// The hash for a file whose own is still empty.
+/// The SHA-256 hash of a file whose `sha256` field is empty.
 ///
 /// # Errors
-/// It cannot be written as JSON.
+/// The file cannot be serialized as JSON.
 pub fn hash_of(file: &impl Serialize) -> serde_json::Result<String> {
     Ok(sha256(&serde_json::to_vec(file)?))
 }
 
-/// The grid of one camera, as far as a configuration reads it.
+/// A camera's grid file, as far as a configuration needs it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct GridContent {
-    /// The camera that its images were said to be of.
+    /// The camera that the images were stated to be from.
     pub camera: Option<String>,
-    /// Where micro-images are centred.
+    /// The centres of the micro-images.
     #[serde(flatten)]
     pub grid: MicroImageGrid,
 }
 
-/// A file that a calibration is read from.
+/// Content of a calibration file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Content {
-    /// Of `lfpiv calibrate grid`.
+    /// From `lfpiv calibrate grid`.
     Grid(GridContent),
-    /// Of `lfpiv calibrate volume`.
+    /// From `lfpiv calibrate volume`.
     Cameras(Box<CalibrationFile>),
 }
 
@@ -108,28 +109,28 @@ struct Head {
     version: u32,
 }
 
-/// Reads a file of either kind, and its hash.
+/// Reads a calibration file of either kind; returns its content and hash.
 ///
 /// # Errors
-/// In words for its owner: it cannot be read, is another kind of file or of a later version, or was
+/// A message for the user: the file cannot be read, is of another kind or a later version, or was
 /// changed after it was written.
 pub fn read_calibration(path: &Path) -> Result<(Content, String), String> {
     let text = read_text(path).map_err(|error| format!("it cannot be read: {error}"))?;
     let other = |error: serde_json::Error| {
-        format!("it is no file of `lfpiv calibrate grid` or `lfpiv calibrate volume`: {error}")
+        format!("it is not a file of `lfpiv calibrate grid` or `lfpiv calibrate volume`: {error}")
     };
     let head: Head = serde_json::from_str(&text).map_err(other)?;
     if ![GRID, CAMERAS].contains(&head.format.as_str()) {
         return Err(format!(
-            "its format is {:?}; allowed: {GRID:?} or {CAMERAS:?}, which `lfpiv calibrate grid` and \
-             `lfpiv calibrate volume` write",
+            "its format is {:?}; allowed: {GRID:?} or {CAMERAS:?}, which `lfpiv calibrate grid` \
+             and `lfpiv calibrate volume` write",
             head.format
         ));
     }
     if head.version > VERSION {
         return Err(format!(
-            "its version is {}, and this program reads up to {VERSION}: use the program that wrote it, or a \
-             later one",
+            "its version is {}, and this program reads up to {VERSION}: use the program that wrote \
+             it, or a later one",
             head.version
         ));
     }
@@ -141,8 +142,8 @@ pub fn read_calibration(path: &Path) -> Result<(Content, String), String> {
             };
             Ok((content, stated))
         }
-        _ => Err("its content is not what was written: its hash differs; take a whole copy, or \
-                  calibrate again"
+        _ => Err("its content is not what was written, because its hash differs; use an intact \
+                  copy, or calibrate again"
             .into()),
     }
 }

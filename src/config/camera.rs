@@ -1,4 +1,4 @@
-//! A `[[camera]]` table: where a camera stands, and the file of its calibration.
+//! A `[[camera]]` table: a camera's pose and its calibration file.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use lfpiv_hw::{
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-/// One camera; its pose is that of [`Pose`].
+/// One camera; its axes are those of [`Pose`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct CameraTable {
@@ -32,15 +32,15 @@ pub struct CameraTable {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     #[garde(skip)]
     pub mirrored: bool,
-    /// File that `lfpiv calibrate` wrote for this camera, relative to the configuration's; without it
-    /// the camera is as drawn.
+    /// Calibration file written by `lfpiv calibrate`, relative to the configuration's folder;
+    /// without it the camera is taken as nominal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[garde(skip)]
     pub calibration: Option<PathBuf>,
 }
 
 impl CameraTable {
-    /// Where the camera stands.
+    /// The camera's pose.
     pub fn pose(&self) -> Pose {
         let Self { right, up, axis, origin_mm, .. } = *self;
         Pose { right, up, axis, origin_mm }

@@ -8,27 +8,26 @@ use serde::{Deserialize, Serialize};
 
 use crate::acquisition::AfterBenchLoss;
 
-/// Instruments behind wires. Without this table a run needs a simulated bench.
+/// Connected instruments. Without this table a run needs a simulated bench.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct InstrumentSettings {
     /// In the order of the `[[camera]]` tables.
     #[garde(length(min = 1, max = 2), dive)]
     pub camera: Vec<CameraSettings>,
-    /// The unit that times laser and cameras.
+    /// The unit that triggers laser and cameras.
     #[garde(dive)]
     pub synchroniser: SynchroniserSettings,
-    /// How long a frame that is due is waited for, in s: a few periods and readouts.
+    /// How long to wait for a frame after it is due, in s: a few periods and readouts.
     #[serde(default = "one_second")]
     #[garde(custom(finite), range(min = 0.01, max = 600.0))]
     pub frame_patience_s: f64,
-    /// What a run does when the synchroniser does not answer any more: `wait_for_arm`, `go_on` or
-    /// `end`.
+    /// What a run does when the synchroniser stops answering: `wait_for_arm`, `go_on` or `end`.
     #[serde(default)]
     #[garde(skip)]
     pub after_bench_loss: AfterBenchLoss,
-    /// Folder in which every frame that arrives is listed, with a checksum of its pixels: one
-    /// file per camera.
+    /// Folder of the frame records, one file per camera. They list every received frame with a
+    /// checksum of its pixels.
     #[serde(default)]
     #[garde(skip)]
     pub frame_record: Option<PathBuf>,
@@ -52,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn the_laser_fires_again_by_itself_only_where_that_is_asked_for() {
+    fn the_laser_fires_again_by_itself_only_if_configured() {
         assert_eq!(after_bench_loss(""), Ok(AfterBenchLoss::WaitForArm));
         assert_eq!(after_bench_loss("after_bench_loss = 'go_on'"), Ok(AfterBenchLoss::GoOn));
         assert_eq!(after_bench_loss("after_bench_loss = 'end'"), Ok(AfterBenchLoss::End));

@@ -1,4 +1,4 @@
-//! Where a key of a TOML document is written.
+//! Line and column of a key in a TOML document.
 
 use std::{fmt, ops::Range};
 
@@ -10,18 +10,18 @@ use toml::{
 /// One step from a table or array to a value inside it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
-    /// Into a table.
+    /// To a key of a table.
     Key(String),
-    /// Into an array.
+    /// To an element of an array.
     Index(usize),
 }
 
-/// The way from the document's root to a value: `camera[1].right`.
+/// The path from the document's root to a value, such as `camera[1].right`.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct KeyPath(pub Vec<Step>);
 
 impl KeyPath {
-    /// Reads the notation that garde prints.
+    /// Parses a path as garde prints it.
     pub fn parse(text: &str) -> Self {
         let steps = text.split(['.', '[']).filter(|part| !part.is_empty()).map(|part| {
             let index = part.strip_suffix(']').and_then(|digits| digits.parse().ok());
@@ -30,8 +30,8 @@ impl KeyPath {
         Self(steps.collect())
     }
 
-    /// The path as the document writes it: garde counts the field of an enum's variant as element
-    /// 0, where the file has the keys of the variant in the enum's own table.
+    /// The path as the document writes it. garde counts the field of an enum's variant as element
+    /// 0; in the file the variant's keys are in the enum's own table.
     pub fn in_document(&self, document: &Value) -> Self {
         let mut at = Some(document);
         let mut steps = Vec::with_capacity(self.0.len());
@@ -47,7 +47,7 @@ impl KeyPath {
         Self(steps)
     }
 
-    /// This path and one more step.
+    /// This path extended by one step.
     pub fn then(&self, step: Step) -> Self {
         Self(self.0.iter().cloned().chain([step]).collect())
     }
@@ -71,20 +71,20 @@ impl fmt::Display for KeyPath {
     }
 }
 
-/// A place in the document: the whole value, or the key when there is no value to point at.
+/// A value in the document and its location.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Entry {
-    /// Where it is in the tree.
+    /// The value's path.
     pub path: KeyPath,
-    /// Bytes of its key, or of the array element.
+    /// Byte range of its key, or of the array element.
     pub key: Range<usize>,
-    /// Bytes of its value.
+    /// Byte range of its value.
     pub value: Range<usize>,
-    /// Whether it is a number that is NaN or infinite.
+    /// Whether the value is NaN or infinite.
     pub not_finite: bool,
 }
 
-/// Every key and array element of a document, parents before children.
+/// All keys and array elements of a document, parents before children.
 pub(super) fn entries(document: &DeTable<'_>) -> Vec<Entry> {
     let mut found = Vec::new();
     collect_table(document, &KeyPath::default(), &mut found);
@@ -122,7 +122,7 @@ fn collect_value(
     }
 }
 
-/// Line and column of a byte, both from 1; columns count characters.
+/// Line and column of a byte, both counted from 1; columns count characters.
 pub(super) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);

@@ -1,18 +1,18 @@
-//! The configuration: one TOML file describes bench, volume, method and, for simulated runs,
-//! the scene. Each room owns the settings of its own table; this room puts them together and says
-//! where a file is wrong.
+//! The configuration: one TOML file describes bench, volume, method and, for simulated runs, the
+//! scene. Each room defines the settings of its own table; this room combines them and reports
+//! errors with line and key.
 
 mod calibration;
 mod calibration_file;
 mod camera;
+mod consistency;
 mod instruments;
 mod location;
-mod misfit;
+mod overlong;
 mod problem;
 mod range;
 mod server;
 mod shipped;
-mod surplus;
 
 use std::path::{Path, PathBuf};
 
@@ -35,34 +35,34 @@ pub use calibration_file::{
     VERSION as CALIBRATION_VERSION, hash_of, read_calibration,
 };
 pub use camera::CameraTable;
+pub use consistency::Purpose;
 pub use instruments::InstrumentSettings;
-pub use misfit::Purpose;
 pub use problem::{ConfigError, Problem};
 pub use server::{ServerSettings, TlsSettings};
 pub use shipped::read_or_shipped;
 
-/// A configuration and the text it was read from, with what was read from the calibrations that it
-/// names: this text is stored with the results.
+/// A configuration and its text, which is stored with the results. The text includes the content of
+/// the calibration files that the configuration names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConfigFile {
-    /// Where it was read from.
+    /// The configuration file.
     pub path: PathBuf,
-    /// The file's text.
+    /// The file's text, with the calibrations appended.
     pub text: String,
-    /// Its content, checked.
+    /// The parsed and checked configuration.
     pub config: Config,
 }
 
 impl ConfigFile {
-    /// Reads a configuration file to measure images with it.
+    /// Reads a configuration file for measuring images.
     ///
     /// # Errors
-    /// [`ConfigError`]: the file cannot be read, or what is wrong in it, line by line.
+    /// [`ConfigError`]: the file cannot be read or is invalid; every problem is listed.
     pub fn load(path: &Path) -> Result<Self, ConfigError> {
         Self::load_for(Purpose::Images, path)
     }
 
-    /// Reads a configuration file and checks that its parts fit together for `purpose`.
+    /// Reads a configuration file and checks that its tables are consistent for `purpose`.
     ///
     /// # Errors
     /// As [`Self::load`].
@@ -76,10 +76,11 @@ impl ConfigFile {
     }
 }
 
-/// The text of a configuration with what was read from calibrations, where that is not in it yet.
+/// Appends the calibrations to the configuration's text, unless it contains them already.
 fn with_calibrations(text: String, config: &Config) -> Result<String, ConfigError> {
-    let has_them = text.parse::<toml::Table>().is_ok_and(|table| table.contains_key("calibration"));
-    if has_them {
+    let has_calibrations =
+        text.parse::<toml::Table>().is_ok_and(|table| table.contains_key("calibration"));
+    if has_calibrations {
         return Ok(text);
     }
     let stored = calibration::stored_text(&config.calibration)?;
@@ -90,10 +91,10 @@ fn with_calibrations(text: String, config: &Config) -> Result<String, ConfigErro
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Config {
-    /// The optics that all cameras share.
+    /// The optics, shared by all cameras.
     #[garde(dive)]
     pub optics: Optics,
-    /// Where the cameras stand; one or two.
+    /// One or two cameras.
     #[garde(custom(one_or_two), dive)]
     pub camera: Vec<CameraTable>,
     /// The measurement volume.
@@ -102,23 +103,24 @@ pub struct Config {
     /// Laser and shot timing.
     #[garde(dive)]
     pub shot: ShotSettings,
-    /// What laser and cameras need in time.
+    /// Timing limits of laser and cameras.
     #[serde(default)]
     #[garde(dive)]
     pub timing: TimingSettings,
-    /// What is known about the images.
+    /// Known properties of the images.
     #[serde(default)]
     #[garde(dive)]
     pub image: ImageSettings,
-    /// Which parts the forward model has; `model = "auto"` is short for a table with that mode.
+    /// The effects that the forward model includes; `model = "auto"` is short for a table with that
+    /// mode.
     #[serde(default, deserialize_with = "mode_or_table")]
     #[garde(dive)]
     pub model: ModelSettings,
-    /// How volumes are reconstructed.
+    /// Reconstruction of volumes.
     #[serde(default)]
     #[garde(dive)]
     pub reconstruction: ReconstructionSettings,
-    /// How volumes are correlated.
+    /// Correlation of volumes.
     #[serde(default)]
     #[garde(dive)]
     pub velocimetry: VelocimetrySettings,
@@ -126,15 +128,15 @@ pub struct Config {
     #[serde(default)]
     #[garde(dive)]
     pub pipeline: PipelineSettings,
-    /// How raw data is kept.
+    /// Storage of raw data.
     #[serde(default)]
     #[garde(dive)]
     pub raw_log: RawLogSettings,
-    /// HTTP.
+    /// The HTTP server.
     #[serde(default)]
     #[garde(dive)]
     pub server: ServerSettings,
-    /// Where results go.
+    /// Location of the results.
     #[serde(default)]
     #[garde(skip)]
     pub output: OutputSettings,
@@ -150,11 +152,11 @@ pub struct Config {
         dive
     )]
     pub simulation: Option<Scene>,
-    /// The wires at whose ends `lfpiv sim-bench` puts simulated instruments.
+    /// The wires that `lfpiv sim-bench` connects simulated instruments to.
     #[serde(default)]
     #[garde(dive)]
     pub wire: Option<WireSettings>,
-    /// What was read from the cameras' calibration files.
+    /// The content of the cameras' calibration files.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[garde(dive)]
     pub calibration: Vec<StoredCalibration>,
@@ -176,11 +178,11 @@ pub struct ShotSettings {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct PipelineSettings {
-    /// Image pairs that may wait for a worker; the live path sheds beyond this.
+    /// Image pairs that may wait for a worker; beyond this the live path sheds pairs.
     #[garde(range(min = 1, max = 1000))]
     pub queue: usize,
-    /// Seconds that the first pair may take before its worker counts as hung. Later ones may take
-    /// ten times as long as the longest before them, and a minute at least.
+    /// Seconds that the first pair may take before its worker counts as hung. Later pairs may take
+    /// ten times as long as the longest pair so far, and at least a minute.
     #[garde(custom(finite), range(min = 0.1, max = 86_400.0))]
     pub first_pair_patience_s: f64,
 }
@@ -191,13 +193,13 @@ impl Default for PipelineSettings {
     }
 }
 
-/// Where a run's results go.
+/// Location of a run's results.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct OutputSettings {
-    /// Folder under which every run makes its own.
+    /// Folder in which every run creates its own folder.
     pub dir: PathBuf,
-    /// Whether every shot gets a file for ParaView (`.vti`), too.
+    /// Whether every shot also gets a file for ParaView (`.vti`).
     pub paraview: bool,
 }
 
@@ -233,8 +235,7 @@ fn simulation_or_instruments(
 ) -> impl FnOnce(&Option<Scene>, &()) -> garde::Result + '_ {
     move |simulation, _| match (simulation, instruments) {
         (Some(_), Some(_)) => Err(garde::Error::new(
-            "allowed: [simulation] or [instruments], not both: a run would not know which bench to \
-             use",
+            "allowed: [simulation] or [instruments], not both, because a run uses one bench only",
         )),
         _ => Ok(()),
     }
@@ -261,21 +262,22 @@ fn no_more_than_cameras(
 }
 
 impl Config {
-    /// Reads the text of a configuration and checks every value's range, not whether the parts fit
-    /// together: that of a recorded run stays readable. `file` is only named in the messages.
+    /// Parses a configuration's text and checks the range of every value. Consistency is not
+    /// checked, so that the configurations of recorded runs stay readable. `file` appears in
+    /// messages only.
     ///
     /// # Errors
-    /// [`ConfigError::Invalid`] with everything that is wrong.
+    /// [`ConfigError::Invalid`] with every problem.
     pub fn parse(file: &str, text: &str) -> Result<Self, ConfigError> {
         problem::read(file, text, None).map_err(|problems| ConfigError::Invalid { problems })
     }
 
-    /// Where the cameras stand.
+    /// The poses of the cameras.
     pub fn poses(&self) -> Vec<Pose> {
         self.camera.iter().map(CameraTable::pose).collect()
     }
 
-    /// What is known of the cameras beyond the drawing, in their order.
+    /// The cameras' calibrations in the order of the cameras; empty without any.
     fn calibrations(&self) -> Vec<CameraCalibration> {
         let of = |camera: usize| {
             let stored = self.calibration.iter().find(|stored| stored.camera == camera + 1);
@@ -287,13 +289,13 @@ impl Config {
         }
     }
 
-    /// A warning where calibrations correct only a part of what cameras are: what is still taken as drawn,
-    /// and what to do.
-    pub fn left_as_drawn(&self) -> Option<String> {
-        calibration::left_as_drawn(self)
+    /// A warning if only a part of the cameras' parameters is calibrated: which are still nominal, and what
+    /// to do.
+    pub fn left_nominal(&self) -> Option<String> {
+        calibration::left_nominal(self)
     }
 
-    /// The bench as the simulator sees it.
+    /// The bench as the simulator needs it.
     pub fn bench_geometry(&self) -> BenchGeometry {
         BenchGeometry {
             optics: self.optics.clone(),
@@ -315,7 +317,7 @@ impl Config {
         Some(scene.ppm * x_mm * y_mm / bench.object_pitch_mm().powi(2))
     }
 
-    /// The part of the configuration that turns image pairs into vectors.
+    /// The settings that decide how image pairs become vectors.
     pub fn measurement(&self) -> Measurement {
         Measurement {
             calibrations: self.calibrations(),

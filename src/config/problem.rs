@@ -1,4 +1,4 @@
-//! What is wrong with a configuration, in words that say where and what is allowed.
+//! Reads a configuration and reports every problem with its location and the allowed values.
 
 use std::{
     fmt, io,
@@ -12,13 +12,13 @@ use toml::{Table, Value, de::DeTable};
 
 use super::{
     Config, calibration,
+    consistency::{Purpose, inconsistencies},
     location::{Entry, KeyPath, Step, entries, line_and_column},
-    misfit::{Purpose, misfits},
+    overlong::overlong_arrays,
     range::{allowed_range, is_bound},
-    surplus::longer_than_read,
 };
 
-/// Why there is no configuration.
+/// Why a configuration could not be loaded.
 #[derive(Debug, Error)]
 pub enum ConfigError {
     /// The file cannot be read.
@@ -29,13 +29,13 @@ pub enum ConfigError {
         /// The system's reason.
         reason: io::Error,
     },
-    /// What was read from calibrations cannot be kept with the configuration.
+    /// The calibrations could not be appended to the configuration's text.
     #[error("the calibrations cannot be written as TOML: {0}")]
     Calibration(#[from] toml::ser::Error),
-    /// The file's content is wrong: every [`Problem`], one a line.
+    /// The content is invalid; prints each [`Problem`] on a line of its own.
     #[error("{}", list(problems))]
     Invalid {
-        /// At least one.
+        /// At least one problem.
         problems: Vec<Problem>,
     },
 }
@@ -44,7 +44,7 @@ fn list(problems: &[Problem]) -> String {
     problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// One fault: `run.toml:7:15: volume.voxel_mm = -0.1: allowed 0.001 to 10`.
+/// One problem, such as `run.toml:7:15: volume.voxel_mm = -0.1: allowed 0.001 to 10`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// File name as given.
@@ -53,7 +53,7 @@ pub struct Problem {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// The key and, where it fits on the line, its value; empty when the fault is in the syntax.
+    /// The key and, where it fits on the line, its value; empty for a syntax error.
     pub subject: String,
     /// What is wrong and what is allowed.
     pub message: String,
@@ -70,8 +70,9 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Reads and checks a configuration, with a purpose whether its parts fit together, too, and what the
-/// calibrations say that it names, relative to the folder; `file` is only named in the messages.
+/// Parses and checks a configuration. With a purpose and a folder it also checks the consistency of
+/// the tables and loads the calibration files, whose paths are relative to the folder. `file`
+/// appears in messages only.
 pub(super) fn read(
     file: &str,
     text: &str,
@@ -103,19 +104,21 @@ pub(super) fn read(
             }
         }
     }
-    problems.extend(reader.surplus_problems(&config));
-    // Values out of their ranges say nothing about the whole.
+    problems.extend(reader.overlong_arrays(&config));
+    // Consistency is checked only when every value is in its range.
     if let (true, Some((purpose, folder))) = (problems.is_empty(), purpose) {
-        let mut found = misfits(&config, purpose);
-        // A stored configuration has in it what was read then.
+        let mut found = inconsistencies(&config, purpose);
+        // A stored configuration already contains its calibrations.
         if matches!(purpose, Purpose::Images | Purpose::Bench) && config.calibration.is_empty() {
             match calibration::load(&config, folder) {
                 Ok(loaded) => config.calibration = loaded,
-                Err(misfits) => found.extend(misfits),
+                Err(inconsistencies) => found.extend(inconsistencies),
             }
         }
-        for misfit in found {
-            problems.push(reader.rule_problem(&KeyPath::parse(&misfit.key), &misfit.message));
+        for inconsistency in found {
+            problems.push(
+                reader.rule_problem(&KeyPath::parse(&inconsistency.key), &inconsistency.message),
+            );
         }
     }
     problems.sort_by_key(|problem| (problem.line, problem.column));
@@ -127,7 +130,7 @@ fn problem(file: &str, text: &str, byte: usize, subject: String, message: String
     Problem { file: file.to_owned(), line, column, subject, message }
 }
 
-/// The document as text, as places and as values.
+/// The document as text, as locations and as values.
 struct Reader<'t> {
     file: &'t str,
     text: &'t str,
@@ -153,23 +156,24 @@ impl Reader<'_> {
             Some(entry) if entry.path == *path => {
                 self.problem(entry.value.start, self.subject(entry), message)
             }
-            // The value is a default: point at the table it is missing from.
+            // The value is a default: point at the table that lacks the key.
             Some(table) => self.problem(table.value.start, path.to_string(), message),
             None => self.problem(0, path.to_string(), message),
         }
     }
 
-    /// Arrays of which a part was not read.
-    fn surplus_problems(&self, config: &Config) -> Vec<Problem> {
+    /// Problems for arrays that are longer than the setting they belong to.
+    fn overlong_arrays(&self, config: &Config) -> Vec<Problem> {
         let read = match Value::try_from(config) {
             Ok(read) => read,
             Err(error) => {
-                let message = format!("what was read cannot be held against the file: {error}");
+                let message =
+                    format!("cannot compare the parsed configuration with the file: {error}");
                 return vec![self.problem(0, String::new(), message)];
             }
         };
         let document = Value::Table(self.document.clone());
-        let longer = longer_than_read(&document, &read);
+        let longer = overlong_arrays(&document, &read);
         let problem = |(path, length): &(KeyPath, usize)| {
             self.rule_problem(path, &format!("allowed: an array of {length}"))
         };
@@ -196,7 +200,8 @@ impl Reader<'_> {
         }
     }
 
-    /// The error points at the key or, inside a table with `kind`, at the whole table.
+    /// Problem for an unknown key. The error's span is the key or, inside a table with `kind`, the
+    /// whole table.
     fn unknown_key(&self, span: Range<usize>, name: &str, message: &str) -> Problem {
         let table = self.innermost(|entry| entry.value == span);
         let in_table = table.map(|table| table.path.then(Step::Key(name.to_owned())));
@@ -217,18 +222,18 @@ impl Reader<'_> {
         self.problem(byte, path.to_string(), message)
     }
 
-    /// The deepest entry that fits; entries come parents first.
+    /// The deepest entry that meets the condition; parents precede their children.
     fn innermost(&self, fits: impl Fn(&Entry) -> bool) -> Option<&Entry> {
         self.entries.iter().rev().find(|entry| fits(entry))
     }
 
-    /// The entry at a path, or the innermost one above it.
+    /// The entry at a path, or its closest existing ancestor.
     fn nearest(&self, path: &KeyPath) -> Option<&Entry> {
         let above = self.entries.iter().filter(|entry| entry.path.contains(path));
         above.max_by_key(|entry| entry.path.0.len())
     }
 
-    /// The key with its value; tables and values too long for a message are left out.
+    /// The key with its value. Tables and long values are left out.
     fn subject(&self, entry: &Entry) -> String {
         const LONGEST_VALUE: usize = 60;
         let value = self.text.get(entry.value.clone()).unwrap_or_default();
@@ -245,7 +250,7 @@ fn quoted_after<'m>(prefix: &str, message: &'m str) -> Option<&'m str> {
     message.strip_prefix(prefix)?.strip_prefix('`')?.split_once('`').map(|(name, _)| name)
 }
 
-/// "`a`, expected one of `b`, `c`" to "allowed: b, c".
+/// Turns "`a`, expected one of `b`, `c`" into "allowed: b, c".
 fn allowed_names(message: &str) -> String {
     match message.split_once("expected ") {
         Some((_, names)) => {
@@ -255,7 +260,7 @@ fn allowed_names(message: &str) -> String {
     }
 }
 
-/// What serde says about a wrong type or name, in the words of the file.
+/// Rewords serde's message on a wrong type or name in terms of TOML.
 fn expectation(message: &str) -> String {
     if message.starts_with("unknown variant ") {
         return allowed_names(message);

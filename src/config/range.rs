@@ -1,7 +1,7 @@
-//! The range a key allows, asked of the rules themselves.
+//! Finds the allowed range of a key by probing the validation rules.
 //!
 //! A garde report names only the bound that was crossed. Instead of stating every range a second
-//! time, the key is set to extreme values and the validation is asked again.
+//! time, this module sets the key to extreme values and validates again.
 
 use garde::Validate;
 use serde::Deserialize;
@@ -15,23 +15,23 @@ use super::{
 const LOWER: &str = "lower than ";
 const GREATER: &str = "greater than ";
 
-/// Whether a garde message says that a bound was crossed.
+/// Whether a garde message reports a crossed bound.
 pub(super) fn is_bound(message: &str) -> bool {
     message.starts_with(LOWER) || message.starts_with(GREATER)
 }
 
-/// `allowed 0.001 to 10`, `allowed 1 or more`, or the key's own rule; `None` where the key has no
-/// numeric bounds or the rest of the document cannot be read.
+/// `allowed 0.001 to 10`, `allowed 1 or more`, or the key's own rule. `None` if the key has no
+/// numeric bounds or the rest of the document cannot be parsed.
 pub(super) fn allowed_range(document: &Table, path: &KeyPath) -> Option<String> {
     let ask = |candidates: &[Value], prefix: &str| {
         candidates.iter().map(|candidate| probe(document, path, candidate, prefix)).find_map(
-            |answer| match answer {
-                Answer::Unreadable => None,
-                Answer::Bound(bound) => Some(Ok(bound)),
-                Answer::Rule(rule) => Some(Err(rule)),
-                Answer::Accepted => Some(Ok(String::new())),
-                // The next wider type could not be read: the type is the bound.
-                Answer::AcceptedAtTypeLimit(limit) => Some(Ok(limit)),
+            |verdict| match verdict {
+                Verdict::Unreadable => None,
+                Verdict::Bound(bound) => Some(Ok(bound)),
+                Verdict::Rule(rule) => Some(Err(rule)),
+                Verdict::Accepted => Some(Ok(String::new())),
+                // The next wider type could not be parsed: the type's limit is the bound.
+                Verdict::AcceptedAtTypeLimit(limit) => Some(Ok(limit)),
             },
         )
     };
@@ -51,28 +51,28 @@ pub(super) fn allowed_range(document: &Table, path: &KeyPath) -> Option<String> 
     }
 }
 
-/// What the rules say to one value.
-enum Answer {
+/// Result of validating one candidate value.
+enum Verdict {
     /// The value has the wrong type for the key, or the document is wrong elsewhere.
     Unreadable,
-    /// Allowed, and there is no larger one to try.
+    /// Allowed, and no larger value of the type is tried.
     Accepted,
-    /// Allowed, and the end of the key's type.
+    /// Allowed, and the largest value of the key's type.
     AcceptedAtTypeLimit(String),
     /// Refused because of this bound.
     Bound(String),
-    /// Refused by a rule that is no plain range.
+    /// Refused by a rule that is not a range.
     Rule(String),
 }
 
-fn probe(document: &Table, path: &KeyPath, candidate: &Value, prefix: &str) -> Answer {
+fn probe(document: &Table, path: &KeyPath, candidate: &Value, prefix: &str) -> Verdict {
     let mut document = Value::Table(document.clone());
     match value_at(&mut document, path) {
         Some(value) => *value = candidate.clone(),
-        None => return Answer::Unreadable,
+        None => return Verdict::Unreadable,
     }
     let Ok(config) = Config::deserialize(document.clone()) else {
-        return Answer::Unreadable;
+        return Verdict::Unreadable;
     };
     let report = config.validate().err();
     let messages: Vec<&str> = report
@@ -83,14 +83,14 @@ fn probe(document: &Table, path: &KeyPath, candidate: &Value, prefix: &str) -> A
         .collect();
     let bound = messages.iter().find_map(|message| message.strip_prefix(prefix));
     match (bound, messages.first(), candidate) {
-        (Some(bound), _, _) => Answer::Bound(bound.to_owned()),
-        (None, Some(rule), _) => Answer::Rule((*rule).to_owned()),
-        (None, None, Value::Integer(i64::MIN | i64::MAX) | Value::Float(_)) => Answer::Accepted,
-        (None, None, limit) => Answer::AcceptedAtTypeLimit(limit.to_string()),
+        (Some(bound), _, _) => Verdict::Bound(bound.to_owned()),
+        (None, Some(rule), _) => Verdict::Rule((*rule).to_owned()),
+        (None, None, Value::Integer(i64::MIN | i64::MAX) | Value::Float(_)) => Verdict::Accepted,
+        (None, None, limit) => Verdict::AcceptedAtTypeLimit(limit.to_string()),
     }
 }
 
-/// The value at a path; a key that is absent from its table is put there.
+/// The value at a path; a missing last key is inserted.
 fn value_at<'v>(root: &'v mut Value, path: &KeyPath) -> Option<&'v mut Value> {
     path.0.iter().try_fold(root, |value, step| match (value, step) {
         (Value::Table(table), Step::Key(key)) => {

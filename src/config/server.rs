@@ -1,4 +1,4 @@
-//! The `[server]` table: where HTTP is served, and to whom.
+//! The `[server]` table: address and access of the HTTP server.
 
 use std::{
     net::{IpAddr, SocketAddr},
@@ -13,47 +13,47 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct ServerSettings {
-    /// Address to bind; loopback unless changed. Any other needs `tokens`.
+    /// Address to bind, loopback by default. Any other address needs `tokens`.
     #[garde(custom(guarded(&self.tokens)))]
     pub address: SocketAddr,
-    /// File with bearer tokens, mode 0600. Without it reading is open on loopback, and control is
-    /// refused.
+    /// File with bearer tokens, mode 0600. Without it, reading is open to loopback clients and
+    /// control is refused.
     #[garde(skip)]
     pub tokens: Option<PathBuf>,
-    /// Names that clients may call this server by, beside loopback and the bound address.
+    /// Host names that clients may use for this server, besides loopback and the bound address.
     #[garde(custom(host_names))]
     pub hosts: Vec<String>,
-    /// Whether HTTP may arm and start at all; an operator must enable it at the bench for each
-    /// run, too.
+    /// Whether HTTP clients may arm and start the bench. An operator must also enable it at the
+    /// bench for each run.
     #[garde(skip)]
     pub remote_arming: bool,
-    /// Requests per second that one client may make on average; eight times as many at once.
+    /// Mean rate of requests per second and client; bursts may have eight times as many.
     #[garde(custom(finite), range(min = 0.1, max = 1e6))]
     pub requests_per_s: f64,
-    /// Connections of clients with a valid token that may be open at the same time; one client may
-    /// have half of them.
+    /// Largest number of open connections of clients with a valid token; one client may hold half
+    /// of them.
     #[garde(range(min = 8, max = 100_000))]
     pub connections: usize,
-    /// Connections without a valid token that may be open at the same time; one client may have half
-    /// of them. Who comes next takes the place of who has been there longest.
+    /// Largest number of open connections without a valid token; one client may hold half of them.
+    /// When all are taken, a new connection replaces the oldest.
     #[garde(range(min = 4, max = 10_000))]
     pub guests: usize,
-    /// Seconds that a client has for a request's header, for its body, and for taking some of an
-    /// answer.
+    /// Seconds that a client may take to send a request's header or its body, or to accept the next
+    /// part of a response.
     #[garde(custom(finite), range(min = 0.1, max = 3600.0))]
     pub client_patience_s: f64,
-    /// Certificate and key; HTTP in the clear without them.
+    /// Certificate and key for HTTPS; without them the server speaks plain HTTP.
     #[garde(skip)]
     pub tls: Option<TlsSettings>,
 }
 
-/// What TLS needs, as PEM files.
+/// Certificate and key as PEM files.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TlsSettings {
-    /// The certificate and those that lead to its root.
+    /// The certificate, followed by its chain up to the root.
     pub certificate: PathBuf,
-    /// Its private key, which others must not be able to read.
+    /// The private key; its file must not be readable by other users.
     pub key: PathBuf,
 }
 
@@ -74,7 +74,7 @@ impl Default for ServerSettings {
 }
 
 impl ServerSettings {
-    /// Where a browser finds the server that listens on `address`.
+    /// The URL of the server that listens on `address`.
     pub fn url(&self, address: SocketAddr) -> String {
         format!("{}://{address}", if self.tls.is_some() { "https" } else { "http" })
     }
@@ -86,13 +86,13 @@ fn guarded(tokens: &Option<PathBuf>) -> impl FnOnce(&SocketAddr, &()) -> garde::
             return Ok(());
         }
         Err(garde::Error::new(
-            "it can be reached from the network; allowed: 127.0.0.1 or [::1], or any address \
-             together with a file of tokens (server.tokens, see docs/http.md)",
+            "the address can be reached from the network; allowed: 127.0.0.1 or [::1], or any \
+             address together with a file of tokens (server.tokens, see docs/http.md)",
         ))
     }
 }
 
-/// Names without scheme, port or path.
+/// Checks that hosts are names or addresses without scheme, port or path.
 fn host_names(hosts: &[String], _: &()) -> garde::Result {
     let letter = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'.' | b'_');
     let is_name = |host: &String| !host.is_empty() && host.bytes().all(letter);

@@ -1,4 +1,5 @@
-//! Configurations and suites that the program brings along: its examples work wherever it is.
+//! Configurations and suites that are compiled into the program, so that the documented examples
+//! work in any folder.
 
 use std::{
     io,
@@ -7,7 +8,7 @@ use std::{
 
 use lfpiv_rawlog::regular_file::read_text;
 
-/// Every shipped file by its place in the source.
+/// Every shipped file with its path in the repository.
 const SHIPPED: [(&str, &str); 10] = [
     ("config/sim.toml", include_str!("../../config/sim.toml")),
     ("config/bench.toml", include_str!("../../config/bench.toml")),
@@ -21,16 +22,19 @@ const SHIPPED: [(&str, &str); 10] = [
     ("bench/smoke.toml", include_str!("../../bench/smoke.toml")),
 ];
 
-/// A file's text. Where there is no such file and its path is that of a shipped one, as
-/// `config/bench.toml`, that one's.
+/// Reads a text file. If it does not exist and its path is that of a shipped file, such as
+/// `config/bench.toml`, the shipped text is returned.
 ///
 /// # Errors
-/// The file cannot be read, and is none of the shipped ones.
+/// The file cannot be read and is not a shipped one.
 pub fn read_or_shipped(path: &Path) -> io::Result<String> {
     match read_text(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => match shipped(path) {
             Some(text) => {
-                tracing::info!("{} comes with the program", path.display());
+                tracing::info!(
+                    "{} does not exist; using the copy shipped with the program",
+                    path.display()
+                );
                 Ok(text.to_owned())
             }
             None => Err(error),
@@ -40,21 +44,21 @@ pub fn read_or_shipped(path: &Path) -> io::Result<String> {
 }
 
 fn shipped(path: &Path) -> Option<&'static str> {
-    let path = without_detours(path);
+    let path = normalized(path);
     SHIPPED.iter().find(|(place, _)| Path::new(place) == path).map(|(_, text)| *text)
 }
 
-/// `bench/../config/bench.toml` as `config/bench.toml`; nothing is looked up.
-fn without_detours(path: &Path) -> PathBuf {
-    path.components().fold(PathBuf::new(), |mut straight, component| {
+/// Resolves `.` and `..` by name alone: `bench/../config/bench.toml` becomes `config/bench.toml`.
+fn normalized(path: &Path) -> PathBuf {
+    path.components().fold(PathBuf::new(), |mut normal, component| {
         match component {
             Component::CurDir => {}
-            Component::ParentDir if straight.file_name().is_some() => {
-                straight.pop();
+            Component::ParentDir if normal.file_name().is_some() => {
+                normal.pop();
             }
-            other => straight.push(other),
+            other => normal.push(other),
         }
-        straight
+        normal
     })
 }
 
@@ -75,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_there_comes_first() {
+    fn an_existing_file_takes_precedence() {
         let root = tempfile::tempdir().unwrap();
         let path = root.path().join("config/sim.toml");
         fs::create_dir(root.path().join("config")).unwrap();
@@ -85,9 +89,9 @@ mod tests {
         assert_eq!(absent.kind(), io::ErrorKind::NotFound);
     }
 
-    /// All of `config/` is brought along.
+    /// All files of `config/` are shipped.
     #[test]
-    fn no_configuration_is_forgotten() {
+    fn every_configuration_is_shipped() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("config");
         for entry in fs::read_dir(folder).unwrap() {
             let name = entry.unwrap().file_name().into_string().unwrap();

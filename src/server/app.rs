@@ -1,4 +1,4 @@
-//! What the handlers share: the run, who may ask, and the limits of what is made for them.
+//! State shared by the handlers: the run, access rules, and resource limits.
 
 use std::{net::SocketAddr, sync::Arc};
 
@@ -9,22 +9,22 @@ use utoipa::openapi::OpenApi;
 
 use super::{ApiState, Protection, work::Work};
 
-/// Event streams that may be open at the same time.
+/// Largest number of open event streams.
 pub(super) const EVENT_STREAMS: usize = 512;
 
-/// Cheap to clone.
+/// Handler state. Cheap to clone.
 #[derive(Clone)]
 pub(super) struct App {
     pub run: ApiState,
     pub protection: Arc<Protection>,
     pub work: Work,
-    /// What is served, in OpenAPI.
+    /// OpenAPI description of the endpoints.
     pub document: Arc<OpenApi>,
-    /// A permit per event stream.
+    /// One permit per event stream.
     pub streams: Arc<Semaphore>,
-    /// Cancelled when the server ends: event streams end with what has happened until then.
+    /// Cancelled when the server ends. Event streams then deliver the events so far and end.
     pub stop: CancellationToken,
-    /// Control requests under way: a client that goes away does not take its request with it.
+    /// Control requests in progress. A request is completed even if its client disconnects.
     pub tasks: TaskTracker,
 }
 
@@ -54,7 +54,7 @@ impl FromRef<App> for Work {
     }
 }
 
-/// Both ends of the connection that a request came by.
+/// Both addresses of the connection that a request arrived on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Connection {
     pub peer: SocketAddr,

@@ -1,4 +1,4 @@
-//! Velocity fields and volumes as bytes, little-endian throughout.
+//! Byte layout of velocity fields and volumes, little-endian throughout.
 //!
 //! A velocity field:
 //!
@@ -17,9 +17,9 @@
 //! | 80 + 16n | n × u8 | 0 valid, 1 replaced, 2 invalid |
 //! | 80 + 17n, rounded up to a multiple of 4 | 3n × f32 | standard uncertainty x, y, z, in voxels |
 //!
-//! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Displacement and uncertainty of an invalid
-//! vector are NaN; in version 1 they were zero and the largest to expect. Velocity in m/s is displacement
-//! times voxel edge / 1000 / time between the frames.
+//! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Displacement and uncertainty of an
+//! invalid vector are NaN (in version 1: zero and the largest expected value). Velocity in m/s is
+//! displacement times voxel edge / 1000 / time between the frames.
 //!
 //! A volume:
 //!
@@ -40,24 +40,24 @@ use lfpiv_core::{
     velocimetry::{VectorStatus, VelocityField},
 };
 
-/// The media type to ask for.
+/// Media type of binary responses.
 pub const MEDIA_TYPE: &str = "application/octet-stream";
-/// The first bytes of a field; the last of them is the version of the layout.
+/// First bytes of a field; the last byte is the version of the layout.
 pub const MAGIC: &[u8; 8] = b"LFPIVVF2";
-/// The first bytes of a volume; the last of them is the version of the layout.
+/// First bytes of a volume; the last byte is the version of the layout.
 pub const VOLUME_MAGIC: &[u8; 8] = b"LFPIVVO1";
-/// Where the arrays begin.
+/// Offset of the arrays.
 pub const HEADER_BYTES: u32 = 80;
 
 /// Bytes per vector in the arrays.
 const VECTOR_BYTES: usize = 29;
 
-/// How many bytes a field has.
+/// Size of an encoded field in bytes.
 pub fn field_bytes(field: &VelocityField) -> usize {
     HEADER_BYTES as usize + VECTOR_BYTES * field.grid.len()
 }
 
-/// The bytes of a field; see the module.
+/// Encodes a field as described in the module documentation.
 pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
     let grid = &field.grid;
     let mut bytes = Vec::with_capacity(field_bytes(field) + 3);
@@ -87,12 +87,13 @@ pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
     bytes
 }
 
-/// How many bytes a volume has.
+/// Size of an encoded volume in bytes.
 pub fn volume_bytes(volume: &SparseVolume) -> usize {
     HEADER_BYTES as usize + volume.grid.len() * size_of::<f32>()
 }
 
-/// The bytes of the volume of frame a (0) or b (1), dark voxels included; see the module.
+/// Encodes the volume of frame a (0) or b (1), including dark voxels, as described in the module
+/// documentation.
 pub fn encode_volume(shot: u64, frame: usize, volume: &SparseVolume) -> Vec<u8> {
     let grid = &volume.grid;
     let start = HEADER_BYTES as usize;

@@ -1,5 +1,5 @@
-//! Answers that never change: strong `ETag`s, `If-None-Match`, and one range of bytes
-//! (RFC 9110, sections 13 and 14).
+//! Responses that never change: strong `ETag`s, `If-None-Match`, and single byte ranges (RFC 9110,
+//! sections 13 and 14).
 
 use std::ops::Range;
 
@@ -11,18 +11,18 @@ use axum::{
 
 use super::ApiError;
 
-/// Names one unchanging answer of one run.
+/// Identifies one immutable response of one run.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ETag(String);
 
 impl ETag {
-    /// `run` tells this run from others; `name` tells answers of a run apart.
+    /// `run` identifies the run; `name` identifies the response within the run.
     pub fn new(run: u64, name: &str) -> Self {
         Self(format!("\"{run:x}-{name}\""))
     }
 
-    /// Whether the client has this answer already.
-    fn is_with_client(&self, request: &HeaderMap) -> bool {
+    /// Whether the request's `If-None-Match` lists this tag.
+    fn is_listed_in(&self, request: &HeaderMap) -> bool {
         let listed = request.get_all(header::IF_NONE_MATCH).iter();
         listed.filter_map(|list| list.to_str().ok()).flat_map(|list| list.split(',')).any(|tag| {
             let tag = tag.trim();
@@ -30,14 +30,14 @@ impl ETag {
         })
     }
 
-    /// Whether a range of what the client has is a range of this.
+    /// Whether the request's `If-Range` allows a range of this response.
     fn allows_range(&self, request: &HeaderMap) -> bool {
         request.get(header::IF_RANGE).is_none_or(|tag| tag.as_bytes() == self.0.as_bytes())
     }
 
     fn headers(&self) -> HeaderMap {
         let mut headers = HeaderMap::new();
-        // The name is made of digits, letters and dashes.
+        // The tag consists of digits, letters and dashes.
         if let Ok(tag) = HeaderValue::from_str(&self.0) {
             headers.insert(header::ETAG, tag);
         }
@@ -47,8 +47,9 @@ impl ETag {
     }
 }
 
-/// 304 when the client has it, otherwise what `make` makes, or the range asked for.
-pub(super) async fn unchanging<F>(
+/// Responds with 304 if the client has the response; otherwise calls `make` for the bytes and
+/// additional headers, and sends all bytes or the requested range.
+pub(super) async fn cacheable<F>(
     request: &HeaderMap,
     tag: &ETag,
     media_type: &'static str,
@@ -58,7 +59,7 @@ where
     F: Future<Output = Result<(Bytes, HeaderMap), ApiError>>,
 {
     let mut headers = tag.headers();
-    if tag.is_with_client(request) {
+    if tag.is_listed_in(request) {
         return Ok((StatusCode::NOT_MODIFIED, headers).into_response());
     }
     let (bytes, more) = make().await?;
@@ -67,14 +68,14 @@ where
     headers.insert(header::ACCEPT_RANGES, HeaderValue::from_static("bytes"));
     let range = request.get(header::RANGE).filter(|_| tag.allows_range(request));
     let range = range.and_then(|range| range.to_str().ok());
-    match range.map_or(Asked::All, |range| asked(range, bytes.len())) {
-        Asked::All => Ok((headers, bytes).into_response()),
-        Asked::Part(part) => {
+    match range.map_or(RangeRequest::Whole, |range| parse_range(range, bytes.len())) {
+        RangeRequest::Whole => Ok((headers, bytes).into_response()),
+        RangeRequest::Part(part) => {
             let place = format!("bytes {}-{}/{}", part.start, part.end - 1, bytes.len());
             let place = [(header::CONTENT_RANGE, place)];
             Ok((StatusCode::PARTIAL_CONTENT, headers, place, bytes.slice(part)).into_response())
         }
-        Asked::Nothing => {
+        RangeRequest::Unsatisfiable => {
             let length = format!("bytes */{}", bytes.len());
             let error = format!("the range is outside of the {} bytes there are", bytes.len());
             let error = ApiError::new(StatusCode::RANGE_NOT_SATISFIABLE, error);
@@ -83,34 +84,34 @@ where
     }
 }
 
-/// What a `Range` header asks for.
+/// Meaning of a `Range` header.
 #[derive(Debug, PartialEq, Eq)]
-enum Asked {
-    /// No single range of bytes; RFC 9110 allows to ignore it.
-    All,
+enum RangeRequest {
+    /// Not a single byte range; RFC 9110 allows to ignore it.
+    Whole,
     Part(Range<usize>),
-    /// A range that is not there.
-    Nothing,
+    /// A range outside of the response.
+    Unsatisfiable,
 }
 
-fn asked(header: &str, length: usize) -> Asked {
+fn parse_range(header: &str, length: usize) -> RangeRequest {
     let Some((first, last)) = header.strip_prefix("bytes=").and_then(|range| range.split_once('-'))
     else {
-        return Asked::All;
+        return RangeRequest::Whole;
     };
     let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     if !digits(first) || !digits(last) || (first.is_empty() && last.is_empty()) {
-        return Asked::All;
+        return RangeRequest::Whole;
     }
-    // More digits than fit in a number are more than any length.
+    // A number with too many digits is larger than any length.
     let number = |text: &str| text.parse::<usize>().unwrap_or(usize::MAX);
     let part = match (first, last) {
         ("", suffix) => length.saturating_sub(number(suffix))..length,
         (first, "") => number(first)..length,
-        (first, last) if number(last) < number(first) => return Asked::All,
+        (first, last) if number(last) < number(first) => return RangeRequest::Whole,
         (first, last) => number(first)..number(last).saturating_add(1).min(length),
     };
-    if part.start < part.end { Asked::Part(part) } else { Asked::Nothing }
+    if part.start < part.end { RangeRequest::Part(part) } else { RangeRequest::Unsatisfiable }
 }
 
 #[cfg(test)]
@@ -122,51 +123,51 @@ mod tests {
     #[test]
     fn ranges_are_read_as_rfc_9110_says() {
         let cases = [
-            ("bytes=0-0", Asked::Part(0..1)),
-            ("bytes=2-4", Asked::Part(2..5)),
-            ("bytes=2-", Asked::Part(2..10)),
-            ("bytes=-3", Asked::Part(7..10)),
-            ("bytes=-300", Asked::Part(0..10)),
-            ("bytes=9-99999999999999999999999", Asked::Part(9..10)),
-            ("bytes=10-", Asked::Nothing),
-            ("bytes=-0", Asked::Nothing),
-            ("bytes=99999999999999999999999-", Asked::Nothing),
-            ("bytes=4-2", Asked::All),
-            ("bytes=0-1,3-4", Asked::All),
-            ("bytes=-", Asked::All),
-            ("bytes=+1-2", Asked::All),
-            ("lines=1-2", Asked::All),
-            ("", Asked::All),
+            ("bytes=0-0", RangeRequest::Part(0..1)),
+            ("bytes=2-4", RangeRequest::Part(2..5)),
+            ("bytes=2-", RangeRequest::Part(2..10)),
+            ("bytes=-3", RangeRequest::Part(7..10)),
+            ("bytes=-300", RangeRequest::Part(0..10)),
+            ("bytes=9-99999999999999999999999", RangeRequest::Part(9..10)),
+            ("bytes=10-", RangeRequest::Unsatisfiable),
+            ("bytes=-0", RangeRequest::Unsatisfiable),
+            ("bytes=99999999999999999999999-", RangeRequest::Unsatisfiable),
+            ("bytes=4-2", RangeRequest::Whole),
+            ("bytes=0-1,3-4", RangeRequest::Whole),
+            ("bytes=-", RangeRequest::Whole),
+            ("bytes=+1-2", RangeRequest::Whole),
+            ("lines=1-2", RangeRequest::Whole),
+            ("", RangeRequest::Whole),
         ];
         for (header, expected) in cases {
-            assert_eq!(asked(header, 10), expected, "{header}");
+            assert_eq!(parse_range(header, 10), expected, "{header}");
         }
-        assert_eq!(asked("bytes=0-", 0), Asked::Nothing);
+        assert_eq!(parse_range("bytes=0-", 0), RangeRequest::Unsatisfiable);
     }
 
     #[test]
-    fn a_tag_is_found_in_a_list_and_weakened() {
+    fn a_tag_is_found_in_lists_and_as_weak_tag() {
         let tag = ETag::new(0xab, "field-7");
-        let with_client = |value: &'static str| {
+        let is_listed = |value: &'static str| {
             let mut headers = HeaderMap::new();
             headers.insert(header::IF_NONE_MATCH, HeaderValue::from_static(value));
-            tag.is_with_client(&headers)
+            tag.is_listed_in(&headers)
         };
         for value in ["\"ab-field-7\"", "\"x\", W/\"ab-field-7\"", "*"] {
-            assert!(with_client(value), "{value}");
+            assert!(is_listed(value), "{value}");
         }
         for value in ["\"ab-field-8\"", "ab-field-7", ""] {
-            assert!(!with_client(value), "{value}");
+            assert!(!is_listed(value), "{value}");
         }
     }
 
     proptest! {
         #[test]
-        fn any_header_gives_a_range_that_is_there(
+        fn every_parsed_range_lies_within_the_response(
             header in "(bytes=)?[0-9a-z,+ -]{0,30}",
             length in 0usize..50,
         ) {
-            if let Asked::Part(part) = asked(&header, length) {
+            if let RangeRequest::Part(part) = parse_range(&header, length) {
                 prop_assert!(part.start < part.end && part.end <= length);
             }
         }

@@ -1,4 +1,4 @@
-//! `/api/v1/configuration` and `/api/v1/control/timing`: the run's settings, and when its pulses fire.
+//! `/api/v1/configuration` and `/api/v1/control/timing`: the run's settings and its pulse schedule.
 
 use axum::{Json, extract::State, http::StatusCode};
 use lfpiv_hw::{
@@ -10,14 +10,14 @@ use utoipa::{IntoParams, ToSchema};
 
 use super::{ApiError, app::App, extract::Arguments};
 
-/// The bench as it is configured.
+/// The configured bench.
 #[derive(Debug, Clone)]
 pub struct BenchSettings {
-    /// The configuration, TOML.
+    /// The configuration's TOML text.
     pub configuration: String,
-    /// Of every camera.
+    /// The optics of all cameras.
     pub optics: Optics,
-    /// What the pulses are planned by.
+    /// Timing limits for pulse schedules.
     pub timing: TimingSettings,
 }
 
@@ -29,10 +29,10 @@ pub(super) struct ConfigurationView {
     text: String,
 }
 
-/// The configuration that the run was started with.
+/// The configuration of the run.
 #[utoipa::path(get, path = "/api/v1/configuration", tag = "live", responses(
     (status = 200, body = ConfigurationView),
-    (status = 404, description = "None is known", body = super::error::ErrorBody)))]
+    (status = 404, description = "The server has no configuration", body = super::error::ErrorBody)))]
 pub(super) async fn configuration(
     State(app): State<App>,
 ) -> Result<Json<ConfigurationView>, ApiError> {
@@ -45,7 +45,7 @@ pub(super) async fn configuration(
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(super) struct TimingQuery {
-    /// Time between the light pulses, in µs; that of the run unless given.
+    /// Time between the light pulses, in µs; default: that of the run.
     #[param(minimum = 0.1, maximum = 1_000_000.0)]
     dt_us: Option<f64>,
 }
@@ -61,10 +61,10 @@ pub(super) struct TimingView {
     /// Q-switches of laser heads 1 and 2: the light pulses.
     q_switch_us: [f64; 2],
     camera_trigger_us: f64,
-    /// Start and end.
+    /// Start and end of exposure 1.
     exposure_1_us: [f64; 2],
     exposure_2_us: [f64; 2],
-    /// When the cameras can be triggered again.
+    /// Time from which the cameras can be triggered again.
     camera_ready_us: f64,
     pulse_width_us: f64,
 }
@@ -97,11 +97,12 @@ impl From<PulseSchedule> for TimingView {
     }
 }
 
-/// When lamps, Q-switches and cameras fire with a dt, or why no schedule has it. Changes nothing.
+/// Times of lamps, Q-switches and cameras for a dt, or why no schedule is possible. Changes
+/// nothing.
 #[utoipa::path(get, path = "/api/v1/control/timing", tag = "control", params(TimingQuery), responses(
     (status = 200, body = TimingView),
     (status = 404, description = "No bench is configured", body = super::error::ErrorBody),
-    (status = 409, description = "No schedule has this dt", body = super::error::ErrorBody)))]
+    (status = 409, description = "No schedule is possible with this dt", body = super::error::ErrorBody)))]
 pub(super) async fn timing(
     State(app): State<App>,
     Arguments(query): Arguments<TimingQuery>,
@@ -117,5 +118,5 @@ pub(super) async fn timing(
 }
 
 fn unknown() -> ApiError {
-    ApiError::not_found("this server knows no configuration: it serves no configured bench")
+    ApiError::not_found("this server has no configuration of a bench")
 }

@@ -1,4 +1,4 @@
-//! Errors as clients see them.
+//! HTTP errors.
 
 use axum::{
     Json,
@@ -10,7 +10,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use utoipa::ToSchema;
 
-/// Every error has this body; some have more keys beside the message.
+/// The body of every error; some errors have further keys.
 #[derive(Debug, Serialize, ToSchema)]
 pub(super) struct ErrorBody {
     /// What happened and what to do.
@@ -44,7 +44,7 @@ impl ApiError {
         Self::new(StatusCode::INTERNAL_SERVER_ERROR, message)
     }
 
-    /// To be asked again in a second.
+    /// The client should retry after one second.
     pub fn busy(message: impl Into<String>) -> Self {
         let again = HeaderValue::from_static("1");
         Self::new(StatusCode::SERVICE_UNAVAILABLE, message).header(header::RETRY_AFTER, again)
@@ -55,7 +55,7 @@ impl ApiError {
         Self { status, body, headers: Vec::new() }
     }
 
-    /// Adds a field beside the message.
+    /// Adds a field to the body.
     pub fn with(mut self, key: &str, value: impl Into<Value>) -> Self {
         self.body.details.insert(key.to_owned(), value.into());
         self
@@ -88,7 +88,7 @@ impl From<PathRejection> for ApiError {
     }
 }
 
-/// 413 for too much, 415 for what is not called JSON, 422 for what is JSON of another shape.
+/// 413 for a body that is too large, 415 for a wrong content type, 422 for JSON of the wrong shape.
 impl From<JsonRejection> for ApiError {
     fn from(rejection: JsonRejection) -> Self {
         Self::new(rejection.status(), rejection.body_text())

@@ -1,4 +1,4 @@
-//! `/api/v1/events`: what happens, as it happens, as server-sent events.
+//! `/api/v1/events`: live events as server-sent events.
 
 use std::{
     collections::VecDeque,
@@ -31,19 +31,19 @@ use crate::{
     pipeline::{EventKind, Watermarks},
 };
 
-/// Events read from the log at once.
+/// Events read from the log at a time.
 const BATCH: usize = 64;
-/// Silence after which a comment shows that the connection lives.
+/// Silence after which a comment keeps the connection alive.
 const KEEP_ALIVE: Duration = Duration::from_secs(5);
-/// How often a stream says that the run is alive.
+/// Interval of the heartbeat of a stream.
 const HEARTBEAT: Duration = Duration::from_millis(500);
-/// A run loop that has been silent for longer than this is not said to be alive. Programming a synchroniser
-/// takes it some seconds.
+/// Heartbeats stop when the run loop has been silent for longer than this. Programming a
+/// synchroniser takes some seconds.
 const RUN_LOOP_PATIENCE: Duration = Duration::from_secs(5);
-/// How often the books are looked at for news.
-const NEWS: Duration = Duration::from_millis(250);
+/// Interval at which the run's state is checked for changes.
+const STATUS_INTERVAL: Duration = Duration::from_millis(250);
 
-/// The run in brief: the data of the event `status`.
+/// Summary of the run: the data of the event `status`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Brief {
     pub state: &'static str,
@@ -55,9 +55,9 @@ pub(super) struct Brief {
     pub cameras: Vec<CameraView>,
 }
 
-/// Tells of the run when it has moved on, a few times a second at most, until it is dropped.
-pub(super) async fn tell_news(run: ApiState) {
-    let mut ticks = tokio::time::interval(NEWS);
+/// Publishes changes of the run's state, a few times per second at most, until it is dropped.
+pub(super) async fn announce_changes(run: ApiState) {
+    let mut ticks = tokio::time::interval(STATUS_INTERVAL);
     ticks.set_missed_tick_behavior(MissedTickBehavior::Delay);
     loop {
         ticks.tick().await;
@@ -67,14 +67,15 @@ pub(super) async fn tell_news(run: ApiState) {
 
 /// Live events, server-sent.
 ///
-/// Named `status` (the run in brief), `shot` (a shot's record when it ends), `result` (a result can
-/// be fetched), `watermarks` (how far data is safe), `control` (a request was granted) and `missed`.
-/// Without `Last-Event-ID` the stream begins with the present `status`; with it, with what came
-/// after that event. `missed` says how many events the server had forgotten by then; `null` when
-/// the number belongs to another run. While the run is alive, the comment `heartbeat` comes twice a second.
+/// Named `status` (summary of the run), `shot` (a shot's record when it ends), `result` (a result
+/// can be fetched), `watermarks` (how many shots are safe), `control` (a granted request) and
+/// `missed`. Without `Last-Event-ID` the stream begins with the present `status`; with it, with the
+/// events after that id. `missed` gives the number of events that are no longer in the server's
+/// log; `null` if the id belongs to another run. While the run is alive, the comment `heartbeat` is
+/// sent twice a second.
 #[utoipa::path(get, path = "/api/v1/events", tag = "live",
     params(("Last-Event-ID" = Option<String>, Header,
-        description = "The id of the last event that was seen.")),
+        description = "The id of the last event received.")),
     responses(
         (status = 200, description = "Events, without end while the run lasts",
             content_type = "text/event-stream", body = String),
@@ -91,13 +92,13 @@ pub(super) async fn events(
     Ok(([unbuffered], events).into_response())
 }
 
-/// One stream's place in the log.
+/// Position of one stream in the event log.
 struct Reader {
     app: App,
     run: u64,
-    /// Number of the last event that was read.
+    /// Id of the last event read.
     place: u64,
-    news: watch::Receiver<u64>,
+    changes: watch::Receiver<u64>,
     heartbeat: Interval,
     pending: VecDeque<sse::Event>,
     _permit: OwnedSemaphorePermit,
@@ -106,54 +107,55 @@ struct Reader {
 impl Reader {
     fn new(app: App, last: Option<&HeaderValue>, permit: OwnedSemaphorePermit) -> Self {
         let log = app.run.board.events();
-        let (run, news, now) = (log.run(), log.watch(), log.last_id());
+        let (run, changes, now) = (log.run(), log.watch(), log.last_id());
         let pending = VecDeque::new();
         let mut heartbeat = tokio::time::interval(HEARTBEAT);
         heartbeat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-        let mut reader = Self { app, run, place: now, news, heartbeat, pending, _permit: permit };
+        let mut reader =
+            Self { app, run, place: now, changes, heartbeat, pending, _permit: permit };
         match last.map(|id| resumed(id, run)) {
             Some(Some(place)) => reader.place = place.min(now),
             other => {
                 if other.is_some() {
-                    reader.tell_missed(None);
+                    reader.push_missed(None);
                 }
                 let brief = serde_json::to_string(&reader.app.run.brief()).unwrap_or_default();
-                reader.tell(EventKind::Status.name(), now, &brief);
+                reader.push(EventKind::Status.name(), now, &brief);
             }
         }
         reader
     }
 
-    fn tell(&mut self, name: &str, id: u64, data: &str) {
+    fn push(&mut self, name: &str, id: u64, data: &str) {
         let id = format!("{:x}-{id}", self.run);
         self.pending.push_back(sse::Event::default().event(name).id(id).data(data));
     }
 
-    fn tell_missed(&mut self, count: Option<u64>) {
+    fn push_missed(&mut self, count: Option<u64>) {
         let data = serde_json::json!({ "missed": count }).to_string();
         self.pending.push_back(sse::Event::default().event("missed").data(data));
     }
 
-    /// Says that the run is alive, if it is.
-    fn tell_heartbeat(&mut self) {
+    /// Sends a heartbeat if the run is alive.
+    fn push_heartbeat(&mut self) {
         if self.app.run.run_loop.silent_for(Instant::now()) < RUN_LOOP_PATIENCE {
             self.pending.push_back(sse::Event::default().comment("heartbeat"));
         }
     }
 
-    /// Takes what is new in the log.
+    /// Reads new events from the log.
     fn read(&mut self) {
         let batch = self.app.run.board.events().after(self.place, BATCH);
         if batch.missed > 0 {
-            self.tell_missed(Some(batch.missed));
+            self.push_missed(Some(batch.missed));
         }
         for event in batch.events {
-            self.tell(event.kind.name(), event.id, &event.data);
+            self.push(event.kind.name(), event.id, &event.data);
             self.place = event.id;
         }
     }
 
-    /// The next event; `None` once the server ends and everything was told.
+    /// The next event; `None` once the server ends and all events are delivered.
     async fn next(&mut self) -> Option<sse::Event> {
         loop {
             let ending = self.app.stop.is_cancelled();
@@ -167,8 +169,8 @@ impl Reader {
                 return None;
             }
             tokio::select! {
-                _ = self.news.changed() => {}
-                _ = self.heartbeat.tick() => self.tell_heartbeat(),
+                _ = self.changes.changed() => {}
+                _ = self.heartbeat.tick() => self.push_heartbeat(),
                 () = self.app.stop.cancelled() => {}
             }
         }
@@ -181,7 +183,7 @@ impl Reader {
     }
 }
 
-/// The place of an event's id in this run; `None` for another run's or none at all.
+/// The position of an event id in this run; `None` for an id of another run or an invalid id.
 fn resumed(id: &HeaderValue, run: u64) -> Option<u64> {
     let (of_run, place) = id.to_str().ok()?.split_once('-')?;
     let of_run = u64::from_str_radix(of_run, 16).ok()?;

@@ -1,4 +1,4 @@
-//! What axum takes from a request, with errors as JSON.
+//! Extractors for request data, with JSON errors.
 
 use axum::{
     Json,
@@ -34,7 +34,8 @@ impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Arguments<T> {
     }
 }
 
-/// A body in JSON, an object. Without that rule `[50.0]` would be read as the first member of a type.
+/// A JSON object as body. Only objects are accepted: otherwise `[50.0]` would be read as the first
+/// field of a type.
 pub(super) struct Body<T>(pub T);
 
 impl<S: Send + Sync, T: DeserializeOwned> FromRequest<S> for Body<T> {
@@ -51,7 +52,7 @@ impl<S: Send + Sync, T: DeserializeOwned> FromRequest<S> for Body<T> {
 /// A shot number from a path.
 pub(super) fn shot_number(text: &str) -> Result<u64, ApiError> {
     text.parse().map_err(|_| {
-        ApiError::bad_request(format!("'{text}' is no shot number: give an integer from 0"))
+        ApiError::bad_request(format!("'{text}' is not a shot number: give an integer from 0"))
     })
 }
 
@@ -60,6 +61,6 @@ pub(super) fn frame_index(text: &str) -> Result<usize, ApiError> {
     match text {
         "a" => Ok(0),
         "b" => Ok(1),
-        _ => Err(ApiError::bad_request(format!("'{text}' is no frame: give a or b"))),
+        _ => Err(ApiError::bad_request(format!("'{text}' is not a frame: give a or b"))),
     }
 }

@@ -1,4 +1,5 @@
-//! `/api/v1/shots/{shot}/frames/{camera}/statistics`: what a camera's images say of light, focus and aperture.
+//! `/api/v1/shots/{shot}/frames/{camera}/statistics`: light, focus and aperture from a camera's
+//! images.
 
 use axum::{
     extract::State,
@@ -16,15 +17,15 @@ use super::{
     ApiError,
     app::App,
     extract::Params,
-    frames::{absent, camera_index, frame_shot},
+    frames::{camera_index, frame_shot, unavailable},
 };
 
-/// Bins of a histogram at most.
+/// Largest number of histogram bins.
 const BINS: usize = 256;
-/// Memory that an answer takes, generously.
+/// Upper bound for the size of a response.
 const ANSWER_BYTES: usize = 64 << 10;
 
-/// A camera's two images of a shot, in numbers.
+/// Statistics of a camera's two images of a shot.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = FrameStatistics)]
 pub(super) struct StatisticsView {
@@ -33,26 +34,26 @@ pub(super) struct StatisticsView {
     configured: ConfiguredMicroImages,
     /// Frames a and b.
     frames: Vec<FrameView>,
-    /// Light of frame a over that of frame b; absent where b is dark.
+    /// Light of frame a over that of frame b; absent if b is dark.
     a_over_b: Option<f64>,
 }
 
-/// How the configured optics put the micro-images.
+/// Micro-images according to the configured optics.
 #[derive(Debug, Serialize, ToSchema)]
 struct ConfiguredMicroImages {
     /// Columns and rows of the sensor.
     sensor_px: [usize; 2],
     pitch_px: f64,
-    /// Of the aperture's picture.
+    /// Diameter of the image of the aperture.
     diameter_px: f64,
-    /// Column and row of the middle of the micro-image nearest to the sensor's middle, from the middle of
-    /// the first pixel.
+    /// Column and row of the centre of the micro-image nearest to the sensor's centre, measured
+    /// from the centre of the first pixel.
     middle_px: [f64; 2],
-    /// Of the main lens.
+    /// F-number of the main lens.
     f_number: f64,
 }
 
-/// One image.
+/// Statistics of one image.
 #[derive(Debug, Serialize, ToSchema)]
 struct FrameView {
     least_counts: u16,
@@ -60,41 +61,41 @@ struct FrameView {
     /// Black level, from the dark corners of the micro-images.
     offset_counts: f64,
     noise_counts: f64,
-    /// Mean light of the lit pixels above black and background.
+    /// Mean light of the open pixels, above black level and background.
     light_counts: f64,
     background_counts: f64,
-    /// Share of the lit pixels that hold a particle's light.
+    /// Share of the open pixels with light of particles.
     bright_share: f64,
-    /// Absent where no pixel is saturated.
+    /// Absent if no pixel is saturated.
     saturation_counts: Option<u16>,
     saturated_share: f64,
-    /// Pixels per bin, from 0 counts upwards.
+    /// Pixels per bin, starting at 0 counts.
     histogram: Vec<u64>,
     /// Counts per bin.
     bin_counts: u32,
-    /// Absent where the micro-images do not stand out.
+    /// Absent if the micro-images cannot be distinguished.
     micro_image: Option<MicroImageView>,
 }
 
 /// The mean micro-image.
 #[derive(Debug, Serialize, ToSchema)]
 struct MicroImageView {
-    /// Cells along an edge.
+    /// Number of cells along an edge.
     cells: usize,
-    /// Light of each cell in counts above black, row by row, the upper row first.
+    /// Light of each cell in counts above black level, row by row, top row first.
     light: Vec<f64>,
-    /// Diameter of the aperture's picture over the pitch; absent where light does not fall to half.
+    /// Diameter of the image of the aperture in pitches; absent if light does not fall to half.
     diameter_pitches: Option<f64>,
-    /// The main lens' f-number that it amounts to.
+    /// The f-number of the main lens that gives this diameter.
     f_number: Option<f64>,
     /// Distance over which light falls from 80 % to 20 %.
     edge_px: Option<f64>,
-    /// Light in the corners over that in the middle.
+    /// Light in the corners over light in the centre.
     corner_share: f64,
 }
 
-/// A camera's two images in numbers: histogram, saturation, light, and the mean micro-image with what it says
-/// of aperture and focus.
+/// Statistics of a camera's two images: histogram, saturation, light, and the mean micro-image,
+/// from which aperture and focus can be judged.
 #[utoipa::path(get, path = "/api/v1/shots/{shot}/frames/{camera}/statistics", tag = "shots",
     params(
         ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
@@ -102,7 +103,7 @@ struct MicroImageView {
     responses(
         (status = 200, body = StatisticsView),
         (status = 404, description = "No such shot or camera", body = super::error::ErrorBody),
-        (status = 410, description = "The frames are not to be had any more", body = super::error::ErrorBody)))]
+        (status = 410, description = "The frames are no longer available", body = super::error::ErrorBody)))]
 pub(super) async fn statistics(
     State(app): State<App>,
     Params((shot, camera)): Params<(String, String)>,
@@ -112,13 +113,13 @@ pub(super) async fn statistics(
     let camera = camera_index(&camera, names.len())?;
     let name = names[camera].clone();
     let bench = app.run.bench.clone();
-    let optics = bench.map(|bench| bench.optics.clone()).ok_or_else(|| {
-        ApiError::not_found("this server knows no optics: it serves no configured bench")
-    })?;
+    let optics = bench
+        .map(|bench| bench.optics.clone())
+        .ok_or_else(|| ApiError::not_found("this server has no configuration of a bench"))?;
     let known = app.run.ledger.lock().entry(shot).is_some();
     let frames = app.run.frames.clone();
     let made = move || {
-        let image = |half| frames.frame(shot, camera, half).ok_or_else(|| absent(shot, known));
+        let image = |half| frames.frame(shot, camera, half).ok_or_else(|| unavailable(shot, known));
         let view = view(shot, name, &optics, &[image(0)?, image(1)?]);
         serde_json::to_vec(&view).map_err(|error| ApiError::internal(error.to_string()))
     };
@@ -160,7 +161,7 @@ fn configured(optics: &Optics) -> ConfiguredMicroImages {
     }
 }
 
-/// Diameter of the configured aperture's picture over the micro-images' pitch.
+/// Diameter of the configured aperture's image over the micro-image pitch.
 fn diameter_pitches(optics: &Optics) -> f64 {
     let picture_mm =
         optics.pupil_diameter_mm() * optics.microlens.focal_length_mm / optics.image_distance_mm();

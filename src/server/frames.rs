@@ -1,4 +1,4 @@
-//! `/api/v1/shots/{shot}/frames`: raw frames to look at.
+//! `/api/v1/shots/{shot}/frames`: previews of raw frames.
 
 use axum::{extract::State, http::HeaderMap, response::Response};
 use lfpiv_hw::{CameraName, RawImage};
@@ -8,23 +8,23 @@ use utoipa::IntoParams;
 use super::{
     ApiError,
     app::App,
-    bytes::{ETag, unchanging},
+    bytes::{ETag, cacheable},
     extract::{Arguments, Params, frame_index, shot_number},
-    preview::{Grey, PNG, made},
+    preview::{Grey, PNG, encode_preview},
 };
 use crate::pipeline::Board;
 
-/// Width of a preview unless asked otherwise, in pixels.
+/// Default width of a preview, in pixels.
 const DEFAULT_WIDTH: usize = 640;
-/// Least and greatest width that may be asked for, in pixels.
+/// Allowed widths, in pixels.
 const WIDTHS: std::ops::RangeInclusive<usize> = 16..=8192;
 
-/// Where raw frames come from.
+/// Source of raw frames.
 pub trait FrameSource: Send + Sync + 'static {
-    /// Frame a (0) or b (1) of a camera, from 0; `None` where it is not to be had. May read a
-    /// disk: it is not called on the runtime's threads.
+    /// Frame a (0) or b (1) of a camera, counted from 0; `None` if it is not available. May read
+    /// from disk, so it is not called on the runtime's threads.
     fn frame(&self, shot: u64, camera: usize, half: usize) -> Option<RawImage>;
-    /// The last shot that has frames. Reads no disk.
+    /// The last shot with frames. Does not read from disk.
     fn latest(&self) -> Option<u64>;
 }
 
@@ -43,13 +43,13 @@ impl FrameSource for Board {
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(super) struct WidthQuery {
-    /// Pixels across; never more than the image has. 640 unless given.
+    /// Width in pixels, at most that of the image; default 640.
     #[param(minimum = 16, maximum = 8192)]
     width: Option<usize>,
 }
 
-/// A raw frame as PNG, made smaller by area mean. Black is zero, white the 99.9th percentile; the
-/// header `lfpiv-white` says how many counts that is.
+/// A raw frame as PNG, reduced by area averaging. Black is zero, white is the 99.9th percentile;
+/// the header `lfpiv-white` gives it in counts.
 #[utoipa::path(get, path = "/api/v1/shots/{shot}/frames/{camera}/{image}", tag = "shots",
     params(
         ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
@@ -59,7 +59,7 @@ pub(super) struct WidthQuery {
     responses(
         (status = 200, content_type = "image/png", description = "The image", body = Vec<u8>),
         (status = 404, description = "No such shot or camera", body = super::error::ErrorBody),
-        (status = 410, description = "The frame is not to be had any more", body = super::error::ErrorBody)))]
+        (status = 410, description = "The frame is no longer available", body = super::error::ErrorBody)))]
 pub(super) async fn preview(
     State(app): State<App>,
     Params((shot, camera, image)): Params<(String, String, String)>,
@@ -77,21 +77,21 @@ pub(super) async fn preview(
     }
     let run = app.run.board.events().run();
     let tag = ETag::new(run, &format!("frame-{shot}-{camera}-{half}-{width}"));
-    unchanging(&headers, &tag, PNG, || async {
+    cacheable(&headers, &tag, PNG, || async {
         let frames = app.run.frames.clone();
         let known = app.run.ledger.lock().entry(shot).is_some();
         let preview = move || {
-            let image = frames.frame(shot, camera, half).ok_or_else(|| absent(shot, known))?;
+            let image = frames.frame(shot, camera, half).ok_or_else(|| unavailable(shot, known))?;
             Grey::of(&image, width).preview()
         };
-        made(&app.work, width * width * 4, preview).await
+        encode_preview(&app.work, width * width * 4, preview).await
     })
     .await
 }
 
-/// The files of a shot's previews.
+/// File names of a shot's previews.
 #[derive(utoipa::ToSchema)]
-#[allow(dead_code)] // Names only, for the document.
+#[allow(dead_code)] // Used only for names in the OpenAPI document.
 pub(super) enum FrameImage {
     #[serde(rename = "a.png")]
     A,
@@ -99,7 +99,7 @@ pub(super) enum FrameImage {
     B,
 }
 
-/// The shot whose frames a path names, by number or as `latest`.
+/// The shot whose frames a path requests, by number or as `latest`.
 pub(super) fn frame_shot(app: &App, shot: &str) -> Result<u64, ApiError> {
     match shot {
         "latest" => app.run.frames.latest().ok_or_else(none_yet),
@@ -113,20 +113,23 @@ pub(super) fn camera_index(text: &str, cameras: usize) -> Result<usize, ApiError
         return Ok(name.0);
     }
     let last = CameraName(cameras.saturating_sub(1));
-    Err(ApiError::not_found(format!("there is no {name}, but {} to {last}", CameraName(0))))
+    Err(ApiError::not_found(format!(
+        "there is no {name}; the cameras are {} to {last}",
+        CameraName(0)
+    )))
 }
 
 fn none_yet() -> ApiError {
-    ApiError::not_found("no shot has come to a worker yet")
+    ApiError::not_found("no shot has reached a worker yet")
 }
 
-pub(super) fn absent(shot: u64, known: bool) -> ApiError {
+pub(super) fn unavailable(shot: u64, known: bool) -> ApiError {
     if known {
         ApiError::gone(format!(
-            "the frames of shot {shot} are not at hand: they have not come yet, or later shots \
-             have taken their place"
+            "the frames of shot {shot} are not available: they have not arrived yet, or later \
+             shots have replaced them"
         ))
     } else {
-        ApiError::not_found(format!("no shot {shot} is known"))
+        ApiError::not_found(format!("there is no shot {shot}"))
     }
 }

@@ -1,6 +1,5 @@
-//! What every request passes before a handler sees it, in this order: how often this client asks,
-//! by which name it calls the server and from which page, how large the request is and how long it
-//! takes, and what its token allows.
+//! Checks of every request before its handler, in this order: rate of the client, host and origin,
+//! size of the body, deadline, and the token's scope.
 
 use std::time::{Duration, Instant};
 
@@ -15,14 +14,14 @@ use axum::{
 use super::{
     ApiError, BODY_BYTES,
     app::{App, Connection},
-    protection::{Origin, Scope, holds_token},
-    seats::SeatHandle,
+    connection_slots::SlotHandle,
+    protection::{Origin, Scope, contains_token},
 };
 
-/// Requests that make the bench safe are never turned away for their number.
+/// Requests that make the bench safe are exempt from the rate limit.
 const NEVER_LIMITED: [&str; 2] = ["/api/v1/control/stop", "/api/v1/control/disarm"];
 
-/// Headers that keep browsers from guessing, framing, lending and remembering answers.
+/// Adds headers against content sniffing, framing, referrers, cross-origin use and caching.
 pub(super) async fn headers(request: Request, next: Next) -> Response {
     let mut response = next.run(request).await;
     let headers = response.headers_mut();
@@ -39,7 +38,7 @@ pub(super) async fn headers(request: Request, next: Next) -> Response {
     response
 }
 
-/// So many requests per client, except those that make the bench safe.
+/// Limits the rate of requests per client, except those that make the bench safe.
 pub(super) async fn rate(
     State(app): State<App>,
     connection: axum::Extension<Connection>,
@@ -57,7 +56,8 @@ pub(super) async fn rate(
     Ok(next.run(request).await)
 }
 
-/// By our own names and from our own pages only, and without secrets in the address.
+/// Accepts only this server's names as host and its own pages as origin, and refuses URLs with
+/// tokens.
 pub(super) async fn origin(
     State(app): State<App>,
     connection: axum::Extension<Connection>,
@@ -71,7 +71,8 @@ pub(super) async fn origin(
     if let Some(foreign) =
         named.into_iter().flatten().find(|host| !hosts.allows(host, connection.local.ip()))
     {
-        let error = format!("'{foreign}' is not this server: list its names in server.hosts");
+        let error =
+            format!("'{foreign}' is not a name of this server: list its names in server.hosts");
         return Err(ApiError::new(StatusCode::MISDIRECTED_REQUEST, error));
     }
     if let Some(origin) = single(request.headers(), header::ORIGIN)?
@@ -80,16 +81,16 @@ pub(super) async fn origin(
         let error = "requests from pages of other servers are refused";
         return Err(ApiError::new(StatusCode::FORBIDDEN, error));
     }
-    if holds_token(request.uri(), app.protection.tokens.as_ref()) {
+    if contains_token(request.uri(), app.protection.tokens.as_ref()) {
         return Err(ApiError::bad_request(
-            "there is a token in the address, where logs and histories keep it: send it as \
+            "the URL contains a token, and logs and histories store URLs: send it as \
              'Authorization: Bearer TOKEN', and replace this one",
         ));
     }
     Ok(next.run(request).await)
 }
 
-/// The value of a header that may be there once, in ASCII.
+/// The value of a header that may occur once and must be ASCII.
 fn single(headers: &HeaderMap, name: header::HeaderName) -> Result<Option<&str>, ApiError> {
     let mut values = headers.get_all(&name).iter();
     match (values.next(), values.next()) {
@@ -99,35 +100,34 @@ fn single(headers: &HeaderMap, name: header::HeaderName) -> Result<Option<&str>,
             .map(Some)
             .map_err(|_| ApiError::bad_request(format!("the header {name} is not in ASCII"))),
         (Some(_), Some(_)) => {
-            Err(ApiError::bad_request(format!("the header {name} is there more than once")))
+            Err(ApiError::bad_request(format!("the header {name} occurs more than once")))
         }
     }
 }
 
-/// A body that is said to be too large is refused before any of it is waited for; one that turns
-/// out to be is cut off by the router's limit.
+/// Refuses a body that is too large by its `Content-Length` before it is read. The router's limit
+/// cuts off bodies that turn out to be larger.
 pub(super) async fn size(request: Request, next: Next) -> Result<Response, ApiError> {
     let length = single(request.headers(), header::CONTENT_LENGTH)?;
     let length = length.and_then(|length| length.parse::<u64>().ok()).unwrap_or_default();
     if length > BODY_BYTES as u64 {
-        let error = format!("a body of {length} bytes; allowed: {BODY_BYTES}");
+        let error = format!("the body has {length} bytes; allowed: at most {BODY_BYTES}");
         return Err(ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, error));
     }
     Ok(next.run(request).await)
 }
 
-/// Longest that a request without a body is worked on: what takes long is then this machine, not the
-/// client.
-const WORK: Duration = Duration::from_secs(60);
+/// Deadline of a request without a body: a delay is then caused by this machine, not by the client.
+const BODYLESS_DEADLINE: Duration = Duration::from_secs(60);
 
-/// No request is worked on for ever: a client that sends its body too slowly is cut off here.
+/// Ends requests after a deadline, for instance when the client sends its body too slowly.
 pub(super) async fn deadline(
     State(app): State<App>,
     request: Request,
     next: Next,
 ) -> Result<Response, ApiError> {
     let patience = match request.body().is_end_stream() {
-        true => app.protection.patience.max(WORK),
+        true => app.protection.patience.max(BODYLESS_DEADLINE),
         false => app.protection.patience,
     };
     tokio::time::timeout(patience, next.run(request)).await.map_err(|_| {
@@ -136,19 +136,19 @@ pub(super) async fn deadline(
     })
 }
 
-/// Reading: anybody on loopback without a file of tokens, otherwise any token of it.
+/// Reading: needs a token if tokens are configured; otherwise every loopback client may read.
 pub(super) async fn may_read(
     State(app): State<App>,
     request: Request,
     next: Next,
 ) -> Result<Response, Response> {
     admit(&app, Scope::Read, request.headers()).map_err(IntoResponse::into_response)?;
-    seated(&app, &request).map_err(IntoResponse::into_response)?;
+    take_slot(&app, &request).map_err(IntoResponse::into_response)?;
     Ok(next.run(request).await)
 }
 
-/// Control: a token of that scope, in every case. Otherwise a page in the operator's browser could
-/// fire a laser.
+/// Control: always needs a token with this scope. Otherwise a page in the operator's browser could
+/// fire the laser.
 pub(super) async fn may_control(
     State(app): State<App>,
     request: Request,
@@ -156,14 +156,14 @@ pub(super) async fn may_control(
 ) -> Result<Response, Response> {
     admit(&app, Scope::Control, request.headers()).map_err(IntoResponse::into_response)?;
     if !makes_safe(&request) {
-        seated(&app, &request).map_err(IntoResponse::into_response)?;
+        take_slot(&app, &request).map_err(IntoResponse::into_response)?;
         return Ok(next.run(request).await);
     }
-    if let Some(seat) = request.extensions().get::<SeatHandle>() {
-        seat.make_safe();
+    if let Some(slot) = request.extensions().get::<SlotHandle>() {
+        slot.make_safe();
     }
     let mut response = next.run(request).await;
-    // Its seat is for the next one.
+    // The connection's slot is for the next client.
     response.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
     Ok(response)
 }
@@ -172,13 +172,13 @@ fn makes_safe(request: &Request) -> bool {
     request.method() == Method::POST && NEVER_LIMITED.contains(&request.uri().path())
 }
 
-/// A seat for the connection of a request that was let in.
-fn seated(app: &App, request: &Request) -> Result<(), ApiError> {
-    if request.extensions().get::<SeatHandle>().is_none_or(SeatHandle::admit) {
+/// Gives the connection of an accepted request a slot for admitted clients.
+fn take_slot(app: &App, request: &Request) -> Result<(), ApiError> {
+    if request.extensions().get::<SlotHandle>().is_none_or(SlotHandle::admit) {
         return Ok(());
     }
     let key = if app.protection.tokens.is_some() { "connections" } else { "guests" };
-    let error = format!("too many connections, from this address or in all; see server.{key}");
+    let error = format!("too many connections, from this address or in total; see server.{key}");
     Err(ApiError::busy(error))
 }
 
@@ -206,7 +206,7 @@ fn admit(app: &App, needed: Scope, headers: &HeaderMap) -> Result<(), ApiError> 
                 .header(header::WWW_AUTHENTICATE, HeaderValue::from_static(challenge)))
         }
         None => Err(unauthorised(
-            "the token is not known here",
+            "the token is not known",
             "Bearer realm=\"lfpiv\", error=\"invalid_token\"",
         )),
     }
@@ -222,6 +222,6 @@ fn bearer(headers: &HeaderMap) -> Result<Option<&str>, ApiError> {
     let Some(value) = single(headers, header::AUTHORIZATION)? else { return Ok(None) };
     match value.split_once(' ') {
         Some((scheme, token)) if scheme.eq_ignore_ascii_case("bearer") => Ok(Some(token.trim())),
-        _ => Err(unauthorised("only Bearer tokens are known here", "Bearer realm=\"lfpiv\"")),
+        _ => Err(unauthorised("only Bearer tokens are accepted", "Bearer realm=\"lfpiv\"")),
     }
 }

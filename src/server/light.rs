@@ -1,4 +1,5 @@
-//! `/api/v1/results/{shot}/volumes` and `/projections`: reconstructed light.
+//! `/api/v1/results/{shot}/volumes` and `/projections`: reconstructed volumes and their maximum
+//! projections.
 
 use axum::{extract::State, http::HeaderMap, response::Response};
 use lfpiv_core::reconstruction::MaximumProjection;
@@ -7,18 +8,19 @@ use super::{
     ApiError,
     app::App,
     binary,
-    bytes::{ETag, unchanging},
+    bytes::{ETag, cacheable},
     extract::{Params, frame_index},
-    preview::{Grey, PNG, made},
+    preview::{Grey, PNG, encode_preview},
     results::{self, resolved},
 };
 use crate::pipeline::{Lookup, PROJECTION_MEMORY_BYTES, VOLUME_MEMORY_BYTES};
 
-/// The planes, in the order of the projections.
+/// Names of the planes, in the order of the projections.
 const PLANES: [&str; 3] = ["xy", "xz", "yz"];
 
-/// A frame's volume: light intensity per voxel as float32, little-endian, behind a header of 80
-/// bytes; see docs/http.md. The volumes of the last shots are in memory, 64 MB of lit voxels.
+/// A frame's volume: light intensity per voxel as float32, little-endian, after a header of 80
+/// bytes; see docs/http.md. The volumes of the last shots are kept in memory, up to 64 MB of lit
+/// voxels.
 #[utoipa::path(get, path = "/api/v1/results/{shot}/volumes/{frame}", tag = "results",
     params(
         ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
@@ -26,7 +28,7 @@ const PLANES: [&str; 3] = ["xy", "xz", "yz"];
     responses(
         (status = 200, description = "The volume", content_type = "application/octet-stream", body = Vec<u8>),
         (status = 404, description = "No such shot or result", body = super::error::ErrorBody),
-        (status = 410, description = "It has left the memory", body = super::error::ErrorBody)))]
+        (status = 410, description = "It is no longer in memory", body = super::error::ErrorBody)))]
 pub(super) async fn volume(
     State(app): State<App>,
     Params((shot, frame)): Params<(String, String)>,
@@ -38,7 +40,7 @@ pub(super) async fn volume(
     let Some(volumes) = app.run.board.gallery().volumes(shot) else {
         return Err(gone(&app, shot, "volumes", VOLUME_MEMORY_BYTES));
     };
-    unchanging(&headers, &tag, binary::MEDIA_TYPE, || async {
+    cacheable(&headers, &tag, binary::MEDIA_TYPE, || async {
         let bytes = binary::volume_bytes(&volumes[frame]);
         let made = move || Ok(binary::encode_volume(shot, frame, &volumes[frame]));
         Ok((app.work.make(bytes, made).await?, HeaderMap::new()))
@@ -46,8 +48,8 @@ pub(super) async fn volume(
     .await
 }
 
-/// The largest intensity along the third axis, as PNG: x or y to the right, y or z upwards. Black is
-/// zero, white the 99.9th percentile, which the header `lfpiv-white` tells.
+/// Maximum projection along the third axis, as PNG: x or y to the right, y or z upwards. Black is
+/// zero, white is the 99.9th percentile, given in the header `lfpiv-white`.
 #[utoipa::path(get, path = "/api/v1/results/{shot}/projections/{frame}/{image}", tag = "results",
     params(
         ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
@@ -56,7 +58,7 @@ pub(super) async fn volume(
     responses(
         (status = 200, description = "The image", content_type = "image/png", body = Vec<u8>),
         (status = 404, description = "No such shot or result", body = super::error::ErrorBody),
-        (status = 410, description = "It has left the memory", body = super::error::ErrorBody)))]
+        (status = 410, description = "It is no longer in memory", body = super::error::ErrorBody)))]
 pub(super) async fn projection(
     State(app): State<App>,
     Params((shot, frame, image)): Params<(String, String, String)>,
@@ -65,7 +67,7 @@ pub(super) async fn projection(
     let frame = frame_index(&frame)?;
     let name = image.strip_suffix(".png").unwrap_or(&image);
     let plane = PLANES.iter().position(|plane| *plane == name).ok_or_else(|| {
-        ApiError::bad_request(format!("'{image}' is no plane: give xy.png, xz.png or yz.png"))
+        ApiError::bad_request(format!("'{image}' is not a plane: give xy.png, xz.png or yz.png"))
     })?;
     let shot = resolved(&app.run, &shot)?;
     let run = app.run.board.events().run();
@@ -73,17 +75,17 @@ pub(super) async fn projection(
     let Some(projections) = app.run.board.gallery().projections(shot) else {
         return Err(gone(&app, shot, "projections", PROJECTION_MEMORY_BYTES));
     };
-    unchanging(&headers, &tag, PNG, || async {
+    cacheable(&headers, &tag, PNG, || async {
         let pixels = projections[frame][plane].intensity.len();
         let preview = move || upright(&projections[frame][plane]).preview();
-        made(&app.work, pixels * size_of::<f32>(), preview).await
+        encode_preview(&app.work, pixels * size_of::<f32>(), preview).await
     })
     .await
 }
 
-/// Frames, as the paths name them.
+/// Names of the frames in paths.
 #[derive(utoipa::ToSchema)]
-#[allow(dead_code)] // Names only, for the document.
+#[allow(dead_code)] // Used only for names in the OpenAPI document.
 pub(super) enum Half {
     #[serde(rename = "a")]
     A,
@@ -91,9 +93,9 @@ pub(super) enum Half {
     B,
 }
 
-/// The files of a frame's projections.
+/// File names of a frame's projections.
 #[derive(utoipa::ToSchema)]
-#[allow(dead_code)] // Names only, for the document.
+#[allow(dead_code)] // Used only for names in the OpenAPI document.
 pub(super) enum PlaneImage {
     #[serde(rename = "xy.png")]
     Xy,
@@ -103,22 +105,22 @@ pub(super) enum PlaneImage {
     Yz,
 }
 
-/// Image rows go down, the second axis goes up.
+/// Converts a projection, whose second axis points up, into an image, whose rows go down.
 fn upright(projection: &MaximumProjection) -> Grey {
     let [columns, rows] = projection.size;
     let values = projection.intensity.chunks(columns.max(1)).rev().flatten().copied().collect();
     Grey { columns, rows, values }
 }
 
-/// The result is there or was, its light is not; otherwise what there is to say of the result.
+/// The error for light that is not in memory, or for a shot without a result.
 fn gone(app: &App, shot: u64, what: &str, memory_bytes: usize) -> ApiError {
     match app.run.board.result(shot) {
         Lookup::Here(_) | Lookup::OnDisk => ApiError::gone(format!(
-            "the {what} of shot {shot} are not in memory, which holds those of the last shots in \
-             {} MB: process its raw data again with volumes asked for",
+            "the {what} of shot {shot} are not in memory, which keeps those of the last shots in \
+             {} MB: process its raw data again and request volumes",
             memory_bytes >> 20
         )),
-        other => results::absent(&app.run, shot, other),
+        other => results::unavailable(&app.run, shot, other),
     }
 }
 

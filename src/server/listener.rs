@@ -1,5 +1,5 @@
-//! Connections: accepted within limits, secured where configured, cut off when a client is too
-//! slow, and ended in order.
+//! Accepts connections within limits, with TLS where configured, disconnects slow clients, and
+//! shuts down gracefully.
 
 use std::{io, net::SocketAddr, sync::Arc, time::Duration};
 
@@ -21,18 +21,18 @@ use tower::ServiceExt;
 
 use super::{
     app::Connection,
+    connection_slots::{ConnectionSlots, SlotHandle},
     protection::Protection,
-    seats::{SeatHandle, Seats},
 };
 
-/// Largest header of a request.
+/// Largest size of a request's header.
 const HEADER_BYTES: usize = 32 << 10;
-/// Most fields of a header.
+/// Largest number of header fields.
 const HEADER_FIELDS: usize = 64;
-/// Pause after the system refused a connection: it is out of file descriptors.
+/// Pause after `accept` fails, mostly because the process is out of file descriptors.
 const REFUSED_PAUSE: Duration = Duration::from_millis(100);
 
-/// Serves connections until `stop` is cancelled and those open have ended.
+/// Serves connections until `stop` is cancelled and the open connections have ended.
 pub(super) async fn listen(
     listener: TcpListener,
     router: Router,
@@ -40,12 +40,12 @@ pub(super) async fn listen(
     stop: CancellationToken,
 ) {
     let graceful = GracefulShutdown::new();
-    let seats = Seats::new(protection.places);
-    // Dropped with this future: then no connection outlives it.
+    let slots = ConnectionSlots::new(protection.connection_limits);
+    // Dropped with this future, so no connection outlives it.
     let mut connections = JoinSet::new();
     loop {
         let accepted = tokio::select! {
-            accepted = accept(&listener, &seats) => accepted,
+            accepted = accept(&listener, &slots) => accepted,
             () = stop.cancelled() => break,
             Some(_) = connections.join_next() => continue,
         };
@@ -57,15 +57,15 @@ pub(super) async fn listen(
                 continue;
             }
         };
-        let seat = seats.arrive(peer.ip(), socket);
+        let slot = slots.arrive(peer.ip(), socket);
         let (router, protection, watcher) =
             (router.clone(), protection.clone(), graceful.watcher());
         connections.spawn(async move {
-            let served = serve_connection(stream, router, seat.handle(), &protection, watcher);
+            let served = serve_connection(stream, router, slot.handle(), &protection, watcher);
             let ended = tokio::select! {
                 ended = served => ended,
-                // An answer would cost what there is none of.
-                () = seat.needed() => Ok(()),
+                // Close without a response: resources are scarce.
+                () = slot.evicted() => Ok(()),
             };
             if let Err(error) = ended {
                 tracing::debug!(%peer, %error, "the connection ended");
@@ -77,12 +77,12 @@ pub(super) async fn listen(
     while connections.join_next().await.is_some() {}
 }
 
-/// The next connection, once its file may be open.
+/// Accepts the next connection once the limit of open sockets allows it.
 async fn accept(
     listener: &TcpListener,
-    seats: &Seats,
+    slots: &ConnectionSlots,
 ) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
-    let socket = seats.socket().await.ok_or(io::ErrorKind::NotConnected)?;
+    let socket = slots.socket().await.ok_or(io::ErrorKind::NotConnected)?;
     let (stream, peer) = listener.accept().await?;
     Ok((stream, peer, socket))
 }
@@ -92,7 +92,7 @@ type Ended = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 async fn serve_connection(
     stream: TcpStream,
     router: Router,
-    seat: SeatHandle,
+    slot: SlotHandle,
     protection: &Protection,
     watcher: Watcher,
 ) -> Ended {
@@ -100,27 +100,27 @@ async fn serve_connection(
     let connection = Connection { peer: stream.peer_addr()?, local: stream.local_addr()? };
     stream.set_nodelay(true)?;
     match &protection.tls {
-        None => serve_http(stream, (connection, seat), router, patience, watcher).await,
+        None => serve_http(stream, (connection, slot), router, patience, watcher).await,
         Some(tls) => {
             let stream = tokio::time::timeout(patience, tls.accept(stream)).await??;
-            serve_http(stream, (connection, seat), router, patience, watcher).await
+            serve_http(stream, (connection, slot), router, patience, watcher).await
         }
     }
 }
 
 async fn serve_http(
     stream: impl AsyncRead + AsyncWrite + Send + 'static,
-    (connection, seat): (Connection, SeatHandle),
+    (connection, slot): (Connection, SlotHandle),
     router: Router,
     patience: Duration,
     watcher: Watcher,
 ) -> Ended {
-    // A client that takes nothing for so long has gone, or holds an answer's memory for nothing.
+    // A client that accepts no data for this long is gone or blocks the response's memory.
     let mut stream = Box::pin(TimeoutStream::new(stream));
     stream.as_mut().set_write_timeout_pinned(Some(patience));
     let service = service_fn(move |mut request: Request<Incoming>| {
         request.extensions_mut().insert(connection);
-        request.extensions_mut().insert(seat.clone());
+        request.extensions_mut().insert(slot.clone());
         router.clone().oneshot(request.map(Body::new))
     });
     let served = http1::Builder::new()

@@ -1,5 +1,5 @@
-//! `/metrics`: counters and gauges in OpenMetrics text. They are read from ledger and board when
-//! asked for, so that nothing is counted twice or differs from `/api/v1/status`.
+//! `/metrics`: counters and gauges in OpenMetrics text. They are read from ledger and board on
+//! request, so that they always agree with `/api/v1/status`.
 
 use std::fmt;
 
@@ -68,7 +68,7 @@ impl Collector for Reader {
 impl Reader {
     fn encode_shots(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
         let counts = ShotCounts::of(&self.0);
-        let help = "Shots by where they are now";
+        let help = "Shots by state";
         let mut family = encoder.encode_descriptor("shots", help, None, MetricType::Gauge)?;
         for (state, count) in [
             ("awaiting_frames", counts.awaiting_frames),
@@ -88,19 +88,19 @@ impl Reader {
         Ok(())
     }
 
-    /// Absent where there is no bench to be lost.
+    /// Absent if the run has no synchroniser.
     fn encode_bench(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
         if self.0.control().is_none() {
             return Ok(());
         }
-        let answers = ConstGauge::new(i64::from(!self.0.has_lost_its_bench()));
-        let help = "1 while the synchroniser answers, 0 while it is looked for";
+        let answers = ConstGauge::new(i64::from(!self.0.bench_is_lost()));
+        let help = "1 while the synchroniser answers, 0 while it is lost";
         let metric =
             encoder.encode_descriptor("synchroniser_up", help, None, answers.metric_type())?;
         answers.encode(metric)
     }
 
-    /// From trigger to stored velocity.
+    /// Latency from trigger to stored velocity.
     fn encode_latency(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
         let Some(latency) = self.0.board.latency() else { return Ok(()) };
         let help = "From trigger to stored velocity, over the last thousand shots";
@@ -118,7 +118,7 @@ impl Reader {
     /// Watermarks of the raw data.
     fn encode_raw(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
         let Some(marks) = self.0.watermarks() else { return Ok(()) };
-        let help = "Shots whose data has got this far";
+        let help = "Shots whose data has reached this level";
         let mut family =
             encoder.encode_descriptor("watermark_shots", help, None, MetricType::Counter)?;
         for (level, count) in [
@@ -133,7 +133,7 @@ impl Reader {
             ConstCounter::new(count).encode(metric)?;
         }
         let Some(log) = RawLogView::of(&self.0) else { return Ok(()) };
-        let help = "Raw data, as it was in memory and as it is stored";
+        let help = "Bytes of raw data, in memory and as stored";
         let mut family = encoder.encode_descriptor("raw_bytes", help, None, MetricType::Counter)?;
         for (form, count) in [("in", log.bytes_in), ("stored", log.bytes_written)] {
             let labels = [("form", form)];
@@ -153,7 +153,7 @@ impl Reader {
             let metric = family.encode_family(&labels)?;
             ConstCounter::new(account.triggers).encode(metric)?;
         }
-        let help = "Triggers by how they ended; with the open ones they sum to the triggers";
+        let help = "Triggers by outcome; together with the open ones they sum to the triggers";
         let mut family =
             encoder.encode_descriptor("trigger_outcomes", help, None, MetricType::Counter)?;
         for (name, account) in names.iter().zip(&accounts) {
@@ -175,16 +175,16 @@ impl Reader {
         Ok(())
     }
 
-    /// What the cameras' drivers count.
+    /// Counters of the cameras' drivers.
     fn encode_streams(&self, encoder: &mut DescriptorEncoder) -> Result<(), fmt::Error> {
         type Counter = (&'static str, &'static str, fn(&StreamStatistics) -> u64);
         const COUNTERS: [Counter; 6] = [
-            ("stream_frames_completed", "Frames that arrived whole", |s| s.completed),
-            ("stream_frames_failed", "Frames that arrived damaged", |s| s.failed),
-            ("stream_frames_underrun", "Frames lost for want of a buffer", |s| s.underruns),
-            ("stream_packets_resent", "Packets asked for again that came", |s| s.resent),
-            ("stream_packets_missing", "Packets that never came", |s| s.missing),
-            ("stream_reconnects", "Times the camera vanished and came back", |s| s.reconnects),
+            ("stream_frames_completed", "Frames received completely", |s| s.completed),
+            ("stream_frames_failed", "Frames received damaged", |s| s.failed),
+            ("stream_frames_underrun", "Frames lost because no buffer was free", |s| s.underruns),
+            ("stream_packets_resent", "Packets received after a resend request", |s| s.resent),
+            ("stream_packets_missing", "Packets never received", |s| s.missing),
+            ("stream_reconnects", "Reconnections of the camera", |s| s.reconnects),
         ];
         let names = &self.0.info.configuration.cameras;
         let streams = self.0.ledger.lock().streams().to_vec();

@@ -1,4 +1,4 @@
-//! HTTP: what the daemon does and what it measured, as it happens, and the run's controls.
+//! The HTTP server: state and results of the run, live events, and the run's controls.
 //!
 //! | endpoint | scope | answer |
 //! |---|---|---|
@@ -11,25 +11,26 @@
 //! | `GET /api/v1/configuration` | read | the settings of the run |
 //! | `GET /api/v1/results/{n}` | read | the result of shot n, or of `latest` |
 //! | `GET /api/v1/results/{n}/volumes/{a,b}` | read | a frame's volume, as bytes |
-//! | `GET /api/v1/results/{n}/projections/{a,b}/{xy,xz,yz}.png` | read | its shadows |
-//! | `GET /api/v1/statistics` | read | what the shots so far say together |
+//! | `GET /api/v1/results/{n}/projections/{a,b}/{xy,xz,yz}.png` | read | its maximum projections |
+//! | `GET /api/v1/statistics` | read | ensemble statistics of the shots so far |
 //! | `GET /api/v1/control` | read | what can be controlled |
-//! | `GET /api/v1/control/timing?dt_us=` | read | when the pulses fire |
+//! | `GET /api/v1/control/timing?dt_us=` | read | the pulse schedule |
 //! | `POST /api/v1/control/{start,stop,arm,disarm,dt,note}` | control | see [`control`] |
 //! | `GET /metrics` | read | counters and gauges in OpenMetrics text |
 //! | `GET /healthz` | – | `ok`, or 503 when the run has failed |
-//! | `GET /api/v1/openapi.json`, `/docs` | – | all of this, generated, and a page that shows it |
+//! | `GET /api/v1/openapi.json`, `/docs` | – | the OpenAPI description, and a page that shows it |
 //! | `GET /` | – | the bench in a browser |
 //!
 //! A request passes [`listener`] (connections, TLS, slow clients) and [`guard`] (rate, host and
-//! origin, deadline, scope) before a handler sees it; [`protection`] is made before an address is
-//! bound. Results are JSON, or bytes as [`binary`] lays them out. Errors are JSON,
-//! `{"error": "..."}`, with the status that docs/http.md lists.
+//! origin, deadline, scope) before its handler. [`protection`] is set up before the address is
+//! bound. Results are JSON or bytes in the layout of [`binary`]. Errors are JSON, `{"error":
+//! "..."}`, with the status codes listed in docs/http.md.
 
 mod app;
 pub mod binary;
 mod bytes;
 mod configuration;
+mod connection_slots;
 mod control;
 mod error;
 mod events;
@@ -46,7 +47,6 @@ mod preview;
 mod protection;
 mod results;
 mod schemas;
-mod seats;
 mod shots;
 mod state;
 mod statistics;
@@ -70,11 +70,11 @@ pub use protection::{Protection, ProtectionError, open_files_needed, raise_open_
 pub use results::ResultSource;
 pub use state::{ApiState, CalibrationSummary, ConfigurationSummary, Phase, RunInfo};
 
-/// Largest body of a request.
+/// Largest size of a request's body.
 const BODY_BYTES: usize = 64 << 10;
 
-/// Serves `state` on `listener` until `stop` is cancelled, the requests in hand are answered, and
-/// event streams have told what happened until then.
+/// Serves `state` on `listener` until `stop` is cancelled, all requests are answered and event
+/// streams have delivered the events until then.
 pub async fn serve(
     listener: TcpListener,
     state: ApiState,
@@ -87,13 +87,13 @@ pub async fn serve(
     let router = guarded(routes, app);
     tokio::select! {
         () = listener::listen(listener, router, protection, stop) => {}
-        () = events::tell_news(state) => {}
+        () = events::announce_changes(state) => {}
     }
     tasks.close();
     tasks.wait().await;
 }
 
-/// Everything that is served, by who may ask, and its description.
+/// The endpoints by required access.
 struct Routes {
     open: Router<App>,
     read: Router<App>,
@@ -141,7 +141,7 @@ fn routes() -> (Routes, utoipa::openapi::OpenApi) {
     (Routes { open, read, control }, openapi::with_common_errors(document))
 }
 
-/// The routes behind their guards; the last layer sees a request first.
+/// Adds the guards to the routes; the last layer sees a request first.
 fn guarded(routes: Routes, app: App) -> Router {
     let read =
         routes.read.route_layer(middleware::from_fn_with_state(app.clone(), guard::may_read));
@@ -153,7 +153,10 @@ fn guarded(routes: Routes, app: App) -> Router {
         .merge(control)
         .fallback(|| async { ApiError::not_found("no such endpoint; see /docs") })
         .method_not_allowed_fallback(|| async {
-            ApiError::new(StatusCode::METHOD_NOT_ALLOWED, "not with this method; see /docs")
+            ApiError::new(
+                StatusCode::METHOD_NOT_ALLOWED,
+                "this method is not allowed here; see /docs",
+            )
         })
         .layer(DefaultBodyLimit::max(BODY_BYTES))
         .layer(middleware::from_fn_with_state(app.clone(), guard::deadline))

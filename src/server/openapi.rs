@@ -1,4 +1,5 @@
-//! The OpenAPI document, generated from the handlers, and a page that shows it without any network.
+//! The OpenAPI document, generated from the handlers, and a page that shows it without network
+//! access.
 
 use axum::{
     Json,
@@ -23,21 +24,21 @@ const PAGE: &str = include_str!("../../web/openapi/index.html");
 const SCRIPT: &str = include_str!("../../web/openapi/viewer.js");
 const STYLE: &str = include_str!("../../web/openapi/viewer.css");
 
-/// What is not said at a handler.
+/// The parts of the document that do not belong to a handler.
 #[derive(OpenApi)]
 #[openapi(
     info(
         title = "lfpiv",
         version = "1",
-        description = "A run of the light-field PIV bench: what it does, what it measured, and \
-                       its controls. Names carry units. docs/http.md has the byte layouts.",
+        description = "A run of the light-field PIV bench: its state, its results and its \
+                       controls. Units are part of the names. docs/http.md has the byte layouts.",
         license(name = "MIT OR Apache-2.0")
     ),
     tags(
-        (name = "live", description = "The run as it goes"),
-        (name = "shots", description = "What became of each shot"),
+        (name = "live", description = "State of the run"),
+        (name = "shots", description = "State of each shot"),
         (name = "results", description = "Velocity fields, volumes and their projections"),
-        (name = "control", description = "Needs a token of scope control, on loopback, too"),
+        (name = "control", description = "Needs a token of scope control, also on loopback"),
         (name = "document", description = "This document, and the bench in a browser")
     ),
     components(schemas(super::error::ErrorBody)),
@@ -50,7 +51,7 @@ struct Bearer;
 impl Modify for Bearer {
     fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
         let scheme = HttpBuilder::new().scheme(HttpAuthScheme::Bearer).description(Some(
-            "A token of server.tokens; without that file, reading on loopback needs none.",
+            "A token of server.tokens; without that file, reading on loopback needs no token.",
         ));
         let components = document.components.get_or_insert_default();
         components.add_security_scheme("bearer", SecurityScheme::Http(scheme.build()));
@@ -59,7 +60,7 @@ impl Modify for Bearer {
     }
 }
 
-/// Adds the errors that any request may meet before its handler.
+/// Adds the errors that can occur before the handler.
 pub(super) fn with_common_errors(
     mut document: utoipa::openapi::OpenApi,
 ) -> utoipa::openapi::OpenApi {
@@ -74,11 +75,15 @@ pub(super) fn with_common_errors(
 fn add_common_errors(operation: &mut Operation) {
     let open = operation.security.is_some();
     for (status, when, only_guarded) in [
-        ("400", "What cannot be read", false),
+        ("400", "The request cannot be parsed", false),
         ("401", "No token, or an unknown one", true),
-        ("403", "The token's scope, or a page of another server", false),
+        (
+            "403",
+            "The token's scope is insufficient, or the request comes from a page of another server",
+            false,
+        ),
         ("408", "The request took too long", false),
-        ("421", "Called by a name that is not this server's", false),
+        ("421", "The host name is not one of this server's", false),
         ("429", "Too many requests", false),
     ] {
         let known = operation.responses.responses.contains_key(status);

@@ -1,7 +1,7 @@
-//! The bench page: built by `web/bench/build.mjs`, carried in the program, served at `/`.
+//! The bench page: built by `web/bench/build.mjs`, embedded in the program, served at `/`.
 //!
-//! What every page here may do is said in [`POLICY`]: run this server's scripts, none of them inline, and
-//! talk to this server only; no other page may show it in a frame.
+//! [`POLICY`] restricts all pages: they run only scripts of this server, none of them inline,
+//! connect only to this server, and cannot be framed.
 
 use axum::{
     http::{HeaderValue, header},
@@ -13,19 +13,19 @@ const SCRIPT: &str = include_str!("../../web/bench/dist/bench.js");
 const STYLE: &str = include_str!("../../web/bench/dist/bench.css");
 const ICON: &str = include_str!("../../web/bench/dist/icon.svg");
 
-/// The content policy of pages.
+/// Content security policy of the pages.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; \
                       img-src 'self' blob:; base-uri 'none'; form-action 'none'; \
                       frame-ancestors 'none'; require-trusted-types-for 'script'; \
                       trusted-types 'none'";
 
-/// A page, under the policy.
+/// An HTML response with the policy.
 pub(super) fn html(text: &'static str) -> Response {
     let policy = (header::CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY));
     ([policy], file("text/html; charset=utf-8", text)).into_response()
 }
 
-/// A file of a page.
+/// A response with an embedded file.
 pub(super) fn file(media_type: &'static str, text: &'static str) -> Response {
     ([(header::CONTENT_TYPE, media_type)], text).into_response()
 }

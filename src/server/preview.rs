@@ -1,4 +1,4 @@
-//! Images to look at: made smaller by area mean, scaled to eight bit, as PNG.
+//! Previews of images: reduced by area averaging, scaled to 8 bits, encoded as PNG.
 
 use axum::{
     body::Bytes,
@@ -10,10 +10,11 @@ use tokio::sync::oneshot;
 
 use super::{ApiError, work::Work};
 
-/// This share of the pixels is not brighter than white; a few hot ones must not darken all others.
+/// Share of the pixels that are not brighter than white. A few hot pixels must not darken the
+/// image.
 const WHITE_PERCENTILE: f64 = 0.999;
 
-/// Grey values before they are scaled.
+/// Grey values before scaling.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Grey {
     pub columns: usize,
@@ -22,7 +23,7 @@ pub(super) struct Grey {
     pub values: Vec<f32>,
 }
 
-/// A PNG, and the value that its white stands for. Black is zero.
+/// A PNG and the value of its white. Black is zero.
 #[derive(Debug)]
 pub(super) struct Preview {
     pub png: Vec<u8>,
@@ -32,8 +33,9 @@ pub(super) struct Preview {
 /// The media type of previews.
 pub(super) const PNG: &str = "image/png";
 
-/// Makes a preview, as one of the large answers: the PNG, and the header that tells its white.
-pub(super) async fn made(
+/// Makes a preview within the limits of `work`; returns the PNG and the header with its white
+/// value.
+pub(super) async fn encode_preview(
     work: &Work,
     bytes: usize,
     preview: impl FnOnce() -> Result<Preview, ApiError> + Send + 'static,
@@ -41,7 +43,7 @@ pub(super) async fn made(
     let (tell_white, white) = oneshot::channel();
     let png = work.make(bytes, move || {
         let Preview { png, white } = preview()?;
-        // The receiver waits for it.
+        // The receiver exists until this closure ends.
         let _ = tell_white.send(white);
         Ok(png)
     });
@@ -49,10 +51,10 @@ pub(super) async fn made(
     Ok((png, white_header(white.await.unwrap_or_default())))
 }
 
-/// What the white of an image stands for.
+/// The header with the value of white.
 fn white_header(white: f32) -> HeaderMap {
     let mut headers = HeaderMap::new();
-    // A number is a valid value.
+    // Digits are valid header characters.
     if let Ok(white) = HeaderValue::from_str(&white.to_string()) {
         headers.insert(HeaderName::from_static("lfpiv-white"), white);
     }
@@ -60,7 +62,7 @@ fn white_header(white: f32) -> HeaderMap {
 }
 
 impl Grey {
-    /// An image at most `columns` wide; each pixel is the mean over the area that it covers.
+    /// Reduces an image to at most `columns` columns; each pixel is the mean over its area.
     pub fn of(image: &RawImage, columns: usize) -> Self {
         let columns = columns.clamp(1, image.columns().max(1));
         let scale = image.columns() as f64 / columns as f64;
@@ -82,7 +84,7 @@ impl Grey {
         Self { columns, rows, values: sums.into_iter().map(|sum| sum as f32).collect() }
     }
 
-    /// Scaled so that white is the 99.9th percentile.
+    /// Scales the values so that white is the 99.9th percentile.
     pub fn preview(&self) -> Result<Preview, ApiError> {
         let white = percentile(&self.values, WHITE_PERCENTILE);
         let factor = if white > 0.0 { 255.0 / white } else { 0.0 };
@@ -96,7 +98,7 @@ impl Grey {
     }
 }
 
-/// Means over `scale` pixels each, by the integral along the row.
+/// Means over `scale` pixels each, computed from the integral along the row.
 fn narrow_row(row: &[u16], scale: f64, integral: &mut [f64], narrow: &mut [f64]) {
     for (n, &count) in row.iter().enumerate() {
         integral[n + 1] = integral[n] + f64::from(count);
@@ -138,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn a_preview_is_a_png_whose_white_is_said() {
+    fn a_preview_is_a_png_with_its_white_value() {
         let grey = Grey::of(&image(40, 50, |n| if n < 20 { 4000 } else { 100 }), 1000);
         assert_eq!((grey.columns, grey.rows), (40, 50));
         let preview = grey.preview().unwrap();

@@ -16,7 +16,7 @@ use super::{
     ApiError, ApiState,
     app::App,
     binary,
-    bytes::{ETag, unchanging},
+    bytes::{ETag, cacheable},
     extract::{Arguments, Params, shot_number},
     schemas::{ModelFitSchema, ShotTimeSchema, StageSecondsSchema, VectorStatusSchema},
     shots::ShotState,
@@ -26,9 +26,10 @@ use crate::{
     pipeline::{Board, Lookup, RESULTS_IN_MEMORY},
 };
 
-/// Where results come from.
+/// Source of results.
 pub trait ResultSource: Send + Sync + 'static {
-    /// What is known of a shot's result. May read a disk: it is not called on the runtime's threads.
+    /// The result of a shot, or why there is none. May read from disk, so it is not called on the
+    /// runtime's threads.
     fn result(&self, shot: u64) -> Lookup;
 }
 
@@ -39,10 +40,10 @@ impl ResultSource for Board {
     }
 }
 
-/// What a vector takes in JSON, generously.
+/// Upper bound for the JSON size of a vector.
 const JSON_VECTOR_BYTES: usize = 512;
 
-/// How a result is written.
+/// Encoding of a result.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 enum Format {
@@ -55,19 +56,19 @@ enum Format {
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(super) struct FormatQuery {
-    /// `json` or `binary`; without it, the `Accept` header decides.
+    /// `json` or `binary`; by default the `Accept` header decides.
     #[param(inline)]
     format: Option<Format>,
 }
 
-/// Where the vectors are.
+/// The grid of the vectors.
 #[derive(Debug, Serialize, ToSchema)]
 pub(super) struct GridView {
     /// Vector counts along x, y, z.
     vectors_xyz: [usize; 3],
     first_mm: [f64; 3],
     spacing_mm: f64,
-    /// How the arrays below are ordered.
+    /// Order of the arrays.
     order: &'static str,
 }
 
@@ -82,13 +83,13 @@ impl GridView {
     }
 }
 
-/// A result as JSON: one element per vector in every array; null where a vector is invalid, and where its
-/// derivatives are not known.
+/// A result as JSON: every array has one element per vector; null for invalid vectors and unknown
+/// derivatives.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Result)]
 pub(super) struct ResultView<'a> {
     shot: u64,
-    /// When its trigger was given; `null` where that is not known.
+    /// Time of the trigger; `null` if unknown.
     #[schema(value_type = Option<ShotTimeSchema>)]
     time: Option<ShotTime>,
     dt_s: f64,
@@ -96,7 +97,7 @@ pub(super) struct ResultView<'a> {
     grid: GridView,
     valid_share: f64,
     warnings: &'a [String],
-    /// Whether the images are of the configured bench; absent without images.
+    /// Agreement of the images with the configured bench; unavailable without images.
     #[schema(value_type = Option<ModelFitSchema>)]
     model_fit: Option<&'a ModelFit>,
     #[schema(value_type = StageSecondsSchema)]
@@ -135,22 +136,22 @@ impl<'a> ResultView<'a> {
             status: &field.status,
             peak_ratio: &field.peak_ratio,
             vorticity_per_s: scaled(field.vorticity_or_nan(), rate),
-            divergence_per_s: field.divergence_or_nan().map(|d| known(d * rate)).collect(),
+            divergence_per_s: field.divergence_or_nan().map(|d| non_nan(d * rate)).collect(),
         }
     }
 }
 
 fn scaled(vectors: impl Iterator<Item = [f32; 3]>, factor: f32) -> Vec<[Option<f32>; 3]> {
-    vectors.map(|vector| vector.map(|component| known(component * factor))).collect()
+    vectors.map(|vector| vector.map(|component| non_nan(component * factor))).collect()
 }
 
-/// What is no number is not known.
-fn known(number: f32) -> Option<f32> {
+/// `None` for NaN.
+fn non_nan(number: f32) -> Option<f32> {
     (!number.is_nan()).then_some(number)
 }
 
-/// A result: JSON, or bytes with `format=binary` or `Accept: application/octet-stream`; see
-/// docs/http.md for the layout.
+/// A result as JSON, or as bytes with `format=binary` or `Accept: application/octet-stream`;
+/// docs/http.md describes the layout.
 #[utoipa::path(get, path = "/api/v1/results/{shot}", tag = "results",
     params(
         ("shot" = String, Path, description = "Shot number, from 0, or `latest`."),
@@ -158,11 +159,11 @@ fn known(number: f32) -> Option<f32> {
     responses(
         (status = 200, description = "The velocity field", content(
             (ResultView<'static> = "application/json"), (Vec<u8> = "application/octet-stream"))),
-        (status = 206, description = "The range of bytes that was asked for"),
-        (status = 304, description = "The client has it: `If-None-Match`"),
-        (status = 404, description = "No such shot, or no result (yet)", body = super::error::ErrorBody),
-        (status = 410, description = "It is on disk only", body = super::error::ErrorBody),
-        (status = 416, description = "No such range", body = super::error::ErrorBody)))]
+        (status = 206, description = "The requested range of bytes"),
+        (status = 304, description = "The client already has the result (`If-None-Match`)"),
+        (status = 404, description = "No such shot, or it has no result (yet)", body = super::error::ErrorBody),
+        (status = 410, description = "The result is on disk only", body = super::error::ErrorBody),
+        (status = 416, description = "The range is outside of the result", body = super::error::ErrorBody)))]
 pub(super) async fn one(
     State(app): State<App>,
     Params(shot): Params<String>,
@@ -175,17 +176,19 @@ pub(super) async fn one(
     let looked_up = tokio::task::spawn_blocking(move || source.result(shot)).await;
     let result = match looked_up.map_err(|error| ApiError::internal(error.to_string()))? {
         Lookup::Here(result) => result,
-        other => return Err(absent(&app.run, shot, other)),
+        other => return Err(unavailable(&app.run, shot, other)),
     };
     let run = app.run.board.events().run();
     let vectors = result.measured.field.grid.len();
     match format {
         Format::Json => {
             let tag = ETag::new(run, &format!("result-{shot}-json"));
-            unchanging(&headers, &tag, "application/json", || async {
+            cacheable(&headers, &tag, "application/json", || async {
                 let made = move || {
                     serde_json::to_vec(&ResultView::new(shot, &result)).map_err(|error| {
-                        ApiError::internal(format!("shot {shot} cannot be put into JSON: {error}"))
+                        ApiError::internal(format!(
+                            "shot {shot} cannot be encoded as JSON: {error}"
+                        ))
                     })
                 };
                 Ok((app.work.make(vectors * JSON_VECTOR_BYTES, made).await?, HeaderMap::new()))
@@ -194,7 +197,7 @@ pub(super) async fn one(
         }
         Format::Binary => {
             let tag = ETag::new(run, &format!("result-{shot}-binary"));
-            unchanging(&headers, &tag, binary::MEDIA_TYPE, || async {
+            cacheable(&headers, &tag, binary::MEDIA_TYPE, || async {
                 let bytes = binary::field_bytes(&result.measured.field);
                 let made = move || Ok(binary::encode(shot, &result.measured.field));
                 Ok((app.work.make(bytes, made).await?, HeaderMap::new()))
@@ -204,7 +207,7 @@ pub(super) async fn one(
     }
 }
 
-/// The shot that a path names, by number or as `latest`.
+/// The shot that a path requests, by number or as `latest`.
 pub(super) fn resolved(state: &ApiState, shot: &str) -> Result<u64, ApiError> {
     if shot != "latest" {
         return shot_number(shot);
@@ -213,8 +216,8 @@ pub(super) fn resolved(state: &ApiState, shot: &str) -> Result<u64, ApiError> {
     latest.ok_or_else(|| ApiError::not_found("no shot has a result yet"))
 }
 
-/// What there is to say of a result that cannot be fetched.
-pub(super) fn absent(state: &ApiState, shot: u64, lookup: Lookup) -> ApiError {
+/// The error for a result that cannot be delivered.
+pub(super) fn unavailable(state: &ApiState, shot: u64, lookup: Lookup) -> ApiError {
     match lookup {
         Lookup::Here(_) | Lookup::OnDisk => on_disk(state, shot),
         Lookup::NoResult(record) => {
@@ -225,7 +228,7 @@ pub(super) fn absent(state: &ApiState, shot: u64, lookup: Lookup) -> ApiError {
     }
 }
 
-/// The query decides; without one, the `Accept` header does.
+/// The requested encoding: by the query if given, otherwise by the `Accept` header.
 fn requested(headers: &HeaderMap, query: &FormatQuery) -> Format {
     let accepts_binary = headers
         .get(header::ACCEPT)
@@ -238,8 +241,8 @@ fn requested(headers: &HeaderMap, query: &FormatQuery) -> Format {
 fn on_disk(state: &ApiState, shot: u64) -> ApiError {
     let folder = &state.info.results_dir;
     let message = format!(
-        "the result of shot {shot} has left the memory, which holds the last {RESULTS_IN_MEMORY}: \
-         read it from disk"
+        "the result of shot {shot} is no longer in memory, which keeps the last \
+         {RESULTS_IN_MEMORY}: read it from disk"
     );
     let gone = ApiError::gone(message)
         .with("results_dir", folder.display().to_string())
@@ -253,9 +256,9 @@ fn on_disk(state: &ApiState, shot: u64) -> ApiError {
 
 fn not_in_pool(state: &ApiState, shot: u64) -> ApiError {
     let place = match state.ledger.lock().entry(shot).map(|entry| ShotState::of(entry, None)) {
-        None => return ApiError::not_found(format!("no shot {shot} is known")),
-        Some(ShotState::AwaitingFrames) => "its frames are still waited for",
-        Some(ShotState::Queued) => "it waits for a worker",
+        None => return ApiError::not_found(format!("there is no shot {shot}")),
+        Some(ShotState::AwaitingFrames) => "it is waiting for frames",
+        Some(ShotState::Queued) => "it is waiting for a worker",
         Some(ShotState::Shed) => "it was shed",
         Some(_) => "it was lost; see /api/v1/shots",
     };

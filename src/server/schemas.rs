@@ -1,6 +1,6 @@
-//! How types of other rooms look in JSON, for the OpenAPI document. `tests/daemon` holds real
-//! answers against it. Types of other crates have a type here that has their schema: fields
-//! name it as `#[schema(value_type = …)]`.
+//! JSON schemas of types from other rooms, for the OpenAPI document. `tests/daemon` checks real
+//! responses against it. Types of other crates are represented by a type here, which fields name as
+//! `#[schema(value_type = …)]`.
 
 use std::borrow::Cow;
 
@@ -17,7 +17,7 @@ use crate::{
     pipeline::{LatencyQuantiles, Watermarks},
 };
 
-/// An object of required members of one type.
+/// An object whose members are required and have the same type.
 fn numbers(of: Type, names: &[&str], description: &str) -> ObjectBuilder {
     names.iter().fold(ObjectBuilder::new().description(Some(description)), |object, name| {
         object
@@ -68,13 +68,14 @@ pub struct ShotTimeSchema;
 schema!(
     Outcome,
     "Outcome",
-    words(&Outcome::ALL.map(Outcome::name), "How a trigger ended for one camera.")
+    words(&Outcome::ALL.map(Outcome::name), "Outcome of a trigger for one camera.")
 );
 
 schema!(
     OutcomeCounts,
     "OutcomeCounts",
-    numbers(Type::Integer, &Outcome::ALL.map(Outcome::name), "Triggers by how they ended.").into()
+    numbers(Type::Integer, &Outcome::ALL.map(Outcome::name), "Number of triggers by outcome.")
+        .into()
 );
 
 impl PartialSchema for Account {
@@ -109,7 +110,7 @@ schema!(
     numbers(
         Type::Integer,
         &["acquired", "paired", "written", "fsynced", "processed"],
-        "How many shots have got how far."
+        "Number of shots that have reached each level."
     )
     .into()
 );
@@ -123,7 +124,7 @@ schema!(
 impl PartialSchema for ControlState {
     fn schema() -> RefOr<Schema> {
         let text = ObjectBuilder::new().schema_type(SchemaType::Type(Type::String));
-        numbers(Type::Number, &["dt_us"], "What the run does, and why it may not fire.")
+        numbers(Type::Number, &["dt_us"], "Mode of the run, and what keeps it from firing.")
             .property("mode", Ref::from_schema_name("Mode"))
             .required("mode")
             .property("held", utoipa::openapi::ArrayBuilder::new().items(text))
@@ -143,14 +144,15 @@ schema!(
     "RawLevel",
     words(
         &["not_kept", "lost", "acquired", "written", "synced"],
-        "How safe the raw images are: nowhere, lost, in memory, with the system, on the disk."
+        "Durability of the raw images: not recorded, lost, in memory, handed to the system, on the \
+         disk."
     )
 );
 
 impl PartialSchema for ShotTimeSchema {
     fn schema() -> RefOr<Schema> {
         let kind = |of: Type| ObjectBuilder::new().schema_type(SchemaType::Type(of));
-        let about = "When the trigger was given: UTC (RFC 3339) by the host's clock, its standard \
+        let about = "Time of the trigger: UTC (RFC 3339) by the host's clock, its standard \
                      uncertainty, and whether that clock was known to be synchronised.";
         numbers(Type::Number, &["uncertainty_s"], about)
             .property("utc", kind(Type::String))
@@ -173,7 +175,7 @@ schema!(
     numbers(
         Type::Number,
         &["shots", "p50_s", "p95_s", "p99_s"],
-        "From trigger to stored velocity, over the last shots."
+        "Latency from trigger to stored velocity, over the last shots."
     )
     .into()
 );
@@ -183,7 +185,7 @@ schema!(
     "VectorStatus",
     words(
         &["valid", "replaced", "invalid"],
-        "Whether a vector is measured, replaced by its neighbours, or missing."
+        "Whether a vector is measured, interpolated from its neighbours, or missing."
     )
 );
 
@@ -192,7 +194,7 @@ schema!(
     "FitVerdict",
     words(
         &["good", "doubtful", "poor"],
-        "How well the configured bench explains the images; under poor no vector is valid."
+        "How well the configured bench explains the images; with a poor fit no vector is valid."
     )
 );
 
@@ -209,18 +211,22 @@ impl PartialSchema for ModelFitSchema {
             .property("micro_image_offset_px", or_null())
             .required("micro_image_offset_px");
         let text = ObjectBuilder::new().schema_type(SchemaType::Type(Type::String));
-        numbers(Type::Number, &["valid_share"], "Whether the images are of the configured bench.")
-            .property("verdict", Ref::from_schema_name("FitVerdict"))
-            .required("verdict")
-            .property("cameras", utoipa::openapi::ArrayBuilder::new().items(camera))
-            .required("cameras")
-            .property("camera_agreement", or_null())
-            .required("camera_agreement")
-            .property("camera_disparity_mm", or_null())
-            .required("camera_disparity_mm")
-            .property("causes", utoipa::openapi::ArrayBuilder::new().items(text))
-            .required("causes")
-            .into()
+        numbers(
+            Type::Number,
+            &["valid_share"],
+            "Agreement of the images with the configured bench.",
+        )
+        .property("verdict", Ref::from_schema_name("FitVerdict"))
+        .required("verdict")
+        .property("cameras", utoipa::openapi::ArrayBuilder::new().items(camera))
+        .required("cameras")
+        .property("camera_agreement", or_null())
+        .required("camera_agreement")
+        .property("camera_disparity_mm", or_null())
+        .required("camera_disparity_mm")
+        .property("causes", utoipa::openapi::ArrayBuilder::new().items(text))
+        .required("causes")
+        .into()
     }
 }
 

@@ -1,4 +1,4 @@
-//! `/api/v1/shots`: what became of each shot.
+//! `/api/v1/shots`: the state of each shot.
 
 use axum::{Json, extract::State};
 use lfpiv_core::{reconstruction::ModelFit, velocimetry::StageSeconds};
@@ -16,12 +16,12 @@ use crate::{
     pipeline::{ShotRecord, Stage},
 };
 
-/// Shots listed unless asked otherwise.
+/// Default number of listed shots.
 const DEFAULT_LIMIT: usize = 100;
-/// Shots listed at most.
+/// Largest number of listed shots.
 const MAX_LIMIT: usize = 1000;
 
-/// Where a shot is.
+/// State of a shot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum ShotState {
@@ -32,9 +32,9 @@ pub(super) enum ShotState {
     Failed,
     WriteFailed,
     Shed,
-    /// It was due, and nothing shows that it was given.
+    /// The trigger was due, but no device shows that it was given.
     NotFired,
-    /// Some camera did not deliver; see the outcomes.
+    /// A camera did not deliver; see the outcomes.
     Lost,
 }
 
@@ -64,24 +64,24 @@ pub(super) struct CameraOutcome {
     outcome: Option<Outcome>,
 }
 
-/// One shot as clients see it.
+/// One shot.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Shot)]
 pub(super) struct ShotView {
     shot: u64,
     state: ShotState,
-    /// When its trigger was given; `null` where that is not known.
+    /// Time of the trigger; `null` if unknown.
     #[schema(value_type = Option<ShotTimeSchema>)]
     time: Option<ShotTime>,
     cameras: Vec<CameraOutcome>,
-    /// How safe its raw images are.
+    /// Durability of its raw images.
     #[schema(value_type = RawLevelSchema)]
     raw: RawLevel,
-    /// Evidence that disagrees with the pairing.
+    /// Evidence that contradicts the pairing.
     suspect: Vec<String>,
     message: Option<String>,
     warnings: Vec<String>,
-    /// Whether its images are of the configured bench; absent without a result.
+    /// Agreement of its images with the configured bench; absent without a result.
     #[schema(value_type = Option<ModelFitSchema>)]
     model_fit: Option<ModelFit>,
     vectors: Option<usize>,
@@ -118,7 +118,7 @@ impl ShotView {
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(super) struct ListQuery {
-    /// How many, 0 to 1000; 100 unless given.
+    /// Number of shots, 0 to 1000; default 100.
     #[param(maximum = 1000)]
     limit: Option<usize>,
 }
@@ -160,6 +160,6 @@ pub(super) async fn one(
     let entry = state.ledger.lock().entry(shot).cloned();
     match entry {
         Some(entry) => Ok(Json(ShotView::new(&state, &entry))),
-        None => Err(ApiError::not_found(format!("no shot {shot} is known"))),
+        None => Err(ApiError::not_found(format!("there is no shot {shot}"))),
     }
 }

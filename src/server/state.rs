@@ -1,4 +1,4 @@
-//! What the handlers read.
+//! The state of the run that handlers read.
 
 use std::{fmt, path::PathBuf, sync::Arc, time::Instant};
 
@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use super::{
     configuration::BenchSettings,
-    control::{Controls, Desk},
+    control::{ControlAccess, Controls},
     events::Brief,
     frames::FrameSource,
     results::ResultSource,
@@ -18,50 +18,50 @@ use crate::{
     pipeline::{Board, EventKind, Watermarks},
 };
 
-/// How far the run is.
+/// Phase of the run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Phase {
-    /// Tables are built, devices opened.
+    /// Tables are built and devices opened.
     Starting,
     /// Shots are taken.
     Running,
-    /// No more triggers; shots in hand are finished.
+    /// No further triggers; pending shots are finished.
     Stopping,
     /// Every shot is accounted for and the results are closed.
     Finished,
-    /// The run ended before its time; the text says why.
+    /// The run ended early; the text gives the reason.
     Failed(String),
 }
 
-/// What does not change during a run.
+/// Properties that do not change during a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunInfo {
     /// Version of this program.
     pub code_version: String,
-    /// What a voxel does to a pixel, in words.
+    /// The forward model in words.
     pub model: String,
-    /// How volumes are reconstructed, in words.
+    /// The reconstruction method in words.
     pub solver: String,
-    /// The configuration in brief.
+    /// Summary of the configuration.
     pub configuration: ConfigurationSummary,
-    /// Where the results are.
+    /// Folder of the results.
     pub results_dir: PathBuf,
-    /// Whether every shot gets a file for ParaView there.
+    /// Whether every shot gets a file for ParaView.
     pub paraview: bool,
 }
 
-/// The configuration in brief.
+/// Summary of the configuration.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ConfigurationSummary {
-    /// The file.
+    /// The configuration file.
     #[schema(value_type = String)]
     pub file: PathBuf,
     /// Whether the bench is simulated.
     pub simulated: bool,
     /// Names of the cameras.
     pub cameras: Vec<String>,
-    /// Calibrations of the cameras; those that are not listed are taken as drawn.
+    /// Calibrations of the cameras; cameras that are not listed are taken as nominal.
     pub calibrations: Vec<CalibrationSummary>,
     /// Voxels along x, y, z.
     pub voxels_xyz: [usize; 3],
@@ -71,17 +71,17 @@ pub struct ConfigurationSummary {
     pub window_mm: f64,
     /// Centre of the volume in the world frame.
     pub centre_mm: [f64; 3],
-    /// Largest displacement that is looked for.
+    /// Largest displacement that is searched.
     pub max_displacement_vox: f64,
     /// Time between the light pulses.
     pub dt_us: f64,
-    /// Shots per second that the bench gives.
+    /// Shots per second.
     pub rate_hz: f64,
-    /// Shots asked for; unbounded when absent.
+    /// Number of requested shots; absent if unlimited.
     pub shots: Option<u64>,
     /// What happens when the queue is full: `shed` or `wait`.
     pub overload: String,
-    /// Shots that fit in the queue.
+    /// Capacity of the queue in shots.
     pub queue: usize,
 }
 
@@ -90,10 +90,10 @@ pub struct ConfigurationSummary {
 pub struct CalibrationSummary {
     /// Name of the camera.
     pub camera: String,
-    /// The file that it was read from.
+    /// The calibration file.
     #[schema(value_type = String)]
     pub file: PathBuf,
-    /// The file's hash.
+    /// SHA-256 hash of the file.
     pub sha256: String,
 }
 
@@ -105,16 +105,16 @@ pub struct ApiState {
     pub(super) board: Arc<Board>,
     pub(super) journal: Journal,
     pub(super) began: Instant,
-    pub(super) desk: Desk,
+    pub(super) control_access: ControlAccess,
     pub(super) frames: Arc<dyn FrameSource>,
     pub(super) results: Arc<dyn ResultSource>,
-    /// Beats while the run loop turns.
+    /// The heartbeat of the run loop.
     pub(super) run_loop: Heartbeat,
-    /// Absent where no bench is configured.
+    /// Absent if no bench is configured.
     pub(super) bench: Option<Arc<BenchSettings>>,
     phase: Arc<Mutex<Phase>>,
-    /// What was told last.
-    told: Arc<Mutex<Option<Brief>>>,
+    /// The last published summary.
+    last_announced: Arc<Mutex<Option<Brief>>>,
 }
 
 impl fmt::Debug for ApiState {
@@ -128,7 +128,7 @@ impl fmt::Debug for ApiState {
 }
 
 impl ApiState {
-    /// The state of a run that is starting.
+    /// The state of a starting run.
     pub fn new(
         info: RunInfo,
         ledger: Arc<Mutex<Ledger>>,
@@ -144,68 +144,69 @@ impl ApiState {
             board,
             journal,
             began: Instant::now(),
-            desk: Desk::default(),
+            control_access: ControlAccess::default(),
             run_loop: Heartbeat::default(),
             bench: None,
             phase,
-            told: Arc::default(),
+            last_announced: Arc::default(),
         }
     }
 
-    /// The run can be controlled over HTTP. `arm` and `start` are refused unless an operator has
-    /// enabled them at the bench for this run, and the configuration has (`server.remote_arming`).
+    /// Makes the run controllable over HTTP. `arm` and `start` are refused unless an operator has
+    /// enabled them at the bench for this run and the configuration allows them
+    /// (`server.remote_arming`).
     pub fn with_controls(mut self, controls: Arc<dyn Controls>, enabled_at_bench: bool) -> Self {
-        self.desk = Desk { controls: Some(controls), enabled_at_bench };
+        self.control_access = ControlAccess { controls: Some(controls), enabled_at_bench };
         self
     }
 
-    /// Previews show the frames of this source, instead of the latest ones only.
+    /// Takes previews from this source instead of the board's latest frames.
     pub fn with_frames(mut self, frames: Arc<dyn FrameSource>) -> Self {
         self.frames = frames;
         self
     }
 
-    /// Results are those of this source, instead of the latest ones only.
+    /// Takes results from this source instead of the board's latest results.
     pub fn with_results(mut self, results: Arc<dyn ResultSource>) -> Self {
         self.results = results;
         self
     }
 
-    /// The bench is configured like this.
+    /// Sets the configuration of the bench.
     pub fn with_bench(mut self, bench: BenchSettings) -> Self {
         self.bench = Some(Arc::new(bench));
         self
     }
 
-    /// The run is alive while this beats.
+    /// Sets the heartbeat of the run loop.
     pub fn with_run_loop(mut self, run_loop: Heartbeat) -> Self {
         self.run_loop = run_loop;
         self
     }
 
-    /// The run has come this far; whoever watches is told.
+    /// Sets the phase and publishes it.
     pub fn set_phase(&self, phase: Phase) {
         *self.phase.lock() = phase;
         self.announce();
     }
 
-    /// Tells of the run where it is not as it was told last.
+    /// Publishes a summary of the run if it has changed.
     pub(super) fn announce(&self) {
-        // Locked throughout: what is told last is what is true last.
-        let mut told = self.told.lock();
+        // Locked throughout, so that summaries are published in the order of the states.
+        let mut last_announced = self.last_announced.lock();
         let brief = self.brief();
         if let Some(marks) = brief.watermarks {
             self.board.set_watermarks(marks);
         }
-        if told.as_ref() != Some(&brief) {
+        if last_announced.as_ref() != Some(&brief) {
             self.board.events().publish(EventKind::Status, &brief);
-            *told = Some(brief);
+            *last_announced = Some(brief);
         }
     }
 
-    /// How far data is safe, in numbers of shots; `None` where nothing is recorded.
+    /// How many shots are safe at each level; `None` if nothing is recorded.
     pub(super) fn watermarks(&self) -> Option<Watermarks> {
-        // What comes last is read first: nothing seems to be further than what it follows from.
+        // Later levels are read first, so that no level appears ahead of an earlier one.
         let processed = self.board.counts().done;
         let marks = self.journal.log().map(|_| self.journal.marks());
         let Some(marks) = marks else { return self.board.watermarks() };
@@ -223,7 +224,7 @@ impl ApiState {
         })
     }
 
-    /// How far the run is.
+    /// The phase of the run.
     pub fn phase(&self) -> Phase {
         self.phase.lock().clone()
     }

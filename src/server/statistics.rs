@@ -1,4 +1,4 @@
-//! `/api/v1/statistics`: what the shots of the run say together, so far.
+//! `/api/v1/statistics`: ensemble statistics of the shots so far.
 
 use axum::{
     extract::State,
@@ -11,7 +11,7 @@ use utoipa::{IntoParams, ToSchema};
 
 use super::{ApiError, app::App, extract::Arguments, results::GridView};
 
-/// What a place takes in JSON for each quantity, generously, and what the rest takes.
+/// Upper bounds for the JSON size of a quantity at a point, and of everything else.
 const JSON_PLACE_BYTES: usize = 160;
 const JSON_REST_BYTES: usize = 1 << 16;
 
@@ -19,8 +19,8 @@ const JSON_REST_BYTES: usize = 1 << 16;
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
 pub(super) struct StatisticsQuery {
-    /// Quantities whose maps are wanted, separated by commas: `u_mean`, `v_mean`, `w_mean`, `u_rms`, ..., `uu`,
-    /// `vv`, `ww`, `uv`, `uw`, `vw`, `u_skewness`, ..., or `all`. None unless asked for.
+    /// Quantities to return as maps, separated by commas: `u_mean`, `v_mean`, `w_mean`, `u_rms`, ...,
+    /// `uu`, `vv`, `ww`, `uv`, `uw`, `vw`, `u_skewness`, ..., or `all`. Default: none.
     quantities: Option<String>,
 }
 
@@ -28,19 +28,19 @@ pub(super) struct StatisticsQuery {
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Statistics)]
 pub(super) struct StatisticsView {
-    /// Shots that they are made of.
+    /// Number of shots.
     shots: u64,
     grid: GridView,
-    /// Valid vectors at each place.
+    /// Number of valid vectors at each point.
     samples: Vec<u64>,
     maps: Vec<MapView>,
     /// Parts of the run, from a twenty-third of the shots to all.
     convergence: Vec<ConvergenceView>,
-    /// Along x, y, z.
+    /// One per axis: x, y, z.
     correlations: Vec<CorrelationView>,
 }
 
-/// A quantity at each place, in the order z, y, x; null where there are too few samples.
+/// A quantity at each point, in the order z, y, x; null where there are too few samples.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = StatisticsMap)]
 struct MapView {
@@ -48,23 +48,24 @@ struct MapView {
     /// `m/s`, `m2/s2` or `1`.
     unit: &'static str,
     value: Vec<Option<f32>>,
-    /// Standard uncertainty for the flow's fluctuations and so many shots.
+    /// Standard uncertainty due to the flow's fluctuations and the finite number of shots.
     flow_uncertainty: Vec<Option<f32>>,
-    /// Standard uncertainty for that of each measured velocity.
+    /// Standard uncertainty due to the uncertainty of each measured velocity.
     measurement_uncertainty: Vec<Option<f32>>,
-    /// Bounds of the interval of 95 %, of both together.
+    /// Bounds of the 95 % interval, from both uncertainties.
     low: Vec<Option<f32>>,
     high: Vec<Option<f32>>,
 }
 
-/// The means and standard deviations of a part of the shots, over the places: of u, v, w.
+/// Root-mean-square over the points of means and standard deviations of u, v, w, from the first
+/// shots.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = StatisticsConvergence)]
 struct ConvergenceView {
     shots: u64,
     mean_uncertainty_m_s: [f64; 3],
     mean_difference_m_s: [f64; 3],
-    /// What the difference comes to when shots are independent.
+    /// Expected difference for independent shots.
     mean_difference_expected_m_s: [f64; 3],
     rms_difference_m_s: [f64; 3],
 }
@@ -167,7 +168,7 @@ pub(super) async fn statistics(
     let bytes = JSON_REST_BYTES + ensemble.grid().len() * JSON_PLACE_BYTES * (1 + quantities.len());
     let made = move || {
         serde_json::to_vec(&StatisticsView::new(&ensemble, &quantities)).map_err(|error| {
-            ApiError::internal(format!("the statistics cannot be put into JSON: {error}"))
+            ApiError::internal(format!("the statistics cannot be encoded as JSON: {error}"))
         })
     };
     let body = app.work.make(bytes, made).await?;
@@ -177,7 +178,7 @@ pub(super) async fn statistics(
     Ok((headers, body).into_response())
 }
 
-/// The quantities that a list names.
+/// Parses a comma-separated list of quantities.
 fn wanted(list: &str) -> Result<Vec<Quantity>, ApiError> {
     let names = list.split(',').map(str::trim).filter(|name| !name.is_empty());
     let mut quantities = Vec::new();
@@ -189,7 +190,7 @@ fn wanted(list: &str) -> Result<Vec<Quantity>, ApiError> {
             None => {
                 let known = Quantity::ALL.map(Quantity::name).join(", ");
                 return Err(ApiError::bad_request(format!(
-                    "'{name}' is no quantity: give some of {known}, or all"
+                    "'{name}' is not a quantity: give some of {known}, or all"
                 )));
             }
         }

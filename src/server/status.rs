@@ -13,7 +13,7 @@ use crate::{
     pipeline::{LatencyQuantiles, Watermarks},
 };
 
-/// The run at a glance.
+/// Overview of the run.
 #[derive(Debug, Serialize, ToSchema)]
 pub(super) struct Status {
     state: &'static str,
@@ -21,28 +21,28 @@ pub(super) struct Status {
     error: Option<String>,
     uptime_s: f64,
     code_version: String,
-    /// What is being done right now, in words.
+    /// The present activity, in words.
     stage: String,
     shots: ShotCounts,
     ledger: LedgerView,
-    /// Whether each camera answers, and what it has delivered.
+    /// Connection and delivered frames of each camera.
     cameras: Vec<CameraView>,
-    /// Room for results and raw data; absent where the disk does not say.
+    /// Free space for results and raw data; absent if the file system does not tell.
     disk: Option<DiskView>,
-    /// How far data is safe; absent where nothing is recorded.
+    /// How many shots are safe at each level; absent if nothing is recorded.
     watermarks: Option<Watermarks>,
-    /// What the raw log takes; absent where nothing is recorded.
+    /// Size of the raw log; absent if nothing is recorded.
     raw_log: Option<RawLogView>,
-    /// From trigger to stored velocity; absent before the first result.
+    /// Latency from trigger to stored velocity; absent before the first result.
     latency: Option<LatencyQuantiles>,
-    /// What can be controlled, as it is; absent where nothing can.
+    /// State of the controls; absent if the run cannot be controlled.
     control: Option<ControlState>,
     model: String,
-    /// The parts of the model and why; absent before the first result.
+    /// The parts of the model and the reasons for them; absent before the first result.
     #[schema(value_type = Option<Object>)]
     model_choice: Option<ModelChoice>,
-    /// Whether the last measured shot's images are of the configured bench; absent before the first
-    /// result.
+    /// Agreement of the last measured shot's images with the configured bench; absent before the
+    /// first result.
     #[schema(value_type = Option<ModelFitSchema>)]
     model_fit: Option<ModelFit>,
     solver: String,
@@ -50,7 +50,7 @@ pub(super) struct Status {
     results_dir: String,
 }
 
-/// How many shots are where; the sum of all but `triggered` is `triggered`.
+/// Number of shots by state; `triggered` is the sum of the others.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, ToSchema)]
 pub(super) struct ShotCounts {
     pub triggered: u64,
@@ -67,7 +67,7 @@ pub(super) struct ShotCounts {
 
 impl ShotCounts {
     pub fn of(state: &ApiState) -> Self {
-        // While the ledger is locked no shot ends: both books tell of the same moment.
+        // No shot ends while the ledger is locked, so ledger and board are consistent.
         let ledger = state.ledger.lock();
         let pool = state.board.counts();
         let account = ledger.accounts().first().copied().unwrap_or_default();
@@ -93,12 +93,12 @@ impl ShotCounts {
     }
 }
 
-/// What the raw log takes.
+/// Size of the raw log.
 #[derive(Debug, Clone, Copy, Serialize, ToSchema)]
 pub(super) struct RawLogView {
-    /// The highest shot number that is on the disk.
+    /// The highest shot number on the disk.
     last_synced: Option<u64>,
-    /// Bytes of images and heads, as they were in memory.
+    /// Bytes of images and record headers in memory.
     pub bytes_in: u64,
     /// Bytes of all segments.
     pub bytes_written: u64,
@@ -117,13 +117,13 @@ impl RawLogView {
     }
 }
 
-/// What a camera's driver says.
+/// State of a camera by its driver.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub(super) struct CameraView {
     camera: String,
-    /// Whether it answers, as far as is known.
+    /// Whether the camera answers, as far as known.
     connected: bool,
-    /// Frames delivered whole.
+    /// Completely received frames.
     frames: u64,
 }
 
@@ -141,17 +141,17 @@ impl CameraView {
     }
 }
 
-/// Room on the disk of the results.
+/// Free space on the disk of the results.
 #[derive(Debug, Clone, Copy, Serialize, ToSchema)]
 pub(super) struct DiskView {
     free_bytes: u64,
-    /// Shots whose raw data fits in there, at what a shot has taken so far; absent before the first, and where
-    /// no raw data is kept.
+    /// Number of shots whose raw data fits on the disk, by the mean size so far; absent before the
+    /// first shot and without raw data.
     shots_left: Option<u64>,
 }
 
 impl DiskView {
-    /// Asks the file system: not on the runtime's threads.
+    /// Queries the file system outside of the runtime's threads.
     async fn of(state: &ApiState) -> Option<Self> {
         let folder = state.info.results_dir.clone();
         let asked = tokio::task::spawn_blocking(move || rustix::fs::statvfs(&folder));
@@ -180,7 +180,7 @@ pub(super) struct CameraAccount {
     account: Account,
 }
 
-/// State of the run, shot counts, ledger, configuration in brief.
+/// State of the run, shot counts, ledger, summary of the configuration.
 #[utoipa::path(get, path = "/api/v1/status", tag = "live", responses((status = 200, body = Status)))]
 pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
     let shots = ShotCounts::of(&state);
@@ -211,7 +211,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
 }
 
 impl ApiState {
-    /// The run as events tell it.
+    /// Summary of the run for events.
     pub(super) fn brief(&self) -> Brief {
         let (shots, phase) = (ShotCounts::of(self), self.phase());
         Brief {
@@ -225,13 +225,13 @@ impl ApiState {
         }
     }
 
-    /// How the controls stand; `None` where there are none.
+    /// State of the controls; `None` if the run cannot be controlled.
     pub fn control(&self) -> Option<ControlState> {
-        self.desk.controls.as_ref().map(|controls| controls.state())
+        self.control_access.controls.as_ref().map(|controls| controls.state())
     }
 
-    /// Whether the synchroniser is lost and looked for.
-    pub(super) fn has_lost_its_bench(&self) -> bool {
+    /// Whether the synchroniser is lost and being searched.
+    pub(super) fn bench_is_lost(&self) -> bool {
         self.control().is_some_and(|control| control.mode == Mode::Lost)
     }
 }
@@ -255,7 +255,7 @@ fn ledger(state: &ApiState) -> LedgerView {
 fn name(state: &ApiState, phase: &Phase) -> &'static str {
     match phase {
         Phase::Starting => "starting",
-        Phase::Running if state.has_lost_its_bench() => "bench_lost",
+        Phase::Running if state.bench_is_lost() => "bench_lost",
         Phase::Running => "running",
         Phase::Stopping => "stopping",
         Phase::Finished => "finished",
@@ -270,16 +270,15 @@ fn stage(state: &ApiState, phase: &Phase, shots: ShotCounts) -> String {
         Phase::Starting => "building tables and opening devices".to_owned(),
         Phase::Finished => "all shots are accounted for, results are closed".to_owned(),
         Phase::Failed(_) => "stopped".to_owned(),
-        Phase::Running if state.has_lost_its_bench() => "looking for the synchroniser".to_owned(),
+        Phase::Running if state.bench_is_lost() => "searching for the synchroniser".to_owned(),
         _ if !working.is_empty() => format!("processing shot {}", working.join(", ")),
         _ if shots.awaiting_frames > 0 => "waiting for frames".to_owned(),
         _ => "waiting for shots".to_owned(),
     }
 }
 
-/// Whether the run is well: `ok`, or 503 once it has failed (the status says why), while the
-/// synchroniser does not answer and while a worker hangs. Open to all, for whoever supervises the
-/// daemon.
+/// Health of the run: `ok`, or 503 once it has failed (the status says why), while the synchroniser
+/// does not answer and while a worker hangs. Needs no token, so that a supervisor can read it.
 #[utoipa::path(get, path = "/healthz", tag = "live", security(()),
     responses(
         (status = 200, content_type = "text/plain", body = String),
@@ -288,7 +287,7 @@ pub(super) async fn health(State(state): State<ApiState>) -> (StatusCode, String
     let unwell = match (state.phase(), state.board.pair_times().hung(Instant::now())) {
         (Phase::Failed(_), _) => "failed: see /api/v1/status".to_owned(),
         (_, Some(hung)) => hung.to_string(),
-        (Phase::Running, None) if state.has_lost_its_bench() => {
+        (Phase::Running, None) if state.bench_is_lost() => {
             "the synchroniser does not answer: see /api/v1/status".to_owned()
         }
         _ => return (StatusCode::OK, "ok\n".to_owned()),

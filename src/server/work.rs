@@ -1,4 +1,5 @@
-//! Answers that take time or memory to make: made outside the runtime's threads, few at a time.
+//! Limits CPU time and memory of large responses. They are made outside the runtime's threads, a
+//! few at a time.
 
 use std::{sync::Arc, time::Duration};
 
@@ -7,58 +8,58 @@ use tokio::sync::{AcquireError, OwnedSemaphorePermit, Semaphore};
 
 use super::ApiError;
 
-/// Answers made at the same time. The cores belong to the reconstruction.
-const AT_A_TIME: usize = 2;
-/// Memory of the answers that are made or on their way, in units of [`UNIT_BYTES`]: 256 MB.
+/// Responses made at the same time. The cores are needed for reconstruction.
+const MAX_CONCURRENT: usize = 2;
+/// Memory of responses being made or sent, in units of [`UNIT_BYTES`]: 256 MB.
 const MEMORY_UNITS: usize = 4096;
 const UNIT_BYTES: usize = 1 << 16;
 
-/// See the module. Cheap to clone.
+/// Permits for large responses. Cheap to clone.
 #[derive(Clone)]
 pub(super) struct Work {
-    hands: Arc<Semaphore>,
+    slots: Arc<Semaphore>,
     memory: Arc<Semaphore>,
     patience: Duration,
 }
 
-/// Bytes that keep their share of the memory until the last of them is sent.
-struct Held {
+/// The bytes of a response; they hold their memory permits until they are sent.
+struct HeldBytes {
     bytes: Vec<u8>,
     _memory: OwnedSemaphorePermit,
 }
 
-impl AsRef<[u8]> for Held {
+impl AsRef<[u8]> for HeldBytes {
     fn as_ref(&self) -> &[u8] {
         &self.bytes
     }
 }
 
 impl Work {
-    /// Requests wait for `patience` and are then told to come again.
+    /// Requests that wait for longer than `patience` are refused as busy.
     pub fn new(patience: Duration) -> Self {
         let semaphore = |permits| Arc::new(Semaphore::new(permits));
-        Self { hands: semaphore(AT_A_TIME), memory: semaphore(MEMORY_UNITS), patience }
+        Self { slots: semaphore(MAX_CONCURRENT), memory: semaphore(MEMORY_UNITS), patience }
     }
 
-    /// Makes an answer of about `bytes` bytes.
+    /// Makes a response of about `bytes` bytes by `job`.
     pub async fn make(
         &self,
         bytes: usize,
         job: impl FnOnce() -> Result<Vec<u8>, ApiError> + Send + 'static,
     ) -> Result<Bytes, ApiError> {
-        let (memory, hand) = tokio::time::timeout(self.patience, self.acquire(bytes))
+        let (memory, slot) = tokio::time::timeout(self.patience, self.acquire(bytes))
             .await
-            .map_err(|_| ApiError::busy("the server is busy with other large answers"))?
-            .map_err(|_| ApiError::busy("the server is ending"))?;
+            .map_err(|_| ApiError::busy("the server is busy with other large responses"))?
+            .map_err(|_| ApiError::busy("the server is shutting down"))?;
         let made = tokio::task::spawn_blocking(move || {
             let made = job();
-            drop(hand);
+            drop(slot);
             made
         });
-        let bytes = made
-            .await
-            .map_err(|error| ApiError::internal(format!("the answer cannot be made: {error}")))??;
-        Ok(Bytes::from_owner(Held { bytes, _memory: memory }))
+        let bytes = made.await.map_err(|error| {
+            ApiError::internal(format!("the response cannot be made: {error}"))
+        })??;
+        Ok(Bytes::from_owner(HeldBytes { bytes, _memory: memory }))
     }
 
     async fn acquire(
@@ -67,7 +68,7 @@ impl Work {
     ) -> Result<(OwnedSemaphorePermit, OwnedSemaphorePermit), AcquireError> {
         let units = bytes.div_ceil(UNIT_BYTES).clamp(1, MEMORY_UNITS) as u32;
         let memory = self.memory.clone().acquire_many_owned(units).await?;
-        Ok((memory, self.hands.clone().acquire_owned().await?))
+        Ok((memory, self.slots.clone().acquire_owned().await?))
     }
 }
 
@@ -76,7 +77,7 @@ mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn memory_is_given_back_when_the_answer_is_sent() {
+    async fn memory_is_released_when_the_response_is_sent() {
         let work = Work::new(Duration::from_millis(50));
         let all = work.make(MEMORY_UNITS * UNIT_BYTES, || Ok(vec![1, 2, 3])).await.unwrap();
         let part = all.slice(1..);
@@ -89,9 +90,9 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_panic_costs_its_answer_only() {
+    async fn a_panic_fails_its_own_response_only() {
         let work = Work::new(Duration::from_secs(5));
-        for _ in 0..2 * AT_A_TIME {
+        for _ in 0..2 * MAX_CONCURRENT {
             let ended = work.make(1, || panic!("bug")).await.unwrap_err();
             assert!(format!("{ended:?}").contains("cannot be made"));
         }

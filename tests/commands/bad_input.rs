@@ -1,9 +1,9 @@
-//! Images that hold no measurement: each ends in a result marked invalid with a warning that says
-//! why, or in an error; never in a panic, a NaN or a field of zeros that looks measured. Beside
-//! them, sensors unlike the usual one, which must not cost accuracy.
+//! Images that cannot be measured. Each gives a result marked invalid with a warning that gives the
+//! reason, or an error; never a panic, a NaN or a field of zeros that looks measured. Also tests
+//! unusual sensors, which must not reduce accuracy.
 //!
-//! Missing, truncated, empty and colour files are in `process.rs`, NaN in the
-//! configuration in `configuration_numbers.rs`.
+//! Missing, truncated, empty and colour files are tested in `process.rs`, NaN in the configuration
+//! in `configuration_numbers.rs`.
 
 use std::fs;
 
@@ -21,7 +21,7 @@ use crate::support::{mean_error_vox, process, simulate, small_bench, small_confi
 
 const FULL_COUNTS: u16 = 4095;
 
-/// The small bench's pair with the scene changed.
+/// A pair of the small bench with a changed scene.
 fn shot(change: impl FnOnce(&mut Scene), seed: u64) -> SimulatedShot {
     shot_on(&small_bench(), change, seed)
 }
@@ -36,7 +36,7 @@ fn usual_pair() -> ImagePair {
     ImagePair { cameras: shot(|_| (), 5).images }
 }
 
-/// A pair of the small bench with every image uniform.
+/// A pair of the small bench whose images are uniform.
 fn uniform_pair(count: u16) -> ImagePair {
     let sensor = small_bench().optics.sensor;
     let counts = vec![count; sensor.columns * sensor.rows];
@@ -44,7 +44,7 @@ fn uniform_pair(count: u16) -> ImagePair {
     ImagePair { cameras: vec![[image.clone(), image.clone()], [image.clone(), image]] }
 }
 
-/// Measures a pair on the small bench and checks what holds for every result.
+/// Measures a pair on the small bench and checks properties of every result.
 fn measured(pair: &ImagePair) -> PairResult {
     measured_on(&small_bench(), pair)
 }
@@ -69,7 +69,7 @@ fn measured_on(config: &Config, pair: &ImagePair) -> PairResult {
     result
 }
 
-/// Every vector is marked invalid, and the warnings name `expected`.
+/// Checks that every vector is invalid and that the warnings contain `expected`.
 fn assert_invalid(name: &str, result: &PairResult, expected: &[&str]) {
     let field = &result.field;
     assert!(!field.grid.is_empty());
@@ -96,7 +96,7 @@ fn all_saturated_images_give_a_result_marked_invalid() {
 
 #[test]
 fn partly_saturated_images_are_measured_with_a_warning_that_names_them() {
-    // Camera 2 sees frame b ten times too bright.
+    // Camera 2 is ten times too bright in frame b.
     let bright = shot(|scene| scene.particle_photoelectrons *= 10.0, 5);
     let mut pair = usual_pair();
     pair.cameras[1][1] = bright.images[1][1].clone();
@@ -149,13 +149,13 @@ fn no_particles_but_noise_and_stray_light_give_a_result_marked_invalid() {
     }
 }
 
-/// Light that comes through the aperture leaves the corners of the micro-images dark: its shot
-/// noise is not that of the black level.
+/// Light through the aperture leaves the corners of the micro-images dark, so its shot noise
+/// differs from the noise of the black level.
 #[test]
 fn light_through_the_aperture_without_particles_gives_a_result_marked_invalid() {
     let dense = shot(
         |scene| {
-            // So many faint particles that no pixel tells one from another.
+            // So many faint particles that no pixel distinguishes them.
             scene.ppm = 20.0;
             scene.particle_photoelectrons = 50.0;
             scene.sheet_mm = Some([6.0, 6.0, 6.0]);
@@ -177,7 +177,7 @@ fn a_volume_that_no_camera_sees_is_refused_with_the_cameras_name() {
         };
         error.to_string()
     };
-    // Along x both cameras lose it; along y only camera 1, along z only camera 2.
+    // Along x both cameras lose the volume; along y only camera 1, along z only camera 2.
     for (centre_mm, camera) in [([30.0, 0.0, 0.0], 1), ([0.0, 20.0, 0.0], 1), ([0.0, 0.0, 20.0], 2)]
     {
         let message = refused(centre_mm);

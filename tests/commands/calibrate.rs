@@ -1,4 +1,4 @@
-//! `lfpiv calibrate grid` on white images that the simulator traced, against where their micro-images are.
+//! `lfpiv calibrate grid` on ray-traced white images, compared with the true micro-image grid.
 
 use std::{
     fs,
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::support::{Done, lfpiv, small_configuration};
 
-/// Flaws of both cameras: the array, dust and dead lenses; and a second aperture, which cuts 1.9 px off at
+/// Flaws of both cameras: array, dust, dead lenses, and a second aperture that cuts off 1.9 px at
 /// the corner.
 const FLAWS: &str = "
 [[simulation.camera]]
@@ -130,7 +130,7 @@ fn grid_of_a_configured_camera(bench: &Bench, camera: usize, limit_px: f64) {
     assert!(page.contains("data:image/png;base64") && page.contains("Held-out residual"));
 }
 
-/// Without a configuration lenses count from the first lit one, and the lattice is the same.
+/// Without a configuration lenses are counted from the first lit one; the lattice is the same.
 fn grid_of_nothing_but_images(bench: &Bench) {
     let out = bench.out("grid.json");
     let done = bench.calibrate(2, &out, &[]);

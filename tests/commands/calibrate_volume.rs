@@ -1,5 +1,5 @@
-//! From white, dark and card images to velocity, through the real binary: with a calibration a bench that is
-//! built and not as drawn measures, without it nothing is measured, and a file of another bench is
+//! From white, dark and card images to velocity, through the real binary. With a calibration an
+//! imperfect bench measures, without it nothing is measured, and the file of another bench is
 //! refused.
 
 use std::{
@@ -16,7 +16,7 @@ use crate::{
     support::{Done, lfpiv, small_configuration},
 };
 
-/// What is not as drawn: half a degree, two voxels, water behind tilted walls.
+/// Deviations: half a degree, two voxels, water behind tilted walls.
 const FLAWS: &str = "
 [[simulation.camera]]
 array_rotation_deg = 0.5
@@ -56,7 +56,7 @@ glass_index = 1.5
 medium_index = 1.333
 ";
 
-/// A folder with a bench, images of it and what is made of them.
+/// A folder with a bench, its images and results.
 struct Bench {
     root: tempfile::TempDir,
 }
@@ -66,7 +66,7 @@ impl Bench {
         self.root.path().join(name)
     }
 
-    /// Runs a command whose words are names of files in the folder where they have a dot or a slash.
+    /// Runs a command; words with a dot or a slash are names of files in the folder.
     fn lfpiv(&self, line: &str) -> Done {
         let argument = |word: &str| -> OsString {
             let is_file = word.contains(['.', '/']) && word.parse::<f64>().is_err();
@@ -96,12 +96,14 @@ impl Bench {
             .collect();
         fs::write(bench.at("card.toml"), format!("{CARD}{positions}")).unwrap();
         bench.succeeds(
-            "simulate --config drawn.toml --out images/ --shots 1 --white 3 --dark 2 --card card.toml",
+            "simulate --config drawn.toml --out images/ --shots 1 --white 3 --dark 2 --card \
+             card.toml",
         );
         bench
     }
 
-    /// Writes `drawn.toml` with a calibration for both cameras, and other changes, under another name.
+    /// Writes `drawn.toml` under another name, with a calibration for both cameras and other
+    /// changes.
     fn configuration(&self, name: &str, calibration: &str, changes: &[(&str, &str)]) -> PathBuf {
         let text = fs::read_to_string(self.at("drawn.toml")).unwrap();
         let calibrated = format!("\ncalibration = '{calibration}'");
@@ -124,7 +126,8 @@ fn calibrated() -> Bench {
             (0..count).map(|i| format!("images/{kind}/cam{n}_{i:02}.tif ")).collect()
         };
         bench.succeeds(&format!(
-            "calibrate grid --config drawn.toml --camera {n} --white {} --dark {} --out cam{n}_grid.json",
+            "calibrate grid --config drawn.toml --camera {n} --white {} --dark {} --out \
+             cam{n}_grid.json",
             images("white", 3),
             images("dark", 2)
         ));
@@ -134,16 +137,16 @@ fn calibrated() -> Bench {
          cam2_grid.json --out calibration.json",
     );
     println!("{said}");
-    // The card is a little narrower than the volume with its margin; nothing else is to be warned of.
+    // The card is a little narrower than the volume with its margin; no other warning is expected.
     let mut warnings = said.lines().filter(|line| line.starts_with("warning"));
     assert!(warnings.all(|line| line.contains("farther along")), "{said}");
     bench
 }
 
 #[test]
-fn a_bench_that_is_not_as_drawn_measures_once_it_is_calibrated() {
+fn an_imperfect_bench_measures_once_it_is_calibrated() {
     let bench = calibrated();
-    the_file_says_what_it_is_worth(&bench);
+    the_file_states_its_quality(&bench);
     without_a_calibration_nothing_is_measured(&bench);
     with_it_the_flow_is_measured(&bench);
     the_grid_alone_is_warned_of(&bench);
@@ -155,7 +158,7 @@ fn read(path: &Path) -> Value {
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
 }
 
-fn the_file_says_what_it_is_worth(bench: &Bench) {
+fn the_file_states_its_quality(bench: &Bench) {
     let file = read(&bench.at("calibration.json"));
     assert_eq!(
         (&file["format"], &file["version"]),
@@ -195,11 +198,12 @@ fn with_it_the_flow_is_measured(bench: &Bench) {
             values(name).iter().filter(|v| v.is_finite()).map(|v| (v - flow).abs()).collect();
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         println!("{name}: {mean}");
-        // Both cameras focus in the middle of this small volume, which blurs depth, in water a third
-        // more: in air and as drawn 0.02 to 0.06. `lfpiv bench --set calibration` has the true map beside it.
+        // Both cameras focus in the centre of this small volume, which blurs depth, in water a
+        // third more: in air and without deviations the error is 0.02 to 0.06. `lfpiv bench --set
+        // calibration` compares with the true map.
         assert!(mean < 0.25, "{name}: {mean}");
     }
-    // What is stored with the results measures again without the file.
+    // The stored configuration measures again without the calibration file.
     let stored = Config::parse("stored", &text("configuration")).unwrap();
     let again = ConfigFile::load(&config).unwrap().config;
     assert_eq!(stored.measurement().calibrations, again.measurement().calibrations);
@@ -212,18 +216,18 @@ fn the_grid_alone_is_warned_of(bench: &Bench) {
     let second = text.rfind("cam1_grid.json").unwrap();
     fs::write(&config, text[..second].to_owned() + "cam2" + &text[second + 4..]).unwrap();
     let said = bench.succeeds("check --quick --config grids.toml");
-    assert!(said.contains("advice   calibration  only a part"), "{said}");
-    assert!(said.contains("place and optics of cam1 and cam2 are not"), "{said}");
+    assert!(said.contains("advice   calibration  incomplete"), "{said}");
+    assert!(said.contains("pose and optics of cam1 and cam2 are the nominal"), "{said}");
     let done = bench.lfpiv("process --config grids.toml --out grids/ images/shot_0000");
-    let warned = done.stderr.matches("run `lfpiv calibrate volume`").count();
+    let warned = done.stderr.matches("name its file in each").count();
     assert!(done.success && warned == 1, "{}", done.stderr);
     // The place of one camera alone is not enough.
     let mixed = text[..second].to_owned() + "calibration.json" + &text[second + 14..];
     fs::write(&config, mixed).unwrap();
-    let left = ConfigFile::load(&config).unwrap().config.left_as_drawn().unwrap();
-    assert!(left.contains("optics of cam1 are not"), "{left}");
+    let left = ConfigFile::load(&config).unwrap().config.left_nominal().unwrap();
+    assert!(left.contains("optics of cam1 are the nominal"), "{left}");
     let said = bench.succeeds("check --quick --config calibrated.toml");
-    assert!(said.contains("ok       calibration  micro-images, places and optics"), "{said}");
+    assert!(said.contains("ok       calibration  micro-images, poses and optics"), "{said}");
     assert!(!bench.succeeds("check --quick --config drawn.toml").contains("calibration"));
 }
 
@@ -243,7 +247,8 @@ fn a_file_of_another_bench_is_refused(bench: &Bench) {
     };
     let said = refused("calibration.json", &[("f_number = 4.0", "f_number = 4.1")]);
     assert!(
-        said.contains("other.toml:") && said.contains("f_number = 4.0 there, 4.1 here"),
+        said.contains("other.toml:")
+            && said.contains("f_number = 4.0 in the file, 4.1 in the configuration"),
         "{said}"
     );
     let said = refused(
@@ -264,7 +269,7 @@ fn a_file_of_another_bench_is_refused(bench: &Bench) {
     let later = whole.replacen("\"version\": 1", "\"version\": 9", 1);
     fs::write(bench.at("later.json"), later).unwrap();
     assert!(refused("later.json", &[]).contains("its version is 9"));
-    // Another device, and another part of its sensor.
+    // Another device, and another region of its sensor.
     let text = fs::read_to_string(bench.at("drawn.toml")).unwrap();
     let scene = &text[text.find("[simulation]").unwrap()..];
     let instruments = |first: &str| {
@@ -289,7 +294,7 @@ fn a_file_of_another_bench_is_refused(bench: &Bench) {
 }
 
 #[test]
-fn what_is_missing_for_a_calibration_is_said() {
+fn missing_input_of_a_calibration_is_reported() {
     let root = tempfile::tempdir().unwrap();
     let bench = Bench { root };
     let config = small_configuration();
@@ -303,7 +308,7 @@ fn what_is_missing_for_a_calibration_is_said() {
     };
     let volume =
         "calibrate volume --config drawn.toml --out calibration.json --card card.toml --grid";
-    assert!(said(&format!("{volume} cam1.json")).contains("give the grid of each"));
+    assert!(said(&format!("{volume} cam1.json")).contains("give one grid per camera"));
     assert!(said(&format!("{volume} cam1.json cam2.json")).contains("cannot be read"));
     fs::write(bench.at("card.toml"), CARD.replace("marks = [9, 11]", "marks = [9, 10]")).unwrap();
     assert!(said(&format!("{volume} cam1.json cam2.json")).contains("position"));

@@ -1,5 +1,5 @@
-//! `lfpiv check`: a bench that cannot measure is refused with file, line and key, and what could be
-//! better is said.
+//! `lfpiv check`: a bench that cannot measure is refused with file, line and key, and advice is
+//! given on what could be better.
 
 use std::{
     fs,
@@ -14,7 +14,7 @@ fn check(config: &Path) -> Done {
     lfpiv(["check".as_ref(), "--quick".as_ref(), "--config".as_ref(), config.as_os_str()])
 }
 
-/// A shipped configuration with pieces of text replaced, as a file in `folder`.
+/// A shipped configuration with some text replaced, as a file in `folder`.
 fn changed(folder: &Path, name: &str, changes: &[(&str, &str)]) -> PathBuf {
     let text = changes.iter().fold(shipped(name), |text, (from, to)| {
         assert!(text.contains(from), "{from}");
@@ -25,7 +25,7 @@ fn changed(folder: &Path, name: &str, changes: &[(&str, &str)]) -> PathBuf {
     path
 }
 
-/// What is said against a bench, read for this.
+/// The error message for a bench that is loaded for `purpose`.
 fn refusal(purpose: Purpose, name: &str, changes: &[(&str, &str)]) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let path = changed(folder.path(), name, changes);
@@ -35,14 +35,14 @@ fn refusal(purpose: Purpose, name: &str, changes: &[(&str, &str)]) -> String {
     }
 }
 
-/// The place of the first line that begins with `key`.
+/// Number of the first line that begins with `key`.
 fn line_of(name: &str, key: &str) -> usize {
     1 + shipped(name).lines().position(|line| line.starts_with(key)).expect(key)
 }
 
-/// `card.toml` describes a calibration card.
+/// `card.toml` describes a calibration card, so it is left out.
 #[test]
-fn every_configuration_in_the_repository_can_be_measured_with() {
+fn every_configuration_in_the_repository_is_accepted() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folders = ["config", "tests/data", "bench/peers/cases"];
     let mut files = 0;
@@ -76,7 +76,7 @@ fn a_volume_outside_the_common_view_is_refused() {
 }
 
 #[test]
-fn a_camera_that_sees_what_the_other_sees_is_refused() {
+fn two_cameras_with_the_same_view_are_refused() {
     let same = (
         "up = [0.0, 0.0, -1.0]\naxis = [0.0, 1.0, 0.0]",
         "up = [0.0, 1.0, 0.0]\naxis = [0.0, 0.0, 1.0]",
@@ -104,7 +104,7 @@ fn windows_larger_than_the_volume_are_refused() {
 }
 
 #[test]
-fn os_mart_has_no_form_over_the_whole_volume() {
+fn os_mart_on_the_whole_volume_is_refused() {
     let line = line_of("bench", "solver") + 1;
     let whole = |solver: &str| format!("solver = \"{solver}\"\ndomain = \"volume\"");
     let os_mart = "solver = \"os-mart\"";
@@ -116,9 +116,9 @@ fn os_mart_has_no_form_over_the_whole_volume() {
     ConfigFile::load_for(Purpose::Images, &paper).expect("the paper's own form");
 }
 
-/// Images can be measured that were taken at any rate, volumes that came from any cameras.
+/// Images may be taken at any rate, and volumes may come from any cameras.
 #[test]
-fn only_what_is_used_must_fit() {
+fn only_used_settings_must_be_consistent() {
     let rate = [("rate_hz = 10.0", "rate_hz = 1000.0")];
     let said = refusal(Purpose::Bench, "bench", &rate);
     let line = line_of("bench", "rate_hz");
@@ -153,12 +153,12 @@ fn process_and_run_refuse_what_check_refuses() {
 }
 
 #[test]
-fn what_could_be_better_is_advice() {
+fn possible_improvements_are_given_as_advice() {
     let root = tempfile::tempdir().expect("a folder");
     let (sin, cos) = 30.0_f64.to_radians().sin_cos();
     let near = format!("up = [0.0, {cos}, {}]\naxis = [0.0, {sin}, {cos}]", -sin);
     for (from, to, said) in [
-        ("f_number = 4.0", "f_number = 4.0", "100 % seen by both"),
+        ("f_number = 4.0", "f_number = 4.0", "100 % in the common view"),
         (
             "\nfocal_length_mm = 0.8",
             "\nfocal_length_mm = 0.4",
@@ -177,9 +177,9 @@ fn what_could_be_better_is_advice() {
         (
             "up = [0.0, 0.0, -1.0]\naxis = [0.0, 1.0, 0.0]",
             &near,
-            "-> depth is measured worse than the rest",
+            "-> depth is less accurate than the other components",
         ),
-        ("window_mm = 0.8", "window_mm = 0.4", "-> 5 or more make most windows valid"),
+        ("window_mm = 0.8", "window_mm = 0.4", "-> with 5 or more most windows are valid"),
     ] {
         let done = check(&changed_configuration(root.path(), from, to));
         assert!(done.success, "{}", done.stderr);
@@ -188,18 +188,18 @@ fn what_could_be_better_is_advice() {
 }
 
 #[test]
-fn seconds_and_memory_stand_against_the_rate() {
+fn seconds_and_memory_are_compared_with_the_rate() {
     let config = crate::support::small_configuration();
     let done = lfpiv(["check".as_ref(), "--config".as_ref(), config.as_os_str()]);
     assert!(done.success, "{}", done.stderr);
-    for said in ["per pair on", "for the images of pairs that wait at 10 shots/s"] {
+    for said in ["per pair on", "for images of waiting pairs at 10 shots/s"] {
         assert!(done.stdout.contains(said), "{}", done.stdout);
     }
 }
 
-/// What `process` and `run` refuse, `check` refuses, too.
+/// `check` refuses what `process` and `run` refuse.
 #[test]
-fn background_images_that_are_not_there_are_refused() {
+fn missing_background_images_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let image = |more: &str| {
         let to = format!("background = {more}");

@@ -1,5 +1,5 @@
-//! Configuration files: the shipped ones load; a wrong one is refused with file, line, key, value
-//! and what is allowed.
+//! Configuration files: shipped ones load; a wrong one is refused with file, line, key, value and
+//! the allowed values.
 
 use lfpiv::config::{Config, ConfigFile};
 use lfpiv_core::{model::ModelMode, reconstruction::Footprint};
@@ -7,7 +7,7 @@ use lfpiv_hw::TimingSettings;
 
 use crate::support::{SHIPPED, shipped};
 
-/// The bench's configuration with one piece of text replaced.
+/// The bench's configuration with some text replaced.
 struct Changed {
     text: String,
     /// First byte of the replacement.
@@ -22,7 +22,7 @@ impl Changed {
         Self { text, start }
     }
 
-    /// What is said against it as `run.toml`.
+    /// The error message for it as `run.toml`.
     fn refusal(&self) -> String {
         match Config::parse("run.toml", &self.text) {
             Ok(_) => panic!("this was accepted:\n{}", self.text),
@@ -36,7 +36,7 @@ impl Changed {
         self.place_of(byte)
     }
 
-    /// The same for the last `marker` before the replacement.
+    /// `run.toml:LINE:COLUMN` of the last `marker` before the replacement.
     fn place_before(&self, marker: &str) -> String {
         self.place_of(self.text[..self.start].rfind(marker).expect(marker))
     }
@@ -48,7 +48,7 @@ impl Changed {
     }
 }
 
-/// What is said against the bench's configuration with one piece of text replaced.
+/// The error message for the bench's configuration with some text replaced.
 fn refusal(from: &str, to: &str) -> String {
     Changed::new(from, to).refusal()
 }
@@ -63,7 +63,7 @@ fn shipped_configurations_load() {
     }
 }
 
-/// The daemon and the simulated bench at the other ends of its wires see the same.
+/// The daemon and the simulated bench at the other end of its wires have the same optics.
 #[test]
 fn both_ends_of_the_loopback_are_one_bench() {
     let load = |name: &str| Config::parse(name, &shipped(name)).unwrap();
@@ -77,7 +77,7 @@ fn both_ends_of_the_loopback_are_one_bench() {
 }
 
 #[test]
-fn instruments_are_one_camera_for_each_and_no_simulation_beside_them() {
+fn instruments_match_the_cameras_and_exclude_a_simulation() {
     let text = shipped("loopback");
     let (before, rest) = text.split_once("[[instruments.camera]]").unwrap();
     let (first, rest) = rest.split_once("[[instruments.camera]]").unwrap();
@@ -91,7 +91,7 @@ fn instruments_are_one_camera_for_each_and_no_simulation_beside_them() {
 }
 
 #[test]
-fn a_scene_lists_no_more_cameras_than_there_are() {
+fn a_scene_cannot_list_more_cameras_than_the_bench_has() {
     let text = shipped("sim");
     for key in [
         "camera_shift_mm = [[0,0,0], [0,0,0], [0,0,0]]",
@@ -193,7 +193,7 @@ fn a_value_of_the_wrong_type_is_shown_with_what_is_allowed() {
     }
 }
 
-/// Four voxel counts are no volume.
+/// A volume has three voxel counts, not four.
 #[test]
 fn an_array_with_too_many_elements_is_refused_with_how_many_are_allowed() {
     let cases = [
@@ -220,9 +220,9 @@ fn an_array_with_too_many_elements_is_refused_with_how_many_are_allowed() {
     }
 }
 
-/// A parser takes up to a hundred times as much memory as the file has bytes.
+/// A parser needs up to a hundred times the memory of the file.
 #[test]
-fn a_configuration_that_is_too_large_or_no_file_is_refused_unread() {
+fn a_configuration_that_is_too_large_or_not_a_file_is_not_read() {
     let root = tempfile::tempdir().unwrap();
     let large = root.path().join("large.toml");
     std::fs::write(&large, format!("numbers = [{}]", "1,".repeat(1 << 20))).unwrap();
@@ -329,7 +329,7 @@ fn cameras_may_be_one_or_two() {
 }
 
 #[test]
-fn the_second_cameras_bad_vector_is_told_from_the_firsts() {
+fn an_error_in_the_second_camera_is_located_there() {
     let changed = Changed::new("up = [0.0, 0.0, -1.0]", "up = [0.0, 0.0, -2.0]");
     let message = changed.refusal();
     let expected = "camera[1].up = [0.0, 0.0, -2.0]: has length 2, allowed: 1 within 1e-6";
@@ -342,7 +342,7 @@ fn the_second_cameras_bad_vector_is_told_from_the_firsts() {
 }
 
 #[test]
-fn broken_syntax_is_placed() {
+fn syntax_errors_are_located() {
     for (to, marker) in [
         ("voxel_mm = 1e999", "1e999"),
         ("voxel_mm = 0.1 0.2", "0.1"),
@@ -356,7 +356,7 @@ fn broken_syntax_is_placed() {
 }
 
 #[test]
-fn all_faults_are_reported_at_once_in_the_order_of_the_file() {
+fn all_errors_are_reported_together_in_the_order_of_the_file() {
     let text = shipped("bench")
         .replace("overlap = 0.5", "overlap = 2.0")
         .replace("f_number = 4.0", "f_number = nan");

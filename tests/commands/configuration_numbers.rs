@@ -1,4 +1,5 @@
-//! Every number of the shipped configurations is checked: not finite, negative or huge is refused.
+//! Every number of the shipped configurations is checked: infinite, NaN, negative and huge values
+//! are refused.
 
 use std::ops::Range;
 
@@ -34,7 +35,7 @@ fn numbers_in(
     }
 }
 
-/// Every number of every shipped file, replaced by one that is none.
+/// Replaces every number of every shipped file by NaN or infinity.
 #[test]
 fn no_number_may_be_nan_or_infinite() {
     for name in SHIPPED {
@@ -62,7 +63,7 @@ fn no_number_may_be_nan_or_infinite() {
     }
 }
 
-/// Numbers far outside any range are refused too, wherever a range is declared.
+/// Numbers far outside any range are refused wherever a range is declared.
 #[test]
 fn no_length_or_count_may_be_negative_or_huge() {
     for key in [

@@ -1,5 +1,5 @@
-//! `lfpiv doctor` through the real binary, in situations made for it: folders that cannot be
-//! written, ports that are missing or forbidden, an address in use.
+//! `lfpiv doctor` through the real binary: folders that cannot be written, missing or forbidden
+//! ports, an address in use.
 
 use std::{
     fs,
@@ -14,7 +14,7 @@ use serde_json::Value;
 
 use crate::support::{changed_configuration, lfpiv, shipped};
 
-/// A pseudo-terminal stays while this is held.
+/// A pseudo-terminal that exists as long as this value.
 struct Terminal {
     _controller: OwnedFd,
     path: PathBuf,
@@ -30,7 +30,7 @@ impl Terminal {
     }
 }
 
-/// What a command that was to run the doctor printed.
+/// Output of a command that ran the doctor.
 struct Examined {
     code: Option<i32>,
     report: Value,
@@ -38,7 +38,7 @@ struct Examined {
 }
 
 impl Examined {
-    /// Runs `lfpiv doctor` behind the words of `prefix`, such as `setpriv` or `unshare`.
+    /// Runs `lfpiv doctor` through a prefix command such as `setpriv` or `unshare`.
     fn by(prefix: &[&str], config: &Path) -> Self {
         let binary = env!("CARGO_BIN_EXE_lfpiv");
         let config = config.to_str().expect("text");
@@ -63,7 +63,7 @@ impl Examined {
     }
 }
 
-/// The small bench, whose results go to `output` at one shot a second.
+/// The small bench, with its results in `output`, at one shot per second.
 fn bench_writing_to(folder: &Path, output: &Path) -> PathBuf {
     let changed = changed_configuration(folder, "dir = \"results\"", &format!("dir = {output:?}"));
     let text = fs::read_to_string(&changed).expect("the configuration");
@@ -71,7 +71,7 @@ fn bench_writing_to(folder: &Path, output: &Path) -> PathBuf {
     changed
 }
 
-/// The loopback's bench with this serial port.
+/// The loopback bench with this serial port.
 fn bench_at_port(folder: &Path, port: &Path) -> PathBuf {
     let text = shipped("loopback");
     let changed = text
@@ -84,8 +84,8 @@ fn bench_at_port(folder: &Path, port: &Path) -> PathBuf {
     path
 }
 
-/// The words before a command that is to see a small tmpfs at `place`, mounted with `options`;
-/// `None`, and said so, where this machine does not allow it.
+/// Prefix for a command that is to see a small tmpfs at `place`, mounted with `options`; `None`,
+/// with a message, if this machine does not allow it.
 fn with_tmpfs(place: &Path, options: &str) -> Option<Vec<String>> {
     let mount = format!("mount -t tmpfs -o {options} tmpfs {place:?} && exec \"$@\"");
     let words = |flags: &str| ["unshare", flags, "sh", "-c", &mount, "sh"].map(str::to_owned);
@@ -105,12 +105,12 @@ fn borrowed(words: &[String]) -> Vec<&str> {
 }
 
 #[test]
-fn a_machine_that_is_fit_is_told_so_in_figures() {
+fn a_fit_machine_passes_with_measured_values() {
     let root = tempfile::tempdir().expect("a folder");
     let config = bench_writing_to(root.path(), &root.path().join("not/yet"));
     let examined = Examined::of(&config);
     assert_eq!(examined.code, Some(0), "{}{}", examined.report, examined.stderr);
-    for check in ["output folder", "free room", "processor", "memory", "clock", "address"] {
+    for check in ["output folder", "free space", "processor", "memory", "clock", "address"] {
         assert_ne!(examined.check(check).0, "problem", "{}", examined.report);
     }
     let checks = examined.report["checks"].as_array().expect("checks");
@@ -124,7 +124,7 @@ fn a_machine_that_is_fit_is_told_so_in_figures() {
 }
 
 #[test]
-fn for_people_there_is_a_line_for_each_check_and_none_needs_a_configuration() {
+fn the_report_has_a_line_per_check_and_needs_no_configuration() {
     let done = lfpiv(["doctor"]);
     assert!(
         done.stdout.contains("writing speed") && done.stdout.contains("cores"),
@@ -151,7 +151,7 @@ fn a_folder_that_cannot_be_written_is_a_problem() {
 }
 
 #[test]
-fn a_disk_that_is_soon_full_is_a_problem() {
+fn a_disk_that_will_soon_be_full_is_a_problem() {
     let root = tempfile::tempdir().expect("a folder");
     let results = root.path().join("results");
     fs::create_dir(&results).expect("a folder");
@@ -161,7 +161,7 @@ fn a_disk_that_is_soon_full_is_a_problem() {
     assert_eq!(examined.code, Some(1), "{}", examined.report);
     assert_eq!(examined.check("output folder").0, "ok");
     assert!(examined.check("writing speed").1.contains("16 MB written and synced"));
-    let (verdict, found, advice) = examined.check("free room");
+    let (verdict, found, advice) = examined.check("free space");
     assert_eq!(verdict, "problem", "{found}");
     assert!(found.starts_with("0.1 GB") && advice.contains("remove old runs"), "{found}");
 }
@@ -178,13 +178,13 @@ fn a_serial_port_that_is_missing_is_a_problem() {
 }
 
 #[test]
-fn a_terminal_is_a_port_for_those_who_may_use_it() {
+fn a_terminal_is_a_port_for_users_with_access() {
     let root = tempfile::tempdir().expect("a folder");
     let terminal = Terminal::open();
     let config = bench_at_port(root.path(), &terminal.path);
     assert_eq!(Examined::of(&config).check("serial port").0, "ok");
 
-    // Root may do anything, so it looks as somebody else does.
+    // Root may do anything, so the doctor is run as another user.
     fs::set_permissions(&terminal.path, fs::Permissions::from_mode(0o000)).expect("its owner");
     fs::set_permissions(root.path(), fs::Permissions::from_mode(0o755)).expect("its owner");
     let nobody = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"];
@@ -205,19 +205,19 @@ fn a_terminal_is_a_port_for_those_who_may_use_it() {
     assert!(found.contains("Permission denied") && advice.contains("adduser"), "{found} {advice}");
 }
 
-/// `lfpiv run` without end; killed when dropped.
+/// `lfpiv run` without end; killed on drop.
 struct Run(Child);
 
 impl Drop for Run {
     fn drop(&mut self) {
-        // It may have ended by itself where the test failed.
+        // It may have ended by itself if the test failed.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
 }
 
 #[test]
-fn a_daemon_that_runs_already_is_recognised() {
+fn a_running_daemon_is_recognised() {
     let root = tempfile::tempdir().expect("a folder");
     let config = bench_writing_to(root.path(), &root.path().join("results"));
     let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));

@@ -1,4 +1,4 @@
-//! The program as it is started from a shell: what its commands write, and what they say of bad input.
+//! The program as started from a shell: output of its commands, and messages for bad input.
 
 // All of this crate is test; clippy's exception covers only the functions marked as such.
 #![allow(clippy::unwrap_used)]

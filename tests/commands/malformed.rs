@@ -1,4 +1,4 @@
-//! Files that are not what they should be: an error that says so, never a panic, never a result.
+//! Malformed files give an error that says so, never a panic or a result.
 
 use std::{fs, path::PathBuf, sync::OnceLock};
 
@@ -14,7 +14,7 @@ use proptest::prelude::*;
 
 use crate::support::{SHIPPED, shipped};
 
-/// How a good text is spoiled.
+/// Damage to a valid text.
 #[derive(Debug, Clone)]
 struct Spoiled {
     at: prop::sample::Index,
@@ -35,7 +35,7 @@ impl Spoiled {
     }
 }
 
-/// A file of this content, gone with the test's folder.
+/// A file with this content, deleted with the test's folder.
 struct Kept {
     _folder: tempfile::TempDir,
     path: PathBuf,
@@ -58,7 +58,7 @@ fn good_tiff() -> &'static [u8] {
     })
 }
 
-/// A run whose description and only record are these.
+/// A run with this description and this single record.
 fn run_of(description: &[u8], head: &[u8]) -> tempfile::TempDir {
     let run = tempfile::tempdir().expect("a folder");
     let settings = RawLogSettings::default();
@@ -101,7 +101,7 @@ proptest! {
     }
 
     #[test]
-    fn random_text_is_no_configuration(text in "\\PC{0,200}") {
+    fn random_text_is_not_a_configuration(text in "\\PC{0,200}") {
         prop_assert!(Config::parse("random.toml", &text).is_err());
     }
 
@@ -125,7 +125,7 @@ proptest! {
     }
 
     #[test]
-    fn an_entry_that_is_none_is_reported_and_those_behind_it_are_read(
+    fn an_invalid_entry_is_reported_and_later_ones_are_read(
         head in prop::collection::vec(any::<u8>(), 0..64),
     ) {
         prop_assume!(serde_json::from_slice::<Entry>(&head).is_err());
@@ -138,7 +138,7 @@ proptest! {
     }
 
     #[test]
-    fn a_description_that_is_none_is_refused(spoiled in spoiled()) {
+    fn an_invalid_description_is_refused(spoiled in spoiled()) {
         let bytes = spoiled.applied(&description());
         prop_assume!(serde_json::from_slice::<Description>(&bytes).is_err());
         let run = run_of(&bytes, b"{}");

@@ -1,4 +1,4 @@
-//! `lfpiv process` through the real binary: what is wrong with a pair is said, and costs only it.
+//! `lfpiv process` through the real binary: a bad pair is reported and does not affect others.
 
 use std::{
     fs,
@@ -39,7 +39,7 @@ fn truncate(path: &Path) {
     fs::write(path, &whole[..whole.len() / 2]).expect("half an image");
 }
 
-/// The damaged folder, and what must be said about it.
+/// A damaged folder and the expected message.
 fn bad_folders(root: &Path) -> Vec<(PathBuf, &'static str)> {
     let remove = |file: &'static str| {
         move |folder: &Path| fs::remove_file(folder.join(file)).expect("an image")
@@ -92,7 +92,7 @@ fn every_bad_folder_is_reported_with_its_fault() {
 }
 
 #[test]
-fn good_pairs_are_measured_beside_bad_ones() {
+fn good_pairs_are_measured_although_others_are_bad() {
     let root = tempfile::tempdir().unwrap();
     let bad = damaged(root.path(), "bad", |folder| truncate(&folder.join("cam2_b.tif")));
     let good = damaged(root.path(), "good", |_| ());
@@ -124,7 +124,7 @@ fn a_folder_of_pairs_is_processed_pair_by_pair() {
     assert_eq!(leftovers.count(), 0);
 }
 
-/// What is told of each pair, and what ParaView is told to open.
+/// The pairs in the output, and the files listed for ParaView.
 fn listed(out: &Path) -> Vec<String> {
     let series = fs::read(out.join("velocity.vti.series")).expect("a series");
     let series: Value = serde_json::from_slice(&series).expect("JSON");
@@ -133,7 +133,7 @@ fn listed(out: &Path) -> Vec<String> {
 }
 
 #[test]
-fn results_that_are_there_are_kept_unless_told_otherwise() {
+fn existing_results_are_kept_by_default() {
     let root = tempfile::tempdir().unwrap();
     let (pairs, out) = (root.path().join("pairs"), root.path().join("out"));
     assert!(simulate(&small_configuration(), &pairs, 2, 5).success);
@@ -171,9 +171,9 @@ fn results_that_are_there_are_kept_unless_told_otherwise() {
     assert_ne!(fs::read(out.join("shot_0000/velocity.nc")).unwrap(), first);
 }
 
-/// So many pairs that the signal comes long before the last of them.
+/// So many pairs that the signal arrives long before the last one.
 #[test]
-fn one_that_is_interrupted_says_so_and_is_resumed() {
+fn an_interrupted_command_reports_it_and_is_resumed() {
     const PAIRS: usize = 60;
     const LEFT: usize = 3;
     let root = tempfile::tempdir().unwrap();
@@ -205,7 +205,7 @@ fn one_that_is_interrupted_says_so_and_is_resumed() {
     assert!(said.contains(&words) && said.contains("--resume"), "{said}");
     assert!((1..PAIRS).contains(&measured));
 
-    // The others are only more of the same.
+    // The remaining pairs would show nothing new.
     for pair in measured + LEFT..PAIRS {
         fs::remove_dir_all(folder(pair)).unwrap();
     }
@@ -217,7 +217,7 @@ fn one_that_is_interrupted_says_so_and_is_resumed() {
 }
 
 #[test]
-fn the_model_that_the_scene_chose_is_said_and_stored() {
+fn the_chosen_model_is_logged_and_stored() {
     let root = tempfile::tempdir().unwrap();
     assert!(simulate(&small_configuration(), &root.path().join("pairs"), 1, 5).success);
     let table = "[model]\nmode = \"auto\"\naperture_coverage = \"on\"\n[volume]";
@@ -260,7 +260,7 @@ fn stored_volumes_are_correlated_again() {
         let [config, out, volumes] = paths;
         lfpiv(["correlate".as_ref(), "--config".as_ref(), config, "--out".as_ref(), out, volumes])
     };
-    // Voxels are coarser than those that `process` has correlated: larger windows.
+    // Voxels are coarser than those correlated by `process`, so windows are larger.
     let wide = changed_configuration(root.path(), "window_mm = 0.8", "window_mm = 1.2");
     let done = correlate(&wide, &volumes);
     assert!(done.success, "{}", done.stderr);
@@ -273,7 +273,7 @@ fn stored_volumes_are_correlated_again() {
     for (name, truth) in [("u", 1.0), ("v", -0.5), ("w", 0.25)] {
         let errors = values(name).into_iter().zip(&valid).filter(|(_, valid)| **valid == 1.0);
         let mean = errors.map(|(v, _)| (v - truth).abs()).sum::<f64>() / valid.iter().sum::<f64>();
-        // Windows hold some twenty particles; one voxel is 1 m/s.
+        // A window contains some twenty particles; one voxel is 1 m/s.
         assert!(mean < 0.3, "{name}: {mean}");
     }
     let other =
@@ -283,9 +283,9 @@ fn stored_volumes_are_correlated_again() {
     assert!(done.stderr.contains("voxels, not [18, 20, 24]"), "{}", done.stderr);
 }
 
-/// Whatever is wrong with a file, the program ends by itself and says so.
+/// With any damage to the file the program ends normally with an error.
 #[test]
-fn no_damage_to_a_volumes_file_ends_the_program() {
+fn a_damaged_volume_file_never_crashes_the_program() {
     let root = tempfile::tempdir().unwrap();
     let config = changed_configuration(root.path(), "voxels = [24, 20, 16]", "voxels = [8, 8, 8]");
     let whole = root.path().join("whole.nc");
@@ -304,7 +304,7 @@ fn no_damage_to_a_volumes_file_ends_the_program() {
     for case in 0..100 {
         let mut bytes = bytes.clone();
         for _ in 0..random.random_range(1..4) {
-            // What describes the file lies at its beginning.
+            // The file's metadata is at its beginning.
             let reach = if random.random() { 2048.min(bytes.len()) } else { bytes.len() };
             let at = random.random_range(0..reach);
             bytes[at] ^= 1 << random.random_range(0..8);
@@ -327,7 +327,7 @@ fn no_damage_to_a_volumes_file_ends_the_program() {
 }
 
 #[test]
-fn a_folder_without_pairs_says_what_a_pair_is() {
+fn a_folder_without_pairs_gives_an_explanation() {
     let root = tempfile::tempdir().unwrap();
     let done = process(&root.path().join("out"), &[root.path().to_path_buf()]);
     assert!(!done.success);
@@ -342,6 +342,6 @@ fn a_folder_without_pairs_says_what_a_pair_is() {
 fn an_unknown_solver_is_refused_with_the_known_ones() {
     let done = lfpiv(["process", "--config", "x", "--out", "y", "--solver", "magic", "z"]);
     assert!(!done.success);
-    assert!(done.stderr.contains("no solver is called `magic`"), "{}", done.stderr);
+    assert!(done.stderr.contains("unknown solver `magic`"), "{}", done.stderr);
     assert!(done.stderr.contains("os-mart"), "{}", done.stderr);
 }

@@ -15,7 +15,7 @@ use crate::support::{changed_configuration, lfpiv};
 /// Longest time to wait for anything.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// `lfpiv run` without end, once it has said where its status is.
+/// `lfpiv run` without end, after it has printed its status address.
 struct Running {
     child: Child,
     status_url: String,
@@ -47,7 +47,7 @@ impl Running {
         response.body_mut().read_json().expect("JSON")
     }
 
-    /// Waits until some shot has left the pool.
+    /// Waits until a shot has left the pool.
     fn wait_for_a_shot(&self) {
         let began = Instant::now();
         loop {
@@ -107,9 +107,10 @@ fn stops_cleanly_on(signal: &str) {
     assert_eq!(unsealed.count(), 0);
 }
 
-/// The whole way, nothing replaced: rendered, reconstructed, correlated, written, tabulated.
+/// The complete chain without replacements: rendered, reconstructed, correlated, written,
+/// tabulated.
 #[test]
-fn a_bounded_run_measures_the_flow_that_was_simulated() {
+fn a_bounded_run_measures_the_simulated_flow() {
     let root = tempfile::tempdir().expect("a folder");
     let results = format!("dir = \"{}\"", root.path().join("results").display());
     let config = changed_configuration(root.path(), "dir = \"results\"", &results);
@@ -134,7 +135,7 @@ fn a_bounded_run_measures_the_flow_that_was_simulated() {
         assert!(number(1) > 0.0 && number(2) > 50.0, "vectors and valid share: {row:?}");
         assert!((4..7).all(|column| number(column) < 0.3), "errors: {row:?}");
     }
-    // Nobody sees a bar: every shot is told as it comes.
+    // Without a progress bar a line is printed for every shot.
     for shot in 0..3 {
         let told = |line: &str| line.starts_with(&format!("shot {shot}: ")) && line.contains(" s");
         assert!(done.stdout.lines().any(told), "{}", done.stdout);
@@ -169,7 +170,7 @@ fn without_a_simulation_hardware_is_missing() {
 }
 
 #[test]
-fn a_schedule_that_the_laser_cannot_follow_is_refused() {
+fn a_schedule_beyond_the_limits_of_the_laser_is_refused() {
     let root = tempfile::tempdir().expect("a folder");
     let config = changed_configuration(root.path(), "rate_hz = 10.0", "rate_hz = 15.0");
     let done = lfpiv(["run".as_ref(), "--config".as_ref(), config.as_os_str()]);
@@ -180,7 +181,7 @@ fn a_schedule_that_the_laser_cannot_follow_is_refused() {
 }
 
 #[test]
-fn zero_shots_is_a_wrong_command_line() {
+fn zero_shots_are_refused_as_a_wrong_command_line() {
     let done = lfpiv(["run", "--config", "any.toml", "--shots", "0"]);
     assert!(!done.success && done.stderr.contains("--shots"), "{}", done.stderr);
 }

@@ -1,5 +1,5 @@
-//! The daemon as a service: what it tells systemd, through a socket that stands in for the
-//! manager's; what it writes for journald; and the unit file.
+//! The daemon as a service: its messages to systemd, through a socket that replaces the manager's;
+//! its output for journald; and the unit file.
 
 use std::{
     fs::{self, File},
@@ -12,14 +12,14 @@ use std::{
 use crate::support::changed_configuration;
 
 const PATIENCE: Duration = Duration::from_secs(300);
-/// The watchdog's limit that the daemon is given.
+/// The daemon's watchdog limit.
 const WATCHDOG: Duration = Duration::from_secs(4);
 
-/// `lfpiv run` without end, under a manager that listens.
+/// `lfpiv run` without end, with a listening service manager.
 struct Service {
     child: Child,
     manager: UnixDatagram,
-    /// What it has said, and when.
+    /// The messages sent, with their times.
     told: Vec<(Instant, String)>,
 }
 
@@ -43,7 +43,7 @@ impl Service {
         Self { child, manager, told: Vec::new() }
     }
 
-    /// Listens until `enough` is said of all that was told.
+    /// Listens until `enough` returns true for the messages so far.
     fn listen(&mut self, enough: impl Fn(&[(Instant, String)]) -> bool) {
         let began = Instant::now();
         let mut datagram = [0; 4096];
@@ -80,7 +80,7 @@ fn count(told: &[(Instant, String)], what: &str) -> usize {
 }
 
 #[test]
-fn systemd_is_told_of_readiness_life_and_end() {
+fn systemd_gets_ready_watchdog_and_stopping_messages() {
     let root = tempfile::tempdir().expect("a folder");
     let mut service = Service::start(root.path());
     service.listen(|told| count(told, "READY=1") > 0);
@@ -105,7 +105,7 @@ fn systemd_is_told_of_readiness_life_and_end() {
 }
 
 #[test]
-fn for_journald_lines_have_priorities_and_neither_colour_nor_time() {
+fn lines_for_journald_have_priorities_but_no_colour_or_time() {
     let root = tempfile::tempdir().expect("a folder");
     let log = root.path().join("log");
     let file = File::create(&log).expect("a file");
@@ -125,14 +125,14 @@ fn for_journald_lines_have_priorities_and_neither_colour_nor_time() {
         assert!(["<3>", "<4>", "<6>", "<7>"].contains(&line.get(..3).unwrap_or("")), "{line}");
         assert!(!line.contains('\u{1b}') && !has_time(line), "{line}");
     }
-    // The variable is inherited from somewhere, but this is not the journal.
+    // The variable is inherited, but standard error is not the journal.
     let other = File::create(&log).expect("a file");
     assert!(run("1:1".into(), other));
     let text = fs::read_to_string(&log).expect("the log");
     assert!(!text.starts_with('<') && text.lines().any(has_time), "{text}");
 }
 
-/// Whether a line has a time of day in it, as 12:34:56.
+/// Whether a line contains a time of day, such as 12:34:56.
 fn has_time(line: &str) -> bool {
     let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     line.match_indices(':').any(|(at, _)| {
@@ -143,9 +143,9 @@ fn has_time(line: &str) -> bool {
     })
 }
 
-/// The unit as shipped, with the binary that was built.
+/// The shipped unit with the built binary.
 #[test]
-fn the_unit_is_understood_by_systemd() {
+fn systemd_accepts_the_unit() {
     let unit = Path::new(env!("CARGO_MANIFEST_DIR")).join("packaging/lfpiv.service");
     let text = fs::read_to_string(unit).expect("the unit");
     assert!(text.contains("/usr/local/bin/lfpiv run"), "{text}");
@@ -160,7 +160,7 @@ fn the_unit_is_understood_by_systemd() {
     };
     let said = String::from_utf8_lossy(&verified.stderr);
     assert!(verified.status.success() && !said.contains("lfpiv.service"), "{said}");
-    // A wrong line would have been noticed.
+    // systemd would have reported a wrong line.
     fs::write(&copy, text.replace("WatchdogSec=60", "WatchdogSec=soon")).expect("written");
     let said = verify(&copy).expect("it ran before").stderr;
     assert!(String::from_utf8_lossy(&said).contains("lfpiv.service"));

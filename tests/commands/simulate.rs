@@ -13,7 +13,7 @@ fn read(folder: &Path, name: &str) -> Vec<u8> {
 }
 
 #[test]
-fn a_seed_names_its_images_and_its_truth() {
+fn a_seed_determines_images_and_truth() {
     let root = tempfile::tempdir().unwrap();
     let folders = ["first", "again", "other"].map(|name| root.path().join(name));
     for (folder, seed) in folders.iter().zip([5, 5, 6]) {
@@ -27,7 +27,7 @@ fn a_seed_names_its_images_and_its_truth() {
 }
 
 #[test]
-fn the_truth_holds_particles_flow_and_dt() {
+fn the_truth_contains_particles_flow_and_dt() {
     let root = tempfile::tempdir().unwrap();
     assert!(simulate(&small_configuration(), root.path(), 1, 5).success);
     let truth: serde_json::Value =
@@ -35,7 +35,7 @@ fn the_truth_holds_particles_flow_and_dt() {
     assert_eq!(truth["dt_s"], 1e-4);
     assert_eq!(truth["flow"]["kind"], "uniform");
     let particles = truth["particles"].as_array().unwrap();
-    // 0.5 per microlens over 24 x 20 microlenses, and those that cross the edges.
+    // 0.5 per microlens over 24 x 20 microlenses, and particles that cross the edges.
     assert!((200..400).contains(&particles.len()), "{}", particles.len());
     for particle in particles {
         let moved_mm = |axis: usize| {
@@ -46,7 +46,7 @@ fn the_truth_holds_particles_flow_and_dt() {
 }
 
 #[test]
-fn images_are_as_deep_as_the_sensor() {
+fn images_have_the_depth_of_the_sensor() {
     let root = tempfile::tempdir().unwrap();
     for (bits, expected) in [("8", ColorType::L8), ("12", ColorType::L16)] {
         let config = changed_configuration(root.path(), "bits = 12", &format!("bits = {bits}"));
@@ -69,8 +69,8 @@ fn a_recorded_pair_is_never_overwritten() {
     assert!(before == read(root.path(), "cam1_a.tif"));
 }
 
-/// An array turned by half a degree: rows of micro-images rise to the right, rows of pixels count
-/// downwards.
+/// For an array turned by half a degree, rows of micro-images rise to the right; pixel rows are
+/// counted downwards.
 #[test]
 fn white_and_dark_images_come_with_the_true_grid() {
     let root = tempfile::tempdir().unwrap();
@@ -108,7 +108,7 @@ fn white_and_dark_images_come_with_the_true_grid() {
         assert!((number("column_px", 1) - pitch_px * angle.cos()).abs() < 1e-9);
         assert!((number("row_px", 1) + pitch_px * angle.sin()).abs() < 1e-9);
         assert!(grid["meaning"].as_str().unwrap().contains("j along +up"));
-        // The pixel in the middle of a micro-image is lit, the corner of four is not.
+        // The pixel in the centre of a micro-image is lit, the corner between four is not.
         let at = |i: f64, j: f64| {
             let place = |key: &str| number(key, 0) + number(key, 1) * i + number(key, 2) * j;
             let pixel = [place("column_px"), place("row_px")].map(|px| px.round() as u32);
@@ -122,7 +122,7 @@ fn white_and_dark_images_come_with_the_true_grid() {
 }
 
 #[test]
-fn a_camera_that_cannot_be_is_refused_by_its_key() {
+fn an_impossible_camera_is_refused_with_its_key() {
     let root = tempfile::tempdir().unwrap();
     let behind = "[simulation]\ncamera = [{ exit_pupil_mm = 200 }]\n";
     let config = changed_configuration(root.path(), "[simulation]\n", behind);
@@ -133,7 +133,7 @@ fn a_camera_that_cannot_be_is_refused_by_its_key() {
 }
 
 #[test]
-fn simulating_without_a_scene_says_what_to_add() {
+fn simulating_without_a_scene_tells_what_to_add() {
     let root = tempfile::tempdir().unwrap();
     let text = fs::read_to_string(small_configuration()).unwrap();
     let config = root.path().join("real.toml");
@@ -144,7 +144,7 @@ fn simulating_without_a_scene_says_what_to_add() {
 }
 
 #[test]
-fn check_prints_what_will_be_done() {
+fn check_prints_the_plan() {
     let config = small_configuration();
     let done =
         lfpiv(["check".as_ref(), "--quick".as_ref(), "--config".as_ref(), config.as_os_str()]);
@@ -155,7 +155,7 @@ fn check_prints_what_will_be_done() {
 }
 
 #[test]
-fn check_refuses_a_wrong_file_with_its_place_and_an_exit_code() {
+fn check_refuses_a_wrong_file_with_location_and_exit_code() {
     let root = tempfile::tempdir().unwrap();
     let config = changed_configuration(root.path(), "voxel_mm = 0.1", "voxel_mm = nan");
     let done =

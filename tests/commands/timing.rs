@@ -7,7 +7,7 @@ use std::{
 
 use crate::support::shipped;
 
-/// Runs the command on `config/bench.toml` with one piece of text replaced.
+/// Runs the command on `config/bench.toml` with some text replaced.
 fn timing(from: &str, to: &str) -> (Output, Option<String>) {
     let folder = tempfile::tempdir().unwrap();
     let (config, svg) = (folder.path().join("run.toml"), folder.path().join("timing.svg"));

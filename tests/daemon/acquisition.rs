@@ -1,4 +1,4 @@
-//! Acquisition on the simulated bench: bursts, faults, and the way out.
+//! Acquisition on the simulated bench: bursts, faults, and the end of a run.
 
 use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
 
@@ -28,7 +28,7 @@ impl Taken {
         self.shots.iter().map(|shot| shot.trigger).collect()
     }
 
-    /// Laser off after the last burst, read back, and only then the cameras.
+    /// The laser is switched off after the last burst and read back before the cameras are stopped.
     fn assert_safe_end(&self) {
         let calls = self.calls.lock();
         let last_fire = calls.iter().rposition(|call| call.starts_with("fire")).unwrap();
@@ -43,13 +43,13 @@ pub fn settings(shots: u64, overload: OverloadPolicy) -> AcquisitionSettings {
         schedule: PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap(),
         shots: NonZeroU64::new(shots),
         overload,
-        // Longer than a loaded machine takes to render a frame.
+        // Longer than a loaded machine needs to render a frame.
         patience: Duration::from_secs(2),
         frame_bytes: 2 * 92 * 92,
     }
 }
 
-/// Takes shots and settles every one that arrives as complete.
+/// Takes shots and settles every received shot as complete.
 async fn take(
     settings: AcquisitionSettings,
     tricks: &[(usize, u64, Trick)],
@@ -96,7 +96,7 @@ async fn shots_come_in_bounded_bursts_after_a_single_one() {
 
 #[tokio::test]
 async fn lost_damaged_and_repeated_frames_are_accounted_for() {
-    // Triggers 1 to 7; frame ids are twice that.
+    // Triggers 1 to 7; frame ids are twice the trigger numbers.
     let tricks = [(0, 4, Trick::Lose), (1, 7, Trick::Damage), (1, 10, Trick::Repeat)];
     let settings = settings(8, OverloadPolicy::Shed);
     let taken = take(settings, &tricks, 8, CancellationToken::new(), |_| {}).await;
@@ -109,12 +109,12 @@ async fn lost_damaged_and_repeated_frames_are_accounted_for() {
 }
 
 #[tokio::test]
-async fn a_full_queue_sheds_and_the_ledger_says_so() {
+async fn a_full_queue_sheds_and_the_ledger_records_it() {
     let (bench, _) = bench(&configuration(Path::new("unused")), &[]);
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));
     let (sender, mut receiver) = shot_queue(2);
     let settings = settings(6, OverloadPolicy::Shed);
-    // Nobody takes a shot before the end.
+    // No shot is taken before the end.
     let links = AcquisitionLinks::new(ledger.clone(), sender, CancellationToken::new());
     acquire(bench, settings, links).await.unwrap();
     let queued = [receiver.recv().await.unwrap().trigger, receiver.recv().await.unwrap().trigger];
@@ -171,7 +171,7 @@ async fn a_silent_camera_ends_the_firing() {
 }
 
 #[tokio::test]
-async fn a_stop_ends_the_burst_and_keeps_what_was_seen() {
+async fn a_stop_ends_the_burst_and_keeps_received_frames() {
     let stop = CancellationToken::new();
     let settings = settings(50, OverloadPolicy::Shed);
     let told = stop.clone();
@@ -187,7 +187,7 @@ async fn a_stop_ends_the_burst_and_keeps_what_was_seen() {
     taken.assert_safe_end();
 }
 
-/// A burst is fifty triggers; counted are those that were given, as they are seen.
+/// A burst has fifty triggers; triggers are counted as they are seen.
 #[tokio::test]
 async fn triggers_are_counted_when_they_are_given_and_never_taken_back() {
     let (bench, _) = bench(&configuration(Path::new("unused")), &[]);
@@ -217,10 +217,10 @@ async fn triggers_are_counted_when_they_are_given_and_never_taken_back() {
     assert_eq!(counted.last(), Some(&given));
 }
 
-/// The line is lost in the middle of a burst: what nobody saw was perhaps never given, and is not
-/// called shed.
+/// The line is lost in the middle of a burst: triggers that no device saw may not have been given,
+/// and do not count as shed.
 #[tokio::test]
-async fn triggers_that_nothing_shows_were_not_shed() {
+async fn triggers_without_evidence_do_not_count_as_shed() {
     let settings = settings(50, OverloadPolicy::Shed);
     let tricks = [(0, 16, Trick::CutLine)];
     let taken = take(settings, &tricks, 50, CancellationToken::new(), |_| {}).await;

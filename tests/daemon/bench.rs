@@ -16,7 +16,7 @@ use lfpiv_hw::{
 use lfpiv_sim::{Pacing, connect};
 use parking_lot::Mutex;
 
-/// A bench of a few pixels, so that no test waits for rendering; results below `results_dir`.
+/// A bench of a few pixels, so that tests need not wait for rendering; results go to `results_dir`.
 pub fn configuration(results_dir: &Path) -> ConfigFile {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
     let mut file = ConfigFile::load(&path).unwrap();
@@ -28,7 +28,7 @@ pub fn configuration(results_dir: &Path) -> ConfigFile {
     file
 }
 
-/// What a camera does with a frame, instead of delivering it.
+/// What a camera does instead of delivering a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trick {
     Lose,
@@ -45,7 +45,7 @@ pub enum Trick {
 /// The calls that reached the devices, in order.
 pub type CallLog = Arc<Mutex<Vec<String>>>;
 
-/// The simulated bench; `tricks` are (camera, frame id, what happens).
+/// The simulated bench; `tricks` lists (camera, frame id, trick).
 pub fn bench(file: &ConfigFile, tricks: &[(usize, u64, Trick)]) -> (Bench, CallLog) {
     let log = CallLog::default();
     let scene = file.config.simulation.clone().unwrap();
@@ -166,7 +166,7 @@ impl Synchroniser for LoggedUnit {
     }
 }
 
-/// A result that needs no measuring: two vectors.
+/// A result of two vectors that needs no measurement.
 pub fn quick_result(_: &ImagePair) -> PairResult {
     PairResult {
         field: VelocityField {

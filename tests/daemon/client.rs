@@ -1,4 +1,4 @@
-//! An HTTP client that sends what it is told, right or wrong.
+//! An HTTP client that sends arbitrary requests, valid or not.
 
 use std::{net::SocketAddr, time::Duration};
 
@@ -8,10 +8,10 @@ use tokio::{
     net::TcpStream,
 };
 
-/// No answer may take longer.
+/// Longest time for any response.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A request in the making.
+/// A request being built.
 #[derive(Debug, Clone)]
 pub struct Ask {
     method: String,
@@ -21,7 +21,7 @@ pub struct Ask {
     unsized_body: bool,
 }
 
-/// What came back.
+/// A received response.
 #[derive(Debug)]
 pub struct Answer {
     pub status: u16,
@@ -62,7 +62,7 @@ impl Ask {
         self
     }
 
-    /// A body whose length is not told.
+    /// A body without a stated length.
     pub fn unsized_body(mut self, body: &[u8]) -> Self {
         self.unsized_body = true;
         self.body(body)
@@ -89,7 +89,7 @@ impl Ask {
         self.over(TcpStream::connect(address).await.unwrap(), address).await
     }
 
-    /// Sends it over a stream that is open.
+    /// Sends it over an open stream.
     pub async fn over(
         &self,
         stream: impl AsyncRead + AsyncWrite + Unpin,
@@ -103,7 +103,7 @@ impl Ask {
 pub async fn exchange(mut stream: impl AsyncRead + AsyncWrite + Unpin, bytes: &[u8]) -> Answer {
     let mut received = Vec::new();
     let talk = async {
-        // A server that refuses closes before it has read all: what it said still counts.
+        // A server that refuses closes before reading everything; its response still counts.
         let _ = stream.write_all(bytes).await;
         let _ = stream.flush().await;
         let _ = stream.read_to_end(&mut received).await;
@@ -113,7 +113,7 @@ pub async fn exchange(mut stream: impl AsyncRead + AsyncWrite + Unpin, bytes: &[
 }
 
 impl Answer {
-    /// Status 0 when there was no answer.
+    /// Parses a response; status 0 if there is none.
     pub fn read(bytes: &[u8]) -> Self {
         let Some(end) = bytes.windows(4).position(|four| four == b"\r\n\r\n") else {
             let (media_type, headers) = (String::new(), Vec::new());
@@ -128,7 +128,7 @@ impl Answer {
             .collect();
         let mut answer =
             Self { status, media_type: String::new(), headers, body: bytes[end + 4..].to_vec() };
-        // Another answer may follow.
+        // Another response may follow.
         let length = answer.header("content-length").and_then(|length| length.parse().ok());
         answer.body.truncate(length.unwrap_or(usize::MAX));
         answer.media_type = answer.header("content-type").unwrap_or_default().to_owned();
@@ -144,7 +144,7 @@ impl Answer {
         serde_json::from_slice(&self.body).unwrap()
     }
 
-    /// The words of an error of this status.
+    /// The message of an error with this status.
     pub fn error(&self, status: u16) -> String {
         assert_eq!(self.status, status, "{self:?}");
         self.json()["error"].as_str().unwrap().to_owned()

@@ -1,4 +1,4 @@
-//! Control over HTTP, against controls that record what reaches them.
+//! Control over HTTP, with controls that record what they receive.
 
 use std::{
     future::Future,
@@ -24,7 +24,7 @@ use crate::{
     server::{CONTROL, READ, Server, with_tokens},
 };
 
-/// Obeys, except for another dt than the bench can have, and takes its time over disarming.
+/// Executes commands, except for an impossible dt, and is slow to disarm.
 pub struct Recording {
     asked: Mutex<Vec<Command>>,
     state: Mutex<ControlState>,
@@ -39,7 +39,7 @@ impl Recording {
     }
 }
 
-/// The double behind the trait: a request outlives the borrow of its controls.
+/// The double implements the trait: a request outlives the borrow of its controls.
 pub struct Bench(pub Arc<Recording>);
 
 impl Controls for Bench {
@@ -96,7 +96,7 @@ fn tokens(folder: &Path) -> ServerSettings {
 }
 
 #[tokio::test]
-async fn commands_reach_the_run_once_and_are_told_to_all() {
+async fn commands_reach_the_run_once_and_appear_as_events() {
     let folder = tempfile::tempdir().unwrap();
     let (server, bench) = controlled(&tokens(folder.path()), true).await;
     let mut modes = Vec::new();
@@ -139,7 +139,7 @@ async fn commands_reach_the_run_once_and_are_told_to_all() {
 }
 
 #[tokio::test]
-async fn a_refusal_carries_every_reason() {
+async fn a_refusal_lists_every_reason() {
     let folder = tempfile::tempdir().unwrap();
     let (server, _) = controlled(&tokens(folder.path()), true).await;
     let refused = post(&server, "dt", Some(json!({ "dt_us": 3.0 }))).await;
@@ -148,7 +148,7 @@ async fn a_refusal_carries_every_reason() {
 }
 
 #[tokio::test]
-async fn without_both_permissions_nothing_over_http_lets_a_laser_fire() {
+async fn without_both_permissions_http_cannot_fire_the_laser() {
     let folder = tempfile::tempdir().unwrap();
     let (server, bench) = controlled(&tokens(folder.path()), false).await;
     for command in ["arm", "start"] {
@@ -166,7 +166,7 @@ async fn without_both_permissions_nothing_over_http_lets_a_laser_fire() {
 }
 
 #[tokio::test]
-async fn what_is_no_command_does_not_reach_the_run() {
+async fn invalid_commands_do_not_reach_the_run() {
     let folder = tempfile::tempdir().unwrap();
     let (server, bench) = controlled(&tokens(folder.path()), true).await;
     for (command, body, status) in [
@@ -175,7 +175,7 @@ async fn what_is_no_command_does_not_reach_the_run() {
         ("dt", json!({ "dt_us": 0.0 }), 422),
         ("dt", json!({ "dt_us": -1e300 }), 422),
         ("dt", json!({ "dt_us": 50.0, "force": true }), 422),
-        // Serde would take this for a type with one member.
+        // Serde would accept this for a type with one member.
         ("dt", json!([50.0]), 422),
         ("note", json!({ "text": "  " }), 422),
         ("note", json!({ "text": "a\u{0}b" }), 422),
@@ -195,7 +195,7 @@ async fn what_is_no_command_does_not_reach_the_run() {
 }
 
 #[tokio::test]
-async fn a_slow_request_goes_on_without_its_client() {
+async fn a_slow_request_is_completed_without_its_client() {
     let folder = tempfile::tempdir().unwrap();
     let impatient = ServerSettings { client_patience_s: 0.6, ..tokens(folder.path()) };
     let (server, bench) = controlled(&impatient, true).await;
@@ -203,13 +203,13 @@ async fn a_slow_request_goes_on_without_its_client() {
     let pending = post(&server, "disarm", None).await;
     assert_eq!((pending.status, &pending.json()["pending"]), (202, &true.into()));
     assert!(began.elapsed() < DISARMING);
-    // This client goes away as soon as it has asked.
+    // This client disconnects right after its request.
     let ask = Ask::post("/api/v1/control/disarm").token(CONTROL).bytes(server.address);
     let mut stream = TcpStream::connect(server.address).await.unwrap();
     tokio::io::AsyncWriteExt::write_all(&mut stream, &ask).await.unwrap();
     tokio::time::sleep(Duration::from_millis(100)).await;
     drop(stream);
-    // The server ends in order: it waits for what it was asked.
+    // The server shuts down gracefully: it completes pending requests.
     server.stop.cancel();
     server.task.await.unwrap();
     assert_eq!(*bench.asked.lock(), [Command::Disarm, Command::Disarm]);

@@ -1,4 +1,4 @@
-//! A run that is asked to arm, start, stop, change its timing and be safe, over HTTP.
+//! A run that is armed, started, stopped, re-timed and made safe over HTTP.
 
 use std::{
     path::Path,
@@ -58,7 +58,7 @@ fn programmed(run: &Path) -> Vec<f64> {
 }
 
 #[tokio::test]
-async fn a_run_does_what_it_is_asked() {
+async fn a_run_executes_its_control_requests() {
     let root = tempfile::tempdir().unwrap();
     let mut file = configuration(root.path());
     file.config.server = with_tokens(root.path());
@@ -101,7 +101,7 @@ async fn a_run_does_what_it_is_asked() {
     let refused = Ask::post("/api/v1/control/dt").json(r#"{"dt_us": 90000.0}"#).token(CONTROL);
     assert_eq!(refused.of(address).await.status, 409, "no schedule has such a dt");
 
-    // A frame of a shot that is long past comes from the raw log.
+    // A frame of an old shot is read from the raw log.
     let frame = Ask::get("/api/v1/shots/0/frames/1/a.png").token(CONTROL).of(address).await;
     assert_eq!((frame.status, &frame.body[1..4]), (200, b"PNG".as_slice()));
 

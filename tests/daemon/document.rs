@@ -1,4 +1,4 @@
-//! The OpenAPI document held against the server, and the page that shows it.
+//! The OpenAPI document compared with the server, and the page that shows it.
 
 use serde_json::Value;
 
@@ -23,7 +23,7 @@ pub fn operations(document: &Value) -> Vec<(String, String)> {
     paths.iter().flat_map(of_path).collect()
 }
 
-/// The path with parameters that mean something.
+/// The path with valid parameters.
 fn filled(path: &str) -> String {
     [("{shot}", "1"), ("{camera}", "1"), ("{frame}", "a"), ("{image}", "xy.png")]
         .iter()
@@ -32,7 +32,7 @@ fn filled(path: &str) -> String {
         })
 }
 
-/// The head of an answer, and as much of its body as came with it.
+/// The head of a response, and the part of its body that arrived with it.
 pub async fn head_of(server: &Server, ask: &Ask) -> Answer {
     use tokio::io::{AsyncReadExt, AsyncWriteExt};
     let mut stream = tokio::net::TcpStream::connect(server.address).await.unwrap();
@@ -49,7 +49,7 @@ pub async fn head_of(server: &Server, ask: &Ask) -> Answer {
 }
 
 #[tokio::test]
-async fn every_documented_endpoint_is_there_and_takes_no_other_method() {
+async fn every_documented_endpoint_exists_and_accepts_no_other_method() {
     let (server, _) = busy_server().await;
     let document = document(&server).await;
     let operations = operations(&document);
@@ -69,14 +69,17 @@ async fn every_documented_endpoint_is_there_and_takes_no_other_method() {
         for other in ["GET", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"] {
             if !operations.contains(&(other.to_owned(), path.clone())) {
                 let refused = Ask::new(other, &address).of(server.address).await;
-                assert!(refused.error(405).contains("not with this method"), "{other} {path}");
+                assert!(
+                    refused.error(405).contains("this method is not allowed"),
+                    "{other} {path}"
+                );
             }
         }
     }
 }
 
 #[tokio::test]
-async fn answers_are_as_their_schemas_say() {
+async fn responses_match_their_schemas() {
     let (server, done) = busy_server().await;
     let document = document(&server).await;
     for (address, path) in [
@@ -101,7 +104,7 @@ async fn answers_are_as_their_schemas_say() {
         let schema = &documented["content"]["application/json"]["schema"];
         assert!(schema.is_object(), "{address}: {documented}");
         let wrong = differences(&document, schema, &answer.json(), "");
-        // An error may say more than its message.
+        // An error may have more members than its message.
         let wrong: Vec<_> = wrong
             .iter()
             .filter(|w| answer.status == 200 || !w.contains("not documented"))
@@ -111,7 +114,7 @@ async fn answers_are_as_their_schemas_say() {
 }
 
 #[tokio::test]
-async fn tokens_are_documented_where_they_are_needed() {
+async fn required_tokens_are_documented() {
     let (server, _) = busy_server().await;
     let document = document(&server).await;
     assert_eq!(document["components"]["securitySchemes"]["bearer"]["scheme"], "bearer");
@@ -136,7 +139,7 @@ async fn tokens_are_documented_where_they_are_needed() {
 }
 
 #[tokio::test]
-async fn the_page_needs_no_other_server() {
+async fn the_page_loads_from_this_server_only() {
     let (server, _) = busy_server().await;
     for (path, media_type) in [
         ("/docs", "text/html; charset=utf-8"),

@@ -1,4 +1,4 @@
-//! Event streams: complete, resumable, and no burden to the run.
+//! Event streams: complete, resumable, and without effect on the run.
 
 use std::{net::SocketAddr, num::NonZeroU64, sync::Arc, time::Duration};
 
@@ -24,15 +24,15 @@ use crate::{
     server::{Server, settings},
 };
 
-/// One event as it came.
+/// One received event.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Told {
+pub struct ReceivedEvent {
     pub name: String,
     pub id: Option<String>,
     pub data: Value,
 }
 
-/// An event stream that is open.
+/// An open event stream.
 pub struct Watch {
     lines: Lines<BufReader<TcpStream>>,
 }
@@ -53,21 +53,21 @@ impl Watch {
     }
 
     /// The next event; `None` when the server has ended the stream.
-    pub async fn next(&mut self) -> Option<Told> {
+    pub async fn next(&mut self) -> Option<ReceivedEvent> {
         let (mut name, mut id) = (None, None);
         loop {
             let line = self.lines.next_line();
             let line = tokio::time::timeout(Duration::from_secs(30), line).await.expect("silence");
             let line = line.ok().flatten()?;
-            // Chunk sizes, comments and headers are passed over.
+            // Chunk sizes, comments and headers are skipped.
             if let Some(text) = line.strip_prefix("event: ") {
                 name = Some(text.to_owned());
             } else if let Some(text) = line.strip_prefix("id: ") {
                 id = Some(text.to_owned());
             } else if let Some(text) = line.strip_prefix("data: ") {
-                // Of an event, the data comes last.
+                // The data is the last line of an event.
                 let data = serde_json::from_str(text).unwrap();
-                return Some(Told { name: name.unwrap(), id, data });
+                return Some(ReceivedEvent { name: name.unwrap(), id, data });
             }
         }
     }
@@ -111,7 +111,7 @@ async fn two_hundred_streams_see_every_shot_and_the_run_loses_none() {
             })
         })
         .collect();
-    // The run begins when all of them watch.
+    // The run begins when all streams are open.
     let (begin, begun) = std::sync::mpsc::channel();
     tokio::spawn(async move {
         opened.wait().await;
@@ -142,13 +142,14 @@ async fn two_hundred_streams_see_every_shot_and_the_run_loses_none() {
 }
 
 #[tokio::test]
-async fn a_stream_begins_with_the_present_and_goes_on_after_what_was_seen() {
+async fn a_stream_begins_with_the_status_and_resumes_after_the_last_event() {
     let server = Server::start(Ledger::new(2), Board::new()).await;
     server.board.failed(1, "dark".to_owned());
     let mut watch = Watch::open(server.address, None).await;
     let present = watch.next().await.unwrap();
     assert_eq!((present.name.as_str(), &present.data["state"]), ("status", &"running".into()));
-    // The failed shot is news to the books, too: told at their next look, or told before.
+    // The failed shot also changes the status, which is published at the next check or was
+    // published before.
     for shot in 2..5 {
         server.board.failed(shot, "dark".to_owned());
     }
@@ -169,7 +170,7 @@ async fn a_stream_begins_with_the_present_and_goes_on_after_what_was_seen() {
 }
 
 #[tokio::test]
-async fn what_cannot_be_resumed_is_said() {
+async fn events_that_cannot_be_resumed_are_reported_as_missed() {
     let server = Server::start(Ledger::new(2), Board::new()).await;
     for id in ["4bf92f-17", "nonsense", "", "-", "1-1-1"] {
         let mut watch = Watch::open(server.address, Some(id)).await;
@@ -192,7 +193,7 @@ async fn what_cannot_be_resumed_is_said() {
     assert_eq!(next_run, run);
     let next_at: u64 = next_at.parse().unwrap();
     assert_eq!(missed.data["missed"], next_at - at - 1, "no event is neither told nor counted");
-    // A number that is yet to come is taken for the last one.
+    // An id in the future counts as the last one.
     let mut early = Watch::open(server.address, Some(&format!("{run}-{}", u64::MAX))).await;
     server.board.failed(99_999, "dark".to_owned());
     let event = early.next().await.unwrap();
@@ -200,13 +201,13 @@ async fn what_cannot_be_resumed_is_said() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_reader_that_does_not_read_holds_up_nobody_and_is_told() {
-    // However long a busy machine takes until the streams are read.
+async fn a_reader_that_does_not_read_delays_nobody_and_misses_events() {
+    // For a busy machine that reads the streams late.
     let server = Server::empty(&ServerSettings { client_patience_s: 600.0, ..settings() }).await;
     let mut slow = Watch::open(server.address, None).await;
     let mut quick = Watch::open(server.address, None).await;
     assert_eq!(slow.next().await.unwrap().name, "status");
-    // More than all buffers between here and there hold.
+    // More than all buffers between server and client can hold.
     let (long, count) = ("x".repeat(16_000), 2 * EVENTS_IN_MEMORY);
     for shot in 0..count as u64 {
         server.board.failed(shot, long.clone());
@@ -214,7 +215,7 @@ async fn a_reader_that_does_not_read_holds_up_nobody_and_is_told() {
             tokio::task::yield_now().await;
         }
     }
-    // Would publishing wait for the slow reader, this would not be reached: it reads from here on.
+    // If publishing waited for the slow reader, this line would not be reached.
     server.state.set_phase(Phase::Finished);
     server.stop.cancel();
     let read = |mut watch: Watch| async move {
@@ -241,7 +242,7 @@ async fn a_reader_that_does_not_read_holds_up_nobody_and_is_told() {
 }
 
 #[tokio::test]
-async fn phases_and_watermarks_are_told() {
+async fn phases_and_watermarks_are_published() {
     let server = Server::start(Ledger::new(2), Board::new()).await;
     let mut watch = Watch::open(server.address, None).await;
     assert_eq!(watch.next().await.unwrap().data["watermarks"], Value::Null);

@@ -1,4 +1,4 @@
-//! Acquisition over cameras that are disturbed on purpose: what the ledger says is what was done.
+//! Acquisition with deliberately disturbed cameras: the ledger must agree with the injected faults.
 
 use std::{sync::Arc, time::Duration};
 
@@ -22,12 +22,12 @@ use crate::{
 };
 
 const SHOTS: u64 = 120;
-/// Far longer than a loaded machine makes a frame of the quick bench wait.
+/// Far longer than a loaded machine delays a frame of the quick bench.
 const PATIENCE: Duration = Duration::from_secs(3);
 /// A few per cent.
 const SHARE: f64 = 0.03;
 
-/// Writes the true trigger into `host_timestamp_ns`, which pairing does not look at.
+/// Writes the true trigger into `host_timestamp_ns`, which pairing does not use.
 struct Truthful(Box<dyn Camera>);
 
 impl Camera for Truthful {
@@ -66,7 +66,7 @@ struct Taken {
 }
 
 impl Taken {
-    /// Triggers that `fault` befell in a camera, by the record.
+    /// Triggers for which `fault` was injected in a camera.
     fn befallen(&self, camera: usize, fault: FrameFault) -> Vec<u64> {
         let faults = self.records[camera].faults();
         let triggers = faults.iter().filter(|f| f.fault == fault).map(|f| f.number / 2);
@@ -75,7 +75,7 @@ impl Taken {
         triggers
     }
 
-    /// Triggers that ended like this for a camera, by the ledger.
+    /// Triggers with this outcome for a camera, by the ledger.
     fn ended_as(&self, camera: usize, outcome: Outcome) -> Vec<u64> {
         let ended = self.ledger.entries().filter(|e| e.cameras[camera] == Some(outcome));
         ended.map(|entry| entry.trigger).collect()
@@ -99,7 +99,7 @@ impl Taken {
         assert!(after("reads back safe") < last_stop, "{calls:?}");
     }
 
-    /// What holds whatever the cameras do.
+    /// Properties that hold for any faults.
     fn assert_in_order(&self) {
         assert!(self.ledger.is_balanced());
         for account in self.ledger.accounts() {
@@ -114,7 +114,7 @@ impl Taken {
         self.assert_safe_end();
     }
 
-    /// The whole run: every trigger given and every frame counted.
+    /// Checks the whole run: every trigger was given and every frame is counted.
     fn assert_whole(&self) {
         self.assert_in_order();
         let report = self.ended.as_ref().unwrap();
@@ -124,7 +124,7 @@ impl Taken {
         assert!(self.ledger.accounts().iter().all(|account| account.triggers == SHOTS));
     }
 
-    /// What one camera lost, the other has left over; all else is complete.
+    /// Frames lost by one camera leave the other's unpaired; everything else is complete.
     fn assert_lost(&self, lost: [&[u64]; 2], outcome: Outcome) {
         for trigger in 0..SHOTS {
             let found = &self.ledger.entry(trigger).unwrap().cameras;
@@ -205,7 +205,7 @@ async fn duplicated_frames_are_counted_and_cost_nothing() {
     taken.assert_lost([&[], &[]], Outcome::Complete);
     let injected: u64 = taken.records.iter().map(|r| r.count(|_| true)).sum();
     assert!(injected >= 6, "{injected}");
-    // The copy of a frame that completed its shot finds the shot gone.
+    // The copy of a frame that completed its shot arrives after the shot has left.
     let counters = taken.counters();
     assert_eq!(counters.duplicate + counters.stray, injected);
 }
@@ -238,7 +238,7 @@ async fn late_frames_are_waited_for_and_then_given_up() {
     assert!(soon.records.iter().all(|record| record.count(|_| true) >= 2));
     soon.assert_lost([&[], &[]], Outcome::Complete);
 
-    // Late for good, but known to be late.
+    // Too late, but known to be late.
     let too_late = take(late(PATIENCE.as_millis() as u64 * 3 / 2)).await;
     too_late.assert_whole();
     let lost = [0, 1].map(|camera| too_late.befallen(camera, FrameFault::Late));
@@ -250,7 +250,7 @@ async fn frames_out_of_order_are_paired_by_number() {
     let taken = take(only(FrameShares { reordered: SHARE, ..none() })).await;
     taken.assert_whole();
     assert!(taken.suspects().is_empty());
-    // The last frame of a burst is overtaken by the next burst only: too late.
+    // The last frame of a burst is overtaken only by the next burst, which is too late.
     let (mut burst_ends, mut fired) = (Vec::new(), 0);
     for call in taken.calls.lock().iter() {
         fired += call.strip_prefix("fire ").map_or(0, |shots| shots.parse::<u64>().unwrap());
@@ -277,7 +277,7 @@ async fn missed_triggers_shift_no_other_shot() {
         assert!(missed.len() >= 2, "{missed:?}");
         assert_eq!(taken.ended_as(camera, Outcome::MissedTrigger), missed);
     }
-    // Before the clocks are known, only a frame's number says that the first trigger was missed.
+    // Before the clocks are fitted, only a frame's number shows that the first trigger was missed.
     assert!(taken.befallen(0, FrameFault::MissedTrigger).contains(&0));
     assert!(taken.suspects().iter().all(|trigger| *trigger < 5), "{:?}", taken.suspects());
 }
@@ -293,7 +293,7 @@ async fn a_drifting_clock_is_followed() {
 }
 
 #[tokio::test]
-async fn a_clock_that_jumps_makes_suspects_until_it_is_known_again() {
+async fn a_clock_jump_marks_shots_as_suspect_until_the_clock_is_fitted_again() {
     for jump_ns in [37_000_000, -37_000_000, -3_000_000_000] {
         let jump = ClockJump { frame: 90, jump_ns };
         let faults = CameraFaults {
@@ -312,7 +312,7 @@ async fn a_clock_that_jumps_makes_suspects_until_it_is_known_again() {
 }
 
 #[tokio::test]
-async fn all_faults_together_break_no_law() {
+async fn all_faults_together_violate_no_invariant() {
     let share = SHARE / 2.0;
     let faults = CameraFaults {
         shares: FrameShares {

@@ -1,5 +1,5 @@
-//! Every endpoint of the document under random paths, queries, headers and bodies: never an error
-//! of the server, never a hang, always JSON when something is refused.
+//! Every documented endpoint under random paths, queries, headers and bodies: never a server error
+//! or a hang, and every refusal is JSON.
 
 use lfpiv::config::ServerSettings;
 use proptest::{
@@ -19,7 +19,7 @@ use crate::{
 /// Cases per endpoint.
 const CASES: u32 = 60;
 
-/// Something in a place where a parameter belongs.
+/// A value in the place of a parameter.
 fn parameter() -> impl Strategy<Value = String> {
     prop_oneof![
         3 => (0u64..12).prop_map(|n| n.to_string()),
@@ -91,7 +91,8 @@ fn body() -> impl Strategy<Value = Vec<u8>> {
         2 => Just(Vec::new()),
         2 => prop::sample::select(vec![
             "{}", "{\"dt_us\": 50}", "{\"dt_us\": 1e308}", "{\"dt_us\": null}", "[]", "\"\"", "1",
-            "{\"text\": \"x\"}", "{\"text\": 1}", "{\"text\": \"\\ud800\"}", "{\"a\":{\"a\":{\"a\":",
+            "{\"text\": \
+             \"x\"}", "{\"text\": 1}", "{\"text\": \"\\ud800\"}", "{\"a\":{\"a\":{\"a\":",
         ]).prop_map(|text| text.as_bytes().to_vec()),
         1 => prop::collection::vec(any::<u8>(), 1..200),
         1 => (1usize..2000).prop_map(|depth| "[".repeat(depth).into_bytes()),
@@ -114,7 +115,7 @@ fn filled(path: &str, values: &[String]) -> String {
 
 fn judge(answer: &Answer) -> Result<(), TestCaseError> {
     prop_assert!((200..500).contains(&answer.status), "{answer:?}");
-    // What the HTTP library refuses before there is a request has no body.
+    // Requests refused by the HTTP library have no body.
     let unread = matches!(answer.status, 400 | 431) && answer.body.is_empty();
     if answer.status >= 400 && !unread {
         prop_assert_eq!(&answer.media_type, "application/json", "{:?}", answer);
@@ -157,14 +158,14 @@ fn no_request_to_any_endpoint_breaks_the_server() {
             token(),
             any::<bool>(),
         );
-        // Disarming takes the double its time.
+        // The double disarms slowly.
         let cases = if path.ends_with("disarm") { 3 } else { CASES };
         let tried = runner(cases).run(&request, |(values, query, headers, body, token, json)| {
             let ask = Ask::new(&method, &format!("{}{query}", filled(&path, &values))).body(&body);
             let ask = token.map_or(ask.clone(), |token| ask.token(token));
             let ask = if json { ask.with("Content-Type", "application/json") } else { ask };
             let ask = headers.iter().fold(ask, |ask, (name, value)| ask.with(name, value));
-            // A stream of events has no end; its head is enough.
+            // An event stream has no end, so its head is sufficient.
             let answer = match path.ends_with("/events") {
                 true => runtime.block_on(head_of(&server, &ask)),
                 false => runtime.block_on(ask.of(server.address)),
@@ -208,7 +209,7 @@ fn no_bytes_break_the_server() {
             exchange(tokio::io::join(read, tokio::io::sink()), b"").await
         });
         match answer.status {
-            // Closed without a word, as is due to what is no HTTP.
+            // Closed without a response, as is correct for bytes that are not HTTP.
             0 => Ok(()),
             _ => judge(&answer),
         }

@@ -1,4 +1,4 @@
-//! The run loop shows that it turns while it waits, and does not while it hangs.
+//! The run loop's heartbeat continues while it waits, but not while it hangs.
 
 use std::{
     path::Path,
@@ -21,7 +21,7 @@ use crate::{
     bench::{bench, configuration},
 };
 
-/// A unit whose lamps take long to warm, or whose line takes long to answer `fire`.
+/// A unit whose lamps warm up slowly, or whose line answers `fire` slowly.
 struct SlowUnit {
     inner: Box<dyn Synchroniser>,
     warm_up: Duration,
@@ -60,7 +60,7 @@ impl Synchroniser for SlowUnit {
     }
 }
 
-/// The longest silence of a run of three shots, of which the pool takes the first after `pool`.
+/// The longest silence of a run of three shots; the pool takes the first shot after `pool`.
 async fn longest_silence(warm_up: Duration, pool: Duration, hangs: Duration) -> Duration {
     let (Bench { cameras, synchroniser, .. }, _) = bench(&configuration(Path::new("unused")), &[]);
     let unit = SlowUnit { inner: synchroniser, warm_up, hangs };
@@ -91,23 +91,23 @@ async fn longest_silence(warm_up: Duration, pool: Duration, hangs: Duration) -> 
 }
 
 const LONG: Duration = Duration::from_secs(3);
-/// Far longer than a turn, far shorter than the waits.
+/// Far longer than a loop iteration, far shorter than the waits.
 const SILENCE: Duration = Duration::from_millis(1500);
 
 #[tokio::test]
-async fn waiting_for_lamps_is_turning() {
+async fn the_heartbeat_continues_while_waiting_for_lamps() {
     let silence = longest_silence(LONG, Duration::ZERO, Duration::ZERO).await;
     assert!(silence < SILENCE, "{silence:?}");
 }
 
 #[tokio::test]
-async fn waiting_for_the_pool_is_turning() {
+async fn the_heartbeat_continues_while_waiting_for_the_pool() {
     let silence = longest_silence(Duration::ZERO, LONG, Duration::ZERO).await;
     assert!(silence < SILENCE, "{silence:?}");
 }
 
 #[tokio::test]
-async fn a_line_that_does_not_answer_is_not() {
+async fn the_heartbeat_stops_while_the_line_does_not_answer() {
     let silence = longest_silence(Duration::ZERO, Duration::ZERO, LONG).await;
     assert!(silence > SILENCE, "{silence:?}");
 }

@@ -11,8 +11,8 @@ use serde_json::Value;
 
 use crate::{bench::quick_result, client::Ask, server::Server};
 
-/// More done shots than fit in memory, then one failed, shed, lost, processing, queued and
-/// awaiting frames each.
+/// A server with more finished shots than fit in memory, then one shot each that is failed, shed,
+/// lost, processing, queued, and waiting for frames.
 pub async fn busy_server() -> (Server, u64) {
     let (mut ledger, board) = (Ledger::new(2), Board::new());
     let done = RESULTS_IN_MEMORY as u64 + 2;
@@ -115,7 +115,7 @@ async fn a_result_is_json_or_bytes() {
 }
 
 #[tokio::test]
-async fn statistics_are_those_of_the_shots_so_far() {
+async fn statistics_include_the_shots_so_far() {
     let (server, done) = busy_server().await;
     let brief = server.get("/api/v1/statistics").await.json();
     assert_eq!((&brief["shots"], &brief["maps"]), (&done.into(), &serde_json::json!([])));
@@ -131,10 +131,10 @@ async fn statistics_are_those_of_the_shots_so_far() {
     assert_eq!((&stress["unit"], &stress["value"][0]), (&"m2/s2".into(), &0.0.into()));
     assert_eq!(statistics["convergence"].as_array().unwrap().last().unwrap()["shots"], done);
     let refused = server.get("/api/v1/statistics?quantities=u_mean,warp").await;
-    assert!(refused.error(400).contains("'warp' is no quantity"));
+    assert!(refused.error(400).contains("'warp' is not a quantity"));
 }
 
-/// Reads the bytes by the documented offsets.
+/// Checks the bytes at the documented offsets.
 fn check_layout(bytes: &[u8], shot: u64) {
     let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     let f32_at = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
@@ -153,7 +153,7 @@ fn check_layout(bytes: &[u8], shot: u64) {
 }
 
 #[tokio::test]
-async fn what_is_not_there_is_said_with_the_reason() {
+async fn missing_resources_are_reported_with_the_reason() {
     let (server, done) = busy_server().await;
     let gone = server.assert_error("/api/v1/results/0", 410, "read it from disk").await;
     assert_eq!(gone["results_dir"], "/data/run-1");
@@ -163,7 +163,7 @@ async fn what_is_not_there_is_said_with_the_reason() {
     server.assert_error(&result(done + 1), 404, "shed").await;
     server.assert_error(&result(done + 2), 404, "lost").await;
     server.assert_error(&result(done + 3), 404, "being processed").await;
-    server.assert_error(&result(done + 4), 404, "waits for a worker").await;
+    server.assert_error(&result(done + 4), 404, "is waiting for a worker").await;
     server.assert_error(&result(done + 5), 404, "frames").await;
     server.assert_error(&result(999), 404, "no shot 999").await;
     server.assert_error("/api/v1/shots/999", 404, "no shot 999").await;
@@ -171,11 +171,11 @@ async fn what_is_not_there_is_said_with_the_reason() {
 }
 
 #[tokio::test]
-async fn what_is_no_number_is_a_bad_request() {
+async fn an_invalid_number_is_a_bad_request() {
     let (server, _) = busy_server().await;
-    server.assert_error("/api/v1/shots/first", 400, "'first' is no shot number").await;
-    server.assert_error("/api/v1/results/-1", 400, "'-1' is no shot number").await;
-    server.assert_error("/api/v1/results/1.5", 400, "no shot number").await;
+    server.assert_error("/api/v1/shots/first", 400, "'first' is not a shot number").await;
+    server.assert_error("/api/v1/results/-1", 400, "'-1' is not a shot number").await;
+    server.assert_error("/api/v1/results/1.5", 400, "not a shot number").await;
     server.assert_error("/api/v1/shots?limit=many", 400, "limit").await;
     server.assert_error("/api/v1/shots?limit=5000", 400, "0 to 1000").await;
     server.assert_error("/api/v1/results/latest?format=xml", 400, "`binary`").await;
@@ -214,7 +214,7 @@ async fn metrics_and_health_follow_the_run() {
 }
 
 #[tokio::test]
-async fn the_server_ends_when_told() {
+async fn the_server_ends_when_cancelled() {
     let server = Server::start(Ledger::new(1), Board::new()).await;
     assert_eq!(server.get("/healthz").await.status, 200);
     server.stop.cancel();

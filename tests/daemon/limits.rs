@@ -1,4 +1,4 @@
-//! Clients that ask too much, too often or too slowly.
+//! Clients that send too much, too often or too slowly.
 
 use std::{
     net::SocketAddr,
@@ -21,7 +21,7 @@ fn impatient() -> ServerSettings {
     ServerSettings { client_patience_s: 0.5, ..settings() }
 }
 
-/// Reads until the server closes; how long that took.
+/// Reads until the server closes, and returns the time this took.
 async fn until_closed(stream: &mut TcpStream) -> (Duration, Vec<u8>) {
     let (began, mut received) = (Instant::now(), Vec::new());
     let read = stream.read_to_end(&mut received);
@@ -41,10 +41,10 @@ async fn too_large_a_body_or_header_is_refused() {
         let error = answer.error(413);
         assert!(error.contains(words), "{error}");
     };
-    refused(note(70_000).of(server.address).await, "allowed: 65536");
-    refused(note(4097).of(server.address).await, "allowed: 4096");
+    refused(note(70_000).of(server.address).await, "at most 65536");
+    refused(note(4097).of(server.address).await, "at most 4096");
     assert_eq!(note(4096).of(server.address).await.status, 409);
-    // A length that is only claimed is refused before anything is waited for.
+    // A claimed length is refused before the body is read.
     let claimed = Ask::post("/api/v1/control/note")
         .token(CONTROL)
         .with("Content-Type", "application/json")
@@ -65,13 +65,13 @@ async fn too_large_a_body_or_header_is_refused() {
 }
 
 #[tokio::test]
-async fn a_client_that_dribbles_its_header_is_cut_off() {
+async fn a_client_that_sends_its_header_slowly_is_disconnected() {
     let server = Server::empty(&impatient()).await;
     let mut stream = TcpStream::connect(server.address).await.unwrap();
     stream.write_all(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n").await.unwrap();
     let began = Instant::now();
     let dribble = async {
-        // Each line comes well within the patience; the header as a whole does not.
+        // Each line arrives within the patience, but the whole header does not.
         while stream.write_all(b"X-More: x\r\n").await.is_ok() {
             tokio::time::sleep(Duration::from_millis(50)).await;
         }
@@ -82,7 +82,7 @@ async fn a_client_that_dribbles_its_header_is_cut_off() {
 }
 
 #[tokio::test]
-async fn a_client_that_says_nothing_or_stays_is_cut_off() {
+async fn a_silent_or_idle_client_is_disconnected() {
     let server = Server::empty(&impatient()).await;
     let mut silent = TcpStream::connect(server.address).await.unwrap();
     assert!(until_closed(&mut silent).await.0 < Duration::from_secs(5));
@@ -94,7 +94,7 @@ async fn a_client_that_says_nothing_or_stays_is_cut_off() {
 }
 
 #[tokio::test]
-async fn a_client_that_dribbles_its_body_is_told_and_cut_off() {
+async fn a_client_that_sends_its_body_slowly_gets_an_error_and_is_disconnected() {
     let folder = tempfile::tempdir().unwrap();
     let patience = ServerSettings { client_patience_s: 0.5, ..with_tokens(folder.path()) };
     let server = Server::empty(&patience).await;
@@ -107,9 +107,9 @@ async fn a_client_that_dribbles_its_body_is_told_and_cut_off() {
     assert!(answer.error(408).contains("after 0.5 s"), "{answer:?}");
 }
 
-/// Waits until the server has closed its end of a connection, which the client learns only by taking
-/// what was sent before. /proc/net/tcp has a row for each end: local and remote address, and a state,
-/// 01 while it is open.
+/// Waits until the server has closed its end of a connection. The client would notice only after
+/// reading everything sent before. /proc/net/tcp has a row for each end: local and remote address,
+/// and the state, which is 01 while open.
 async fn until_given_up(server: SocketAddr, client: SocketAddr) {
     let [server, client] = [server, client].map(|end| format!(":{:04X}", end.port()));
     let is_open = || {
@@ -127,8 +127,8 @@ async fn until_given_up(server: SocketAddr, client: SocketAddr) {
 }
 
 #[tokio::test]
-async fn a_client_that_does_not_take_its_answer_is_cut_off_and_its_memory_is_free() {
-    // A volume of 64 MB, which no socket buffer holds; four of them fill the memory for answers.
+async fn a_client_that_does_not_read_its_response_is_disconnected_and_frees_memory() {
+    // A volume of 64 MB, which no socket buffer holds; four of them fill the memory for responses.
     let board = lit_board([256, 256, 256]);
     let ledger = lfpiv::acquisition::Ledger::new(2);
     let server = Server::with(ledger, board, &impatient(), |state| state).await;
@@ -151,7 +151,7 @@ async fn a_client_that_does_not_take_its_answer_is_cut_off_and_its_memory_is_fre
 }
 
 #[tokio::test]
-async fn many_requests_are_limited_but_never_those_that_make_safe() {
+async fn requests_are_limited_except_those_that_make_the_bench_safe() {
     let folder = tempfile::tempdir().unwrap();
     let slow = ServerSettings { requests_per_s: 0.5, ..with_tokens(folder.path()) };
     let server = Server::empty(&slow).await;
@@ -181,7 +181,7 @@ async fn from_elsewhere(server: &Server) -> TcpStream {
 }
 
 #[tokio::test]
-async fn who_sits_there_and_says_nothing_keeps_nobody_out() {
+async fn silent_connections_lock_nobody_out() {
     let few = ServerSettings { guests: 8, client_patience_s: 60.0, ..settings() };
     let server = Server::empty(&few).await;
     let mut silent = Vec::new();
@@ -192,14 +192,14 @@ async fn who_sits_there_and_says_nothing_keeps_nobody_out() {
     assert_eq!(get(server.address, "/healthz").await.status, 200);
     let other = from_elsewhere(&server).await;
     assert_eq!(Ask::get("/healthz").over(other, server.address).await.status, 200);
-    // Half of the seats were theirs; who had been there longest had to go.
+    // They had half of the slots; the oldest one was evicted.
     for stream in &mut silent[..8] {
         assert_eq!(until_closed(stream).await.1, b"");
     }
 }
 
 #[tokio::test]
-async fn streams_have_few_places_without_a_token_and_many_with_one() {
+async fn streams_have_few_slots_without_a_token_and_many_with_one() {
     let folder = tempfile::tempdir().unwrap();
     let few = ServerSettings { guests: 8, connections: 40, ..settings() };
     let tokens = ServerSettings { guests: 8, connections: 40, ..with_tokens(folder.path()) };
@@ -217,7 +217,7 @@ async fn streams_have_few_places_without_a_token_and_many_with_one() {
         }
         let refused = events.of(server.address).await;
         assert!(refused.error(503).contains(key), "{refused:?}");
-        // Streams are no guests: many who come send none of them away.
+        // Streams are not guests, so new connections evict none of them.
         for _ in 0..20 {
             assert_eq!(get(server.address, "/healthz").await.status, 200);
         }
@@ -236,7 +236,7 @@ async fn streams_have_few_places_without_a_token_and_many_with_one() {
 }
 
 #[tokio::test]
-async fn bytes_that_are_no_http_are_refused() {
+async fn bytes_that_are_not_http_are_refused() {
     let server = Server::empty(&impatient()).await;
     for bytes in [
         b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03".as_slice(),

@@ -1,5 +1,5 @@
-//! The daemon on the simulated bench: acquisition, pool, store and server together, with
-//! processing replaced where a test needs it to fail, to wait or to be quick.
+//! The daemon on the simulated bench: acquisition, pool, store and server together. Processing is
+//! replaced where a test needs it to fail, to wait or to be quick.
 
 // All of this crate is test; clippy's exception covers only the functions marked as such.
 #![allow(clippy::unwrap_used)]

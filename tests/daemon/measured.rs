@@ -1,4 +1,4 @@
-//! What a run measures, seen over HTTP while it runs: nothing in this chain is replaced.
+//! Results of a run, read over HTTP while it runs; no part is replaced.
 
 use std::path::Path;
 
@@ -33,7 +33,7 @@ fn picture(answer: &Answer) -> image::GrayImage {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn the_light_of_a_shot_can_be_looked_at_while_the_run_goes_on() {
+async fn the_light_of_a_shot_can_be_viewed_during_the_run() {
     let root = tempfile::tempdir().unwrap();
     let file = small(root.path());
     let (config, volume) = (file.config.clone(), file.config.volume.voxels);
@@ -71,7 +71,7 @@ async fn the_light_of_a_shot_can_be_looked_at_while_the_run_goes_on() {
             let path = format!("{result}/projections/{frame}/{plane}.png");
             let shown = picture(&get(address, &path).await);
             assert_eq!(shown.dimensions(), (volume[first] as u32, volume[second] as u32));
-            // Dark where no voxel behind the pixel is lit, white where the brightest is.
+            // Black where no voxel behind the pixel is lit, white at the brightest.
             let mut largest = vec![0.0f32; volume[first] * volume[second]];
             for (n, &voxel) in light.iter().enumerate() {
                 let at = [n % nx, n / nx % ny, n / (nx * ny)];

@@ -1,4 +1,4 @@
-//! What the bench page needs: its files, signs of life, settings, timing and images in numbers.
+//! Endpoints used by the bench page: its files, heartbeat, settings, timing and image statistics.
 
 use std::time::Duration;
 
@@ -35,7 +35,7 @@ async fn configured_server() -> Server {
     Server::with(ledger, board, &settings(), |state| state.with_bench(bench())).await
 }
 
-/// Round micro-images, every second one bright, on black 64.
+/// Round micro-images, every second one bright, on a black level of 64.
 fn image(optics: &Optics, light: f64) -> RawImage {
     let (sensor, pitch) = (&optics.sensor, optics.micro_image_pitch_mm());
     let radius_mm = 0.42 * pitch;
@@ -53,7 +53,7 @@ fn image(optics: &Optics, light: f64) -> RawImage {
 }
 
 #[tokio::test]
-async fn the_page_is_at_the_root_and_may_run_its_own_scripts_only() {
+async fn the_page_is_at_the_root_and_runs_only_its_own_scripts() {
     let server = Server::empty(&settings()).await;
     let page = server.get("/").await;
     assert_eq!((page.status, page.media_type.as_str()), (200, "text/html; charset=utf-8"));
@@ -71,7 +71,7 @@ async fn the_page_is_at_the_root_and_may_run_its_own_scripts_only() {
 }
 
 #[tokio::test]
-async fn a_stream_says_that_the_run_is_alive() {
+async fn a_stream_sends_the_heartbeat_of_the_run() {
     let server = Server::empty(&settings()).await;
     let mut stream = TcpStream::connect(server.address).await.unwrap();
     stream.write_all(&Ask::get("/api/v1/events").bytes(server.address)).await.unwrap();
@@ -87,7 +87,7 @@ async fn a_stream_says_that_the_run_is_alive() {
 }
 
 #[tokio::test]
-async fn settings_and_timing_are_told_and_nothing_is_changed() {
+async fn settings_and_timing_are_returned_and_nothing_is_changed() {
     let server = configured_server().await;
     let told = server.get("/api/v1/configuration").await.json();
     assert!(told["text"].as_str().unwrap().contains("[optics.microlens]"));
@@ -102,12 +102,12 @@ async fn settings_and_timing_are_told_and_nothing_is_changed() {
     assert!(server.get("/api/v1/control/timing?dt_us=x").await.error(400).contains("dt_us"));
     let empty = Server::empty(&settings()).await;
     for path in ["/api/v1/configuration", "/api/v1/control/timing"] {
-        assert!(empty.get(path).await.error(404).contains("no configured bench"));
+        assert!(empty.get(path).await.error(404).contains("no configuration of a bench"));
     }
 }
 
 #[tokio::test]
-async fn images_are_told_in_numbers() {
+async fn image_statistics_are_returned() {
     let server = configured_server().await;
     let told = server.get("/api/v1/shots/latest/frames/1/statistics").await.json();
     assert_eq!((&told["shot"], &told["camera"]), (&7.into(), &"cam1".into()));

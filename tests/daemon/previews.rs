@@ -1,5 +1,4 @@
-//! Bytes and images: volumes, projections, raw frames, and what HTTP says of answers that never
-//! change.
+//! Volumes, projections, raw frames, and caching of responses that never change.
 
 use lfpiv::{acquisition::Ledger, archive::ShotResult, pipeline::Board};
 use lfpiv_core::{
@@ -16,7 +15,7 @@ use crate::{
     server::Server,
 };
 
-/// A board with the result of shot 7, its frames, and light in three voxels of a volume.
+/// A board with the result of shot 7, its frames, and a volume with three lit voxels.
 pub fn lit_board(voxels: [usize; 3]) -> Board {
     let grid = VolumeGrid { voxels, voxel_mm: 0.1, centre_mm: [1.0, 0.0, 0.0] };
     let light = |scale: f32| {
@@ -57,7 +56,7 @@ fn pixels(answer: &Answer) -> image::GrayImage {
 }
 
 #[tokio::test]
-async fn a_volume_is_laid_out_as_documented() {
+async fn a_volume_has_the_documented_layout() {
     let server = lit_server().await;
     let answer = server.get("/api/v1/results/7/volumes/b").await;
     assert_eq!((answer.status, answer.media_type.as_str()), (200, "application/octet-stream"));
@@ -100,7 +99,7 @@ async fn projections_show_the_brightest_voxel_with_the_second_axis_upwards() {
 }
 
 #[tokio::test]
-async fn raw_frames_are_shown_at_the_width_asked_for() {
+async fn raw_frames_are_returned_at_the_requested_width() {
     let server = lit_server().await;
     let frame = |camera: u32, name: &str| format!("/api/v1/shots/7/frames/{camera}/{name}.png");
     let whole = server.get(&frame(2, "b")).await;
@@ -115,15 +114,15 @@ async fn raw_frames_are_shown_at_the_width_asked_for() {
     server.assert_error(&format!("{}?width=3", frame(1, "a")), 400, "allowed 16 to 8192").await;
     server.assert_error(&format!("{}?width=x", frame(1, "a")), 400, "width").await;
     server.assert_error(&format!("{}?depth=3", frame(1, "a")), 400, "depth").await;
-    server.assert_error(&frame(3, "a"), 404, "no cam3, but cam1 to cam2").await;
+    server.assert_error(&frame(3, "a"), 404, "no cam3; the cameras are cam1 to cam2").await;
     server.assert_error(&frame(0, "a"), 400, "'0' is not a camera").await;
     server.assert_error(&frame(1, "c"), 400, "give a or b").await;
-    server.assert_error("/api/v1/shots/8/frames/1/a.png", 410, "not at hand").await;
+    server.assert_error("/api/v1/shots/8/frames/1/a.png", 410, "not available").await;
     server.assert_error("/api/v1/shots/9/frames/1/a.png", 404, "no shot 9").await;
 }
 
 #[tokio::test]
-async fn light_that_has_left_the_memory_is_gone_with_the_reason() {
+async fn light_that_is_no_longer_in_memory_is_reported_as_gone() {
     let (server, done) = busy_server().await;
     let volume = |shot: u64| format!("/api/v1/results/{shot}/volumes/a");
     server.assert_error(&volume(done - 1), 410, "64 MB").await;
@@ -131,11 +130,11 @@ async fn light_that_has_left_the_memory_is_gone_with_the_reason() {
     server.assert_error(&volume(done), 404, "camera 2 is dark").await;
     server.assert_error(&volume(999), 404, "no shot 999").await;
     server.assert_error("/api/v1/results/1/volumes/c", 400, "give a or b").await;
-    server.assert_error("/api/v1/results/1/projections/a/zz.png", 400, "no plane").await;
+    server.assert_error("/api/v1/results/1/projections/a/zz.png", 400, "not a plane").await;
 }
 
 #[tokio::test]
-async fn what_a_client_has_is_not_sent_again() {
+async fn a_cached_response_is_not_sent_again() {
     let server = lit_server().await;
     let mut tags = Vec::new();
     for path in [
@@ -170,7 +169,7 @@ async fn what_a_client_has_is_not_sent_again() {
 }
 
 #[tokio::test]
-async fn a_part_of_a_large_answer_can_be_fetched() {
+async fn a_part_of_a_large_response_can_be_fetched() {
     let server = lit_server().await;
     let path = "/api/v1/results/7/volumes/a";
     let whole = server.get(path).await;

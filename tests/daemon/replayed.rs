@@ -1,5 +1,5 @@
-//! A run with every fault of its cameras, played again: the same verdict on every trigger, although
-//! frames came late then, and come when they are asked for now.
+//! Replay of a run with every kind of camera fault: every trigger ends as in the run, although
+//! frames arrive at other times.
 
 use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
 
@@ -36,7 +36,7 @@ fn faulty_bench(faults: &FaultSettings) -> Bench {
     bench
 }
 
-/// Takes shots; the pool takes so long over each.
+/// Takes shots; the pool needs the given time for each.
 async fn take(
     bench: Bench,
     settings: AcquisitionSettings,
@@ -107,7 +107,7 @@ async fn play(run: &Path, pool: Duration) -> (AcquisitionReport, Ledger) {
 }
 
 #[tokio::test]
-async fn every_trigger_ends_as_it_did() {
+async fn every_trigger_ends_as_in_the_run() {
     let shares = FrameShares {
         dropped: 0.02,
         late: 0.04,
@@ -124,7 +124,7 @@ async fn every_trigger_ends_as_it_did() {
         let root = tempfile::tempdir().unwrap();
         let (report, ledger) = record(root.path(), &faults).await;
         assert!(times(&ledger).iter().all(|(_, time)| time.is_some()));
-        // A pool that is slow, and one that is not: the replay's clock must not care.
+        // With a slow and a fast pool, which must not affect the replay's clock.
         for pool in [Duration::ZERO, Duration::from_millis(60)] {
             let (again, replayed) = play(root.path(), pool).await;
             assert_eq!(outcomes(&replayed), outcomes(&ledger), "seed {seed}, {pool:?}");

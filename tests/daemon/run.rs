@@ -28,7 +28,7 @@ fn plan(file: &ConfigFile, shots: u64, overload: OverloadPolicy) -> DaemonPlan {
     DaemonPlan::new(file.clone(), NonZeroU64::new(shots), overload)
 }
 
-/// Remembers every shot that leaves the pool.
+/// Records every shot that leaves the pool.
 fn recorder() -> (Observer, Arc<Mutex<Vec<ShotRecord>>>) {
     let records: Arc<Mutex<Vec<ShotRecord>>> = Arc::default();
     let seen = records.clone();
@@ -44,7 +44,7 @@ fn stages(records: &Mutex<Vec<ShotRecord>>) -> Vec<(u64, Stage)> {
     records.lock().iter().map(|record| (record.shot, record.stage)).collect()
 }
 
-/// Runs with `process` in the workers' place.
+/// Runs with `process` in place of the workers.
 async fn run<P>(
     plan: DaemonPlan,
     tricks: &[(usize, u64, Trick)],
@@ -111,9 +111,9 @@ async fn files_for_paraview_can_be_left_out() {
     assert_eq!(names[4..], ["velocity_000000.nc"], "{names:?}");
 }
 
-/// A reconstruction that does not return is noticed; it may come back after all.
+/// A reconstruction that does not return is reported; it may return later.
 #[tokio::test(flavor = "multi_thread")]
-async fn a_worker_that_hangs_is_noticed() {
+async fn a_hung_worker_is_reported() {
     let root = tempfile::tempdir().unwrap();
     let mut file = configuration(root.path());
     file.config.pipeline.first_pair_patience_s = 0.1;
@@ -145,7 +145,7 @@ async fn a_worker_that_hangs_is_noticed() {
 }
 
 #[tokio::test]
-async fn an_overloaded_run_sheds_and_says_which() {
+async fn an_overloaded_run_sheds_shots_and_lists_them() {
     let root = tempfile::tempdir().unwrap();
     let mut file = configuration(root.path());
     file.config.pipeline.queue = 1;
@@ -165,7 +165,7 @@ async fn an_overloaded_run_sheds_and_says_which() {
 }
 
 #[tokio::test]
-async fn a_panic_and_a_lost_frame_cost_their_shots_only() {
+async fn a_panic_and_a_lost_frame_affect_only_their_shots() {
     let root = tempfile::tempdir().unwrap();
     let file = configuration(root.path());
     let plan = plan(&file, 5, OverloadPolicy::Wait);
@@ -224,7 +224,7 @@ async fn a_run_can_be_watched_and_stopped() {
 }
 
 #[tokio::test]
-async fn a_lost_camera_fails_the_run_and_keeps_what_was_measured() {
+async fn a_lost_camera_fails_the_run_and_keeps_the_results() {
     let root = tempfile::tempdir().unwrap();
     let file = configuration(root.path());
     let plan = plan(&file, 20, OverloadPolicy::Wait);
@@ -232,7 +232,7 @@ async fn a_lost_camera_fails_the_run_and_keeps_what_was_measured() {
     let quick = |pair: &ImagePair| Ok(quick_result(pair));
     let (ended, records) = run(plan, &tricks, CancellationToken::new(), quick).await;
     let error = format!("{:#}", ended.unwrap_err());
-    assert!(error.contains("before its time") && error.contains("no heartbeat"), "{error}");
+    assert!(error.contains("ended early") && error.contains("no heartbeat"), "{error}");
     assert!(records.lock().len() >= 3);
     let folder: PathBuf = std::fs::read_dir(root.path()).unwrap().next().unwrap().unwrap().path();
     let ledger = ledger_file(&folder);
@@ -255,7 +255,7 @@ async fn tables_that_cannot_be_built_fail_the_run_before_a_shot() {
 }
 
 #[tokio::test]
-async fn an_address_in_use_is_said() {
+async fn an_address_in_use_is_reported() {
     let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let root = tempfile::tempdir().unwrap();
     let mut file = configuration(root.path());

@@ -1,9 +1,9 @@
-//! Whether JSON is what a schema of the OpenAPI document says: types, members, enumerations.
-//! Stricter than JSON Schema: a member that is not in the schema is wrong.
+//! Compares JSON with a schema of the OpenAPI document: types, members, enumerations. Stricter than
+//! JSON Schema: a member that is not in the schema is an error.
 
 use serde_json::{Map, Value};
 
-/// What is wrong, with its place; empty when nothing is.
+/// All differences with their paths; empty if there are none.
 pub fn differences(document: &Value, schema: &Value, value: &Value, at: &str) -> Vec<String> {
     let schema = resolved(document, schema);
     for key in ["oneOf", "anyOf"] {
@@ -62,7 +62,7 @@ fn is_of_type(types: &Value, value: &Value) -> bool {
 fn members(document: &Value, schema: &Value, object: &Map<String, Value>, at: &str) -> Vec<String> {
     let (mut known, mut required) = (Map::new(), Vec::new());
     collect(document, schema, &mut known, &mut required);
-    // An object without members in its schema is any object.
+    // An object without members in its schema may be any object.
     if known.is_empty() {
         return Vec::new();
     }
@@ -81,7 +81,7 @@ fn members(document: &Value, schema: &Value, object: &Map<String, Value>, at: &s
     wrong
 }
 
-/// Members of an object and of the parts that it is put together from.
+/// Collects the members of an object and of the parts it is composed of.
 fn collect(
     document: &Value,
     schema: &Value,
@@ -100,7 +100,7 @@ fn collect(
 }
 
 #[test]
-fn what_is_not_as_the_schema_says_is_found() {
+fn differences_from_the_schema_are_found() {
     let document = serde_json::json!({ "components": { "schemas": {
         "Colour": { "type": "string", "enum": ["red", "blue"] },
         "Lamp": { "allOf": [

@@ -1,4 +1,4 @@
-//! Who is let in: tokens, scopes, names and pages.
+//! Access control: tokens, scopes, host names and origins.
 
 use lfpiv::{
     config::{Config, ServerSettings},
@@ -16,7 +16,7 @@ async fn status(server: &Server, ask: Ask) -> u16 {
 }
 
 #[tokio::test]
-async fn a_token_opens_what_its_scope_names() {
+async fn a_token_grants_its_scope() {
     let folder = tempfile::tempdir().unwrap();
     let server = Server::empty(&with_tokens(folder.path())).await;
     let read = ["/api/v1/status", "/api/v1/events", "/api/v1/shots", "/api/v1/control", "/metrics"];
@@ -46,7 +46,7 @@ async fn a_token_opens_what_its_scope_names() {
 }
 
 #[tokio::test]
-async fn a_token_in_any_other_place_opens_nothing() {
+async fn a_token_elsewhere_grants_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let server = Server::empty(&with_tokens(folder.path())).await;
     for key in ["token", "access_token", "Authorization", "t", "format"] {
@@ -66,7 +66,7 @@ async fn a_token_in_any_other_place_opens_nothing() {
 }
 
 #[tokio::test]
-async fn without_tokens_loopback_may_read_and_nobody_may_control() {
+async fn without_tokens_loopback_can_read_and_nobody_can_control() {
     let server = Server::empty(&settings()).await;
     assert_eq!(server.get("/api/v1/status").await.status, 200);
     for command in ["start", "stop", "arm", "disarm", "dt", "note"] {
@@ -77,7 +77,7 @@ async fn without_tokens_loopback_may_read_and_nobody_may_control() {
 }
 
 #[tokio::test]
-async fn a_server_called_by_another_name_does_not_answer() {
+async fn a_foreign_host_name_is_refused() {
     let settings = ServerSettings { hosts: vec!["bench.lab".to_owned()], ..settings() };
     let server = Server::empty(&settings).await;
     let port = server.address.port();
@@ -85,7 +85,7 @@ async fn a_server_called_by_another_name_does_not_answer() {
     for host in ["localhost", "127.0.0.1:1", "[::1]", "Bench.Lab:80"] {
         assert_eq!(status(&server, Ask::get(path).with("Host", host)).await, 200, "{host}");
     }
-    // Resolved to 127.0.0.1 by whoever owns the name.
+    // Resolved to 127.0.0.1 by the owner of the name.
     for host in
         ["evil.example", &format!("evil.example:{port}"), "localhost.evil.example", "10.1.1.1"]
     {
@@ -124,7 +124,7 @@ async fn pages_of_other_servers_are_refused_even_with_a_token() {
         .with("Origin", "http://evil.example")
         .with("Access-Control-Request-Method", "POST");
     assert_eq!(status(&server, preflight).await, 403);
-    // A form can post without a preflight; it cannot say that it posts JSON.
+    // A form can post without a preflight, but cannot state that it posts JSON.
     let form = Ask::post("/api/v1/control/note")
         .token(CONTROL)
         .with("Content-Type", "text/plain")
@@ -133,7 +133,7 @@ async fn pages_of_other_servers_are_refused_even_with_a_token() {
 }
 
 #[tokio::test]
-async fn browsers_are_told_not_to_guess_lend_or_keep() {
+async fn security_headers_are_sent() {
     let server = Server::empty(&settings()).await;
     for path in ["/api/v1/status", "/docs", "/nothing"] {
         let answer = server.get(path).await;
@@ -152,7 +152,7 @@ async fn browsers_are_told_not_to_guess_lend_or_keep() {
 }
 
 #[tokio::test]
-async fn nothing_is_served_beyond_loopback_without_tokens() {
+async fn a_server_without_tokens_cannot_listen_beyond_loopback() {
     let mut file = configuration(std::path::Path::new("unused"));
     file.config.server.address = "0.0.0.0:0".parse().unwrap();
     let plan =
@@ -178,7 +178,7 @@ async fn nothing_is_served_beyond_loopback_without_tokens() {
 }
 
 #[tokio::test]
-async fn with_tokens_the_network_is_served_by_address_and_name() {
+async fn with_tokens_the_server_accepts_its_address_and_names_from_the_network() {
     let folder = tempfile::tempdir().unwrap();
     let address = "0.0.0.0:0".parse().unwrap();
     let server = Server::empty(&ServerSettings { address, ..with_tokens(folder.path()) }).await;

@@ -1,4 +1,4 @@
-//! The server alone, before a run that stands still.
+//! The server alone, for a run that does not change.
 
 use std::{
     net::SocketAddr,
@@ -31,7 +31,7 @@ pub struct Server {
     pub task: JoinHandle<()>,
 }
 
-/// Settings under which no test is limited by its pace.
+/// Settings with which the rate limit affects no test.
 pub fn settings() -> ServerSettings {
     let mut settings = ServerSettings::default();
     settings.address.set_port(0);
@@ -39,7 +39,7 @@ pub fn settings() -> ServerSettings {
     settings
 }
 
-/// Settings with a token of each scope, in a file in `folder`.
+/// Settings with one token per scope, in a file in `folder`.
 pub fn with_tokens(folder: &Path) -> ServerSettings {
     let path = folder.join("tokens");
     std::fs::write(&path, format!("# lab\nread {READ}\ncontrol {CONTROL}\n")).unwrap();
@@ -78,7 +78,7 @@ impl Server {
         Self::with(ledger, board, &settings(), |state| state).await
     }
 
-    /// An empty run with these settings.
+    /// A server of an empty run with these settings.
     pub async fn empty(settings: &ServerSettings) -> Self {
         Self::with(Ledger::new(2), Board::new(), settings, |state| state).await
     }

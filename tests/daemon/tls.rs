@@ -1,4 +1,4 @@
-//! TLS, with a certificate made here.
+//! TLS with a certificate made by the test.
 
 use std::{os::unix::fs::PermissionsExt, path::Path, sync::Arc};
 
@@ -41,7 +41,7 @@ async fn connect(server: &Server, roots: RootCertStore) -> std::io::Result<TlsSt
 }
 
 #[tokio::test]
-async fn with_a_certificate_only_tls_is_spoken() {
+async fn with_a_certificate_the_server_accepts_only_tls() {
     let folder = tempfile::tempdir().unwrap();
     let (settings, roots) = secured(folder.path());
     assert!(settings.url(settings.address).starts_with("https://127.0.0.1"));
@@ -61,7 +61,7 @@ async fn with_a_certificate_only_tls_is_spoken() {
 }
 
 #[tokio::test]
-async fn a_client_that_never_shakes_hands_is_cut_off() {
+async fn a_client_without_a_handshake_is_disconnected() {
     let folder = tempfile::tempdir().unwrap();
     let (settings, _) = secured(folder.path());
     let server = Server::empty(&ServerSettings { client_patience_s: 0.3, ..settings }).await;
@@ -86,7 +86,7 @@ async fn unusable_certificates_and_keys_are_refused_with_what_to_do() {
     let absent = refusal(TlsSettings { key: folder.path().join("absent"), ..tls.clone() });
     assert!(absent.contains("server.tls.key"), "{absent}");
     let swapped = TlsSettings { certificate: tls.key.clone(), key: tls.key.clone() };
-    assert!(refusal(swapped).contains("no certificate in it"));
+    assert!(refusal(swapped).contains("contains no certificate"));
     let other = tempfile::tempdir().unwrap();
     let (others, _) = secured(other.path());
     let foreign = refusal(TlsSettings { key: others.tls.unwrap().key, ..tls });

@@ -103,7 +103,7 @@ fn a_live_camera_says_where_the_card_is() {
         // Nothing is in view yet; then an even grey.
         live.says("cam1, frame 0: no depth is sharper");
         fake.show(Arc::new(grey(size, 2000))).unwrap();
-        live.says("no depth is sharper than the others: put a card");
+        live.says("no depth is sharper than the others: place a card");
         fake.show(Arc::new(grey(size, 4095))).unwrap();
         live.says("100.0 % of the pixels are saturated");
 

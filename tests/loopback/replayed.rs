@@ -155,7 +155,7 @@ fn assert_same(run: &Path, again: &Path, shots: usize) {
     let said = text(&output.stdout);
     println!("{said}{}", text(&output.stderr));
     assert!(output.status.success(), "{said}{}", text(&output.stderr));
-    assert!(said.contains(&format!("{shots} shots held against")), "{said}");
+    assert!(said.contains(&format!("{shots} shots compared with")), "{said}");
     assert!(said.contains("0 different") && said.contains("ledgers are the same"), "{said}");
 }
 
@@ -181,7 +181,7 @@ fn a_recorded_run_gives_the_same_vectors_and_ledger_over_the_wires() {
             let stage = Stage::with_run_of("12");
             let (output, told) = stage.play(&stage.recorded, &[], &stage.daemon(), "12");
             assert!(output.status.success(), "{}", text(&output.stderr));
-            assert!(told.contains("12 triggers as recorded; dark: 0 in"), "{told}");
+            assert!(told.contains("12 triggers as recorded; dark: 0 with"), "{told}");
             let again = folder_of(&output);
             assert_same(&stage.recorded, &again, SHOTS);
             assert!(images(&again) == images(&stage.recorded), "other pixels");
@@ -298,7 +298,7 @@ fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
 
             let received = [stage.received(0), stage.received(1)];
             let (output, told) = stage.play(&disturbed, &[], &stage.daemon(), "16");
-            assert!(told.contains("16 triggers as recorded; dark: 0 in"), "{told}");
+            assert!(told.contains("16 triggers as recorded; dark: 0 with"), "{told}");
             assert_same(&disturbed, &folder_of(&output), whole);
             // Including those of incomplete shots.
             assert_eq!([stage.received(0), stage.received(1)], received);
@@ -314,7 +314,7 @@ fn light_outside_the_record_is_dark_and_truncating_formats_are_refused() {
             let stage = Stage::with_run_of("2");
             // Beyond the end of the record.
             let (output, told) = stage.play(&stage.recorded, &[], &stage.daemon(), "3");
-            assert!(told.contains("2 triggers as recorded; dark: 0 in another light, 1 beyond"));
+            assert!(told.contains("2 triggers as recorded; dark: 0 with other light, 1 after"));
             let taken = images(&folder_of(&output));
             let is_dark = |(_, cameras): &(u64, Vec<[lfpiv_hw::RawImage; 2]>)| {
                 let mut counts = cameras.iter().flatten().flat_map(|image| image.counts());
@@ -333,7 +333,7 @@ fn light_outside_the_record_is_dark_and_truncating_formats_are_refused() {
             fs::write(&path, replaced(&text_of, TIMING, &slow_lamp)).unwrap();
             lfpiv(&["run", "--config", utf8(&path), "--shots", "2"]);
             let told = instruments.finish();
-            assert!(told.contains("0 triggers as recorded; dark: 2 in another light"), "{told}");
+            assert!(told.contains("0 triggers as recorded; dark: 2 with other light"), "{told}");
 
             // 12 bits do not fit into 8.
             let narrow = replaced(&config, "\"Mono12Packed\"", "\"Mono8\"");

@@ -201,7 +201,7 @@ fn a_damaged_ledger_is_named_and_made_again_from_the_record() {
     let first = process();
     let said = text(&first.stderr);
     assert_eq!(first.status.code(), Some(DAMAGED), "{said}");
-    assert!(said.contains("ledger.json is no ledger"), "{said}");
+    assert!(said.contains("ledger.json is not a ledger"), "{said}");
     assert!(said.contains("ledger.json.damaged"), "{said}");
     assert_eq!(triggers(), whole);
     assert!(run.join("ledger.json.damaged").exists());

@@ -18,7 +18,7 @@ fn a_replay_gives_the_same_vectors_and_the_same_ledger() {
         let output = lfpiv(&arguments);
         let said = text(&output.stdout);
         assert!(output.status.success(), "{said}{}", text(&output.stderr));
-        assert!(said.contains("30 shots held against"), "{said}");
+        assert!(said.contains("30 shots compared with"), "{said}");
         assert!(said.contains("0 different") && said.contains("ledgers are the same"), "{said}");
         let again = said.lines().find_map(|line| line.strip_prefix("results are in ")).unwrap();
         let times_s = |run: &Path| StoredResults::find(run).unwrap().times_s;

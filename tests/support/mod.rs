@@ -8,25 +8,25 @@ use std::{
 
 use lfpiv::config::{Config, ConfigFile};
 
-/// Error measures of the numerics' tests.
+/// Error measures shared with the tests of the numerics.
 #[path = "../../core/tests/support/errors.rs"]
 mod errors;
 
 #[allow(unused_imports, reason = "not every test has a truth")]
 pub use errors::*;
 
-/// The configurations in `config/`.
+/// Names of the bench configurations in `config/`.
 pub const SHIPPED: [&str; 7] =
     ["sim", "jet", "bench", "imperfect", "paper", "loopback", "loopback-bench"];
 
-/// Root folder of the project: tests of other crates share this file.
+/// Root folder of the project; tests of other crates share this file.
 fn project() -> &'static Path {
     let crate_folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let has_configurations = |folder: &&Path| folder.join("config").is_dir();
     crate_folder.ancestors().find(has_configurations).expect("the folder config")
 }
 
-/// The program under test: this crate's, or the one next to this crate's test binary.
+/// The binary under test: this crate's, or the one next to this crate's test binary.
 fn program() -> PathBuf {
     match (option_env!("CARGO_BIN_EXE_lfpiv"), option_env!("CARGO_BIN_EXE_lfpiv-bench")) {
         (Some(own), _) => own.into(),
@@ -51,7 +51,7 @@ pub struct Done {
     pub stderr: String,
 }
 
-/// Runs `lfpiv` with these arguments to its end.
+/// Runs `lfpiv` with these arguments and waits for its end.
 pub fn lfpiv<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Done {
     let output: Output = Command::new(program())
         .args(arguments)
@@ -67,17 +67,17 @@ pub fn lfpiv<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Done {
     }
 }
 
-/// The configuration of a bench that is fast to simulate and to measure.
+/// The configuration of a bench that is quick to simulate and to measure.
 pub fn small_configuration() -> PathBuf {
     project().join("tests/data/small.toml")
 }
 
-/// Its parsed configuration.
+/// The parsed configuration of the small bench.
 pub fn small_bench() -> Config {
     ConfigFile::load(&small_configuration()).expect("small.toml").config
 }
 
-/// Writes the small bench's configuration with one piece of text replaced to a file in `folder`.
+/// Writes the small bench's configuration, with some text replaced, to a file in `folder`.
 pub fn changed_configuration(folder: &Path, from: &str, to: &str) -> PathBuf {
     let text = std::fs::read_to_string(small_configuration()).expect("small.toml");
     assert!(text.contains(from), "{from}");

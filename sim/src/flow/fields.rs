@@ -1,4 +1,4 @@
-//! The velocity fields one by one, each with its formula.
+//! The velocity fields with their formulas.
 
 use std::f64::consts::TAU;
 
@@ -36,7 +36,7 @@ pub struct LinearShear {
     /// The velocity component that is not zero.
     #[garde(skip)]
     pub component: Axis,
-    /// The coordinate with which it grows.
+    /// The coordinate that the velocity is proportional to.
     #[garde(custom(differs(self.component)))]
     pub along: Axis,
     /// Velocity gradient, in 1/s.
@@ -73,8 +73,8 @@ impl SolidRotation {
 ///
 /// Swirl about the circular core, at distance ρ from it: u_θ(ρ) = A (ρ/s) exp(−ρ²/2s²), which
 /// peaks at ρ = s with A exp(−1/2). Inside the ring the fluid moves towards +z for positive A.
-/// The field is free of divergence but for the curvature of the core, ∇·u = u_r / r: at most
-/// 8 % of the core vorticity for the default ring.
+/// The field is free of divergence except for the curvature of the core, ∇·u = u_r / r: at most 8 %
+/// of the core vorticity for the default ring.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct RingVortex {
@@ -102,7 +102,7 @@ impl RingVortex {
         let s = self.core_radius_mm;
         let decay = (-(outward * outward + z * z) / (2.0 * s * s)).exp();
         let swirl_per_mm = self.amplitude_m_s / s * decay;
-        // The radial direction is undefined on the axis; the radial velocity there is not felt.
+        // The radial direction is undefined on the axis; the radial velocity is zero there.
         let radial_per_mm = if radius > 0.0 { swirl_per_mm * z / radius } else { 0.0 };
         [radial_per_mm * x, radial_per_mm * y, -swirl_per_mm * outward]
     }
@@ -150,8 +150,8 @@ impl Jet {
 /// - v = A (b sin kx + a cos kz)
 /// - w = A (c sin ky + b cos kx)
 ///
-/// With the default coefficients of 1 each component peaks at **2 A**: for displacements that
-/// peak at 2 voxels of 0.1 mm at dt = 100 µs, A is 1.0 m/s.
+/// With the default coefficients of 1 the peak of each component is **2 A**. For a peak
+/// displacement of 2 voxels of 0.1 mm at dt = 100 µs, A is 1.0 m/s.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct Abc {
@@ -180,7 +180,7 @@ impl Abc {
     }
 }
 
-/// Two streams that slide along each other: component u = ΔU/2 · tanh(2 (y − y0)/δ) along another axis y.
+/// Two parallel streams: component u = ΔU/2 · tanh(2 (y − y0)/δ) along another axis y.
 ///
 /// δ = ΔU / max |du/dy| is the vorticity thickness (Brown and Roshko, J. Fluid Mech. 64, 1974).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
@@ -189,16 +189,16 @@ pub struct ShearLayer {
     /// The velocity component that is not zero.
     #[garde(skip)]
     pub component: Axis,
-    /// The coordinate with which it changes.
+    /// The coordinate along which the velocity changes.
     #[garde(custom(differs(self.component)))]
     pub along: Axis,
-    /// Velocity of the upper stream over that of the lower one, ΔU, in m/s.
+    /// Velocity difference ΔU between the streams at large and at small y, in m/s.
     #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
     pub difference_m_s: f64,
     /// Vorticity thickness δ, in mm.
     #[garde(custom(finite), range(min = 0.001, max = 1000.0))]
     pub thickness_mm: f64,
-    /// Coordinate y0 of the layer's middle, in mm.
+    /// Coordinate y0 of the layer's centre, in mm.
     #[serde(default)]
     #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
     pub offset_mm: f64,
@@ -214,9 +214,9 @@ impl ShearLayer {
     }
 }
 
-/// A transverse plane wave: u = A e sin(2π k·x/λ + φ), k and e unit vectors at right angles.
+/// A transverse plane wave: u = A e sin(2π k·x/λ + φ), with perpendicular unit vectors k and e.
 ///
-/// What a measurement makes of its amplitude is its gain at that wavelength.
+/// The ratio of measured to true amplitude is the gain of a measurement at that wavelength.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneWave {
@@ -226,10 +226,10 @@ pub struct PlaneWave {
     /// Amplitude A, in m/s.
     #[garde(custom(finite), range(min = -1000.0, max = 1000.0))]
     pub amplitude_m_s: f64,
-    /// Direction k in which the phase grows, of any length.
+    /// Direction k of increasing phase, of any length.
     #[garde(inner(custom(finite), range(min = -1000.0, max = 1000.0)), custom(has_length))]
     pub along: [f64; 3],
-    /// Direction e of the velocity, of any length; what of it lies along k is left out.
+    /// Direction e of the velocity, of any length; its component along k is ignored.
     #[garde(inner(custom(finite), range(min = -1000.0, max = 1000.0)), custom(is_across(self.along)))]
     pub component: [f64; 3],
     /// Phase φ at the origin, in rad.
@@ -239,7 +239,7 @@ pub struct PlaneWave {
 }
 
 impl PlaneWave {
-    /// Velocity where the wave is highest, in m/s.
+    /// Velocity at the crest of the wave, in m/s.
     pub fn crest_m_s(&self) -> [f64; 3] {
         across(self.component, self.along).map(|c| self.amplitude_m_s * c)
     }
@@ -265,7 +265,7 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
     v.map(|c| c / length)
 }
 
-/// The unit vector along what of `v` is at right angles to `to`.
+/// The unit vector along the part of `v` that is perpendicular to `to`.
 fn across(v: [f64; 3], to: [f64; 3]) -> [f64; 3] {
     let to = unit(to);
     let common = dot(v, to);
@@ -284,11 +284,11 @@ fn is_across(along: [f64; 3]) -> impl FnOnce(&[f64; 3], &()) -> garde::Result {
     move |component, ()| {
         let (squares, common) =
             (dot(*component, *component) * dot(along, along), dot(*component, along));
-        // A hundredth of a radian off the wave's own direction leaves a direction across it.
+        // The directions must differ by at least a hundredth of a radian.
         if squares > 0.0 && common * common < (1.0 - 1e-4) * squares {
             Ok(())
         } else {
-            Err(garde::Error::new("allowed: a direction that is not that of along"))
+            Err(garde::Error::new("allowed: a direction different from along"))
         }
     }
 }
@@ -296,7 +296,9 @@ fn is_across(along: [f64; 3]) -> impl FnOnce(&[f64; 3], &()) -> garde::Result {
 fn differs(component: Axis) -> impl FnOnce(&Axis, &()) -> garde::Result {
     move |along, _| {
         if *along == component {
-            Err(garde::Error::new("allowed: an axis other than component, or it is no shear"))
+            Err(garde::Error::new(
+                "allowed: an axis other than component, otherwise the flow is not a shear",
+            ))
         } else {
             Ok(())
         }

@@ -1,4 +1,4 @@
-//! Many random waves without divergence: what turbulence looks like between two wavelengths.
+//! Synthetic turbulence: many random solenoidal waves between two wavelengths.
 
 use std::{
     f64::consts::{PI, TAU},
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::stream::{Purpose, random_stream};
 
-/// Waves of a field: enough that no direction stands out, few enough to follow particles through.
+/// Number of waves: enough to have no preferred direction, few enough to advect particles quickly.
 const WAVES: usize = 96;
 
 /// Random solenoidal Fourier modes with Kolmogorov's spectrum between two wavelengths (Kraichnan, Phys.
@@ -20,19 +20,19 @@ const WAVES: usize = 96;
 ///
 /// u(x) = Σ a e cos(k·x + φ), e ⟂ k, with directions of k and e and phases φ drawn at random.
 ///
-/// Wave numbers k are spread evenly over log k, so that E(k) ∝ k^(−5/3) asks for a² ∝ k^(−2/3). The same
-/// settings give the same field.
+/// Wave numbers k are spaced evenly in log k, so E(k) ∝ k^(−5/3) requires a² ∝ k^(−2/3). Equal
+/// settings give equal fields.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct Turbulence {
     /// Shortest and longest wavelength, in mm.
     #[garde(inner(custom(finite), range(min = 0.01, max = 10_000.0)), custom(ascend))]
     pub wavelengths_mm: [f64; 2],
-    /// Root mean square of each velocity component, in m/s: what is expected, a single field has a tenth more
-    /// or less.
+    /// Expected root mean square of each velocity component, in m/s; a single field deviates by
+    /// some 10 %.
     #[garde(custom(finite), range(min = 0.0, max = 1000.0))]
     pub rms_m_s: f64,
-    /// Seed of directions and phases; the run's seed is that of its particles.
+    /// Seed of directions and phases, independent of the run's seed for particles.
     #[garde(skip)]
     pub seed: u64,
     #[serde(skip)]
@@ -40,11 +40,11 @@ pub struct Turbulence {
     waves: Waves,
 }
 
-/// The waves that the settings ask for, drawn once.
+/// The waves, drawn once from the settings.
 #[derive(Debug, Clone, Default)]
 struct Waves(OnceLock<Vec<Wave>>);
 
-/// Waves follow from the settings, which are compared.
+/// Always equal, because waves follow from the settings, which are compared.
 impl PartialEq for Waves {
     fn eq(&self, _: &Self) -> bool {
         true
@@ -62,21 +62,21 @@ struct Wave {
 }
 
 impl Default for Turbulence {
-    /// 1.6 to 10 mm, 1.4 m/s: on the bench 16 to 100 voxels, and 1.4 voxel at 100 µs.
+    /// 1.6 to 10 mm and 1.4 m/s: on the bench 16 to 100 voxels, and 1.4 voxels in 100 µs.
     fn default() -> Self {
         Self::new([1.6, 10.0], 1.4, 1)
     }
 }
 
 impl Turbulence {
-    /// A field between two wavelengths, the shorter one first.
+    /// A field between two wavelengths (shorter one first), in mm.
     pub fn new(wavelengths_mm: [f64; 2], rms_m_s: f64, seed: u64) -> Self {
         Self { wavelengths_mm, rms_m_s, seed, waves: Waves::default() }
     }
 
     pub(super) fn velocity_m_s(&self, position_mm: [f64; 3]) -> [f64; 3] {
         let mut velocity = [0.0; 3];
-        for wave in self.waves.0.get_or_init(|| self.drawn()) {
+        for wave in self.waves.0.get_or_init(|| self.draw()) {
             let angle: f64 = (0..3).map(|c| wave.number_per_mm[c] * position_mm[c]).sum();
             let cosine = (angle + wave.phase).cos();
             for (velocity, amplitude) in velocity.iter_mut().zip(wave.amplitude_m_s) {
@@ -86,13 +86,13 @@ impl Turbulence {
         velocity
     }
 
-    fn drawn(&self) -> Vec<Wave> {
+    fn draw(&self) -> Vec<Wave> {
         let mut rng = random_stream(Purpose::Turbulence, &[self.seed]);
         let [longest, shortest] = [1, 0].map(|n| TAU / self.wavelengths_mm[n]);
         let number =
             |n: usize| longest * (shortest / longest).powf((n as f64 + 0.5) / WAVES as f64);
         let squares: f64 = (0..WAVES).map(|n| number(n).powf(-2.0 / 3.0)).sum();
-        // The mean of cos² is 1/2, and a wave's square is that of three components.
+        // The mean of cos² is 1/2, and the squared amplitude includes three components.
         let scale = self.rms_m_s * (6.0 / squares).sqrt();
         (0..WAVES)
             .map(|n| {
@@ -109,7 +109,7 @@ impl Turbulence {
     }
 }
 
-/// A unit vector, any as likely as any other.
+/// A uniformly distributed unit vector.
 fn direction(rng: &mut impl Rng) -> [f64; 3] {
     let z: f64 = rng.random_range(-1.0..=1.0);
     let (sin, cos) = rng.random_range(-PI..PI).sin_cos();
@@ -117,7 +117,7 @@ fn direction(rng: &mut impl Rng) -> [f64; 3] {
     [across * cos, across * sin, z]
 }
 
-/// A unit vector at right angles to `along`, any as likely as any other.
+/// A uniformly distributed unit vector perpendicular to `along`.
 fn perpendicular(rng: &mut impl Rng, along: [f64; 3]) -> [f64; 3] {
     loop {
         let drawn = direction(rng);
@@ -142,8 +142,7 @@ fn ascend(wavelengths_mm: &[f64; 2], (): &()) -> garde::Result {
 mod tests {
     use super::*;
 
-    /// Mean square of a component over many places and fields, and the share of the upper half of log k in
-    /// it, which the spectrum gives.
+    /// Root mean square of a component over many points and fields.
     #[test]
     fn the_fields_have_their_rms() {
         let mut rng = random_stream(Purpose::Seeding, &[9]);
@@ -164,7 +163,7 @@ mod tests {
     fn waves_lie_between_the_wavelengths_and_are_transverse() {
         let flow = Turbulence::default();
         let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|c| a[c] * b[c]).sum::<f64>();
-        let waves = flow.drawn();
+        let waves = flow.draw();
         for wave in &waves {
             let number = dot(wave.number_per_mm, wave.number_per_mm).sqrt();
             assert!((1.6..=10.0).contains(&(TAU / number)), "{number}");
@@ -179,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_seed_gives_its_field_and_another_one_another() {
+    fn equal_seeds_give_equal_fields() {
         let at = [1.0, -2.0, 0.5];
         let velocity = |seed| Turbulence::new([1.6, 10.0], 1.4, seed).velocity_m_s(at);
         assert_eq!(velocity(3), velocity(3));

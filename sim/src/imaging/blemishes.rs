@@ -1,4 +1,4 @@
-//! What changes the light on the pixels themselves: dust, and crosstalk between neighbours.
+//! Effects on the pixels: dust, and crosstalk between neighbours.
 
 use lfpiv_hw::Optics;
 use rand::RngExt;
@@ -7,10 +7,10 @@ use rayon::prelude::*;
 use super::{CameraFlaws, ElectronImage};
 use crate::stream::{Purpose, random_stream};
 
-/// Points per axis at which a pixel is looked at to say how much of it a speck covers.
+/// Sampling points per axis and pixel for the area that a speck covers.
 const COVERAGE_POINTS: u32 = 8;
 
-/// Fewest passes of three weights that make up the blur: then it is close to a Gaussian.
+/// Smallest number of passes with three weights, for a blur close to a Gaussian.
 const LEAST_BLUR_PASSES: usize = 4;
 
 /// Dust and crosstalk of one sensor.
@@ -18,7 +18,7 @@ const LEAST_BLUR_PASSES: usize = 4;
 pub(super) struct Blemishes {
     /// Pixels under dust, and the share of their light that passes.
     dust: Vec<(usize, f32)>,
-    /// Weights of the blur along one axis, its middle in the middle; empty without blur.
+    /// Symmetric weights of the blur along one axis; empty without blur.
     blur: Vec<f32>,
 }
 
@@ -27,7 +27,7 @@ impl Blemishes {
         Self { dust: dusty_pixels(optics, flaws), blur: blur_weights(flaws.blur_px) }
     }
 
-    /// Changes the light that reaches the sensor into what its pixels collect.
+    /// Applies dust and crosstalk to the light on the sensor.
     pub(super) fn apply(&self, image: &mut ElectronImage) {
         for &(pixel, transmission) in &self.dust {
             image.electrons_mut()[pixel] *= transmission;
@@ -42,7 +42,7 @@ impl Blemishes {
         let columns = image.columns();
         let reach = self.blur.len() / 2;
         image.electrons_mut().par_chunks_mut(columns).for_each(|row| {
-            // Light beyond the sensor's edge is lost, and none comes from there.
+            // Light beyond the sensor's edge is lost, and none enters from there.
             let mut padded = vec![0.0; columns + 2 * reach];
             padded[reach..reach + columns].copy_from_slice(row);
             for (pixel, window) in row.iter_mut().zip(padded.windows(self.blur.len())) {
@@ -68,7 +68,7 @@ impl Blemishes {
     }
 }
 
-/// Pixels that lie under specks, with what passes. A pixel under two specks comes twice.
+/// Pixels under specks, with their transmission. A pixel under two specks occurs twice.
 fn dusty_pixels(optics: &Optics, flaws: &CameraFlaws) -> Vec<(usize, f32)> {
     let (dust, sensor) = (&flaws.dust, &optics.sensor);
     let mut rng = random_stream(Purpose::Dust, &[flaws.blemish_seed]);
@@ -94,7 +94,8 @@ fn dusty_pixels(optics: &Optics, flaws: &CameraFlaws) -> Vec<(usize, f32)> {
     dusty
 }
 
-/// Share of a pixel centred at `from_speck_px` of a speck's centre that the speck covers.
+/// Share of a pixel that a speck covers; the pixel's centre is at `from_speck_px` from the speck's
+/// centre.
 fn covered_share(from_speck_px: [f64; 2], radius_px: f64) -> f64 {
     let step = 1.0 / f64::from(COVERAGE_POINTS);
     let place = |index: u32| (f64::from(index) + 0.5) * step - 0.5;
@@ -105,9 +106,9 @@ fn covered_share(from_speck_px: [f64; 2], radius_px: f64) -> f64 {
     covered.count() as f64 * step * step
 }
 
-/// A discrete Gaussian of exactly the variance σ²: three weights (a, 1 − 2a, a), whose variance is
-/// 2a, applied so often that a ≤ 1/4. Sampled values of a Gaussian would have too small a variance
-/// for σ below a pixel.
+/// A discrete Gaussian with exactly the variance σ²: three weights (a, 1 − 2a, a) with variance 2a,
+/// applied so often that a ≤ 1/4. A sampled Gaussian would have too small a variance for σ below
+/// one pixel.
 fn blur_weights(sigma_px: f64) -> Vec<f32> {
     if sigma_px == 0.0 {
         return Vec::new();
@@ -133,7 +134,7 @@ mod tests {
     use super::*;
     use crate::{imaging::Dust, test_bench};
 
-    /// One pixel's light of 1000, at (column 100, row 80).
+    /// Light of 1000 on one pixel, at (column 100, row 80).
     fn lit_pixel(optics: &Optics) -> ElectronImage {
         let mut image = ElectronImage::dark(optics);
         image.electrons_mut()[80 * optics.sensor.columns + 100] = 1000.0;
@@ -171,7 +172,7 @@ mod tests {
         assert!((400.0..600.0).contains(&image.total()), "{}", image.total());
     }
 
-    /// Specks darken their area by what they hold back, on the same pixels each time.
+    /// Specks darken their area by the blocked share, and hit the same pixels each time.
     #[test]
     fn dust_darkens_as_much_as_it_covers() {
         let optics = test_bench::small().optics;

@@ -1,9 +1,9 @@
-//! Images of a calibration card: rays from pixels back to the card.
+//! Images of a calibration card, by rays traced from pixels back to the card.
 //!
-//! A card fills thousands of micro-images, so that light is followed against its direction, as in a
-//! white image: from every microlens through the whole stop. Where such a ray comes from on the card is
-//! the inverse of the tracer's own way forward, by which places on the card are traced to the microlens
-//! plane, and polynomials go through what was traced.
+//! A card fills thousands of micro-images, so light is traced backwards, as in a white image: from
+//! every microlens through the whole stop. To find where such a ray leaves the card, points of the
+//! card are traced forwards to the microlens plane and the inverse relation is fitted by
+//! polynomials.
 
 use lfpiv_hw::card::Card;
 use nalgebra::{DMatrix, Matrix5, Point3, Vector3};
@@ -14,30 +14,30 @@ use super::{
     wall::{KNOTS, knots},
 };
 
-/// Light of bright and of dark places, in whole numbers: no ground is black.
+/// Light of bright and dark areas, as integers; no area is black.
 const BRIGHT: u32 = 20;
 const DARK: u32 = 1;
 
-/// Degree of the polynomials on the microlens plane: a place on the card is found within 1e-5 mm.
+/// Degree of the polynomials on the microlens plane; the error on the card is below 1e-5 mm.
 const DEGREE: usize = 7;
 
-/// Places traced along each axis of the card.
-const PLACES: usize = 14;
+/// Points traced along each axis of the card.
+const POINTS: usize = 14;
 
-/// A card where it stands, and how it bends.
+/// A card at one position, with its deviation from a plane.
 #[derive(Debug, Clone)]
 pub struct PlacedCard<'a> {
-    /// What it shows.
+    /// The card's pattern.
     pub card: &'a Card,
-    /// Where mark (0, 0) is, in mm.
+    /// Position of mark (0, 0), in mm.
     pub origin_mm: Point3<f64>,
-    /// How far the face lies off its plane, root mean square in mm, in three shapes of the second
-    /// degree: bent along the marks' first number, twisted, bent along the second.
+    /// Root-mean-square deviations of the face from its plane, in mm, for three shapes of second
+    /// degree: bent along the marks' first index, twisted, bent along the second index.
     pub bend_mm: [f64; 3],
 }
 
 impl PlacedCard<'_> {
-    /// World place of a point of the face that looks along `axis`, in mm.
+    /// World position of a point on the face that is turned towards `axis`, in mm.
     fn place_mm(&self, along_mm: [f64; 2], axis: &Vector3<f64>) -> Point3<f64> {
         let half_mm = self.half_mm();
         let [a, b] = [along_mm[0] / half_mm[0], along_mm[1] / half_mm[1]];
@@ -48,35 +48,36 @@ impl PlacedCard<'_> {
         self.card.place_mm(&self.origin_mm, along_mm, axis) + self.card.normal() * off_mm
     }
 
-    /// Half the card's edges, a spacing beyond the outermost marks.
+    /// Half the card's edges, which are one spacing beyond the outermost marks.
     fn half_mm(&self) -> [f64; 2] {
         self.card.marks.map(|count| (count as f64 + 1.0) / 2.0 * self.card.spacing_mm)
     }
 }
 
-/// Where rays meet the card: for every knot of the stop a polynomial of the place on the microlens
-/// plane for each coordinate on the card.
+/// Relation between rays and card points: for every knot of the stop, polynomials of the position
+/// on the microlens plane for both coordinates on the card.
 struct FaceSeen {
-    /// What places on the microlens plane are divided by, in mm.
+    /// Scale of positions on the microlens plane, in mm.
     scale_mm: f64,
-    /// By knot along u, by knot along v: factors of both coordinates.
+    /// Coefficients for both coordinates, by knot along u and knot along v.
     terms: Vec<DMatrix<f64>>,
     to_coefficients: Matrix5<f64>,
     per_stop_radius: f64,
 }
 
-/// The rays of one microlens: polynomials of the stop, in place and its changes along x and y.
+/// The rays of one microlens: polynomials of the position on the stop, with derivatives along x and
+/// y.
 struct LensRays {
     centre_mm: [f64; 2],
     per_stop_radius: f64,
-    /// For both coordinates on the card: value, change along x, change along y.
+    /// For both coordinates on the card: value, derivative along x, derivative along y.
     terms: [[Matrix5<f64>; 3]; 2],
 }
 
 impl RayTracer<'_> {
-    /// The image of a lit card, exposed so that the brightest pixel collects `brightest_electrons`;
-    /// the rest as [`Self::trace_white`]. `None` where the camera does not see all of the card's place:
-    /// it reaches the wall or the lens.
+    /// The image of an illuminated card, exposed so that the brightest pixel collects
+    /// `brightest_electrons`; other arguments as in [`Self::trace_white`]. `None` if the camera
+    /// cannot see the whole card because it touches the wall or the lens.
     pub fn trace_card(
         &self,
         placed: &PlacedCard<'_>,
@@ -99,9 +100,9 @@ impl RayTracer<'_> {
     fn face_seen(&self, placed: &PlacedCard<'_>) -> Option<FaceSeen> {
         let [knots_mm, relative] = knots(self.lens.stop_radius_mm);
         let half_mm = placed.half_mm();
-        let node = |n: usize| ((n as f64 + 0.5) / PLACES as f64 * std::f64::consts::PI).cos();
-        let along_mm: Vec<[f64; 2]> = (0..PLACES * PLACES)
-            .map(|n| [node(n % PLACES) * half_mm[0], node(n / PLACES) * half_mm[1]])
+        let node = |n: usize| ((n as f64 + 0.5) / POINTS as f64 * std::f64::consts::PI).cos();
+        let along_mm: Vec<[f64; 2]> = (0..POINTS * POINTS)
+            .map(|n| [node(n % POINTS) * half_mm[0], node(n / POINTS) * half_mm[1]])
             .collect();
         let bundles = along_mm
             .iter()
@@ -132,7 +133,7 @@ impl RayTracer<'_> {
     }
 }
 
-/// x^i y^j with i + j up to the degree.
+/// x^i y^j with i + j up to [`DEGREE`].
 fn monomials([x, y]: [f64; 2]) -> Vec<f64> {
     exponents().map(|[i, j]| x.powi(i) * y.powi(j)).collect()
 }
@@ -166,15 +167,15 @@ impl FaceSeen {
 }
 
 impl LensRays {
-    /// Where the ray that meets the microlens plane and the stop at two places meets the card, in mm
-    /// along `right` and `up` of the card. Within a microlens it depends on the place linearly.
+    /// Point of the card, in mm along its `right` and `up`, of the ray through given positions on
+    /// the microlens plane and the stop. Within a microlens it depends linearly on the position.
     #[inline]
     fn along_mm(&self, plane_mm: [f64; 2], stop_mm: [f64; 2]) -> [f64; 2] {
         let [u, v] = stop_mm.map(|place_mm| place_mm * self.per_stop_radius);
         let [x, y] = [plane_mm[0] - self.centre_mm[0], plane_mm[1] - self.centre_mm[1]];
         std::array::from_fn(|coordinate| {
             let [value, by_x, by_y] = &self.terms[coordinate];
-            // Refraction leaves nothing above the fourth degree in all.
+            // Refraction has no terms above the fourth total degree.
             (0..KNOTS).rev().fold(0.0, |sum, i| {
                 let inner = (0..KNOTS - i).rev().fold(0.0, |inner, j| {
                     inner * v + value[(i, j)] + x * by_x[(i, j)] + y * by_y[(i, j)]
@@ -209,9 +210,9 @@ mod tests {
         }
     }
 
-    /// What a ray traced forwards from the card meets is traced back to where it came from.
+    /// A ray traced forwards from the card is traced back to its origin.
     #[test]
-    fn rays_go_back_to_where_they_came_from() {
+    fn rays_are_traced_back_to_their_origin() {
         let (optics, card) = (optics(), card());
         let flaws = CameraFlaws {
             turn_deg: [0.3, -0.2, 0.4],

@@ -1,6 +1,6 @@
 //! Rows of microlenses and of pixels.
 
-/// A row of equal cells centred on the optical axis, laid out for fast lookup.
+/// A row of equal cells centred on the optical axis, prepared for fast lookup.
 #[derive(Debug, Clone)]
 pub(super) struct Cells {
     per_mm: f64,
@@ -16,11 +16,11 @@ impl Cells {
     #[inline]
     pub(super) fn nearest(&self, position_mm: f64) -> Option<u32> {
         let from_edge = position_mm * self.per_mm + self.count / 2.0;
-        // Casting cuts the fraction off; `floor` would be a call on processors without SSE 4.1.
+        // The cast truncates; `floor` would be a function call on processors without SSE 4.1.
         (from_edge >= 0.0 && from_edge < self.count).then_some(from_edge as u32)
     }
 
-    /// Where a position is in the row: 0 in the middle of the first cell.
+    /// Position in the row: 0 is the centre of the first cell.
     pub(super) fn place(&self, position_mm: f64) -> f64 {
         position_mm * self.per_mm + (self.count - 1.0) / 2.0
     }

@@ -1,4 +1,4 @@
-//! From a ray on the microlens plane to the pixel it hits.
+//! Maps rays on the microlens plane to pixels.
 
 use lfpiv_hw::Optics;
 use rand::RngExt;
@@ -11,7 +11,7 @@ use super::{cells::Cells, flaws::CameraFlaws, main_lens::MainLens, microlenses::
 #[derive(Debug, Clone)]
 pub(super) struct Detector {
     microlenses: Microlenses,
-    /// f_m / (s_i − d): d is how far the stop stands behind the main lens.
+    /// f_m / (s_i − d), where d is the distance of the stop behind the main lens.
     slope: f64,
     pixel_columns: Cells,
     pixel_rows: Cells,
@@ -19,7 +19,7 @@ pub(super) struct Detector {
     diffraction: Option<DiffractionBlur>,
 }
 
-/// Standard deviations of the blur by diffraction, in mm.
+/// Standard deviations of the diffraction blur, in mm.
 #[derive(Debug, Clone)]
 struct DiffractionBlur {
     on_microlenses_mm: f64,
@@ -27,8 +27,8 @@ struct DiffractionBlur {
 }
 
 impl DiffractionBlur {
-    /// The Gaussian with the core of the Airy pattern, σ = 0.42 λ N (Zhang, Zerubia and
-    /// Olivo-Marin 2007), at the working f-numbers of the main lens and of a microlens.
+    /// Gaussians with the core of the Airy pattern, σ = 0.42 λ N (Zhang, Zerubia and Olivo-Marin
+    /// 2007), at the working f-numbers of the main lens and of a microlens.
     fn new(optics: &Optics, wavelength_nm: f64) -> Self {
         let sigma_mm = |f_number: f64| 0.42 * wavelength_nm * 1e-6 * f_number;
         let lens = &optics.microlens;
@@ -58,10 +58,9 @@ impl Detector {
         }
     }
 
-    /// Index of the pixel hit by the ray that meets the microlens plane at `plane_mm` and comes
-    /// from `stop_mm`: the microlens with the nearest centre X_c sends it to
-    /// X_c + f_m (x − u)/(s_i − d). `None` beyond the array or the sensor, or where the microlens
-    /// lets no light through.
+    /// Index of the pixel hit by the ray that passes the microlens plane at `plane_mm` and the stop
+    /// at `stop_mm`. The microlens with the nearest centre X_c sends it to X_c + f_m (x − u)/(s_i −
+    /// d). `None` outside the array or the sensor, or for an opaque microlens.
     #[inline]
     pub(super) fn pixel(
         &self,
@@ -85,8 +84,8 @@ impl Detector {
         Some(row * self.columns + column)
     }
 
-    /// Column and row, from 0 in the middle of the first pixel, where the ray through the middle of
-    /// the stop and of a microlens lands: X_c (1 + f_m/(s_i − d)).
+    /// Column and row, counted from 0 at the centre of the first pixel, of the ray through the
+    /// centres of the stop and of a microlens: X_c (1 + f_m/(s_i − d)).
     pub(super) fn micro_image_centre_px(&self, lens: [f64; 2]) -> [f64; 2] {
         let [x_mm, y_mm] =
             self.microlenses.place_mm(lens).map(|place_mm| place_mm * (1.0 + self.slope));

@@ -1,8 +1,8 @@
-//! What a sensor collected.
+//! The light collected by a sensor.
 
 use lfpiv_hw::Optics;
 
-/// What a sensor collected, in photo-electrons; row-major, row 0 at the top.
+/// Collected light in photo-electrons; row-major, row 0 at the top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElectronImage {
     columns: usize,
@@ -16,7 +16,7 @@ impl ElectronImage {
         Self::uniform(optics.sensor.columns, optics.sensor.rows, 0.0)
     }
 
-    /// The same light on every pixel.
+    /// An image with equal light on every pixel.
     pub fn uniform(columns: usize, rows: usize, electrons: f32) -> Self {
         Self { columns, rows, electrons: vec![electrons; columns * rows] }
     }
@@ -36,7 +36,7 @@ impl ElectronImage {
         &self.electrons
     }
 
-    /// The same, to be changed.
+    /// Mutable access to [`Self::electrons`].
     pub(super) fn electrons_mut(&mut self) -> &mut [f32] {
         &mut self.electrons
     }

@@ -1,23 +1,23 @@
-//! Main lens and aperture stop: where the rays of a point meet the microlens plane.
+//! Main lens and aperture stop: maps rays of a point to the microlens plane.
 
 use lfpiv_hw::{CameraPoint, Optics};
 
 use super::flaws::{CameraFlaws, Distortion, SecondAperture};
 
-/// The rays of one point, told apart by where they pass the stop.
+/// The rays of one point, identified by their position on the stop.
 pub(super) trait RayBundle {
-    /// Where the ray through `stop_mm` meets the microlens plane, in mm.
+    /// Position on the microlens plane of the ray through `stop_mm`, in mm.
     fn on_microlenses_mm(&self, stop_mm: [f64; 2]) -> [f64; 2];
 }
 
-/// A thin lens with a stop in its plane or beside it.
+/// A thin lens with a stop at a given distance.
 #[derive(Debug, Clone)]
 pub(super) struct MainLens {
     pub(super) object_distance_mm: f64,
     pub(super) focal_length_mm: f64,
-    /// From the lens to the microlens plane.
+    /// Distance from the lens to the microlens plane.
     pub(super) image_distance_mm: f64,
-    /// How far the stop stands behind the lens.
+    /// Distance of the stop behind the lens.
     pub(super) stop_mm: f64,
     pub(super) stop_radius_mm: f64,
     distortion: Distortion,
@@ -29,7 +29,7 @@ impl MainLens {
     pub(super) fn new(optics: &Optics, flaws: &CameraFlaws) -> Self {
         let image_distance_mm = optics.image_distance_mm();
         let stop_mm = flaws.exit_pupil_mm;
-        // The marginal rays of the point in focus on the axis are those of a stop in the lens.
+        // For the point in focus on the axis, the marginal rays equal those of a stop in the lens.
         let nearer = (image_distance_mm - stop_mm) / image_distance_mm;
         let (columns, rows) = (optics.sensor.columns as f64, optics.sensor.rows as f64);
         Self {
@@ -44,12 +44,12 @@ impl MainLens {
         }
     }
 
-    /// From the stop to the microlens plane.
+    /// Distance from the stop to the microlens plane.
     pub(super) fn stop_to_microlenses_mm(&self) -> f64 {
         self.image_distance_mm - self.stop_mm
     }
 
-    /// The rays of a point in air, or `None` for a point not in front of the lens.
+    /// The rays of a point in air; `None` for a point that is not in front of the lens.
     pub(super) fn bundle(&self, seen: CameraPoint) -> Option<ImagedPoint> {
         let object_distance_mm = self.object_distance_mm - seen.depth_mm;
         if object_distance_mm.is_nan() || object_distance_mm <= 0.0 {
@@ -67,8 +67,8 @@ impl MainLens {
         })
     }
 
-    /// How far distortion moves the rays of a point on the microlens plane, from where its chief
-    /// ray would meet it.
+    /// Displacement by distortion of the rays of a point on the microlens plane; `chief_mm` is the
+    /// undistorted position of its chief ray.
     pub(super) fn displacement_mm(&self, chief_mm: [f64; 2]) -> [f64; 2] {
         let [x, y] = chief_mm.map(|place_mm| place_mm / self.half_diagonal_mm);
         let Distortion { radial, tangential: [p1, p2] } = self.distortion;
@@ -80,15 +80,15 @@ impl MainLens {
         .map(|relative| relative * self.half_diagonal_mm)
     }
 
-    /// Whether the second aperture lets the ray pass that goes through `stop_mm` and meets the
-    /// microlens plane at `plane_mm`.
+    /// Whether the second aperture transmits the ray through `stop_mm` and `plane_mm` on the
+    /// microlens plane.
     #[inline]
     pub(super) fn lets_pass(&self, plane_mm: [f64; 2], stop_mm: [f64; 2]) -> bool {
         let Some(aperture) = &self.second_aperture else { return true };
         let [x, y] = std::array::from_fn(|axis| {
             let slope = (plane_mm[axis] - stop_mm[axis]) / self.stop_to_microlenses_mm();
             let on_lens_mm = plane_mm[axis] - slope * self.image_distance_mm;
-            // In front of the lens the ray has not been bent yet.
+            // In front of the lens the ray is not refracted yet.
             let bent = if aperture.behind_lens_mm < 0.0 { on_lens_mm } else { 0.0 };
             on_lens_mm + aperture.behind_lens_mm * (slope + bent / self.focal_length_mm)
         });
@@ -98,11 +98,11 @@ impl MainLens {
 
 /// The rays of a point that the lens images sharply: x = a u + b.
 ///
-/// A point at distance s is imaged to s' with 1/s' = 1/F − 1/s and ξ' = −ξ s'/s. Its ray through u
-/// on a stop that stands d behind the lens meets the microlens plane at
-/// x = u + (ξ' − u) (s_i − d)/(s' − d). With g = (s_i − d)/(1 − d/s') this is a = 1 − g/s' and
-/// b = −ξ g/s, which hold for points inside the focal length, too; without d, they are the formulas
-/// of docs/theory.md, section 2. The displacement by distortion is part of b.
+/// A point at distance s is imaged to s' with 1/s' = 1/F − 1/s and ξ' = −ξ s'/s. The ray through u
+/// on a stop at distance d behind the lens meets the microlens plane at x = u + (ξ' − u) (s_i −
+/// d)/(s' − d). With g = (s_i − d)/(1 − d/s') this gives a = 1 − g/s' and b = −ξ g/s, which also
+/// hold for points inside the focal length. For d = 0 they are the formulas of docs/theory.md,
+/// section 2. The displacement by distortion is part of b.
 #[derive(Debug, Clone)]
 pub(super) struct ImagedPoint {
     stop_factor: f64,

@@ -1,4 +1,4 @@
-//! The microlens array as it lies on its sensor.
+//! The microlens array and its position on the sensor.
 
 use std::collections::HashSet;
 
@@ -8,19 +8,19 @@ use rand::RngExt;
 use super::{cells::Cells, flaws::CameraFlaws};
 use crate::stream::{Purpose, random_stream};
 
-/// A grid of microlenses in axes of its own.
+/// A grid of microlenses in the array's own axes.
 #[derive(Debug, Clone)]
 pub(super) struct Microlenses {
     columns: Cells,
     rows: Cells,
-    /// Microlenses along each of its axes.
+    /// Number of microlenses along each axis.
     counts: [usize; 2],
     pitch_mm: [f64; 2],
     /// Centre of microlens (0, 0) in the array's axes.
     first_mm: [f64; 2],
-    /// How the array lies on the sensor; `None` as drawn.
-    lies: Option<Placement>,
-    /// Which microlenses let no light through, row by row; empty if all do.
+    /// Position of the array on the sensor; `None` if nominal.
+    placement: Option<Placement>,
+    /// Whether each microlens is opaque, row by row; empty if none is.
     dead: Vec<bool>,
 }
 
@@ -63,16 +63,20 @@ impl Microlenses {
             first_mm: std::array::from_fn(|axis| {
                 -(counts[axis] as f64 - 1.0) / 2.0 * pitch_mm[axis]
             }),
-            lies: (!aligned).then_some(Placement { centre_mm: flaws.array_shift_mm, cosine, sine }),
+            placement: (!aligned).then_some(Placement {
+                centre_mm: flaws.array_shift_mm,
+                cosine,
+                sine,
+            }),
             dead: dead_microlenses(counts, flaws),
         }
     }
 
-    /// Centre of the microlens whose centre is nearest along the array's axes, in mm on the
-    /// sensor's. `None` beyond the array and for one that lets no light through.
+    /// Centre of the microlens that is nearest along the array's axes, in mm along the sensor's
+    /// axes. `None` outside the array and for an opaque microlens.
     #[inline]
     pub(super) fn nearest_centre_mm(&self, plane_mm: [f64; 2]) -> Option<[f64; 2]> {
-        let array_mm = match &self.lies {
+        let array_mm = match &self.placement {
             None => plane_mm,
             Some(placement) => placement.to_array(plane_mm),
         };
@@ -84,19 +88,19 @@ impl Microlenses {
         Some(self.place_mm(lens.map(f64::from)))
     }
 
-    /// Where a place of the array lies on the sensor's axes, in mm: whole numbers are the centres of
-    /// microlenses.
+    /// Converts a position in units of microlenses, whose centres are at integers, to the sensor's
+    /// axes, in mm.
     #[inline]
     pub(super) fn place_mm(&self, lens: [f64; 2]) -> [f64; 2] {
         let array_mm: [f64; 2] =
             std::array::from_fn(|axis| self.first_mm[axis] + lens[axis] * self.pitch_mm[axis]);
-        match &self.lies {
+        match &self.placement {
             None => array_mm,
             Some(placement) => placement.to_sensor(array_mm),
         }
     }
 
-    /// Microlenses along the array's two axes.
+    /// Number of microlenses along the array's axes.
     pub(super) fn counts(&self) -> [usize; 2] {
         self.counts
     }

@@ -1,10 +1,10 @@
-//! Points on the circular pupil, spread evenly.
+//! Evenly distributed points on the circular pupil.
 
 use std::f64::consts::FRAC_PI_4;
 
 use rand::{Rng, RngExt};
 
-/// The pupil cut into `side × side` cells of equal area, one ray through each.
+/// The pupil divided into `side × side` cells of equal area, with one ray through each.
 #[derive(Debug, Clone)]
 pub(super) struct PupilStrata {
     radius_mm: f64,
@@ -23,7 +23,8 @@ impl PupilStrata {
         self.side * self.side
     }
 
-    /// One point in every stratum, neighbours in sequence; each uniform in its stratum.
+    /// Calls `each` with one uniformly distributed point per stratum; neighbouring strata follow
+    /// each other.
     pub(super) fn jittered(&self, rng: &mut impl Rng, mut each: impl FnMut([f64; 2])) {
         let step = 2.0 / self.side as f64;
         for row in 0..self.side {
@@ -44,8 +45,8 @@ fn unit(bits: u32) -> f64 {
     f64::from(bits) * (1.0 / 4_294_967_296.0)
 }
 
-/// The concentric map of the square [−1, 1]² onto a disc: keeps ratios of areas (Shirley and Chiu
-/// 1997).
+/// The concentric map of the square [−1, 1]² onto a disc, which preserves area ratios (Shirley and
+/// Chiu 1997).
 #[inline]
 pub(super) fn concentric_disc([x, y]: [f64; 2], radius: f64) -> [f64; 2] {
     if x == 0.0 && y == 0.0 {
@@ -60,8 +61,8 @@ pub(super) fn concentric_disc([x, y]: [f64; 2], radius: f64) -> [f64; 2] {
     }
 }
 
-/// Sine and cosine for |angle| ≤ π/4 by their Taylor series: within 2e-9, far below a pixel's
-/// width, and faster than the library's, which would take a third of all tracing.
+/// Sine and cosine for |angle| ≤ π/4 by Taylor series. The error of 2e-9 is far below a pixel's
+/// width; the library's functions would take a third of the tracing time.
 #[inline]
 fn sin_cos_of_octant(angle: f64) -> (f64, f64) {
     let square = angle * angle;
@@ -104,8 +105,8 @@ impl<const D: usize> LowDiscrepancy<D> {
         std::array::from_fn(|axis| (self.shift[axis] + index as f64 * self.step[axis]).fract())
     }
 
-    /// All points in turn, each from the one before it: faster than one by one, and the same within
-    /// rounding for millions of them.
+    /// All points in sequence, each computed from its predecessor: faster, and equal within
+    /// rounding for millions of points.
     #[inline]
     pub(super) fn points(&self) -> impl Iterator<Item = [f64; D]> + use<D> {
         let Self { shift, step } = self.clone();
@@ -165,11 +166,11 @@ mod tests {
     }
 
     #[test]
-    fn the_sequence_in_turn_is_the_sequence() {
+    fn the_iterator_gives_the_points_of_the_sequence() {
         let sequence = LowDiscrepancy::<4>::shifted(&mut random_stream(Purpose::White, &[2]));
         for (index, point) in (0..100_000).zip(sequence.points()) {
             let expected = sequence.point(index);
-            // A difference of one is none: the sequence is periodic.
+            // The sequence is periodic, so a difference of one is zero.
             let apart = |axis: usize| (point[axis] - expected[axis] + 0.5).rem_euclid(1.0) - 0.5;
             assert!((0..4).all(|axis| apart(axis).abs() < 1e-9), "point {index}");
             assert!(point.iter().all(|coordinate| (0.0..1.0).contains(coordinate)));

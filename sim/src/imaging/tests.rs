@@ -33,9 +33,9 @@ fn centroid_mm(image: &ElectronImage) -> [f64; 2] {
     sums.map(|sum| sum / image.total())
 }
 
-/// First and last microlens column that receive light, from the pixels' own micro-images. Pixels
-/// beyond 0.45 of the pitch are left out, since rays may cross the border of two micro-images: the
-/// others see |U| < 0.45 s_i p_m (1 + f_m/s_i) / f_m = 11.3 mm of the pupil.
+/// First and last microlens column with light, from the pixels' own micro-images. Pixels farther
+/// than 0.45 pitches from the centre are ignored, because rays may cross the border between
+/// micro-images; the others see |U| < 0.45 s_i p_m (1 + f_m/s_i) / f_m = 11.3 mm of the pupil.
 fn lit_microlens_columns(image: &ElectronImage) -> (usize, usize) {
     let optics = optics();
     let lit = image.electrons().iter().enumerate().filter(|(_, electrons)| **electrons > 0.0);
@@ -50,7 +50,7 @@ fn lit_microlens_columns(image: &ElectronImage) -> (usize, usize) {
 #[test]
 fn a_point_in_focus_on_the_axis_fills_the_central_micro_image() {
     let image = image_of([0.0; 3], 0);
-    // All light behind microlens (64, 48): a disc of diameter D f_m / s_i = 0.1 mm on the axis.
+    // All light is behind microlens (64, 48): a disc of diameter D f_m / s_i = 0.1 mm on the axis.
     let radius_px = 25.0 * 0.8 / 200.0 / 2.0 / 0.0055;
     for (index, &electrons) in image.electrons().iter().enumerate() {
         let x = (index % 2352) as f64 - 1175.5;
@@ -76,11 +76,11 @@ fn magnification_inverts_the_picture() {
 }
 
 #[test]
-fn one_ray_lands_where_design_section_2_says() {
+fn one_ray_agrees_with_the_formulas_of_the_theory() {
     let (optics, poses) = (optics(), poses());
     let tracer = RayTracer::new(&optics, &poses[0], &settings(1));
     let (xi, depth, pupil) = (0.73_f64, 2.0_f64, 5.0_f64);
-    // By hand, with the intermediate image: s = 198, s' = F s/(s − F), ξ' = −ξ s'/s.
+    // Computed with the intermediate image: s = 198, s' = F s/(s − F), ξ' = −ξ s'/s.
     let s = 200.0 - depth;
     let conjugate = 100.0 * s / (s - 100.0);
     let image_point = -xi * conjugate / s;
@@ -96,8 +96,9 @@ fn one_ray_lands_where_design_section_2_says() {
 
 #[test]
 fn disparity_with_depth_has_the_closed_form() {
-    // x = a U + b ξ: the spot on the microlens plane reaches to |a U| on either side, and an edge
-    // ray on the right (U > 0) falls to the right of the axis for a point nearer than focus.
+    // x = a U + b ξ: the spot on the microlens plane extends to |a U| on both sides. For a point
+    // nearer than the plane in focus, a ray through the right edge of the pupil (U > 0) hits the
+    // sensor right of the axis.
     for depth in [-5.0, -4.0, -2.0, 2.0, 4.0, 5.0] {
         let s: f64 = 200.0 - depth;
         let a = 1.0 - 200.0 * (1.0 / 100.0 - 1.0 / s);
@@ -136,16 +137,17 @@ fn diffraction_widens_a_micro_image_and_keeps_its_energy() {
         });
         moment.sum::<f64>() / image.total()
     };
-    // σ = 0.42 × 532 nm × 8 behind the microlens; the main lens' blur stays inside it. Whole
-    // pixels widen the sharp disc less than the blurred one: 1.21 σ² by numerical integration.
+    // σ = 0.42 × 532 nm × 8 behind the microlens; the main lens' blur stays inside the microlens.
+    // Pixels widen the sharp disc less than the blurred one: 1.21 σ² by numerical integration.
     let added = spread(Some(532.0)) - spread(None);
     let expected = 1.21 * (0.42 * 532e-6 * 8.0_f64).powi(2);
     assert!((added / expected - 1.0).abs() < 0.1, "{added} instead of {expected}");
 }
 
-/// What a perfect camera shows is fixed, bit for bit: recorded runs and references stay as they are.
+/// Images of a perfect camera are fixed bit for bit, so that recorded runs and references stay
+/// valid.
 #[test]
-fn a_perfect_camera_shows_what_it_always_did() {
+fn images_of_a_perfect_camera_are_reproduced() {
     let (optics, poses) = (optics(), poses());
     let sources: Vec<PointSource> = (0..40)
         .map(|id| {
@@ -162,7 +164,7 @@ fn a_perfect_camera_shows_what_it_always_did() {
     for (camera, diffraction_nm, expected) in cases {
         let settings = RaySettings { rays_per_particle: 1000, diffraction_nm };
         let image = RayTracer::new(&optics, &poses[camera], &settings).trace(&sources, &[3, 1]);
-        // The hash of Fowler, Noll and Vo over the pixels' bits.
+        // Fowler-Noll-Vo hash of the pixels' bits.
         let digest = image.electrons().iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, electrons| {
             (hash ^ u64::from(electrons.to_bits())).wrapping_mul(0x0100_0000_01b3)
         });
@@ -184,7 +186,7 @@ fn threads_do_not_change_a_traced_box() {
 }
 
 #[test]
-fn a_box_glows_like_the_points_in_it() {
+fn a_box_gives_the_image_of_the_points_in_it() {
     let (optics, poses) = (optics(), poses());
     let tracer = RayTracer::new(&optics, &poses[1], &settings(256));
     let (centre, edge) = ([1.05, 2.0, -0.33], 0.1);

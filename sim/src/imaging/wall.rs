@@ -1,6 +1,7 @@
-//! Rays through a flat wall of glass: exact by Snell's law, then interpolated over the stop.
+//! Rays through a flat glass wall: exact by Snell's law at knots of the stop, interpolated in
+//! between.
 //!
-//! All places are relative to the centre of the main lens, along the camera's right, up and axis.
+//! Positions are relative to the centre of the main lens, along the camera's right, up and axis.
 
 use lfpiv_hw::Pose;
 use nalgebra::{Matrix5, Point3, Rotation3, Unit, Vector3};
@@ -13,19 +14,19 @@ use super::{
 /// Knots per axis of the interpolation over the stop.
 pub(super) const KNOTS: usize = 5;
 
-/// Most steps of an iteration; five suffice.
-const MOST_STEPS: usize = 50;
+/// Largest number of iteration steps; five are enough in practice.
+const MAX_STEPS: usize = 50;
 
-/// Where a camera is that looks through a wall, and where it sees the wall.
+/// A camera that looks through a wall.
 #[derive(Debug, Clone)]
 pub(super) struct WallView {
-    /// Lens centre and directions, in the world.
+    /// Lens centre and camera directions in the world frame.
     lens_mm: Vector3<f64>,
     directions: [Vector3<f64>; 3],
-    /// Layers of the wall as the camera sees them.
+    /// Layers of the wall in the camera's frame.
     layers: Layers,
     lens: MainLens,
-    /// Places of the knots on each axis of the stop, and what turns values at them into the
+    /// Knots on each axis of the stop, and the matrix that turns values at the knots into
     /// coefficients of a polynomial of u/R.
     knots_mm: [f64; KNOTS],
     to_coefficients: Matrix5<f64>,
@@ -36,7 +37,7 @@ pub(super) struct WallView {
 struct Layers {
     /// Unit normal of the wall, towards the camera.
     normal: Vector3<f64>,
-    /// Coordinate along `normal` of the face that the medium wets.
+    /// Coordinate along `normal` of the wet face.
     wet_face_mm: f64,
     thickness_mm: f64,
     medium_index: f64,
@@ -44,8 +45,8 @@ struct Layers {
 }
 
 impl WallView {
-    /// The wall in front of the camera that should stand at `planned` and is turned by `turn` about
-    /// that pose's origin and then moved by `shift_mm`.
+    /// The view of a camera with the nominal pose `planned`, turned by `turn` about the pose's
+    /// origin and then moved by `shift_mm`.
     pub(super) fn new(
         settings: &WallSettings,
         lens: &MainLens,
@@ -73,15 +74,15 @@ impl WallView {
         }
     }
 
-    /// A place of the world relative to the lens centre.
-    fn seen(&self, position_mm: &Point3<f64>) -> Vector3<f64> {
+    /// A world position relative to the lens centre.
+    fn to_camera(&self, position_mm: &Point3<f64>) -> Vector3<f64> {
         let from_lens_mm = position_mm.coords - self.lens_mm;
         Vector3::from(self.directions.map(|direction| direction.dot(&from_lens_mm)))
     }
 
-    /// The rays of a point in the medium, or `None` for a point that is elsewhere.
+    /// The rays of a point in the medium; `None` for a point that is not in the medium.
     pub(super) fn bundle(&self, position_mm: &Point3<f64>) -> Option<RefractedPoint> {
-        let seen_mm = self.seen(position_mm);
+        let seen_mm = self.to_camera(position_mm);
         let mut values = [Matrix5::zeros(), Matrix5::zeros()];
         for (i, &u) in self.knots_mm.iter().enumerate() {
             for (j, &v) in self.knots_mm.iter().enumerate() {
@@ -101,16 +102,18 @@ impl WallView {
         Some(RefractedPoint { per_stop_radius: 1.0 / self.lens.stop_radius_mm, coefficients })
     }
 
-    /// Where the ray of a point (relative to the lens) through `stop_mm` meets the microlens plane,
-    /// without distortion: the place A on the lens whose ray passes the stop there is looked for.
+    /// Position on the microlens plane, without distortion, of the ray of a point (relative to the
+    /// lens) through `stop_mm`. Searches for the position A on the lens whose ray passes the stop
+    /// there.
     fn undistorted_mm(&self, seen_mm: Vector3<f64>, stop_mm: [f64; 2]) -> Option<[f64; 2]> {
         let lens = &self.lens;
-        // du/dA of the point in focus: elsewhere it differs little, so that steps converge fast.
+        // du/dA for the point in focus. It differs little for other points, so the iteration
+        // converges fast.
         let per_step = lens.image_distance_mm / lens.stop_to_microlenses_mm();
         let mut on_lens_mm = stop_mm.map(|coordinate| coordinate * per_step);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let incident = self.layers.slope(seen_mm, on_lens_mm)?;
-            // A thin lens bends a ray by its place over the focal length.
+            // A thin lens changes the slope by the position over the focal length.
             let slope: [f64; 2] = std::array::from_fn(|axis| {
                 incident[axis] - on_lens_mm[axis] / lens.focal_length_mm
             });
@@ -128,7 +131,7 @@ impl WallView {
 }
 
 impl Layers {
-    /// The wall in the world.
+    /// The wall in the world frame.
     fn in_world(settings: &WallSettings, planned: &Pose) -> Self {
         let about = |direction: Vector3<f64>, angle_deg: f64| {
             Rotation3::from_axis_angle(&Unit::new_normalize(direction), angle_deg.to_radians())
@@ -145,10 +148,10 @@ impl Layers {
         }
     }
 
-    /// Where the lens stands whose optical axis passes through the pose's origin along its `axis` in
-    /// air, with the origin in focus: its equivalent distance is l/n along the ray for the rays
-    /// beside it across the plane of incidence, and l cos²θ/(n cos²θ_n) for those in the plane
-    /// (Coddington's equations for a plane). Their mean is the object distance.
+    /// Lens position for which the optical axis in air is along `axis` and passes through the
+    /// pose's origin, with the origin in focus. The equivalent distance along the ray is l/n for
+    /// neighbouring rays perpendicular to the plane of incidence, and l cos²θ/(n cos²θ_n) for those
+    /// in the plane (Coddington's equations for a plane). Their mean is the object distance.
     fn lens_that_sees(&self, pose: &Pose, object_distance_mm: f64) -> Vector3<f64> {
         let cosine = pose.axis.dot(&self.normal);
         let along_wall = pose.axis - self.normal * cosine;
@@ -166,12 +169,13 @@ impl Layers {
         place_mm + pose.axis * (object_distance_mm - equivalent_mm)
     }
 
-    /// Slope against the optical axis, in air, of the ray from `point_mm` to a place on the lens;
-    /// `None` where the point is not in the medium, or the place not in the air.
+    /// Slope against the optical axis, in air, of the ray from `point_mm` to a position on the
+    /// lens. `None` if the point is not in the medium or the lens position is not in air.
     ///
-    /// Snell's law leaves n sin θ the same in all layers. With the tangent τ in air, a layer of
-    /// height h and index n is crossed within h τ/√(n² + (n² − 1) τ²) along the wall. The sum is
-    /// increasing and concave in τ: Newton's method from its tangent at zero never oversteps.
+    /// By Snell's law n sin θ is equal in all layers. With the tangent τ in air, the ray advances
+    /// by h τ/√(n² + (n² − 1) τ²) along the wall in a layer of height h and index n. The sum is
+    /// increasing and concave in τ, so Newton's method started from the tangent at zero never
+    /// overshoots.
     fn slope(&self, point_mm: Vector3<f64>, on_lens_mm: [f64; 2]) -> Option<[f64; 2]> {
         let on_lens_mm = Vector3::new(on_lens_mm[0], on_lens_mm[1], 0.0);
         let dry_face_mm = self.wet_face_mm + self.thickness_mm;
@@ -180,7 +184,7 @@ impl Layers {
             (self.thickness_mm, self.glass_index),
             (self.normal.dot(&on_lens_mm) - dry_face_mm, 1.0),
         ];
-        // A point or a place that is no number is nowhere.
+        // NaN fails this condition, too.
         if !(layers[0].0 > 0.0 && layers[2].0 > 0.0) {
             return None;
         }
@@ -189,7 +193,7 @@ impl Layers {
         let reach_mm = along_wall_mm.norm();
         let paraxial: f64 = layers.iter().map(|(height_mm, index)| height_mm / index).sum();
         let mut tangent = reach_mm / paraxial;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let (mut missed_mm, mut change_mm) = (reach_mm, 0.0);
             for (height_mm, index) in layers {
                 let square = index * index;
@@ -209,7 +213,7 @@ impl Layers {
     }
 }
 
-/// Chebyshev's knots on [−R, R] and on [−1, 1].
+/// Chebyshev knots on [−R, R] and on [−1, 1].
 pub(super) fn knots(radius_mm: f64) -> [[f64; KNOTS]; 2] {
     let relative: [f64; KNOTS] = std::array::from_fn(|knot| {
         (std::f64::consts::PI * (knot as f64 + 0.5) / KNOTS as f64).cos()
@@ -217,13 +221,13 @@ pub(super) fn knots(radius_mm: f64) -> [[f64; KNOTS]; 2] {
     [relative.map(|place| place * radius_mm), relative]
 }
 
-/// The rays of a point behind a wall: polynomials of the fourth degree along both axes of the stop.
-/// Without a wall the first degree is exact; refraction adds to it some micrometres of spherical
-/// aberration, coma and astigmatism, which the third and second degrees hold.
+/// The rays of a point behind a wall: polynomials of fourth degree along both axes of the stop.
+/// Without a wall the first degree is exact. Refraction adds some micrometres of spherical
+/// aberration, coma and astigmatism, which are terms of second and third degree.
 #[derive(Debug, Clone)]
 pub(super) struct RefractedPoint {
     per_stop_radius: f64,
-    /// For x and y of the microlens plane: factors of (u/R)^i (v/R)^j.
+    /// Coefficients of (u/R)^i (v/R)^j for x and y on the microlens plane.
     coefficients: [Matrix5<f64>; 2],
 }
 
@@ -258,8 +262,8 @@ mod tests {
         WallView::new(&settings, &lens, &poses()[1], &turn, Vector3::new(0.1, -0.2, 0.05))
     }
 
-    /// Crossings of the two faces by the ray that leaves the lens backwards with a slope: Snell's
-    /// law in its vector form, n₁ (d₁ × n) = n₂ (d₂ × n).
+    /// Intersections with both faces of the ray that leaves the lens backwards with a given slope,
+    /// by the vector form of Snell's law, n₁ (d₁ × n) = n₂ (d₂ × n).
     fn crossings(layers: &Layers, on_lens: Vector3<f64>, slope: [f64; 2]) -> [Vector3<f64>; 3] {
         let n = layers.normal;
         let refracted = |direction: Vector3<f64>, ratio: f64| {
@@ -280,7 +284,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
-        /// The ray found is the ray that Snell's law sends on, face by face.
+        /// The ray obeys Snell's law at each face.
         #[test]
         fn rays_obey_snells_law_at_both_faces(
             x in -6.0..6.0_f64, y in -6.0..6.0_f64, z in -6.0..6.0_f64,
@@ -288,15 +292,16 @@ mod tests {
             u in -12.0..12.0_f64, v in -12.0..12.0_f64,
         ) {
             let view = view([about_right, about_up], 0.0);
-            let point = view.seen(&Point3::new(x, y, z));
+            let point = view.to_camera(&Point3::new(x, y, z));
             let slope = view.layers.slope(point, [u, v]).unwrap();
             let on_lens = Vector3::new(u, v, 0.0);
             let [_, wet, in_medium] = crossings(&view.layers, on_lens, slope);
-            let beside = (point - wet).cross(&in_medium).norm();
-            prop_assert!(beside < 1e-9, "passes the point at {} mm", beside);
+            let distance = (point - wet).cross(&in_medium).norm();
+            prop_assert!(distance < 1e-9, "the ray misses the point by {} mm", distance);
         }
 
-        /// Fermat: the optical path does not change to first order when the crossings are moved.
+        /// Fermat's principle: to first order the optical path does not change when the
+        /// intersections are moved.
         #[test]
         fn the_optical_path_is_stationary(
             x in -6.0..6.0_f64, y in -6.0..6.0_f64, z in -6.0..6.0_f64,
@@ -304,7 +309,7 @@ mod tests {
         ) {
             let view = view([tilt, tilt / 3.0], 0.0);
             let layers = &view.layers;
-            let (point, on_lens) = (view.seen(&Point3::new(x, y, z)), Vector3::new(u, v, 0.0));
+            let (point, on_lens) = (view.to_camera(&Point3::new(x, y, z)), Vector3::new(u, v, 0.0));
             let slope = layers.slope(point, [u, v]).unwrap();
             let [dry, wet, _] = crossings(layers, on_lens, slope);
             let path_mm = |dry: Vector3<f64>, wet: Vector3<f64>| {
@@ -325,8 +330,8 @@ mod tests {
             }
         }
 
-        /// What is drawn between the knots, and beyond the stop's edge up to the corners of the
-        /// square around it, is the exact ray within a nanometre.
+        /// Interpolated rays between the knots, and beyond the stop's edge up to the corners of its
+        /// bounding square, agree with the exact rays within a nanometre.
         #[test]
         fn rays_between_the_knots_are_interpolated_within_a_nanometre(
             x in -6.0..6.0_f64, y in -6.0..6.0_f64, z in -6.0..6.0_f64,
@@ -337,7 +342,7 @@ mod tests {
             let view = view([about_right, about_up], exit_pupil_mm);
             let position = Point3::new(x, y, z);
             let stop_mm = [u, v].map(|place| place * view.lens.stop_radius_mm);
-            let exact = view.undistorted_mm(view.seen(&position), stop_mm).unwrap();
+            let exact = view.undistorted_mm(view.to_camera(&position), stop_mm).unwrap();
             let drawn = view.bundle(&position).unwrap().on_microlenses_mm(stop_mm);
             let missed = (exact[0] - drawn[0]).hypot(exact[1] - drawn[1]);
             prop_assert!(missed < 1e-6, "{} mm", missed);

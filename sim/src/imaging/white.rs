@@ -1,4 +1,4 @@
-//! White images, and where their micro-images truly are.
+//! White images and their true micro-image grids.
 
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -11,15 +11,15 @@ use super::{
 };
 use crate::stream::{Purpose, random_stream};
 
-/// Where the micro-images of a camera's microlenses are centred on its sensor: where the ray through
-/// the middle of the stop and of the microlens lands.
+/// True centres of a camera's micro-images: the positions on the sensor of rays through the centres
+/// of the stop and of a microlens.
 ///
-/// Microlens (i, j) stands in the array's own axes: i counts along its `right`, j along its `up`, from
-/// (0, 0) in the first corner. Its micro-image is centred at column a₀ + a₁ i + a₂ j and row
-/// b₀ + b₁ i + b₂ j; pixel centres are at whole numbers from 0, and rows count downwards.
+/// Microlens (i, j) is counted in the array's own axes: i along its `right`, j along its `up`, from
+/// (0, 0) in the first corner. Its micro-image is centred at column a₀ + a₁ i + a₂ j and row b₀ +
+/// b₁ i + b₂ j. Pixel centres are at integers from 0; rows are counted downwards.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrueMicroImageGrid {
-    /// Microlenses along i and along j.
+    /// Number of microlenses along i and j.
     pub microlenses: [usize; 2],
     /// a₀, a₁, a₂.
     pub column_px: [f64; 3],
@@ -36,7 +36,7 @@ impl TrueMicroImageGrid {
 }
 
 impl RayTracer<'_> {
-    /// Where this camera's micro-images are centred.
+    /// The true grid of this camera's micro-images.
     pub fn micro_image_grid(&self) -> TrueMicroImageGrid {
         let centre = |lens: [f64; 2]| self.detector.micro_image_centre_px(lens);
         let (first, next_i, next_j) = (centre([0.0, 0.0]), centre([1.0, 0.0]), centre([0.0, 1.0]));
@@ -49,9 +49,9 @@ impl RayTracer<'_> {
     /// The image of a diffuser that sends the same light through every part of the stop to every
     /// part of the array, scaled so that the brightest pixel collects `brightest_electrons`.
     ///
-    /// `rays` per microlens (rounded up to a square number), spread evenly over microlens and stop, go through the same stop,
-    /// apertures, microlenses and pixels as those of a particle. `stream` chooses the random
-    /// numbers: the result is the same bit for bit whatever the number of threads.
+    /// `rays` per microlens (rounded up to a square number), spread evenly over microlens and stop,
+    /// pass the same stop, apertures, microlenses and pixels as those of a particle. `stream`
+    /// selects the random numbers; the result is identical, bit for bit, for any number of threads.
     pub fn trace_white(
         &self,
         rays: usize,
@@ -61,9 +61,9 @@ impl RayTracer<'_> {
         self.trace_lit(rays, brightest_electrons, stream, |_| |_, _| 1)
     }
 
-    /// [`Self::trace_white`] of something that is not uniform: `light_on` makes, for a microlens, what
-    /// tells the light of the ray that meets the microlens plane and the stop at two places in mm, in
-    /// whole numbers.
+    /// Like [`Self::trace_white`] for a non-uniform object. For each microlens `light_on` returns a
+    /// function that gives the light, as an integer, of the ray through two positions in mm: on the
+    /// microlens plane and on the stop.
     pub(super) fn trace_lit<L: Fn([f64; 2], [f64; 2]) -> u32>(
         &self,
         rays: usize,
@@ -72,13 +72,13 @@ impl RayTracer<'_> {
         light_on: impl Fn([usize; 2]) -> L + Sync,
     ) -> ElectronImage {
         let mut image = ElectronImage::dark(self.optics);
-        // Whole numbers: their sums do not depend on the order.
+        // Integer sums do not depend on the order.
         let light: Vec<AtomicU32> = image.electrons().iter().map(|_| AtomicU32::new(0)).collect();
         let [columns, rows] = self.detector.microlenses().counts();
         let strata = PupilStrata::new(self.lens.stop_radius_mm, rays);
         (0..columns * rows).into_par_iter().for_each(|number| {
             let lens = [number % columns, number / columns];
-            self.shine_on(lens, &strata, stream, &light_on(lens), |pixel, of_rays| {
+            self.trace_microlens(lens, &strata, stream, &light_on(lens), |pixel, of_rays| {
                 light[pixel as usize].fetch_add(of_rays, Relaxed);
             });
         });
@@ -94,9 +94,9 @@ impl RayTracer<'_> {
         image
     }
 
-    /// Traces a ray from every stratum of the stop to one microlens, each to another place on it, and
-    /// calls `hit` with pixels and the light of the rays that hit them; a pixel may come again.
-    fn shine_on(
+    /// Traces a ray from every stratum of the stop to a different position on one microlens. Calls
+    /// `hit` with pixels and the light of the rays that hit them; a pixel may occur several times.
+    fn trace_microlens(
         &self,
         lens: [usize; 2],
         strata: &PupilStrata,

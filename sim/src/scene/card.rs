@@ -1,4 +1,4 @@
-//! Images of a calibration card at its places.
+//! Images of a calibration card at its positions.
 
 use garde::Validate;
 use lfpiv_hw::{RawImage, card::CalibrationCard, check::finite};
@@ -14,24 +14,25 @@ use crate::{
     stream::{Purpose, random_stream},
 };
 
-/// How far a card is from what its file says: the `[simulation.card]` table.
+/// Deviations of a card from its file: the `[simulation.card]` table.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct CardErrors {
-    /// Standard deviation of the card's true positions about the stated ones, along each axis of the
-    /// world, in µm.
+    /// Standard deviation of the card's true positions from the stated ones, along each world axis,
+    /// in µm.
     #[garde(custom(finite), range(min = 0.0, max = 1000.0))]
     pub stage_um: f64,
-    /// How far its face lies off a plane, root mean square in µm.
+    /// Root-mean-square deviation of its face from a plane, in µm.
     #[garde(custom(finite), range(min = 0.0, max = 1000.0))]
     pub flatness_um: f64,
 }
 
 impl Scene {
-    /// What a camera sees of the card at position number `position`, lit evenly; the brightest pixel is
-    /// exposed as in a white image. `seed` chooses noise and the card's errors; the same for all threads.
+    /// The image of the evenly illuminated card at position number `position`; the exposure is that
+    /// of a white image. `seed` selects noise and the card's errors; the result does not depend on
+    /// the number of threads.
     ///
-    /// `None` for a camera or a position that is not there, and for a card that reaches a wall.
+    /// `None` for a camera or position that does not exist, and for a card that touches a wall.
     pub fn card_image(
         &self,
         bench: &BenchGeometry,
@@ -54,17 +55,17 @@ impl Scene {
         position: usize,
         seed: u64,
     ) -> Option<PlacedCard<'a>> {
-        let told_mm = Point3::from(card.position.get(position)?.origin_mm);
+        let stated_mm = Point3::from(card.position.get(position)?.origin_mm);
         let mut stage = random_stream(Purpose::Card, &[seed, position as u64]);
         let off_mm: [f64; 3] = std::array::from_fn(|_| {
             let deviation: f64 = stage.sample(StandardNormal);
             deviation * self.card.stage_um * 1e-3
         });
-        // The same bend everywhere: it is one card.
+        // One random bend for all positions, because it is one card.
         let bend: [f64; 3] = UnitSphere.sample(&mut random_stream(Purpose::Card, &[seed]));
         Some(PlacedCard {
             card: &card.card,
-            origin_mm: told_mm + nalgebra::Vector3::from(off_mm),
+            origin_mm: stated_mm + nalgebra::Vector3::from(off_mm),
             bend_mm: bend.map(|share| share * self.card.flatness_um * 1e-3),
         })
     }
@@ -75,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_of_a_card_are_those_asked_for() {
+    fn errors_of_a_card_have_the_configured_size() {
         let text = "[card]\npattern = 'dots'\nspacing_mm = 1\ndot_diameter_mm = 0.5\n\
                     fiducial_diameter_mm = 0.7\nmarks = [9, 9]\nright = [1, 0, 0]\nup = [0, 1, 0]\n";
         let positions = "[[position]]\norigin_mm = [0, 0, 1]\n".repeat(400);

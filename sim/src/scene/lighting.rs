@@ -1,4 +1,4 @@
-//! Light that is not the same in every exposure: the `[simulation.lighting]` table.
+//! Differences of light between exposures: the `[simulation.lighting]` table.
 
 use garde::Validate;
 use lfpiv_hw::check::finite;
@@ -7,23 +7,24 @@ use serde::{Deserialize, Serialize};
 
 use crate::stream::{Purpose, random_stream};
 
-/// How bright a particle is in an exposure, relative to its own brightness. All ones and zeros by
-/// default: the same light in every frame and camera.
+/// Brightness factors of a particle by exposure. By default the light is the same in every frame
+/// and camera.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct Lighting {
-    /// Energy of the pulse in exposure 1 and in exposure 2: two laser heads are not equal.
+    /// Relative pulse energy in exposures 1 and 2: two laser heads are not equal.
     #[garde(inner(custom(finite), range(min = 0.0, max = 1000.0)))]
     pub pulse_energy: [f64; 2],
-    /// Light that each camera gets, in the order of the cameras; 1 for those not listed. Particles
-    /// scatter more light forwards than sideways.
+    /// Relative light of each camera, in the order of the cameras; 1 for cameras that are not
+    /// listed. Particles scatter more light forwards than sideways.
     #[garde(inner(custom(finite), range(min = 0.0, max = 1000.0)))]
     pub camera_light: Vec<f64>,
-    /// Half-width s of the uniform distribution on [1 − s, 1 + s] that each particle's light is
-    /// drawn from anew in each frame: the sheets of two laser heads have different profiles.
+    /// Half-width s of the uniform distribution on [1 − s, 1 + s] of each particle's light in each
+    /// frame: the sheets of two laser heads have different profiles.
     #[garde(custom(finite), range(min = 0.0, max = 1.0))]
     pub frame_spread: f64,
-    /// The same for each camera, alike in both frames: Mie scattering changes within degrees.
+    /// Half-width of the same distribution for each camera, equal in both frames: Mie scattering
+    /// changes within degrees.
     #[garde(custom(finite), range(min = 0.0, max = 1.0))]
     pub camera_spread: f64,
 }
@@ -40,7 +41,7 @@ impl Default for Lighting {
 }
 
 impl Lighting {
-    /// What a particle's brightness is multiplied by in the exposure `[seed, shot, camera, frame]`.
+    /// Brightness factor of a particle in the exposure `[seed, shot, camera, frame]`.
     pub(super) fn factor(&self, [seed, shot, camera, frame]: [u64; 4], particle: u64) -> f64 {
         let of = |shares: &[f64], index: u64| shares.get(index as usize).copied().unwrap_or(1.0);
         let drawn = |spread: f64, purpose: Purpose, of: u64| {
@@ -89,8 +90,8 @@ mod tests {
         assert_eq!(lighting.factor([1, 0, 2, 0], 2), 1.0);
     }
 
-    /// A uniform distribution of half-width s has variance s²/3. What is drawn for a frame is alike in
-    /// both cameras, and what is drawn for a camera alike in both frames.
+    /// A uniform distribution of half-width s has variance s²/3. Frame factors are equal in both
+    /// cameras, camera factors are equal in both frames.
     #[test]
     fn spreads_are_drawn_for_frames_and_for_cameras() {
         let (frames, cameras) = (

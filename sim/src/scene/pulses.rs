@@ -1,4 +1,4 @@
-//! Exposures lit by whatever light pulses fell into them.
+//! Exposures with arbitrary light pulses.
 
 use super::{FrameOfPair, Scene, SimulatedShot, Truth, stream_key};
 use crate::{
@@ -7,24 +7,24 @@ use crate::{
     particles::Tracer,
 };
 
-/// A flash of the laser.
+/// A laser pulse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightPulse {
-    /// Time after the middle of the pulse pair, in s.
+    /// Time relative to the middle of the pulse pair, in s.
     pub at_s: f64,
-    /// Energy relative to that of a pulse as planned.
+    /// Energy relative to a nominal pulse.
     pub energy: f64,
 }
 
 impl Scene {
-    /// One shot as all cameras record it when these pulses fall into exposures 1 and 2 of each
-    /// camera. Particles are where the flow has carried them by the time of a pulse; pulses in
-    /// one exposure add up; an exposure without pulses shows background and noise.
+    /// One shot as recorded by all cameras when the given pulses fall into exposures 1 and 2 of
+    /// each camera. Particles are where the flow has carried them at the time of a pulse. Pulses in
+    /// one exposure add up. An exposure without pulses shows background and noise.
     ///
-    /// With one pulse of energy 1 half a pulse separation before the middle in exposure 1 and one
-    /// as much after it in exposure 2 this is [`Scene::shot`], bit for bit. Particles are seeded
-    /// for the separation of `bench`; a pulse further from the middle finds fewer at the edges of
-    /// the light sheet where the flow enters it.
+    /// With one pulse of energy 1 at half a pulse separation before the middle in exposure 1, and
+    /// one at half a separation after it in exposure 2, the result equals [`Scene::shot`] bit for
+    /// bit. Particles are seeded for the pulse separation of `bench`; a pulse further from the
+    /// middle finds fewer particles where the flow enters the light sheet.
     pub fn exposures(
         &self,
         bench: &BenchGeometry,
@@ -47,8 +47,7 @@ impl Scene {
         SimulatedShot { images, truth: Truth { dt_s: bench.dt_s, ..truth } }
     }
 
-    /// All particles; those that are lit in a pair as planned come first, with the numbers that
-    /// [`Scene::shot`] gives them.
+    /// All particles. Those lit in a nominal pair come first, numbered as in [`Scene::shot`].
     fn numbered_particles(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Vec<Tracer> {
         let (volume, pitch_mm) = (&bench.volume, bench.object_pitch_mm());
         let all =

@@ -41,7 +41,7 @@ fn every_camera_gives_two_images_of_the_sensor_with_light_in_them() {
     for image in shot.images.iter().flatten() {
         assert_eq!((image.columns(), image.rows()), (384, 312));
         let sum: f64 = image.counts().iter().map(|&count| f64::from(count) - 64.0).sum();
-        // 120 particles of 100,000 electrons of unit gain; few rays miss this sensor.
+        // 120 particles of 100,000 electrons at unit gain; few rays miss this sensor.
         assert!((0.9e7..1.3e7).contains(&sum), "{sum}");
     }
 }
@@ -59,10 +59,10 @@ fn a_particle_that_left_the_sheet_is_dark_in_the_second_frame() {
     assert_eq!(scene.light(&bench, &truth, 0, FrameOfPair::B).total(), 0.0);
 }
 
-/// A camera that stands 0.03 mm further along x sees every particle as much further back: the image
-/// of the particles moved by as much the other way, with the bench as drawn.
+/// A camera displaced by 0.03 mm along x sees the image that a nominal camera has of particles
+/// displaced by −0.03 mm.
 #[test]
-fn a_camera_beside_its_pose_sees_the_world_moved_the_other_way() {
+fn a_displaced_camera_sees_the_world_moved_the_other_way() {
     let bench = test_bench::small();
     let shift_mm = 0.03;
     let shifted = Scene { camera_shift_mm: vec![[0.0; 3], [shift_mm, 0.0, 0.0]], ..scene() };
@@ -74,7 +74,7 @@ fn a_camera_beside_its_pose_sees_the_world_moved_the_other_way() {
     let seen = |scene: &Scene, truth, camera| scene.light(&bench, truth, camera, FrameOfPair::A);
     assert_eq!(seen(&shifted, &truth, 0), seen(&scene(), &truth, 0));
     let (there, here) = (seen(&shifted, &truth, 1), seen(&scene(), &moved, 1));
-    // The two sums differ in their last bit, which moves hardly a ray across a pixel's edge.
+    // The sums differ in their last bit, which moves hardly any ray across a pixel's edge.
     let difference: f64 =
         there.electrons().iter().zip(here.electrons()).map(|(a, b)| f64::from((a - b).abs())).sum();
     assert!(difference < 1e-3 * here.total(), "{difference} of {}", here.total());
@@ -97,7 +97,7 @@ fn the_second_pulse_and_the_second_camera_may_be_dimmer() {
     }
 }
 
-/// Everything that a camera can have, at once.
+/// All deviations of a camera together.
 fn flawed() -> CameraFlaws {
     CameraFlaws {
         turn_deg: [0.2, -0.1, 0.3],
@@ -118,7 +118,7 @@ fn flawed() -> CameraFlaws {
 }
 
 #[test]
-fn imperfect_cameras_are_the_same_whatever_the_threads() {
+fn imperfect_cameras_do_not_depend_on_the_threads() {
     let bench = test_bench::small();
     let scene = Scene { camera: vec![CameraFlaws::default(), flawed()], ..scene() };
     let white =
@@ -129,7 +129,7 @@ fn imperfect_cameras_are_the_same_whatever_the_threads() {
     };
     let alone = with_threads(1);
     assert!(alone == with_threads(2));
-    // Of a camera without flaws nothing changes.
+    // Images of a camera without flaws do not change.
     let perfect = Scene { camera: Vec::new(), ..scene.clone() }.shot(&bench, 3, 1);
     assert!(alone.0.images[0] == perfect.images[0] && alone.0.images[1] != perfect.images[1]);
 }
@@ -150,8 +150,8 @@ fn a_cameras_gain_scales_counts_and_not_electrons() {
     }
 }
 
-/// A white image fills 0.7 of the range, and noise is of its own in each; a dark one is black level
-/// and read noise.
+/// A white image fills 0.7 of the range, with different noise in each image. A dark image has black
+/// level and read noise only.
 #[test]
 fn white_and_dark_images_are_exposed_as_pairs_are() {
     let bench = test_bench::small();
@@ -177,7 +177,7 @@ fn white_and_dark_images_are_exposed_as_pairs_are() {
 }
 
 #[test]
-fn what_cannot_stand_where_it_should_is_refused() {
+fn impossible_positions_of_stops_and_walls_are_refused() {
     let bench = test_bench::small();
     let refused = |flaws: CameraFlaws| {
         let scene = Scene { camera: vec![CameraFlaws::default(), flaws], ..scene() };
@@ -192,7 +192,7 @@ fn what_cannot_stand_where_it_should_is_refused() {
     let vignetting = Some(SecondAperture { radius_mm: 10.0, behind_lens_mm: 250.0 });
     let said = refused(CameraFlaws { vignetting, ..CameraFlaws::default() });
     assert!(said.contains("camera[1].vignetting.behind_lens_mm = 250"), "{said}");
-    // Among the particles; and so far away that the lens stands in the water.
+    // Among the particles; and so far away that the lens is in the water.
     for wall in [wall(0.3, 5.0), wall(300.0, 5.0)] {
         assert!(refused(wall).contains("simulation.camera[1].wall: allowed"));
     }
@@ -260,7 +260,7 @@ fn the_table_has_defaults_and_refuses_unknown_keys_and_bad_values() {
 }
 
 #[test]
-fn truth_survives_being_written_and_read() {
+fn truth_round_trips_through_toml() {
     let mut truth = scene().truth(&test_bench::small(), 1, 0);
     truth.particles.truncate(3);
     let text = toml::to_string(&truth).unwrap();

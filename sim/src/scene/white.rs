@@ -1,4 +1,4 @@
-//! White and dark images: what a camera shows of a diffuser, and with its cap on.
+//! White and dark images: images of a diffuser, and images with the lens covered.
 
 use lfpiv_hw::RawImage;
 
@@ -9,15 +9,14 @@ use crate::{
     sensor::SensorSettings,
 };
 
-/// Rays per microlens of a white image, relative to the rays of a particle. By default a pixel's
-/// light then scatters by 2.3 %, about as much as by shot noise.
+/// Rays per microlens of a white image, relative to the rays of a particle. With the default number
+/// a pixel's light scatters by 2.3 %, about as much as by shot noise.
 const WHITE_RAYS: usize = 8;
 
-/// Share of the sensor's range, from the black level up, that the brightest pixel of a white image
-/// fills.
+/// Brightest pixel of a white image, as a share of the sensor's range above the black level.
 const WHITE_LEVEL: f64 = 0.7;
 
-/// Which exposure of a camera: pairs have 0 and 1.
+/// Number of an exposure in the random streams; those of a pair are 0 and 1.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Exposure {
     White = 2,
@@ -26,9 +25,9 @@ pub(super) enum Exposure {
 }
 
 impl Scene {
-    /// Light on a camera's sensor from a diffuser that fills the pupil, exposed so that the brightest
-    /// pixel fills 0.7 of the sensor's range; background and noise are not in it. The same for all
-    /// white images of a camera. Dark for a camera that the bench does not have.
+    /// Light on a camera's sensor from a diffuser that fills the pupil, exposed so that the
+    /// brightest pixel fills 0.7 of the sensor's range, without background and noise. It is the
+    /// same for all white images of a camera. Dark if the bench has no such camera.
     pub fn white_light(&self, bench: &BenchGeometry, camera: usize) -> ElectronImage {
         let (rays, electrons) = self.white_exposure(camera);
         match self.tracer(bench, camera) {
@@ -46,8 +45,7 @@ impl Scene {
         (WHITE_RAYS * self.rays_per_particle, electrons.max(0.0))
     }
 
-    /// White images number 0 … `count` − 1 of a camera: equal light, traced once, and noise of their
-    /// own.
+    /// White images 0 … `count` − 1 of a camera: equal light, traced once, with different noise.
     pub fn white_images(
         &self,
         bench: &BenchGeometry,
@@ -60,7 +58,7 @@ impl Scene {
         (0..count).map(move |n| sensor.expose(&light, &key(n)))
     }
 
-    /// Dark images number 0 … `count` − 1 of a camera: no light, black level and read noise.
+    /// Dark images 0 … `count` − 1 of a camera: black level and read noise only.
     pub fn dark_images(
         &self,
         bench: &BenchGeometry,
@@ -74,7 +72,7 @@ impl Scene {
         (0..count).map(move |n| sensor.expose(&light, &key(n)))
     }
 
-    /// Where a camera's micro-images are centred; `None` for a camera that the bench does not have.
+    /// The true micro-image grid of a camera; `None` if the bench has no such camera.
     pub fn micro_image_grid(
         &self,
         bench: &BenchGeometry,

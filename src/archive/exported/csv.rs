@@ -1,11 +1,11 @@
-//! Comma-separated values: a line for each vector.
+//! Comma-separated values: one line per vector.
 
 use std::{io::Write, path::Path};
 
 use super::{QUANTITIES, numbers};
 use crate::archive::{ArchiveError, StoredShot, durable::replace};
 
-const PLACE: &str = "shot,time_s,dt_s,x_mm,y_mm,z_mm";
+const POSITION_COLUMNS: &str = "shot,time_s,dt_s,x_mm,y_mm,z_mm";
 const NAMES: [&str; QUANTITIES] = [
     "u_m_s",
     "v_m_s",
@@ -22,14 +22,14 @@ const NAMES: [&str; QUANTITIES] = [
     "divergence_per_s",
 ];
 
-/// Writes the vectors of one shot, replacing an older file. The first line has the names of the columns, with
-/// their units; a field is empty where a vector has no such number. `time_s` is UTC in seconds since 1970.
+/// Writes the vectors of one shot, replacing an older file. The first line names the columns with
+/// their units. A missing number is an empty field. `time_s` is UTC in seconds since 1970.
 pub fn write_csv(path: &Path, shot: &StoredShot) -> Result<(), ArchiveError> {
     replace(path, |writer| {
-        writeln!(writer, "{PLACE},{}", NAMES.join(","))?;
+        writeln!(writer, "{POSITION_COLUMNS},{}", NAMES.join(","))?;
         let time = shot.time_s.map_or(String::new(), |time_s| format!("{time_s:.6}"));
         for index in 0..shot.grid.len() {
-            // Sums of spacings have digits that mean nothing.
+            // Rounds away the meaningless digits of summed spacings.
             let [x, y, z] = shot.grid.position_mm(index).map(|mm| (mm * 1e6).round() / 1e6);
             write!(writer, "{},{time},{:e},{x},{y},{z}", shot.shot, shot.dt_s)?;
             for number in numbers(shot, index) {

@@ -1,7 +1,7 @@
-//! HDF5 files of many shots, with vectors as arrays of their own.
+//! HDF5 files of many shots, with vectors as arrays.
 //!
-//! The stored NetCDF files are HDF5, too: these are for programs that want plain arrays, `velocity` over
-//! `shot, z, y, x, component`, NaN where there is no value, and a missing time as NaN.
+//! The stored NetCDF files are also HDF5. These files are for programs that want plain arrays:
+//! `velocity` over `shot, z, y, x, component`, and NaN for missing values and times.
 
 use std::path::Path;
 
@@ -46,9 +46,9 @@ const REPLACED: Described = Described {
     long_name: "value is interpolated from valid neighbours",
 };
 
-/// Bytes of a file from which on the next shot belongs to another one.
+/// Size in bytes from which a file takes no further shot.
 const FULL_BYTES: u64 = 128 << 20;
-/// Bytes of a vector, and of a shot beside its vectors, generously.
+/// Upper bounds for the bytes per vector, and per shot without its vectors.
 const VECTOR_BYTES: u64 = 64;
 const SHOT_BYTES: u64 = 16 << 10;
 
@@ -60,7 +60,8 @@ pub struct Hdf5File {
 }
 
 impl Hdf5File {
-    /// Begins a file for shots on the grid of `like`; `configuration` is the TOML text they were made with.
+    /// Creates a file for shots on the grid of `like`; `configuration` is the TOML text of the
+    /// measurement.
     pub fn create(
         path: &Path,
         configuration: &str,
@@ -85,8 +86,8 @@ impl Hdf5File {
         Ok(Self { file, grid: like.grid.clone(), shots: 0 })
     }
 
-    /// Whether a shot belongs into it: it lies on the same grid, and there is room.
-    pub fn takes(&self, shot: &StoredShot) -> bool {
+    /// Whether the file accepts the shot: the grids are equal and the file is not full.
+    pub fn accepts(&self, shot: &StoredShot) -> bool {
         let bytes = (SHOT_BYTES + VECTOR_BYTES * self.grid.len() as u64) * self.shots as u64;
         self.grid == shot.grid && bytes < FULL_BYTES
     }
@@ -116,7 +117,7 @@ impl Hdf5File {
         Ok(())
     }
 
-    /// Ends the file and puts it on disk.
+    /// Closes the file and writes it to disk.
     pub fn store(self) -> Result<(), ArchiveError> {
         self.file.store()
     }

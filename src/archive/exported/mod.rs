@@ -1,7 +1,7 @@
 //! Vectors in the formats of other programs: [`write_csv`], [`write_tecplot`], [`Hdf5File`].
 //!
-//! The first two have a file for each shot. Places and velocities are in the units that a file names or, in
-//! Tecplot's, whose names are those of the axes, in SI units.
+//! CSV and Tecplot files contain one shot each. CSV columns state their units. Tecplot files are in
+//! SI units, because their variable names cannot state units.
 
 mod csv;
 mod hdf5;
@@ -14,11 +14,11 @@ pub use tecplot::write_tecplot;
 use super::StoredShot;
 use lfpiv_core::velocimetry::VectorStatus;
 
-/// What every vector has beside its place.
+/// Numbers of a vector besides its position.
 const QUANTITIES: usize = 13;
 
-/// The numbers of a vector: velocity, its standard uncertainty, whether it is measured, whether interpolated,
-/// peak ratio, vorticity, divergence. What it does not have is NaN.
+/// The numbers of a vector: velocity, its standard uncertainty, whether it is measured, whether it
+/// is interpolated, peak ratio, vorticity, divergence. A missing number is NaN.
 fn numbers(shot: &StoredShot, index: usize) -> [f32; QUANTITIES] {
     let is = |wanted: VectorStatus| f32::from(u8::from(shot.status[index] == wanted));
     let [u, v, w] = shot.velocity_m_s[index];

@@ -1,7 +1,7 @@
-//! Tecplot's ASCII format: one ordered zone, the numbers in blocks.
+//! Tecplot's ASCII format: one ordered zone in block layout.
 //!
-//! The format has no sign for a missing number: what a vector does not have is zero, and `valid` and
-//! `replaced` say which vectors have a value; blank by them.
+//! The format cannot mark a missing number, so missing numbers are zero. `valid` and `replaced`
+//! tell which vectors have a value; use them for blanking.
 
 use std::{io::Write, path::Path};
 
@@ -23,12 +23,12 @@ const NAMES: [&str; QUANTITIES] = [
     "vorticity_z",
     "divergence",
 ];
-/// A reader may have a limit of some hundred characters.
-const NUMBERS_IN_A_LINE: usize = 8;
+/// Readers may limit lines to some hundred characters.
+const NUMBERS_PER_LINE: usize = 8;
 
-/// Writes the vectors of one shot, replacing an older file, in SI units: places in m, velocities in m/s,
-/// derivatives in 1/s. All shots of a run are one strand, with the shot's time as the solution time (UTC in
-/// seconds since 1970), or its number where the time is not known.
+/// Writes the vectors of one shot, replacing an older file, in SI units: positions in m, velocities
+/// in m/s, derivatives in 1/s. All shots of a run form one strand. The solution time is the shot's
+/// time (UTC in seconds since 1970), or its number if the time is unknown.
 pub fn write_tecplot(path: &Path, shot: &StoredShot) -> Result<(), ArchiveError> {
     let count = shot.grid.len();
     let vectors: Vec<[f32; QUANTITIES]> = (0..count).map(|index| numbers(shot, index)).collect();
@@ -46,8 +46,8 @@ pub fn write_tecplot(path: &Path, shot: &StoredShot) -> Result<(), ArchiveError>
             shot.shot
         )?;
         for axis in 0..3 {
-            let places = (0..count).map(|index| shot.grid.position_mm(index)[axis] * 1e-3);
-            write_block(writer, places)?;
+            let positions = (0..count).map(|index| shot.grid.position_mm(index)[axis] * 1e-3);
+            write_block(writer, positions)?;
         }
         for quantity in 0..QUANTITIES {
             let known = |number: f32| if number.is_nan() { 0.0 } else { f64::from(number) };
@@ -60,9 +60,9 @@ pub fn write_tecplot(path: &Path, shot: &StoredShot) -> Result<(), ArchiveError>
 fn write_block(writer: &mut impl Write, numbers: impl Iterator<Item = f64>) -> std::io::Result<()> {
     let mut column = 0;
     for number in numbers {
-        // Nine digits are all that a number of 32 bit has.
+        // A 32-bit float has at most nine significant digits.
         write!(writer, "{number:.8e}")?;
-        column = (column + 1) % NUMBERS_IN_A_LINE;
+        column = (column + 1) % NUMBERS_PER_LINE;
         writer.write_all(if column == 0 { b"\n" } else { b" " })?;
     }
     if column != 0 { writeln!(writer) } else { Ok(()) }

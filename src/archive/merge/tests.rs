@@ -5,7 +5,7 @@ use lfpiv_core::model::ModelChoice;
 use super::*;
 use crate::archive::{ResultStore, ShotResult, StoredResults, stored_vectors, test_data::result};
 
-/// Segments in a folder, each with its shots.
+/// A folder with one segment for each list of shots.
 fn run(segments: &[&[u64]]) -> tempfile::TempDir {
     let root = tempfile::tempdir().unwrap();
     let mut store = ResultStore::create(root.path(), "").unwrap();
@@ -19,7 +19,7 @@ fn run(segments: &[&[u64]]) -> tempfile::TempDir {
     root
 }
 
-/// A result that no other shot has.
+/// A result that differs between shots.
 fn numbered(shot: u64) -> ShotResult {
     let mut result = result([4, 3, 2]);
     result.measured.field.displacement_vox[5][1] = shot as f32;
@@ -45,7 +45,7 @@ fn segments_become_one_file_sorted_by_shot_with_every_number_in_place() {
         let file = netcdf::open(root.path().join(name)).unwrap();
         let of = |owner: &str| {
             let variable = file.variable(owner).unwrap();
-            // As text: a fill value that is NaN equals nothing.
+            // Compared as text, because a NaN fill value does not equal itself.
             let found = variable.attributes().map(|a| (a.name().to_owned(), a.value().unwrap()));
             found.map(|attribute| format!("{attribute:?}")).collect::<Vec<_>>()
         };
@@ -65,9 +65,9 @@ fn segments_become_one_file_sorted_by_shot_with_every_number_in_place() {
 }
 
 #[test]
-fn the_shot_that_was_stored_first_is_remembered() {
+fn the_first_stored_shot_is_kept_in_an_attribute() {
     let root = run(&[&[7, 8], &[2]]);
-    // File systems may be slow to tell times apart.
+    // File systems may resolve times coarsely.
     let later = SystemTime::now() + Duration::from_secs(60);
     let younger = File::options().append(true).open(root.path().join("velocity_000002.nc"));
     younger.unwrap().set_modified(later).unwrap();
@@ -75,7 +75,7 @@ fn the_shot_that_was_stored_first_is_remembered() {
         merge_segments(root.path(), || true).unwrap();
         assert_eq!(StoredResults::find(root.path()).unwrap().first, Some(7));
     }
-    // Whatever is measured later does not change what was first.
+    // Shots measured later do not change the first stored shot.
     let (mut store, _) = ResultStore::reopen(root.path(), "").unwrap();
     store.append(1, &numbered(1)).unwrap();
     store.close().unwrap();
@@ -117,7 +117,7 @@ fn merged_files_are_bounded() {
 }
 
 #[test]
-fn files_follow_each_other_where_segments_lie_between_each_others_shots() {
+fn interleaved_segments_become_files_with_consecutive_shots() {
     let root = run(&[&[0, 2, 4, 6, 8, 10], &[1, 3, 5, 7, 9], &[11, 12]]);
     let before = stored_vectors(root.path()).unwrap();
     let bounds = Bounds { shots: 4, bytes: u64::MAX };
@@ -133,7 +133,7 @@ fn files_follow_each_other_where_segments_lie_between_each_others_shots() {
 }
 
 #[test]
-fn shots_with_other_times_between_the_pulses_are_in_one_file() {
+fn shots_with_different_pulse_separations_share_a_file() {
     let root = tempfile::tempdir().unwrap();
     let mut store = ResultStore::create(root.path(), "").unwrap();
     for (shot, dt_s) in [(0, 1e-4), (1, 2e-4), (2, 1e-4)] {
@@ -148,7 +148,7 @@ fn shots_with_other_times_between_the_pulses_are_in_one_file() {
 }
 
 #[test]
-fn what_there_is_no_time_for_stays_as_it_is() {
+fn segments_stay_unchanged_when_merging_is_stopped() {
     let root = run(&[&[1, 0], &[2]]);
     let before = files(root.path());
     merge_segments(root.path(), || false).unwrap();
@@ -156,7 +156,7 @@ fn what_there_is_no_time_for_stays_as_it_is() {
 }
 
 #[test]
-fn one_killed_before_the_segments_were_removed_is_finished_by_the_next_merge() {
+fn the_next_merge_completes_a_merge_that_was_killed() {
     let root = run(&[&[0], &[1], &[2]]);
     let left = root.path().join("velocity_000001.nc");
     let copy = fs::read(&left).unwrap();

@@ -1,4 +1,4 @@
-//! `lfpiv calibrate focus`: where the plane in focus is, and whether f-numbers match.
+//! `lfpiv calibrate focus`: the position of the plane in focus, and the match of f-numbers.
 
 use std::{
     fs,
@@ -21,10 +21,10 @@ use crate::{
     config::{CalibrationContent, ConfigFile, Purpose, read_calibration},
 };
 
-/// How often watched files are looked at.
-const LOOK: Duration = Duration::from_millis(300);
+/// Interval at which watched files are checked.
+const WATCH_INTERVAL: Duration = Duration::from_millis(300);
 
-/// Nearer than this to the plane in focus, in mm, is in focus.
+/// Largest distance from the plane in focus that counts as in focus, in mm.
 const IN_FOCUS_MM: f64 = 0.1;
 
 /// A larger share of pixels at the end of the range hides structure.
@@ -33,37 +33,38 @@ const MOST_SATURATED: f64 = 0.01;
 /// Arguments of `lfpiv calibrate focus`.
 #[derive(Debug, clap::Args)]
 pub struct FocusArgs {
-    /// Configuration of the bench: the optics as drawn.
+    /// Configuration of the bench: the nominal optics.
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
-    /// Images of a card or of anything with structure that stands across the camera's axis where the
-    /// plane in focus should be; 8- or 16-bit grey TIFF.
+    /// Images of a card, or of any structured object, across the camera's axis where the plane in
+    /// focus should be; 8- or 16-bit grey TIFF.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub image: Vec<PathBuf>,
-    /// White images: they say whether f-numbers match, and where micro-images are.
+    /// White images: they show whether f-numbers match, and locate the micro-images.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub white: Vec<PathBuf>,
     /// Dark images; their mean is subtracted.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub dark: Vec<PathBuf>,
-    /// The camera's grid from `lfpiv calibrate grid`; without it and without white images the drawn one.
+    /// The camera's grid from `lfpiv calibrate grid`; the default is the grid of the white images,
+    /// or the nominal one.
     #[arg(long, value_name = "FILE")]
     pub grid: Option<PathBuf>,
-    /// Refractive index of what the card stands in.
+    /// Refractive index of the medium around the card.
     #[arg(long, value_name = "N", default_value_t = 1.0, value_parser = index)]
     pub medium_index: f64,
-    /// Go on: look at each file again as often as it is written, until Ctrl-C. A camera's own program
-    /// that keeps writing one file makes it live.
+    /// Evaluate each file again whenever it is written, until Ctrl-C. A camera program that keeps
+    /// writing one file thus gives a live display.
     #[arg(long)]
     pub watch: bool,
-    /// Look at what the camera itself sees, until Ctrl-C: it runs freely, without laser and synchroniser,
-    /// and is given back as it was found. Its address is in [instruments] of the configuration.
+    /// Evaluate the images of a free-running camera of [instruments], until Ctrl-C. Laser and synchroniser are
+    /// not used, and the camera's settings are restored at the end.
     #[arg(long, requires = "camera", conflicts_with_all = ["image", "watch"])]
     pub live: bool,
-    /// Which camera is looked at: 1 for the first [[instruments.camera]] table.
+    /// The live camera: 1 for the first [[instruments.camera]] table.
     #[arg(long, value_name = "N", requires = "live", value_parser = clap::value_parser!(u8).range(1..))]
     pub camera: Option<u8>,
-    /// Exposure time of the live camera in µs, 1 to 10,000,000, instead of the configured one.
+    /// Exposure time of the live camera in µs, 1 to 10,000,000; the default is the configured one.
     #[arg(long, value_name = "US", requires = "live", value_parser = exposure)]
     pub exposure_us: Option<f64>,
 }
@@ -82,7 +83,7 @@ fn exposure(text: &str) -> Result<f64, String> {
     }
 }
 
-/// What every image is looked at with.
+/// What is needed to evaluate an image.
 struct Camera {
     optics: Optics,
     size: ImageSize,
@@ -92,7 +93,7 @@ struct Camera {
     medium_index: f64,
 }
 
-/// Prints a line for the white images and one for every image.
+/// Prints a line for the white images and one for each image.
 pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
     if args.image.is_empty() && args.white.is_empty() && !args.live {
         bail!(
@@ -121,7 +122,7 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
     let camera = Camera { optics, size, dark, grid, white, medium_index };
     if let Some(device) = &device {
         return device.watch(|frame| {
-            let line = camera.words_of(std::slice::from_ref(&frame.image))?;
+            let line = camera.evaluate_images(std::slice::from_ref(&frame.image))?;
             print_while_read(&format!("{}, frame {}: {line}", device.name(), frame.frame_id))
         });
     }
@@ -133,13 +134,13 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
                 continue;
             }
             *seen = written;
-            match camera.look_at(path) {
+            match camera.evaluate(path) {
                 Ok(line) => {
                     if !print_while_read(&format!("{}: {line}", path.display()))? {
                         return Ok(());
                     }
                 }
-                // It may be half written: the next time it is whole.
+                // The file may be incomplete; it is read again when it has been written.
                 Err(error) if args.watch => tracing::debug!("{}: {error:#}", path.display()),
                 Err(error) => return Err(error),
             }
@@ -147,11 +148,11 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
         if !args.watch {
             return Ok(());
         }
-        thread::sleep(LOOK);
+        thread::sleep(WATCH_INTERVAL);
     }
 }
 
-/// Where micro-images are: as a file says, as the white images show, or as drawn.
+/// The micro-image grid: from a file, from the white images, or nominal.
 fn grid(
     args: &FocusArgs,
     optics: &Optics,
@@ -166,29 +167,31 @@ fn grid(
             if let (Some(of_file), Some(live)) = (&content.camera, live)
                 && *of_file != live
             {
-                bail!("{}: it is the grid of {of_file}, and {live} is looked at", path.display());
+                bail!("{}: it is the grid of {of_file}, not of {live}", path.display());
             }
             Ok(content.grid)
         }
-        Ok(_) => bail!("{}: it is no grid; `lfpiv calibrate grid` makes one", path.display()),
+        Ok(_) => {
+            bail!("{}: the file is not a grid; `lfpiv calibrate grid` makes one", path.display())
+        }
         Err(message) => bail!("{}: {message}", path.display()),
     }
 }
 
 impl Camera {
-    fn look_at(&self, path: &Path) -> anyhow::Result<String> {
+    fn evaluate(&self, path: &Path) -> anyhow::Result<String> {
         let (images, _) = read_images(&[path.to_owned()], Some(self.size))?;
-        self.words_of(&images)
+        self.evaluate_images(&images)
     }
 
-    /// What one image says.
-    fn words_of(&self, images: &[RawImage]) -> anyhow::Result<String> {
+    /// Describes the focus of one image.
+    fn evaluate_images(&self, images: &[RawImage]) -> anyhow::Result<String> {
         let image = WhiteImage::average(images, &self.dark)?;
         let found = match focus_of(&self.optics, &self.grid, &image, self.white.as_ref()) {
-            Some(found) => words(&found, self.medium_index),
+            Some(found) => describe(&found, self.medium_index),
             None => format!(
-                "no depth is sharper than the others: put a card or something printed there (dots of {:.1} \
-                 mm or more), and light it",
+                "no depth is sharper than the others: place a card or print there (dots of {:.1} \
+                 mm or more) and illuminate it",
                 4.0 * self.optics.object_pitch_mm()
             ),
         };
@@ -203,26 +206,33 @@ impl Camera {
     }
 }
 
-fn words(found: &Focus, medium_index: f64) -> String {
+fn describe(found: &Focus, medium_index: f64) -> String {
     let [columns, rows] = found.depth_mm.map(|mm| mm * medium_index);
     let depth_mm = (columns + rows) / 2.0;
     let side = if depth_mm > 0.0 { "nearer to the camera than" } else { "behind" };
     let todo = match depth_mm {
         near if near.abs() < IN_FOCUS_MM => "in focus".to_owned(),
         nearer if nearer > 0.0 => {
-            format!("move the camera back by {:.2} mm, or focus that much nearer", found_mm(found))
+            format!(
+                "move the camera back by {:.2} mm, or focus that much nearer",
+                camera_shift_mm(found)
+            )
         }
-        _ => format!("move the camera on by {:.2} mm, or focus that much farther", found_mm(found)),
+        _ => format!(
+            "move the camera forward by {:.2} mm, or focus that much farther",
+            camera_shift_mm(found)
+        ),
     };
     format!(
-        "{:.2} mm {side} the plane in focus (columns {columns:+.2}, rows {rows:+.2}; contrast {:.1}): {todo}",
+        "{:.2} mm {side} the plane in focus (columns {columns:+.2}, rows {rows:+.2}; contrast \
+         {:.1}): {todo}",
         depth_mm.abs(),
         found.contrast
     )
 }
 
-/// What the camera has to be moved by, in air.
-fn found_mm(found: &Focus) -> f64 {
+/// The distance by which the camera has to be moved, in air.
+fn camera_shift_mm(found: &Focus) -> f64 {
     ((found.depth_mm[0] + found.depth_mm[1]) / 2.0).abs()
 }
 
@@ -231,12 +241,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_say_where_to_move_the_camera() {
-        let near = words(&Focus { depth_mm: [1.4, 1.6], contrast: 3.0 }, 1.333);
+    fn the_description_says_how_to_move_the_camera() {
+        let near = describe(&Focus { depth_mm: [1.4, 1.6], contrast: 3.0 }, 1.333);
         assert!(near.starts_with("2.00 mm nearer to the camera than"), "{near}");
         assert!(near.contains("move the camera back by 1.50 mm"), "{near}");
-        let far = words(&Focus { depth_mm: [-0.5, -0.5], contrast: 3.0 }, 1.0);
-        assert!(far.contains("behind the plane in focus") && far.contains("on by 0.50"), "{far}");
-        assert!(words(&Focus { depth_mm: [0.02, 0.01], contrast: 3.0 }, 1.0).contains("in focus"));
+        let far = describe(&Focus { depth_mm: [-0.5, -0.5], contrast: 3.0 }, 1.0);
+        assert!(
+            far.contains("behind the plane in focus") && far.contains("forward by 0.50"),
+            "{far}"
+        );
+        assert!(
+            describe(&Focus { depth_mm: [0.02, 0.01], contrast: 3.0 }, 1.0).contains("in focus")
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! `lfpiv calibrate grid`: where a camera's micro-images are.
+//! `lfpiv calibrate grid`: the centres of a camera's micro-images.
 
 use std::{
     io::{self, Write},
@@ -30,24 +30,25 @@ pub struct GridArgs {
     /// Dark images, without light, of the same exposure time; their mean is subtracted.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub dark: Vec<PathBuf>,
-    /// Configuration of the bench: how many microlenses there are, and which is the first. Without
+    /// Configuration of the bench: number of microlenses, and which of them is the first. Without
     /// it, lenses are counted from the first lit one.
     #[arg(long, value_name = "FILE", requires = "camera")]
     pub config: Option<PathBuf>,
-    /// Whose images these are: 1 for the first [[camera]] table.
+    /// Number of the camera: 1 for the first [[camera]] table.
     #[arg(long, value_name = "N", requires = "config", value_parser = clap::value_parser!(u8).range(1..))]
     pub camera: Option<u8>,
-    /// The file for the grid (JSON); a page with pictures goes beside it, as .html.
+    /// File for the grid (JSON). An HTML page with figures is written with the same name and the
+    /// suffix .html.
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 }
 
-/// Writes the grid and its page, and prints what was found. Doubts are part of all three.
+/// Writes the grid and its page, and prints a summary. Warnings appear in all three.
 pub fn grid(args: &GridArgs) -> anyhow::Result<()> {
     let page_path = args.out.with_extension("html");
     if page_path == args.out {
         bail!(
-            "{}: the page has this name; give the grid another, as grid.json",
+            "{}: the page gets this name; give the grid another one, such as grid.json",
             args.out.display()
         );
     }
@@ -74,10 +75,10 @@ pub fn grid(args: &GridArgs) -> anyhow::Result<()> {
     })?;
     let html = page::page(&image, &found, &file);
     write_replacing(&page_path, |writer| writer.write_all(html.as_bytes()))?;
-    tell(args, &page_path, &found)
+    print_summary(args, &page_path, &found)
 }
 
-/// The configuration, if it has that camera.
+/// The configuration, after checking that it has the given camera.
 fn configured(args: &GridArgs) -> anyhow::Result<Option<ConfigFile>> {
     let Some(path) = &args.config else { return Ok(None) };
     let file = ConfigFile::load_for(Purpose::Optics, path)?;
@@ -88,14 +89,14 @@ fn configured(args: &GridArgs) -> anyhow::Result<Option<ConfigFile>> {
     Ok(Some(file))
 }
 
-fn tell(args: &GridArgs, page: &Path, found: &GridCalibration) -> anyhow::Result<()> {
+fn print_summary(args: &GridArgs, page: &Path, found: &GridCalibration) -> anyhow::Result<()> {
     let [columns, rows] = found.grid.microlenses;
     let [along_i, along_j] = found.grid.pitch_px();
     let [turned_i, turned_j] = found.grid.turned_deg();
     let array = format!("{:?}", found.array).to_lowercase();
     print(&format!(
-        "{columns} x {rows} micro-images, {array}, pitch {along_i:.4} and {along_j:.4} px, turned by \
-         {turned_i:.3} and {turned_j:.3} degrees"
+        "{columns} x {rows} micro-images, {array}, pitch {along_i:.4} and {along_j:.4} px, turned \
+         by {turned_i:.3} and {turned_j:.3} degrees"
     ))?;
     let [x, y] = found.heldout.rms_px;
     let agreement = found.agreement.map_or(String::new(), |agreement| {
@@ -108,7 +109,8 @@ fn tell(args: &GridArgs, page: &Path, found: &GridCalibration) -> anyhow::Result
         "lenses left out of the fit: {x:.3} and {y:.3} px rms (columns, rows){agreement}"
     ))?;
     print(&format!(
-        "{} valid, {} partly imaged, {} dark, {} disturbed; vignetting leaves at least {:.0} % of one",
+        "{} valid, {} partly imaged, {} dark, {} disturbed; vignetting leaves at least {:.0} % of \
+         one",
         found.count(LensState::Valid),
         found.count(LensState::PartlyImaged),
         found.count(LensState::Dark),

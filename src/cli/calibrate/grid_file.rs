@@ -1,4 +1,4 @@
-//! The file of a grid.
+//! The JSON file of a grid.
 
 use lfpiv_core::{
     calibration::{
@@ -14,17 +14,17 @@ use crate::{
     config::{CALIBRATION_VERSION, GRID_FORMAT},
 };
 
-/// How the numbers are meant.
-const MEANING: &str = "the micro-image of microlens (i, j) is centred at column a0 + a1 i + a2 j and \
-                       row b0 + b1 i + b2 j, with column_px = [a0, a1, a2] and row_px = [b0, b1, \
-                       b2]; i runs to the right and j upwards, from (0, 0); pixel centres are whole \
-                       numbers from 0, rows count downwards; the centre is the stop's, whatever \
-                       vignetting cuts off; lists over lenses have one entry per j, and in it one per i; \
-                       states are V valid, P partly imaged, D dark, X disturbed; open_share is what \
-                       the second aperture leaves of the stop's disc, light the mean light relative \
-                       to the brightest lenses";
+/// Explanation of the numbers, written into the file.
+const MEANING: &str = "the micro-image of microlens (i, j) is centred at column a0 + a1 i + a2 j \
+                       and row b0 + b1 i + b2 j, with column_px = [a0, a1, a2] and row_px = [b0, \
+                       b1, b2]; i runs to the right and j upwards, from (0, 0); pixel centres are \
+                       whole numbers from 0, rows count downwards; the centre is the stop's, \
+                       whatever vignetting cuts off; lists over lenses have one entry per j, and \
+                       in it one per i; states are V valid, P partly imaged, D dark, X disturbed; \
+                       open_share is what the second aperture leaves of the stop's disc, light the \
+                       mean light relative to the brightest lenses";
 
-/// What the grid was made from.
+/// The files that the grid was made from.
 #[derive(Debug, Serialize)]
 pub struct Inputs {
     /// White images.
@@ -35,12 +35,12 @@ pub struct Inputs {
     pub configuration: Option<InputFile>,
 }
 
-/// `grid.json`.
+/// Content of `grid.json`.
 #[derive(Debug, Serialize)]
 pub struct GridFile {
     format: &'static str,
     version: u32,
-    /// SHA-256 of this file's content as JSON without white space, with this one empty.
+    /// SHA-256 of the file's content as JSON without white space, computed with this field empty.
     pub sha256: String,
     program: &'static str,
     camera: Option<String>,
@@ -59,7 +59,7 @@ pub struct GridFile {
     f_number: FNumber,
     lens_counts: LensCounts,
     warnings: Vec<String>,
-    /// What it was made from.
+    /// The files that the grid was made from.
     pub inputs: Inputs,
     states: Vec<String>,
     open_share: Vec<Vec<f64>>,
@@ -89,7 +89,7 @@ struct LensCounts {
 }
 
 impl GridFile {
-    /// What is written of a calibration.
+    /// The file's content for a calibration.
     pub fn new(
         camera: Option<String>,
         found: &GridCalibration,

@@ -1,4 +1,4 @@
-//! A camera that runs freely, and the newest of its frames.
+//! The newest frame of a free-running camera.
 
 use std::{
     panic::resume_unwind,
@@ -22,13 +22,13 @@ use crate::{
     config::Config,
 };
 
-/// How soon a signal is heard.
+/// Longest wait for a frame before signals are checked.
 const FRAME_WAIT: Duration = Duration::from_millis(100);
 
-/// A camera that is silent for longer than this, beyond its exposure, does not run freely.
+/// Longest pause between frames, in addition to exposures, before a warning.
 const SILENCE: Duration = Duration::from_secs(3);
 
-/// A configured camera to look at.
+/// A configured camera that can be observed.
 pub(super) struct LiveCamera {
     name: CameraName,
     settings: CameraSettings,
@@ -44,8 +44,8 @@ impl LiveCamera {
         let path = args.config.display();
         let Some(instruments) = &config.instruments else {
             bail!(
-                "{path} has no [instruments], where the address of a camera stands (config/loopback.toml \
-                 explains the keys); `--image FILE --watch` looks at images of another program"
+                "{path} has no [instruments] with the address of a camera (config/loopback.toml \
+                 explains the keys); `--image FILE --watch` evaluates images of another program"
             );
         };
         let (index, cameras) = (usize::from(number) - 1, instruments.camera.len());
@@ -54,7 +54,7 @@ impl LiveCamera {
         };
         let settings = CameraSettings {
             exposure_us: args.exposure_us.or(settings.exposure_us),
-            // Who looks at a camera waits for nobody.
+            // Whoever adjusts a camera should know at once that another program controls it.
             control_patience_s: 0.0,
             ..settings.clone()
         };
@@ -66,8 +66,8 @@ impl LiveCamera {
         self.name
     }
 
-    /// Lets the camera run, and calls `look` with its newest whole frame until Ctrl-C or SIGTERM. Frames
-    /// that arrive meanwhile are passed over. It ends, too, when `look` says that nobody looks any more.
+    /// Starts the camera, and calls `look` with its newest intact frame until Ctrl-C, SIGTERM or `false` from
+    /// `look`. Frames that arrive during a call are skipped.
     ///
     /// # Errors
     /// Another program controls the camera, it is lost, or `look` fails.
@@ -77,14 +77,14 @@ impl LiveCamera {
             .enable_all()
             .build()
             .context("nothing can listen for Ctrl-C")?;
-        let words = "the camera keeps the settings that it was looked at with";
+        let words = "the camera's settings are not restored";
         // There is no laser to wait for.
         let laser = SynchroniserThread::default();
         let listening = async { stop_on_signals(&laser, words) };
         let stop = runtime.block_on(listening)?;
         let name = self.name.to_string();
         let mut camera = gige::open_free_running(&name, &self.settings, self.size)
-            .with_context(|| format!("{name} cannot be looked at"))?;
+            .with_context(|| format!("{name} cannot be used"))?;
         let (newest, seen) = watch::channel(None);
         let exposure = Duration::from_secs_f64(self.settings.exposure_us.unwrap_or(0.0) / 1e6);
         let receiver = Receiver { patience: SILENCE + 2 * exposure, stop: stop.clone() };
@@ -99,9 +99,9 @@ impl LiveCamera {
     }
 }
 
-/// The thread that takes frames off the camera, so that the newest one is always at hand.
+/// Receives frames on a thread of its own, so that the newest one is always available.
 struct Receiver {
-    /// How long a silent camera is waited for before that is said.
+    /// Longest pause between frames before a warning.
     patience: Duration,
     stop: CancellationToken,
 }
@@ -124,7 +124,7 @@ impl Receiver {
                     heard = Instant::now();
                     tracing::warn!(
                         camera = camera.name(),
-                        "frame {} is damaged, packets were lost: `lfpiv doctor` looks at the network",
+                        "frame {} is damaged, packets were lost: `lfpiv doctor` checks the network",
                         frame.frame_id
                     );
                 }
@@ -132,8 +132,8 @@ impl Receiver {
                     told = true;
                     tracing::warn!(
                         camera = camera.name(),
-                        "no frame for {:.0} s: if it was set to a double exposure that only a trigger starts, \
-                         set it to a single one in its maker's program",
+                        "no frame for {:.0} s: if the camera is in a double-exposure mode that needs a trigger, \
+                         set it to single exposures in its vendor's program",
                         heard.elapsed().as_secs_f64()
                     );
                 }
@@ -144,7 +144,7 @@ impl Receiver {
     }
 }
 
-/// Looks at the newest frame again and again; ends with the frames.
+/// Calls `look` with the newest frame, repeatedly, until the frames end.
 async fn each(
     mut seen: watch::Receiver<Option<Frame>>,
     stop: &CancellationToken,

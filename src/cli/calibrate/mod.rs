@@ -1,4 +1,4 @@
-//! `lfpiv calibrate`: what a camera is, from images made for it.
+//! `lfpiv calibrate`: calibrates cameras from images.
 
 mod focus;
 mod grid;
@@ -28,13 +28,13 @@ pub struct CalibrateArgs {
 enum What {
     /// Find the micro-images of one camera in its white images.
     Grid(GridArgs),
-    /// Say where the plane in focus is, and whether f-numbers match.
+    /// Find the plane in focus, and check whether f-numbers match.
     Focus(FocusArgs),
-    /// Find how the cameras see the volume in images of a card.
+    /// Calibrate the cameras in the volume from images of a card.
     Volume(VolumeArgs),
 }
 
-/// Does what the command line asks for.
+/// Runs the chosen calibration.
 pub fn calibrate(args: &CalibrateArgs) -> anyhow::Result<()> {
     match &args.what {
         What::Grid(args) => grid::grid(args),

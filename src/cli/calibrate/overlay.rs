@@ -1,21 +1,21 @@
-//! Pictures of a grid: SVG, with pixels in it as PNG.
+//! Figures of a grid: SVG with embedded PNG pixels.
 
 use std::fmt::Write;
 
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 use lfpiv_core::calibration::{GridCalibration, Lens, LensState, WhiteImage};
 
-/// Edge of a piece of the image that is shown, in micro-images.
+/// Edge of a displayed part of the image, in micro-images.
 const PIECE_PITCHES: f64 = 6.0;
 
-/// Edge of its picture, in CSS pixels.
+/// Edge of the figure, in CSS pixels.
 const PIECE_EDGE: f64 = 420.0;
 
-/// Arrows of the residual map across the longer side, at most.
+/// Largest number of arrows along the longer side of the residual map.
 const ARROWS: usize = 24;
 
-/// A piece of the white image around a place given in shares of its size, with the fitted centres and circles:
-/// the stop's in orange, the second aperture's in blue.
+/// A part of the white image with the fitted centres and circles: orange for the stop, blue for the
+/// second aperture. `at` is the part's relative position, from 0 to 1 along each axis.
 pub fn piece(image: &WhiteImage, found: &GridCalibration, at: [f64; 2]) -> String {
     let size = [image.columns(), image.rows()];
     let pitch = found.grid.pitch_px()[0];
@@ -25,7 +25,8 @@ pub fn piece(image: &WhiteImage, found: &GridCalibration, at: [f64; 2]) -> Strin
     let brightest = (0..edge * edge).map(counts).fold(1.0, f64::max);
     let grey = (0..edge * edge).map(|n| (255.0 * counts(n).max(0.0) / brightest) as u8).collect();
     let mut svg = format!(
-        "<svg viewBox=\"-0.5 -0.5 {edge} {edge}\" width=\"{PIECE_EDGE}\" height=\"{PIECE_EDGE}\">{}",
+        "<svg viewBox=\"-0.5 -0.5 {edge} {edge}\" width=\"{PIECE_EDGE}\" \
+         height=\"{PIECE_EDGE}\">{}",
         picture(grey, [edge, edge], ExtendedColorType::L8)
     );
     let [nx, _] = found.grid.microlenses;
@@ -60,7 +61,7 @@ pub fn piece(image: &WhiteImage, found: &GridCalibration, at: [f64; 2]) -> Strin
     svg + "</svg>"
 }
 
-/// Mean residuals of blocks of lenses as arrows, and how long an arrow of 0.1 px is.
+/// Mean residuals of blocks of lenses as arrows, with the length of the longest one.
 pub fn residuals(found: &GridCalibration) -> String {
     let [nx, ny] = found.grid.microlenses;
     let block = nx.max(ny).div_ceil(ARROWS).max(1);
@@ -95,7 +96,7 @@ pub fn residuals(found: &GridCalibration) -> String {
     svg + &format!("</svg><p>Longest arrow: {longest:.3} px, mean of {block} x {block} lenses.</p>")
 }
 
-/// A number of each lens as grey, 1 white, with lenses that cannot be used in colours.
+/// A quantity of each lens in grey (1 is white); unusable lenses are coloured.
 pub fn map(found: &GridCalibration, value: impl Fn(&Lens) -> f64) -> String {
     let [nx, ny] = found.grid.microlenses;
     let colour = |n: usize| {
@@ -117,7 +118,7 @@ pub fn map(found: &GridCalibration, value: impl Fn(&Lens) -> f64) -> String {
     )
 }
 
-/// Pixels as an image element of their own size; empty where it cannot be encoded.
+/// An image element of the pixels in their original size; empty if they cannot be encoded.
 pub(super) fn picture(
     pixels: Vec<u8>,
     [columns, rows]: [usize; 2],
@@ -135,7 +136,7 @@ pub(super) fn picture(
     )
 }
 
-/// RFC 4648, section 4.
+/// Base 64 by RFC 4648, section 4.
 fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -156,7 +157,7 @@ mod tests {
     use super::base64;
 
     #[test]
-    fn base64_is_that_of_the_rfc() {
+    fn base64_matches_the_rfc() {
         for (bytes, text) in
             [("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")]
         {

@@ -1,4 +1,4 @@
-//! The page beside a grid: one file, nothing loaded from anywhere.
+//! The HTML page of a grid: a single file that loads nothing.
 
 use std::fmt::Write;
 
@@ -13,7 +13,7 @@ pub(super) const STYLE: &str = "body{font:15px/1.45 sans-serif;margin:2em auto;m
      .second{stroke:#4af}.arrow{stroke:#06c;stroke-width:0.09}.warning{background:#fe9;padding:.5em}\
      td,th{text-align:left;padding:.1em 1.2em .1em 0}";
 
-/// Pieces of the image that are shown: where, in shares of its size.
+/// Displayed parts of the image with their relative positions.
 const PIECES: [(&str, [f64; 2]); 5] = [
     ("top left", [0.0, 0.0]),
     ("top right", [1.0, 0.0]),
@@ -36,18 +36,18 @@ pub fn page(image: &WhiteImage, found: &GridCalibration, file: &GridFile) -> Str
     }
     page += &table(found, file);
     page += "<h2>Fitted circles on the white image</h2>\n\
-             <p>Orange: the stop's disc and its centre (dashed where the lens is not valid). Blue: the \
-             second aperture's.</p>\n";
+             <p>Orange: disc and centre of the stop (dashed where the lens is not valid). Blue: the \
+             second aperture.</p>\n";
     for (name, at) in PIECES {
         let svg = overlay::piece(image, found, at);
         let _ = writeln!(page, "<figure>{svg}<figcaption>{name}</figcaption></figure>");
     }
     page += "<h2>Maps over the lenses</h2>\n\
-             <p>Lens (0, 0) is at the bottom left. Lenses that cannot be used: blue partly imaged, \
-             red dark, yellow disturbed (dust, or beside the grid).</p>\n";
+             <p>Lens (0, 0) is at the bottom left. Unusable lenses: blue partly imaged, \
+             red dark, yellow disturbed (dust, or off the grid).</p>\n";
     for (name, svg) in [
         ("Residuals of the centres", overlay::residuals(found)),
-        ("Share that vignetting leaves", overlay::map(found, |lens| lens.open_share)),
+        ("Share left by vignetting", overlay::map(found, |lens| lens.open_share)),
         ("Light", overlay::map(found, |lens| lens.light)),
     ] {
         let _ = writeln!(page, "<figure>{svg}<figcaption>{name}</figcaption></figure>");
@@ -58,7 +58,7 @@ pub fn page(image: &WhiteImage, found: &GridCalibration, file: &GridFile) -> Str
 fn table(found: &GridCalibration, file: &GridFile) -> String {
     let [columns, rows] = found.grid.microlenses;
     let pair = |[a, b]: [f64; 2], digits: usize| format!("{a:.digits$} and {b:.digits$}");
-    let agreement = found.agreement.map_or("only one worked".into(), |agreement| {
+    let agreement = found.agreement.map_or("only one succeeded".into(), |agreement| {
         format!(
             "{:.3} px at 95 % of the lenses, {:.3} px at the worst",
             agreement.at_95_percent_px, agreement.worst_px
@@ -66,8 +66,8 @@ fn table(found: &GridCalibration, file: &GridFile) -> String {
     });
     let second = found.second_aperture.map_or("none seen".into(), |second| {
         format!(
-            "radius {:.2} px, displaced by {:.2} px at the sensor's corner; leaves at least {:.0} % of a \
-             micro-image",
+            "radius {:.2} px, displaced by {:.2} px at the sensor's corner; leaves at least {:.0} \
+             % of a micro-image",
             second.radius_px,
             second.shift_at_corner_px,
             100.0 * found.least_open_share()
@@ -81,7 +81,7 @@ fn table(found: &GridCalibration, file: &GridFile) -> String {
         ("Pitch along i and j, px", pair(found.grid.pitch_px(), 4)),
         ("Turned, degrees", pair(found.grid.turned_deg(), 4)),
         ("Held-out residual, px rms", pair(found.heldout.rms_px, 4)),
-        ("beside a smooth displacement", pair(found.heldout.smooth_rms_px, 4)),
+        ("after subtracting a smooth displacement", pair(found.heldout.smooth_rms_px, 4)),
         ("Two estimators differ by", agreement),
         ("Radius and blur, px", pair([found.radius_px, found.blur_px], 3)),
         ("Second aperture", second),
@@ -103,7 +103,7 @@ fn table(found: &GridCalibration, file: &GridFile) -> String {
     format!("<table>\n{}\n</table>\n", lines.join("\n"))
 }
 
-/// Text with what HTML would take for markup replaced.
+/// Escapes HTML markup.
 pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

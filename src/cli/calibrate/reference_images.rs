@@ -1,4 +1,4 @@
-//! White and dark images as they are given, and what says later which they were.
+//! Reads input images, with hashes to identify them later.
 
 use std::path::{Path, PathBuf};
 
@@ -11,20 +11,20 @@ use crate::archive::{ImageSize, read_grey_tiff, read_grey_tiff_of_any_size, sha2
 /// A file that a calibration was made from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InputFile {
-    /// Its path as it was given.
+    /// The path as given.
     pub file: PathBuf,
-    /// SHA-256 of its content.
+    /// SHA-256 of the content.
     pub sha256: String,
 }
 
 impl InputFile {
-    /// A file of this content.
+    /// Describes a file with the given content.
     pub fn of_bytes(file: &Path, content: &[u8]) -> Self {
         Self { file: file.into(), sha256: sha256(content) }
     }
 }
 
-/// Reads images, of the configured size if there is one.
+/// Reads images; they must have the given size, if any.
 pub fn read_images(
     paths: &[PathBuf],
     size: Option<ImageSize>,

@@ -1,4 +1,4 @@
-//! `lfpiv calibrate volume`: how the cameras see the volume.
+//! `lfpiv calibrate volume`: calibrates the cameras' maps of the volume.
 
 use std::{
     io::{self, Write},
@@ -26,30 +26,31 @@ use crate::{
     config::{CalibrationContent, Config, ConfigFile, Purpose, read_calibration},
 };
 
-/// Beyond the volume and the margin that is reconstructed, the maps hold for so much, in mm.
+/// The maps are valid up to this distance beyond the reconstructed volume and its margin, in mm.
 const BEYOND_MM: f64 = 0.5;
 
 /// Arguments of `lfpiv calibrate volume`.
 #[derive(Debug, clap::Args)]
 pub struct VolumeArgs {
-    /// Card file (TOML): the card, the walls, the white and dark images of each camera, and the images
-    /// of the card at each position. config/card.toml explains the keys.
+    /// Card file (TOML): the card, the walls, the white and dark images of each camera, and the
+    /// images of the card at each position. config/card.toml explains the keys.
     #[arg(long, value_name = "FILE")]
     pub card: PathBuf,
-    /// Configuration of the bench: optics, poses and volume as drawn.
+    /// Configuration of the bench: nominal optics, poses and volume.
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
-    /// The grids of all cameras, in their order, from `lfpiv calibrate grid`.
+    /// The grids of all cameras, in the cameras' order, from `lfpiv calibrate grid`.
     #[arg(long, value_name = "FILE", required = true, num_args = 1..)]
     pub grid: Vec<PathBuf>,
-    /// The file for the calibration of all cameras (JSON); a page with pictures goes beside it, as .html.
+    /// File for the calibration of all cameras (JSON). An HTML page with figures is written with
+    /// the same name and the suffix .html.
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// How far the card may have been from each told place, standard deviation along each axis in µm:
-    /// the places are then found, too.
+    /// Standard deviation of the card's stated positions along each axis, in µm; unless it is 0,
+    /// the positions are fitted as well.
     #[arg(long, value_name = "UM", default_value_t = 0.0, value_parser = micrometres)]
     pub stage_uncertainty_um: f64,
-    /// Serial numbers of the cameras, in their order; those of [instruments] when absent.
+    /// Serial numbers of the cameras, in their order; default: those of [instruments].
     #[arg(long, value_name = "SERIAL", num_args = 1..)]
     pub serial: Vec<String>,
 }
@@ -61,19 +62,20 @@ fn micrometres(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Everything that is read before anything is fitted.
+/// All input images.
 struct Images {
     white: Vec<WhiteImage>,
     dark: Vec<Vec<lfpiv_hw::RawImage>>,
     inputs: Inputs,
 }
 
-/// Writes the calibration and its page, and prints what was found. Doubts are part of all three.
+/// Writes the calibration and its page, and prints a summary. Warnings appear in all three.
 pub fn volume(args: &VolumeArgs) -> anyhow::Result<()> {
     let page_path = args.out.with_extension("html");
     if page_path == args.out {
         bail!(
-            "{}: the page has this name; give the calibration another, as calibration.json",
+            "{}: the page gets this name; give the calibration another one, such as \
+             calibration.json",
             args.out.display()
         );
     }
@@ -104,11 +106,11 @@ pub fn volume(args: &VolumeArgs) -> anyhow::Result<()> {
     })?;
     let html = volume_page::page(&lights, &found, &written);
     write_replacing(&page_path, |writer| writer.write_all(html.as_bytes()))?;
-    tell(args, &page_path, &found)
+    print_summary(args, &page_path, &found)
 }
 
-/// Middle and half the edges of the box that the maps hold in: the volume, the margin that is
-/// reconstructed with it, and some more.
+/// Centre and half edges of the box in which the maps are valid: the volume, its margin, and
+/// [`BEYOND_MM`].
 fn box_mm(config: &Config) -> [[f64; 3]; 2] {
     let volume = &config.volume;
     let margin = (config.velocimetry.max_displacement_vox / 2.0).ceil() + 1.0;
@@ -116,12 +118,12 @@ fn box_mm(config: &Config) -> [[f64; 3]; 2] {
     [volume.centre_mm, volume.voxels.map(half)]
 }
 
-/// The cameras' grids, in their order.
+/// The cameras' grids, in the cameras' order.
 fn read_grids(args: &VolumeArgs, config: &Config) -> anyhow::Result<Vec<MicroImageGrid>> {
     let cameras = config.camera.len();
     if args.grid.len() != cameras {
         bail!(
-            "--grid: {} given, {} has {}: give the grid of each, in their order",
+            "--grid: {} given, but {} has {}: give one grid per camera, in the cameras' order",
             count(args.grid.len(), "file"),
             args.config.display(),
             count(cameras, "camera")
@@ -133,24 +135,27 @@ fn read_grids(args: &VolumeArgs, config: &Config) -> anyhow::Result<Vec<MicroIma
         let name = CameraName(camera).to_string();
         let content = match read_calibration(path) {
             Ok((CalibrationContent::Grid(content), _)) => content,
-            Ok(_) => bail!("{}: it is no grid; `lfpiv calibrate grid` makes one", path.display()),
+            Ok(_) => bail!(
+                "{}: the file is not a grid; `lfpiv calibrate grid` makes one",
+                path.display()
+            ),
             Err(message) => bail!("{}: {message}", path.display()),
         };
         if let Some(other) = content.camera.filter(|camera| *camera != name) {
-            bail!("{}: it is the grid of {other}, and stands in {name}'s place", path.display());
+            bail!("{}: it is the grid of {other}, but is given for {name}", path.display());
         }
         let grid = content.grid;
         if !grid.is_square() {
             bail!(
-                "{}: its array is hexagonal; volumes are reconstructed from square arrays only, so there is \
-                 nothing to calibrate a volume for",
+                "{}: its array is hexagonal, but volumes can be reconstructed from square arrays \
+                 only, so there is nothing to calibrate a volume for",
                 path.display()
             );
         }
         if grid.microlenses != lenses {
             bail!(
-                "{}: it has {} x {} microlenses, [optics.microlens] {} x {}: calibrate the grid with \
-                 --config {} --camera {}",
+                "{}: it has {} x {} microlenses, but [optics.microlens] has {} x {}: calibrate the \
+                 grid with --config {} --camera {}",
                 path.display(),
                 grid.microlenses[0],
                 grid.microlenses[1],
@@ -165,12 +170,12 @@ fn read_grids(args: &VolumeArgs, config: &Config) -> anyhow::Result<Vec<MicroIma
     Ok(grids)
 }
 
-fn beside(card_file: &Path, names: &[String]) -> Vec<PathBuf> {
+fn relative_to(card_file: &Path, names: &[String]) -> Vec<PathBuf> {
     let folder = card_file.parent().unwrap_or(Path::new(""));
     names.iter().map(|name| folder.join(name)).collect()
 }
 
-/// White and dark images of each camera.
+/// White and dark images of each camera, and the descriptions of all input files.
 fn read_references(
     args: &VolumeArgs,
     file: &ConfigFile,
@@ -179,28 +184,28 @@ fn read_references(
     let cameras = file.config.camera.len();
     if card.reference.len() != cameras {
         bail!(
-            "{}: {} given, {} needed: white images of each camera, as for its grid",
+            "{}: {} given, but {} needed: list the white images of each camera, as for its grid",
             args.card.display(),
             count(card.reference.len(), "[[reference]] table"),
             cameras
         );
     }
     let size = Some(ImageSize::from(&file.config.optics.sensor));
-    let of_path = |path: &Path| {
+    let describe = |path: &Path| {
         let content =
             std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
         anyhow::Ok(InputFile::of_bytes(path, &content))
     };
     let mut inputs = Inputs {
-        card: of_path(&args.card)?,
+        card: describe(&args.card)?,
         configuration: InputFile::of_bytes(&args.config, file.text.as_bytes()),
-        grids: args.grid.iter().map(|path| of_path(path)).collect::<Result<_, _>>()?,
+        grids: args.grid.iter().map(|path| describe(path)).collect::<Result<_, _>>()?,
         images: Vec::new(),
     };
     let (mut white, mut dark) = (Vec::new(), Vec::new());
     for reference in &card.reference {
-        let (whites, white_files) = read_images(&beside(&args.card, &reference.white), size)?;
-        let (darks, dark_files) = read_images(&beside(&args.card, &reference.dark), size)?;
+        let (whites, white_files) = read_images(&relative_to(&args.card, &reference.white), size)?;
+        let (darks, dark_files) = read_images(&relative_to(&args.card, &reference.dark), size)?;
         white.push(WhiteImage::average(&whites, &darks)?);
         dark.push(darks);
         inputs.images.extend(white_files.into_iter().chain(dark_files));
@@ -208,7 +213,7 @@ fn read_references(
     Ok(Images { white, dark, inputs })
 }
 
-/// The card's light by position and camera.
+/// The card's images as light per view, by position and camera.
 fn read_card_images<'a>(
     args: &VolumeArgs,
     config: &'a Config,
@@ -221,41 +226,46 @@ fn read_card_images<'a>(
     for (number, position) in card.position.iter().enumerate() {
         if position.images.len() != grids.len() {
             bail!(
-                "{}: position {} has {}, {} needed: `images` lists one of each camera",
+                "{}: position {} has {}, but {} needed: `images` lists one per camera",
                 args.card.display(),
                 number + 1,
                 count(position.images.len(), "image"),
                 grids.len()
             );
         }
-        let (taken, files) = read_images(&beside(&args.card, &position.images), size)?;
+        let (taken, files) = read_images(&relative_to(&args.card, &position.images), size)?;
         images.inputs.images.extend(files);
-        let mut of_position = Vec::new();
+        let mut position_lights = Vec::new();
         for (camera, (image, grid)) in taken.into_iter().zip(grids).enumerate() {
             let image = WhiteImage::average(&[image], &images.dark[camera])?;
-            of_position.push(CardLight::new(&config.optics, grid, &images.white[camera], &image));
+            position_lights.push(CardLight::new(
+                &config.optics,
+                grid,
+                &images.white[camera],
+                &image,
+            ));
         }
-        lights.push(of_position);
+        lights.push(position_lights);
     }
     Ok((lights, images))
 }
 
-fn tell(args: &VolumeArgs, page: &Path, found: &VolumeCalibration) -> anyhow::Result<()> {
-    for (camera, of_camera) in found.cameras.iter().enumerate() {
+fn print_summary(args: &VolumeArgs, page: &Path, found: &VolumeCalibration) -> anyhow::Result<()> {
+    for (camera, calibrated) in found.cameras.iter().enumerate() {
         print(&format!(
-            "{}: {}, {:.4} microlens rms beside the fitted camera; its map follows the rays to {:.2} um \
+            "{}: {}, residual {:.4} microlens rms; its map follows the rays to {:.2} um \
              across and {:.1} um in depth",
             CameraName(camera),
-            count(of_camera.marks.len(), "mark"),
-            of_camera.rms_microlenses,
-            of_camera.map_residual.lateral_mm * 1e3,
-            of_camera.map_residual.depth_mm * 1e3
+            count(calibrated.marks.len(), "mark"),
+            calibrated.rms_microlenses,
+            calibrated.map_residual.lateral_mm * 1e3,
+            calibrated.map_residual.depth_mm * 1e3
         ))?;
     }
     let held_out = &found.held_out;
     print(&format!(
-        "{} of positions left out of the fit: {:.4} microlens rms (mean over the views), {:.4} in a \
-         single view; condition number {:.1e}",
+        "{} at positions left out of the fit: {:.4} microlens rms (mean over the views), {:.4} in \
+         a single view; condition number {:.1e}",
         count(held_out.marks, "mark"),
         held_out.mean_microlenses,
         held_out.view_microlenses,
@@ -269,7 +279,7 @@ fn tell(args: &VolumeArgs, page: &Path, found: &VolumeCalibration) -> anyhow::Re
         warnings => format!(", with {}", count(warnings, "warning")),
     };
     print(&format!(
-        "{} and {}{warned}; name the first in each [[camera]] table: calibration = \"{}\"",
+        "{} and {}{warned}; enter the first in each [[camera]] table: calibration = \"{}\"",
         args.out.display(),
         page.display(),
         args.out.display()

@@ -1,4 +1,4 @@
-//! The file of the cameras of a bench: what is read again, and what it is worth.
+//! The JSON file of a volume calibration: the calibration itself and its quality.
 
 use lfpiv_core::{
     calibration::{HeldOut, ParameterEstimate, VolumeCalibration},
@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::reference_images::InputFile;
 use crate::config::{CalibratedCameraEntry, CalibrationFile, Config, hash_of};
 
-/// What the calibration was made from.
+/// The files that the calibration was made from.
 #[derive(Debug, Serialize)]
 pub struct Inputs {
     /// The card file.
@@ -26,7 +26,7 @@ pub struct Inputs {
     pub images: Vec<InputFile>,
 }
 
-/// `calibration.json`.
+/// Content of `calibration.json`.
 #[derive(Debug, Serialize)]
 pub struct VolumeFile {
     #[serde(flatten)]
@@ -35,13 +35,13 @@ pub struct VolumeFile {
     held_out: HeldOut,
     condition_number: f64,
     walls: Vec<Wall>,
-    /// How far the card was from each told place, in mm.
+    /// Fitted minus stated position of the card at each position, in mm.
     stage_mm: Vec<[f64; 3]>,
     warnings: Vec<String>,
     inputs: Inputs,
 }
 
-/// How well one camera is known.
+/// Quality of the calibration of one camera.
 #[derive(Debug, Serialize)]
 struct Quality {
     camera: String,
@@ -53,7 +53,7 @@ struct Quality {
 }
 
 impl VolumeFile {
-    /// What is written of a calibration.
+    /// The file's content for a calibration.
     pub fn new(
         config: &Config,
         serials: &[String],
@@ -76,13 +76,13 @@ impl VolumeFile {
             }
         };
         let cameras = (0..found.cameras.len()).map(entry).collect();
-        let quality = found.cameras.iter().enumerate().map(|(camera, of_camera)| Quality {
+        let quality = found.cameras.iter().enumerate().map(|(camera, calibrated)| Quality {
             camera: CameraName(camera).to_string(),
-            marks: of_camera.marks.len(),
-            rms_microlenses: of_camera.rms_microlenses,
-            map_residual_lateral_mm: of_camera.map_residual.lateral_mm,
-            map_residual_depth_mm: of_camera.map_residual.depth_mm,
-            parameters: of_camera.parameters.clone(),
+            marks: calibrated.marks.len(),
+            rms_microlenses: calibrated.rms_microlenses,
+            map_residual_lateral_mm: calibrated.map_residual.lateral_mm,
+            map_residual_depth_mm: calibrated.map_residual.depth_mm,
+            parameters: calibrated.parameters.clone(),
         });
         let mut file = Self {
             calibration: CalibrationFile::new(config.optics.clone(), cameras),

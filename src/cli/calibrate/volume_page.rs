@@ -1,4 +1,4 @@
-//! The page beside a calibration of the volume: one file, nothing loaded from anywhere.
+//! The HTML page of a volume calibration: a single file that loads nothing.
 
 use std::fmt::Write;
 
@@ -14,14 +14,14 @@ use super::{
     volume_file::VolumeFile,
 };
 
-/// Width of a picture of residuals and of a view, in CSS pixels.
+/// Width of a residual map and of a view, in CSS pixels.
 const FIELD_WIDTH: f64 = 620.0;
 const VIEW_WIDTH: f64 = 300.0;
 
 /// Length of the longest arrow, in microlenses.
 const LONGEST_ARROW: f64 = 6.0;
 
-/// Residuals below this are not drawn longer than they are, in microlenses.
+/// Residuals below this length, in microlenses, are not magnified further.
 const LEAST_SCALE: f64 = 1e-3;
 
 /// The whole page.
@@ -38,19 +38,19 @@ pub fn page(lights: &[Vec<CardLight<'_>>], found: &VolumeCalibration, file: &Vol
         let _ = writeln!(page, "<p class=\"warning\">Warning: {warning}.</p>");
     }
     page += &summary(found, file);
-    for (camera, of_camera) in found.cameras.iter().enumerate() {
+    for (camera, calibrated) in found.cameras.iter().enumerate() {
         let _ = writeln!(page, "<h2>{}</h2>", CameraName(camera));
-        page += &parameters(&of_camera.parameters);
+        page += &parameters(&calibrated.parameters);
         let lenses = lights.first().map_or([1, 1], |lights| lights[camera].microlenses());
-        let field = residual_field(of_camera, lenses, lights.len());
+        let field = residual_field(calibrated, lenses, lights.len());
         let _ = writeln!(
             page,
-            "<figure>{field}<figcaption>Seen less expected places of all marks over the microlenses, by \
-             position of the card from blue (first) to red (last). Arrows must not all turn or \
-             point the same way.</figcaption></figure>"
+            "<figure>{field}<figcaption>Measured minus expected positions of all marks over the \
+             microlenses, by position of the card from blue (first) to red (last). Arrows must \
+             show no common rotation or direction.</figcaption></figure>"
         );
         for (position, lights) in lights.iter().enumerate() {
-            let marks = of_camera.marks.iter().filter(|mark| mark.position == position);
+            let marks = calibrated.marks.iter().filter(|mark| mark.position == position);
             let view = view_with_marks(&lights[camera], marks);
             let _ = writeln!(
                 page,
@@ -81,7 +81,7 @@ fn summary(found: &VolumeCalibration, file: &VolumeFile) -> String {
             ),
         ),
         ("Condition number", format!("{:.2e}", found.condition_number)),
-        ("Card beside its stated positions, um", moved.join(" ")),
+        ("Card's deviation from its stated positions, um", moved.join(" ")),
         ("SHA-256 of the calibration", file.sha256().to_owned()),
     ];
     let lines =
@@ -91,8 +91,8 @@ fn summary(found: &VolumeCalibration, file: &VolumeFile) -> String {
 
 fn parameters(parameters: &[ParameterEstimate]) -> String {
     let mut table =
-        "<table>\n<tr><th>Parameter</th><th>beside the drawing</th><th>standard deviation\
-                     </th><th>before any image</th><th>unit</th></tr>\n"
+        "<table>\n<tr><th>Parameter</th><th>deviation from nominal</th><th>standard deviation\
+                     </th><th>prior standard deviation</th><th>unit</th></tr>\n"
             .to_owned();
     for ParameterEstimate { name, unit, value, standard_deviation, prior_standard_deviation } in
         parameters
@@ -106,7 +106,7 @@ fn parameters(parameters: &[ParameterEstimate]) -> String {
     table + "</table>\n"
 }
 
-/// Residuals as arrows, the longest as long as six microlenses.
+/// Residuals as arrows; the longest is as long as six microlenses.
 fn residual_field(camera: &CalibratedCamera, [nx, ny]: [usize; 2], positions: usize) -> String {
     let length = |[x, y]: [f64; 2]| x.hypot(y);
     let longest = camera
@@ -116,7 +116,8 @@ fn residual_field(camera: &CalibratedCamera, [nx, ny]: [usize; 2], positions: us
         .fold(LEAST_SCALE, f64::max);
     let scale = LONGEST_ARROW / longest;
     let mut svg = format!(
-        "<svg class=\"map\" viewBox=\"-0.5 -0.5 {nx} {ny}\" width=\"{FIELD_WIDTH}\" height=\"{:.0}\">",
+        "<svg class=\"map\" viewBox=\"-0.5 -0.5 {nx} {ny}\" width=\"{FIELD_WIDTH}\" \
+         height=\"{:.0}\">",
         FIELD_WIDTH * ny as f64 / nx.max(1) as f64
     );
     for mark in &camera.marks {
@@ -134,7 +135,7 @@ fn residual_field(camera: &CalibratedCamera, [nx, ny]: [usize; 2], positions: us
     svg + &format!("</svg><p>Longest arrow: {longest:.4} microlens.</p>")
 }
 
-/// What the middle of the pupil sees, and the marks that were used.
+/// The view through the centre of the pupil, with the marks that were used.
 fn view_with_marks<'m>(
     light: &CardLight<'_>,
     marks: impl Iterator<Item = &'m MarkResidual>,
@@ -144,7 +145,7 @@ fn view_with_marks<'m>(
     let brightest = view.iter().copied().filter(|share| share.is_finite()).fold(0.01, f32::max);
     let grey = |n: usize| {
         let share = view[(ny - 1 - n / nx) * nx + n % nx] / brightest;
-        // What is no number becomes zero.
+        // NaN becomes zero.
         (255.0 * share.clamp(0.0, 1.0)) as u8
     };
     let mut svg = format!(

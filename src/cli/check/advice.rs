@@ -1,4 +1,4 @@
-//! What could be better about a bench, seen from its configuration.
+//! Advice about a bench, from its configuration.
 
 use lfpiv_core::{
     lightfield::Background,
@@ -23,34 +23,35 @@ use crate::config::Config;
 /// Share of the volume that all cameras should see.
 const GOOD_COMMON_VIEW: f64 = 0.9;
 
-/// Cameras nearer to each other (or to facing each other) leave depth to the light field alone.
+/// Cameras at a smaller angle (or a smaller angle to facing each other) measure depth from their
+/// own views only.
 const GOOD_DEGREES_APART: f64 = 45.0;
 
 /// Diameter of the pupil's image behind a microlens over the pitch: below the first, pixels stay
 /// dark, above the second, neighbours overlap.
 const GOOD_FILL: [f64; 2] = [0.8, 1.05];
 
-/// Particles that a window should hold: with five pairs a displacement is found in 95 of 100 windows
-/// (Keane and Adrian 1992).
+/// Particles that a window should contain: with five pairs, a displacement is found in 95 of 100
+/// windows (Keane and Adrian 1992).
 const GOOD_PARTICLES: f64 = 5.0;
 
-/// What needs no measurement.
-pub fn of_configuration(config: &Config) -> Vec<Finding> {
+/// Advice that needs no measurement.
+pub fn for_configuration(config: &Config) -> Vec<Finding> {
     let mut findings = vec![view(config), angle(config), f_numbers(config), particles(config)];
     findings.extend(background(config));
     findings.extend(calibration(config));
     findings
 }
 
-/// What of the cameras is calibrated; nothing to say where all is as drawn.
+/// Which parameters of the cameras are calibrated; `None` if all are nominal.
 fn calibration(config: &Config) -> Option<Finding> {
     const CHECK: &str = "calibration";
     if config.calibration.is_empty() {
         return None;
     }
-    Some(match config.left_as_drawn() {
-        Some(left) => Finding::advice(CHECK, "only a part of what the cameras are", left),
-        None => Finding::ok(CHECK, "micro-images, places and optics of all cameras"),
+    Some(match config.left_nominal() {
+        Some(left) => Finding::advice(CHECK, "incomplete", left),
+        None => Finding::ok(CHECK, "micro-images, poses and optics of all cameras"),
     })
 }
 
@@ -64,7 +65,11 @@ fn view(config: &Config) -> Finding {
     let found = match config.camera.len() {
         1 => format!("{} of the volume", each.join(", ")),
         _ => {
-            format!("{} of the volume, {:.0} % seen by both", each.join(", "), 100.0 * seen.common)
+            format!(
+                "{} of the volume, {:.0} % in the common view",
+                each.join(", "),
+                100.0 * seen.common
+            )
         }
     };
     let finding = if seen.common < GOOD_COMMON_VIEW {
@@ -76,19 +81,19 @@ fn view(config: &Config) -> Finding {
     finding.with("common_share", seen.common)
 }
 
-/// How the cameras stand to each other.
+/// The angle between the cameras.
 fn angle(config: &Config) -> Finding {
     const CHECK: &str = "angle";
     let poses = config.poses();
     let [one, other] = poses.as_slice() else {
         let found = "one camera";
-        let todo = "depth comes from its views alone, ten times coarser than the rest: use two";
+        let todo = "depth then comes from the views of one camera and is ten times less accurate: use two cameras";
         return Finding::advice(CHECK, found, todo);
     };
     let degrees = degrees_apart(&config.optics, [one, other], &config.volume);
     let found = format!("{degrees:.0} degrees between the cameras");
     let finding = if degrees.min(180.0 - degrees) < GOOD_DEGREES_APART {
-        let todo = "depth is measured worse than the rest: 90 degrees are best";
+        let todo = "depth is less accurate than the other components: 90 degrees are best";
         Finding::advice(CHECK, found, todo)
     } else {
         Finding::ok(CHECK, found)
@@ -105,7 +110,7 @@ fn f_numbers(config: &Config) -> Finding {
     let found = format!("microlenses f/{microlens:.1} behind a lens that works at f/{lens:.1}");
     let finding = if fill < GOOD_FILL[0] {
         let todo = format!(
-            "micro-images fill {:.0} % of their pixels: stop the main lens less down, to f/{:.1} \
+            "micro-images fill {:.0} % of their pixels: open the main lens to f/{:.1} \
              (optics.f_number), or use microlenses of f/{lens:.1}",
             100.0 * fill * fill,
             optics.f_number * fill
@@ -113,7 +118,7 @@ fn f_numbers(config: &Config) -> Finding {
         Finding::advice(CHECK, found, todo)
     } else if fill > GOOD_FILL[1] {
         let todo = format!(
-            "micro-images overlap, and their light is taken for that of neighbours: stop the main \
+            "micro-images overlap, so their light is assigned to neighbours: stop the main \
              lens down to f/{:.1} (optics.f_number)",
             optics.f_number * fill
         );
@@ -129,7 +134,7 @@ fn particles(config: &Config) -> Finding {
     let bench = config.bench_geometry();
     let window_mm =
         config.velocimetry.in_voxels(&config.volume).window as f64 * config.volume.voxel_mm;
-    // Seeding counts particles over the volume's x and y, as [simulation] does.
+    // Seeding is counted per area of the volume's x and y, as in [simulation].
     let per_mm3 = 1.0 / bench.object_pitch_mm().powi(2) / bench.volume.extents_mm()[2];
     let per_window = per_mm3 * window_mm.powi(3);
     let least_ppm = GOOD_PARTICLES / per_window;
@@ -141,7 +146,7 @@ fn particles(config: &Config) -> Finding {
     let found = format!("{number:.1} in a window at {known} of {ppm} per microlens");
     let finding = if number < GOOD_PARTICLES {
         let todo = format!(
-            "{GOOD_PARTICLES} or more make most windows valid: seed with {least_ppm:.2} per \
+            "with {GOOD_PARTICLES} or more most windows are valid: seed {least_ppm:.2} per \
              microlens, or set velocimetry.window_mm to {:.1}",
             window_mm * (GOOD_PARTICLES / number.max(1e-9)).cbrt()
         );
@@ -152,26 +157,26 @@ fn particles(config: &Config) -> Finding {
     finding.with("per_window", number)
 }
 
-/// Stationary light that only many pairs together show.
+/// Advice if the background is estimated from many pairs.
 fn background(config: &Config) -> Option<Finding> {
     matches!(config.image.background, Background::Minimum | Background::Mean).then(|| {
         Finding::advice(
             "background",
-            "taken from what all pairs have in common",
-            "`lfpiv process` needs three pairs for it, and `lfpiv run` refuses it: set \
+            "estimated from all pairs together",
+            "`lfpiv process` needs at least three pairs, and `lfpiv run` refuses this setting: set \
              image.background to \"constant\" or \"images\" for a run",
         )
     })
 }
 
-/// Memory for a pair that is measured while others wait.
+/// Memory needed for one pair in process and the pairs that wait.
 pub fn memory(config: &Config, plan: &Plan) -> Finding {
     const CHECK: &str = "memory";
     let waiting = Need::of(config).waiting_bytes();
     let pair = (plan.image_bytes + plan.view_bytes + plan.table_bytes) as f64;
     let needed = pair + waiting;
     let found = format!(
-        "{} for tables and a pair, {} for the images of pairs that wait at {} shots/s",
+        "{} for tables and a pair, {} for images of waiting pairs at {} shots/s",
         mb(pair),
         mb(waiting),
         config.shot.rate_hz
@@ -179,7 +184,7 @@ pub fn memory(config: &Config, plan: &Plan) -> Finding {
     let finding = match free_memory_bytes() {
         Some(free) if free < needed => {
             let found = format!("{found}; {} free", mb(free));
-            let todo = "end other programs, lower pipeline.queue, or make the volume smaller";
+            let todo = "close other programs, lower pipeline.queue, or make the volume smaller";
             Finding::advice(CHECK, found, todo)
         }
         Some(free) => Finding::ok(CHECK, format!("{found}; {} free", mb(free))),
@@ -188,14 +193,14 @@ pub fn memory(config: &Config, plan: &Plan) -> Finding {
     finding.with("needed_mb", needed / 1e6)
 }
 
-/// Seconds of a pair against the rate of shots.
+/// Expected processing time of a pair against the rate of shots.
 pub fn time(config: &Config, expected: &anyhow::Result<StageSeconds>) -> Finding {
     const CHECK: &str = "time";
     let seconds = match expected {
         Ok(seconds) => seconds,
         Err(error) => {
             let found = format!("unknown: {error:#}");
-            return Finding::advice(CHECK, found, "correct [simulation], or measure a pair");
+            return Finding::advice(CHECK, found, "correct [simulation], or process a pair");
         }
     };
     let pair_s = seconds.total_s();
@@ -208,8 +213,8 @@ pub fn time(config: &Config, expected: &anyhow::Result<StageSeconds>) -> Finding
     let load = pair_s * config.shot.rate_hz;
     let finding = if load > 1.0 {
         let todo = format!(
-            "at {} shots/s about one in {:.0} is measured meanwhile; a run keeps the images of the \
-             others, and `lfpiv process RUN` measures them afterwards",
+            "at {} shots/s about one in {:.0} is measured during the run; a run records the images \
+             of the others, and `lfpiv process RUN` measures them afterwards",
             config.shot.rate_hz,
             load.ceil()
         );
@@ -220,7 +225,7 @@ pub fn time(config: &Config, expected: &anyhow::Result<StageSeconds>) -> Finding
     finding.with("pair_s", pair_s)
 }
 
-/// Two digits are what an estimate is worth.
+/// Two significant digits, which is the accuracy of an estimate.
 fn in_digits(value: f64) -> String {
     match value {
         10.0.. => format!("{value:.0}"),

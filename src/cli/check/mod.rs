@@ -1,4 +1,4 @@
-//! `lfpiv check`: is the configuration right, and what will be done with it?
+//! `lfpiv check`: validates a configuration and shows what a run will do.
 
 mod advice;
 mod sample;
@@ -20,17 +20,17 @@ pub struct CheckArgs {
     /// Configuration file (TOML).
     #[arg(long, value_name = "FILE")]
     pub config: PathBuf,
-    /// Leave out the expected seconds: no piece of the volume is simulated and measured for them.
+    /// Leave out the expected seconds, for which a part of the volume is simulated and measured.
     #[arg(long)]
     pub quick: bool,
 }
 
-/// Validates a configuration, sets the measurement up and prints what it will do, and what could be
+/// Validates a configuration, sets the measurement up, and prints what it will do and what could be
 /// better.
 pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
     let file = ConfigFile::load_for(Purpose::Bench, &args.config)?;
     let mut processor = Processor::timed(file.config.measurement(), monotonic)
-        .with_context(|| format!("{} cannot be measured with", args.config.display()))?;
+        .with_context(|| format!("no measurement is possible with {}", args.config.display()))?;
     if file.config.image.background == Background::Images {
         processor.learn_background(&background_images(&file.config)?)?;
     }
@@ -38,7 +38,7 @@ pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
     print(&format!("{path} is valid.\n\n{}\n{plan}", summary(&file.config)))?;
     // The tables of the whole volume are no longer needed, and may be large.
     drop(processor);
-    let mut findings = advice::of_configuration(&file.config);
+    let mut findings = advice::for_configuration(&file.config);
     findings.push(advice::memory(&file.config, &plan));
     if !args.quick {
         findings.push(advice::time(&file.config, &sample::expected(&file.config, &plan)));
@@ -46,7 +46,7 @@ pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
     print(&finding::report(&findings))
 }
 
-/// What is known from the configuration alone, one line per subject.
+/// Summary of the configuration, one line per subject.
 fn summary(config: &Config) -> String {
     let mut lines = vec![
         ("cameras", cameras(config)),

@@ -1,12 +1,12 @@
-//! How long a pair will take here, measured on a piece of the volume.
+//! Expected processing time of a pair, extrapolated from a part of the volume.
 //!
-//! The work in a pair follows from how many voxels its light leaves possible, and that from seeding,
-//! depths, noise and solver together. No formula says it well, so a piece of the volume is simulated
-//! and measured as any pair is, on this machine as busy as it is, and its seconds are scaled.
+//! The work for a pair depends on the number of active voxels, which results from seeding, depths,
+//! noise and solver together and has no simple formula. Therefore a part of the volume is simulated
+//! and measured like any pair, on this machine under its present load, and the time is scaled.
 //!
-//! The piece is a slab across an axis that every camera sees from the side: depths, and so the
-//! widths of shadows and the share of false voxels, are those of the whole volume. SART over the whole
-//! volume visits every voxel in every pass, so one pass over a cube says all.
+//! The part is a slab across an axis that every camera sees from the side. Depths, and thus shadow
+//! widths and the share of false voxels, are those of the whole volume. SART on the whole volume
+//! visits every voxel in every pass, so one pass over a cube is sufficient.
 
 use anyhow::Context;
 use lfpiv_core::{
@@ -21,31 +21,31 @@ use tracing::subscriber::NoSubscriber;
 
 use crate::{config::Config, pipeline::monotonic};
 
-/// Particles per microlens where the configuration has no scene that says it.
+/// Assumed particles per microlens if the configuration has no scene.
 pub const ASSUMED_PPM: f64 = 0.5;
 
-/// Edge of a cube, in voxels: wide enough that work and not the start of threads is measured.
+/// Edge of the cube, in voxels: large enough that the start of threads is negligible.
 const CUBE_VOX: usize = 16;
 
-/// A slab is at least so thick, in voxels.
+/// Smallest thickness of the slab, in voxels.
 const LEAST_SLAB_VOX: usize = 16;
 
-/// Pieces measured in less than this are measured twice: the first pair finds cold caches.
+/// Parts measured in less time than this are measured twice, because the first run has cold caches.
 const SHORT_S: f64 = 1.0;
 
-/// The seconds that a pair of `config`'s bench will take on this machine; `plan` is that of the whole
+/// The expected seconds of a pair of `config`'s bench on this machine; `plan` is that of the whole
 /// volume.
 ///
 /// # Errors
-/// A scene or a piece of the volume that cannot be simulated or measured.
+/// A scene or a part of the volume that cannot be simulated or measured.
 pub fn expected(config: &Config, plan: &Plan) -> anyhow::Result<StageSeconds> {
-    // What is logged about a piece is not about the bench.
+    // Log messages about the part would be misleading.
     tracing::subscriber::with_default(NoSubscriber::default(), || {
         expected_by(config, &|piece| measure(piece, plan))
     })
 }
 
-/// [`expected`], with what a piece takes as `measure` tells it.
+/// [`expected`], with the time for a part given by `measure`.
 fn expected_by(
     config: &Config,
     measure: &dyn Fn(&Config) -> anyhow::Result<StageSeconds>,
@@ -54,7 +54,7 @@ fn expected_by(
     let sart =
         matches!(settings.solver, Solver::Sart | Solver::OsSart) && !settings.on_active_voxels();
     let piece = if sart { one_pass(cube(config)) } else { slab(config) };
-    let measured = measure(&piece).context("a piece of the volume cannot be measured")?;
+    let measured = measure(&piece).context("a part of the volume cannot be measured")?;
     let voxels = larger(config, &piece);
     let passes = if sart { config.reconstruction.sart_passes() as f64 } else { 1.0 };
     Ok(StageSeconds {
@@ -65,7 +65,7 @@ fn expected_by(
     })
 }
 
-/// Seconds of a pair of this piece. Decoding is scaled to the views of the whole volume.
+/// Seconds for a pair of this part. Decoding is scaled to the views of the whole volume.
 fn measure(piece: &Config, whole: &Plan) -> anyhow::Result<StageSeconds> {
     let (bench, scene) = (piece.bench_geometry(), scene(piece));
     scene.check(&bench)?;
@@ -85,8 +85,8 @@ fn scene(config: &Config) -> Scene {
     config.simulation.clone().unwrap_or_else(assumed)
 }
 
-/// How many times larger the volume is than its piece. Around both are voxels that light may be in:
-/// half of the margin is counted.
+/// Ratio of the volume to its part. Both are surrounded by voxels that may contain light: half of
+/// the margin is counted.
 fn larger(config: &Config, piece: &Config) -> f64 {
     let margin = config.velocimetry.max_displacement_vox / 2.0 + 1.0;
     let along = |axis: usize| {
@@ -96,7 +96,8 @@ fn larger(config: &Config, piece: &Config) -> f64 {
     (0..3).map(along).product()
 }
 
-/// A slab across the longest axis that no camera looks along, seeded as densely as the whole.
+/// A slab across the longest axis that no camera looks along, with the seeding density of the
+/// whole.
 fn slab(config: &Config) -> Config {
     let from_the_side =
         |axis: &usize| config.camera.iter().all(|pose| pose.axis[*axis].abs() < 0.5);
@@ -107,7 +108,8 @@ fn slab(config: &Config) -> Config {
         most[axis] = search.max(LEAST_SLAB_VOX);
     }
     let mut slab = cut(config, most);
-    // Seeding counts particles per area of the volume's x and y: a thinner z has fewer.
+    // Seeding is counted per area of the volume's x and y, so a thinner z has fewer particles per
+    // area.
     let thinner = slab.volume.voxels[2] as f64 / config.volume.voxels[2] as f64;
     let scene = scene(config);
     let sheet_mm = scene.sheet_mm.map(|mut sheet| {
@@ -120,7 +122,7 @@ fn slab(config: &Config) -> Config {
     slab
 }
 
-/// A cube in the volume's middle with as many particles under a microlens.
+/// A cube in the centre of the volume with the same number of particles per microlens.
 fn cube(config: &Config) -> Config {
     let mut cube = cut(config, [CUBE_VOX; 3]);
     cube.simulation = Some(Scene { sheet_mm: None, ..scene(config) });
@@ -132,8 +134,8 @@ fn one_pass(mut piece: Config) -> Config {
     piece
 }
 
-/// The configuration for a part of its volume, at most so many voxels long. What is known about
-/// images holds for those of the bench, not for simulated ones.
+/// The configuration with the volume limited to `most` voxels. Image settings are reset, because
+/// they describe images of the bench, not simulated ones.
 fn cut(config: &Config, most: [usize; 3]) -> Config {
     let VolumeGrid { voxels, .. } = config.volume;
     let voxels = std::array::from_fn(|axis| voxels[axis].min(most[axis]));
@@ -157,7 +159,7 @@ mod tests {
         reconstruction::{Reconstructor, ViewLevels},
     };
 
-    /// The second camera of the bench, turned about x until it looks `degrees` beside the first.
+    /// The bench's cameras, with the second one at an angle of `degrees` to the first about x.
     fn cameras(degrees: f64) -> Vec<CameraTable> {
         let mut poses = small().camera;
         let (sin, cos) = degrees.to_radians().sin_cos();
@@ -171,8 +173,8 @@ mod tests {
         Config::parse("small", text).unwrap()
     }
 
-    /// Views times active voxels, summed over the passes: what the solver's time goes with, whatever
-    /// the machine does besides.
+    /// Views times active voxels, summed over the passes. The solver's time is proportional to it,
+    /// whatever the load of the machine.
     fn work(config: &Config) -> anyhow::Result<StageSeconds> {
         let (optics, scene) = (&config.optics, scene(config));
         let bench = config.bench_geometry();
@@ -197,10 +199,10 @@ mod tests {
         Ok(StageSeconds { reconstruct_s, ..StageSeconds::default() })
     }
 
-    /// The work in a long volume follows from that in a slab of it, at light seeding and at heavy,
-    /// with cameras along the axes and beside them.
+    /// The work in a long volume is predicted from that in a slab, at low and high seeding, with
+    /// cameras along the axes and at other angles.
     #[test]
-    fn the_work_in_a_slab_tells_that_in_the_volume() {
+    fn the_work_in_a_slab_predicts_that_in_the_volume() {
         let mut config = small();
         config.optics.microlens.columns = 81;
         config.optics.sensor.columns = 1480;
@@ -223,7 +225,7 @@ mod tests {
         assert_eq!(piece.volume.voxels, [16, 20, 16]);
         assert_eq!(piece.simulation.as_ref().unwrap().ppm, scene(&config).ppm);
         assert!((larger(&config, &piece) - 102.0 / 18.0).abs() < 1e-12);
-        // Cameras along x and y: the slab lies across z, with fewer particles under a microlens.
+        // Cameras along x and y: the slab is across z, with fewer particles per microlens.
         config.volume.voxels = [20, 20, 64];
         let x = Pose {
             right: -Vector3::z(),

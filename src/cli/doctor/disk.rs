@@ -1,4 +1,4 @@
-//! The output folder: may it be written, how fast, and how long will it last?
+//! Checks the output folder: whether it can be written, its speed, and its free space.
 
 use std::{
     fs::{self, File, OpenOptions},
@@ -11,29 +11,30 @@ use rustix::fs::{StatVfs, statvfs};
 
 use super::{Finding, Need};
 
-/// Bytes that are written at most.
+/// Largest number of bytes to write.
 const SAMPLE_BYTES: u64 = 256 << 20;
 const BLOCK_BYTES: usize = 4 << 20;
-/// No disk is measured for longer.
+/// Longest time to write.
 const SAMPLE_TIME: Duration = Duration::from_secs(4);
-/// Of the free room, one part in so many is written at most.
+/// Largest part of the free space to write: one in this number.
 const SAMPLE_PART: u64 = 4;
-/// Less than this says nothing about a disk.
+/// With fewer bytes the speed cannot be measured.
 const LEAST_SAMPLE_BYTES: u64 = 8 << 20;
-/// A disk that is only just fast enough is not, beside everything else.
+/// Required ratio of the disk's speed to the bench's data rate, because the disk has other work,
+/// too.
 const SPEED_MARGIN: f64 = 2.0;
-/// Hours of shots for which there should be room, and must be.
+/// Hours of shots for which space should be free (advice below), and must be free (problem below).
 const ROOM_HOURS: f64 = 1.0;
 const LEAST_ROOM_HOURS: f64 = 10.0 / 60.0;
 
-/// Writing, its speed, and free room.
+/// Checks writing, its speed, and free space.
 pub fn examine(output: &Path, need: Option<&Need>) -> Vec<Finding> {
     let folder = nearest_existing(output);
     let place = folder.display();
     let free_bytes = match statvfs(&folder) {
         Ok(statistics) => free_bytes(&statistics),
         Err(error) => {
-            let todo = "give a folder that this user may look into as output.dir";
+            let todo = "set output.dir to a folder that this user can access";
             return vec![Finding::problem("output folder", format!("{place}: {error}"), todo)];
         }
     };
@@ -48,18 +49,18 @@ pub fn examine(output: &Path, need: Option<&Need>) -> Vec<Finding> {
             let found = format!("{place} cannot be written: {error}");
             return vec![
                 Finding::problem("output folder", found, todo),
-                free_room(&folder, free_bytes, need),
+                free_space(&folder, free_bytes, need),
             ];
         }
     };
     vec![
         Finding::ok("output folder", format!("{place} can be written")),
         writing_speed(&folder, written, need),
-        free_room(&folder, free_bytes, need),
+        free_space(&folder, free_bytes, need),
     ]
 }
 
-/// The folder itself or the one in which it would be made.
+/// The folder itself, or its closest existing ancestor.
 fn nearest_existing(folder: &Path) -> PathBuf {
     let absolute = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
     let existing = absolute.ancestors().find(|ancestor| ancestor.is_dir());
@@ -70,7 +71,7 @@ fn free_bytes(statistics: &StatVfs) -> u64 {
     statistics.f_bavail.saturating_mul(statistics.f_frsize)
 }
 
-/// Bytes written and synced, and the time it took.
+/// Bytes written and synced, and the time taken.
 #[derive(Debug, Clone, Copy)]
 struct Written {
     bytes: u64,
@@ -83,10 +84,10 @@ impl Written {
     }
 }
 
-/// Writes up to `sample` bytes and syncs them, in a file that has no name any more: nothing is
-/// left behind, whatever happens.
+/// Writes up to `sample` bytes and syncs them, in an unlinked file, so that nothing is left behind
+/// in any case.
 fn measure(folder: &Path, sample: u64) -> io::Result<Written> {
-    let mut file = nameless_file(folder)?;
+    let mut file = unlinked_file(folder)?;
     let block = incompressible_block();
     let (began, mut bytes) = (Instant::now(), 0);
     while bytes < sample && began.elapsed() < SAMPLE_TIME {
@@ -98,14 +99,15 @@ fn measure(folder: &Path, sample: u64) -> io::Result<Written> {
     Ok(Written { bytes, time: began.elapsed() })
 }
 
-fn nameless_file(folder: &Path) -> io::Result<File> {
+fn unlinked_file(folder: &Path) -> io::Result<File> {
     let path = folder.join(format!(".lfpiv-doctor-{}", std::process::id()));
     let file = OpenOptions::new().write(true).create_new(true).open(&path)?;
     fs::remove_file(&path)?;
     Ok(file)
 }
 
-/// File systems that compress must not look faster than they are with camera noise.
+/// Incompressible data, as camera noise is: a compressing file system would otherwise look too
+/// fast.
 fn incompressible_block() -> Vec<u8> {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     let words = std::iter::repeat_with(|| {
@@ -122,8 +124,8 @@ fn writing_speed(folder: &Path, written: Written, need: Option<&Need>) -> Findin
     const CHECK: &str = "writing speed";
     let place = folder.display();
     if written.bytes < LEAST_SAMPLE_BYTES {
-        let found = format!("{place} has too little room to measure it");
-        return Finding::advice(CHECK, found, "make room, then ask again");
+        let found = format!("{place} has too little free space to measure it");
+        return Finding::advice(CHECK, found, "free some space, then run this again");
     }
     let speed = written.bytes_per_s();
     let found = format!(
@@ -134,24 +136,28 @@ fn writing_speed(folder: &Path, written: Written, need: Option<&Need>) -> Findin
     let finding = match need {
         None => Finding::ok(CHECK, found),
         Some(need) => {
-            let brought = need.bytes_per_s();
-            let found = format!("{found}; the bench brings {}", mb_per_s(brought));
+            let produced = need.bytes_per_s();
+            let found = format!("{found}; the bench produces {}", mb_per_s(produced));
             let faster = "put output.dir on a faster disk (a local SSD), or lower shot.rate_hz";
-            if speed < brought {
+            if speed < produced {
                 Finding::problem(CHECK, found, faster)
-            } else if speed < SPEED_MARGIN * brought {
-                Finding::advice(CHECK, found, format!("half of it should do: {faster}"))
+            } else if speed < SPEED_MARGIN * produced {
+                Finding::advice(
+                    CHECK,
+                    found,
+                    format!("the disk should be twice as fast as the bench: {faster}"),
+                )
             } else {
                 Finding::ok(CHECK, found)
             }
-            .with("needed_mb_per_s", brought / 1e6)
+            .with("needed_mb_per_s", produced / 1e6)
         }
     };
     finding.with("write_mb_per_s", speed / 1e6)
 }
 
-fn free_room(folder: &Path, free_bytes: u64, need: Option<&Need>) -> Finding {
-    const CHECK: &str = "free room";
+fn free_space(folder: &Path, free_bytes: u64, need: Option<&Need>) -> Finding {
+    const CHECK: &str = "free space";
     let found = format!("{:.1} GB in {}", free_bytes as f64 / 1e9, folder.display());
     let finding = match need {
         None => Finding::ok(CHECK, found),
@@ -191,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_left_behind_and_what_was_written_is_measured() {
+    fn the_written_bytes_are_measured_and_no_file_remains() {
         let folder = tempfile::tempdir().unwrap();
         let written = measure(folder.path(), 9_000_000).unwrap();
         assert_eq!(written.bytes, 9_000_000);
@@ -200,10 +206,10 @@ mod tests {
     }
 
     #[test]
-    fn the_speed_is_held_against_what_the_bench_brings() {
+    fn the_speed_is_compared_with_the_data_rate_of_the_bench() {
         let written = Written { bytes: 100_000_000, time: Duration::from_secs(1) };
         let verdict =
-            |brought| writing_speed(Path::new("/x"), written, Some(&need(brought))).verdict;
+            |produced| writing_speed(Path::new("/x"), written, Some(&need(produced))).verdict;
         assert_eq!(verdict(40_000_000), Verdict::Ok);
         assert_eq!(verdict(60_000_000), Verdict::Advice);
         assert_eq!(verdict(110_000_000), Verdict::Problem);
@@ -211,9 +217,9 @@ mod tests {
     }
 
     #[test]
-    fn the_room_is_counted_in_hours_of_shots() {
+    fn free_space_is_stated_in_hours_of_shots() {
         let hour = 3600 * 1_000_000_u64;
-        let finding = |bytes| free_room(Path::new("/x"), bytes, Some(&need(1_000_000)));
+        let finding = |bytes| free_space(Path::new("/x"), bytes, Some(&need(1_000_000)));
         assert_eq!(finding(2 * hour).verdict, Verdict::Ok);
         assert_eq!(finding(hour / 2).verdict, Verdict::Advice);
         assert_eq!(finding(hour / 10).verdict, Verdict::Problem);
@@ -221,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_is_not_there_yet_is_looked_for_above() {
+    fn the_nearest_existing_ancestor_of_a_folder_is_found() {
         let root = tempfile::tempdir().unwrap();
         assert_eq!(nearest_existing(&root.path().join("a/b")), root.path());
     }

@@ -1,4 +1,4 @@
-//! Where the daemon will listen, and who may talk to it.
+//! Checks the server's address and its token file.
 
 use std::{
     fs,
@@ -13,12 +13,12 @@ use rustix::process::geteuid;
 
 use super::Finding;
 
-/// How long an answer is waited for.
+/// How long to wait for an answer.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Bits that let others than the owner at a file.
+/// Mode bits that give other users access to a file.
 const OTHERS: u32 = 0o077;
 
-/// Whether the address is free, or who has it.
+/// Whether the address is free, and which program uses it otherwise.
 pub fn address(address: SocketAddr) -> Finding {
     const CHECK: &str = "address";
     match TcpListener::bind(address) {
@@ -26,20 +26,20 @@ pub fn address(address: SocketAddr) -> Finding {
         Err(error) if error.kind() == io::ErrorKind::AddrInUse => {
             if is_lfpiv(address) {
                 let found = format!("another lfpiv runs at {address}");
-                Finding::advice(CHECK, found, "end it before the next run")
+                Finding::advice(CHECK, found, "stop it before the next run")
             } else {
-                let found = format!("another program has {address}");
-                Finding::problem(CHECK, found, "end it, or change server.address")
+                let found = format!("another program uses {address}");
+                Finding::problem(CHECK, found, "stop it, or change server.address")
             }
         }
         Err(error) => {
             let found = format!("{address} cannot be used: {error}");
-            Finding::problem(CHECK, found, "give server.address an address of this machine")
+            Finding::problem(CHECK, found, "set server.address to an address of this machine")
         }
     }
 }
 
-/// Whether what listens there answers as this program does, if need be by asking for a token.
+/// Whether the listening program answers like lfpiv, possibly by asking for a token.
 fn is_lfpiv(address: SocketAddr) -> bool {
     let ask = || -> io::Result<String> {
         let mut stream = TcpStream::connect_timeout(&address, PATIENCE)?;
@@ -55,7 +55,7 @@ fn is_lfpiv(address: SocketAddr) -> bool {
     ask().is_ok_and(|answer| answer.contains("code_version") || answer.contains("lfpiv"))
 }
 
-/// The file of tokens, when the configuration names one: nobody else may read it.
+/// Checks the token file, if the configuration names one: no other user may read it.
 pub fn tokens(configuration: &str) -> Option<Finding> {
     const CHECK: &str = "tokens";
     let path = tokens_file(configuration)?;
@@ -64,7 +64,11 @@ pub fn tokens(configuration: &str) -> Option<Finding> {
         Ok(metadata) => (metadata.permissions().mode() & 0o777, metadata.uid()),
         Err(error) => {
             let found = format!("{name}: {error}");
-            return Some(Finding::problem(CHECK, found, "make the file or correct server.tokens"));
+            return Some(Finding::problem(
+                CHECK,
+                found,
+                "create the file or correct server.tokens",
+            ));
         }
     };
     let found = format!("{name} has mode {mode:04o}");
@@ -76,7 +80,7 @@ pub fn tokens(configuration: &str) -> Option<Finding> {
     Some(if mode & OTHERS == 0 {
         Finding::ok(CHECK, found)
     } else {
-        Finding::problem(CHECK, format!("{found}: others may read it"), format!("chmod 600 {name}"))
+        Finding::problem(CHECK, format!("{found}: others can read it"), format!("chmod 600 {name}"))
     })
 }
 
@@ -95,12 +99,12 @@ mod tests {
     use crate::cli::doctor::Verdict;
 
     #[test]
-    fn tokens_are_for_the_owner_only() {
+    fn only_the_owner_may_read_tokens() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("tokens");
         let text = format!("[server]\ntokens = \"{}\"\n", path.display());
         assert_eq!(tokens("[server]\naddress = '127.0.0.1:1'"), None);
-        assert_eq!(tokens(&text).unwrap().verdict, Verdict::Problem, "it is not there");
+        assert_eq!(tokens(&text).unwrap().verdict, Verdict::Problem, "the file is missing");
         fs::write(&path, "read abc\n").unwrap();
         for (mode, verdict) in [(0o640, Verdict::Problem), (0o600, Verdict::Ok)] {
             fs::set_permissions(&path, fs::Permissions::from_mode(mode)).unwrap();
@@ -109,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn whoever_has_the_address_is_asked_for_its_name() {
+    fn the_program_at_the_address_is_identified() {
         for (answer, verdict) in [
             ("HTTP/1.1 200 OK\r\n\r\n{\"code_version\":\"0.1.0\"}", Verdict::Advice),
             ("220 mail ready\r\n", Verdict::Problem),

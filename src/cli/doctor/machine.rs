@@ -1,4 +1,4 @@
-//! Processor, memory and limits.
+//! Checks processor, memory and limits.
 
 use std::fs;
 
@@ -11,12 +11,12 @@ use super::{
 };
 use crate::{config::ServerSettings, server::open_files_needed};
 
-/// Memory of tables and volumes of a large bench.
+/// Memory for tables and volumes of a large bench.
 const PROGRAM_BYTES: f64 = 512e6;
-/// Below this a run itself may be short of files.
+/// A run needs at least this many open files.
 const LEAST_FILES: u64 = 256;
 
-/// Everything about the machine that needs no configuration, though one sharpens it.
+/// Checks of the machine; a configuration, if given, makes them more exact.
 pub fn examine(need: Option<&Need>, server: &ServerSettings) -> Vec<Finding> {
     let available = free_memory_bytes();
     let governor = fs::read_to_string("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
@@ -31,7 +31,7 @@ pub fn examine(need: Option<&Need>, server: &ServerSettings) -> Vec<Finding> {
 
 fn processor(cores: usize, sets: &[&str]) -> Finding {
     const CHECK: &str = "processor";
-    let words = if sets.is_empty() { "no vector instructions known" } else { &sets.join(", ") };
+    let words = if sets.is_empty() { "no known vector instructions" } else { &sets.join(", ") };
     let found = format!("{cores} cores, {words}");
     let fast = sets.iter().any(|set| ["avx2", "avx512f", "neon"].contains(set));
     let finding = if !fast {
@@ -39,7 +39,7 @@ fn processor(cores: usize, sets: &[&str]) -> Finding {
             CHECK,
             found,
             "the reconstruction runs several times slower without AVX2: use a newer machine, or \
-             let the hypervisor pass the host's processor through",
+             let the hypervisor pass through the host's processor",
         )
     } else if cores < 2 {
         let todo = "acquisition and processing share a core: give at least two";
@@ -50,7 +50,7 @@ fn processor(cores: usize, sets: &[&str]) -> Finding {
     finding.with("cores", cores as f64)
 }
 
-/// Vector instructions that the code has paths for.
+/// Vector instructions that the code can use.
 fn instruction_sets() -> Vec<&'static str> {
     #[cfg(target_arch = "x86_64")]
     let sets = [
@@ -66,7 +66,7 @@ fn instruction_sets() -> Vec<&'static str> {
     sets.into_iter().filter(|(_, there)| *there).map(|(name, _)| name).collect()
 }
 
-/// Memory that programs may still have, in bytes, where the system tells.
+/// Available memory in bytes, if the system reports it.
 pub fn free_memory_bytes() -> Option<f64> {
     fs::read_to_string("/proc/meminfo").ok().and_then(|text| available(&text))
 }
@@ -82,11 +82,11 @@ fn memory(available: Option<f64>, need: Option<&Need>) -> Finding {
     const CHECK: &str = "memory";
     let Some(available) = available else {
         let todo = "make sure that some GB are free";
-        return Finding::advice(CHECK, "/proc/meminfo does not tell", todo);
+        return Finding::advice(CHECK, "/proc/meminfo cannot be read", todo);
     };
     let needed = PROGRAM_BYTES + need.map_or(0.0, Need::waiting_bytes);
     let found = format!("{} free, up to {} needed", mb(available), mb(needed));
-    let todo = "end other programs, add memory or lower pipeline.queue";
+    let todo = "close other programs, add memory or lower pipeline.queue";
     let finding = if available < needed {
         Finding::problem(CHECK, found, todo)
     } else if available < 2.0 * needed {
@@ -105,16 +105,16 @@ fn power(governor: Option<&str>) -> Finding {
         Some(name) => Finding::advice(
             CHECK,
             name,
-            "it may slow the processor while frames come: sudo cpupower frequency-set -g \
+            "it may slow down the processor during acquisition: sudo cpupower frequency-set -g \
              performance",
         ),
     }
 }
 
-/// What a process may do to have its receiving threads run first.
+/// Limits that decide whether receiving threads can have priority.
 #[derive(Clone, Copy)]
 struct Priorities {
-    /// `CAP_SYS_NICE`: any.
+    /// `CAP_SYS_NICE`, which allows any priority.
     capability: bool,
     /// Limit on real-time priority; `None` for no limit.
     realtime: Option<u64>,
@@ -141,7 +141,8 @@ fn has_sys_nice(status: &str) -> bool {
     bits.is_some_and(|bits| bits >> CAP_SYS_NICE & 1 == 1)
 }
 
-/// Real-time scheduling serves best: nice levels count within a session only.
+/// Checks the priority of receiving threads. Real-time scheduling is best, because nice levels
+/// count within a session only.
 fn priority(may: &Priorities) -> Finding {
     const CHECK: &str = "priority";
     const TODO: &str = "frames may be lost while other programs are busy: run as the service \
@@ -169,7 +170,7 @@ fn files(hard_limit: Option<u64>, server: &ServerSettings) -> Finding {
     let finding = if limit < LEAST_FILES {
         Finding::problem(CHECK, found, todo)
     } else if limit < needed {
-        let todo = format!("{todo}; until then there are fewer places for connections");
+        let todo = format!("{todo}; until then fewer connections are allowed");
         Finding::advice(CHECK, found, todo)
     } else {
         Finding::ok(CHECK, found)
@@ -183,7 +184,7 @@ mod tests {
     use crate::cli::doctor::Verdict;
 
     #[test]
-    fn memory_is_read_in_bytes_and_held_against_the_frames() {
+    fn available_memory_is_compared_with_the_need_of_the_frames() {
         let text = "MemTotal:  16000000 kB\nMemAvailable:    2000000 kB\n";
         assert_eq!(available(text), Some(2_048_000_000.0));
         assert_eq!(available("MemTotal: 1 kB\n"), None);

@@ -1,5 +1,5 @@
-//! `lfpiv doctor`: is this machine fit for the bench? Each check has a verdict, what was measured,
-//! and what to do.
+//! `lfpiv doctor`: checks whether this machine is fit for the bench. Each check gives a verdict,
+//! measured values, and advice.
 
 mod clock;
 mod disk;
@@ -24,16 +24,16 @@ pub use need::Need;
 /// Arguments of `lfpiv doctor`.
 #[derive(Debug, clap::Args)]
 pub struct DoctorArgs {
-    /// Configuration file (TOML): what the machine is held against. Without it the machine alone
-    /// is looked at.
+    /// Configuration file (TOML) of the bench that the machine must serve. Without it, only the
+    /// machine itself is checked.
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
-    /// For machines: one JSON object.
+    /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
 }
 
-/// Looks at everything and says what to do; an error only where there is a problem.
+/// Runs all checks and prints the findings; fails only if there is a problem.
 pub fn doctor(args: &DoctorArgs) -> anyhow::Result<()> {
     let file = args.config.as_deref();
     let file = file.map(|path| ConfigFile::load_for(Purpose::Bench, path)).transpose()?;

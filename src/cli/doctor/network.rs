@@ -1,4 +1,4 @@
-//! The way of the frames: receive buffers, packet sizes, speed of the line.
+//! Checks the network between cameras and host: receive buffers, packet sizes, line speed.
 
 use std::{collections::BTreeMap, fs, net::Ipv4Addr};
 
@@ -11,18 +11,17 @@ use super::{
 };
 
 const RMEM_MAX: &str = "/proc/sys/net/core/rmem_max";
-/// What a socket must be able to hold while the receiver is not scheduled, or most frames are
-/// lost.
+/// Smallest socket buffer: with less, most frames are lost while the receiver is not scheduled.
 const LEAST_BUFFER_BYTES: u32 = 1 << 20;
-/// Share of a line that frames may take.
+/// Largest share of a line that frames may use.
 const LINE_SHARE: f64 = 0.9;
-/// From this on, packets of 1500 bytes cost the host too much.
+/// Data rate from which packets of 1500 bytes cost too much processor time.
 const JUMBO_BYTES_PER_S: f64 = 60e6;
 const ETHERNET_MTU_BYTES: u32 = 1500;
-/// `CAP_NET_ADMIN`, with which `net.core.rmem_max` is no limit.
+/// `CAP_NET_ADMIN`, which overrides `net.core.rmem_max`.
 const NET_ADMIN_BIT: u64 = 1 << 12;
 
-/// Receive buffers, then one finding for each interface that leads to cameras.
+/// Checks the receive buffers and each interface that leads to cameras.
 pub fn examine(cameras: &[CameraSettings], need: Option<&Need>) -> Vec<Finding> {
     let limit = fs::read_to_string(RMEM_MAX).ok().and_then(|text| text.trim().parse().ok());
     let wanted = cameras.iter().map(|camera| camera.socket_buffer_bytes).max().unwrap_or(0);
@@ -46,7 +45,7 @@ pub fn examine(cameras: &[CameraSettings], need: Option<&Need>) -> Vec<Finding> 
     findings
 }
 
-/// Whether this process may go beyond `net.core.rmem_max`.
+/// Whether this process may exceed `net.core.rmem_max`.
 fn may_exceed_limits() -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let effective = status.lines().find_map(|line| line.strip_prefix("CapEff:"));
@@ -64,7 +63,7 @@ fn receive_buffer(limit: Option<u32>, wanted: u32, unlimited: bool) -> Finding {
         let found = "net.core.rmem_max cannot be read here (a network namespace)";
         return Finding::advice(CHECK, found, todo);
     };
-    let found = format!("{wanted} bytes asked for, net.core.rmem_max is {limit}");
+    let found = format!("{wanted} bytes requested, net.core.rmem_max is {limit}");
     let finding = if limit >= wanted {
         Finding::ok(CHECK, found)
     } else if unlimited {
@@ -81,7 +80,7 @@ fn no_route(camera: usize, ip: Ipv4Addr) -> Finding {
     Finding::problem(
         "network",
         format!("{}: no interface leads to {ip}", CameraName(camera)),
-        format!("give the interface that the camera is plugged into an address beside {ip}"),
+        format!("give the camera's interface an address in the network of {ip}"),
     )
 }
 
@@ -89,7 +88,7 @@ fn found_by_serial(camera: usize) -> Finding {
     Finding::advice(
         "network",
         format!("{} is configured by its serial number", CameraName(camera)),
-        "lfpiv devices shows its address; with instruments.camera.ip its interface is looked at",
+        "lfpiv devices shows its address; set instruments.camera.ip to have its interface checked",
     )
 }
 
@@ -104,17 +103,17 @@ fn packets(interface: &Interface, packet: u32, cameras: &[usize], need: Option<&
     let heavy = need.is_some_and(|need| need.line_bytes_per_s(cameras) > JUMBO_BYTES_PER_S);
     let finding = if packet > mtu {
         let todo = format!(
-            "sudo ip link set {name} mtu {packet} where card and switch can, or \
+            "sudo ip link set {name} mtu {packet}, if card and switch support it, or \
              packet_size_bytes = {mtu}"
         );
         Finding::problem(CHECK, found, todo)
     } else if !direct {
-        let todo = "GigE Vision wants the camera on the interface's own network: correct the \
+        let todo = "GigE Vision needs the camera on the interface's own network: correct the \
                     addresses";
         Finding::advice(CHECK, format!("{found}, behind a gateway"), todo)
     } else if heavy && packet <= ETHERNET_MTU_BYTES {
         let todo = format!(
-            "jumbo frames cost a sixth of the processor time: sudo ip link set {name} mtu 9000 \
+            "jumbo frames need a sixth of the processor time: sudo ip link set {name} mtu 9000 \
              and packet_size_bytes = 9000"
         );
         Finding::advice(CHECK, found, todo)
@@ -124,21 +123,22 @@ fn packets(interface: &Interface, packet: u32, cameras: &[usize], need: Option<&
     finding.with("mtu_bytes", mtu.into()).with("packet_size_bytes", packet.into())
 }
 
-/// Whether the frames fit through the line; nothing to say where the speed is not known.
+/// Checks whether the line can carry the frames; `None` if its speed is unknown.
 fn line_speed(interface: &Interface, cameras: &[usize], need: Option<&Need>) -> Option<Finding> {
     const CHECK: &str = "line speed";
     let (speed, need) = (interface.speed_mbit_s?, need?);
-    let brought = need.line_bytes_per_s(cameras);
+    let produced = need.line_bytes_per_s(cameras);
     let capacity = f64::from(speed) * 1e6 / 8.0;
-    let found = format!("{} brings {} of {} per second", interface.name, mb(brought), mb(capacity));
-    let finding = if brought > LINE_SHARE * capacity {
-        let todo = "lower shot.rate_hz, choose a smaller pixel format, or give each camera a line \
-                    of its own";
+    let found =
+        format!("{} carries {} of {} per second", interface.name, mb(produced), mb(capacity));
+    let finding = if produced > LINE_SHARE * capacity {
+        let todo = "lower shot.rate_hz, choose a smaller pixel format, or connect each camera to \
+                    its own line";
         Finding::problem(CHECK, found, todo)
     } else {
         Finding::ok(CHECK, found)
     };
-    Some(finding.with("speed_mbit_per_s", speed.into()).with("brought_mb_per_s", brought / 1e6))
+    Some(finding.with("speed_mbit_per_s", speed.into()).with("brought_mb_per_s", produced / 1e6))
 }
 
 #[cfg(test)]

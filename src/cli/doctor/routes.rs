@@ -1,4 +1,4 @@
-//! Which network interface leads to an address: the kernel's routing table, read.
+//! Finds the network interface for an address in the kernel's routing table.
 
 use std::{
     fs,
@@ -12,17 +12,17 @@ const INTERFACES: &str = "/sys/class/net";
 /// A network interface.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Interface {
-    /// As `ip link` shows it.
+    /// The name as shown by `ip link`.
     pub name: String,
     /// Largest packet, in bytes.
     pub mtu_bytes: Option<u32>,
-    /// Speed of the line, in Mbit/s; absent where it has none.
+    /// Speed of the line, in Mbit/s; `None` if unknown.
     pub speed_mbit_s: Option<u32>,
-    /// Whether the address is on its own network, not behind a gateway.
+    /// Whether the address is on the interface's own network, without a gateway.
     pub direct: bool,
 }
 
-/// The interface that leads to `address`; `None` when none does.
+/// The interface for `address`; `None` if there is no route.
 pub fn interface_to(address: Ipv4Addr) -> Option<Interface> {
     let (name, direct) = if address.is_loopback() {
         ("lo".to_owned(), true)
@@ -36,12 +36,12 @@ pub fn interface_to(address: Ipv4Addr) -> Option<Interface> {
     Some(Interface { mtu_bytes: number("mtu"), speed_mbit_s: number("speed"), name, direct })
 }
 
-/// Interface of the most specific route in the text of /proc/net/route, and whether it needs no
-/// gateway.
+/// The interface of the most specific route in the text of /proc/net/route, and whether the route
+/// is direct.
 fn route_to(table: &str, address: Ipv4Addr) -> Option<(String, bool)> {
     let routes = table.lines().skip(1).filter_map(|line| {
         let words: Vec<&str> = line.split_whitespace().collect();
-        // The bytes of an address, first byte first, printed as a number of this machine.
+        // The address's bytes in order, printed as a number in this machine's byte order.
         let number = |n: usize| u32::from_str_radix(words.get(n)?, 16).ok().map(u32::from_be);
         let (destination, gateway, mask) = (number(1)?, number(2)?, number(7)?);
         let leads_there = u32::from(address) & mask == destination;

@@ -1,5 +1,5 @@
-//! The synchroniser's serial port: is it there, and may it be used? It is not opened: that could
-//! disturb a unit at work.
+//! Checks whether the synchroniser's serial port exists and is accessible. It is not opened,
+//! because that could disturb a working unit.
 
 use std::{
     fs, io,
@@ -13,7 +13,7 @@ use super::Finding;
 
 const CHECK: &str = "serial port";
 
-/// Looks at the port.
+/// Checks the port.
 pub fn examine(port: &Path) -> Finding {
     let name = port.display();
     let metadata = match fs::metadata(port) {
@@ -23,17 +23,17 @@ pub fn examine(port: &Path) -> Finding {
     if !metadata.file_type().is_char_device() {
         return Finding::problem(
             CHECK,
-            format!("{name} is no serial port but a file of another kind"),
+            format!("{name} is not a serial port but a file of another kind"),
             "correct instruments.synchroniser.port; ls /dev/serial/by-id shows ports",
         );
     }
     match accessat(CWD, port, Access::READ_OK | Access::WRITE_OK, AtFlags::EACCESS) {
-        Ok(()) => Finding::ok(CHECK, format!("{name} is there and may be used")),
+        Ok(()) => Finding::ok(CHECK, format!("{name} exists and is accessible")),
         Err(error) => {
             let group = group_name(metadata.gid());
             Finding::problem(
                 CHECK,
-                format!("{name} may not be used by this user: {error}"),
+                format!("{name} is not accessible to this user: {error}"),
                 format!("sudo adduser \"$USER\" {group}, then log in again"),
             )
         }
@@ -45,17 +45,17 @@ fn unreachable(port: &Path, error: &io::Error) -> Finding {
     let found = format!("{name}: {error}");
     let missing = error.kind() == io::ErrorKind::NotFound;
     let todo = if missing && fs::symlink_metadata(port).is_ok() {
-        "the link leads nowhere: whoever makes the port is not running"
+        "the link leads nowhere: the program that creates the port is not running"
     } else if missing {
-        "plug the adapter in and look for it in /dev/serial/by-id; correct \
+        "plug in the adapter, find its name in /dev/serial/by-id and correct \
          instruments.synchroniser.port"
     } else {
-        "let this user look into the folder"
+        "give this user access to the folder"
     };
     Finding::problem(CHECK, found, todo)
 }
 
-/// The group's name, or its number where it has none.
+/// The group's name, or its number if it has none.
 fn group_name(gid: u32) -> String {
     let groups = fs::read_to_string("/etc/group").unwrap_or_default();
     let named = groups.lines().find_map(|line| {
@@ -78,10 +78,10 @@ mod tests {
     }
 
     #[test]
-    fn a_port_is_a_character_device_that_is_there() {
+    fn a_port_is_an_existing_character_device() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("ttyUSB0");
-        assert!(examine(&path).advice.unwrap().contains("plug the adapter in"));
+        assert!(examine(&path).advice.unwrap().contains("plug in the adapter"));
         std::os::unix::fs::symlink("/nowhere/at/all", &path).unwrap();
         assert!(examine(&path).advice.unwrap().contains("link leads nowhere"));
         let file = folder.path().join("file");

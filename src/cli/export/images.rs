@@ -1,4 +1,4 @@
-//! The images of a recorded run, as TIFF files.
+//! Exports the images of a recorded run as TIFF files.
 
 use anyhow::{Context, bail};
 
@@ -7,14 +7,14 @@ use crate::{
     acquisition::journal::RecordedRun,
     archive::{FileDepth, write_pair},
     cli::{
-        losses::{Losses, tell_cut_off},
+        losses::{Losses, warn_if_cut_off},
         output::{count, print, progress_bar},
         recording::refuse_running,
     },
 };
 
-/// Writes a pair folder per shot, and the run's configuration beside them. Shots whose images cannot
-/// be read are left out, and said.
+/// Writes a pair folder per shot and the run's configuration. Shots whose images cannot be read are
+/// reported and left out.
 pub(super) fn export(args: &ExportArgs) -> anyhow::Result<()> {
     let mut recorded = RecordedRun::open(&args.run)?;
     let is_running = refuse_running(&args.run).is_err();
@@ -22,12 +22,12 @@ pub(super) fn export(args: &ExportArgs) -> anyhow::Result<()> {
         recorded = recorded.finished();
     }
     let index = recorded.index();
-    let shots: Vec<_> = index.shots.values().filter(|shot| args.wants(shot.trigger)).collect();
+    let shots: Vec<_> = index.shots.values().filter(|shot| args.includes(shot.trigger)).collect();
     let mut losses = if is_running { Losses::default() } else { Losses::of(&args.run, &index) };
-    losses.only(|shot| args.wants(*shot));
+    losses.only(|shot| args.includes(*shot));
     if shots.is_empty() && losses.is_empty() {
         bail!(
-            "{} holds no such shot: it has {}",
+            "{} has none of these shots: it has {}",
             args.run.display(),
             count(index.shots.len(), "shot")
         );
@@ -53,7 +53,7 @@ pub(super) fn export(args: &ExportArgs) -> anyhow::Result<()> {
         .with_context(|| format!("cannot write {}", configuration.display()))?;
     print(&format!("{} in {}", count(exported, "pair"), args.out.display()))?;
     if !is_running {
-        tell_cut_off(&args.run, &index);
+        warn_if_cut_off(&args.run, &index);
     }
     losses.conclude()
 }

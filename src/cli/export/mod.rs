@@ -1,4 +1,4 @@
-//! `lfpiv export`: a run in the files of other programs, its images or its vectors.
+//! `lfpiv export`: writes a run's images or vectors in the formats of other programs.
 
 mod images;
 mod vectors;
@@ -12,7 +12,7 @@ use super::shot_range::shot_range;
 /// Arguments of `lfpiv export`.
 #[derive(Debug, clap::Args)]
 pub struct ExportArgs {
-    /// Folder of the run. Vectors are also taken from a folder that `lfpiv process` has written.
+    /// Folder of the run. Vectors can also be exported from an output folder of `lfpiv process`.
     #[arg(value_name = "RUN")]
     pub run: PathBuf,
     /// Folder for the files.
@@ -26,20 +26,20 @@ pub struct ExportArgs {
     pub shots: Option<RangeInclusive<u64>>,
 }
 
-/// What is written.
+/// The output format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// The recorded images: a folder of TIFF files for each shot, as `lfpiv process` reads them.
+    /// The recorded images: a folder of TIFF files for each shot, as read by `lfpiv process`.
     Tiff,
-    /// The vectors: a file for each shot, a line for each vector, empty where there is no value.
+    /// The vectors: a file for each shot, a line for each vector; missing values are empty.
     Csv,
     /// The vectors in Tecplot's ASCII format: a file for each shot, SI units.
     Tecplot,
-    /// The vectors as plain arrays over shot, z, y, x, NaN where there is no value.
+    /// The vectors as plain arrays over shot, z, y, x; missing values are NaN.
     Hdf5,
 }
 
-/// Writes what is asked for.
+/// Exports in the chosen format.
 pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
     match args.format {
         Format::Tiff => images::export(args),
@@ -48,7 +48,7 @@ pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
 }
 
 impl ExportArgs {
-    fn wants(&self, shot: u64) -> bool {
+    fn includes(&self, shot: u64) -> bool {
         self.shots.as_ref().is_none_or(|range| range.contains(&shot))
     }
 }

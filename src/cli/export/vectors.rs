@@ -1,4 +1,4 @@
-//! The vectors of a run, in the formats of other programs.
+//! Exports the vectors of a run in the formats of other programs.
 
 use anyhow::{Context, bail};
 
@@ -8,19 +8,19 @@ use crate::{
     cli::output::{count, print, progress_bar},
 };
 
-/// Writes the vectors of the shots that are wanted.
+/// Writes the vectors of the selected shots.
 pub(super) fn export(args: &ExportArgs) -> anyhow::Result<()> {
     let mut stored = StoredShots::find(&args.run)?;
     let all = stored.len();
-    stored.retain(|shot| args.wants(shot));
+    stored.retain(|shot| args.includes(shot));
     if stored.is_empty() {
         let run = args.run.display();
         match all {
             0 => bail!(
-                "{run} holds no results: is it the folder of a run, or one that `lfpiv process` has \
-                 written?"
+                "{run} contains no results: is it the folder of a run, or an output folder of \
+                 has `lfpiv process`?"
             ),
-            _ => bail!("{run} holds no such shot: it has results of {}", count(all, "shot")),
+            _ => bail!("{run} has none of these shots: it has results of {}", count(all, "shot")),
         }
     }
     std::fs::create_dir_all(&args.out)
@@ -40,7 +40,7 @@ pub(super) fn export(args: &ExportArgs) -> anyhow::Result<()> {
 struct Writer<'a> {
     args: &'a ExportArgs,
     configuration: String,
-    /// The file that takes the next shot.
+    /// The file for the next shot.
     hdf5: Option<Hdf5File>,
 }
 
@@ -51,13 +51,13 @@ impl Writer<'_> {
             Format::Csv => Ok(write_csv(&path("csv"), shot)?),
             Format::Tecplot => Ok(write_tecplot(&path("dat"), shot)?),
             Format::Hdf5 => self.append(shot),
-            // Images are no vectors.
+            // Images are exported elsewhere.
             Format::Tiff => Ok(()),
         }
     }
 
     fn append(&mut self, shot: &StoredShot) -> anyhow::Result<()> {
-        if self.hdf5.as_ref().is_some_and(|file| !file.takes(shot)) {
+        if self.hdf5.as_ref().is_some_and(|file| !file.accepts(shot)) {
             self.finish()?;
         }
         let file = match self.hdf5.take() {

@@ -1,4 +1,4 @@
-//! `lfpiv init`: a commented configuration, from what is asked about the bench.
+//! `lfpiv init`: writes a commented configuration from answers about the bench.
 
 mod questions;
 mod text;
@@ -24,10 +24,10 @@ use crate::{
 /// Arguments of `lfpiv init`.
 #[derive(Debug, clap::Args)]
 pub struct InitArgs {
-    /// File for the configuration; it must not exist yet.
+    /// File for the configuration; it must not exist.
     #[arg(long, value_name = "FILE", default_value = "bench.toml")]
     pub out: PathBuf,
-    /// Ask nothing: what is not given with --set takes its default.
+    /// Ask nothing: keys not given with --set take their defaults.
     #[arg(long)]
     pub defaults: bool,
     /// An answer, as KEY=VALUE; `lfpiv init --defaults --set help=` lists the keys. Can be repeated.
@@ -38,7 +38,8 @@ pub struct InitArgs {
     pub camera: Option<String>,
 }
 
-/// Asks, line by line on standard input, writes the file and says what to do next.
+/// Asks questions on standard error, reads answers from standard input, writes the file and prints
+/// the next steps.
 pub fn init(args: &InitArgs) -> anyhow::Result<()> {
     let out = args.out.display();
     if args.out.exists() {
@@ -67,14 +68,14 @@ pub fn init(args: &InitArgs) -> anyhow::Result<()> {
     }
     let text = configuration(&answers)?;
     write_replacing(&args.out, |writer| writer.write_all(text.as_bytes()))?;
-    // What does not fit together is said now, and the file is there to be mended.
+    // Inconsistencies are reported now, and the user can correct them in the file.
     let purpose =
         if answers.text("addresses").is_empty() { Purpose::Images } else { Purpose::Bench };
     ConfigFile::load_for(purpose, &args.out)
-        .with_context(|| format!("{out} is written, and its parts do not fit together yet"))?;
+        .with_context(|| format!("{out} is written, but its values are not consistent yet"))?;
     print(&format!(
-        "{out} is written. Next:\n  lfpiv check --config {out}     what is wrong, what could be better\n  \
-         lfpiv plan --config {out}      how well it will measure"
+        "{out} is written. Next:\n  lfpiv check --config {out}     check it and see what could be \
+         better\n  lfpiv plan --config {out}      the uncertainty to expect"
     ))
 }
 
@@ -86,14 +87,14 @@ fn given(args: &InitArgs, questions: &[Question]) -> anyhow::Result<Vec<(&'stati
             Some(question) => given.push((question.key, answer.clone())),
             None => {
                 let lines = questions.iter().map(|q| format!("\n  {:26} {}", q.key, q.text));
-                bail!("{key:?} is no key; there are{}", lines.collect::<String>())
+                bail!("{key:?} is not a key; the keys are{}", lines.collect::<String>())
             }
         }
     }
     Ok(given)
 }
 
-/// Asks until an answer can be taken; an empty one is the default.
+/// Asks until the answer is valid; an empty answer gives the default.
 fn ask(
     question: &Question,
     answers: &Answers,
@@ -101,14 +102,14 @@ fn ask(
 ) -> anyhow::Result<String> {
     let default = (question.default)(answers)?;
     loop {
-        // To standard error: standard output says what was done.
+        // On standard error, because standard output is for results.
         let mut stderr = io::stderr();
         write!(stderr, "{} [{default}]: ", question.text).context("cannot ask")?;
         stderr.flush().context("cannot ask")?;
         let Some(line) = lines.next() else {
             bail!(
-                "no answer to {:?}: answer every question, or give --defaults and what differs with \
-                 --set KEY=VALUE",
+                "no answer to {:?}: answer every question, or give --defaults and all other values \
+                 with --set KEY=VALUE",
                 question.text
             );
         };
@@ -132,10 +133,12 @@ fn sensor_of(camera: &str) -> anyhow::Result<[usize; 2]> {
     let found = list_devices()?;
     let is_it = |found: &&FoundCamera| found.address == camera || found.serial == camera;
     let Some(found) = found.iter().find(is_it) else {
-        bail!("no camera {camera} answers: `lfpiv devices` lists those that do");
+        bail!("no camera {camera} answers: `lfpiv devices` lists the cameras that answer");
     };
     let sensor = found.sensor.with_context(|| {
-        format!("camera {camera} does not tell its sensor's size: another program may have it")
+        format!(
+            "camera {camera} does not report its sensor's size: another program may be using it"
+        )
     })?;
     Ok([sensor.columns, sensor.rows])
 }

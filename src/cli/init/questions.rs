@@ -1,19 +1,19 @@
-//! What `lfpiv init` asks, and what it takes where nothing is answered.
+//! The questions of `lfpiv init` and their defaults.
 
 use std::{collections::BTreeMap, fmt::Display, str::FromStr};
 
 use anyhow::{Context, anyhow, bail};
 
-/// One question. Its default may depend on the answers before it.
+/// One question. Its default may depend on earlier answers.
 pub(super) struct Question {
     pub key: &'static str,
     pub text: &'static str,
     pub default: fn(&Answers) -> anyhow::Result<String>,
-    /// What is wrong with an answer.
+    /// Checks an answer.
     pub check: fn(&str) -> anyhow::Result<()>,
 }
 
-/// Answers by the keys of their questions.
+/// The answers by key.
 #[derive(Debug, Default, Clone, PartialEq)]
 pub(super) struct Answers(BTreeMap<&'static str, String>);
 
@@ -34,7 +34,7 @@ impl Answers {
         several(self.text(key))
     }
 
-    /// The image distance of a thin lens, in mm.
+    /// Image distance of the thin lens, in mm.
     pub fn image_distance_mm(&self) -> anyhow::Result<f64> {
         let (f, s) = (self.number("focal_length_mm")?, self.number("object_distance_mm")?);
         if s <= f {
@@ -47,20 +47,20 @@ impl Answers {
         Ok(self.image_distance_mm()? / self.number("object_distance_mm")?)
     }
 
-    /// The f-number of the light that reaches the microlenses.
+    /// Working f-number at the microlenses.
     pub fn working_f_number(&self) -> anyhow::Result<f64> {
         let (f, n) = (self.number("focal_length_mm")?, self.number("f_number")?);
         Ok(n * self.image_distance_mm()? / f)
     }
 
-    /// Microlenses that a sensor of so many pixels has room for.
+    /// Number of microlenses along `pixels` of the sensor.
     fn microlenses_on(&self, pixels: &str) -> anyhow::Result<f64> {
         let spread = 1.0 + self.number("microlens_focal_length_mm")? / self.image_distance_mm()?;
         let pitch_um = 1e3 * self.number("microlens_pitch_mm")? * spread;
         Ok((self.number(pixels)? * self.number("pixel_pitch_um")? / pitch_um).floor())
     }
 
-    /// What the microlenses see in the plane in focus, along columns and rows, in mm.
+    /// Field of view in the plane in focus, along columns and rows, in mm.
     pub fn field_of_view_mm(&self) -> anyhow::Result<[f64; 2]> {
         let pitch_mm = self.number("microlens_pitch_mm")? / self.magnification()?;
         let along = |key: &str| Ok::<_, anyhow::Error>(self.number(key)? * pitch_mm);
@@ -69,7 +69,7 @@ impl Answers {
 }
 
 fn parsed<T: FromStr<Err: Display>>(text: &str) -> anyhow::Result<T> {
-    text.trim().parse().map_err(|error| anyhow!("{text:?} is no number: {error}"))
+    text.trim().parse().map_err(|error| anyhow!("{text:?} is not a number: {error}"))
 }
 
 fn several<const N: usize>(text: &str) -> anyhow::Result<[f64; N]> {
@@ -95,12 +95,12 @@ fn whole(text: &str) -> anyhow::Result<()> {
     }
 }
 
-/// An answer that may be empty, for which the program has no rule.
+/// Accepts every answer.
 fn anything(_: &str) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// To the digits that a person would write.
+/// Rounds to so many decimals, as a person would write.
 pub(super) fn rounded(number: f64, digits: usize) -> f64 {
     let scale = 10f64.powi(digits as i32);
     (number * scale).round() / scale
@@ -142,12 +142,13 @@ pub(super) fn questions() -> Vec<Question> {
             .to_string())),
         ask!(
             "second_camera",
-            "Camera 2 looks along y, along x, or at so many degrees from camera 1 in the plane of x and z",
+            "Camera 2: looks along y, along x, or at an angle in degrees from camera 1 in the x-z \
+             plane",
             direction,
             |_| Ok("y".into())
         ),
         ask!("volume_mm", "Volume: sizes along x, y, z in mm", sizes, |a| {
-            // Three quarters of what is in view leave room for the margins.
+            // Three quarters of the field of view leave room for the margins.
             let [x, y] = a.field_of_view_mm()?.map(|view| rounded(0.75 * view, 1));
             let across = if a.text("second_camera") == "y" { y } else { x.min(y) };
             Ok(format!("{x} {y} {across}"))
@@ -155,7 +156,7 @@ pub(super) fn questions() -> Vec<Question> {
         ask!("fastest_m_s", "Fastest velocity to expect in m/s", positive, |_| Ok("2.0".into())),
         ask!(
             "dt_us",
-            "Time between the pulses in us (the default moves the fastest by 4 voxels)",
+            "Time between the pulses in us (default: the fastest particles move 4 voxels)",
             positive,
             |a| {
                 let voxel_mm = voxel_mm(a)?;
@@ -170,25 +171,22 @@ pub(super) fn questions() -> Vec<Question> {
             anything,
             |_| Ok(String::new())
         ),
-        ask!(
-            "serial_port",
-            "Serial port of the synchroniser (of a real bench only)",
-            anything,
-            |a| Ok(if a.text("addresses").is_empty() {
+        ask!("serial_port", "Serial port of the synchroniser (real bench only)", anything, |a| Ok(
+            if a.text("addresses").is_empty() {
                 String::new()
             } else {
                 "/dev/serial/by-id/...".into()
-            })
-        ),
+            }
+        )),
     ]
 }
 
-/// The edge of a voxel: a microlens pitch in object space.
+/// Edge of a voxel: one microlens pitch in object space, in mm.
 pub(super) fn voxel_mm(answers: &Answers) -> anyhow::Result<f64> {
     Ok(rounded(answers.number("microlens_pitch_mm")? / answers.magnification()?, 3))
 }
 
-/// A number that TOML takes for one with a fraction.
+/// A number formatted as a TOML float.
 pub(super) fn decimal(number: f64) -> String {
     format!("{number:?}")
 }
@@ -212,5 +210,9 @@ fn direction(text: &str) -> anyhow::Result<()> {
 
 fn sizes(text: &str) -> anyhow::Result<()> {
     let sizes = several::<3>(text)?;
-    if sizes.iter().all(|size| *size > 0.0) { Ok(()) } else { bail!("every size is above 0") }
+    if sizes.iter().all(|size| *size > 0.0) {
+        Ok(())
+    } else {
+        bail!("every size must be greater than 0")
+    }
 }

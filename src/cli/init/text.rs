@@ -1,16 +1,16 @@
-//! The configuration's text, from the answers.
+//! Fills the template of the configuration with the answers.
 
 use super::questions::{Answers, decimal, rounded, voxel_mm};
 
 const TEMPLATE: &str = include_str!("template.toml");
 
-/// Where the template's simulated scene begins.
+/// Start of the simulated scene in the template.
 const SCENE: &str = "\n# What `lfpiv simulate` makes";
 
 /// Edge of an interrogation window, in voxels.
 const WINDOW_VOX: f64 = 16.0;
 
-/// The template with what the answers say.
+/// The filled template.
 pub(super) fn configuration(answers: &Answers) -> anyhow::Result<String> {
     let voxel_mm = voxel_mm(answers)?;
     let size_mm: [f64; 3] = answers.numbers("volume_mm")?;
@@ -34,7 +34,7 @@ pub(super) fn configuration(answers: &Answers) -> anyhow::Result<String> {
         ("instruments", instruments(answers)),
     ];
     let mut text = TEMPLATE.to_owned();
-    // A run must not have two benches to choose from.
+    // A run uses one bench only.
     if !answers.text("addresses").is_empty()
         && let Some(scene) = text.find(SCENE)
     {
@@ -45,7 +45,7 @@ pub(super) fn configuration(answers: &Answers) -> anyhow::Result<String> {
     }
     for question in super::questions::questions() {
         let answer = answers.text(question.key);
-        // Whole numbers stay as they are where TOML wants them so.
+        // Counts must stay integers in TOML.
         let value = match answer.parse::<f64>() {
             Ok(number) if !WHOLE.contains(&question.key) => decimal(number),
             _ => answer.to_owned(),
@@ -55,7 +55,7 @@ pub(super) fn configuration(answers: &Answers) -> anyhow::Result<String> {
     Ok(text)
 }
 
-/// Keys whose numbers are counts.
+/// Keys whose values are integers.
 const WHOLE: [&str; 5] =
     ["sensor_columns", "sensor_rows", "microlens_columns", "microlens_rows", "bits"];
 
@@ -87,7 +87,7 @@ fn timing(answers: &Answers) -> String {
         return String::new();
     }
     "\n[timing]\n\
-     # What laser and cameras need; `lfpiv timing` draws what comes of it. These are the defaults:\n\
+     # Limits of laser and cameras; `lfpiv timing` draws the resulting schedule. These are the defaults:\n\
      # laser_rate_limit_hz = 10.0\n\
      # lamp_1_us = 100.0                       # lamp of head 1 after T0\n\
      # lamp_to_q_switch_us = [180.0, 180.0]    # per laser head\n\
@@ -95,7 +95,7 @@ fn timing(answers: &Answers) -> String {
      # exposure_1_us = 200.0\n\
      # gap_us = 2.0                            # between exposures 1 and 2\n\
      # readout_us = 40000.0                    # of one frame; exposure 2 lasts as long\n\
-     # lamp_warm_up_s = 10.0                   # lamps alone, before a Q-switch is enabled\n"
+     # lamp_warm_up_s = 10.0                   # lamps only, before Q-switches are enabled\n"
         .to_owned()
 }
 
@@ -111,7 +111,7 @@ fn instruments(answers: &Answers) -> String {
         "12" => "Mono12Packed",
         _ => "Mono16",
     };
-    let mut text = "\n[instruments]\nframe_patience_s = 1.0          # for a frame that is due\n\
+    let mut text = "\n[instruments]\nframe_patience_s = 1.0          # how long to wait for a due frame\n\
                     after_bench_loss = \"wait_for_arm\"       # or \"go_on\" (the laser fires again by \
                     itself), \"end\"\n\n# One table per [[camera]] table, in the same order.\n"
         .to_owned();
@@ -159,9 +159,9 @@ mod tests {
         (text, config)
     }
 
-    /// The shipped bench is the default.
+    /// The defaults describe the shipped bench.
     #[test]
-    fn the_defaults_are_a_bench_that_fits_together() {
+    fn the_defaults_are_consistent() {
         let (text, config) = parsed(&[]);
         let optics = &config.optics;
         assert_eq!((optics.microlens.columns, optics.microlens.rows), (128, 96));
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn other_lenses_and_angles_come_out_as_they_were_told() {
+    fn other_lenses_and_angles_appear_in_the_configuration() {
         let (_, config) = parsed(&[
             ("cameras", "2"),
             ("focal_length_mm", "200"),
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn addresses_make_it_a_real_bench() {
+    fn addresses_give_a_real_bench() {
         let (text, config) = parsed(&[
             ("addresses", "192.168.10.11 192.168.10.12"),
             ("serial_port", "/dev/ttyUSB0"),
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn answers_that_cannot_be_are_refused() {
+    fn impossible_answers_are_refused() {
         let questions = questions();
         let check = |key: &str, answer: &str| {
             (questions.iter().find(|question| question.key == key).unwrap().check)(answer)

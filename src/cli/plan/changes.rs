@@ -1,4 +1,4 @@
-//! Benches a step away from a planned one.
+//! Variants of a planned bench with one change each.
 
 use lfpiv_core::measurement::{Conditions, Measurement};
 use lfpiv_hw::Pose;
@@ -6,17 +6,17 @@ use nalgebra::Vector3;
 
 use crate::config::Config;
 
-/// A bench with one thing changed.
+/// A bench with one change.
 pub(super) struct Change {
     pub words: String,
     pub measurement: Measurement,
     pub conditions: Conditions,
 }
 
-/// Angle between the axes of two cameras below which a wider one is worth a try, in degrees.
+/// Angle between two cameras, in degrees, below which a wider angle is tried.
 const WIDE_DEGREES: f64 = 80.0;
 
-/// What can be changed at a bench, one thing at a time.
+/// Possible changes of a bench, one at a time.
 pub(super) fn changes(config: &Config, conditions: &Conditions) -> Vec<Change> {
     let measurement = config.measurement();
     let with = |words: String, change: &dyn Fn(&mut Measurement, &mut Conditions)| {
@@ -43,7 +43,7 @@ pub(super) fn changes(config: &Config, conditions: &Conditions) -> Vec<Change> {
         }),
         with(
             format!(
-                "windows half as large again, {:.2} mm: what is smaller in the flow is lost",
+                "windows 1.5 times as large, {:.2} mm: smaller flow structures are lost",
                 1.5 * measurement.velocimetry.window_mm
             ),
             &|m, _| m.velocimetry.window_mm *= 1.5,
@@ -76,7 +76,7 @@ pub(super) fn changes(config: &Config, conditions: &Conditions) -> Vec<Change> {
     changes
 }
 
-/// The first camera and one at a right angle; `None` where there is one already.
+/// The first camera and a second one at a right angle; `None` if there is one already.
 fn wider(cameras: &[Pose]) -> Option<Vec<Pose>> {
     let first = cameras.first()?;
     if let Some(second) = cameras.get(1) {

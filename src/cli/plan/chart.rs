@@ -1,4 +1,4 @@
-//! The forecast as a drawing: the uncertainty of u, v, w along each axis.
+//! Chart of the forecast: the uncertainty of u, v, w along each axis.
 
 use std::fmt::Write;
 
@@ -9,11 +9,11 @@ use super::slabs;
 const WIDTH: f64 = 300.0;
 const HEIGHT: f64 = 220.0;
 const MARGIN: f64 = 50.0;
-/// Blue, orange and green that colour-blind readers can tell apart.
+/// Blue, orange and green, distinguishable for colour-blind readers.
 const COLOURS: [&str; 3] = ["#0072b2", "#d55e00", "#009e73"];
 const NAMES: [&str; 3] = ["u", "v", "w"];
 
-/// Three charts side by side: x, y, z. `speed` is that of one voxel per pair, in m/s.
+/// Three charts side by side: x, y, z. `speed` is the velocity of one voxel per pair, in m/s.
 pub(super) fn chart_svg(places: &[ForecastPlace], speed: f64) -> String {
     let all = [0, 1, 2].map(|axis| slabs(places, axis));
     let finite = all.iter().flatten().flat_map(|(_, slab)| slab).filter(|u| u.is_finite());
@@ -22,7 +22,7 @@ pub(super) fn chart_svg(places: &[ForecastPlace], speed: f64) -> String {
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
          font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" \
-         fill=\"white\"/>\n<text x=\"{MARGIN}\" y=\"20\">Standard uncertainty to expect, m/s: median over \
+         fill=\"white\"/>\n<text x=\"{MARGIN}\" y=\"20\">Expected standard uncertainty, m/s: median over \
          planes across x, y, z</text>\n"
     );
     for (axis, slabs) in all.iter().enumerate() {
@@ -43,8 +43,9 @@ fn draw(svg: &mut String, left: f64, axis: &str, slabs: &[(f64, [f64; 3])], top:
     let _ = writeln!(
         svg,
         "<path d=\"M{left} {MARGIN} V{bottom} H{}\" stroke=\"black\" fill=\"none\"/>\n<text \
-         x=\"{left}\" y=\"{}\">{low:.1}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\">{high:.1} \
-         mm</text><text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{axis}</text><text x=\"{}\" y=\"{}\" \
+         x=\"{left}\" y=\"{}\">{low:.1}</text><text x=\"{}\" y=\"{}\" \
+         text-anchor=\"end\">{high:.1} mm</text><text x=\"{}\" y=\"{}\" \
+         text-anchor=\"middle\">{axis}</text><text x=\"{}\" y=\"{}\" \
          text-anchor=\"end\">{top:.3}</text>",
         left + WIDTH,
         bottom + 16.0,
@@ -63,8 +64,8 @@ fn draw(svg: &mut String, left: f64, axis: &str, slabs: &[(f64, [f64; 3])], top:
         let (colour, name) = (COLOURS[component], NAMES[component]);
         let _ = writeln!(
             svg,
-            "<polyline points=\"{line}\" stroke=\"{colour}\" stroke-width=\"2\" fill=\"none\"/>\n<text \
-             x=\"{}\" y=\"{}\" fill=\"{colour}\">{name}</text>",
+            "<polyline points=\"{line}\" stroke=\"{colour}\" stroke-width=\"2\" \
+             fill=\"none\"/>\n<text x=\"{}\" y=\"{}\" fill=\"{colour}\">{name}</text>",
             left + 20.0 + 20.0 * component as f64,
             MARGIN + 12.0
         );

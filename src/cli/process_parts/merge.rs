@@ -65,7 +65,7 @@ pub(in crate::cli) fn merge_parts(
     let mut finished = Finished::default();
     for part in parts {
         finished.failed.extend(part.file.failed);
-        part.file.lost.into_iter().for_each(|(shot, why)| losses.lose(shot, why));
+        part.file.lost.into_iter().for_each(|(shot, why)| losses.add(shot, why));
     }
     finished.conclude()?;
     losses.conclude()

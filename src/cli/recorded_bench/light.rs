@@ -1,15 +1,15 @@
-//! Whether the light that falls into the exposures is that of the record.
+//! Compares the light of the exposures with that of the record.
 
 use lfpiv_hw::PulseSchedule;
 use lfpiv_sim::{LightPulse, wire::exposure::LaserFacts};
 
-/// How far a pulse may lie from where it was, in s: a unit sets times to a quarter of a nanosecond.
+/// Largest time difference of a pulse, in s. A unit sets times in steps of a quarter of a nanosecond.
 const TIME_TOLERANCE_S: f64 = 1e-9;
-/// How far its energy may be off, as a share of the full one.
+/// Largest energy difference of a pulse, relative to the full energy.
 const ENERGY_TOLERANCE: f64 = 0.01;
 
-/// Whether each exposure holds the one pulse that it held under `schedule`. Nothing else shows what
-/// was recorded: a pulse in the wrong exposure, a lamp at the wrong time or another separation do not.
+/// Whether each exposure contains exactly the pulse that it had under `schedule`. A pulse in the wrong
+/// exposure, a lamp at the wrong time or another pulse separation do not give the recorded images.
 pub(super) fn is_as_recorded(
     light: &[Vec<LightPulse>; 2],
     schedule: &PulseSchedule,
@@ -36,7 +36,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_recorded_light_shows_the_recorded_picture() {
+    fn only_the_recorded_light_matches() {
         let schedule = PulseSchedule::plan(&TimingSettings::default(), 100.0, 10.0).unwrap();
         let (first, second) = (pulse(-50.0, 1.0), pulse(50.0, 1.0));
         let shows =

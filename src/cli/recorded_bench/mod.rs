@@ -1,8 +1,8 @@
-//! The frames of a recorded run, shown by simulated instruments at the ends of real wires.
+//! Simulated instruments on real wires that show the frames of a recorded run.
 //!
-//! Trigger n of the synchroniser shows the frames of trigger n in the record. What the daemon
-//! programs is not taken from the record: a picture is shown only where the light falls as it did
-//! then, and is dark where not.
+//! Trigger n of the synchroniser shows the frames of trigger n of the record. The daemon programs
+//! the synchroniser anew: if light pulses and exposures agree with those of the record, the
+//! recorded images are shown, otherwise dark ones.
 
 mod light;
 mod pictures;
@@ -19,48 +19,53 @@ use triggers::RecordedTriggers;
 use super::losses::Losses;
 use crate::{acquisition::journal::RecordedRun, config::Config};
 
-/// A recorded run, ready to be shown.
+/// An opened recorded run.
 pub(super) struct RecordedBench {
     recorded: RecordedRun,
     triggers: RecordedTriggers,
-    /// What of the record is damaged or missing, images left out.
+    /// Damaged or missing parts of the record, without images.
     pub losses: Losses,
-    /// Significant bits of the run's counts.
+    /// Significant bits of the images.
     pub count_bits: u32,
 }
 
 impl RecordedBench {
-    /// Opens the record in `run`, whose frames a bench as `bench` describes it shall show.
+    /// Opens the record in `run` for a bench described by `bench`.
     ///
     /// # Errors
-    /// The record cannot be opened, or is of other cameras.
+    /// The record cannot be opened, or its cameras differ from the bench's.
     pub fn open(run: &Path, bench: &Config) -> anyhow::Result<Self> {
         let recorded = RecordedRun::open(run)?.finished();
         let config = Config::parse(
             "the recorded run's configuration",
             &recorded.description().configuration,
         )?;
-        let [then, now] = [&config, bench].map(|config| ImageSize::from(&config.optics.sensor));
-        if then != now {
+        let [recorded_size, bench_size] =
+            [&config, bench].map(|config| ImageSize::from(&config.optics.sensor));
+        if recorded_size != bench_size {
             bail!(
-                "{} was recorded with images of {} x {} pixels, this bench has {} x {}: give it \
+                "{} was recorded with images of {} x {} pixels, but this bench has {} x {}: use \
                  the [optics] of the recorded run's configuration",
                 run.display(),
-                then.columns,
-                then.rows,
-                now.columns,
-                now.rows
+                recorded_size.columns,
+                recorded_size.rows,
+                bench_size.columns,
+                bench_size.rows
             );
         }
         if config.camera.len() != bench.camera.len() {
-            let (then, now) = (config.camera.len(), bench.camera.len());
-            bail!("{} was recorded with {then} cameras, this bench has {now}", run.display());
+            let (recorded_cameras, bench_cameras) = (config.camera.len(), bench.camera.len());
+            bail!(
+                "{} was recorded with {recorded_cameras} cameras, but this bench has \
+                 {bench_cameras}",
+                run.display()
+            );
         }
         let count_bits =
-            count_bits(&config).with_context(|| format!("{} cannot be played", run.display()))?;
+            count_bits(&config).with_context(|| format!("{} cannot be replayed", run.display()))?;
         let triggers = RecordedTriggers::read(&recorded);
         let losses = Losses::of(run, &recorded.index());
-        losses.tell();
+        losses.log();
         Ok(Self { recorded, triggers, losses, count_bits })
     }
 
@@ -69,17 +74,17 @@ impl RecordedBench {
         self.triggers.len()
     }
 
-    /// The frames, as the bench asks for them.
+    /// The frames as images for the bench.
     ///
     /// # Errors
-    /// There is no thread to read them.
+    /// The reading thread cannot be started.
     pub fn pictures(self, bench: &Config) -> anyhow::Result<RecordedPictures> {
         let size = ImageSize::from(&bench.optics.sensor);
         RecordedPictures::read(self.recorded, self.triggers, size, self.count_bits)
     }
 }
 
-/// Bits that the counts of a run may use, by its configuration.
+/// Significant bits of the images, from the run's configuration.
 fn count_bits(config: &Config) -> anyhow::Result<u32> {
     if let Some(scene) = &config.simulation {
         return Ok(scene.sensor.bits.into());

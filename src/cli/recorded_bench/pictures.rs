@@ -1,4 +1,4 @@
-//! Frames of the record in the order of the triggers, read a little ahead.
+//! Frames of the record in the order of the triggers, read ahead.
 
 use std::{
     collections::BTreeMap,
@@ -21,26 +21,27 @@ use super::{
 };
 use crate::acquisition::journal::{RecordedRun, RecordedRunError};
 
-/// Triggers whose frames are read before they are asked for. With those on their way this bounds
-/// the memory, however long the run is.
+/// Number of triggers whose frames are read in advance. It bounds the memory for any length of the
+/// run.
 const READ_AHEAD: usize = 2;
 
-/// What was shown so far.
+/// Counts of what was shown.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Shown {
-    /// Triggers that showed the frames of the record.
+    /// Triggers that showed recorded frames.
     pub recorded: u64,
-    /// Triggers whose light was not that of the record: dark images.
+    /// Triggers with other light than recorded: dark images.
     pub other_light: u64,
-    /// Triggers beyond the end of the record: dark images.
+    /// Triggers after the end of the record: dark images.
     pub beyond: u64,
-    /// Triggers whose frames are damaged in the record, and why: they were lost again.
+    /// Triggers whose frames are damaged in the record, and the reasons. Their frames are sent as
+    /// lost.
     pub damaged: BTreeMap<u64, String>,
-    /// The first thing that could not be shown for another reason.
+    /// The first other failure.
     pub failure: Option<String>,
 }
 
-/// Shows the frames of a recorded run: trigger n those of trigger n.
+/// Shows the frames of a recorded run, those of trigger n at trigger n.
 pub(crate) struct RecordedPictures {
     triggers: Arc<RecordedTriggers>,
     read: Mutex<mpsc::Receiver<anyhow::Result<Vec<Delivery>>>>,
@@ -50,10 +51,10 @@ pub(crate) struct RecordedPictures {
 }
 
 impl RecordedPictures {
-    /// Begins to read; images have the size `size` and `count_bits` significant bits.
+    /// Starts reading; images have `size` pixels and `count_bits` significant bits.
     ///
     /// # Errors
-    /// There is no thread.
+    /// The reading thread cannot be started.
     pub(super) fn read(
         recorded: RecordedRun,
         triggers: RecordedTriggers,
@@ -66,13 +67,13 @@ impl RecordedPictures {
         thread::Builder::new()
             .name("recorded frames".into())
             .spawn(move || reader.read_all(&frames))
-            .context("no thread to read the record")?;
+            .context("cannot start the thread that reads the record")?;
         let dark = RawImage::new(size.columns, size.rows, vec![0; size.pixels()])?;
         let (laser, shown) = (LaserFacts::default(), Mutex::default());
         Ok(Self { triggers, read: Mutex::new(read), dark, laser, shown })
     }
 
-    /// What was shown so far.
+    /// Counts of what was shown so far.
     pub fn shown(&self) -> Shown {
         self.shown.lock().clone()
     }
@@ -81,7 +82,7 @@ impl RecordedPictures {
         (0..cameras).map(|_| [self.dark.clone(), self.dark.clone()].into()).collect()
     }
 
-    /// The frames of the next trigger, or its number's worth of nothing.
+    /// The frames of the next trigger; missing frames if they cannot be read.
     fn next(&self, trigger: u64, cameras: usize) -> Vec<Delivery> {
         let error = match self.read.lock().recv() {
             Ok(Ok(deliveries)) => return deliveries,
@@ -108,7 +109,7 @@ impl Pictures for RecordedPictures {
         _separation_s: Option<f64>,
     ) -> Vec<Delivery> {
         let Some(recorded) = self.triggers.get(trigger) else {
-            tracing::warn!(trigger, "beyond the end of the record: dark images");
+            tracing::warn!(trigger, "after the end of the record: dark images");
             self.shown.lock().beyond += 1;
             return self.all_dark(light.len());
         };
@@ -117,13 +118,13 @@ impl Pictures for RecordedPictures {
             self.shown.lock().recorded += 1;
             return deliveries;
         }
-        tracing::warn!(trigger, "the light is not that of the record: dark images");
+        tracing::warn!(trigger, "the light differs from the record: dark images");
         self.shown.lock().other_light += 1;
         self.all_dark(light.len())
     }
 }
 
-/// Reads one trigger after the other.
+/// Reads the triggers one after the other.
 struct Reader {
     recorded: RecordedRun,
     triggers: Arc<RecordedTriggers>,
@@ -132,7 +133,7 @@ struct Reader {
 }
 
 impl Reader {
-    /// Until the end of the record, or until nobody asks any more.
+    /// Reads until the end of the record, or until the receiver is dropped.
     fn read_all(&self, frames: &mpsc::SyncSender<anyhow::Result<Vec<Delivery>>>) {
         for trigger in (0..).map_while(|number| self.triggers.get(number)) {
             if frames.send(self.deliveries(trigger)).is_err() {
@@ -155,7 +156,7 @@ impl Reader {
         let size = ImageSize { columns: image.columns(), rows: image.rows() };
         anyhow::ensure!(
             size == self.size,
-            "an image of {} x {} pixels among others of {} x {}",
+            "an image has {} x {} pixels, others have {} x {}",
             size.columns,
             size.rows,
             self.size.columns,
@@ -164,7 +165,7 @@ impl Reader {
         let brightest = image.counts().iter().copied().max().unwrap_or_default();
         anyhow::ensure!(
             u32::from(brightest) >> self.count_bits == 0,
-            "a count of {brightest} in a run of {} bits: it cannot be sent as it is",
+            "a count of {brightest} exceeds the run's {} bits, so it cannot be sent unchanged",
             self.count_bits
         );
         Ok(Some(image))

@@ -1,8 +1,8 @@
-//! Which frames of a record belong to which trigger, the lost ones counted.
+//! Assigns the frames of a record to triggers, including lost frames.
 //!
-//! Frames of shots are named by the record. Frames of triggers that were not paired are found by
-//! their numbers: a camera gives two to each trigger that it sees, and every shot says anew where
-//! its numbers stand.
+//! For shots, the record names the frames. For triggers that were not paired, frames are found by
+//! their numbers: a camera gives two frames to each trigger that it sees, and every shot gives the
+//! numbers at its trigger.
 
 use std::{
     collections::{BTreeMap, BTreeSet, HashMap},
@@ -17,21 +17,21 @@ use crate::acquisition::{
     journal::{Entry, FrameKey, LocatedEntry, RecordedRun},
 };
 
-/// What a camera made of a trigger.
+/// What one camera delivered for a trigger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
-    /// Where its frames lie; `None` for one that was lost or damaged.
+    /// Positions of its frames; `None` for a lost or damaged frame.
     Frames([Option<Position>; 2]),
-    /// It did not see the trigger.
+    /// The camera missed the trigger.
     Missed,
 }
 
 /// One trigger of the record.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RecordedTrigger {
-    /// In the order of the cameras.
+    /// One part per camera.
     pub cameras: Vec<Part>,
-    /// The schedule that it followed.
+    /// The schedule of the trigger.
     pub schedule: Arc<PulseSchedule>,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct RecordedTrigger {
 pub(super) struct RecordedTriggers(Vec<RecordedTrigger>);
 
 impl RecordedTriggers {
-    /// Looks through a record, images left out, around what is damaged.
+    /// Reads the entries of a record, without images, skipping damaged ones.
     pub fn read(recorded: &RecordedRun) -> Self {
         let mut seen = Seen::default();
         recorded.entries().flatten().for_each(|placed| seen.take(placed));
@@ -56,18 +56,19 @@ impl RecordedTriggers {
     }
 }
 
-/// What the entries say.
+/// Information collected from the entries.
 #[derive(Default)]
 struct Seen {
     programmed: Option<Arc<PulseSchedule>>,
     schedules: BTreeMap<u64, Arc<PulseSchedule>>,
-    /// Whole frames, by camera. Of a frame that came twice, the first was used.
+    /// Positions of complete frames, by camera. Of a frame that was received twice, the first is
+    /// used.
     frames: HashMap<(usize, FrameKey), Position>,
-    /// Their keys by camera and number.
+    /// Keys of the frames, by camera and number.
     numbers: HashMap<(usize, u64), FrameKey>,
     shots: BTreeMap<u64, Vec<[FrameKey; 2]>>,
     missed: BTreeSet<(usize, u64)>,
-    /// Triggers that are known to have been given.
+    /// Number of triggers known to have been given.
     given: u64,
 }
 
@@ -88,9 +89,9 @@ impl Seen {
                 self.given = self.given.max(trigger + 1);
                 self.shots.insert(trigger, frames);
             }
-            // Shed for want of time: nothing is known of it.
+            // A shot that was shed because the run ended: nothing is known about it.
             Entry::Settled { outcome: Outcome::Shed, .. } => {}
-            // As good as not seen. At the end of a record it is none of it.
+            // Treated as missed by the camera. At the end of a record it is left out.
             Entry::Settled { trigger, camera, outcome: Outcome::NotFired } => {
                 self.missed.insert((camera, trigger));
             }
@@ -107,7 +108,7 @@ impl Seen {
     fn triggers(&self, cameras: usize) -> RecordedTriggers {
         let parts: Vec<Vec<Part>> = (0..cameras).map(|camera| self.parts(camera)).collect();
         let trigger = |number: u64| {
-            // Where the beginning of its burst is damaged, the schedule is that of the burst before.
+            // If the start of its burst is damaged, the schedule of the burst before is used.
             let before = self.schedules.range(..=number).next_back().map(|(_, schedule)| schedule);
             let schedule = before.or_else(|| self.schedules.values().next())?.clone();
             let cameras = parts.iter().map(|parts| parts[number as usize]).collect();
@@ -116,7 +117,7 @@ impl Seen {
         RecordedTriggers((0..self.given).map_while(trigger).collect())
     }
 
-    /// What one camera made of each trigger.
+    /// The parts of one camera for all triggers.
     fn parts(&self, camera: usize) -> Vec<Part> {
         let mut next = self.first_number(camera);
         let part = |trigger: u64| {
@@ -137,7 +138,7 @@ impl Seen {
         (0..self.given).map(part).collect()
     }
 
-    /// Number of the first frame of the first trigger that a camera saw.
+    /// Number of the first frame of the first trigger that the camera saw.
     fn first_number(&self, camera: usize) -> u64 {
         let Some((trigger, keys)) = self.shots.first_key_value() else { return 0 };
         let unseen = (0..*trigger).filter(|t| self.missed.contains(&(camera, *t))).count() as u64;
@@ -153,7 +154,7 @@ mod tests {
     use super::*;
     use crate::acquisition::journal::FrameHead;
 
-    /// Entries of two cameras, and where each frame was put.
+    /// Entries of two cameras, with the position of each frame.
     struct Rig(Seen);
 
     fn key(frame_id: u64) -> FrameKey {
@@ -215,15 +216,15 @@ mod tests {
     }
 
     #[test]
-    fn lost_damaged_and_missed_frames_leave_the_others_where_they_were() {
+    fn lost_damaged_and_missed_frames_do_not_shift_the_others() {
         let mut rig = Rig::fired(0, 6);
         rig.shot(0, [0, 0]);
-        // Camera 0: frame b lost; camera 1: whole.
+        // Camera 0: frame b lost; camera 1: complete.
         rig.frame(0, 2, FrameStatus::Complete);
         rig.frame(1, 2, FrameStatus::Complete);
         rig.frame(1, 3, FrameStatus::Complete);
         rig.settled(1, [Outcome::MissingPackets, Outcome::Unpaired]);
-        // Camera 0 whole; camera 1 does not see it.
+        // Camera 0: complete; camera 1: missed the trigger.
         rig.frame(0, 4, FrameStatus::Complete);
         rig.frame(0, 5, FrameStatus::Complete);
         rig.settled(2, [Outcome::Unpaired, Outcome::MissedTrigger]);
@@ -232,7 +233,7 @@ mod tests {
         rig.frame(0, 7, FrameStatus::Complete);
         rig.settled(3, [Outcome::MissingPackets; 2]);
         rig.shot(4, [8, 6]);
-        // The end of the run was too early for this one.
+        // The run ended before this trigger was complete.
         rig.settled(5, [Outcome::Shed; 2]);
         let b_lost = Part::Frames([Some(place(0, 2)), None]);
         let a_damaged = Part::Frames([None, Some(place(0, 7))]);
@@ -247,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_lost_before_the_first_shot_is_found_backwards() {
+    fn frames_before_the_first_shot_are_assigned_backwards() {
         let mut rig = Rig::fired(0, 3);
         rig.settled(0, [Outcome::MissedTrigger, Outcome::Unpaired]);
         rig.frame(1, 10, FrameStatus::Complete);
@@ -266,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn a_trigger_that_nobody_saw_takes_no_frames_from_the_next() {
+    fn a_trigger_that_no_camera_saw_takes_no_frames_from_the_next() {
         let mut rig = Rig::fired(0, 3);
         rig.shot(0, [0, 0]);
         rig.settled(1, [Outcome::NotFired; 2]);
@@ -282,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn a_trigger_that_was_withdrawn_is_given_again_with_the_schedule_of_then() {
+    fn a_withdrawn_trigger_is_given_again_with_its_new_schedule() {
         let mut rig = Rig::fired(0, 2);
         rig.shot(0, [0, 0]);
         rig.entry(Entry::Withdrawn { trigger: 1 });

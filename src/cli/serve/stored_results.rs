@@ -1,4 +1,4 @@
-//! The results of a run that is over, read from its files as they are asked for.
+//! Results of a finished run, read from its files on request.
 
 use std::{collections::VecDeque, path::Path, sync::Arc};
 
@@ -10,13 +10,13 @@ use crate::{
     server::ResultSource,
 };
 
-/// Results that are kept beside those on the board: who looks at a shot looks at its neighbours.
-const KEPT: usize = 16;
+/// Results cached in addition to those on the board, because users move between neighbouring shots.
+const CACHED: usize = 16;
 
-/// Shots whose numbers are read at once, for the list of shots.
+/// Number of last shots whose results are read at the start for the list of shots.
 const LISTED: usize = 200;
 
-/// See the module.
+/// The stored results of a run, with a cache.
 pub(super) struct StoredRun {
     results: RunResults,
     board: Option<Arc<Board>>,
@@ -24,7 +24,7 @@ pub(super) struct StoredRun {
 }
 
 impl StoredRun {
-    /// Looks through the folder of a run whose voxels have this edge.
+    /// Indexes the folder of a run; `voxel_mm` is its voxel size.
     pub fn open(run: &Path, voxel_mm: f64) -> Result<Self, ArchiveError> {
         let results = RunResults::find(run, voxel_mm)?;
         Ok(Self { results, board: None, kept: Mutex::default() })
@@ -35,18 +35,19 @@ impl StoredRun {
         self.results.len()
     }
 
-    /// Their numbers, in order.
+    /// The shots with a result, ascending.
     pub fn shots(&self) -> impl Iterator<Item = u64> {
         self.results.shots()
     }
 
-    /// The last of them.
+    /// The last shot with a result.
     pub fn last(&self) -> Option<u64> {
         self.results.shots().next_back()
     }
 
-    /// Puts the last results on a board, and a record of every other one. What cannot be read is logged.
-    pub fn put_on(&self, board: &Board) {
+    /// Puts the last results, and a record of every shot, on a board. Unreadable results are
+    /// logged.
+    pub fn fill(&self, board: &Board) {
         let first_kept = self.len().saturating_sub(RESULTS_IN_MEMORY);
         let first_listed = self.len().saturating_sub(LISTED);
         for (n, shot) in self.shots().enumerate().skip(first_listed) {
@@ -61,7 +62,7 @@ impl StoredRun {
         }
     }
 
-    /// Results on this board are not read again.
+    /// Sets the board whose results need not be read again.
     pub fn with_board(mut self, board: Arc<Board>) -> Self {
         self.board = Some(board);
         self
@@ -85,7 +86,7 @@ impl ResultSource for StoredRun {
             Ok(Some(result)) => {
                 let mut kept = self.kept.lock();
                 kept.push_back((shot, result.clone()));
-                if kept.len() > KEPT {
+                if kept.len() > CACHED {
                     kept.pop_front();
                 }
                 Lookup::Here(result)
@@ -99,7 +100,7 @@ impl ResultSource for StoredRun {
     }
 }
 
-/// A shot as the board remembers it; of one that is not read, only that it has a result.
+/// The board's record of a shot; without a result it states only that there is one.
 fn record(shot: u64, result: Option<&ShotResult>) -> ShotRecord {
     let measured = result.map(|result| &result.measured);
     ShotRecord {

@@ -1,4 +1,4 @@
-//! The list of frames that were sent, as comma-separated values.
+//! The list of sent frames, as comma-separated values.
 
 use std::{
     fs::File,
@@ -10,7 +10,7 @@ use anyhow::Context;
 use lfpiv_hw::CameraName;
 use lfpiv_sim::wire::bench::SentFrame;
 
-/// A list that is written as frames go out.
+/// A list that grows as frames are sent.
 pub(super) struct SentRecord(LineWriter<File>);
 
 impl SentRecord {

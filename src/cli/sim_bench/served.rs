@@ -1,4 +1,4 @@
-//! Instruments that are switched on until they are told to stop.
+//! Runs simulated instruments until they are stopped.
 
 use std::{
     collections::BTreeMap,
@@ -37,7 +37,7 @@ use crate::{
     config::{Config, ConfigFile, Purpose},
 };
 
-/// How often frames that were sent are listed.
+/// Interval at which sent frames are listed.
 const LISTING: Duration = Duration::from_millis(100);
 
 /// Serves simulated instruments until Ctrl-C or SIGTERM.
@@ -63,16 +63,16 @@ pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
             ))?;
             let count_bits = recorded.count_bits;
             let pictures = Arc::new(recorded.pictures(&config)?);
-            // What is cut off cannot give the same vectors.
+            // The images must be sent with all bits to give the same vectors.
             let options = WireOptions { faults, exact: true };
             let bench = switch_on(&config, &wire, count_bits, pictures.clone(), &options)?;
             show(&bench, shown)?;
             serve(bench, &wire, args.record.as_deref())?;
-            tell_what_was_shown(&pictures, losses)
+            conclude_replay(&pictures, losses)
         }
         None => {
             let Some(scene) = config.simulation.clone() else {
-                bail!("{path} has no [simulation] table: add one, or show a run with --replay");
+                bail!("{path} has no [simulation] table: add one, or replay a run with --replay");
             };
             let (seed, geometry) = (scene.seed, config.bench_geometry());
             let count_bits = scene.sensor.bits.into();
@@ -87,10 +87,10 @@ pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
 
 fn wire(config: &Config) -> anyhow::Result<WireSettings> {
     let wire = config.wire.clone();
-    let wire = wire.context("no [wire] table: take config/loopback-bench.toml as a start")?;
+    let wire = wire.context("no [wire] table: config/loopback-bench.toml is an example")?;
     let (ips, poses) = (wire.camera_ips.len(), config.camera.len());
     if ips != poses {
-        bail!("{ips} wire.camera_ips for {poses} [[camera]] tables; one for each");
+        bail!("{ips} wire.camera_ips for {poses} [[camera]] tables: give one for each");
     }
     Ok(wire)
 }
@@ -126,26 +126,23 @@ fn show(bench: &WireBench, images: Vec<RawImage>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Until a signal comes.
+/// Runs the bench until a signal arrives.
 fn serve(bench: WireBench, wire: &WireSettings, record: Option<&Path>) -> anyhow::Result<()> {
     let record = record.map(SentRecord::create).transpose()?;
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()
-        .context("the runtime does not start")?;
+        .context("cannot start the runtime")?;
     print(&format!("synchroniser: {}", wire.port.display()))?;
     for ip in &wire.camera_ips {
         print(&format!("camera:       {ip}"))?;
     }
-    runtime.block_on(list_what_is_sent(&bench, record))?;
+    runtime.block_on(list_sent_frames(&bench, record))?;
     print(&summary(&bench.report()))
 }
 
-async fn list_what_is_sent(
-    bench: &WireBench,
-    mut record: Option<SentRecord>,
-) -> anyhow::Result<()> {
-    let stop = stop_on_signals(&SynchroniserThread::default(), "what is on the wires is lost")?;
+async fn list_sent_frames(bench: &WireBench, mut record: Option<SentRecord>) -> anyhow::Result<()> {
+    let stop = stop_on_signals(&SynchroniserThread::default(), "data on the wires is lost")?;
     while !stop.is_cancelled() {
         tokio::select! {
             () = stop.cancelled() => {}
@@ -184,7 +181,7 @@ fn summary(report: &WireReport) -> String {
     )
 }
 
-/// Faults by kind, as `; faults: 2 Dropped, 1 MissedTrigger`; nothing where there are none.
+/// Faults by kind, as `; faults: 2 Dropped, 1 MissedTrigger`; empty without faults.
 fn counted<F: Debug>(faults: &[Injected<F>]) -> String {
     let mut kinds: BTreeMap<String, u64> = BTreeMap::new();
     for injected in faults {
@@ -194,17 +191,17 @@ fn counted<F: Debug>(faults: &[Injected<F>]) -> String {
     if listed.is_empty() { String::new() } else { format!("; faults: {}", listed.join(", ")) }
 }
 
-fn tell_what_was_shown(pictures: &RecordedPictures, mut losses: Losses) -> anyhow::Result<()> {
+fn conclude_replay(pictures: &RecordedPictures, mut losses: Losses) -> anyhow::Result<()> {
     let Shown { recorded, other_light, beyond, damaged, failure } = pictures.shown();
     print(&format!(
-        "{recorded} triggers as recorded; dark: {other_light} in another light, {beyond} beyond the \
-         record"
+        "{recorded} triggers as recorded; dark: {other_light} with other light, {beyond} after the \
+         end of the record"
     ))?;
     if failure.is_some() {
-        bail!("the record was not shown as it is, see above");
+        bail!("the record was not shown correctly, see above");
     }
     for (trigger, why) in damaged {
-        losses.lose(trigger, why);
+        losses.add(trigger, why);
     }
     losses.conclude()
 }

@@ -1,4 +1,4 @@
-//! Images of a calibration card at its positions, with a card file that names them.
+//! Writes images of a calibration card at its positions, and the card file.
 
 use std::{
     fs,
@@ -19,13 +19,13 @@ use crate::{
     cli::output::progress_bar,
 };
 
-/// The folder for a card's images below `out`.
+/// The folder of the card's images in `out`.
 pub(super) fn folder(out: &Path) -> PathBuf {
     out.join("card")
 }
 
-/// Writes `card/pNN_camK.tif` and `card/card.toml` below `out`: the card file that was given, with the
-/// images' names, and those of `white` and `dark` images beside it.
+/// Writes `card/pNN_camK.tif` and `card/card.toml` in `out`. The latter is the given card file with
+/// the names of these images and of the `white` and `dark` images.
 pub(super) fn write(
     scene: &Scene,
     bench: &BenchGeometry,
@@ -45,8 +45,8 @@ pub(super) fn write(
         for camera in 0..cameras {
             let Some(image) = scene.card_image(bench, camera, card, position, seed) else {
                 bail!(
-                    "the card of position {} reaches the wall before {} or its lens: move it, or take a \
-                     smaller card",
+                    "the card at position {} touches the wall in front of {} or its lens: move it, \
+                     or use a smaller card",
                     position + 1,
                     CameraName(camera)
                 );

@@ -1,4 +1,4 @@
-//! White and dark images of every camera, with the truth about its micro-images beside them.
+//! Writes white and dark images of every camera, and the true micro-image grids.
 
 use std::{
     fs, io,
@@ -12,15 +12,15 @@ use serde::Serialize;
 
 use crate::archive::{FileDepth, write_grey_tiff, write_replacing};
 
-/// How the numbers of a grid file are meant.
-const MEANING: &str = "the micro-image of microlens (i, j) is centred at column a0 + a1 i + a2 j and \
-                       row b0 + b1 i + b2 j, with column_px = [a0, a1, a2] and row_px = [b0, b1, \
-                       b2]; i runs along +right and j along +up of the array's own axes, from (0, \
-                       0) in its first corner; pixel centres are whole numbers from 0, rows count \
-                       downwards; the centre is where the ray through the middle of aperture stop \
-                       and microlens lands";
+/// Explanation of the numbers, written into the file.
+const MEANING: &str = "the micro-image of microlens (i, j) is centred at column a0 + a1 i + a2 j \
+                       and row b0 + b1 i + b2 j, with column_px = [a0, a1, a2] and row_px = [b0, \
+                       b1, b2]; i runs along +right and j along +up of the array's own axes, from \
+                       (0, 0) in its first corner; pixel centres are whole numbers from 0, rows \
+                       count downwards; the centre is where the ray through the middle of aperture \
+                       stop and microlens lands";
 
-/// `camK_grid_true.json`.
+/// Content of `camK_grid_true.json`.
 #[derive(Serialize)]
 struct GridFile {
     camera: String,
@@ -29,12 +29,12 @@ struct GridFile {
     meaning: &'static str,
 }
 
-/// The folders for white and for dark images below `out`.
+/// The folders of white and dark images in `out`.
 pub(super) fn folders(out: &Path) -> [PathBuf; 2] {
     ["white", "dark"].map(|name| out.join(name))
 }
 
-/// Writes `white/camK_NN.tif` with `white/camK_grid_true.json`, and `dark/camK_NN.tif`, below `out`.
+/// Writes `white/camK_NN.tif` with `white/camK_grid_true.json`, and `dark/camK_NN.tif`, in `out`.
 pub(super) fn write(
     scene: &Scene,
     bench: &BenchGeometry,
@@ -58,7 +58,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// `camK_NN.tif`.
+/// The name `camK_NN.tif`.
 pub(super) fn image_name(camera: usize, number: u64) -> String {
     format!("{}_{number:02}.tif", CameraName(camera))
 }

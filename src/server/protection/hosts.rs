@@ -1,51 +1,51 @@
-//! By which names the server may be called, and from which pages.
+//! Host names and origins that the server accepts.
 //!
-//! A page in the operator's browser can have any name resolve to 127.0.0.1 (DNS rebinding) and then
-//! talk to this server as its own. It cannot choose the `Host` and `Origin` that the browser sends
-//! with it; so these must be ours, on loopback, too.
+//! A page in the operator's browser can make any name resolve to 127.0.0.1 (DNS rebinding) and then
+//! send requests to this server. It cannot forge the `Host` and `Origin` headers of the browser, so
+//! these are checked, also on loopback.
 
 use std::net::IpAddr;
 
 use axum::http::uri::Authority;
 
-/// See the module.
+/// The accepted host names.
 pub(in crate::server) struct Hosts {
     names: Vec<String>,
     scheme: &'static str,
 }
 
-/// Whether a request comes from a page.
+/// The page that a request comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::server) enum Origin {
-    /// From this server's own.
+    /// A page of this server.
     Own,
-    /// From another one, or from nowhere that can be named.
+    /// Another page, or an unknown one.
     Foreign,
 }
 
 impl Hosts {
-    /// `names` beside loopback and the address of the connection.
+    /// Accepts `names` in addition to loopback and the address of the connection.
     pub fn new(names: &[String], tls: bool) -> Self {
-        let names = names.iter().map(|name| bare(name)).collect();
+        let names = names.iter().map(|name| normalized(name)).collect();
         Self { names, scheme: if tls { "https" } else { "http" } }
     }
 
-    /// Whether `host`, with or without a port, names this server. Ports are not compared: tunnels
-    /// change them. `local` is the address at which the connection arrived.
+    /// Whether `host`, with or without a port, names this server. Ports are ignored, because
+    /// tunnels change them. `local` is the local address of the connection.
     pub fn allows(&self, host: &str, local: IpAddr) -> bool {
         let Ok(authority) = host.parse::<Authority>() else { return false };
         if authority.as_str().contains('@') {
             return false;
         }
-        let name = bare(authority.host());
+        let name = normalized(authority.host());
         match name.parse::<IpAddr>() {
-            // An address cannot be rebound.
+            // DNS rebinding cannot change an address.
             Ok(address) if address.is_loopback() || address == local.to_canonical() => true,
             _ => name == "localhost" || self.names.contains(&name),
         }
     }
 
-    /// Whether `origin` is the page that `host` itself serves.
+    /// Whether `origin` is a page served under `host`.
     pub fn origin(&self, origin: &str, host: &str) -> Origin {
         let own = origin.split_once("://").is_some_and(|(scheme, authority)| {
             scheme == self.scheme && authority.eq_ignore_ascii_case(host)
@@ -54,8 +54,8 @@ impl Hosts {
     }
 }
 
-/// Lower case, without the brackets of an address and the dot of the root.
-fn bare(host: &str) -> String {
+/// Lower case, without brackets of an IPv6 address and trailing dot.
+fn normalized(host: &str) -> String {
     let host = host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host);
     host.strip_suffix('.').unwrap_or(host).to_ascii_lowercase()
 }
@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_own_names_are_allowed() {
+    fn only_names_of_this_server_are_allowed() {
         let hosts = Hosts::new(&["Bench.lab.example".to_owned()], false);
         let local: IpAddr = "192.168.7.5".parse().unwrap();
         for host in [
@@ -99,13 +99,13 @@ mod tests {
     }
 
     #[test]
-    fn an_address_that_is_written_as_ipv6_is_the_same() {
+    fn an_ipv4_address_mapped_to_ipv6_is_recognized() {
         let hosts = Hosts::new(&[], false);
         assert!(hosts.allows("192.168.7.5", "::ffff:192.168.7.5".parse().unwrap()));
     }
 
     #[test]
-    fn only_the_own_page_is_an_own_origin() {
+    fn only_pages_of_this_server_are_own_origins() {
         let hosts = Hosts::new(&[], false);
         assert_eq!(hosts.origin("http://localhost:8640", "localhost:8640"), Origin::Own);
         for origin in [

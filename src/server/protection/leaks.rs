@@ -1,12 +1,12 @@
-//! Tokens in addresses: logs, histories and referrers keep those.
+//! Detects tokens in URLs, which logs, histories and referrers store.
 
 use axum::http::Uri;
 use percent_encoding::percent_decode_str;
 
 use super::tokens::{Tokens, is_strong};
 
-/// Whether an address holds a token of ours, or what could be one, under whatever name.
-pub(in crate::server) fn holds_token(uri: &Uri, tokens: Option<&Tokens>) -> bool {
+/// Whether a URL contains a configured token, or anything that looks like a token.
+pub(in crate::server) fn contains_token(uri: &Uri, tokens: Option<&Tokens>) -> bool {
     let is_token = |word: &str| {
         tokens.is_some_and(|tokens| tokens.scope_of(word).is_some()) || is_strong(word)
     };
@@ -16,11 +16,12 @@ pub(in crate::server) fn holds_token(uri: &Uri, tokens: Option<&Tokens>) -> bool
     pieces.flat_map(|piece| words(&piece)).any(|word| is_token(&word))
 }
 
-/// A piece of an address, whole, behind its name, and word by word: `auth=Bearer TOKEN`.
+/// A piece of a URL as a whole, its value after `=`, and its single words, as in `auth=Bearer
+/// TOKEN`.
 fn words(piece: &str) -> Vec<String> {
     let value = piece.split_once('=').map(|(_, value)| value);
     let parts = [Some(piece), value, piece.split('=').next()].into_iter().flatten();
-    // A blank may be written as a plus, which is a character of tokens, too.
+    // A plus may encode a space, but it also occurs in tokens.
     let in_words = parts.clone().flat_map(|part| {
         part.split([' ', '+', ',', ':', '"', '\'']).chain(part.split([' ', ',', ':', '"', '\'']))
     });
@@ -53,9 +54,9 @@ mod tests {
             format!("/a?q={}", PLUS.replace('+', "%2B").replace('/', "%2f").replace('=', "%3D")),
         ] {
             let uri: Uri = uri.parse().unwrap();
-            assert!(holds_token(&uri, Some(&tokens)), "{uri}");
-            // Who has no tokens of his own may be sent another's.
-            assert!(holds_token(&uri, None), "{uri}");
+            assert!(contains_token(&uri, Some(&tokens)), "{uri}");
+            // A client may send the token of another server to this one, which has none.
+            assert!(contains_token(&uri, None), "{uri}");
         }
         for uri in [
             "/token",
@@ -65,7 +66,7 @@ mod tests {
             "/api/v1/results/latest/projections/a/xy.png",
             "/api/v1/shots/18446744073709551615",
         ] {
-            assert!(!holds_token(&uri.parse().unwrap(), Some(&tokens)), "{uri}");
+            assert!(!contains_token(&uri.parse().unwrap(), Some(&tokens)), "{uri}");
         }
     }
 }

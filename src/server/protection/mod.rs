@@ -1,4 +1,4 @@
-//! Who may talk to the server, as whom, and how much. Made from the settings before an address is
+//! Access control: hosts, tokens, rates and connection limits. It is set up before an address is
 //! bound, so that a server that would be open by mistake never listens.
 
 mod error;
@@ -17,26 +17,26 @@ use tokio_rustls::TlsAcceptor;
 use crate::config::ServerSettings;
 pub use error::ProtectionError;
 pub(super) use hosts::{Hosts, Origin};
-pub(super) use leaks::holds_token;
-pub(super) use open_files::{Places, SAFETY};
+pub(super) use leaks::contains_token;
+pub(super) use open_files::{ConnectionLimits, SAFETY_SLOTS};
 pub use open_files::{open_files_needed, raise_open_files};
 pub(super) use rate::{RateLimits, network};
 pub(super) use tokens::{Scope, Tokens};
 
-/// A client may make this many times its requests per second at once.
+/// Burst size of a client, in seconds of its mean rate.
 const BURST_S: f64 = 8.0;
 
-/// See the module.
+/// The server's access control.
 pub struct Protection {
     pub(super) tokens: Option<Tokens>,
     pub(super) hosts: Hosts,
     pub(super) rates: RateLimits,
     pub(super) tls: Option<TlsAcceptor>,
-    /// How long a client may take to send something, or to take something.
+    /// How long a client may take to send or accept data.
     pub(super) patience: Duration,
-    /// Connections that may be open at the same time.
-    pub(super) places: Places,
-    /// Whether the configuration allows to arm over HTTP.
+    /// Largest numbers of open connections.
+    pub(super) connection_limits: ConnectionLimits,
+    /// Whether the configuration allows arming over HTTP.
     pub(super) remote_arming: bool,
 }
 
@@ -44,8 +44,8 @@ impl Protection {
     /// Reads tokens and certificates.
     ///
     /// # Errors
-    /// [`ProtectionError`]: an address that the network reaches without tokens, files that cannot
-    /// be used, or that others can read.
+    /// [`ProtectionError`]: the network can reach the address but there are no tokens, or a file
+    /// cannot be used or can be read by others.
     pub fn open(settings: &ServerSettings) -> Result<Self, ProtectionError> {
         let tokens = settings.tokens.as_deref().map(Tokens::load).transpose()?;
         if tokens.is_none() && !settings.address.ip().is_loopback() {
@@ -61,7 +61,7 @@ impl Protection {
             rates: RateLimits::new(settings.requests_per_s, BURST_S * settings.requests_per_s),
             tls,
             patience: Duration::from_secs_f64(settings.client_patience_s),
-            places: open_files::places(settings),
+            connection_limits: open_files::connection_limits(settings),
             remote_arming: settings.remote_arming,
         })
     }
@@ -71,7 +71,7 @@ fn warn_in_the_clear(address: SocketAddr) {
     if !address.ip().is_loopback() {
         tracing::warn!(
             %address,
-            "tokens and results cross the network in the clear: give [server.tls] a certificate"
+            "tokens and results are sent unencrypted: set a certificate in [server.tls]"
         );
     }
 }

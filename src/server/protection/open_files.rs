@@ -1,65 +1,65 @@
-//! What connections may take of the files that this process may have open.
+//! Limits connections so that enough open files remain for the run.
 //!
-//! A connection is an open file like a segment of the raw log or a camera's socket. However many
-//! clients come, enough files stay free for the run.
+//! A connection is an open file, like a segment of the raw log or a camera's socket. The process's
+//! limit of open files is shared between them.
 
 use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 
 use crate::config::ServerSettings;
 
-/// Kept free of connections: segments, results, devices, libraries, and frames that are shown.
-const FOR_THE_RUN: usize = 256;
-/// Connections by which the laser is being made safe. They have seats of their own.
-pub(in crate::server) const SAFETY: usize = 16;
-/// Connections that were ended and whose files are still being closed.
-const CLOSING: usize = 16;
-/// Seats of each kind that there are under any limit.
-const LEAST: usize = 4;
+/// Files reserved for the run: segments, results, devices, libraries and previewed frames.
+const RUN_FILES: usize = 256;
+/// Slots for connections that are making the laser safe.
+pub(in crate::server) const SAFETY_SLOTS: usize = 16;
+/// Connections that were ended and whose sockets are still being closed.
+const CLOSING_CONNECTIONS: usize = 16;
+/// Smallest number of slots of each kind under any limit.
+const MIN_SLOTS: usize = 4;
 
-/// How many connections may be open, by what is known of the client.
+/// Largest numbers of open connections, by kind of client.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::server) struct Places {
-    /// Clients that have shown no valid token.
+pub(in crate::server) struct ConnectionLimits {
+    /// Clients without a valid token so far.
     pub guests: usize,
-    /// Clients that were let in: by a token, or to read on loopback where there are none.
+    /// Admitted clients: with a valid token, or reading on loopback if no tokens are configured.
     pub admitted: usize,
 }
 
-impl Places {
-    /// What the settings ask for.
-    fn asked(settings: &ServerSettings) -> Self {
-        // Where there are no tokens, nobody can show one: few seats again.
+impl ConnectionLimits {
+    /// The limits by the settings.
+    fn configured(settings: &ServerSettings) -> Self {
+        // Without tokens every client is alike, so the few guest slots apply.
         let admitted =
             if settings.tokens.is_some() { settings.connections } else { settings.guests };
         Self { guests: settings.guests, admitted }
     }
 
-    /// What the settings ask for, as far as `limit` open files leave room for it.
+    /// The limits by the settings, reduced to fit a limit of open files.
     pub fn within(settings: &ServerSettings, limit: Option<u64>) -> Self {
-        let asked = Self::asked(settings);
+        let configured = Self::configured(settings);
         let limit = limit.and_then(|limit| usize::try_from(limit).ok()).unwrap_or(usize::MAX);
-        // Under a limit that is too low for any run, the run gets the larger part.
-        let room = limit.saturating_sub(FOR_THE_RUN).max(limit / 4);
-        let room = room.saturating_sub(SAFETY + CLOSING);
-        let spared = room.saturating_sub(asked.admitted);
-        let guests = asked.guests.min(spared.max(room / 4)).max(LEAST);
-        let admitted = asked.admitted.min(room.saturating_sub(guests)).max(LEAST);
+        // Under a very low limit the run gets three quarters of the files.
+        let available = limit.saturating_sub(RUN_FILES).max(limit / 4);
+        let available = available.saturating_sub(SAFETY_SLOTS + CLOSING_CONNECTIONS);
+        let remaining = available.saturating_sub(configured.admitted);
+        let guests = configured.guests.min(remaining.max(available / 4)).max(MIN_SLOTS);
+        let admitted = configured.admitted.min(available.saturating_sub(guests)).max(MIN_SLOTS);
         Self { guests, admitted }
     }
 
-    /// Connections that are open at the same time at most, those that are closing included.
+    /// Largest number of open sockets, including those being closed.
     pub fn sockets(self) -> usize {
-        self.guests + self.admitted + SAFETY + CLOSING
+        self.guests + self.admitted + SAFETY_SLOTS + CLOSING_CONNECTIONS
     }
 }
 
-/// Open files that a run with these settings needs for all connections that they allow.
+/// Open files that a run needs with these settings when all connections are in use.
 pub fn open_files_needed(settings: &ServerSettings) -> u64 {
-    (FOR_THE_RUN + Places::asked(settings).sockets()) as u64
+    (RUN_FILES + ConnectionLimits::configured(settings).sockets()) as u64
 }
 
-/// Raises this process's limit of open files to what a run with these settings needs, as far as the
-/// hard limit allows.
+/// Raises this process's limit of open files to the need of a run with these settings, within the
+/// hard limit.
 pub fn raise_open_files(settings: &ServerSettings) {
     let Rlimit { current, maximum } = getrlimit(Resource::Nofile);
     let needed = open_files_needed(settings).min(maximum.unwrap_or(u64::MAX));
@@ -71,21 +71,22 @@ pub fn raise_open_files(settings: &ServerSettings) {
     }
 }
 
-/// The seats that there are under this process's limit; said where they are fewer than asked for.
-pub(super) fn places(settings: &ServerSettings) -> Places {
+/// The connection limits under this process's limit of open files; logs a warning if they are below
+/// the settings.
+pub(super) fn connection_limits(settings: &ServerSettings) -> ConnectionLimits {
     let limit = getrlimit(Resource::Nofile).current;
-    let places = Places::within(settings, limit);
-    if places != Places::asked(settings) {
+    let limits = ConnectionLimits::within(settings, limit);
+    if limits != ConnectionLimits::configured(settings) {
         tracing::warn!(
             limit,
             needed = open_files_needed(settings),
-            connections = places.admitted,
-            guests = places.guests,
-            "the limit of open files leaves room for fewer connections than are configured: raise \
+            connections = limits.admitted,
+            guests = limits.guests,
+            "the limit of open files allows fewer connections than are configured: raise \
              it (LimitNOFILE, ulimit -n) or lower server.connections"
         );
     }
-    places
+    limits
 }
 
 #[cfg(test)]
@@ -95,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_run_keeps_its_files_whatever_is_configured() {
+    fn files_for_the_run_are_reserved_with_any_settings() {
         for (tokens, connections, guests) in
             [(true, 1024, 64), (false, 1024, 64), (true, 100_000, 10_000), (true, 8, 8)]
         {
@@ -103,19 +104,25 @@ mod tests {
             let settings =
                 ServerSettings { tokens, connections, guests, ..ServerSettings::default() };
             let needed = open_files_needed(&settings);
-            assert_eq!(Places::within(&settings, Some(needed)), Places::asked(&settings));
-            assert_eq!(Places::within(&settings, None), Places::asked(&settings));
+            assert_eq!(
+                ConnectionLimits::within(&settings, Some(needed)),
+                ConnectionLimits::configured(&settings)
+            );
+            assert_eq!(
+                ConnectionLimits::within(&settings, None),
+                ConnectionLimits::configured(&settings)
+            );
             for limit in [512, 1024, 4096, 65_536] {
-                let places = Places::within(&settings, Some(limit));
-                assert!(places.sockets() + FOR_THE_RUN <= limit as usize, "{limit}: {places:?}");
-                assert!(places.guests >= LEAST && places.admitted >= LEAST);
+                let limits = ConnectionLimits::within(&settings, Some(limit));
+                assert!(limits.sockets() + RUN_FILES <= limit as usize, "{limit}: {limits:?}");
+                assert!(limits.guests >= MIN_SLOTS && limits.admitted >= MIN_SLOTS);
             }
         }
     }
 
     #[test]
-    fn a_limit_below_any_use_leaves_the_larger_part_to_the_run() {
-        let places = Places::within(&ServerSettings::default(), Some(200));
-        assert!(places.sockets() <= 60, "{places:?}");
+    fn a_very_low_limit_leaves_most_files_to_the_run() {
+        let limits = ConnectionLimits::within(&ServerSettings::default(), Some(200));
+        assert!(limits.sockets() <= 60, "{limits:?}");
     }
 }

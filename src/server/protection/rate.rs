@@ -1,4 +1,4 @@
-//! How many requests one client may make: a token bucket for each address.
+//! Rate limit for requests: a token bucket per client address.
 
 use std::{
     collections::HashMap,
@@ -8,10 +8,10 @@ use std::{
 
 use parking_lot::Mutex;
 
-/// Addresses that are remembered. Those who made no request for a while are forgotten first.
-const MOST_CLIENTS: usize = 4096;
+/// Largest number of stored clients. Clients with full buckets are removed first.
+const MAX_CLIENTS: usize = 4096;
 
-/// See the module.
+/// Request rates of all clients.
 pub(in crate::server) struct RateLimits {
     per_s: f64,
     burst: f64,
@@ -24,21 +24,21 @@ struct Bucket {
 }
 
 impl RateLimits {
-    /// `per_s` requests per second on average, `burst` at once.
+    /// Allows `per_s` requests per second on average and bursts of `burst` requests.
     pub fn new(per_s: f64, burst: f64) -> Self {
         Self { per_s, burst: burst.max(1.0), clients: Mutex::default() }
     }
 
-    /// One request of `client` at the time `now`.
+    /// Counts a request of `client` at time `now`.
     ///
     /// # Errors
-    /// How long it has to wait.
+    /// The request is refused; the value is the time to wait.
     pub fn take(&self, client: IpAddr, now: Instant) -> Result<(), Duration> {
         let client = network(client);
         let mut clients = self.clients.lock();
-        if clients.len() >= MOST_CLIENTS && !clients.contains_key(&client) {
+        if clients.len() >= MAX_CLIENTS && !clients.contains_key(&client) {
             clients.retain(|_, bucket| self.filled(bucket, now) < self.burst);
-            if clients.len() >= MOST_CLIENTS {
+            if clients.len() >= MAX_CLIENTS {
                 return Err(Duration::from_secs_f64(1.0 / self.per_s));
             }
         }
@@ -58,7 +58,7 @@ impl RateLimits {
     }
 }
 
-/// A host has a whole IPv6 network of 64 bits to itself.
+/// The address, or the /64 network of an IPv6 address: a host can use all addresses of its network.
 pub(in crate::server) fn network(client: IpAddr) -> IpAddr {
     match client.to_canonical() {
         IpAddr::V6(address) => {
@@ -94,10 +94,10 @@ mod tests {
     }
 
     #[test]
-    fn memory_is_bounded_and_the_idle_make_room() {
+    fn memory_is_bounded_and_idle_clients_are_removed() {
         let limits = RateLimits::new(1.0, 2.0);
         let start = Instant::now();
-        for client in 0..MOST_CLIENTS as u32 {
+        for client in 0..MAX_CLIENTS as u32 {
             limits.take(address(client), start).unwrap();
         }
         assert!(limits.take(address(u32::MAX), start).is_err());

@@ -1,23 +1,22 @@
-//! How hard a token is to guess, estimated from what it looks like.
+//! Estimates how hard a token is to guess from its characters.
 //!
-//! Nobody can tell random characters from others that look so. What can be seen is what people and
-//! careless programs make: words, repetitions, runs along the alphabet, and text in hexadecimal
-//! digits or base 64. Such pieces count for little; other characters for the logarithm of their
-//! alphabet. Random tokens lose some bits to chance, mostly less than a third.
+//! Random characters cannot be proved random, but patterns of humans and careless programs can be
+//! detected: words, repetitions, sequences of the alphabet, and text encoded in hexadecimal or base
+//! 64. Such parts count few bits, all other characters the logarithm of their alphabet's size.
+//! Random tokens lose some bits by chance, mostly less than a third.
 
-/// Bits of a piece that was there before, or that runs along the alphabet: where it begins and how
-/// long it is.
+/// Bits of a repeated part or an alphabetic sequence: they describe its start and length.
 const PIECE_BITS: f64 = 8.0;
-/// Fewest characters of such a piece.
+/// Smallest length of such a part.
 const PIECE: usize = 3;
-/// Fewest letters of a word.
+/// Smallest length of a word.
 const WORD: usize = 4;
 /// Bits per letter of a word; English has 0.6 to 1.3 (Shannon 1951), other words more.
 const LETTER_BITS: f64 = 2.0;
-/// Fewest characters of a text that is written in digits.
+/// Smallest length of an encoded text.
 const TEXT: usize = 12;
 
-/// See the module.
+/// The estimated entropy of a token in bits.
 pub(super) fn estimated_bits(token: &str) -> f64 {
     let token = token.trim_end_matches('=').as_bytes();
     let texts = [from_hexadecimal(token), from_base_64(token)];
@@ -44,7 +43,7 @@ fn bits_of(text: &[u8]) -> f64 {
     bits
 }
 
-/// Characters that there are to choose from, by the kinds that were chosen.
+/// Size of the alphabet, inferred from the kinds of characters used.
 fn alphabet(text: &[u8]) -> f64 {
     if text.iter().all(u8::is_ascii_hexdigit) {
         return 16.0;
@@ -60,7 +59,7 @@ fn alphabet(text: &[u8]) -> f64 {
     letters + if text.iter().any(|byte| !byte.is_ascii_alphanumeric()) { 2.0 } else { 0.0 }
 }
 
-/// Which characters are of words: letters of one case in a row, with a vowel among them.
+/// Whether each character belongs to a word: consecutive letters of one case that include a vowel.
 fn words(text: &[u8]) -> Vec<bool> {
     let case = |byte: u8| (byte.is_ascii_lowercase(), byte.is_ascii_uppercase());
     let runs = text.chunk_by(|a, b| case(*a) == case(*b));
@@ -71,7 +70,7 @@ fn words(text: &[u8]) -> Vec<bool> {
     runs.flat_map(|run| std::iter::repeat_n(is_word(run), run.len())).collect()
 }
 
-/// How many characters from `at` on are as they were somewhere before.
+/// Number of characters from `at` on that repeat an earlier part.
 fn repeated(text: &[u8], at: usize) -> usize {
     let same = |from: usize| {
         let pairs = text[from..].iter().zip(&text[at..]);
@@ -80,7 +79,7 @@ fn repeated(text: &[u8], at: usize) -> usize {
     (0..at).map(same).max().unwrap_or(0)
 }
 
-/// How many characters stay the same, or go up or down one by one.
+/// Number of characters that are equal, ascending or descending by one.
 fn run(text: &[u8]) -> usize {
     let steps: Vec<i16> =
         text.windows(2).map(|pair| i16::from(pair[1]) - i16::from(pair[0])).collect();
@@ -98,7 +97,7 @@ fn from_hexadecimal(token: &[u8]) -> Option<Vec<u8>> {
     Some(digits.chunks_exact(2).map(|pair| pair[0] << 4 | pair[1]).collect())
 }
 
-/// Of either alphabet (RFC 4648, sections 4 and 5), without padding.
+/// Decodes either alphabet (RFC 4648, sections 4 and 5), without padding.
 fn from_base_64(token: &[u8]) -> Option<Vec<u8>> {
     let value = |byte: &u8| {
         Some(match byte {
@@ -130,7 +129,7 @@ mod tests {
 
     const BASE_64: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-    /// How many of so many random tokens would be refused.
+    /// Number of refused tokens among `of` random ones.
     fn refused(alphabet: &[u8], length: usize, of: usize) -> usize {
         let mut random = Pcg64Mcg::seed_from_u64(5);
         let mut token = || -> String {
@@ -143,17 +142,17 @@ mod tests {
 
     #[test]
     fn random_tokens_are_accepted() {
-        // As the documents advise: 32 random bytes.
+        // As the documentation recommends: 32 random bytes.
         assert_eq!(refused(b"0123456789abcdef", 64, 5000), 0);
         assert_eq!(refused(BASE_64, 43, 5000), 0);
-        // The shortest that are allowed: 16 random bytes.
+        // The shortest tokens allowed: 16 random bytes.
         let shortest = [refused(b"0123456789abcdef", 32, 5000), refused(BASE_64, 22, 5000)];
         println!("{shortest:?} of 5000 random tokens of 16 bytes are refused");
         assert!(shortest.iter().all(|refused| *refused < 75), "{shortest:?}");
     }
 
     #[test]
-    fn what_people_make_is_not() {
+    fn tokens_with_patterns_are_refused() {
         for token in [
             "0123456789abcdef0123456789abcdef",
             "0000000000000000ffffffffffffffff",
@@ -174,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn base_64_is_read_as_it_is_written() {
+    fn base_64_is_decoded() {
         assert_eq!(from_base_64(b"bGFzZXI0Mg").unwrap(), b"laser42");
         assert_eq!(from_base_64(b"_-8").unwrap(), [0xff, 0xef]);
         assert_eq!(from_base_64(b"a b"), None);

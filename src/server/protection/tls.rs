@@ -12,7 +12,7 @@ use tokio_rustls::TlsAcceptor;
 use super::{ProtectionError, tokens::read_secret};
 use crate::config::TlsSettings;
 
-/// TLS 1.2 and 1.3, HTTP/1.1, no client certificates.
+/// Accepts TLS 1.2 and 1.3 and HTTP/1.1, without client certificates.
 pub(super) fn acceptor(settings: &TlsSettings) -> Result<TlsAcceptor, ProtectionError> {
     let certificates = certificates(&settings.certificate)?;
     let key = key(&settings.key)?;
@@ -32,12 +32,12 @@ fn certificates(path: &Path) -> Result<Vec<CertificateDer<'static>>, ProtectionE
         |reason: String| ProtectionError::Pem { what, key, path: path.to_owned(), reason };
     let found = found.map_err(|error| refused(error.to_string()))?;
     match found.is_empty() {
-        true => Err(refused("there is no certificate in it".to_owned())),
+        true => Err(refused("it contains no certificate".to_owned())),
         false => Ok(found),
     }
 }
 
-/// A group may read it, as Debian's `ssl-cert` does.
+/// Reads the private key. Its group may read it, as with Debian's `ssl-cert`.
 fn key(path: &Path) -> Result<PrivateKeyDer<'static>, ProtectionError> {
     let (what, key) = ("key", "server.tls.key");
     let text = read_secret(what, key, path, 0o027)?;

@@ -1,7 +1,7 @@
-//! Bearer tokens and what they allow.
+//! Bearer tokens and their scopes.
 //!
-//! Only digests are kept, and all of them are compared in constant time: neither memory nor timing
-//! tells a token, its length or its place in the file.
+//! Only digests are stored, and each check compares all of them in constant time. Neither memory
+//! nor timing reveals a token, its length or its position in the file.
 
 use std::{io, os::unix::fs::MetadataExt, path::Path};
 
@@ -12,17 +12,17 @@ use subtle::{ConditionallySelectable, ConstantTimeEq};
 
 use super::{ProtectionError, strength::estimated_bits};
 
-/// Fewest characters of a token: 128 bit in hexadecimal digits.
+/// Smallest length of a hexadecimal token: 128 bits.
 const FEWEST_HEX: usize = 32;
-/// Fewest characters of a token of letters and digits: 128 bit in base 64.
+/// Smallest length of other tokens: 128 bits in base 64.
 const FEWEST_BASE64: usize = 22;
-/// A random token of this length has more different characters than this.
+/// Smallest number of different characters. Random tokens of the smallest length have more.
 const FEWEST_DIFFERENT: usize = 8;
-/// Least estimate for a token: 128 random bits, less what chance may make look like a pattern. Of
-/// random tokens of 128 bits one in a hundred falls below it.
+/// Smallest estimated entropy: 128 bits less what may look like a pattern by chance. One in a
+/// hundred random 128-bit tokens falls below it.
 pub(super) const LEAST_BITS: f64 = 85.0;
 
-/// What a token allows. Who may control may read.
+/// What a token allows. Control includes reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::server) enum Scope {
     Read = 1,
@@ -46,13 +46,13 @@ pub(in crate::server) struct Tokens {
 }
 
 impl Tokens {
-    /// Reads a file that nobody else can read.
+    /// Reads a token file, which other users must not be able to read.
     pub fn load(path: &Path) -> Result<Self, ProtectionError> {
         let text = read_secret("tokens", "server.tokens", path, 0o077)?;
         Self::parse(path, &text)
     }
 
-    /// One token per line; empty lines and lines that begin with `#` are passed over.
+    /// Parses one token per line; empty lines and lines starting with `#` are skipped.
     pub(super) fn parse(path: &Path, text: &str) -> Result<Self, ProtectionError> {
         let mut entries = Vec::new();
         for (number, line) in text.lines().enumerate() {
@@ -73,7 +73,7 @@ impl Tokens {
         }
     }
 
-    /// What a token allows; `None` when it is not one of ours.
+    /// The scope of a token; `None` if it is unknown.
     pub fn scope_of(&self, presented: &str) -> Option<Scope> {
         let presented = hash(presented);
         let mut found = 0u8;
@@ -95,16 +95,16 @@ fn entry(line: &str) -> Result<(Scope, Digest), &'static str> {
     let scope = match words.next() {
         Some("read") => Scope::Read,
         Some("control") => Scope::Control,
-        _ => return Err("it begins neither with 'read' nor with 'control'"),
+        _ => return Err("it starts neither with 'read' nor with 'control'"),
     };
     let (Some(token), None) = (words.next(), words.next()) else {
-        return Err("there is not exactly one token after the scope");
+        return Err("the scope must be followed by exactly one token");
     };
     strong(token)?;
     Ok((scope, hash(token)))
 }
 
-/// Whether a token can have been drawn from 2¹²⁸.
+/// Checks that a token may have 128 random bits.
 fn strong(token: &str) -> Result<(), &'static str> {
     // RFC 6750, section 2.1.
     let allowed = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~+/=".contains(&byte);
@@ -120,18 +120,18 @@ fn strong(token: &str) -> Result<(), &'static str> {
         || different.len() < FEWEST_DIFFERENT
         || estimated_bits(token) < LEAST_BITS
     {
-        return Err("the token can be guessed: 128 random bits are the least");
+        return Err("the token can be guessed: use at least 128 random bits");
     }
     Ok(())
 }
 
-/// Whether a word could be a token: nothing else that is sent here looks like one.
+/// Whether a word looks like a token. No other data in requests does.
 pub(super) fn is_strong(word: &str) -> bool {
     strong(word).is_ok()
 }
 
-/// The text of a file, unless its mode has one of the `forbidden` bits. Where there are such, it is
-/// a secret: it must belong to this user, or to the system's administrator.
+/// Reads a file, unless its mode has one of the `forbidden` bits. If `forbidden` is not 0, the file
+/// is a secret and must belong to this user or root.
 pub(super) fn read_secret(
     what: &'static str,
     key: &'static str,
@@ -152,7 +152,7 @@ fn read_secret_as(
         let path = path.to_owned();
         ProtectionError::Unreadable { what, key, path, reason }
     };
-    // One handle: what is checked is what is read.
+    // Check and read through the same handle.
     let file = open_regular(path).map_err(unreadable)?;
     let metadata = file.metadata().map_err(unreadable)?;
     let owner = metadata.uid();
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn a_token_has_its_scope_and_nothing_near_it_has_any() {
+    fn only_the_exact_token_has_its_scope() {
         let tokens = parse(&format!("# lab\nread {READ}\n\n  control {CONTROL}\n")).unwrap();
         assert_eq!(tokens.scope_of(READ), Some(Scope::Read));
         assert_eq!(tokens.scope_of(CONTROL), Some(Scope::Control));
@@ -199,9 +199,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_token_is_refused_with_its_line() {
+    fn an_invalid_token_is_refused_with_its_line() {
         let refusal = |text: &str| parse(text).err().unwrap();
-        assert!(refusal("\nadmin abc").contains("line 2: it begins neither"));
+        assert!(refusal("\nadmin abc").contains("line 2: it starts neither"));
         assert!(refusal("read").contains("exactly one token"));
         assert!(refusal(&format!("read {READ} {READ}")).contains("exactly one token"));
         let words = "correct-horse-battery-staple-lab";
@@ -211,7 +211,7 @@ mod tests {
             assert!(refusal(&format!("read {weak}")).contains("can be guessed"), "{weak}");
         }
         assert!(refusal(&format!("read {READ}ä")).contains("characters"));
-        assert!(refusal("# none").contains("holds no token"));
+        assert!(refusal("# none").contains("contains no token"));
         assert!(refusal("").contains("openssl rand -hex 32"));
     }
 
@@ -246,7 +246,7 @@ mod tests {
         let read_as = |user| read_secret_as(user, "tokens", "server.tokens", &path, 0o077);
         assert!(read_as(owner).is_ok());
         let others = read_as(owner + 1);
-        // The administrator could read and change it anyway.
+        // Root can read and change the file anyway.
         assert_eq!(others.is_ok(), owner == 0);
         if owner == 0 {
             std::os::unix::fs::chown(&path, Some(4242), None).unwrap();
@@ -254,11 +254,11 @@ mod tests {
         let user = owner + 1;
         let refused = read_as(user).err().unwrap().to_string();
         assert!(refused.contains(&format!("chown {user}")), "{refused}");
-        assert!(read_secret_as(user, "certificate", "", &path, 0).is_ok(), "no secret");
+        assert!(read_secret_as(user, "certificate", "", &path, 0).is_ok(), "not a secret");
     }
 
     #[test]
-    fn a_pipe_is_not_waited_for() {
+    fn a_pipe_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("tokens");
         let made = std::process::Command::new("mkfifo").arg("-m").arg("600").arg(&path).status();

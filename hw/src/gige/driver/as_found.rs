@@ -66,10 +66,10 @@ impl AsFound {
         }
         let camera = features.device;
         if left.is_empty() {
-            tracing::info!(camera, "given back as it was found");
+            tracing::info!(camera, "settings restored");
         } else {
             let left = left.join(", ");
-            tracing::warn!(camera, "cannot be set back to what was found: {left}");
+            tracing::warn!(camera, "settings that cannot be restored: {left}");
         }
     }
 }

@@ -315,7 +315,7 @@ impl Drop for GigeCamera {
             }
             _ => tracing::warn!(
                 camera = self.name,
-                "it was lost, and keeps the settings that it was looked at with; a run sets its own"
+                "connection lost, so its settings are not restored; a run sets its own"
             ),
         }
     }

@@ -1,8 +1,8 @@
-//! A camera's main lens, stop and pose that are not as drawn.
+//! Deviations of main lens, stop and pose.
 
 use super::*;
 
-/// Camera `number` of the bench with `flaws`, handed to `look`.
+/// Calls `look` with the tracer of camera `number` with `flaws`.
 pub(super) fn with_camera<T>(
     number: usize,
     flaws: &CameraFlaws,
@@ -12,7 +12,7 @@ pub(super) fn with_camera<T>(
     look(&RayTracer::imperfect(&optics, &poses()[number], [0.0; 3], flaws, &settings(4096)))
 }
 
-/// Where one ray of camera 1 meets the microlens plane.
+/// Position of one ray of camera 1 on the microlens plane.
 fn meets_mm(flaws: &CameraFlaws, position_mm: [f64; 3], stop_mm: [f64; 2]) -> [f64; 2] {
     with_camera(0, flaws, |tracer| tracer.on_microlenses_mm(position_mm, stop_mm).unwrap())
 }
@@ -21,9 +21,9 @@ fn close(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
     (a[0] - b[0]).abs() < tolerance && (a[1] - b[1]).abs() < tolerance
 }
 
-/// Follows a ray from an object point through a place on the lens, with nothing but straight lines
-/// and the bend of a thin lens: where it passes the stop and where it meets the microlenses.
-fn followed(object: [f64; 2], depth: f64, on_lens: [f64; 2], stop: f64) -> [[f64; 2]; 2] {
+/// Follows a ray from an object point through a position on the lens, using straight lines and
+/// thin-lens refraction only. Returns its positions on the stop and on the microlens plane.
+fn follow_ray(object: [f64; 2], depth: f64, on_lens: [f64; 2], stop: f64) -> [[f64; 2]; 2] {
     let at = |distance: f64| {
         std::array::from_fn(|axis| {
             let slope = (on_lens[axis] - object[axis]) / (200.0 - depth) - on_lens[axis] / 100.0;
@@ -34,23 +34,23 @@ fn followed(object: [f64; 2], depth: f64, on_lens: [f64; 2], stop: f64) -> [[f64
 }
 
 #[test]
-fn a_stop_beside_the_lens_passes_the_rays_that_go_through_it() {
+fn rays_through_a_stop_away_from_the_lens_are_correct() {
     for exit_pupil_mm in [-60.0, 0.0, 35.0, 120.0] {
         let flaws = CameraFlaws { exit_pupil_mm, ..CameraFlaws::default() };
         for (object, depth, on_lens) in
             [([0.0, 0.0], 3.0, [8.0, -2.0]), ([4.0, -3.0], -4.0, [-5.0, 6.0])]
         {
-            let [stop_mm, plane_mm] = followed(object, depth, on_lens, exit_pupil_mm);
+            let [stop_mm, plane_mm] = follow_ray(object, depth, on_lens, exit_pupil_mm);
             let met_mm = meets_mm(&flaws, [object[0], object[1], depth], stop_mm);
             assert!(close(met_mm, plane_mm, 1e-10), "{met_mm:?} instead of {plane_mm:?}");
         }
     }
 }
 
-/// x = u + (ξ' − u)(s_i − d)/(s' − d): parallax per stop radius is that of a stop in the lens, to
-/// first order, because the stop keeps the working f-number; the chief ray is another one.
+/// x = u + (ξ' − u)(s_i − d)/(s' − d). To first order, parallax per stop radius is that of a stop
+/// in the lens, because the stop keeps the working f-number; only the chief ray differs.
 #[test]
-fn the_exit_pupil_changes_parallax_as_its_formula_says() {
+fn the_exit_pupil_changes_parallax_by_its_formula() {
     let (depth, object_mm, stop_mm) = (4.0_f64, 5.0_f64, 40.0_f64);
     let flaws = CameraFlaws { exit_pupil_mm: stop_mm, ..CameraFlaws::default() };
     let s = 200.0 - depth;
@@ -68,14 +68,15 @@ fn the_exit_pupil_changes_parallax_as_its_formula_says() {
     assert!((moved / perfect - 1.0).abs() < 0.03, "{moved} against {perfect}");
 }
 
-/// Displacements as in the documentation of [`Distortion`], with r_h = 8.0914 mm.
+/// Displacements by the formula of [`Distortion`], with r_h = 8.0914 mm.
 #[test]
 fn distortion_moves_all_rays_of_a_point_by_the_stated_amount() {
     let (radial, tangential) = (0.02, [0.003, -0.002]);
     let flaws =
         CameraFlaws { distortion: Distortion { radial, tangential }, ..CameraFlaws::default() };
     let half_diagonal_mm = 2352.0_f64.hypot(1768.0) * 0.0055 / 2.0;
-    // A point in focus at the very corner of the sensor moves by `radial`, and the tangential terms.
+    // A point in focus at the corner of the sensor is displaced by `radial` and the tangential
+    // terms.
     let corner_mm = [2352.0, 1768.0].map(|count| count * 0.0055 / 2.0);
     let object_mm = [-corner_mm[0], -corner_mm[1], 0.0];
     let [x, y] = corner_mm.map(|place_mm| place_mm / half_diagonal_mm);
@@ -91,7 +92,8 @@ fn distortion_moves_all_rays_of_a_point_by_the_stated_amount() {
     }
 }
 
-/// Out of focus a point's light covers many microlenses: its centre is no longer bound to theirs.
+/// Out of focus, a point's light covers many microlenses, so its centroid is not tied to their
+/// centres.
 #[test]
 fn distortion_moves_the_light_on_the_sensor() {
     let flaws = CameraFlaws {
@@ -104,7 +106,8 @@ fn distortion_moves_the_light_on_the_sensor() {
     };
     let (straight, bent) =
         (centroid_mm(&light(&CameraFlaws::default())), centroid_mm(&light(&flaws)));
-    // Image of the chief ray at 200/195 of the object; the micro-images' grid is 1.004 larger.
+    // The chief ray's image is at 200/195 of the object; the micro-image grid is 1.004 times
+    // larger.
     let chief_mm = [-4.0, 2.5].map(|mm| mm * 200.0 / 195.0);
     let square = (chief_mm[0] * chief_mm[0] + chief_mm[1] * chief_mm[1]) / 65.472;
     for axis in [0, 1] {
@@ -114,7 +117,7 @@ fn distortion_moves_the_light_on_the_sensor() {
     }
 }
 
-/// Turning the camera about its point in focus turns what it sees the other way.
+/// Turning the camera about its point in focus turns the image in the opposite direction.
 #[test]
 fn a_turned_camera_sees_the_world_turned_the_other_way() {
     let position_mm = [1.0, -2.0, 1.5];
@@ -140,7 +143,7 @@ fn a_turned_camera_sees_the_world_turned_the_other_way() {
 }
 
 #[test]
-fn a_second_aperture_costs_light_at_the_edge_and_none_on_the_axis() {
+fn a_second_aperture_blocks_light_at_the_edge_but_not_on_the_axis() {
     let cut = CameraFlaws {
         vignetting: Some(SecondAperture { radius_mm: 10.0, behind_lens_mm: 40.0 }),
         ..CameraFlaws::default()
@@ -148,6 +151,6 @@ fn a_second_aperture_costs_light_at_the_edge_and_none_on_the_axis() {
     let total = |x_mm| {
         with_camera(0, &cut, |tracer| tracer.trace(&[source([x_mm, 0.0, 0.0])], &[1]).total())
     };
-    // On the axis the beam has a radius of 12.5 × 160/200 = 10 mm there.
+    // On the axis the beam's radius at the aperture is 12.5 × 160/200 = 10 mm.
     assert!(total(0.0) > 999.0 && total(6.0) < 960.0, "{} and {}", total(0.0), total(6.0));
 }

@@ -1,8 +1,8 @@
-//! Particles in water behind a wall of glass.
+//! Particles in water behind a glass wall.
 
 use super::{flaws::with_camera, *};
 
-/// Water behind 5 mm of glass, 40 mm from the middle.
+/// Water behind 5 mm of glass, 40 mm from the centre.
 fn tank(tilt_deg: [f64; 2]) -> CameraFlaws {
     let wall = WallSettings { distance_mm: 40.0, tilt_deg, ..WallSettings::default() };
     CameraFlaws { wall: Some(wall), ..CameraFlaws::default() }
@@ -12,8 +12,8 @@ fn meets_mm(flaws: &CameraFlaws, position_mm: [f64; 3], stop_mm: [f64; 2]) -> [f
     with_camera(0, flaws, |tracer| tracer.on_microlenses_mm(position_mm, stop_mm).unwrap())
 }
 
-/// How far the rays through ±`u` along an axis of the stop land from each other, per distance on
-/// the stop: zero in focus, and to first order s_i/s² times the equivalent depth.
+/// Distance on the microlens plane of the rays through ±`u` along an axis of the stop, per distance
+/// on the stop: zero in focus, and to first order s_i/s² times the equivalent depth.
 fn parallax(flaws: &CameraFlaws, position_mm: [f64; 3], axis: usize, u: f64) -> f64 {
     let at = |u: f64| {
         let mut stop_mm = [0.0; 2];
@@ -24,7 +24,7 @@ fn parallax(flaws: &CameraFlaws, position_mm: [f64; 3], axis: usize, u: f64) -> 
 }
 
 #[test]
-fn a_wall_of_air_is_no_wall() {
+fn a_wall_of_air_has_no_effect() {
     let mut flaws = tank([5.0, -3.0]);
     let wall = flaws.wall.as_mut().unwrap();
     (wall.glass_index, wall.medium_index) = (1.0, 1.0);
@@ -37,22 +37,22 @@ fn a_wall_of_air_is_no_wall() {
 }
 
 #[test]
-fn a_wall_across_the_axis_shortens_depth_by_the_index() {
+fn a_perpendicular_wall_divides_depth_by_the_index() {
     let (air, water) = (CameraFlaws::default(), tank([0.0; 2]));
     for depth in [-4.0, -1.0, 2.0, 4.0] {
         let seen = parallax(&water, [0.0, 0.0, depth], 0, 1.0);
         let expected = parallax(&air, [0.0, 0.0, depth / 1.333], 0, 1.0);
         assert!((seen - expected).abs() < 2e-6, "{seen} instead of {expected}");
-        // Equivalent depth z/n is also what makes the picture larger: −200/(200 − z/n).
+        // The equivalent depth z/n also determines the magnification, −200/(200 − z/n).
         let place_mm = meets_mm(&water, [1.0, 0.0, depth], [0.0; 2]);
         let expected_mm = -200.0 / (200.0 - depth / 1.333);
         assert!((place_mm[0] - expected_mm).abs() < 2e-5, "{place_mm:?}, not {expected_mm}");
     }
 }
 
-/// The camera is set up through the wall: whatever its tilt, the middle is on the axis and in focus.
+/// The camera is set up through the wall: for any tilt the centre is on the axis and in focus.
 #[test]
-fn the_middle_of_the_volume_stays_on_the_axis_and_in_focus() {
+fn the_centre_of_the_volume_is_on_the_axis_and_in_focus() {
     for tilt_deg in [[0.0, 0.0], [5.0, 0.0], [0.0, -5.0], [10.0, 7.0]] {
         let flaws = tank(tilt_deg);
         let centre_mm = meets_mm(&flaws, [0.0; 3], [0.0; 2]);
@@ -63,11 +63,12 @@ fn the_middle_of_the_volume_stays_on_the_axis_and_in_focus() {
     }
 }
 
-/// Rays in the plane of incidence see a point nearer than rays across it: for 40 mm of water and 5 mm
-/// of glass by 40 (1 − cos² 5°/cos² 3.749°)/1.333 + 5 (1 − cos² 5°/cos² 3.331°)/1.5 = 0.113 mm,
-/// which on the microlenses is 0.07 voxel between the axes at the edge of the stop.
+/// In the plane of incidence a point appears nearer than perpendicular to it. For 40 mm of water
+/// and 5 mm of glass the difference is 40 (1 − cos² 5°/cos² 3.749°)/1.333 + 5 (1 − cos² 5°/cos²
+/// 3.331°)/1.5 = 0.113 mm, which on the microlenses is 0.07 voxels between the axes at the edge of
+/// the stop.
 #[test]
-fn a_tilted_wall_gives_depths_of_their_own_to_columns_and_rows() {
+fn a_tilted_wall_gives_columns_and_rows_different_depths() {
     for (tilt_deg, in_plane) in [([5.0, 0.0], 1), ([0.0, 5.0], 0)] {
         let flaws = tank(tilt_deg);
         let depth = |axis: usize| parallax(&flaws, [0.0; 3], axis, 1.0) * 200.0;
@@ -78,10 +79,10 @@ fn a_tilted_wall_gives_depths_of_their_own_to_columns_and_rows() {
     }
 }
 
-/// The wall is part of the tank: moved by δ along its axis, the camera has what is nδ further in
-/// focus.
+/// The wall belongs to the tank: after moving the camera by δ along its axis, the plane in focus
+/// moves by nδ.
 #[test]
-fn the_wall_stays_where_it_is_when_the_camera_is_moved() {
+fn the_wall_does_not_move_with_the_camera() {
     let (optics, flaws) = (optics(), tank([0.0; 2]));
     let tracer = RayTracer::imperfect(&optics, &poses()[0], [0.0, 0.0, 0.6], &flaws, &settings(1));
     let at = |depth: f64, u: f64| tracer.on_microlenses_mm([0.0, 0.0, depth], [u, 0.0]).unwrap()[0];
@@ -92,7 +93,7 @@ fn the_wall_stays_where_it_is_when_the_camera_is_moved() {
 }
 
 #[test]
-fn what_is_not_behind_the_wall_is_not_seen() {
+fn points_that_are_not_behind_the_wall_are_not_seen() {
     with_camera(0, &tank([5.0, 0.0]), |tracer| {
         assert_eq!(tracer.on_microlenses_mm([0.0, 0.0, 41.0], [0.0; 2]), None);
         assert_eq!(tracer.on_microlenses_mm([0.0, f64::NAN, 0.0], [0.0; 2]), None);

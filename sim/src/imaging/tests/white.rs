@@ -1,4 +1,4 @@
-//! White images: where micro-images are, how large they are, and what darkens them.
+//! White images: positions and sizes of micro-images, and effects that darken them.
 
 use super::*;
 use crate::test_bench;
@@ -15,8 +15,8 @@ fn white(flaws: &CameraFlaws) -> (ElectronImage, TrueMicroImageGrid) {
     (tracer.trace_white(RAYS, 1000.0, &[1]), tracer.micro_image_grid())
 }
 
-/// Light, its centre and its mean square distance from that, in pixels, within half a pitch of a
-/// micro-image's centre; `None` where the sensor ends.
+/// Light of a micro-image, its centroid, and its mean square distance from that, in pixels, within
+/// half a pitch of the centre; `None` if cut by the sensor's edge.
 fn micro_image(
     image: &ElectronImage,
     grid: &TrueMicroImageGrid,
@@ -44,7 +44,7 @@ fn micro_image(
     Some((light, [centre[0] + mean[0], centre[1] + mean[1]], square))
 }
 
-/// Every third microlens along both axes that is not cut by the sensor's edge.
+/// Every third microlens along both axes whose micro-image is not cut by the sensor's edge.
 fn some_microlenses(
     image: &ElectronImage,
     grid: &TrueMicroImageGrid,
@@ -60,8 +60,8 @@ fn some_microlenses(
     found
 }
 
-/// An array that lies as no array should. Its stop is smaller than the optics say: micro-images do
-/// not touch, so that light is of one microlens.
+/// An array with all deviations. Its stop is smaller than nominal, so that micro-images do not
+/// touch and each pixel sees one microlens.
 fn displaced() -> CameraFlaws {
     CameraFlaws {
         array_rotation_deg: 0.7,
@@ -74,7 +74,7 @@ fn displaced() -> CameraFlaws {
 }
 
 #[test]
-fn a_perfect_array_has_micro_images_where_the_theory_says() {
+fn micro_images_of_a_perfect_array_agree_with_the_theory() {
     let (_, grid) = white(&CameraFlaws::default());
     let pitch_px = 0.1004 / 0.0055;
     for (i, j) in [(0, 0), (20, 0), (5, 16)] {
@@ -85,7 +85,7 @@ fn a_perfect_array_has_micro_images_where_the_theory_says() {
 }
 
 #[test]
-fn micro_images_are_where_the_true_grid_has_them() {
+fn micro_images_are_centred_on_the_true_grid() {
     for flaws in [CameraFlaws { f_number_scale: 1.2, ..CameraFlaws::default() }, displaced()] {
         let (image, grid) = white(&flaws);
         for ([i, j], _, centre, _) in some_microlenses(&image, &grid) {
@@ -96,9 +96,9 @@ fn micro_images_are_where_the_true_grid_has_them() {
     }
 }
 
-/// The grid as laid out by hand: turned from `right` towards `up`, rows downwards.
+/// The grid computed directly: rotation from `right` towards `up`, rows counted downwards.
 #[test]
-fn the_true_grid_turns_and_grows_with_the_array() {
+fn the_true_grid_follows_rotation_and_pitch_of_the_array() {
     let (_, grid) = white(&displaced());
     let pixel_mm = 0.0055;
     let grown = 1.0 + 0.8 / (200.0 - 40.0);
@@ -118,13 +118,13 @@ fn the_true_grid_turns_and_grows_with_the_array() {
     assert!((middle[1] - (155.5 + 0.017 * grown / pixel_mm)).abs() < 1e-9);
 }
 
-/// A second aperture whose picture on the stop is as large as the stop cuts two equal discs: the
-/// light's centre is half way between theirs.
+/// A second aperture whose projection on the stop is as large as the stop gives the overlap of two
+/// equal discs; the centroid of the light is half-way between their centres.
 #[test]
-fn vignetting_moves_the_light_and_not_the_grid() {
+fn vignetting_moves_the_light_but_not_the_grid() {
     for (behind_lens_mm, towards_axis) in [(-30.0, true), (30.0, false)] {
-        // For d = 0, u at the stop and x at the microlenses the aperture is passed at
-        // u κ + x v/s_i behind the lens, κ = 1 − v/s_i; in front of it κ = 1 + v/s_o.
+        // For d = 0, the ray through u on the stop and x on the microlenses passes the aperture at
+        // u κ + x v/s_i, with κ = 1 − v/s_i behind the lens and κ = 1 + v/s_o in front of it.
         let kept = 1.0 - f64::abs(behind_lens_mm) / 200.0;
         let vignetting = SecondAperture { radius_mm: 12.5 / 1.2 * kept, behind_lens_mm };
         let flaws = CameraFlaws {
@@ -147,8 +147,8 @@ fn vignetting_moves_the_light_and_not_the_grid() {
     }
 }
 
-/// A uniform disc of radius R has the mean square distance R²/2 from its centre; a pixel's own
-/// width adds 1/6, the microlens' own aperture hardly anything.
+/// A uniform disc of radius R has a mean square distance of R²/2 from its centre; the pixel width
+/// adds 1/6, the microlens' aperture almost nothing.
 #[test]
 fn the_f_number_sets_the_size_of_micro_images() {
     for f_number_scale in [1.1, 1.3, 1.6] {
@@ -161,8 +161,8 @@ fn the_f_number_sets_the_size_of_micro_images() {
     }
 }
 
-/// Wider than the microlenses' own f-number: neighbours overlap, and what lies between them gets the
-/// light of both.
+/// With a stop wider than the microlenses' f-number, neighbouring micro-images overlap, and the
+/// area between them gets the light of both.
 #[test]
 fn micro_images_of_too_wide_a_stop_overlap() {
     let between_and_middle = |f_number_scale| {
@@ -191,11 +191,11 @@ fn dead_microlenses_are_dark_and_the_others_are_not() {
 }
 
 #[test]
-fn light_is_even_and_as_bright_as_asked_for() {
+fn light_is_uniform_and_as_bright_as_requested() {
     let (image, grid) = white(&CameraFlaws { f_number_scale: 1.2, ..CameraFlaws::default() });
     let brightest = image.electrons().iter().copied().fold(0.0, f32::max);
     assert!((brightest - 1000.0).abs() < 1e-3, "{brightest}");
-    // Pixels that lie wholly inside their micro-image, of 7.6 pixels radius.
+    // Pixels completely inside their micro-image, whose radius is 7.6 pixels.
     let mut open = Vec::new();
     for (index, &electrons) in image.electrons().iter().enumerate() {
         let place = [(index % 384) as f64, (index / 384) as f64];

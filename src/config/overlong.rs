@@ -1,13 +1,13 @@
-//! Arrays in a document that are longer than what takes them, such as four numbers for a place in
-//! space: the deserializer reads as many elements as it needs and passes over the others.
+//! Finds arrays in a document that are longer than the setting they belong to, such as four numbers
+//! for a point. The deserializer ignores the additional elements.
 
 use toml::Value;
 
 use super::location::{KeyPath, Step};
 
-/// The arrays of `document` that are longer than in `read`, which is the same document written again
-/// by what read it; and how many elements were read.
-pub(super) fn longer_than_read(document: &Value, read: &Value) -> Vec<(KeyPath, usize)> {
+/// Paths of the arrays that are longer in `document` than in `read`, and the number of elements
+/// read. `read` is the parsed document, serialized again.
+pub(super) fn overlong_arrays(document: &Value, read: &Value) -> Vec<(KeyPath, usize)> {
     let mut found = Vec::new();
     compare(document, read, &KeyPath::default(), &mut found);
     found

@@ -1,5 +1,5 @@
-//! Whether the parts of a configuration fit together: every value may be in its range, and the whole
-//! still describe nothing that can be measured.
+//! Consistency checks between the tables of a configuration. Each value may be in its range while
+//! the values together describe a bench that cannot measure.
 
 use std::borrow::Cow;
 
@@ -14,41 +14,43 @@ use lfpiv_hw::{
 
 use super::Config;
 
-/// What a configuration is read for, and so what of it has to fit together.
+/// What a configuration is used for. It decides which checks are made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
-    /// To make images, or to calibrate: calibrations are not read.
+    /// To make images or to calibrate: calibration files are not read.
     Optics,
-    /// To correlate volumes that are there: volume and windows.
+    /// To correlate given volumes: volume and windows are checked.
     Volumes,
-    /// To measure images: the cameras and their calibrations, too.
+    /// To measure images: cameras and their calibrations are checked as well.
     Images,
-    /// To run the bench: laser and cameras must keep its rate, too.
+    /// To run the bench: the rate of laser and cameras is checked as well.
     Bench,
 }
 
-/// Share of the volume that all cameras must see. Light from outside a camera's view tells it
-/// nothing: with less than half of the volume in view the rest is not measured but made up.
+/// Smallest share of the volume that all cameras must see. A camera knows nothing about light
+/// outside its view, so with less than half of the volume in common view the rest of the volume
+/// cannot be measured.
 const LEAST_COMMON_VIEW: f64 = 0.5;
 
-/// Cameras closer to each other see the same: the pupil of one alone spans several degrees.
+/// Smallest angle between two cameras. Closer cameras see the same: the pupil of one camera spans
+/// several degrees.
 const LEAST_DEGREES_APART: f64 = 1.0;
 
-/// A key, and why its value does not fit the rest.
+/// A key whose value contradicts other values, and the reason.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Misfit {
+pub(super) struct Inconsistency {
     pub key: Cow<'static, str>,
     pub message: String,
 }
 
-impl Misfit {
+impl Inconsistency {
     pub fn new(key: impl Into<Cow<'static, str>>, message: String) -> Self {
         Self { key: key.into(), message }
     }
 }
 
-/// Everything that does not fit together for `purpose`.
-pub(super) fn misfits(config: &Config, purpose: Purpose) -> Vec<Misfit> {
+/// All inconsistencies for `purpose`.
+pub(super) fn inconsistencies(config: &Config, purpose: Purpose) -> Vec<Inconsistency> {
     let mut found = windows(config);
     if purpose != Purpose::Volumes {
         found.extend(domain(config));
@@ -61,17 +63,17 @@ pub(super) fn misfits(config: &Config, purpose: Purpose) -> Vec<Misfit> {
     found
 }
 
-/// OS-MART works on active voxels only.
-fn domain(config: &Config) -> Option<Misfit> {
+/// OS-MART needs active voxels.
+fn domain(config: &Config) -> Option<Inconsistency> {
     let ReconstructionSettings { solver, domain, .. } = config.reconstruction;
     (solver == Solver::OsMart && domain == Domain::Volume).then(|| {
         let message = "os-mart works on active voxels only; use domain = \"active\", or solver = \
                        \"sart\", \"os-sart\" or \"pr-sart\"";
-        Misfit::new("reconstruction.domain", message.to_owned())
+        Inconsistency::new("reconstruction.domain", message.to_owned())
     })
 }
 
-fn windows(config: &Config) -> Vec<Misfit> {
+fn windows(config: &Config) -> Vec<Inconsistency> {
     let VolumeGrid { voxels, voxel_mm, .. } = &config.volume;
     let shortest_mm = voxels.iter().min().map_or(0.0, |&n| n as f64) * voxel_mm;
     let settings = &config.velocimetry;
@@ -80,28 +82,29 @@ fn windows(config: &Config) -> Vec<Misfit> {
         ("velocimetry.first_window_mm", settings.first_window_mm),
     ];
     let too_large = windows.into_iter().filter_map(|(key, window_mm)| Some((key, window_mm?)));
-    // A thousandth of a voxel for lengths that are no binary fractions.
+    // The tolerance is a thousandth of a voxel, for lengths that are not binary fractions.
     let too_large = too_large.filter(|(_, window_mm)| *window_mm > shortest_mm + 1e-3 * voxel_mm);
     too_large
         .map(|(key, _)| {
             let most_mm = (shortest_mm * 1e6).round() / 1e6;
             let message = format!(
-                "larger than the volume, whose shortest edge is {most_mm} mm; allowed up to that"
+                "larger than the volume, whose shortest edge is {most_mm} mm; allowed: at most that"
             );
-            Misfit::new(key, message)
+            Inconsistency::new(key, message)
         })
         .collect()
 }
 
-fn common_view(config: &Config) -> Option<Misfit> {
+fn common_view(config: &Config) -> Option<Inconsistency> {
     let sight = |grid: &VolumeGrid| Sight::new(&config.optics, &config.poses(), grid);
     let seen = sight(&config.volume);
     if seen.common >= LEAST_COMMON_VIEW {
         return None;
     }
     let centred = VolumeGrid { centre_mm: [0.0; 3], ..config.volume.clone() };
-    let aside = config.volume.centre_mm != [0.0; 3] && sight(&centred).common >= LEAST_COMMON_VIEW;
-    let (key, todo) = match aside {
+    let off_centre =
+        config.volume.centre_mm != [0.0; 3] && sight(&centred).common >= LEAST_COMMON_VIEW;
+    let (key, todo) = match off_centre {
         true => ("volume.centre_mm", "move [volume], or correct the poses of the cameras"),
         false => ("volume.voxels", "make [volume] smaller, or correct optics and poses"),
     };
@@ -119,19 +122,19 @@ fn common_view(config: &Config) -> Option<Misfit> {
             100.0 * LEAST_COMMON_VIEW
         ),
     };
-    Some(Misfit::new(key, format!("{message}; {todo}")))
+    Some(Inconsistency::new(key, format!("{message}; {todo}")))
 }
 
-fn same_camera(config: &Config) -> Option<Misfit> {
+fn same_camera(config: &Config) -> Option<Inconsistency> {
     let poses = config.poses();
     let [one, other] = poses.as_slice() else { return None };
     let degrees = degrees_apart(&config.optics, [one, other], &config.volume);
     (degrees < LEAST_DEGREES_APART).then(|| {
-        Misfit::new(
+        Inconsistency::new(
             "camera[1].axis",
             format!(
-                "{} looks from where {} does, {degrees:.2} degrees apart, allowed: \
-                 {LEAST_DEGREES_APART} or more; give it its own pose, or leave it out",
+                "{} looks from where {} does: the angle between them is {degrees:.2} degrees, \
+                 allowed: {LEAST_DEGREES_APART} or more; give it its own pose, or leave it out",
                 CameraName(1),
                 CameraName(0)
             ),
@@ -139,14 +142,14 @@ fn same_camera(config: &Config) -> Option<Misfit> {
     })
 }
 
-/// What the devices cannot hold of rate and pulse separation.
-fn schedule(config: &Config) -> Vec<Misfit> {
+/// Violations of the laser's or the cameras' limits by rate and pulse separation.
+fn schedule(config: &Config) -> Vec<Inconsistency> {
     let planned = PulseSchedule::plan(&config.timing, config.shot.dt_us, config.shot.rate_hz);
     let violations = planned.err().map(|error| error.violations).unwrap_or_default();
-    violations.iter().map(|rule| Misfit::new(key_of(rule), rule.to_string())).collect()
+    violations.iter().map(|rule| Inconsistency::new(key_of(rule), rule.to_string())).collect()
 }
 
-/// The key that decides whether a rule is kept.
+/// The key to change for a violated rule.
 fn key_of(rule: &Violation) -> &'static str {
     match rule {
         Violation::LaserRate { .. }
