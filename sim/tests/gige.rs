@@ -6,6 +6,8 @@
 mod bench;
 #[path = "gige/faults.rs"]
 mod faults;
+#[path = "gige/free_run.rs"]
+mod free_run;
 #[path = "gige/network.rs"]
 mod network;
 #[path = "gige/streaming.rs"]

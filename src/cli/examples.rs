@@ -144,11 +144,20 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
     ),
     (
         "calibrate",
-        &[(
-            "lfpiv calibrate grid --white white/cam1_00.tif --dark dark/cam1_00.tif --out \
-             grid.json",
-            "the centres of the micro-images",
-        )],
+        &[
+            (
+                "lfpiv calibrate focus --config bench.toml --camera 1 --live",
+                "the plane in focus, live from the camera",
+            ),
+            (
+                "lfpiv calibrate grid --white white/cam1_00.tif --dark dark/cam1_00.tif --out grid.json",
+                "the centres of the micro-images",
+            ),
+            (
+                "lfpiv calibrate volume --card card/card.toml --config bench.toml --grid cam1.json cam2.json --out calibration.json",
+                "the cameras in the volume",
+            ),
+        ],
     ),
     ("bench", &[("lfpiv bench --set speed", "a report of speed against error")]),
     ("peers", &[("lfpiv peers --help", "cases to compare with other programs")]),

@@ -7,11 +7,14 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 /// Writes a line to standard output. A closed pipe (`lfpiv … | head`) is not an error.
 pub fn print(line: &str) -> anyhow::Result<()> {
+    print_while_read(line).map(|_| ())
+}
+
+/// As [`print`], for what goes on without end: whether there is still a reader.
+pub fn print_while_read(line: &str) -> anyhow::Result<bool> {
     match writeln!(io::stdout(), "{line}") {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(error).context("cannot write to standard output")
-        }
-        _ => Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
+        written => written.context("cannot write to standard output").map(|()| true),
     }
 }
 

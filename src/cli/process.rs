@@ -22,7 +22,7 @@ use super::{
     process_jobs::{Existing, Job, jobs, settle_existing},
     process_parts::{Part, merge_parts, process_part},
     process_run::{is_run, process_run},
-    run_processor::background_images,
+    run_processor::{background_images, warn_of_nominal_poses},
     solver::{solver_by_name, solver_name},
     stop::stop_on_signals,
 };
@@ -107,6 +107,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
         )
     };
     let file = configuration(args, config)?;
+    warn_of_nominal_poses(&file.config);
     let (mut jobs, mut failures) = jobs(&args.folders, out);
     settle_existing(&mut jobs, args.existing(), &file.text, args.save_volumes)?;
     let (mut run, mut read_already) = Run::prepare(args, file, &jobs)?;

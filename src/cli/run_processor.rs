@@ -23,6 +23,13 @@ pub(super) fn background_images(config: &Config) -> anyhow::Result<ImagePair> {
         .context("cannot read the background images")
 }
 
+/// Warns if only a part of the cameras' parameters is calibrated.
+pub(super) fn warn_of_nominal_poses(config: &Config) {
+    if let Some(left) = config.left_nominal() {
+        tracing::warn!("{left}");
+    }
+}
+
 /// Builds the tables, and learns stationary light from background images if configured.
 ///
 /// # Errors
@@ -30,6 +37,7 @@ pub(super) fn background_images(config: &Config) -> anyhow::Result<ImagePair> {
 /// The volume cannot be measured, the background images cannot be read, or the background is to be
 /// estimated from all pairs, which are not available before the run.
 pub(super) fn run_processor(config: &Config) -> anyhow::Result<Processor> {
+    warn_of_nominal_poses(config);
     let mut processor = Processor::timed(config.measurement(), monotonic)
         .context("no measurement is possible with this configuration")?;
     match config.image.background {

@@ -18,6 +18,10 @@ pub struct SimBenchArgs {
     /// and light that differs from the record, give dark images.
     #[arg(long, value_name = "RUN", conflicts_with = "drive")]
     pub replay: Option<PathBuf>,
+    /// One image per camera, sent while the camera is free-running; 8- or 16-bit grey TIFF. The default is
+    /// dark images.
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "drive")]
+    pub show: Vec<PathBuf>,
     /// File of fault settings (TOML) to disturb frames and serial line.
     #[arg(long, value_name = "FILE", conflicts_with = "drive")]
     pub faults: Option<PathBuf>,

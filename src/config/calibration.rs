@@ -80,6 +80,30 @@ pub(super) fn load(
     if inconsistencies.is_empty() { Ok(found) } else { Err(inconsistencies) }
 }
 
+/// Which cameras have nominal poses and optics although something is calibrated, and what to do. `None` without
+/// calibrations, and if every camera is calibrated in the volume.
+pub(super) fn left_nominal(config: &Config) -> Option<String> {
+    let with = |has: fn(&CameraCalibration) -> bool| -> Vec<usize> {
+        let of_kind = config.calibration.iter().filter(|stored| has(&stored.known));
+        of_kind.filter_map(|stored| stored.camera.checked_sub(1)).collect()
+    };
+    let (grids, maps) = (with(|known| known.grid.is_some()), with(|known| known.map.is_some()));
+    let names = |of: &dyn Fn(&usize) -> bool| {
+        let cameras = (0..config.camera.len()).filter(of);
+        cameras.map(|camera| CameraName(camera).to_string()).collect::<Vec<_>>().join(" and ")
+    };
+    let nominal = names(&|camera| !maps.contains(camera));
+    if config.calibration.is_empty() || nominal.is_empty() {
+        return None;
+    }
+    let calibrated = names(&|camera| grids.contains(camera));
+    Some(format!(
+        "the micro-images of {calibrated} are calibrated, but pose and optics of {nominal} are the nominal ones of \
+         the configuration, which invalidates vectors if the bench differs by about a voxel: run `lfpiv \
+         calibrate volume` and name its file in each [[camera]] table"
+    ))
+}
+
 /// A camera's calibration from its file, the device's serial number if stated, and the file's hash.
 fn read_for_camera(
     config: &Config,

@@ -295,6 +295,12 @@ impl Config {
         }
     }
 
+    /// A warning if only a part of the cameras' parameters is calibrated: which are still nominal, and what
+    /// to do.
+    pub fn left_nominal(&self) -> Option<String> {
+        calibration::left_nominal(self)
+    }
+
     /// The bench as the simulator needs it.
     pub fn bench_geometry(&self) -> BenchGeometry {
         BenchGeometry {

@@ -11,7 +11,10 @@ use std::{
 use lfpiv::config::{CalibrationContent, Config, ConfigFile, hash_of, read_calibration};
 use serde_json::Value;
 
-use crate::support::{Done, lfpiv, small_configuration};
+use crate::{
+    calibrated_run::outlives_its_calibration,
+    support::{Done, lfpiv, small_configuration},
+};
 
 /// Deviations: half a degree, two voxels, water behind tilted walls.
 const FLAWS: &str = "
@@ -146,6 +149,8 @@ fn an_imperfect_bench_measures_once_it_is_calibrated() {
     the_file_states_its_quality(&bench);
     without_a_calibration_nothing_is_measured(&bench);
     with_it_the_flow_is_measured(&bench);
+    the_grid_alone_is_warned_of(&bench);
+    a_run_outlives_its_calibration(&bench);
     a_file_of_another_bench_is_refused(&bench);
 }
 
@@ -177,9 +182,9 @@ fn without_a_calibration_nothing_is_measured(bench: &Bench) {
 fn with_it_the_flow_is_measured(bench: &Bench) {
     let config = bench.configuration("calibrated.toml", "calibration.json", &[]);
     bench.succeeds("check --quick --config calibrated.toml");
-    let said = bench.succeeds("process --config calibrated.toml --out results/ images/shot_0000");
+    let said = bench.succeeds("process --config calibrated.toml --out measured/ images/shot_0000");
     println!("{said}");
-    let file = netcdf::open(bench.at("results/shot_0000/velocity.nc")).unwrap();
+    let file = netcdf::open(bench.at("measured/shot_0000/velocity.nc")).unwrap();
     let hash = read(&bench.at("calibration.json"))["sha256"].as_str().unwrap().to_owned();
     let text =
         |name: &str| String::try_from(file.attribute(name).unwrap().value().unwrap()).unwrap();
@@ -203,6 +208,36 @@ fn with_it_the_flow_is_measured(bench: &Bench) {
     let again = ConfigFile::load(&config).unwrap().config;
     assert_eq!(stored.measurement().calibrations, again.measurement().calibrations);
     assert!(again.calibration.len() == 2 && !again.measurement().is_drawn());
+}
+
+fn the_grid_alone_is_warned_of(bench: &Bench) {
+    let config = bench.configuration("grids.toml", "cam1_grid.json", &[]);
+    let text = fs::read_to_string(&config).unwrap();
+    let second = text.rfind("cam1_grid.json").unwrap();
+    fs::write(&config, text[..second].to_owned() + "cam2" + &text[second + 4..]).unwrap();
+    let said = bench.succeeds("check --quick --config grids.toml");
+    assert!(said.contains("advice   calibration  incomplete"), "{said}");
+    assert!(said.contains("pose and optics of cam1 and cam2 are the nominal"), "{said}");
+    let done = bench.lfpiv("process --config grids.toml --out grids/ images/shot_0000");
+    let warned = done.stderr.matches("name its file in each").count();
+    assert!(done.success && warned == 1, "{}", done.stderr);
+    // The place of one camera alone is not enough.
+    let mixed = text[..second].to_owned() + "calibration.json" + &text[second + 14..];
+    fs::write(&config, mixed).unwrap();
+    let left = ConfigFile::load(&config).unwrap().config.left_nominal().unwrap();
+    assert!(left.contains("optics of cam1 are the nominal"), "{left}");
+    let said = bench.succeeds("check --quick --config calibrated.toml");
+    assert!(said.contains("ok       calibration  micro-images, poses and optics"), "{said}");
+    assert!(!bench.succeeds("check --quick --config drawn.toml").contains("calibration"));
+}
+
+fn a_run_outlives_its_calibration(bench: &Bench) {
+    let copy = bench.at("copy.json");
+    fs::copy(bench.at("calibration.json"), &copy).unwrap();
+    let results = format!("dir = {:?}", bench.at("results"));
+    let config = bench.configuration("run.toml", "copy.json", &[("dir = \"results\"", &results)]);
+    let hash = read(&copy)["sha256"].as_str().unwrap().to_owned();
+    outlives_its_calibration(bench.root.path(), &config, &copy, &hash);
 }
 
 fn a_file_of_another_bench_is_refused(bench: &Bench) {

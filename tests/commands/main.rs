@@ -10,6 +10,7 @@ mod support;
 mod bad_input;
 mod calibrate;
 mod calibrate_volume;
+mod calibrated_run;
 mod check;
 mod configuration;
 mod configuration_numbers;

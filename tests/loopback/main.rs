@@ -6,6 +6,7 @@
 
 mod bench;
 mod faults;
+mod focus;
 mod killed;
 mod lost;
 // The driver's own tests use more of it.

@@ -22,6 +22,9 @@ const PUPIL_SHARE: f64 = 0.85;
 /// Without so much more contrast in focus than in the mean there is nothing to focus on.
 const LEAST_CONTRAST: f64 = 1.2;
 
+/// A smaller share of what all views would have together, if they showed the same, is noise.
+const LEAST_COHERENCE: f64 = 0.05;
+
 /// Coarser structure, in waves across the image, is left out: the lamp's light and vignetting do not move from
 /// view to view, and would be sharpest in the plane in focus.
 const LEAST_WAVES: f64 = 3.0;
@@ -66,6 +69,9 @@ pub fn focus(
     };
     let still = spectra([0.0; 2]);
     let Sharpest { slope: both, contrast } = sharpest(|slope| power(&still, [slope; 2]))?;
+    if power(&still, [both; 2]) < LEAST_COHERENCE * views.len() as f64 * still.power_of_each() {
+        return None;
+    }
     // Columns and rows on their own: what leans or looks through a tilted wall differs between them.
     let near = |own: Option<Sharpest>| own.map_or(both, |own| own.slope);
     let columns = near(sharpest(|slope| power(&still, [slope, both])));
@@ -91,7 +97,10 @@ struct Sharpest {
 fn sharpest(power: impl Fn(f64) -> f64 + Sync) -> Option<Sharpest> {
     let slopes: Vec<f64> = (-SLOPES..=SLOPES).map(|n| f64::from(n) * STEP).collect();
     let powers: Vec<f64> = slopes.par_iter().map(|&slope| power(slope)).collect();
-    let best = (1..powers.len() - 1).max_by(|&a, &b| powers[a].total_cmp(&powers[b]))?;
+    // Few views overlap at the steepest slopes: noise alone makes power rise towards them.
+    let is_top = |&n: &usize| powers[n] >= powers[n - 1] && powers[n] >= powers[n + 1];
+    let best =
+        (1..powers.len() - 1).filter(is_top).max_by(|&a, &b| powers[a].total_cmp(&powers[b]))?;
     let mean = powers.iter().sum::<f64>() / powers.len() as f64;
     (powers[best] > LEAST_CONTRAST * mean)
         .then(|| Sharpest { slope: slopes[best], contrast: powers[best] / mean })
@@ -195,6 +204,12 @@ impl Spectra {
         }
     }
 
+    /// Power of all views, each for itself. Where they show the same, they have so many times that power
+    /// together as there are views; noise, which differs from view to view, has this one.
+    fn power_of_each(&self) -> f64 {
+        self.amplitudes.iter().flatten().map(Complex::norm_sqr).sum()
+    }
+
     /// Power of the views added up, each moved by its place on the pupil times `per_mm`, in microlenses
     /// per mm.
     fn power_in_focus(&self, per_mm: [f64; 2]) -> f64 {
@@ -291,6 +306,10 @@ mod tests {
             let image: RawImage = SensorSettings::default().expose(&light, &[2]);
             WhiteImage::average(&[image], &[]).unwrap()
         };
+        let diffuser = tracer.trace_white(1 << 12, 2000.0, &[3]);
+        let grey: RawImage = SensorSettings::default().expose(&diffuser, &[4]);
+        let found = focus(&optics, &grid, &WhiteImage::average(&[grey], &[]).unwrap(), None);
+        assert!(found.is_none(), "{found:?} in a diffuser");
         for depth_mm in [-3.0, -0.4, 0.0, 1.3, 4.0] {
             let found = focus(&optics, &grid, &image(depth_mm), None).unwrap();
             for depth in found.depth_mm {

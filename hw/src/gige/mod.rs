@@ -91,6 +91,36 @@ pub fn open(
     Err(not_built(name))
 }
 
+/// As [`open`], but the camera exposes frame after frame without a trigger, and is given back as it was
+/// found when it is dropped: region, pixel format, exposure, gain, packets and trigger modes.
+///
+/// For a look at what it sees while nothing is measured. `features`, `ptp`, trigger line and frames per
+/// trigger of the settings are not written.
+///
+/// # Errors
+/// As [`open`].
+#[cfg(feature = "aravis")]
+pub fn open_free_running(
+    name: &str,
+    settings: &CameraSettings,
+    size: ImageSize,
+) -> Result<Box<dyn Camera>, DeviceError> {
+    Ok(Box::new(driver::GigeCamera::borrow(name, settings, size)?))
+}
+
+/// Always an error: this build has no driver.
+///
+/// # Errors
+/// Says what is missing.
+#[cfg(not(feature = "aravis"))]
+pub fn open_free_running(
+    name: &str,
+    _settings: &CameraSettings,
+    _size: ImageSize,
+) -> Result<Box<dyn Camera>, DeviceError> {
+    Err(not_built(name))
+}
+
 /// The cameras that answer discovery on all network interfaces. Takes about a second, and briefly
 /// controls each free camera to check that it answers.
 ///

@@ -36,7 +36,7 @@ fn every_pixel_format_arrives_as_it_was_sent() {
             camera.stop().unwrap();
             assert_eq!(camera.statistics().completed, 3);
         }
-        assert_eq!((fake.counts().sent, fake.counts().dark), (15, 0));
+        assert_eq!((fake.counts().sent, fake.counts().untriggered), (15, 0));
     });
 }
 

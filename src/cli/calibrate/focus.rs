@@ -12,12 +12,12 @@ use lfpiv_core::{
     calibration::{Focus, GridCalibration, WhiteImage, calibrate_grid, focus as focus_of},
     lightfield::MicroImageGrid,
 };
-use lfpiv_hw::{Optics, RawImage};
+use lfpiv_hw::{CameraName, Optics, RawImage};
 
-use super::reference_images::read_images;
+use super::{live::LiveCamera, reference_images::read_images};
 use crate::{
     archive::ImageSize,
-    cli::output::print,
+    cli::output::{print, print_while_read},
     config::{CalibrationContent, ConfigFile, Purpose, read_calibration},
 };
 
@@ -26,6 +26,9 @@ const WATCH_INTERVAL: Duration = Duration::from_millis(300);
 
 /// Largest distance from the plane in focus that counts as in focus, in mm.
 const IN_FOCUS_MM: f64 = 0.1;
+
+/// A larger share of pixels at the end of the range hides structure.
+const MOST_SATURATED: f64 = 0.01;
 
 /// Arguments of `lfpiv calibrate focus`.
 #[derive(Debug, clap::Args)]
@@ -54,12 +57,29 @@ pub struct FocusArgs {
     /// writing one file thus gives a live display.
     #[arg(long)]
     pub watch: bool,
+    /// Evaluate the images of a free-running camera of [instruments], until Ctrl-C. Laser and synchroniser are
+    /// not used, and the camera's settings are restored at the end.
+    #[arg(long, requires = "camera", conflicts_with_all = ["image", "watch"])]
+    pub live: bool,
+    /// The live camera: 1 for the first [[instruments.camera]] table.
+    #[arg(long, value_name = "N", requires = "live", value_parser = clap::value_parser!(u8).range(1..))]
+    pub camera: Option<u8>,
+    /// Exposure time of the live camera in µs, 1 to 10,000,000; the default is the configured one.
+    #[arg(long, value_name = "US", requires = "live", value_parser = exposure)]
+    pub exposure_us: Option<f64>,
 }
 
 fn index(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(index) if (1.0..=3.0).contains(&index) => Ok(index),
         _ => Err("allowed: 1 to 3".into()),
+    }
+}
+
+fn exposure(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(us) if (1.0..=1e7).contains(&us) => Ok(us),
+        _ => Err("allowed: 1 to 10000000".into()),
     }
 }
 
@@ -75,13 +95,18 @@ struct Camera {
 
 /// Prints a line for the white images and one for each image.
 pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
-    if args.image.is_empty() && args.white.is_empty() {
+    if args.image.is_empty() && args.white.is_empty() && !args.live {
         bail!(
-            "give --white for the match of f-numbers, --image for the plane in focus, or both; \
-             docs/calibration.md says how to take them"
+            "give --white for the match of f-numbers, --image or --live --camera N for the plane in focus, or \
+             both; docs/calibration.md says how to take them"
         );
     }
-    let optics = ConfigFile::load_for(Purpose::Optics, &args.config)?.config.optics;
+    let config = ConfigFile::load_for(Purpose::Optics, &args.config)?.config;
+    let device = match args.camera {
+        Some(number) => Some(LiveCamera::configured(args, &config, number)?),
+        None => None,
+    };
+    let optics = config.optics;
     let size = ImageSize::from(&optics.sensor);
     let (dark, _) = read_images(&args.dark, Some(size))?;
     let white = match args.white.as_slice() {
@@ -95,6 +120,12 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
     let grid = grid(args, &optics, found)?;
     let medium_index = args.medium_index;
     let camera = Camera { optics, size, dark, grid, white, medium_index };
+    if let Some(device) = &device {
+        return device.watch(|frame| {
+            let line = camera.evaluate_images(std::slice::from_ref(&frame.image))?;
+            print_while_read(&format!("{}, frame {}: {line}", device.name(), frame.frame_id))
+        });
+    }
     let mut seen: Vec<Option<SystemTime>> = vec![None; args.image.len()];
     loop {
         for (path, seen) in args.image.iter().zip(&mut seen) {
@@ -104,7 +135,11 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
             }
             *seen = written;
             match camera.evaluate(path) {
-                Ok(line) => print(&format!("{}: {line}", path.display()))?,
+                Ok(line) => {
+                    if !print_while_read(&format!("{}: {line}", path.display()))? {
+                        return Ok(());
+                    }
+                }
                 // The file may be incomplete; it is read again when it has been written.
                 Err(error) if args.watch => tracing::debug!("{}: {error:#}", path.display()),
                 Err(error) => return Err(error),
@@ -127,7 +162,15 @@ fn grid(
         return Ok(found.map_or_else(|| MicroImageGrid::drawn(optics), |found| found.grid));
     };
     match read_calibration(path) {
-        Ok((CalibrationContent::Grid(content), _)) => Ok(content.grid),
+        Ok((CalibrationContent::Grid(content), _)) => {
+            let live = args.camera.map(|number| CameraName(usize::from(number) - 1).to_string());
+            if let (Some(of_file), Some(live)) = (&content.camera, live)
+                && *of_file != live
+            {
+                bail!("{}: it is the grid of {of_file}, not of {live}", path.display());
+            }
+            Ok(content.grid)
+        }
         Ok(_) => {
             bail!("{}: the file is not a grid; `lfpiv calibrate grid` makes one", path.display())
         }
@@ -138,14 +181,27 @@ fn grid(
 impl Camera {
     fn evaluate(&self, path: &Path) -> anyhow::Result<String> {
         let (images, _) = read_images(&[path.to_owned()], Some(self.size))?;
-        let image = WhiteImage::average(&images, &self.dark)?;
-        Ok(match focus_of(&self.optics, &self.grid, &image, self.white.as_ref()) {
+        self.evaluate_images(&images)
+    }
+
+    /// Describes the focus of one image.
+    fn evaluate_images(&self, images: &[RawImage]) -> anyhow::Result<String> {
+        let image = WhiteImage::average(images, &self.dark)?;
+        let found = match focus_of(&self.optics, &self.grid, &image, self.white.as_ref()) {
             Some(found) => describe(&found, self.medium_index),
             None => format!(
                 "no depth is sharper than the others: place a card or print there (dots of {:.1} \
                  mm or more) and illuminate it",
                 4.0 * self.optics.object_pitch_mm()
             ),
+        };
+        let saturated = image.saturated_share();
+        Ok(match saturated > MOST_SATURATED {
+            true => format!(
+                "{found}; {:.1} % of the pixels are saturated: expose for less time",
+                100.0 * saturated
+            ),
+            false => found,
         })
     }
 }

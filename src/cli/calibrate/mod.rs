@@ -3,6 +3,7 @@
 mod focus;
 mod grid;
 mod grid_file;
+mod live;
 mod overlay;
 mod page;
 mod reference_images;

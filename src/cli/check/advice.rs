@@ -39,7 +39,20 @@ const GOOD_PARTICLES: f64 = 5.0;
 pub fn for_configuration(config: &Config) -> Vec<Finding> {
     let mut findings = vec![view(config), angle(config), f_numbers(config), particles(config)];
     findings.extend(background(config));
+    findings.extend(calibration(config));
     findings
+}
+
+/// Which parameters of the cameras are calibrated; `None` if all are nominal.
+fn calibration(config: &Config) -> Option<Finding> {
+    const CHECK: &str = "calibration";
+    if config.calibration.is_empty() {
+        return None;
+    }
+    Some(match config.left_nominal() {
+        Some(left) => Finding::advice(CHECK, "incomplete", left),
+        None => Finding::ok(CHECK, "micro-images, poses and optics of all cameras"),
+    })
 }
 
 fn view(config: &Config) -> Finding {

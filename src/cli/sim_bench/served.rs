@@ -1,9 +1,15 @@
 //! Runs simulated instruments until they are stopped.
 
-use std::{collections::BTreeMap, fmt::Debug, path::Path, sync::Arc, time::Duration};
+use std::{
+    collections::BTreeMap,
+    fmt::Debug,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Duration,
+};
 
 use anyhow::{Context, bail};
-use lfpiv_hw::{CameraName, gige::ImageSize};
+use lfpiv_hw::{CameraName, RawImage, gige::ImageSize};
 use lfpiv_sim::{
     faults::Injected,
     wire::{
@@ -27,6 +33,7 @@ use super::{
 };
 use crate::{
     acquisition::SynchroniserThread,
+    archive::read_grey_tiff,
     config::{Config, ConfigFile, Purpose},
 };
 
@@ -42,6 +49,7 @@ pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
         return print(&serde_json::to_string(&streamed)?);
     }
     let wire = wire(&config).with_context(|| path.to_string())?;
+    let shown = images_to_show(&args.show, &config)?;
     let faults = args.faults.as_deref().map(read_faults).transpose()?.unwrap_or_default();
     match &args.replay {
         Some(run) => {
@@ -58,6 +66,7 @@ pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
             // The images must be sent with all bits to give the same vectors.
             let options = WireOptions { faults, exact: true };
             let bench = switch_on(&config, &wire, count_bits, pictures.clone(), &options)?;
+            show(&bench, shown)?;
             serve(bench, &wire, args.record.as_deref())?;
             conclude_replay(&pictures, losses)
         }
@@ -70,6 +79,7 @@ pub fn sim_bench(args: &SimBenchArgs) -> anyhow::Result<()> {
             let pictures = Arc::new(ScenePictures { scene, geometry, seed });
             let options = WireOptions { faults, exact: false };
             let bench = switch_on(&config, &wire, count_bits, pictures, &options)?;
+            show(&bench, shown)?;
             serve(bench, &wire, args.record.as_deref())
         }
     }
@@ -94,6 +104,26 @@ fn switch_on(
 ) -> anyhow::Result<WireBench> {
     let size = ImageSize::from(&config.optics.sensor);
     Ok(WireBench::start_with(wire, size, count_bits, pictures, options)?)
+}
+
+fn images_to_show(paths: &[PathBuf], config: &Config) -> anyhow::Result<Vec<RawImage>> {
+    let cameras = config.camera.len();
+    if ![0, cameras].contains(&paths.len()) {
+        bail!(
+            "--show: {} given: give one for each of {}",
+            count(paths.len(), "image"),
+            count(cameras, "camera")
+        );
+    }
+    let size = (&config.optics.sensor).into();
+    paths.iter().map(|path| Ok(read_grey_tiff(path, size)?)).collect()
+}
+
+fn show(bench: &WireBench, images: Vec<RawImage>) -> anyhow::Result<()> {
+    for (camera, image) in images.into_iter().enumerate() {
+        bench.camera(camera).show(Arc::new(image))?;
+    }
+    Ok(())
 }
 
 /// Runs the bench until a signal arrives.

@@ -1,5 +1,7 @@
 //! Parameters of the cameras from where marks were seen: Levenberg and Marquardt with priors.
 
+use std::ops::AddAssign;
+
 use lfpiv_hw::{
     Optics, Pose,
     card::{Card, Wall},
@@ -282,6 +284,33 @@ impl Bench<'_> {
             }
         }
         self.adjusted(sightings, &unknowns, cost)
+    }
+
+    /// Where the card was at a position that `adjusted` does not know, from what its cameras saw there, in
+    /// mm beside the told place; zero where the stage is taken as it is.
+    ///
+    /// # Errors
+    /// Rays miss the card or the wall, or nothing fits.
+    pub(super) fn place_card(
+        &self,
+        seen: &[Sighting],
+        adjusted: &Adjusted,
+        position: usize,
+    ) -> Result<Vector3<f64>, VolumeError> {
+        if !self.stage_moves() {
+            return Ok(Vector3::zeros());
+        }
+        let mut unknowns = self.start(Some(adjusted));
+        let first = self.poses.len() * PARAMETERS + 3 * position;
+        // Micrometres: what is seen depends on them all but linearly.
+        for _ in 0..2 {
+            let (normal, right) = self.normal(seen, &unknowns).ok_or(VolumeError::RaysMiss)?;
+            let of_card = normal.fixed_view::<3, 3>(first, first).into_owned();
+            let factors = of_card.cholesky().ok_or(VolumeError::NothingFits)?;
+            let step = factors.solve(&right.fixed_rows::<3>(first).into_owned());
+            unknowns.fixed_rows_mut::<3>(first).add_assign(&step);
+        }
+        Ok(self.stage_mm(&unknowns, position))
     }
 
     fn start(&self, start: Option<&Adjusted>) -> DVector<f64> {

@@ -1,6 +1,5 @@
 //! How well marks are foretold where the card was not: what a calibration is worth.
 
-use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -22,7 +21,8 @@ pub struct HeldOut {
 }
 
 /// Leaves out one position after the other, but not the first and the last: nobody measures beyond the
-/// card.
+/// card. Where the stage is uncertain, the card's place there is found from its marks; their places on the
+/// card, and both cameras, then tell how well they are foretold.
 pub(super) fn held_out(
     bench: &Bench<'_>,
     sightings: &[Sighting],
@@ -32,15 +32,14 @@ pub(super) fn held_out(
     let sums: Vec<[f64; 3]> = inner
         .into_par_iter()
         .map(|position| {
-            let others: Vec<Sighting> = sightings
-                .iter()
-                .filter(|sighting| sighting.position != position)
-                .cloned()
-                .collect();
+            let (here, others): (Vec<Sighting>, Vec<Sighting>) =
+                sightings.iter().cloned().partition(|sighting| sighting.position == position);
             let adjusted = bench.adjust(&others, Some(all))?;
+            // An uncertain stage is not the cameras' fault.
+            let stage_mm = bench.place_card(&here, &adjusted, position)?;
             let mut sums = [0.0; 3];
-            for sighting in sightings.iter().filter(|sighting| sighting.position == position) {
-                for (mark, off) in bench.differences(sighting, &adjusted, &Vector3::zeros()) {
+            for sighting in &here {
+                for (mark, off) in bench.differences(sighting, &adjusted, &stage_mm) {
                     // Over a disc of radius R the mean square of either coordinate is R²/4.
                     let radius_mm = bench.optics.pupil_diameter_mm() / 2.0;
                     let mean: f64 = off[0].iter().map(|mm| mm * mm).sum();

@@ -147,6 +147,16 @@ impl Fit {
         }
     }
 
+    /// Weighs `samples` anew by what another field leaves of them, per component: the uncertainty is then that
+    /// of these nodes.
+    pub fn weigh(&mut self, samples: &Samples, residuals: &[Vec<f64>; 3]) {
+        self.counts = samples.counts();
+        self.variance_inflation = samples.variance_inflation().to_vec();
+        for (c, residual) in residuals.iter().enumerate() {
+            self.densities[c] = samples.density(&samples.weights(c, residual));
+        }
+    }
+
     /// What component `c` is compared with, weighed by what its coefficients leave of it.
     fn weighed(&self, c: usize, coefficients: &[f64], samples: &Samples) -> Weighed {
         let measured = samples.displacements(c);

@@ -86,18 +86,54 @@ pub fn follow(
     stage.adjust(&near);
     let by_particles =
         Samples::new(field.nodes, &stage.spline, &near).agree(&stage.spline, NEAREST_VOX);
-    if stage.allows_finer(near.len()) {
-        let (nodes, known) = stage.finer(uncertainty_vox);
-        stage = fit_on(nodes, &known);
-        stage.settle(frames, FINE_MOVING_SHARE);
-        stage.adjust(&pairs(&stage.spline, frames, NEAREST_VOX));
+    if !stage.allows_finer(near.len()) {
+        let uncertainty_vox = stage.fit.uncertainty_vox();
+        let nodes = stage.spline.on_nodes(&stage.nodes);
+        return Refined { spline: stage.spline, nodes, uncertainty_vox, by_particles };
     }
-    Refined {
-        uncertainty_vox: stage.fit.uncertainty_vox(),
-        nodes: stage.spline.on_nodes(&stage.nodes),
-        spline: stage.spline,
-        by_particles,
-    }
+    let (nodes, known) = stage.finer(uncertainty_vox);
+    let mut finer = fit_on(nodes, &known);
+    finer.settle(frames, FINE_MOVING_SHARE);
+    let near = pairs(&finer.spline, frames, NEAREST_VOX);
+    finer.adjust(&near);
+    let samples = Samples::new(field.nodes, &stage.spline, &near);
+    stage.fit.weigh(&samples, &residuals(&finer.spline, &near));
+    let nodes = finer.spline.on_nodes(&finer.nodes);
+    let uncertainty_vox =
+        larger(&nodes, finer.fit.uncertainty_vox(), field, &stage.fit.uncertainty_vox());
+    Refined { spline: finer.spline, nodes, uncertainty_vox, by_particles }
+}
+
+/// What a field leaves of the particles' displacements, per component.
+fn residuals(spline: &Spline, pairs: &[Pair]) -> [Vec<f64>; 3] {
+    let values: Vec<[f64; 3]> =
+        pairs.iter().map(|pair| spline.of(&spline.taps(pair.middle_vox))).collect();
+    std::array::from_fn(|c| {
+        let left =
+            |(pair, value): (&Pair, &[f64; 3])| f64::from(pair.displacement_vox[c]) - value[c];
+        pairs.iter().zip(&values).map(left).collect()
+    })
+}
+
+/// The larger standard uncertainty of each fine node and of the window nearest to it. Errors of
+/// neighbouring particles are alike, so a smooth field on fine nodes is no better known than on the windows'.
+fn larger(
+    nodes: &Lattice,
+    fine: Vec<Option<[f32; 3]>>,
+    windows: &Lattice,
+    coarse: &[Option<[f32; 3]>],
+) -> Vec<Option<[f32; 3]>> {
+    let layout = Layout { nodes: nodes.nodes };
+    let near = |n: usize| {
+        let place = layout.place(n);
+        let at = |axis: usize| nodes.first_vox[axis] + nodes.step_vox * place[axis] as f32;
+        coarse[windows.nearest_node(std::array::from_fn(at))]
+    };
+    let larger = |(n, own): (usize, Option<[f32; 3]>)| match (own, near(n)) {
+        (Some(own), Some(near)) => Some(std::array::from_fn(|c| own[c].max(near[c]))),
+        (own, near) => own.or(near),
+    };
+    fine.into_iter().enumerate().map(larger).collect()
 }
 
 /// A field on nodes of some distance.

@@ -2,7 +2,10 @@
 
 use aravis::prelude::*;
 
-use super::features::{Answer, Features};
+use super::{
+    Exposing,
+    features::{Answer, Features},
+};
 use crate::gige::{CameraSettings, ImageSize};
 
 /// Cameras set exposure and gain in steps: this relative deviation is accepted.
@@ -14,20 +17,23 @@ pub(super) fn apply(
     camera: &aravis::Camera,
     settings: &CameraSettings,
     size: ImageSize,
+    exposing: Exposing,
 ) -> Answer<()> {
     let features = Features { device, camera };
-    // Read-back must come from the camera, not from a cache; unsupported features are not written.
-    camera.set_register_cache_policy(aravis::RegisterCachePolicy::Disable);
-    camera.set_range_check_policy(aravis::RangeCheckPolicy::Enable);
     // A crashed program may have left it streaming, and nothing can be set meanwhile.
     features.stop()?;
-    set_own_features(&features, settings)?;
+    if exposing == Exposing::Triggered {
+        set_own_features(&features, settings)?;
+    }
     set_region(&features, settings, size)?;
     features.set_text("PixelFormat", settings.pixel_format.name())?;
     set_light(&features, settings)?;
     set_transport(&features, settings)?;
-    set_trigger(&features, settings)?;
-    set_clock(&features, settings)?;
+    set_continuous(&features)?;
+    if exposing == Exposing::Triggered {
+        set_trigger(&features, settings)?;
+        set_clock(&features, settings)?;
+    }
     check_payload(&features, settings, size)
 }
 
@@ -110,12 +116,16 @@ fn set_transport(features: &Features, settings: &CameraSettings) -> Answer<()> {
     features.agree("packet delay in ns", wanted_ns, found_ns, near)
 }
 
-/// One trigger at the line starts one frame, or a burst of `frames_per_trigger`.
-fn set_trigger(features: &Features, settings: &CameraSettings) -> Answer<()> {
+/// Frame after frame, without any trigger.
+fn set_continuous(features: &Features) -> Answer<()> {
     let camera = features.camera;
     let continuous = camera.set_acquisition_mode(aravis::AcquisitionMode::Continuous);
     features.check("AcquisitionMode = Continuous", continuous)?;
-    features.check("TriggerMode = Off", camera.clear_triggers())?;
+    features.check("TriggerMode = Off", camera.clear_triggers())
+}
+
+/// One trigger at the line starts one frame, or a burst of `frames_per_trigger`.
+fn set_trigger(features: &Features, settings: &CameraSettings) -> Answer<()> {
     let burst = settings.frames_per_trigger > 1;
     let counted = features.has("AcquisitionBurstFrameCount")?;
     if burst && !counted && settings.features.is_empty() {

@@ -12,7 +12,7 @@ use std::{
 
 use aravis::{glib::prelude::*, prelude::*};
 
-use super::apply::apply;
+use super::{Exposing, apply::apply};
 use crate::{
     device::DeviceError,
     gige::{Access, CameraSettings, FoundCamera, ImageSize},
@@ -36,12 +36,21 @@ pub(super) struct Connection {
 }
 
 impl Connection {
-    /// Opens the camera; waits while another program controls it, up to the configured patience.
+    /// Takes control and applies the settings.
     pub(super) fn open(
         name: &str,
         settings: &CameraSettings,
         size: ImageSize,
+        exposing: Exposing,
     ) -> Result<Self, DeviceError> {
+        let connection = Self::control(name, settings)?;
+        connection.apply(name, settings, size, exposing)?;
+        Ok(connection)
+    }
+
+    /// Takes control, and changes nothing; waits while another program controls the camera, up to the
+    /// configured patience.
+    pub(super) fn control(name: &str, settings: &CameraSettings) -> Result<Self, DeviceError> {
         let asked = Instant::now();
         let patience = Duration::from_secs_f64(settings.control_patience_s);
         let mut waiting = false;
@@ -64,10 +73,25 @@ impl Connection {
                 sleep(CONTROL_RETRY);
                 continue;
             };
-            apply(name, &camera, settings, size)?;
-            tracing::info!(camera = name, %address, "opened, settings applied and read back");
+            // Read-back must come from the camera, not from a cache; unsupported features are not written.
+            camera.set_register_cache_policy(aravis::RegisterCachePolicy::Disable);
+            camera.set_range_check_policy(aravis::RangeCheckPolicy::Enable);
+            tracing::debug!(camera = name, %address, "controlled");
             return Ok(Self { camera, lost });
         }
+    }
+
+    /// Writes the settings and reads them back.
+    pub(super) fn apply(
+        &self,
+        name: &str,
+        settings: &CameraSettings,
+        size: ImageSize,
+        exposing: Exposing,
+    ) -> Result<(), DeviceError> {
+        apply(name, &self.camera, settings, size, exposing)?;
+        tracing::info!(camera = name, "opened, settings applied and read back");
+        Ok(())
     }
 
     /// Whether the camera no longer answers. This object stays lost.
@@ -77,12 +101,15 @@ impl Connection {
 }
 
 fn in_use(name: &str, address: &Ipv4Addr, patience: Duration) -> DeviceError {
+    let waited = match patience {
+        Duration::ZERO => String::new(),
+        _ => format!(" and did not release it within {} s", patience.as_secs_f64()),
+    };
     DeviceError::Refused {
         device: name.to_owned(),
         detail: format!(
-            "another program controls the camera at {address} and did not release it within {} s: end \
-             it (a second lfpiv, a vendor's viewer) and start again",
-            patience.as_secs_f64()
+            "another program controls the camera at {address}{waited}: end it (a second lfpiv, a vendor's \
+             viewer) and start again"
         ),
     }
 }

@@ -12,6 +12,7 @@
 //! the numbers are shifted by one, which pairing detects by the timestamps.
 
 mod apply;
+mod as_found;
 mod connection;
 mod features;
 mod priority;
@@ -29,8 +30,10 @@ use crate::{
     frame::ImagePool,
 };
 
+use as_found::AsFound;
 use connection::Connection;
 pub(super) use connection::list_devices;
+use features::Features;
 use stream::{FrameStream, Received};
 
 /// Control counts as lost after several unanswered heartbeats; 11 s were observed.
@@ -48,6 +51,18 @@ pub(super) struct GigeCamera {
     ids: FrameIds,
     /// Counters of earlier streams since `start`.
     earlier: StreamStatistics,
+    exposing: Exposing,
+    /// What a borrowed camera was set to.
+    as_found: Option<AsFound>,
+}
+
+/// What starts an exposure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Exposing {
+    /// The synchroniser's trigger.
+    Triggered,
+    /// The end of the one before.
+    Freely,
 }
 
 /// Connection state.
@@ -68,8 +83,35 @@ impl GigeCamera {
         settings: &CameraSettings,
         size: ImageSize,
     ) -> Result<Self, DeviceError> {
-        let connection = Connection::open(name, settings, size)?;
-        Ok(Self {
+        let connection = Connection::open(name, settings, size, Exposing::Triggered)?;
+        Ok(Self::new(name, settings, size, Exposing::Triggered, connection))
+    }
+
+    /// Borrows a camera; see [`super::open_free_running`].
+    pub(super) fn borrow(
+        name: &str,
+        settings: &CameraSettings,
+        size: ImageSize,
+    ) -> Result<Self, DeviceError> {
+        let connection = Connection::control(name, settings)?;
+        let as_found = AsFound::read(&Features { device: name, camera: &connection.camera });
+        let mut camera = Self::new(name, settings, size, Exposing::Freely, connection);
+        // From here on, what happens to this object gives the camera back.
+        camera.as_found = Some(as_found);
+        if let Link::Connected { connection, .. } = &camera.link {
+            connection.apply(name, settings, size, Exposing::Freely)?;
+        }
+        Ok(camera)
+    }
+
+    fn new(
+        name: &str,
+        settings: &CameraSettings,
+        size: ImageSize,
+        exposing: Exposing,
+        connection: Connection,
+    ) -> Self {
+        Self {
             name: name.to_owned(),
             settings: settings.clone(),
             size,
@@ -77,7 +119,9 @@ impl GigeCamera {
             link: Link::Connected { stream: None, connection },
             ids: FrameIds::starting_at(0),
             earlier: StreamStatistics::default(),
-        })
+            exposing,
+            as_found: None,
+        }
     }
 
     fn refusal(&self, detail: &str) -> DeviceError {
@@ -172,7 +216,7 @@ impl GigeCamera {
         // The camera may still believe in our old control; waiting for that is part of the
         // reconnect patience.
         let settings = CameraSettings { control_patience_s: 0.0, ..self.settings.clone() };
-        let connection = Connection::open(&self.name, &settings, self.size)?;
+        let connection = Connection::open(&self.name, &settings, self.size, self.exposing)?;
         let stream = FrameStream::start(&self.name, &connection, &settings, self.size)?;
         Ok(Link::Connected { stream: Some(stream), connection })
     }
@@ -192,7 +236,8 @@ impl Camera for GigeCamera {
         if vanished {
             // The old Aravis objects must be dropped before new ones are created.
             self.link = Link::GivenUp;
-            let connection = Connection::open(&self.name, &self.settings, self.size)?;
+            let connection =
+                Connection::open(&self.name, &self.settings, self.size, self.exposing)?;
             self.link = Link::Connected { stream: None, connection };
         }
         if let Link::Connected { stream, connection } = &mut self.link {
@@ -228,8 +273,7 @@ impl Camera for GigeCamera {
     fn stop(&mut self) -> Result<(), DeviceError> {
         let stopped = match &self.link {
             Link::Connected { stream: Some(_), connection } if !connection.is_lost() => {
-                let features =
-                    features::Features { device: &self.name, camera: &connection.camera };
+                let features = Features { device: &self.name, camera: &connection.camera };
                 features.stop()
             }
             _ => Ok(()),
@@ -259,8 +303,20 @@ impl Camera for GigeCamera {
 
 impl Drop for GigeCamera {
     fn drop(&mut self) {
-        if let Err(error) = self.stop() {
+        let stopped = self.stop();
+        if let Err(error) = &stopped {
             tracing::warn!(camera = self.name, %error, "could not be stopped");
+        }
+        let Some(as_found) = &self.as_found else { return };
+        match &self.link {
+            // One that does not answer would be asked for minutes.
+            Link::Connected { connection, .. } if stopped.is_ok() && !connection.is_lost() => {
+                as_found.give_back(&Features { device: &self.name, camera: &connection.camera });
+            }
+            _ => tracing::warn!(
+                camera = self.name,
+                "connection lost, so its settings are not restored; a run sets its own"
+            ),
         }
     }
 }

@@ -46,6 +46,8 @@ struct FeedState {
     waiting: VecDeque<Exposure>,
     last_frame_id: u16,
     counts: FrameCounts,
+    /// What the sensor sees in free run; dark where nothing is.
+    in_view: Option<Arc<RawImage>>,
     /// When the line has transmitted all frames so far, at its rate.
     line_free: Instant,
 }
@@ -79,6 +81,7 @@ impl Feed {
             waiting: VecDeque::new(),
             last_frame_id,
             counts: FrameCounts::default(),
+            in_view: None,
             line_free: Instant::now(),
         };
         Self { count_bits, line_bytes_per_s, state: Mutex::new(state), changed: Condvar::new() }
@@ -152,6 +155,11 @@ impl Feed {
         self.changed.notify_all();
     }
 
+    /// What frames without an exposure show.
+    pub(super) fn show(&self, image: Arc<RawImage>) {
+        self.lock().in_view = Some(image);
+    }
+
     pub(super) fn counts(&self) -> FrameCounts {
         self.lock().counts
     }
@@ -161,10 +169,10 @@ impl Feed {
     }
 
     /// Writes the oldest exposure into a frame. Called on Aravis' thread for every frame it sends.
-    /// A frame without an exposure (for example in free run) is dark.
+    /// A frame without an exposure (in free run) shows what is in view.
     pub(super) fn fill(&self, format: u32, region: Region, bytes: &mut [u8]) -> FrameLabel {
         self.wait_for_the_line(bytes.len());
-        let (exposure, frame_id) = {
+        let (exposure, in_view, frame_id) = {
             let mut state = self.lock();
             let exposure = state.waiting.pop_front();
             state.count_frame();
@@ -179,24 +187,22 @@ impl Feed {
             }
             match exposure {
                 Some(_) => state.counts.sent += 1,
-                None => state.counts.dark += 1,
+                None => state.counts.untriggered += 1,
             }
             self.changed.notify_all();
-            (exposure, frame_id)
+            (exposure, state.in_view.clone(), frame_id)
         };
-        let device_timestamp_ns = match exposure {
+        let (image, device_timestamp_ns) = match exposure {
             Some(Exposure::Sent { image, device_timestamp_ns }) => {
-                match PixelFormat::from_code(format) {
-                    Some(format) => pack(format, &image, region, self.count_bits, bytes),
-                    None => bytes.fill(0),
-                }
-                Some(device_timestamp_ns)
+                (Some(image), Some(device_timestamp_ns))
             }
-            Some(Exposure::Lost) | None => {
-                bytes.fill(0);
-                None
-            }
+            Some(Exposure::Lost) => (None, None),
+            None => (in_view, None),
         };
+        match image.zip(PixelFormat::from_code(format)) {
+            Some((image, format)) => pack(format, &image, region, self.count_bits, bytes),
+            None => bytes.fill(0),
+        }
         FrameLabel { frame_id, device_timestamp_ns }
     }
 }

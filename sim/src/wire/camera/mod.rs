@@ -125,8 +125,8 @@ pub struct FrameCounts {
     pub ignored: u64,
     /// Exposures held when the acquisition ended.
     pub abandoned: u64,
-    /// Frames without an exposure: free run.
-    pub dark: u64,
+    /// Frames without a trigger: free run.
+    pub untriggered: u64,
 }
 
 /// A camera on the network with simulated images.
@@ -143,6 +143,7 @@ struct State {
     lost_packet_ratio: f64,
     line_bytes_per_s: f64,
     exact: bool,
+    in_view: Option<Arc<RawImage>>,
     /// Counters from before the last power cycle.
     counts: FrameCounts,
 }
@@ -163,6 +164,7 @@ impl FakeGigeCamera {
             lost_packet_ratio: 0.0,
             line_bytes_per_s: LINE_BYTES_PER_S,
             exact: false,
+            in_view: None,
             counts: FrameCounts::default(),
         });
         let camera = Self { address, serial: serial.to_owned(), sensor, count_bits, state };
@@ -192,16 +194,35 @@ impl FakeGigeCamera {
         image: Arc<RawImage>,
         device_timestamp_ns: u64,
     ) -> Result<Exposed, FakeCameraError> {
-        let (columns, rows) = (image.columns(), image.rows());
-        if (columns, rows) != (self.sensor.columns, self.sensor.rows) {
-            let (serial, sensor) = (self.serial.clone(), self.sensor);
-            return Err(FakeCameraError::ImageSize { serial, columns, rows, sensor });
-        }
+        self.check_size(&image)?;
         let Some(feed) = self.feed() else { return Ok(self.unplugged()) };
         Ok(match feed.expose(image, device_timestamp_ns) {
             Ok(()) => Exposed::Yes,
             Err(reason) => Exposed::No(reason),
         })
+    }
+
+    /// What the sensor sees from now on when it runs freely; dark where that is never said.
+    ///
+    /// # Errors
+    /// The image does not have the sensor's size.
+    pub fn show(&self, image: Arc<RawImage>) -> Result<(), FakeCameraError> {
+        self.check_size(&image)?;
+        let mut state = self.lock();
+        if let Some(camera) = &state.power {
+            camera.feed().show(Arc::clone(&image));
+        }
+        state.in_view = Some(image);
+        Ok(())
+    }
+
+    fn check_size(&self, image: &RawImage) -> Result<(), FakeCameraError> {
+        let (columns, rows) = (image.columns(), image.rows());
+        if (columns, rows) == (self.sensor.columns, self.sensor.rows) {
+            return Ok(());
+        }
+        let (serial, sensor) = (self.serial.clone(), self.sensor);
+        Err(FakeCameraError::ImageSize { serial, columns, rows, sensor })
     }
 
     /// One exposure whose frame is lost entirely: the camera counts it, and nothing arrives.
@@ -284,6 +305,9 @@ impl FakeGigeCamera {
         }
         let camera = self.switch_on(state.line_bytes_per_s, state.exact)?;
         camera.set_lost_packet_ratio(state.lost_packet_ratio);
+        if let Some(image) = &state.in_view {
+            camera.feed().show(Arc::clone(image));
+        }
         state.power = Some(camera);
         Ok(())
     }
@@ -361,6 +385,6 @@ fn sum(a: FrameCounts, b: FrameCounts) -> FrameCounts {
         lost: a.lost + b.lost,
         ignored: a.ignored + b.ignored,
         abandoned: a.abandoned + b.abandoned,
-        dark: a.dark + b.dark,
+        untriggered: a.untriggered + b.untriggered,
     }
 }

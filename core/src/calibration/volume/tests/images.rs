@@ -207,3 +207,23 @@ fn cameras_are_found_behind_tilted_walls() {
     assert!(errors.scale <= 1e-3, "{errors:?}");
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
 }
+
+/// One camera sees the front and the other the back, and the stage errs by five micrometres: what is left out
+/// tells of the cameras, not of the stage.
+#[test]
+fn a_card_is_seen_from_both_sides_on_an_uncertain_stage() {
+    const STAGE_MM: f64 = 0.005;
+    let mut trial = Trial { stage_mm: STAGE_MM, ..Trial::typical() };
+    let half = 0.5f64.sqrt();
+    trial.card.up = Vector3::new(0.0, half, half);
+    trial.card.two_sided_mm = Some(1.5);
+    trial.card.fiducial_diameter_mm = 0.65;
+    let found = trial.calibrated(&walls(), STAGE_MM).unwrap();
+    let errors = trial.errors(&found);
+    println!("{:?} {errors:?} {:?} {:?}", found.held_out, found.stage_mm, found.warnings);
+    assert!(found.held_out.mean_microlenses <= 0.02, "{:?}", found.held_out);
+    // The mean of the stage's errors remains.
+    assert!(errors.middle_mm <= 0.002 && errors.worst_mm <= 0.002, "{errors:?}");
+    assert!(errors.scale <= 1e-3, "{errors:?}");
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+}
