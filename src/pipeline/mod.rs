@@ -19,5 +19,5 @@ pub use latency::LatencyQuantiles;
 pub use live_statistics::LiveStatistics;
 pub use monotonic::monotonic;
 pub use pair_times::{HungPair, PairTimes};
-pub use pool::{Pool, PoolError, PoolLinks, PoolSettings};
+pub use pool::{Pool, PoolError, PoolLinks, PoolSettings, run_after_acquisition};
 pub use writer::{Observer, ResultSink};

@@ -209,7 +209,7 @@ const WORKERS_NICENESS: i32 = 5;
 
 /// Lowers the priority of the calling thread below acquisition: a measurement may take longer, but no
 /// frame may be lost. Linux counts niceness per thread.
-fn run_after_acquisition() {
+pub fn run_after_acquisition() {
     if let Err(error) = rustix::process::nice(WORKERS_NICENESS) {
         tracing::debug!(%error, "workers run at the same priority as acquisition");
     }

@@ -20,6 +20,7 @@ use crate::{
     acquisition::SynchroniserThread,
     cli::{output::count, stop::stop_on_signals},
     config::Config,
+    pipeline::run_after_acquisition,
 };
 
 /// Longest wait for a frame before signals are checked.
@@ -90,6 +91,9 @@ impl LiveCamera {
         let receiver = Receiver { patience: SILENCE + 2 * exposure, stop: stop.clone() };
         thread::scope(|scope| {
             let receiving = scope.spawn(|| receiver.receive(camera.as_mut(), newest));
+            // Frames are received first, here and by other programs of this machine.
+            run_after_acquisition();
+            rayon::broadcast(|_| run_after_acquisition());
             let looked = runtime.block_on(each(seen, &stop, look));
             stop.cancel();
             let received = receiving.join().unwrap_or_else(|panic| resume_unwind(panic));
