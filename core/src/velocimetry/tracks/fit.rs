@@ -52,8 +52,8 @@ const COMMON_BLUR_ERROR_VOX: f64 = 0.01;
 /// How far the equations are solved before the weights, which change more than that, are taken anew.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
 
-/// The same for components that share the cost of their divergence. Of more steps the field follows what
-/// particles near each other err in common: with 60 the error of the smooth bench doubles.
+/// The same for components that share the cost of their divergence. With more steps
+/// the field follows errors that neighbouring particles share: 60 double the error of the smooth bench.
 const UNTIL_TOGETHER: Until = Until { tolerance: 0.03, steps: 15 };
 
 /// One component's part of the equations.

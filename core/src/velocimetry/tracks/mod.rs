@@ -39,7 +39,7 @@ const SETTLED_VOX: f32 = 0.015;
 const COARSE_MOVING_SHARE: f64 = 0.05;
 const FINE_MOVING_SHARE: f64 = 0.002;
 
-/// Least particles in a cell between nodes that are not too close.
+/// Least number of particles per cell between the finer nodes.
 const LEAST_PER_FINER_CELL: f64 = 0.5;
 
 /// Coarsest voxels, in those of the configuration, whose light tells where in them a particle is: it is
