@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs Debian's NATS server, if it is missing, without its service: tests and demonstrations start their
-# own. A server that was installed before stays as it is.
+# Installs the Debian packages named on the command line, those of the NATS server, without its service: tests
+# and demonstrations start their own. A server that was installed before stays as it is.
 set -euo pipefail
 
 here=$(dirname "$0")
@@ -26,4 +26,4 @@ unmask() {
     "${as_root[@]}" rm -f "$mask" /etc/systemd/system/multi-user.target.wants/nats-server.service
 }
 trap unmask EXIT
-"$here/install-packages.sh" nats-server
+"$here/install-packages.sh" "$@"

@@ -6,10 +6,10 @@
 //! is relied on: [`JobQueue::offer`] makes stream and consumer again when they are gone, and what is absent is
 //! offered again.
 
-use std::{collections::HashSet, path::PathBuf, sync::Arc, time::Duration};
+use std::{collections::HashSet, error::Error as _, io, path::PathBuf, sync::Arc, time::Duration};
 
 use async_nats::{
-    ConnectOptions, Event,
+    ConnectError, ConnectErrorKind, ConnectOptions, Event, ServerAddr,
     jetstream::{
         self, AckKind, Context,
         consumer::{AckPolicy, PullConsumer, pull},
@@ -17,6 +17,7 @@ use async_nats::{
     },
 };
 use futures_util::{StreamExt, TryStreamExt};
+use percent_encoding::percent_decode_str;
 use tokio::sync::Notify;
 
 use super::{Attempt, ClusterError, Job};
@@ -37,7 +38,7 @@ const GIVEN_BACK: Duration = Duration::from_millis(500);
 /// Where the broker is, and who we are.
 #[derive(Debug, Clone, Default)]
 pub struct Broker {
-    /// `nats://host:port`, or `tls://`.
+    /// `nats://host:port`, or `tls://`; also with `user:password@`.
     pub url: String,
     /// A file of credentials as NATS has them (`.creds`).
     pub credentials: Option<PathBuf>,
@@ -50,6 +51,7 @@ pub struct Broker {
 pub struct JobQueue {
     jetstream: Context,
     connected: Arc<Notify>,
+    shown: String,
 }
 
 /// A job, until it is done with.
@@ -60,36 +62,23 @@ pub struct TakenJob {
 }
 
 impl JobQueue {
-    /// Returns at once, connected or not.
+    /// Connects. Without an answer it goes on trying in the background, and returns.
     ///
     /// # Errors
-    /// The address or a file cannot be used.
+    /// The address or a file cannot be used, or the broker does not let us in.
     pub async fn connect(broker: &Broker, name: &str) -> Result<Self, ClusterError> {
-        let failed = |reason: String| ClusterError::Connect { url: broker.url.clone(), reason };
+        let address: ServerAddr = broker.url.parse().map_err(|reason: io::Error| {
+            // Not the address itself, which may have a password.
+            ClusterError::Connect { url: "this address".into(), reason: reason.to_string() }
+        })?;
+        let shown = format!("{}://{}:{}", address.scheme(), address.host(), address.port());
+        let failed = |reason: String| ClusterError::Connect { url: shown.clone(), reason };
         let connected = Arc::new(Notify::new());
-        let (told, url) = (connected.clone(), broker.url.clone());
-        let mut options = ConnectOptions::new()
-            .name(name)
-            .retry_on_initial_connect()
-            .max_reconnects(None)
-            .reconnect_delay_callback(|attempts| Duration::from_millis(100 << attempts.min(4)))
-            .event_callback(move |event| {
-                let (told, url) = (told.clone(), url.clone());
-                async move {
-                    match event {
-                        Event::Connected => {
-                            tracing::info!("connected to the broker at {url}");
-                            told.notify_one();
-                        }
-                        Event::Disconnected => {
-                            tracing::warn!(
-                                "no connection to the broker at {url}; it is tried again"
-                            );
-                        }
-                        other => tracing::debug!("broker: {other}"),
-                    }
-                }
-            });
+        let mut options = options(name, &shown, &connected);
+        if let (Some(user), Some(password)) = (address.username(), address.password()) {
+            let plain = |text: &str| percent_decode_str(text).decode_utf8_lossy().into_owned();
+            options = options.user_and_password(plain(user), plain(password));
+        }
         if let Some(file) = &broker.credentials {
             options =
                 options.credentials_file(file).await.map_err(|error| failed(error.to_string()))?;
@@ -97,9 +86,20 @@ impl JobQueue {
         if let Some(file) = &broker.authority {
             options = options.add_root_certificates(file.clone());
         }
-        let client =
-            options.connect(&broker.url).await.map_err(|error| failed(error.to_string()))?;
-        Ok(Self { jetstream: jetstream::new(client), connected })
+        let client = match options.clone().connect(&address).await {
+            Err(error) if may_come(&error) => {
+                tracing::warn!("no broker at {shown} ({error}); it is tried again");
+                options.retry_on_initial_connect().connect(&address).await
+            }
+            tried => tried,
+        };
+        let client = client.map_err(|error| failed(error.to_string()))?;
+        Ok(Self { jetstream: jetstream::new(client), connected, shown })
+    }
+
+    /// The broker's address, without a password.
+    pub fn address(&self) -> &str {
+        &self.shown
     }
 
     /// Completes when a connection has been made since the last call.
@@ -248,6 +248,36 @@ impl TakenJob {
         let told = self.message.ack_with(AckKind::Nak(Some(GIVEN_BACK))).await;
         told.map_err(ClusterError::broker("take a job back"))
     }
+}
+
+fn options(name: &str, shown: &str, connected: &Arc<Notify>) -> ConnectOptions {
+    let (told, shown) = (connected.clone(), shown.to_owned());
+    ConnectOptions::new()
+        .name(name)
+        .max_reconnects(None)
+        .reconnect_delay_callback(|attempts| Duration::from_millis(100 << attempts.min(4)))
+        .event_callback(move |event| {
+            match event {
+                Event::Connected => {
+                    tracing::info!("connected to the broker at {shown}");
+                    told.notify_one();
+                }
+                Event::Disconnected => {
+                    tracing::warn!("no connection to the broker at {shown}; it is tried again");
+                }
+                other => tracing::debug!("broker: {other}"),
+            }
+            std::future::ready(())
+        })
+}
+
+/// Whether a broker that could not be reached may be there later.
+fn may_come(error: &ConnectError) -> bool {
+    use ConnectErrorKind::{Dns, Io, MaxReconnects, TimedOut};
+    // That is what TLS calls a certificate that it does not accept.
+    let cause = error.source().and_then(|cause| cause.downcast_ref::<io::Error>());
+    let is_foreign = cause.is_some_and(|cause| cause.kind() == io::ErrorKind::InvalidData);
+    !is_foreign && matches!(error.kind(), Dns | Io | MaxReconnects | TimedOut)
 }
 
 fn subject(run: &str, shot: u64) -> String {

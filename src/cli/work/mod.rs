@@ -60,7 +60,7 @@ async fn serve(args: &WorkArgs) -> anyhow::Result<()> {
     let stop = stop_on_signals(&laser, "the shots in hand go to other workers")?;
     let name = args.name.clone().unwrap_or_else(own_name);
     let queue = JobQueue::connect(&args.broker.broker(&args.url), &name).await?;
-    print(&format!("worker {name}: waits for shots from {}", args.url))?;
+    print(&format!("worker {name}: waits for shots from {}", queue.address()))?;
     let worker = Arc::new(Worker::new(name, queue, args.shared.clone()));
     let mut slots = JoinSet::new();
     for _ in 0..args.slots {

@@ -1,0 +1,12 @@
+//! The shots of a recorded run, measured by several processes by way of a real NATS server.
+
+#[path = "../recorded_run/bench.rs"]
+#[allow(dead_code, reason = "not every program needs all of it")]
+mod bench;
+mod broker;
+mod by_hand;
+mod killed;
+mod processes;
+mod recorded;
+mod together;
+mod unfit;

@@ -1,0 +1,86 @@
+//! Workers that must not measure a run.
+
+use std::time::Duration;
+
+use lfpiv::cluster::{Broker, Conditions, Job, JobQueue, PROTOCOL, Shot};
+
+use crate::{
+    broker::Nats,
+    processes::{coordinator, path, worker},
+    recorded::{assert_as_on_one_machine, copied, recorded, recorded_otherwise},
+};
+
+#[test]
+fn a_worker_with_another_configuration_is_refused_and_the_others_go_on() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = recorded(root.path());
+    let threshold = ("median_threshold = 2.0", "median_threshold = 3.0");
+    let other = recorded_otherwise(&root.path().join("bench"), threshold, 2);
+    // A run of the same name where the worker looks for it.
+    let elsewhere = root.path().join("elsewhere");
+    std::fs::create_dir_all(&elsewhere).expect("a folder");
+    copied(&other, &elsewhere.join("run"));
+    let nats = Nats::start(root.path());
+    let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
+    let ended = worker(root.path(), &nats.url(), "unfit", &["--shared", path(&elsewhere)]).wait();
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    let reason = "has another configuration than the coordinator's";
+    assert!(ended.stderr.contains("refuses run") && ended.stderr.contains(reason), "{ended:?}");
+
+    let _fit = worker(root.path(), &nats.url(), "fit", &[]);
+    let ended = coordinator.wait();
+    assert_eq!(ended.code, Some(0), "{ended:?}");
+    assert!(ended.stdout.contains("fit: 39 shots"), "{ended:?}");
+    assert_as_on_one_machine(&run);
+}
+
+#[tokio::test]
+async fn a_worker_of_another_version_refuses() {
+    let root = tempfile::tempdir().expect("a folder");
+    let nats = Nats::start(root.path());
+    let broker = Broker { url: nats.url(), ..Broker::default() };
+    let queue = JobQueue::connect(&broker, "test").await.expect("an address");
+    let shot: Shot = serde_json::from_str(
+        r#"{"number": 0, "frames": [], "dt_us_bits": 0, "suspect": [], "time": null}"#,
+    )
+    .expect("a shot");
+    let job = Job {
+        protocol: PROTOCOL,
+        run: "other".into(),
+        run_name: "run-of-another-version".into(),
+        shot,
+        issue: 1,
+        conditions: Conditions {
+            code_version: "999.0.0".into(),
+            configuration_sha256: String::new(),
+            shots_sha256: String::new(),
+            background_crc32: Vec::new(),
+        },
+        model_sha256: String::new(),
+        address: "http://127.0.0.1:1".into(),
+        token: String::new(),
+        heartbeat_ms: 100,
+        deadline_ms: 10_000,
+    };
+    let patience = Duration::from_secs(30);
+    let offered = queue.offer("other", &[0], patience, |_| Some(job.clone())).await;
+    assert_eq!(offered.expect("a broker"), 1);
+    // Offered once more, it is one job.
+    let offered = queue.offer("other", &[0], patience, |_| Some(job.clone())).await;
+    assert_eq!(offered.expect("a broker"), 0);
+
+    let url = nats.url();
+    let folder = root.path().to_owned();
+    let refuses = move || worker(&folder, &url, "old", &[]).wait();
+    let ended = tokio::task::spawn_blocking(refuses).await.expect("its end");
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assert!(ended.stderr.contains("its coordinator is lfpiv 999.0.0, and this is"), "{ended:?}");
+    // The job is another worker's.
+    let taken = loop {
+        if let Some(taken) = queue.take().await.expect("a broker") {
+            break taken;
+        }
+    };
+    assert_eq!((taken.job.clone(), taken.attempt.issue), (job, 1));
+    assert!(taken.attempt.delivery >= 2);
+}
