@@ -32,8 +32,10 @@ const CONSUMER: &str = "workers";
 const MOST_TAKEN: i64 = 10_000;
 /// How long a worker's request for a job waits in the broker.
 const REQUEST: Duration = Duration::from_secs(1);
-/// Pause before a job that was given back is handed out again.
+/// Pause before a job that this version does not understand is handed out again.
 const GIVEN_BACK: Duration = Duration::from_millis(500);
+/// Age at which a job is dropped. Coordinators offer again what is missing; those that were killed do not.
+const OLDEST: Duration = Duration::from_secs(24 * 3600);
 
 /// Where the broker is, and who we are.
 #[derive(Debug, Clone, Default)]
@@ -119,6 +121,7 @@ impl JobQueue {
                 discard: stream::DiscardPolicy::New,
                 discard_new_per_subject: true,
                 max_messages_per_subject: 1,
+                max_age: OLDEST,
                 ..stream::Config::default()
             })
             .await
@@ -240,12 +243,12 @@ impl TakenJob {
         told.map_err(ClusterError::broker("take an acknowledgement"))
     }
 
-    /// Gives the job back, for another worker or a later try.
+    /// Gives the job back, for another worker or a later try, not before `pause`.
     ///
     /// # Errors
     /// There is no broker: it hands the job out again by itself.
-    pub async fn give_back(&self) -> Result<(), ClusterError> {
-        let told = self.message.ack_with(AckKind::Nak(Some(GIVEN_BACK))).await;
+    pub async fn give_back(&self, pause: Duration) -> Result<(), ClusterError> {
+        let told = self.message.ack_with(AckKind::Nak(Some(pause))).await;
         told.map_err(ClusterError::broker("take a job back"))
     }
 }

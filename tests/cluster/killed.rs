@@ -8,7 +8,8 @@ use rand_pcg::Pcg64Mcg;
 use crate::{
     broker::Nats,
     processes::{Process, coordinator, wait_until, worker},
-    recorded::{SHOTS, assert_as_on_one_machine, recorded, stored_so_far},
+    proxy::Proxy,
+    recorded::{SHOTS, assert_as_on_one_machine, recorded, recorded_otherwise, stored_so_far},
 };
 
 const KILLS: usize = 20;
@@ -96,4 +97,54 @@ fn a_coordinator_that_is_told_to_stop_goes_on_later() {
     let ended = waiting.wait();
     assert_eq!(ended.code, Some(0), "{ended:?}");
     assert_as_on_one_machine(&run);
+}
+
+/// The network between the workers and the broker is cut for 10 s, a worker and the coordinator stand still for a while.
+#[test]
+fn a_cut_network_and_processes_that_stand_still_cost_time_only() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = recorded(root.path());
+    let nats = Nats::start(root.path());
+    let network = Proxy::to(nats.port());
+    let workers =
+        ["one", "two", "three"].map(|name| worker(root.path(), &network.url(), name, &[]));
+    let mut coordinator = coordinator(root.path(), &run, &nats.url(), &SOON);
+    let mut has = |shots: usize| {
+        wait_until("results", || !coordinator.is_running() || stored_so_far(&run) >= shots);
+    };
+    has(5);
+    // It has a shot in hand, perhaps, which goes to another one; its own result comes too late.
+    workers[0].signal("STOP");
+    has(12);
+    network.cut();
+    std::thread::sleep(Duration::from_secs(10));
+    network.mend();
+    workers[0].signal("CONT");
+    has(20);
+    coordinator.signal("STOP");
+    std::thread::sleep(Duration::from_secs(2));
+    coordinator.signal("CONT");
+    let ended = coordinator.wait();
+    assert_eq!(ended.code, Some(0), "{ended:?}");
+    assert_as_on_one_machine(&run);
+    for worker in workers {
+        let ended = worker.terminate();
+        assert_eq!(ended.code, Some(0), "{ended:?}");
+    }
+}
+
+/// The jobs of a coordinator that was killed do not hold up those of another one.
+#[test]
+fn jobs_that_nobody_waits_for_are_left_alone() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = recorded(root.path());
+    let nats = Nats::start(root.path());
+    let dead = coordinator(root.path(), &run, &nats.url(), &[]);
+    wait_until("jobs", || dead.log().contains("open shots are offered"));
+    dead.kill();
+    let _worker = worker(root.path(), &nats.url(), "one", &[]);
+    let other = recorded_otherwise(&root.path().join("bench"), ("seed = 1", "seed = 6"), 5);
+    let ended = coordinator(root.path(), &other, &nats.url(), &[]).wait();
+    assert_eq!(ended.code, Some(0), "{ended:?}");
+    assert!(ended.stdout.contains("one: 4 shots"), "{ended:?}");
 }

@@ -7,6 +7,7 @@ mod broker;
 mod by_hand;
 mod killed;
 mod processes;
+mod proxy;
 mod recorded;
 mod together;
 mod unfit;

@@ -60,9 +60,14 @@ impl Process {
 
     /// Asks it to stop, and waits for its end.
     pub fn terminate(self) -> Ended {
-        let terminate = format!("kill -TERM {}", self.child.id());
-        assert!(Command::new("sh").args(["-c", &terminate]).status().expect("sh").success());
+        self.signal("TERM");
         self.wait()
+    }
+
+    /// Sends a signal to it.
+    pub fn signal(&self, name: &str) {
+        let kill = format!("kill -{name} {}", self.child.id());
+        assert!(Command::new("sh").args(["-c", &kill]).status().expect("sh").success());
     }
 
     /// Waits for its end.

@@ -2,7 +2,12 @@
 
 use std::time::Duration;
 
-use lfpiv::cluster::{Broker, Conditions, Job, JobQueue, PROTOCOL, Shot};
+use axum::{Json, Router, extract::Path, routing::get as get_of};
+use lfpiv::{
+    acquisition::journal::RecordedRun,
+    cluster::{Broker, Conditions, DeskClient, Job, JobQueue, PROTOCOL, Shot},
+};
+use lfpiv_rawlog::Position;
 
 use crate::{
     broker::Nats,
@@ -83,4 +88,48 @@ async fn a_worker_of_another_version_refuses() {
     };
     assert_eq!((taken.job.clone(), taken.attempt.issue), (job, 1));
     assert!(taken.attempt.delivery >= 2);
+}
+
+/// A coordinator that has measured its reference otherwise, as on a processor with other vector instructions.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_worker_that_computes_otherwise_refuses() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = recorded(root.path());
+    let nats = Nats::start(root.path());
+    let real = coordinator(root.path(), &run, &nats.url(), &[]);
+    let broker = Broker { url: nats.url(), ..Broker::default() };
+    let queue = JobQueue::connect(&broker, "test").await.expect("an address");
+    let taken = loop {
+        match queue.take().await {
+            Ok(Some(taken)) => break taken,
+            _ => tokio::time::sleep(Duration::from_millis(10)).await,
+        }
+    };
+    let mut job = taken.job.clone();
+    let (address, token) = (job.address.clone(), job.token.clone());
+    let get = move || DeskClient::new(&address, &token).assignment().expect("a coordinator");
+    let mut assignment = tokio::task::spawn_blocking(get).await.expect("an assignment");
+    // The real coordinator ends, and withdraws its jobs; another one has its place.
+    let ended = tokio::task::spawn_blocking(|| real.terminate()).await.expect("its end");
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assignment.reference.result_sha256 = "0".repeat(64);
+    let record = RecordedRun::open(&run).expect("a run");
+    let packed = move |Path((segment, offset)): Path<(u32, u64)>| {
+        std::future::ready(record.packed(Position { segment, offset }).expect("a record"))
+    };
+    let router = Router::new()
+        .route("/work/v1/run", get_of(move || std::future::ready(Json(assignment.clone()))))
+        .route("/work/v1/records/{segment}/{offset}", get_of(packed));
+    let listener = tokio::net::TcpListener::bind("127.0.0.1:0").await.expect("a free port");
+    job.address = format!("http://{}", listener.local_addr().expect("an address"));
+    tokio::spawn(async { axum::serve(listener, router).await });
+    let shots = [job.shot.number];
+    let offered = queue.offer("other", &shots, Duration::from_secs(30), |_| Some(job.clone()));
+    assert_eq!(offered.await.expect("a broker"), 1);
+
+    let (folder, url) = (root.path().to_owned(), nats.url());
+    let refuses = move || worker(&folder, &url, "other", &[]).wait();
+    let ended = tokio::task::spawn_blocking(refuses).await.expect("its end");
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assert!(ended.stderr.contains("measures shot 0 otherwise than the coordinator"), "{ended:?}");
 }

@@ -1,6 +1,7 @@
 //! One job after the other.
 
 use std::{
+    collections::HashMap,
     path::PathBuf,
     sync::Arc,
     time::{Duration, Instant},
@@ -16,8 +17,10 @@ use crate::cluster::{
     Attempt, Begin, ClientError, Delivery, DeskClient, Job, JobQueue, PROTOCOL, TakenJob, Verdict,
 };
 
-/// Pause while there is no broker.
+/// Pause while there is no broker, and before a shot is tried again.
 const PAUSE: Duration = Duration::from_millis(500);
+/// How long a coordinator that does not answer is left alone. Jobs of others are not held up by it.
+const SILENCE: Duration = Duration::from_secs(5);
 /// Tries at delivering a result that is made already, and the pause between them.
 const DELIVERIES: usize = 5;
 
@@ -28,6 +31,8 @@ pub(super) struct Worker {
     shared: Option<PathBuf>,
     /// The run that was measured last, and its jobs' common part.
     prepared: Mutex<Option<(Common, Arc<Prepared>)>>,
+    /// Coordinators that did not answer, and when.
+    silent: Mutex<HashMap<String, Instant>>,
 }
 
 /// What jobs of one run and coordinator have in common.
@@ -39,11 +44,13 @@ enum Ended {
     Settled,
     /// Someone else, or this worker later, may have better luck.
     Later,
+    /// Its coordinator does not answer.
+    Silence,
 }
 
 impl Worker {
     pub fn new(name: String, queue: JobQueue, shared: Option<PathBuf>) -> Self {
-        Self { name, queue, shared, prepared: Mutex::new(None) }
+        Self { name, queue, shared, prepared: Mutex::new(None), silent: Mutex::default() }
     }
 
     /// Takes and does jobs until `stop` is cancelled.
@@ -84,7 +91,8 @@ impl Worker {
         };
         let told = match &ended {
             Ok(Ended::Settled) => taken.done().await,
-            Ok(Ended::Later) | Err(_) => taken.give_back().await,
+            Ok(Ended::Later) | Err(_) => taken.give_back(PAUSE).await,
+            Ok(Ended::Silence) => taken.give_back(SILENCE).await,
         };
         if let Err(error) = told {
             tracing::debug!("shot {shot}: {error}");
@@ -97,6 +105,10 @@ impl Worker {
     /// # Errors
     /// This worker is not fit for the run.
     fn measure(&self, job: &Job, attempt: Attempt) -> anyhow::Result<Ended> {
+        let is_recent = |since: &Instant| since.elapsed() < SILENCE;
+        if self.silent.lock().get(&job.address).is_some_and(is_recent) {
+            return Ok(Ended::Silence);
+        }
         let client = DeskClient::new(&job.address, &job.token);
         let shot = job.shot.number;
         match self.try_measuring(job, attempt, &client) {
@@ -120,8 +132,11 @@ impl Worker {
                 Ended::Settled
             }
             Some(ClientError::Unreachable(why)) => {
-                tracing::warn!("shot {}: {why}", job.shot.number);
-                Ended::Later
+                let known = self.silent.lock().insert(job.address.clone(), Instant::now());
+                if known.is_none() {
+                    tracing::warn!("shot {} at {}: {why}", job.shot.number, job.address);
+                }
+                Ended::Silence
             }
             _ => self.tell_failure(job, attempt, &format!("{error:#}")),
         }
@@ -149,6 +164,7 @@ impl Worker {
         if client.begin(shot.number, attempt, &self.name)? == Begin::Settled {
             return Ok(None);
         }
+        self.silent.lock().remove(&job.address);
         let result = prepared.measure(client, shot)?;
         let delivery = Delivery {
             shot: shot.number,
