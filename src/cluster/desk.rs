@@ -266,6 +266,11 @@ impl Desk {
         self.left.subscribe()
     }
 
+    /// Number of workers that have begun a shot.
+    pub fn workers(&self) -> usize {
+        self.state.lock().workers.len()
+    }
+
     /// Takes nothing in any more. The tally, the number of refused results, and the log.
     pub fn close(&self) -> (Tally, usize, Option<DeliveryLog>) {
         let mut state = self.state.lock();

@@ -6,7 +6,7 @@ use std::{
     net::SocketAddr,
     path::Path,
     sync::{Arc, mpsc::SyncSender},
-    time::Duration,
+    time::{Duration, Instant},
 };
 
 use anyhow::{Context, anyhow};
@@ -28,6 +28,8 @@ use crate::{
 
 /// How long jobs and connections are waited for at the end.
 const FAREWELL: Duration = Duration::from_secs(2);
+/// Pause between lines about the progress in the log.
+const LINES: Duration = Duration::from_secs(30);
 /// Characters of the hash that identify a run to the broker.
 const RUN_CHARACTERS: usize = 16;
 
@@ -162,6 +164,7 @@ impl Sharing<'_> {
             issues: BTreeMap::new(),
             first_issue,
         };
+        warn_of_addresses(self.serve, &queue);
         tracing::info!("workers read frames and deliver results at {address}");
         let closing = CancellationToken::new();
         let server = axum::serve(listener, desk_routes(desk.clone(), &token))
@@ -232,12 +235,39 @@ fn taken_up(
     Ok(tally)
 }
 
+/// On a terminal as a bar, and in the log now and then.
 async fn show_progress(desk: Arc<Desk>) {
     let mut left = desk.left();
     let all = *left.borrow_and_update();
     let bar = progress_bar(all, "shots");
-    while left.changed().await.is_ok() {
-        bar.set_position(all.saturating_sub(*left.borrow_and_update()) as u64);
+    let began = Instant::now();
+    let mut lines = tokio::time::interval_at(tokio::time::Instant::now() + LINES, LINES);
+    loop {
+        tokio::select! {
+            changed = left.changed() => match changed {
+                Ok(()) => bar.set_position(all.saturating_sub(*left.borrow_and_update()) as u64),
+                Err(_) => return,
+            },
+            _ = lines.tick() => {
+                let settled = all.saturating_sub(*left.borrow());
+                let rate = settled as f64 / began.elapsed().as_secs_f64();
+                let workers = count(desk.workers(), "worker");
+                tracing::info!("{settled} of {all} shots, {rate:.2} a second, {workers} so far");
+            }
+        }
+    }
+}
+
+/// Says what the chosen addresses mean.
+fn warn_of_addresses(serve: SocketAddr, queue: &JobQueue) {
+    let own = ["127.0.0.1", "localhost", "[::1]"];
+    let is_broker_here = own.iter().any(|host| queue.address().contains(&format!("//{host}:")));
+    match serve.ip().is_loopback() {
+        true if !is_broker_here => tracing::warn!(
+            "only workers on this machine reach the coordinator at {serve}: --serve names an address for others"
+        ),
+        false => tracing::warn!("frames and results at {serve} are not encrypted"),
+        true => {}
     }
 }
 
