@@ -62,11 +62,11 @@ demo-cluster: packages broker
 test: format test-rust test-readers
 
 # The adversary of `tests/adversary`, of which a minute is part of the tests, and the long cases.
-soak: packages network-tools page-tools
+soak: packages network-tools broker page-tools
 	LFPIV_SOAK_SECONDS=$(SECONDS) LFPIV_SOAK_SEED=$(SEED) LFPIV_SOAK_CASE=$(CASE) \
 		cargo test --release --locked --test adversary -- --nocapture the_adversary_finds_nothing
 	cargo test --release --locked --package lfpiv --package lfpiv-core --test recorded_run \
-		--test capabilities --test page -- --ignored --nocapture long_
+		--test capabilities --test cluster --test page -- --ignored --nocapture long_
 
 # The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages

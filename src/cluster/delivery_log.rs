@@ -192,3 +192,115 @@ fn take(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use lfpiv_core::velocimetry::{PairResult, VectorGrid, VelocityField};
+
+    use super::*;
+    use crate::{
+        archive::{RawLevel, ShotResult},
+        cluster::Attempt,
+    };
+
+    fn conditions() -> Conditions {
+        Conditions {
+            code_version: "1".into(),
+            configuration_sha256: "2".into(),
+            shots_sha256: "3".into(),
+            background_crc32: vec![4],
+        }
+    }
+
+    fn open(run: &Path, conditions: &Conditions, model: &str) -> (DeliveryLog, LoggedDeliveries) {
+        DeliveryLog::open(run, conditions, &Arc::default(), model).unwrap()
+    }
+
+    fn delivery(shot: u64) -> Delivery {
+        let field = VelocityField {
+            grid: VectorGrid { vectors: [0; 3], first_mm: [0.0; 3], spacing_mm: 1.0 },
+            displacement_vox: vec![],
+            uncertainty_vox: vec![],
+            status: vec![],
+            peak_ratio: vec![],
+            vorticity: vec![],
+            divergence: vec![],
+            has_gradient: vec![],
+            voxel_mm: 0.1,
+            dt_s: 1e-4,
+        };
+        let measured = PairResult {
+            field,
+            seconds: Default::default(),
+            warnings: vec!["w".repeat(100)],
+            model: Default::default(),
+            fit: None,
+            light: None,
+        };
+        Delivery {
+            shot,
+            attempt: Attempt { issue: 1, delivery: 1 },
+            worker: "one".into(),
+            model_sha256: "model".into(),
+            result: ShotResult { measured, time: None, raw: RawLevel::Synced },
+        }
+    }
+
+    #[test]
+    fn what_was_delivered_is_read_again_and_damage_costs_itself() {
+        let root = tempfile::tempdir().unwrap();
+        let (log, logged) = open(root.path(), &conditions(), "model");
+        assert!(logged.reports.is_empty() && logged.results.is_empty());
+        let failed = Report::Failed {
+            attempt: Attempt { issue: 1, delivery: 1 },
+            worker: "two".into(),
+            reason: "dark".into(),
+        };
+        log.report(7, &failed).unwrap();
+        let deliveries = [5, 6, 7].map(delivery);
+        deliveries.iter().for_each(|delivery| log.deliver(&delivery.encode()).unwrap());
+        drop(log);
+
+        // Several coordinators, one after the other.
+        let (log, logged) = open(root.path(), &conditions(), "model");
+        let mut reports = vec![(7, failed)];
+        reports.extend(deliveries.iter().map(|delivery| (delivery.shot, delivery.report())));
+        assert_eq!(logged.reports, reports);
+        let shots = |logged: &LoggedDeliveries| -> Vec<u64> {
+            logged.results.iter().map(|delivery| delivery.shot).collect()
+        };
+        assert_eq!(shots(&logged), [5, 6, 7]);
+        log.deliver(&delivery(8).encode()).unwrap();
+        drop(log);
+        let (log, logged) = open(root.path(), &conditions(), "model");
+        assert_eq!(shots(&logged), [5, 6, 7, 8]);
+        drop(log);
+
+        let segment = root.path().join("delivered/000000/segment_000000.raw");
+        let mut bytes = fs::read(&segment).unwrap();
+        let result = deliveries[1].encode();
+        let at = bytes.windows(result.len()).position(|window| window == result).unwrap();
+        bytes[at + result.len() / 2] ^= 1;
+        fs::write(&segment, bytes).unwrap();
+        let (_log, logged) = open(root.path(), &conditions(), "model");
+        assert_eq!(shots(&logged), [5, 7, 8]);
+        assert_eq!(logged.reports.len(), 4);
+    }
+
+    #[test]
+    fn results_made_under_other_conditions_are_not_read_and_all_is_removed_at_the_end() {
+        let root = tempfile::tempdir().unwrap();
+        let (log, _) = open(root.path(), &conditions(), "model");
+        log.deliver(&delivery(5).encode()).unwrap();
+        drop(log);
+        let other = Conditions { code_version: "2".into(), ..conditions() };
+        for (conditions, model) in [(other, "model"), (conditions(), "another")] {
+            let (_log, logged) = open(root.path(), &conditions, model);
+            assert!(logged.reports.is_empty() && logged.results.is_empty());
+        }
+        let (log, logged) = open(root.path(), &conditions(), "model");
+        assert_eq!(logged.results.len(), 1);
+        log.remove().unwrap();
+        assert!(!root.path().join("delivered").exists());
+    }
+}

@@ -16,13 +16,23 @@ const KILLS: usize = 20;
 /// A lost worker's shot goes to another one soon.
 const SOON: [&str; 2] = ["--patience", "1"];
 
-/// Whenever another result is stored, a worker dies at some moment, and another one comes.
 #[test]
 fn no_shot_is_lost_with_workers_or_the_broker() {
+    no_shot_is_lost(20);
+}
+
+#[test]
+#[ignore = "long: make soak"]
+fn long_no_shot_is_lost_with_workers_or_the_broker_in_ten_runs() {
+    (100..110).for_each(no_shot_is_lost);
+}
+
+/// Whenever another result is stored, a worker dies at some moment, and another one comes.
+fn no_shot_is_lost(seed: u64) {
     let root = tempfile::tempdir().expect("a folder");
     let run = recorded(root.path());
     let mut nats = Nats::start(root.path());
-    let mut random = Pcg64Mcg::seed_from_u64(20);
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
     let mut names = (0..).map(|number| format!("worker {number}"));
     let url = nats.url();
     let mut another = || worker(root.path(), &url, &names.next().expect("a name"), &[]);

@@ -13,7 +13,7 @@ use anyhow::Context;
 use tokio::task::JoinSet;
 
 use super::{broker_args::BrokerArgs, output::print, stop::stop_on_signals};
-use crate::{acquisition::SynchroniserThread, cluster::JobQueue};
+use crate::{acquisition::SynchroniserThread, cluster::JobQueue, pipeline::run_after_acquisition};
 use slot::Worker;
 
 /// How long measurements that nobody waits for are waited for at the end.
@@ -44,6 +44,8 @@ pub struct WorkArgs {
 /// # Errors
 /// The broker's address cannot be used, or this worker cannot measure a run as its coordinator does.
 pub fn work(args: &WorkArgs) -> anyhow::Result<()> {
+    // All threads are started from this one: beside a run, no frame is lost to them.
+    run_after_acquisition();
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(2)
         .enable_all()
