@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo loopback test soak bench bench-peers deb packages network-tools components readers page-tools page format lint test-rust test-readers clean
+.PHONY: help demo demo-cluster loopback test soak bench bench-peers deb packages network-tools broker components readers page-tools page format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
@@ -12,9 +12,13 @@ NETWORK_PACKAGES := util-linux mount iproute2 e2fsprogs
 # The bench page is tested in a browser, and built again by node; `cargo build` needs neither.
 PAGE_PACKAGES := chromium
 
+# Shots go to other machines by way of a NATS server; its service is not enabled.
+BROKER_PACKAGES := nats-server
+
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
 LOOPBACK_SHOTS := 10
+CLUSTER_SHOTS := 24
 
 # How long the adversary goes on, and what its random numbers are made from; CASE=flips:123 runs one
 # case alone.
@@ -31,6 +35,7 @@ help:
 	@echo "make demo    build, run the simulated bench for $(DEMO_SHOTS) shots, print a table"
 	@echo "make loopback  the same over real wires: GigE Vision and serial drivers against simulated"
 	@echo "               instruments, for $(LOOPBACK_SHOTS) shots; what crossed the wires is kept"
+	@echo "make demo-cluster  a recorded run of $(CLUSTER_SHOTS) shots measured by three workers, of which one is killed"
 	@echo "make test    everything that continuous integration checks; what passed with the same inputs is"
 	@echo "             skipped unless CI=1"
 	@echo "make soak    kills, damage, failing disks, floods and malformed files against the program for"
@@ -49,15 +54,19 @@ loopback: packages network-tools
 	cargo build --release --locked --package lfpiv
 	scripts/loopback.sh target/release/lfpiv $(LOOPBACK_SHOTS)
 
+demo-cluster: packages broker
+	cargo build --release --locked --package lfpiv
+	scripts/demo-cluster.sh target/release/lfpiv $(DEMO_CONFIG) $(CLUSTER_SHOTS)
+
 # The tests are compiled by clippy, which is a compiler with more to say: warnings fail them.
 test: format test-rust test-readers
 
 # The adversary of `tests/adversary`, of which a minute is part of the tests, and the long cases.
-soak: packages network-tools page-tools
+soak: packages network-tools broker page-tools
 	LFPIV_SOAK_SECONDS=$(SECONDS) LFPIV_SOAK_SEED=$(SEED) LFPIV_SOAK_CASE=$(CASE) \
 		cargo test --release --locked --test adversary -- --nocapture the_adversary_finds_nothing
 	cargo test --release --locked --package lfpiv --package lfpiv-core --test recorded_run \
-		--test capabilities --test page -- --ignored --nocapture long_
+		--test capabilities --test cluster --test page -- --ignored --nocapture long_
 
 # The whole report: some twenty minutes on two cores, not part of the tests.
 bench: packages
@@ -86,6 +95,9 @@ packages:
 network-tools:
 	@scripts/install-packages.sh $(NETWORK_PACKAGES)
 
+broker:
+	@scripts/install-broker.sh $(BROKER_PACKAGES)
+
 # A minimal toolchain lacks these two.
 components:
 	@cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
@@ -110,7 +122,7 @@ lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
 # Programs that passed with the same inputs are skipped, unless CI is set.
-test-rust: packages network-tools components page-tools
+test-rust: packages network-tools broker components page-tools
 	@command -v python3 >/dev/null || scripts/install-packages.sh python3
 	@python3 scripts/run-tests.py
 

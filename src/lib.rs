@@ -3,6 +3,7 @@
 pub mod acquisition;
 pub mod archive;
 pub mod cli;
+pub mod cluster;
 pub mod config;
 pub mod pipeline;
 pub mod server;

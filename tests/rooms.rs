@@ -19,7 +19,7 @@ const CRATES: [(&str, &[&str]); 2] = [
             "measurement",
         ],
     ),
-    (".", &["archive", "acquisition", "pipeline", "config", "server", "cli"]),
+    (".", &["archive", "acquisition", "pipeline", "cluster", "config", "server", "cli"]),
 ];
 
 /// What the crates below the daemon must not depend on. The simulator must not know the forward model that it

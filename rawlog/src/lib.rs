@@ -61,7 +61,7 @@ pub use codec::Codec;
 pub use error::{AppendError, Damage, RawLogError};
 pub use format::FORMAT_VERSION;
 pub use log::RawLog;
-pub use reader::{Head, RawLogReader};
+pub use reader::{Head, RawLogReader, unpack};
 pub use record::{LogWatermarks, Position, Record};
 pub use recovery::{RecoveredSegment, Recovery, TornTail, recover};
 pub use settings::RawLogSettings;

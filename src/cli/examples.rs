@@ -5,7 +5,7 @@ use clap::Command;
 /// A command line and its explanation.
 type Example = (&'static str, &'static str);
 
-const EXAMPLES: [(&str, &[Example]); 20] = [
+const EXAMPLES: [(&str, &[Example]); 21] = [
     (
         "init",
         &[
@@ -71,6 +71,24 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
             (
                 "lfpiv process results/run-20261121T090000Z --merge parts/1 parts/2 parts/3",
                 "the results of all parts, verified, into the run",
+            ),
+            (
+                "lfpiv process results/run-20261121T090000Z --cluster nats://10.0.0.1:4222 --serve \
+                 10.0.0.1:8700",
+                "by workers on any machines",
+            ),
+        ],
+    ),
+    (
+        "work",
+        &[
+            (
+                "lfpiv work --url nats://10.0.0.1:4222 --slots 2",
+                "measure two shots at a time, with frames from the coordinator",
+            ),
+            (
+                "lfpiv work --url nats://10.0.0.1:4222 --shared /data/results",
+                "with frames from a folder that all machines share",
             ),
         ],
     ),

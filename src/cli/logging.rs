@@ -18,7 +18,10 @@ use tracing_subscriber::{
 /// default is `info`, also if the variable is invalid.
 pub fn start() {
     let wanted = std::env::var("RUST_LOG").ok().and_then(|wanted| wanted.parse::<Targets>().ok());
-    let filter = wanted.unwrap_or_else(|| Targets::new().with_default(LevelFilter::INFO));
+    let filter = wanted.unwrap_or_else(|| {
+        // What the broker's client does is said in this program's own words.
+        Targets::new().with_default(LevelFilter::INFO).with_target("async_nats", LevelFilter::WARN)
+    });
     let lines = tracing_subscriber::fmt::layer().with_writer(io::stderr);
     let layer = if is_journal() {
         let format = tracing_subscriber::fmt::format().without_time().with_level(false);

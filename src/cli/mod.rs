@@ -6,6 +6,7 @@
 //! everything was done that a damaged or incomplete record of a run allows.
 
 mod bench_program;
+mod broker_args;
 mod calibrate;
 mod card_file;
 mod check;
@@ -31,6 +32,7 @@ mod operator;
 pub mod output;
 mod plan;
 mod process;
+mod process_cluster;
 mod process_jobs;
 mod process_parts;
 mod process_run;
@@ -55,6 +57,7 @@ mod stop;
 mod streamed;
 mod timing;
 mod volume_reader;
+mod work;
 
 use std::process::ExitCode;
 
@@ -80,6 +83,7 @@ pub use statistics::StatisticsArgs;
 pub use streamed::Streamed;
 pub use timing::TimingArgs;
 pub use volume_reader::ReadVolumesArgs;
+pub use work::WorkArgs;
 
 /// Dual-camera light-field particle image velocimetry.
 #[derive(Debug, Parser)]
@@ -105,6 +109,8 @@ enum Command {
     Calibrate(CalibrateArgs),
     /// Measure recorded image pairs.
     Process(ProcessArgs),
+    /// Measure shots for `lfpiv process --cluster`, on this machine, until stopped.
+    Work(WorkArgs),
     /// Measure two volumes that are already reconstructed.
     Correlate(CorrelateArgs),
     /// Run the bench: acquire, measure, serve and store.
@@ -155,6 +161,7 @@ pub fn main() -> ExitCode {
         Command::Simulate(args) => simulate::simulate(&args),
         Command::Calibrate(args) => calibrate::calibrate(&args),
         Command::Process(args) => process::process(&args),
+        Command::Work(args) => work::work(&args),
         Command::Correlate(args) => correlate::correlate(&args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay_run(&args),

@@ -19,6 +19,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::{
     output::{count, print, progress_bar},
+    process_cluster::{ClusterArgs, process_cluster},
     process_jobs::{Existing, Job, jobs, settle_existing},
     process_parts::{Part, merge_parts, process_part},
     process_run::{is_run, process_run},
@@ -66,6 +67,8 @@ pub struct ProcessArgs {
     /// the parts, RUN/parts/* without any.
     #[arg(long, value_name = "PART", num_args = 0..)]
     pub merge: Option<Vec<PathBuf>>,
+    #[command(flatten)]
+    pub cluster: ClusterArgs,
     /// Pair folders, folders of pair folders, or the folder of one recorded run, whose unmeasured
     /// shots are measured.
     #[arg(required = true, value_name = "DIR")]
@@ -97,8 +100,10 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     {
         return process_recorded(folder, args, &stop);
     }
-    if args.part.is_some() || args.merge.is_some() {
-        bail!("--part and --merge are for the folder of one recorded run: it has a folder raw")
+    if args.part.is_some() || args.merge.is_some() || args.cluster.cluster.is_some() {
+        bail!(
+            "--part, --merge and --cluster are for the folder of one recorded run: it has a folder raw"
+        )
     }
     let (Some(config), Some(out)) = (&args.config, &args.out) else {
         bail!(
@@ -234,6 +239,9 @@ fn process_recorded(
              first",
             folder.display()
         );
+    }
+    if let Some(url) = &args.cluster.cluster {
+        return process_cluster(folder, &args.cluster, url, stop);
     }
     match (args.part.zip(out), &args.merge) {
         (Some((part, out)), _) => process_part(folder, part, out, stop),

@@ -7,6 +7,7 @@ use lfpiv_core::{
     lightfield::ImagePair,
     measurement::Processor,
     model::{ModelChoice, ModelMode},
+    velocimetry::PairResult,
 };
 use serde::{Deserialize, Serialize};
 use tokio_util::sync::CancellationToken;
@@ -18,7 +19,8 @@ use super::{
 };
 use crate::{
     acquisition::journal::{RecordedRun, RecordedShot, RunIndex},
-    archive::{RawLevel, ResultStore, ShotResult, StoredResults, sha256},
+    archive::{RawLevel, ResultStore, ShotResult, ShotTime, StoredResults},
+    cluster::model_sha256,
     config::Config,
 };
 
@@ -64,8 +66,7 @@ pub(super) struct Decision {
 impl Decision {
     /// Nothing where the shot showed no particles: another one decides.
     fn by(shot: u64, model: &ModelChoice) -> Option<Self> {
-        let hash = || sha256(model.to_json().as_bytes());
-        model.scene.is_some().then(|| Self { shot, model_sha256: hash() })
+        model.scene.is_some().then(|| Self { shot, model_sha256: model_sha256(model) })
     }
 }
 
@@ -152,14 +153,60 @@ impl<'a> ShotProcessor<'a> {
         Ok(finished)
     }
 
+    /// Measures a shot that can stand for all: the one that has decided the forward model, or decides it.
+    /// Shots of `missing` before it are measured and stored, too, as it is itself if it is one of them; they
+    /// are all those without a result in `left`. Nothing if no shot decides, or `stop` is cancelled.
+    pub fn reference(
+        &mut self,
+        index: &RunIndex,
+        missing: &[&RecordedShot],
+        losses: &mut Losses,
+        finished: &mut Finished,
+        (store, stop): (&mut ResultStore, &CancellationToken),
+    ) -> anyhow::Result<Option<(RecordedShot, ShotResult)>> {
+        if let Some(shot) = self.decision.as_ref().and_then(|by| index.shots.get(&by.shot)) {
+            let result = self.measure_one(shot, self.recorded.pair(shot)?)?;
+            return Ok(Some((shot.clone(), result)));
+        }
+        for shot in missing {
+            if stop.is_cancelled() {
+                return Ok(None);
+            }
+            finished.left -= 1;
+            match self.recorded.pair(shot).map(|pair| self.measure_one(shot, pair)) {
+                Ok(Ok(result)) => {
+                    store.append(shot.trigger, &result)?;
+                    if !self.is_chosen || self.decision.is_some() {
+                        return Ok(Some(((*shot).clone(), result)));
+                    }
+                }
+                Ok(Err(error)) => {
+                    finished.failed.insert(shot.trigger, format!("{error:#}"));
+                }
+                Err(error) => losses.note(shot.trigger, error)?,
+            }
+        }
+        Ok(None)
+    }
+
     fn measure_one(&mut self, shot: &RecordedShot, pair: ImagePair) -> anyhow::Result<ShotResult> {
-        let mut measured = self.processor.process(pair)?;
+        let measured = self.processor.process(pair)?;
         if self.is_chosen && self.decision.is_none() {
             self.decision = Decision::by(shot.trigger, &measured.model);
         }
-        measured.field.dt_s = shot.dt_us * 1e-6;
-        let words = shot.suspect.iter().map(|words| format!("suspect pairing: {words}"));
-        measured.warnings.extend(words);
-        Ok(ShotResult { measured, time: shot.time, raw: RawLevel::Synced })
+        Ok(shot_result(measured, shot.dt_us, &shot.suspect, shot.time))
     }
+}
+
+/// The measurement of a recorded shot, with what the record says of it.
+pub(super) fn shot_result(
+    mut measured: PairResult,
+    dt_us: f64,
+    suspect: &[String],
+    time: Option<ShotTime>,
+) -> ShotResult {
+    measured.field.dt_s = dt_us * 1e-6;
+    let words = suspect.iter().map(|words| format!("suspect pairing: {words}"));
+    measured.warnings.extend(words);
+    ShotResult { measured, time, raw: RawLevel::Synced }
 }

@@ -6,7 +6,13 @@ use lfpiv_core::{
     measurement::Processor,
 };
 
-use crate::{archive::read_pair, config::Config, pipeline::monotonic};
+use crate::{
+    acquisition::journal::{RecordedRun, RunIndex},
+    archive::{read_pair, sha256},
+    cluster::Conditions,
+    config::Config,
+    pipeline::monotonic,
+};
 
 /// Reads the configured background images.
 ///
@@ -50,4 +56,37 @@ pub(super) fn run_processor(config: &Config) -> anyhow::Result<Processor> {
         ),
     }
     Ok(processor)
+}
+
+/// What results of a run depend on besides its images and the forward model.
+///
+/// # Errors
+/// The background images cannot be read.
+pub(super) fn conditions(
+    recorded: &RecordedRun,
+    index: &RunIndex,
+    config: &Config,
+) -> anyhow::Result<Conditions> {
+    let shots = index.shots.values().map(|shot| {
+        let utc_ns = shot.time.map(|time| time.utc_ns);
+        format!("{} {utc_ns:?} {}\n", shot.trigger, shot.dt_us)
+    });
+    Ok(Conditions {
+        code_version: env!("CARGO_PKG_VERSION").to_owned(),
+        configuration_sha256: sha256(recorded.description().configuration.as_bytes()),
+        shots_sha256: sha256(shots.collect::<String>().as_bytes()),
+        background_crc32: background_crc32(config)?,
+    })
+}
+
+/// Checksums of the background images, where there are some.
+///
+/// # Errors
+/// They cannot be read.
+pub(super) fn background_crc32(config: &Config) -> anyhow::Result<Vec<u32>> {
+    let images = match config.image.background {
+        Background::Images => background_images(config)?.cameras,
+        _ => Vec::new(),
+    };
+    Ok(images.iter().flatten().map(|image| image.crc32()).collect())
 }

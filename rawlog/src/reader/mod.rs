@@ -1,6 +1,7 @@
 //! Reads a log during or after its run.
 
 mod header_copies;
+mod packed;
 mod scan;
 mod search;
 pub(super) mod segment_file;
@@ -12,13 +13,14 @@ use std::{
 };
 
 use super::{
-    Damage, Position, RawLogError, Record,
+    Position, RawLogError, Record,
     format::{HeaderFault, RecordHeader},
     names,
     storage::{Disk, Storage},
 };
+pub use packed::unpack;
 use scan::Scan;
-use segment_file::{SegmentFile, SegmentItem};
+use segment_file::SegmentFile;
 
 /// Reads a log. It keeps no file open.
 ///
@@ -115,19 +117,8 @@ impl RawLogReader {
     /// # Errors
     /// There is no record at this position, or it is damaged.
     pub fn read(&self, position: Position) -> Result<Record, RawLogError> {
-        let Position { segment: number, offset } = position;
-        let path = names::sealed_path(&self.folder, number);
-        let nothing = |path| {
-            let (bytes, what) = (offset..offset, "there is no record");
-            RawLogError::Damaged(Damage { path, bytes, records: None, what })
-        };
-        let segment = self.segment(number)?.ok_or_else(|| nothing(path))?;
-        match segment.item_at(offset)? {
-            SegmentItem::Record(header) => read_record(&segment, offset, &header),
-            SegmentItem::Torn(_) | SegmentItem::Footer(_) | SegmentItem::Nothing => {
-                Err(nothing(segment.path))
-            }
-        }
+        let (segment, header) = self.locate(position)?;
+        read_record(&segment, position.offset, &header)
     }
 
     fn folder(&self) -> &Path {

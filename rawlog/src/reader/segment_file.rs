@@ -178,11 +178,16 @@ impl SegmentFile {
         self.damaged(offset..offset + header.record_bytes(), Some(records), what)
     }
 
-    fn read(&self, offset: u64, length: u32) -> Result<Vec<u8>, RawLogError> {
-        let mut bytes = vec![0; length as usize];
+    /// The bytes of a whole record, unchecked.
+    pub fn bytes(&self, offset: u64, length: u64) -> Result<Vec<u8>, RawLogError> {
+        let mut bytes = vec![0; usize::try_from(length).unwrap_or_default()];
         let read = self.file.read_at(offset, &mut bytes).map_err(self.io())?;
         bytes.truncate(read);
         Ok(bytes)
+    }
+
+    fn read(&self, offset: u64, length: u32) -> Result<Vec<u8>, RawLogError> {
+        self.bytes(offset, u64::from(length))
     }
 
     fn io(&self) -> impl FnOnce(io::Error) -> RawLogError + use<'_> {

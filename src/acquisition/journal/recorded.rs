@@ -195,6 +195,22 @@ impl RecordedRun {
         record.image.ok_or_else(|| RecordedRunError::NoImage { folder: self.folder.clone() })
     }
 
+    /// The record of a frame as it is on disk: see [`RawLogReader::packed`].
+    ///
+    /// # Errors
+    /// There is no such record.
+    pub fn packed(&self, position: Position) -> Result<Vec<u8>, RecordedRunError> {
+        Ok(self.reader.packed(position)?)
+    }
+
+    /// CRC-32 of a frame's image, from the header of its record.
+    ///
+    /// # Errors
+    /// There is no such record.
+    pub fn image_crc32(&self, position: Position) -> Result<u32, RecordedRunError> {
+        Ok(self.reader.image_crc32(position)?)
+    }
+
     /// The images of a shot.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, fs, path::Path};
 use anyhow::{Context, bail};
 use tokio_util::sync::CancellationToken;
 
-use super::part_file::{Conditions, NAME, Part, PartFile, vector_instructions};
+use super::part_file::{NAME, Part, PartFile, vector_instructions};
 use crate::{
     acquisition::journal::RecordedRun,
     archive::{ResultStore, StoredResults, merge_segments},
@@ -15,6 +15,7 @@ use crate::{
         process_run::missing,
         recorded_shots::ShotProcessor,
         recording::{RunLock, refuse_running},
+        run_processor::conditions,
     },
     config::Config,
 };
@@ -37,7 +38,7 @@ pub(in crate::cli) fn process_part(
     let config = Config::parse("the run's configuration", text)?;
     let in_run = StoredResults::find(run)?;
     let missing = missing(&index, &in_run);
-    let conditions = Conditions::of(&recorded, &index, &config)?;
+    let conditions = conditions(&recorded, &index, &config)?;
     let shots = part.share(missing.iter().map(|shot| shot.trigger));
 
     fs::create_dir_all(out).with_context(|| format!("cannot create {}", out.display()))?;

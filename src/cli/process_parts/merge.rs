@@ -12,12 +12,12 @@ use lfpiv_rawlog::regular_file::read_text;
 use tokio_util::sync::CancellationToken;
 
 use super::{
-    part_file::{Conditions, NAME},
+    part_file::NAME,
     verify::{PartFolder, Run},
 };
 use crate::{
     archive::write_replacing,
-    cli::{process_run::UnfinishedRun, recorded_shots::Finished},
+    cli::{process_run::UnfinishedRun, recorded_shots::Finished, run_processor::conditions},
 };
 
 /// Where parts are looked for when none is given, in the run's folder.
@@ -48,7 +48,7 @@ pub(in crate::cli) fn merge_parts(
     Run {
         folder: run,
         configuration: &recorded.description().configuration,
-        conditions: &Conditions::of(recorded, index, config)?,
+        conditions: &conditions(recorded, index, config)?,
         measured: stored.shots.iter().copied().filter(|shot| !copied(shot)).collect(),
         missing: unfinished.missing().iter().map(|shot| shot.trigger).collect(),
     }

@@ -9,16 +9,10 @@ use std::{
 };
 
 use anyhow::{Context, bail};
-use lfpiv_core::lightfield::Background;
 use lfpiv_rawlog::regular_file::read_regular;
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    acquisition::journal::{RecordedRun, RunIndex},
-    archive::{sha256, write_replacing},
-    cli::{recorded_shots::Decision, run_processor::background_images},
-    config::Config,
-};
+use crate::{archive::write_replacing, cli::recorded_shots::Decision, cluster::Conditions};
 
 /// The file's name in the part's folder.
 pub(super) const NAME: &str = "part.json";
@@ -66,60 +60,6 @@ impl FromStr for Part {
 impl fmt::Display for Part {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}/{}", self.k, self.n)
-    }
-}
-
-/// What results depend on besides the images and the forward model.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Conditions {
-    pub code_version: String,
-    /// Of the configuration's text, which holds the hashes of calibrations.
-    pub configuration_sha256: String,
-    /// Of the run's shots with their times: tells runs of one configuration apart.
-    pub shots_sha256: String,
-    /// Of the background images, where there are some.
-    pub background_crc32: Vec<u32>,
-}
-
-impl Conditions {
-    /// # Errors
-    /// The background images cannot be read.
-    pub fn of(recorded: &RecordedRun, index: &RunIndex, config: &Config) -> anyhow::Result<Self> {
-        let shots = index.shots.values().map(|shot| {
-            let utc_ns = shot.time.map(|time| time.utc_ns);
-            format!("{} {utc_ns:?} {}\n", shot.trigger, shot.dt_us)
-        });
-        let images = match config.image.background {
-            Background::Images => background_images(config)?.cameras,
-            _ => Vec::new(),
-        };
-        Ok(Self {
-            code_version: env!("CARGO_PKG_VERSION").to_owned(),
-            configuration_sha256: sha256(recorded.description().configuration.as_bytes()),
-            shots_sha256: sha256(shots.collect::<String>().as_bytes()),
-            background_crc32: images.iter().flatten().map(|image| image.crc32()).collect(),
-        })
-    }
-
-    /// In which way results made under these are not those of a run under `run`, if so.
-    pub fn difference(&self, run: &Self) -> Option<String> {
-        if self.code_version != run.code_version {
-            return Some(format!(
-                "was measured by lfpiv {}, and this is {}: measure and merge with one version",
-                self.code_version, run.code_version
-            ));
-        }
-        let other = |different: bool, what: &str| {
-            different.then(|| format!("was measured with {what} than the run's"))
-        };
-        other(self.configuration_sha256 != run.configuration_sha256, "another configuration")
-            .or_else(|| {
-                other(self.background_crc32 != run.background_crc32, "other background images")
-            })
-            .or_else(|| {
-                let different = self.shots_sha256 != run.shots_sha256;
-                different.then(|| "is of another run".to_owned())
-            })
     }
 }
 

@@ -9,10 +9,11 @@ use std::{
 use anyhow::bail;
 use lfpiv_core::model::ModelChoice;
 
-use super::part_file::{Conditions, NAME, Part, PartFile};
+use super::part_file::{NAME, Part, PartFile};
 use crate::{
     archive::{SealedFile, sha256},
     cli::{output::count, recording::refuse_running},
+    cluster::Conditions,
 };
 
 /// Shots that a message names.

@@ -1,0 +1,106 @@
+//! A run that a worker is ready to measure.
+
+use std::path::Path;
+
+use anyhow::{Context, bail};
+use lfpiv_core::measurement::Processor;
+
+use super::frames::{Frames, shared_run};
+use crate::{
+    acquisition::journal::RecordedRun,
+    archive::{ShotResult, sha256},
+    cli::{
+        recorded_shots::shot_result,
+        run_processor::{background_crc32, conditions, run_processor},
+    },
+    cluster::{Assignment, Attempt, Delivery, DeskClient, Job, Shot, model_sha256},
+    config::Config,
+};
+
+/// See the module.
+pub(super) struct Prepared {
+    processor: Processor,
+    frames: Frames,
+}
+
+impl Prepared {
+    /// Makes ready for the run of `job`: verifies that this machine has the same version, configuration and
+    /// background images, and computes the same.
+    ///
+    /// # Errors
+    /// It has not or does not; the message says in which way. A frame cannot be read.
+    pub fn new(
+        job: &Job,
+        assignment: &Assignment,
+        client: &DeskClient,
+        shared: Option<&Path>,
+    ) -> anyhow::Result<Self> {
+        let text = &assignment.configuration;
+        if sha256(text.as_bytes()) != job.conditions.configuration_sha256 {
+            bail!("the coordinator has sent another configuration than that of the job");
+        }
+        let config = Config::parse("the run's configuration", text)?;
+        let own = background_crc32(&config)?;
+        if own != job.conditions.background_crc32 {
+            bail!("the background images on this machine are not those of the coordinator");
+        }
+        let frames = frames(job, &config, shared)?;
+        let prepared = Self { processor: run_processor(&config)?, frames };
+        prepared.reproduce(assignment, client)?;
+        Ok(prepared)
+    }
+
+    /// Measures a shot.
+    ///
+    /// # Errors
+    /// A frame cannot be read, or the shot cannot be measured.
+    pub fn measure(&self, client: &DeskClient, shot: &Shot) -> anyhow::Result<ShotResult> {
+        let pair = self.frames.pair(client, shot)?;
+        let measured = self.processor.process(pair)?;
+        Ok(shot_result(measured, shot.dt_us(), &shot.suspect, shot.time()))
+    }
+
+    /// Measures the reference, which decides the forward model here as it did there.
+    fn reproduce(&self, assignment: &Assignment, client: &DeskClient) -> anyhow::Result<()> {
+        let reference = &assignment.reference;
+        let result =
+            self.measure(client, &reference.shot).context("the reference cannot be measured")?;
+        let model_sha256 = model_sha256(&result.measured.model);
+        let measured = Delivery {
+            shot: reference.shot.number,
+            attempt: Attempt { issue: 0, delivery: 0 },
+            worker: String::new(),
+            model_sha256,
+            result,
+        };
+        let alike = measured.model_sha256 == reference.model_sha256
+            && measured.result_sha256() == reference.result_sha256;
+        if !alike {
+            bail!(
+                "this machine measures shot {} otherwise than the coordinator: its processor has other \
+                 vector instructions, perhaps; use machines of one kind",
+                reference.shot.number
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Frames from the shared folder where the run is there, and is the same.
+fn frames(job: &Job, config: &Config, shared: Option<&Path>) -> anyhow::Result<Frames> {
+    let Some(shared) = shared else { return Ok(Frames::Coordinator) };
+    let Some(folder) = shared_run(shared, &job.run_name) else {
+        tracing::warn!(
+            "{} has no run {}: its frames are read from the coordinator",
+            shared.display(),
+            job.run_name
+        );
+        return Ok(Frames::Coordinator);
+    };
+    let recorded = RecordedRun::open(&folder)?;
+    let there = conditions(&recorded, &recorded.index(), config)?;
+    if let Some(what) = there.first_difference(&job.conditions) {
+        bail!("the run in {} has another {what} than the coordinator's", folder.display());
+    }
+    Ok(Frames::Shared(Box::new(recorded)))
+}

@@ -1,0 +1,40 @@
+//! The shots of a run, measured on several machines by way of a broker.
+//!
+//! ```text
+//! coordinator ── jobs (some 500 bytes) ──> NATS JetStream ── jobs ──> workers
+//!      ^  └──────── packed records over HTTP, or a shared folder ───────┘ │
+//!      └────────────────────── results over HTTP ─────────────────────────┘
+//! ```
+//!
+//! - [`Job`]: a shot to measure, with everything it depends on by hash ([`Conditions`], [`Reference`]).
+//! - [`JobQueue`]: jobs in a work queue of JetStream. It may lose everything at any time: the record on disk is
+//!   the truth, and what has no result is offered again.
+//! - [`Tally`]: who was first, and how often a shot was tried. A function of what was reported, in any order.
+//! - [`DeliveryLog`]: the same on disk, with the results, so that a coordinator that was killed goes on.
+//! - [`Desk`]: takes deliveries in, hands records out; [`desk_routes`] is its HTTP side, [`DeskClient`] the other
+//!   end.
+//!
+//! Neither pixels nor results go through the broker.
+
+mod conditions;
+mod delivery;
+mod delivery_bytes;
+mod delivery_log;
+mod desk;
+mod error;
+mod job;
+mod queue;
+mod routes;
+mod tally;
+mod work_client;
+
+pub use conditions::Conditions;
+pub use delivery::Delivery;
+pub use delivery_log::{DeliveryLog, LoggedDeliveries};
+pub use desk::{Begin, Desk, DeskSetup, model_sha256};
+pub use error::ClusterError;
+pub use job::{Assignment, Frame, Job, PROTOCOL, Reference, Shot};
+pub use queue::{Broker, JobQueue, TakenJob};
+pub use routes::desk_routes;
+pub use tally::{Attempt, Report, ShotState, Tally, Verdict};
+pub use work_client::{ClientError, DeskClient};

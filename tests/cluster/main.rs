@@ -1,0 +1,13 @@
+//! The shots of a recorded run, measured by several processes by way of a real NATS server.
+
+#[path = "../recorded_run/bench.rs"]
+#[allow(dead_code, reason = "not every program needs all of it")]
+mod bench;
+mod broker;
+mod by_hand;
+mod killed;
+mod processes;
+mod proxy;
+mod recorded;
+mod together;
+mod unfit;

@@ -1,0 +1,135 @@
+//! Workers that must not measure a run.
+
+use std::time::Duration;
+
+use axum::{Json, Router, extract::Path, routing::get as get_of};
+use lfpiv::{
+    acquisition::journal::RecordedRun,
+    cluster::{Broker, Conditions, DeskClient, Job, JobQueue, PROTOCOL, Shot},
+};
+use lfpiv_rawlog::Position;
+
+use crate::{
+    broker::Nats,
+    processes::{coordinator, path, worker},
+    recorded::{assert_as_on_one_machine, copied, recorded, recorded_otherwise},
+};
+
+#[test]
+fn a_worker_with_another_configuration_is_refused_and_the_others_go_on() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = recorded(root.path());
+    let threshold = ("median_threshold = 2.0", "median_threshold = 3.0");
+    let other = recorded_otherwise(&root.path().join("bench"), threshold, 2);
+    // A run of the same name where the worker looks for it.
+    let elsewhere = root.path().join("elsewhere");
+    std::fs::create_dir_all(&elsewhere).expect("a folder");
+    copied(&other, &elsewhere.join("run"));
+    let nats = Nats::start(root.path());
+    let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
+    let ended = worker(root.path(), &nats.url(), "unfit", &["--shared", path(&elsewhere)]).wait();
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    let reason = "has another configuration than the coordinator's";
+    assert!(ended.stderr.contains("refuses run") && ended.stderr.contains(reason), "{ended:?}");
+
+    let _fit = worker(root.path(), &nats.url(), "fit", &[]);
+    let ended = coordinator.wait();
+    assert_eq!(ended.code, Some(0), "{ended:?}");
+    assert!(ended.stdout.contains("fit: 39 shots"), "{ended:?}");
+    assert_as_on_one_machine(&run);
+}
+
+#[tokio::test]
+async fn a_worker_of_another_version_refuses() {
+    let root = tempfile::tempdir().expect("a folder");
+    let nats = Nats::start(root.path());
+    let broker = Broker { url: nats.url(), ..Broker::default() };
+    let queue = JobQueue::connect(&broker, "test").await.expect("an address");
+    let shot: Shot = serde_json::from_str(
+        r#"{"number": 0, "frames": [], "dt_us_bits": 0, "suspect": [], "time": null}"#,
+    )
+    .expect("a shot");
+    let job = Job {
+        protocol: PROTOCOL,
+        run: "other".into(),
+        run_name: "run-of-another-version".into(),
+        shot,
+        issue: 1,
+        conditions: Conditions {
+            code_version: "999.0.0".into(),
+            configuration_sha256: String::new(),
+            shots_sha256: String::new(),
+            background_crc32: Vec::new(),
+        },
+        model_sha256: String::new(),
+        address: "http://127.0.0.1:1".into(),
+        token: String::new(),
+        heartbeat_ms: 100,
+        deadline_ms: 10_000,
+    };
+    let patience = Duration::from_secs(30);
+    let offered = queue.offer("other", &[0], patience, |_| Some(job.clone())).await;
+    assert_eq!(offered.expect("a broker"), 1);
+    // Offered once more, it is one job.
+    let offered = queue.offer("other", &[0], patience, |_| Some(job.clone())).await;
+    assert_eq!(offered.expect("a broker"), 0);
+
+    let url = nats.url();
+    let folder = root.path().to_owned();
+    let refuses = move || worker(&folder, &url, "old", &[]).wait();
+    let ended = tokio::task::spawn_blocking(refuses).await.expect("its end");
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assert!(ended.stderr.contains("its coordinator is lfpiv 999.0.0, and this is"), "{ended:?}");
+    // The job is another worker's.
+    let taken = loop {
+        if let Some(taken) = queue.take().await.expect("a broker") {
+            break taken;
+        }
+    };
+    assert_eq!((taken.job.clone(), taken.attempt.issue), (job, 1));
+    assert!(taken.attempt.delivery >= 2);
+}
+
+/// A coordinator that has measured its reference otherwise, as on a processor with other vector instructions.
+#[tokio::test(flavor = "multi_thread")]
+async fn a_worker_that_computes_otherwise_refuses() {
+    let root = tempfile::tempdir().expect("a folder");
+    let run = recorded(root.path());
+    let nats = Nats::start(root.path());
+    let real = coordinator(root.path(), &run, &nats.url(), &[]);
+    let broker = Broker { url: nats.url(), ..Broker::default() };
+    let queue = JobQueue::connect(&broker, "test").await.expect("an address");
+    let taken = loop {
+        match queue.take().await {
+            Ok(Some(taken)) => break taken,
+            _ => tokio::time::sleep(Duration::from_millis(10)).await,
+        }
+    };
+    let mut job = taken.job.clone();
+    let (address, token) = (job.address.clone(), job.token.clone());
+    let get = move || DeskClient::new(&address, &token).assignment().expect("a coordinator");
+    let mut assignment = tokio::task::spawn_blocking(get).await.expect("an assignment");
+    // The real coordinator ends, and withdraws its jobs; another one has its place.
+    let ended = tokio::task::spawn_blocking(|| real.terminate()).await.expect("its end");
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assignment.reference.result_sha256 = "0".repeat(64);
+    let record = RecordedRun::open(&run).expect("a run");
+    let packed = move |Path((segment, offset)): Path<(u32, u64)>| {
+        std::future::ready(record.packed(Position { segment, offset }).expect("a record"))
+    };
+    let router = Router::new()
+        .route("/work/v1/run", get_of(move || std::future::ready(Json(assignment.clone()))))
+        .route("/work/v1/records/{segment}/{offset}", get_of(packed));
+    let listener = tokio::net::TcpListener::bind("127.0.0.1:0").await.expect("a free port");
+    job.address = format!("http://{}", listener.local_addr().expect("an address"));
+    tokio::spawn(async { axum::serve(listener, router).await });
+    let shots = [job.shot.number];
+    let offered = queue.offer("other", &shots, Duration::from_secs(30), |_| Some(job.clone()));
+    assert_eq!(offered.await.expect("a broker"), 1);
+
+    let (folder, url) = (root.path().to_owned(), nats.url());
+    let refuses = move || worker(&folder, &url, "other", &[]).wait();
+    let ended = tokio::task::spawn_blocking(refuses).await.expect("its end");
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assert!(ended.stderr.contains("measures shot 0 otherwise than the coordinator"), "{ended:?}");
+}
