@@ -5,7 +5,7 @@ use clap::Command;
 /// A command line and its explanation.
 type Example = (&'static str, &'static str);
 
-const EXAMPLES: [(&str, &[Example]); 20] = [
+const EXAMPLES: [(&str, &[Example]); 21] = [
     (
         "init",
         &[
@@ -160,6 +160,13 @@ const EXAMPLES: [(&str, &[Example]); 20] = [
         ],
     ),
     ("bench", &[("lfpiv bench --set speed", "a report of speed against error")]),
+    (
+        "validate",
+        &[(
+            "lfpiv validate --shots 20 --out validation",
+            "light-field and planar PIV of a simulated jet, beside the truth",
+        )],
+    ),
     ("peers", &[("lfpiv peers --help", "cases to compare with other programs")]),
 ];
 
