@@ -114,13 +114,27 @@ impl Instrument {
 }
 
 impl Profile {
+    /// The points whose coordinate is within `range_mm`.
+    pub fn within(&self, range_mm: [f64; 2]) -> impl Iterator<Item = &ProfilePoint> {
+        let range = range_mm[0] - 1e-6..=range_mm[1] + 1e-6;
+        self.points.iter().filter(move |point| range.contains(&point.place_mm))
+    }
+
+    /// Points within `range_mm` whose interval holds the mean of the jet, and all that have an interval. Shots that
+    /// happen to be slow are slow at all places: intervals of neighbours hold together or not.
+    pub fn intervals_that_hold(&self, range_mm: [f64; 2]) -> [usize; 2] {
+        self.within(range_mm).fold([0, 0], |[held, all], point| {
+            let holds = |[low, high]: [f64; 2]| (low..=high).contains(&point.true_mean_m_s);
+            match point.mean_interval_95_m_s {
+                None => [held, all],
+                Some(interval) => [held + usize::from(holds(interval)), all + 1],
+            }
+        })
+    }
+
     /// Root-mean-square differences from the truth over the points within `range_mm`.
     pub fn difference(&self, range_mm: [f64; 2]) -> Difference {
-        let within: Vec<&ProfilePoint> = self
-            .points
-            .iter()
-            .filter(|point| (range_mm[0] - 1e-6..=range_mm[1] + 1e-6).contains(&point.place_mm))
-            .collect();
+        let within: Vec<&ProfilePoint> = self.within(range_mm).collect();
         let over = |of: fn(&ProfilePoint) -> Option<f64>| {
             root_mean_square(within.iter().filter_map(|point| of(point)))
         };

@@ -100,7 +100,7 @@ impl Comparison {
     fn differences(&self) -> Vec<Differences<'_>> {
         let of_instrument = |instrument: &'_ Instrument| {
             let of = |axis: &str| {
-                let range_mm = self.region.range_mm[if axis == "x" { 0 } else { 2 }];
+                let range_mm = self.range_mm(axis);
                 instrument.profile(axis).map(|profile| profile.difference(range_mm))
             };
             [("x", of("x")), ("z", of("z"))]
@@ -118,20 +118,24 @@ impl Comparison {
         all
     }
 
+    fn range_mm(&self, axis: &str) -> [f64; 2] {
+        self.region.range_mm[if axis == "x" { 0 } else { 2 }]
+    }
+
     /// The root-mean-square differences from the truth as a table.
     pub fn table(&self) -> String {
         let mut lines = vec![
             format!(
-                "{:46}{:>19}{:>27}",
+                "{:46}{:>19}{:>30}",
                 "root-mean-square differences, m/s", "from the jet", "from the jet in these shots"
             ),
-            format!("{:46}{:>10}{:>9}{:>18}{:>9}", "", "mean", "rms", "mean", "rms"),
+            format!("{:46}{:>10}{:>9}{:>21}{:>9}", "", "mean", "rms", "mean", "rms"),
         ];
         let mut line = |name: &str, difference: &Difference| {
             let Difference { mean_m_s, rms_m_s, mean_from_shots_m_s, rms_from_shots_m_s, .. } =
                 difference;
             lines.push(format!(
-                "{name:46}{mean_m_s:>10.3}{rms_m_s:>9.3}{mean_from_shots_m_s:>18.3}{rms_from_shots_m_s:>9.3}"
+                "{name:46}{mean_m_s:>10.3}{rms_m_s:>9.3}{mean_from_shots_m_s:>21.3}{rms_from_shots_m_s:>9.3}"
             ));
         };
         for Differences { instrument, along, difference } in self.differences() {
@@ -151,6 +155,13 @@ impl Comparison {
                 instrument.window_mm,
                 instrument.dt_us
             ));
+            for profile in &instrument.profiles {
+                let [held, all] = profile.intervals_that_hold(self.range_mm(&profile.axis));
+                lines.push(format!(
+                    "  interval of 95 % of the mean holds the jet's at {held} of {all} places along {}",
+                    profile.axis
+                ));
+            }
         }
         lines.join("\n")
     }
