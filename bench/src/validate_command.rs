@@ -9,6 +9,9 @@ use lfpiv::{
 };
 use lfpiv_bench::validate::{Validation, write};
 
+/// Files are written after this many shots, and at the end.
+const SHOTS_BETWEEN_FILES: u64 = 5;
+
 /// Arguments of `lfpiv validate`.
 #[derive(Debug, clap::Args)]
 pub struct ValidateArgs {
@@ -27,7 +30,8 @@ pub struct ValidateArgs {
     pub seed: u64,
 }
 
-/// Simulates and measures all shots, prints the differences and writes the comparison.
+/// Simulates and measures all shots, prints the differences and writes the comparison, that of the shots so far
+/// meanwhile.
 pub fn validate(args: &ValidateArgs) -> anyhow::Result<()> {
     let name = args.config.display().to_string();
     let text = read_or_shipped(&args.config).with_context(|| format!("cannot read {name}"))?;
@@ -40,10 +44,19 @@ pub fn validate(args: &ValidateArgs) -> anyhow::Result<()> {
     );
     fs::create_dir_all(&args.out)
         .with_context(|| format!("cannot create {}", args.out.display()))?;
+    let mut running = Validation::new(config, args.seed).start()?;
     let bar = progress_bar(args.shots as usize, "shots");
     bar.tick();
-    let comparison = Validation::new(config, args.shots, args.seed).run(&mut || bar.inc(1))?;
+    for shot in 1..=args.shots {
+        running.next_shot()?;
+        bar.inc(1);
+        // What is broken off has its comparison so far.
+        if shot % SHOTS_BETWEEN_FILES == 0 && shot < args.shots {
+            write(&running.comparison(), &args.out)?;
+        }
+    }
     bar.finish_and_clear();
+    let comparison = running.comparison();
     write(&comparison, &args.out)?;
     print(&comparison.table())?;
     let page = args.out.join("validation.html");

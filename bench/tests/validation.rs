@@ -42,7 +42,7 @@ fn small() -> Validation {
     let mut planar = PlanarScene::default();
     planar.camera.pixels = [300, 260];
     planar.camera.pose.origin_mm = [0.0, 0.0, 0.0].into();
-    Validation { jet, planar, first_window_px: 128, ..Validation::new(small_config(), SHOTS, 1) }
+    Validation { jet, planar, first_window_px: 128, ..Validation::new(small_config(), 1) }
 }
 
 fn over_volume(instrument: &Instrument, component: &str) -> Difference {
@@ -58,10 +58,11 @@ fn along_x(comparison: &Comparison, instrument: &Instrument) -> (Difference, [us
 
 #[test]
 fn both_cameras_and_planar_piv_find_the_jet_and_one_camera_not_along_its_depth() {
-    let mut shots = 0;
-    let comparison = small().run(&mut || shots += 1).unwrap();
+    let mut running = small().start().unwrap();
+    (0..SHOTS).for_each(|_| running.next_shot().unwrap());
+    let comparison = running.comparison();
     println!("{}", comparison.table());
-    assert_eq!(shots, SHOTS);
+    assert_eq!(comparison.shots, SHOTS);
     let [first, second, dual, planar] = &comparison.instruments[..] else { panic!() };
 
     let (difference, [held, all]) = along_x(&comparison, planar);

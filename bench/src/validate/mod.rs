@@ -15,7 +15,7 @@ mod tally;
 
 use lfpiv::config::Config;
 use lfpiv_core::{lightfield::ImagePair, velocimetry::VectorGrid};
-use lfpiv_sim::{Flow, PlanarScene, Scene, flow::RoundJet};
+use lfpiv_sim::{BenchGeometry, Flow, PlanarScene, Scene, flow::RoundJet};
 
 use crate::BenchmarkError;
 use instruments::LightField;
@@ -45,32 +45,28 @@ pub struct Validation {
     pub first_window_px: usize,
     /// The flow.
     pub jet: RoundJet,
-    /// Number of shots.
-    pub shots: u64,
     /// Seed of particles, noise and fluctuations.
     pub seed: u64,
 }
 
 impl Validation {
     /// The paper's measurement with the light-field bench of `config`: planar PIV from windows of 256 pixels on.
-    pub fn new(config: Config, shots: u64, seed: u64) -> Self {
+    pub fn new(config: Config, seed: u64) -> Self {
         Self {
             config,
             planar: PlanarScene::default(),
             first_window_px: 256,
             jet: RoundJet::default(),
-            shots,
             seed,
         }
     }
 
-    /// Simulates and measures all shots. `progress` is called after each.
+    /// Sets up the instruments; nothing is measured yet.
     ///
     /// # Errors
-    /// The configuration has no scene, or a light-field measurement cannot be set up or made.
-    pub fn run(&self, progress: &mut dyn FnMut()) -> Result<Comparison, BenchmarkError> {
+    /// The configuration has no scene, or a light-field measurement cannot be set up.
+    pub fn start(&self) -> Result<Running, BenchmarkError> {
         let (config, scene) = self.light_field_bench()?;
-        let bench = config.bench_geometry();
         let light_fields = LightField::all(&config)?;
         let planar_scene =
             PlanarScene { flow: Flow::RoundJet(self.jet.clone()), ..self.planar.clone() };
@@ -81,45 +77,21 @@ impl Validation {
             self.fastest_m_s() * planar_dt_s,
         );
         let region = Region::of(&light_fields[0].vector_grid());
-        let mut tallies: Vec<Tally> = light_fields
-            .iter()
-            .map(|instrument| Tally::new(instrument.vector_grid(), &region, &self.jet, true))
-            .collect();
-        tallies.push(Tally::new(planar.vector_grid(), &region, &self.jet, false));
-        for shot in 0..self.shots {
-            let simulated = scene.shot(&bench, self.seed, shot);
-            let pair = ImagePair { cameras: simulated.images };
-            for (instrument, tally) in light_fields.iter().zip(&mut tallies) {
-                tally.add(shot, &instrument.measure(&pair)?, &simulated.truth.flow);
-            }
-            let simulated = planar_scene.shot(planar_dt_s, self.seed, shot);
-            if let Some(tally) = tallies.last_mut() {
-                tally.add(shot, &planar.measure(&simulated.images, planar_dt_s), &simulated.flow);
-            }
-            progress();
-        }
-        let mut instruments: Vec<Instrument> = light_fields
-            .iter()
-            .zip(&tallies)
-            .map(|(light_field, tally)| Instrument {
-                name: light_field.name().to_owned(),
-                dt_us: config.shot.dt_us,
-                window_mm: config.velocimetry.window_mm,
-                ..tally.instrument()
-            })
-            .collect();
-        instruments.extend(tallies.last().map(|tally| Instrument {
-            name: "planar PIV".to_owned(),
-            dt_us: 1e6 * planar_dt_s,
-            window_mm: PLANAR_WINDOW_PX as f64 * planar_scene.camera.object_pixel_mm(),
-            ..tally.instrument()
-        }));
-        Ok(Comparison {
-            shots: self.shots,
+        let tally = |grid, depth| Tally::new(grid, &region, &self.jet, depth);
+        Ok(Running {
             seed: self.seed,
+            shots: 0,
             jet: self.jet.clone(),
+            tallies: light_fields.iter().map(|one| tally(one.vector_grid(), true)).collect(),
+            planar_tally: tally(planar.vector_grid(), false),
+            bench: config.bench_geometry(),
+            config,
+            scene,
+            light_fields,
+            planar_scene,
+            planar_dt_s,
+            planar,
             region,
-            instruments,
         })
     }
 
@@ -145,6 +117,71 @@ impl Validation {
 
     fn fastest_m_s(&self) -> f64 {
         self.jet.peak_m_s + FASTEST * self.jet.rms_m_s
+    }
+}
+
+/// A validation under way.
+pub struct Running {
+    seed: u64,
+    shots: u64,
+    jet: RoundJet,
+    region: Region,
+    config: Config,
+    scene: Scene,
+    bench: BenchGeometry,
+    light_fields: Vec<LightField>,
+    tallies: Vec<Tally>,
+    planar_scene: PlanarScene,
+    planar_dt_s: f64,
+    planar: PlanarInterrogation,
+    planar_tally: Tally,
+}
+
+impl Running {
+    /// Simulates the next shot and measures it with every instrument.
+    ///
+    /// # Errors
+    /// A light-field pair cannot be measured.
+    pub fn next_shot(&mut self) -> Result<(), BenchmarkError> {
+        let (seed, shot) = (self.seed, self.shots);
+        let simulated = self.scene.shot(&self.bench, seed, shot);
+        let pair = ImagePair { cameras: simulated.images };
+        for (instrument, tally) in self.light_fields.iter().zip(&mut self.tallies) {
+            tally.add(shot, &instrument.measure(&pair)?, &simulated.truth.flow);
+        }
+        let simulated = self.planar_scene.shot(self.planar_dt_s, seed, shot);
+        let field = self.planar.measure(&simulated.images, self.planar_dt_s);
+        self.planar_tally.add(shot, &field, &simulated.flow);
+        self.shots += 1;
+        Ok(())
+    }
+
+    /// What the shots so far say.
+    pub fn comparison(&self) -> Comparison {
+        let mut instruments: Vec<Instrument> = self
+            .light_fields
+            .iter()
+            .zip(&self.tallies)
+            .map(|(light_field, tally)| Instrument {
+                name: light_field.name().to_owned(),
+                dt_us: self.config.shot.dt_us,
+                window_mm: self.config.velocimetry.window_mm,
+                ..tally.instrument()
+            })
+            .collect();
+        instruments.push(Instrument {
+            name: "planar PIV".to_owned(),
+            dt_us: 1e6 * self.planar_dt_s,
+            window_mm: PLANAR_WINDOW_PX as f64 * self.planar_scene.camera.object_pixel_mm(),
+            ..self.planar_tally.instrument()
+        });
+        Comparison {
+            shots: self.shots,
+            seed: self.seed,
+            jet: self.jet.clone(),
+            region: self.region.clone(),
+            instruments,
+        }
     }
 }
 

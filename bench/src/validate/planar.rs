@@ -20,7 +20,8 @@ const LEAST_CORRELATION: f64 = 0.15;
 
 /// Windows from coarse to fine on the images of a camera.
 pub(super) struct PlanarInterrogation {
-    levels: Vec<Level>,
+    coarse: Vec<Level>,
+    finest: Level,
 }
 
 struct Level {
@@ -34,27 +35,24 @@ impl PlanarInterrogation {
     /// Windows with an edge of `first` to `last` pixels of `camera`, whose axis is that of z, for displacements up
     /// to `fastest_m`, in m.
     pub fn new(camera: &ConventionalCamera, [first, last]: [usize; 2], fastest_m: f64) -> Self {
-        let bins = std::iter::successors(Some(first / last), |bin| (*bin > 1).then_some(bin / 2));
-        let levels = bins.map(|bin| Level::new(camera, bin, last, fastest_m)).collect();
-        Self { levels }
+        let level = |bin| Level::new(camera, bin, last, fastest_m);
+        let bins = std::iter::successors(Some(first / last), |bin| Some(bin / 2));
+        let coarse = bins.take_while(|bin| *bin > 1).map(level).collect();
+        Self { coarse, finest: level(1) }
     }
 
     /// Where the vectors will be.
     pub fn vector_grid(&self) -> VectorGrid {
-        // There is always a level of one pixel.
-        self.levels[self.levels.len() - 1].windows.vector_grid()
+        self.finest.windows.vector_grid()
     }
 
     /// The displacement between two images in the camera's object plane.
     pub fn measure(&self, images: &[RawImage; 2], dt_s: f64) -> VelocityField {
-        let measured = self.levels.iter().fold(None, |known, level| {
-            let [a, b] = images.each_ref().map(|image| level.light(image));
-            Some(match known {
-                None => level.windows.measure(&a, &b, dt_s),
-                Some(known) => level.windows.measure_from(&known, &a, &b, dt_s),
-            })
-        });
-        measured.unwrap_or_else(|| unreachable!("there is always a level of one pixel"))
+        let guess = self
+            .coarse
+            .iter()
+            .fold(None, |known, level| Some(level.measure(known.as_ref(), images, dt_s)));
+        self.finest.measure(guess.as_ref(), images, dt_s)
     }
 }
 
@@ -86,6 +84,20 @@ impl Level {
         };
         let windows = VolumeInterrogation::new(&grid, &settings);
         Self { bin, grid, windows }
+    }
+
+    /// The displacement from what is known of it, or else from a search.
+    fn measure(
+        &self,
+        known: Option<&VelocityField>,
+        images: &[RawImage; 2],
+        dt_s: f64,
+    ) -> VelocityField {
+        let [a, b] = images.each_ref().map(|image| self.light(image));
+        match known {
+            None => self.windows.measure(&a, &b, dt_s),
+            Some(known) => self.windows.measure_from(known, &a, &b, dt_s),
+        }
     }
 
     /// The image in the level's pixels and as the flow is: the lens has inverted it, and rows count downwards, so
