@@ -178,6 +178,7 @@ fn flow_name(flow: &Flow) -> &'static str {
         Flow::ShearLayer(_) => "shear layer",
         Flow::PlaneWave(_) => "plane wave",
         Flow::Turbulence(_) => "turbulence",
+        Flow::RoundJet(_) => "round jet",
     }
 }
 

@@ -6,6 +6,8 @@
 //! machine, threads, code version and seed that made it. [`report`] writes the record as CSV, as
 //! JSON and as one HTML page that needs nothing else. Nothing here knows a solver by name beyond
 //! what the settings say, so a new one is a new entry in the TOML.
+//!
+//! [`validate`] is the paper's experiment: light-field cameras and planar PIV on one simulated jet.
 
 mod between;
 mod calibration_commands;
@@ -26,6 +28,7 @@ mod score;
 mod suite;
 mod true_calibration;
 mod truth;
+pub mod validate;
 
 pub use error::BenchmarkError;
 pub use kernel::{ReferenceKernel, reference_seconds};

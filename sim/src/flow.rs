@@ -1,10 +1,11 @@
 //! Known flows that carry the particles of a simulated shot.
 //!
-//! Every flow is steady and defined in the world frame (mm); velocities are in m/s, and 1 m/s is
+//! Every flow is steady while a shot lasts and defined in the world frame (mm); velocities are in m/s, and 1 m/s is
 //! 1000 mm/s. Particle paths are integrated from the middle of the pulse pair, half a pulse
 //! separation backwards and half forwards.
 
 mod fields;
+mod round_jet;
 mod turbulence;
 
 use garde::Validate;
@@ -13,6 +14,7 @@ use serde::{Deserialize, Serialize};
 pub use fields::{
     Abc, Axis, Jet, LinearShear, PlaneWave, RingVortex, ShearLayer, SolidRotation, Uniform,
 };
+pub use round_jet::RoundJet;
 pub use turbulence::Turbulence;
 
 /// mm/s in one m/s.
@@ -22,6 +24,9 @@ pub(crate) const MM_PER_M: f64 = 1000.0;
 ///
 /// A step of a 0.3 mm displacement pair is then 0.01 mm, a hundredth of the ring's core.
 const STEPS_PER_HALF: usize = 16;
+
+/// The same in a flow of random waves that are long beside a displacement: a step of a 1 mm pair is 0.13 mm.
+const STEPS_PER_HALF_OF_LONG_WAVES: usize = 4;
 
 /// A steady velocity field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
@@ -45,6 +50,8 @@ pub enum Flow {
     PlaneWave(#[garde(dive)] PlaneWave),
     /// Random waves with Kolmogorov's spectrum between two wavelengths.
     Turbulence(#[garde(dive)] Turbulence),
+    /// A spreading round jet along y whose fluctuations differ from shot to shot.
+    RoundJet(#[garde(dive)] RoundJet),
 }
 
 impl Flow {
@@ -60,14 +67,27 @@ impl Flow {
             Flow::ShearLayer(flow) => flow.velocity_m_s(position_mm),
             Flow::PlaneWave(flow) => flow.velocity_m_s(position_mm),
             Flow::Turbulence(flow) => flow.velocity_m_s(position_mm),
+            Flow::RoundJet(flow) => flow.velocity_m_s(position_mm),
+        }
+    }
+
+    /// The flow of one shot of a run: itself, or where shots differ, that of `seed` and `shot`.
+    pub fn of_shot(&self, seed: u64, shot: u64) -> Self {
+        match self {
+            Flow::RoundJet(flow) => Flow::RoundJet(flow.of_shot(seed, shot)),
+            steady => steady.clone(),
         }
     }
 
     /// Position after `duration_s` of the particle that is at `position_mm` now, in mm; a negative
     /// duration gives an earlier position. Classical fourth-order Runge-Kutta.
     pub fn advect_mm(&self, position_mm: [f64; 3], duration_s: f64) -> [f64; 3] {
-        let step = duration_s * MM_PER_M / STEPS_PER_HALF as f64;
-        (0..STEPS_PER_HALF).fold(position_mm, |at, _| self.runge_kutta_step(at, step))
+        let steps = match self {
+            Flow::RoundJet(_) => STEPS_PER_HALF_OF_LONG_WAVES,
+            _ => STEPS_PER_HALF,
+        };
+        let step = duration_s * MM_PER_M / steps as f64;
+        (0..steps).fold(position_mm, |at, _| self.runge_kutta_step(at, step))
     }
 
     /// Displacement x_b − x_a in mm, over a pulse pair with separation `dt_s`, of the particle that

@@ -11,6 +11,7 @@
 mod blemishes;
 mod card;
 mod cells;
+mod conventional;
 mod detector;
 mod electron_image;
 mod flaws;
@@ -33,6 +34,7 @@ use pupil::{LowDiscrepancy, PupilStrata, concentric_disc};
 use wall::{RefractedPoint, WallView};
 
 pub use card::PlacedCard;
+pub use conventional::ConventionalCamera;
 pub use electron_image::ElectronImage;
 pub use flaws::{CameraFlaws, Distortion, Dust, SecondAperture, WallSettings};
 pub use white::TrueMicroImageGrid;

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use rand::{Rng, RngExt, seq::index};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -159,12 +160,13 @@ impl Seeding {
             Placement::OnGrid => voxel_centres(&mut rng, volume, &region, density_per_mm3),
         };
         let spread = self.intensity_spread;
-        middles
+        let placed: Vec<([f64; 3], f64)> = middles
             .into_iter()
-            .map(|mid_mm| {
-                let intensity = 1.0 + spread * rng.random_range(-1.0..=1.0);
-                particle(mid_mm, intensity, &sheet, flow, dt_s)
-            })
+            .map(|mid_mm| (mid_mm, 1.0 + spread * rng.random_range(-1.0..=1.0)))
+            .collect();
+        placed
+            .into_par_iter()
+            .map(|(mid_mm, intensity)| particle(mid_mm, intensity, &sheet, flow, dt_s))
             .collect()
     }
 

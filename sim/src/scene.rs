@@ -203,14 +203,15 @@ impl Scene {
 
     /// The particles of one shot, without images.
     pub fn truth(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Truth {
+        let flow = self.flow.of_shot(seed, shot);
         let particles = self.seeding().particles(
             &bench.volume,
             bench.object_pitch_mm(),
-            &self.flow,
+            &flow,
             bench.dt_s,
             (seed, shot),
         );
-        Truth { seed, shot, dt_s: bench.dt_s, flow: self.flow.clone(), particles }
+        Truth { seed, shot, dt_s: bench.dt_s, flow, particles }
     }
 
     /// One shot as recorded by all cameras. Equal scene, bench, seed and shot give equal results

@@ -20,6 +20,8 @@ pub(crate) enum Purpose {
     White = 12,
     Turbulence = 13,
     Card = 14,
+    RoundJet = 15,
+    PlanarSeeding = 16,
 }
 
 /// An independent generator for every (purpose, key).

@@ -1,4 +1,4 @@
-//! `lfpiv bench` and `lfpiv peers`. Benchmarks are a separate program in the same folder, so that
+//! `lfpiv bench`, `lfpiv validate` and `lfpiv peers`. Benchmarks are a separate program in the same folder, so that
 //! the daemon contains no charts and no code for other programs' files.
 
 use std::{convert::Infallible, ffi::OsString, os::unix::process::CommandExt, process::Command};
@@ -11,7 +11,7 @@ const PROGRAM: &str = "lfpiv-bench";
 /// Arguments passed on to the benchmark program.
 #[derive(Debug, clap::Args)]
 pub struct ForwardedArgs {
-    /// See `lfpiv bench --help` and `lfpiv peers --help`.
+    /// See `lfpiv bench --help`, `lfpiv validate --help` and `lfpiv peers --help`.
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
     pub arguments: Vec<OsString>,
 }

@@ -178,6 +178,13 @@ const EXAMPLES: [(&str, &[Example]); 21] = [
         ],
     ),
     ("bench", &[("lfpiv bench --set speed", "a report of speed against error")]),
+    (
+        "validate",
+        &[(
+            "lfpiv validate --shots 20 --out validation",
+            "light-field and planar PIV of a simulated jet, beside the truth",
+        )],
+    ),
     ("peers", &[("lfpiv peers --help", "cases to compare with other programs")]),
 ];
 

@@ -1,5 +1,6 @@
 //! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | correlate | run |
-//! replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | peers`.
+//! replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | validate |
+//! peers`.
 //!
 //! Results and tables go to standard output; logs, progress and errors go to standard error. Exit
 //! codes: 0 when everything requested was done, 1 when not, 2 for a wrong command line, 3 when
@@ -137,6 +138,9 @@ enum Command {
     /// Measure speed against error of declared cases and methods, and write a report.
     #[command(disable_help_flag = true)]
     Bench(ForwardedArgs),
+    /// Compare one and two light-field cameras and planar PIV on a simulated round jet, as the paper does.
+    #[command(disable_help_flag = true)]
+    Validate(ForwardedArgs),
     /// Make cases for timing other programs, and time this one (see bench/peers).
     #[command(disable_help_flag = true)]
     Peers(ForwardedArgs),
@@ -174,6 +178,7 @@ pub fn main() -> ExitCode {
         Command::Devices => devices::devices(),
         Command::Doctor(args) => doctor::doctor(&args),
         Command::Bench(args) => bench_program::start("bench", &args),
+        Command::Validate(args) => bench_program::start("validate", &args),
         Command::Peers(args) => bench_program::start("peers", &args),
         Command::ReadVolumes(args) => volume_reader::read_for_parent(&args),
     };

@@ -210,8 +210,8 @@ impl Chart {
             .configure_mesh()
             .x_labels(NUMBERS)
             .y_labels(NUMBERS)
-            .x_label_formatter(&|value| round_number(*value))
-            .y_label_formatter(&|value| round_number(*value))
+            .x_label_formatter(&|value| round_number(tick(*value)))
+            .y_label_formatter(&|value| round_number(tick(*value)))
             .bold_line_style(RULE.stroke_width(FINE as u32))
             .light_line_style(TRANSPARENT)
             .axis_style(INK.stroke_width(FINE as u32))
@@ -294,6 +294,11 @@ impl Look {
         let nothing = || PathElement::new([], TRANSPARENT).into_dyn();
         self.mark((x + KEY / 2, y)).or_else(line).unwrap_or_else(nothing)
     }
+}
+
+/// A number of an axis; steps of plotters that should end on zero miss it by rounding.
+fn tick(value: f64) -> f64 {
+    if value.abs() < 1e-12 { 0.0 } else { value }
 }
 
 fn within(range: &Range<f64>, value: f64) -> bool {

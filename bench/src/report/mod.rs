@@ -1,17 +1,17 @@
 //! The report: CSV and JSON for programs, one page for people.
 
-mod chart;
+pub(crate) mod chart;
 mod columns;
 mod csv;
 mod figures;
-mod heat;
+pub(crate) mod heat;
 mod html;
-mod picture;
+pub(crate) mod picture;
 mod reach;
 mod section;
 mod surface;
 mod tables;
-mod text;
+pub(crate) mod text;
 
 use std::{
     io::{self, Write},

@@ -110,7 +110,7 @@ impl Turbulence {
 }
 
 /// A uniformly distributed unit vector.
-fn direction(rng: &mut impl Rng) -> [f64; 3] {
+pub(super) fn direction(rng: &mut impl Rng) -> [f64; 3] {
     let z: f64 = rng.random_range(-1.0..=1.0);
     let (sin, cos) = rng.random_range(-PI..PI).sin_cos();
     let across = (1.0 - z * z).sqrt();
@@ -118,7 +118,7 @@ fn direction(rng: &mut impl Rng) -> [f64; 3] {
 }
 
 /// A uniformly distributed unit vector perpendicular to `along`.
-fn perpendicular(rng: &mut impl Rng, along: [f64; 3]) -> [f64; 3] {
+pub(super) fn perpendicular(rng: &mut impl Rng, along: [f64; 3]) -> [f64; 3] {
     loop {
         let drawn = direction(rng);
         let common: f64 = (0..3).map(|c| drawn[c] * along[c]).sum();

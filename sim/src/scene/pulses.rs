@@ -50,8 +50,8 @@ impl Scene {
     /// All particles. Those lit in a nominal pair come first, numbered as in [`Scene::shot`].
     fn numbered_particles(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Vec<Tracer> {
         let (volume, pitch_mm) = (&bench.volume, bench.object_pitch_mm());
-        let all =
-            self.seeding().all_particles(volume, pitch_mm, &self.flow, bench.dt_s, (seed, shot));
+        let flow = self.flow.of_shot(seed, shot);
+        let all = self.seeding().all_particles(volume, pitch_mm, &flow, bench.dt_s, (seed, shot));
         let (mut lit, dark): (Vec<_>, Vec<_>) =
             all.into_iter().partition(|particle| particle.visible_a || particle.visible_b);
         lit.extend(dark);
@@ -85,9 +85,9 @@ impl Scene {
         pulse: &LightPulse,
         exposure: [u64; 4],
     ) -> Vec<PointSource> {
-        let seeding = self.seeding();
+        let (seeding, flow) = (self.seeding(), self.flow.of_shot(exposure[0], exposure[1]));
         let lit = particles.iter().zip(0..).filter_map(|(particle, id)| {
-            let position_mm = seeding.lit_mm(particle, &bench.volume, &self.flow, pulse.at_s)?;
+            let position_mm = seeding.lit_mm(particle, &bench.volume, &flow, pulse.at_s)?;
             let electrons = self.electrons(particle, id, exposure) * pulse.energy;
             Some(PointSource { id, position_mm, electrons })
         });
@@ -98,7 +98,12 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Flow, SensorSettings, flow::Abc, scene::Lighting, test_bench};
+    use crate::{
+        Flow, SensorSettings,
+        flow::{Abc, RoundJet},
+        scene::Lighting,
+        test_bench,
+    };
 
     fn scene() -> Scene {
         let flow =
@@ -125,7 +130,11 @@ mod tests {
         let lighting = Lighting { pulse_energy: [1.0, 0.7], frame_spread: 0.2, ..scene().lighting };
         let uneven =
             Scene { camera_shift_mm: vec![[0.0; 3], [0.03, 0.0, 0.0]], lighting, ..scene() };
-        for (scene, seed, shot) in [(scene(), 1, 0), (scene(), 7, 3), (uneven, 1, 0)] {
+        let unsteady = Scene { flow: Flow::RoundJet(RoundJet::default()), ..scene() };
+        assert_ne!(unsteady.truth(&bench, 1, 0).flow, unsteady.truth(&bench, 1, 1).flow);
+        for (scene, seed, shot) in
+            [(scene(), 1, 0), (scene(), 7, 3), (uneven, 1, 0), (unsteady, 2, 1)]
+        {
             let light = lit([pulse(-half_s, 1.0), pulse(half_s, 1.0)]);
             let rendered = scene.exposures(&bench, seed, shot, &light);
             assert_eq!(rendered, scene.shot(&bench, seed, shot));

@@ -7,6 +7,11 @@
 //! for windows W of weights w and light without its mean. The window stands at the middle of each pair
 //! of cells, not at one end: C(s) of (a, b) is C(−s) of (b, a), and light that crosses a window's face
 //! does not pull it. Every product is summed once, over a brick; windows add bricks.
+//!
+//! A single layer says nothing of lags across it. None are tried: its light is taken for as much thicker than a
+//! cell as gives the lags beside it [`BESIDE_LAYER`] of its own correlation.
+
+use std::{borrow::Cow, ops::Range};
 
 use multiversion::multiversion;
 use rayon::prelude::*;
@@ -21,9 +26,13 @@ use crate::velocimetry::{lags::Lags, windows::Windows};
 /// Cells that are multiplied at a time.
 const LANES: usize = 32;
 
+/// Correlation at lags of a cell across a single layer, as a share of that along it.
+const BESIDE_LAYER: f32 = 0.5;
+
 /// Two volumes ready to be correlated.
 pub struct Correlation<'a> {
     lags: Lags,
+    flat: bool,
     frames: [&'a Light; 2],
     spans: [Vec<Span>; 3],
     bricks: [Bricks; 2],
@@ -34,7 +43,7 @@ impl<'a> Correlation<'a> {
     pub fn new(windows: &Windows, profile: &Profile, lags: Lags, frames: [&'a Light; 2]) -> Self {
         let spans = profile.spans(windows);
         let bricks = [1, 2].map(|axis| Bricks::of(&spans[axis]));
-        Self { lags, frames, spans, bricks }
+        Self { lags, flat: profile.is_flat(), frames, spans, bricks }
     }
 
     /// What `visit` makes of every window's correlation, C(s) for all lags, in the windows' order.
@@ -47,7 +56,7 @@ impl<'a> Correlation<'a> {
                 self.brick_row([brick % across, brick / across], &offsets, columns)
             })
             .collect();
-        let (nodes, count) = (self.spans[0].len(), self.lags.count());
+        let (nodes, count) = (self.spans[0].len(), offsets.len());
         let [of_y, of_z] = self.bricks.each_ref().map(Bricks::windows);
         (0..of_y.len() * of_z.len())
             .into_par_iter()
@@ -59,18 +68,40 @@ impl<'a> Correlation<'a> {
                         add_scaled(&mut sums, z.weight * y.weight, bricks);
                     }
                 }
-                sums.chunks_exact(count).map(&visit).collect::<Vec<T>>()
+                let visited = |sums: &[f32]| visit(&self.of_all_lags(sums));
+                sums.chunks_exact(count).map(visited).collect::<Vec<T>>()
             })
             .collect()
     }
 
-    /// For every lag, where frames a and b are multiplied, counted from the first plane and row that
-    /// are stored.
+    /// The lags that are tried.
+    fn tried(&self) -> Range<usize> {
+        let (plane, reach) = (self.lags.edge().pow(2), self.lags.reach);
+        if self.flat { reach * plane..(reach + 1) * plane } else { 0..self.lags.count() }
+    }
+
+    /// A window's correlation at all lags from that at those that were tried.
+    fn of_all_lags<'c>(&self, tried: &'c [f32]) -> Cow<'c, [f32]> {
+        if !self.flat {
+            return Cow::Borrowed(tried);
+        }
+        let mut all = vec![0.0; self.lags.count()];
+        let (range, plane) = (self.tried(), tried.len());
+        for (first, share) in
+            [(range.start - plane, BESIDE_LAYER), (range.start, 1.0), (range.end, BESIDE_LAYER)]
+        {
+            add_scaled(&mut all[first..first + plane], share, tried);
+        }
+        Cow::Owned(all)
+    }
+
+    /// For every lag that is tried, where frames a and b are multiplied, counted from the first plane and
+    /// row that are stored.
     fn offsets(&self) -> Vec<[usize; 2]> {
         let (strides, origin) = (self.frames[0].strides(), self.frames[0].origin() as i64);
         let [row, plane] = strides.map(|stride| stride as i64);
         let offset = |[x, y, z]: [i64; 3]| (origin + x + y * row + z * plane) as usize;
-        (0..self.lags.count())
+        self.tried()
             .map(|lag| {
                 let s = self.lags.components(lag);
                 let back = s.map(|s| -s.div_euclid(2));
@@ -149,7 +180,7 @@ mod tests {
         let mut sum = 0.0;
         for m in 0..edge.pow(3) {
             let m = [m % edge, m / edge % edge, m / (edge * edge)];
-            let weight: f64 = m.iter().map(|&m| f64::from(profile.weights()[m])).product();
+            let weight: f64 = m.iter().map(|&m| f64::from(profile.weights(0)[m])).product();
             let from: [i64; 3] = std::array::from_fn(|c| {
                 (node[c] * windows.step + m[c]) as i64 - s[c].div_euclid(2)
             });

@@ -51,7 +51,7 @@ impl Light {
         let sums = Rows { cells: [nx, ny], numbers: 1, at: row }.box_sums(&profile.spans(windows));
         let mut means = windows.at_rest();
         for (mean, sum) in means.values.iter_mut().zip(sums) {
-            mean[0] = sum / profile.sum().powi(3);
+            mean[0] = sum / profile.sum();
         }
         let mut light = Self::dark([nx, ny, nz], 1, border);
         let means = Expansion::new(&means, 0, light.axes(0));
@@ -113,6 +113,14 @@ impl Light {
             }
         });
         splined
+    }
+
+    /// A layer of cells, and the same once more beside it along z.
+    pub fn doubled_layer(&self) -> Self {
+        let [nx, ny, _] = self.cells;
+        let mut doubled = Self::dark([nx, ny, 2], self.cell_vox, self.border);
+        doubled.each_row(|row, [y, _]| row.copy_from_slice(self.row([y, 0])));
+        doubled
     }
 
     /// Values from one row, and from one plane, to the next.

@@ -8,6 +8,8 @@
 //! A search on coarse cells, passes on cells of two voxels, and one on voxels. Frame b is looked up
 //! along the displacement known so far, as a sum of B-splines, which frame a becomes where it is: vectors
 //! stand where frame a has their light until the end, when they are carried to the middle of the pair.
+//!
+//! A grid of a single layer along z is a plane: its images are correlated in squares, by the same code.
 
 mod bricks;
 mod cells;
@@ -20,7 +22,7 @@ mod statistics;
 mod warp;
 
 use super::{
-    VectorGrid, VelocimetrySettings, VelocityField,
+    VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
     judge::{Judge, Vector, field_of, move_to, settled},
     lags::Lags,
     lattice::Lattice,
@@ -29,7 +31,7 @@ use super::{
 use crate::{model::VolumeGrid, reconstruction::DenseVolume};
 use light::Light;
 use profile::Profile;
-use stage::Stage;
+use stage::{Stage, is_layer};
 
 /// Interrogation windows on whole volumes.
 pub struct VolumeInterrogation {
@@ -44,6 +46,9 @@ pub struct VolumeInterrogation {
 
 /// The search looks this many cells far: its cells are as coarse as that asks for.
 const SEARCH_REACH: f64 = 3.0;
+
+/// The same on a single layer: a square has as many cells as a cube only if they are finer.
+const LAYER_SEARCH_REACH: f64 = 12.0;
 
 /// Edge of the cells of the passes between the search and the last one, in voxels, where windows then
 /// still have [`COARSE_WINDOW`] cells and the search had none smaller.
@@ -71,8 +76,9 @@ const SMOOTHED: f32 = 0.8;
 impl VolumeInterrogation {
     /// Windows on `grid`. Windows larger than the volume shrink to it.
     pub fn new(grid: &VolumeGrid, settings: &VelocimetrySettings) -> Self {
-        let sizes = settings.in_voxels(grid);
-        let search_cell = (sizes.reach / SEARCH_REACH).ceil().max(1.0) as usize;
+        let sizes = settings.in_voxels(&without_thickness(grid));
+        let search_reach = if is_layer(grid) { LAYER_SEARCH_REACH } else { SEARCH_REACH };
+        let search_cell = (sizes.reach / search_reach).ceil().max(1.0) as usize;
         let search_lags = Lags { reach: (sizes.reach / search_cell as f64).ceil() as usize + 1 };
         let search = Stage::new(
             grid,
@@ -111,6 +117,30 @@ impl VolumeInterrogation {
     /// # Panics
     /// When a volume does not have the grid's voxels.
     pub fn measure(&self, a: &DenseVolume, b: &DenseVolume, dt_s: f64) -> VelocityField {
+        self.measured([a, b], dt_s, |frames| self.searched(frames))
+    }
+
+    /// The same, from a field that is `known` already, on whatever nodes and voxels, in the place of the search:
+    /// large displacements that change across a window of the search are found from coarse images to fine ones.
+    ///
+    /// # Panics
+    /// When a volume does not have the grid's voxels.
+    pub fn measure_from(
+        &self,
+        known: &VelocityField,
+        a: &DenseVolume,
+        b: &DenseVolume,
+        dt_s: f64,
+    ) -> VelocityField {
+        self.measured([a, b], dt_s, |_| self.start(known, dt_s))
+    }
+
+    fn measured(
+        &self,
+        [a, b]: [&DenseVolume; 2],
+        dt_s: f64,
+        start: impl FnOnce([&Light; 2]) -> Lattice,
+    ) -> VelocityField {
         for volume in [a, b] {
             assert_eq!(volume.grid.voxels, self.grid.voxels, "one grid for volumes and windows");
             assert_eq!(volume.intensity.len(), volume.grid.len(), "one number per voxel");
@@ -118,7 +148,7 @@ impl VolumeInterrogation {
         let Stage { windows, profile, lags } = &self.fine;
         let level = |volume| Light::without_mean(volume, windows, profile, lags.border());
         let (a, b) = rayon::join(|| level(a), || level(b));
-        let mut field = self.searched([&a, &b]);
+        let mut field = start([&a, &b]);
         if self.settings.passes > 2 {
             let binned = |light: &Light| light.binned(self.coarse.cell_vox(), NEAREST.border());
             let (a, b) = rayon::join(|| binned(&a).splined(), || binned(&b));
@@ -129,6 +159,27 @@ impl VolumeInterrogation {
             }
         }
         self.last([&a.splined(), &b], &field, dt_s)
+    }
+
+    /// A field in the middle of the pair, with vectors where frame a has the light.
+    fn start(&self, known: &VelocityField, dt_s: f64) -> Lattice {
+        let (grid, voxel_mm) = (&known.grid, self.grid.voxel_mm);
+        let scale = (known.voxel_mm / voxel_mm * dt_s / known.dt_s) as f32;
+        let has_value: Vec<bool> =
+            known.status.iter().map(|status| *status != VectorStatus::Invalid).collect();
+        let in_voxels =
+            |axis: usize| (grid.first_mm[axis] - self.grid.coordinate_mm(axis, 0.0)) / voxel_mm;
+        let middle = Lattice {
+            nodes: grid.vectors,
+            first_vox: std::array::from_fn(|axis| in_voxels(axis) as f32),
+            step_vox: (grid.spacing_mm / voxel_mm) as f32,
+            values: known.displacement_vox.iter().map(|d| d.map(|d| d * scale)).collect(),
+        }
+        .filled(&has_value);
+        middle.clone().sampling(|at| {
+            let half = middle.at(at).map(|d| d / 2.0);
+            middle.at(std::array::from_fn(|c| at[c] + half[c]))
+        })
     }
 
     /// What the search finds.
@@ -185,6 +236,13 @@ impl VolumeInterrogation {
             vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHED * sigma);
         });
     }
+}
+
+/// A grid whose single layer is no reason to shrink windows.
+fn without_thickness(grid: &VolumeGrid) -> VolumeGrid {
+    let [nx, ny, nz] = grid.voxels;
+    let nz = if is_layer(grid) { nx.min(ny) } else { nz };
+    VolumeGrid { voxels: [nx, ny, nz], ..grid.clone() }
 }
 
 #[cfg(test)]

@@ -16,6 +16,8 @@ const OUTER_WEIGHT: f32 = 0.4;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     weights: Vec<f32>,
+    /// Whether windows are one cell thick along z, as the one layer is that they are on.
+    flat: bool,
 }
 
 /// Cells along an axis that are summed, and their weights.
@@ -37,7 +39,7 @@ impl Span {
 impl Profile {
     /// All of `edge` cells alike.
     pub fn uniform(edge: usize) -> Self {
-        Self { weights: vec![1.0; edge] }
+        Self { weights: vec![1.0; edge], flat: false }
     }
 
     /// The middle half of `edge` cells more than the others.
@@ -45,24 +47,35 @@ impl Profile {
         let outer = edge / 4;
         let middle = outer..edge - outer;
         let weight = |m| if middle.contains(&m) { 1.0 } else { OUTER_WEIGHT };
-        Self { weights: (0..edge).map(weight).collect() }
+        Self { weights: (0..edge).map(weight).collect(), flat: false }
     }
 
-    /// One weight per cell.
-    pub fn weights(&self) -> &[f32] {
-        &self.weights
+    /// The same, one cell thick along z if `flat`.
+    pub fn on_layer(self, flat: bool) -> Self {
+        Self { flat, ..self }
     }
 
-    /// Sum of the weights.
+    /// Whether windows are one cell thick along z.
+    pub fn is_flat(&self) -> bool {
+        self.flat
+    }
+
+    /// One weight per cell along an axis (0 is x).
+    pub fn weights(&self, axis: usize) -> &[f32] {
+        if self.flat && axis == 2 { &[1.0] } else { &self.weights }
+    }
+
+    /// Sum of the weights of all cells of a window.
     pub fn sum(&self) -> f32 {
-        self.weights.iter().sum()
+        (0..3).map(|axis| self.weights(axis).iter().sum::<f32>()).product()
     }
 
     /// The windows along every axis.
     pub fn spans(&self, windows: &Windows) -> [Vec<Span>; 3] {
-        windows.nodes.map(|nodes| {
-            let span = |n| Span { first: n * windows.step, weights: self.weights.clone() };
-            (0..nodes).map(span).collect()
+        std::array::from_fn(|axis| {
+            let weights = self.weights(axis);
+            let span = |n| Span { first: n * windows.step, weights: weights.to_vec() };
+            (0..windows.nodes[axis]).map(span).collect()
         })
     }
 }

@@ -34,11 +34,17 @@ pub struct Found {
     pub peaks: Vec<Option<Peak>>,
 }
 
+/// Whether a grid is a single layer of voxels: a plane of a flow.
+pub fn is_layer(grid: &VolumeGrid) -> bool {
+    grid.voxels[2] == 1
+}
+
 /// Smaller windows, in cells, hold no peak.
 const LEAST_EDGE: usize = 4;
 
 impl Stage {
-    /// Windows of about `edge_vox` voxels, `step_vox` apart, on cells of `cell_vox` voxels.
+    /// Windows of about `edge_vox` voxels, `step_vox` apart, on cells of `cell_vox` voxels. On a single layer of
+    /// voxels windows are squares.
     pub fn new(
         grid: &VolumeGrid,
         cell_vox: usize,
@@ -47,19 +53,20 @@ impl Stage {
         lags: Lags,
     ) -> Self {
         let cells = grid.voxels.map(|n| (n / cell_vox).max(1));
-        let smallest = cells.into_iter().min().unwrap_or(1);
+        let flat = is_layer(grid);
+        let smallest = cells[..if flat { 2 } else { 3 }].iter().copied().min().unwrap_or(1);
         let in_cells = |voxels: usize| (voxels as f64 / cell_vox as f64).round() as usize;
         let edge = in_cells(edge_vox).max(LEAST_EDGE).min(smallest);
         let step = in_cells(step_vox).clamp(1, edge);
         let centre = cell_vox as f32 * edge as f32 / 2.0 - 0.5;
         let windows = Windows {
-            nodes: cells.map(|n| (n - edge) / step + 1),
+            nodes: cells.map(|n| n.saturating_sub(edge) / step + 1),
             edge,
             step,
             cell_vox: cell_vox as f32,
-            first_vox: [centre; 3],
+            first_vox: [centre, centre, if flat { 0.0 } else { centre }],
         };
-        Self { windows, profile: profile(edge), lags }
+        Self { windows, profile: profile(edge).on_layer(flat), lags }
     }
 
     /// Edge of a cell, in voxels.

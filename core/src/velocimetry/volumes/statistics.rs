@@ -19,11 +19,27 @@ use crate::velocimetry::{
 };
 
 /// Statistics of every window's peak at no lag; `None` where there is none, and in volumes too flat to
-/// tell. Both frames without mean, alike in their cells, with a border.
+/// tell. Both frames without mean, alike in their cells, with a border. A single layer for flat windows has no
+/// variance across it.
 pub fn statistics_at_rest(
     frames: [&Light; 2],
     windows: &Windows,
     profile: &Profile,
+) -> Vec<Option<PeakStatistics>> {
+    if profile.is_flat() {
+        // Cells of two layers, of which the windows have half. Blocks beyond the layer have the same squares.
+        let [a, b] = frames.map(Light::doubled_layer);
+        return of_windows([&a, &b], windows, profile, BLOCK as f64);
+    }
+    of_windows(frames, windows, profile, 1.0)
+}
+
+/// The statistics, where blocks that are centred on the cells are every one in `blocks` that hold them.
+fn of_windows(
+    frames: [&Light; 2],
+    windows: &Windows,
+    profile: &Profile,
+    blocks: f64,
 ) -> Vec<Option<PeakStatistics>> {
     if frames[0].cells.iter().any(|&n| n < CELL) {
         return vec![None; windows.nodes.iter().product()];
@@ -35,12 +51,17 @@ pub fn statistics_at_rest(
     let squares = products.squares().rows().box_sums(&squared);
     let chance = share_of_a_block(profile);
     let windows = sums.as_chunks().0.iter().zip(squares.as_chunks().0);
-    windows.map(|(sums, squares)| of_window(sums, squares, chance)).collect()
+    windows.map(|(sums, squares)| of_window(sums, squares, chance, blocks)).collect()
 }
 
 /// The formulas of [`PeakStatistics::of`], for a window of which a share `chance` is taken for one
 /// particle by chance.
-fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Option<PeakStatistics> {
+fn of_window(
+    sums: &[f32; SUMS],
+    squares: &[f32; SQUARES],
+    chance: f64,
+    blocks: f64,
+) -> Option<PeakStatistics> {
     let (sums, squares) = (sums.map(f64::from), squares.map(f64::from));
     let common = sums[COMMON];
     let mut variance_vox2 = [0.0; 3];
@@ -49,7 +70,7 @@ fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Optio
             Influence::along(sums[axis], sums[SYMMETRIC + axis], common, 1.0)?;
         let [aa, ay, yy] = [0, MIXED, SYMMETRIC_SQUARES].map(|first| squares[first + axis]);
         let spread = (aa - 2.0 * mean * ay + mean * mean * yy).max(0.0) * scale * scale;
-        *variance = (spread / (1.0 - chance).max(0.1)) as f32;
+        *variance = (blocks * spread / (1.0 - chance).max(0.1)) as f32;
     }
     let clustered = squares[COMMON_SQUARES].max(squares[COMMON_SQUARES + 1]);
     // Of n equal particles each has its share, and shares a block with others by chance.
@@ -63,9 +84,13 @@ fn of_window(sums: &[f32; SUMS], squares: &[f32; SQUARES], chance: f64) -> Optio
 
 /// The mean share of a window that lies in a block with one of its cells.
 fn share_of_a_block(profile: &Profile) -> f64 {
-    let squares: f32 = profile.weights().iter().map(|weight| weight * weight).sum();
-    let along = (BLOCK * CELL) as f32 * squares / profile.sum().powi(2);
-    f64::from(along.min(1.0)).powi(3)
+    let share = |axis: usize| {
+        let weights = profile.weights(axis);
+        let squares: f32 = weights.iter().map(|weight| weight * weight).sum();
+        let along = (BLOCK * CELL) as f32 * squares / weights.iter().sum::<f32>().powi(2);
+        f64::from(along.min(1.0))
+    };
+    (0..3).map(share).product()
 }
 
 /// Windows along every axis, in cells: a cell that is half inside has half the weight.

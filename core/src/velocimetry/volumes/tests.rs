@@ -1,3 +1,5 @@
+mod plane;
+
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
