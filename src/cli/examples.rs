@@ -5,7 +5,7 @@ use clap::Command;
 /// A command line and its explanation.
 type Example = (&'static str, &'static str);
 
-const EXAMPLES: [(&str, &[Example]); 21] = [
+const EXAMPLES: [(&str, &[Example]); 22] = [
     (
         "init",
         &[
