@@ -7,11 +7,11 @@ use crate::{
     lightfield::ImagePair,
     model::{CameraCalibration, ModelError, PointCamera, VolumeGrid},
     particles::{
-        Candidate, FIRST_WIDTH_PX, FrameStart, ParticleImage, ParticlePair, PixelNoise,
-        PlacedParticles, blur_of_width, place_pairs,
+        Candidate, FIRST_WIDTH_PX, FrameStart, ParticleImage, PixelNoise, PlacedParticles,
+        blur_of_width, place_pairs,
     },
     reconstruction::SparseVolume,
-    velocimetry::{DisplacementField, PointCloud, Sample, particles},
+    velocimetry::{PointCloud, Predictor, VelocityField, particles},
 };
 
 /// How the cameras image points of `volume`, with the blur that the fit starts from.
@@ -32,9 +32,6 @@ pub(super) fn point_cameras(
     cameras.iter().enumerate().map(camera).collect()
 }
 
-/// Least standard deviation of a particle's displacement, in voxels: what the path's midpoint rule resolves.
-const LEAST_DEVIATION_VOX: f32 = 1e-3;
-
 /// A pair after correlation, before its particles are placed.
 pub(super) struct Found<'a> {
     pub cameras: &'a [PointCamera],
@@ -42,7 +39,7 @@ pub(super) struct Found<'a> {
     /// The light of frames a and b.
     pub volumes: [&'a SparseVolume; 2],
     /// The displacement by correlation.
-    pub field: &'a DisplacementField,
+    pub field: &'a VelocityField,
     /// The grid, with margin, that light is in.
     pub grid: &'a VolumeGrid,
 }
@@ -50,11 +47,8 @@ pub(super) struct Found<'a> {
 impl Found<'_> {
     /// The particles: candidates are the local maxima of light in the volumes.
     pub fn place(&self, pair: &ImagePair) -> PlacedParticles {
-        let grid = self.grid;
-        let flow = |at_mm: [f64; 3]| {
-            let at_vox = std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32);
-            self.field.at(at_vox).map(|vox| f64::from(vox) * grid.voxel_mm)
-        };
+        let predictor = Predictor::new(self.field);
+        let flow = |at_mm: [f64; 3]| predictor.displacement_mm(at_mm);
         let starts = [0, 1].map(|frame| self.start(pair, frame));
         place_pairs(self.cameras, self.grid.voxel_mm, starts, &flow)
     }
@@ -79,18 +73,4 @@ impl Found<'_> {
             candidates: candidates.collect(),
         }
     }
-}
-
-/// What `pairs` say of the displacement, in voxels of `grid`.
-pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> {
-    let vox = |mm: f64| (mm / grid.voxel_mm) as f32;
-    let sample = |pair: &ParticlePair| {
-        let middle_mm = pair.middle_mm();
-        Sample {
-            middle_vox: std::array::from_fn(|axis| grid.index_of(axis, middle_mm[axis]) as f32),
-            displacement_vox: pair.displacement_mm().map(vox),
-            variance_vox2: pair.uncertainty_mm().map(|mm| vox(mm).max(LEAST_DEVIATION_VOX).powi(2)),
-        }
-    };
-    pairs.iter().map(sample).collect()
 }

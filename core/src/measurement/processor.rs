@@ -15,7 +15,7 @@ use crate::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
-        placed::{Found, point_cameras, samples},
+        placed::{Found, point_cameras},
         plan::Plan,
     },
     model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid},
@@ -23,9 +23,7 @@ use crate::{
     reconstruction::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
     },
-    velocimetry::{
-        DisplacementField, Interrogation, PairResult, PointCloud, StageSeconds, VelocimetrySettings,
-    },
+    velocimetry::{Interrogation, PairResult, PointCloud, StageSeconds, VelocimetrySettings},
 };
 
 /// Everything that turns image pairs into vectors.
@@ -106,17 +104,6 @@ pub struct Processor {
     stationary: Vec<[StationaryLight; 2]>,
 }
 
-/// A pair's vectors and what they come from.
-struct Measured {
-    result: PairResult,
-    /// The light of frames a and b.
-    volumes: [SparseVolume; 2],
-    /// The field behind the vectors by correlation.
-    everywhere: DisplacementField,
-    /// The particles in the images, where the field follows them.
-    placed: Option<PlacedParticles>,
-}
-
 impl Processor {
     /// Builds the tables. Errors when a camera does not see the volume.
     pub fn new(measurement: Measurement) -> Result<Self, SetupError> {
@@ -181,7 +168,7 @@ impl Processor {
     /// Measures one pair. A pair that is handed over is dropped as soon as it is decoded: on large
     /// sensors the images are the largest part of the memory.
     pub fn process(&self, pair: impl Borrow<ImagePair>) -> Result<PairResult, ProcessError> {
-        self.measure(pair).map(|measured| measured.result)
+        self.measure(pair).map(|(result, _)| result)
     }
 
     /// Measures one pair and keeps the light of both frames beside the vectors, to look at.
@@ -192,7 +179,7 @@ impl Processor {
         &self,
         pair: impl Borrow<ImagePair>,
     ) -> Result<PairResult, ProcessError> {
-        let Measured { mut result, volumes: [a, b], .. } = self.measure(pair)?;
+        let (mut result, [a, b]) = self.measure(pair)?;
         let grid = &self.measurement.volume;
         let (a, b) = rayon::join(|| FrameLight::new(&a, grid), || FrameLight::new(&b, grid));
         result.light = Some([a, b]);
@@ -204,7 +191,7 @@ impl Processor {
         &self,
         pair: impl Borrow<ImagePair>,
     ) -> Result<(PairResult, [DenseVolume; 2]), ProcessError> {
-        let Measured { result, volumes, .. } = self.measure(pair)?;
+        let (result, volumes) = self.measure(pair)?;
         let volumes = volumes.map(|volume| volume.on_grid(&self.measurement.volume));
         Ok((result, volumes))
     }
@@ -217,30 +204,17 @@ impl Processor {
         &self,
         pair: &ImagePair,
     ) -> Result<(PairResult, PlacedParticles), ProcessError> {
-        let Measured { result, volumes, everywhere, placed } = self.measure(pair)?;
-        let placed = match placed {
-            Some(placed) => placed,
-            None => self.place(pair, &volumes, &everywhere)?,
-        };
-        Ok((result, placed))
-    }
-
-    /// The particles of a pair whose light is in `volumes`.
-    fn place(
-        &self,
-        pair: &ImagePair,
-        volumes: &[SparseVolume; 2],
-        field: &DisplacementField,
-    ) -> Result<PlacedParticles, ProcessError> {
+        let (result, [a, b]) = self.measure(pair)?;
         let grid = self.interrogation.cloud_grid();
-        let found = Found {
+        let placed = Found {
             cameras: &point_cameras(&self.measurement, &grid)?,
             correction: &self.correction(),
-            volumes: volumes.each_ref(),
-            field,
+            volumes: [&a, &b],
+            field: &result.field,
             grid: &grid,
-        };
-        Ok(found.place(pair))
+        }
+        .place(pair);
+        Ok((result, placed))
     }
 
     fn correction(&self) -> Correction<'_> {
@@ -251,7 +225,10 @@ impl Processor {
         }
     }
 
-    fn measure(&self, handed: impl Borrow<ImagePair>) -> Result<Measured, ProcessError> {
+    fn measure(
+        &self,
+        handed: impl Borrow<ImagePair>,
+    ) -> Result<(PairResult, [SparseVolume; 2]), ProcessError> {
         let pair = handed.borrow();
         self.check(pair)?;
         let correction = self.correction();
@@ -265,7 +242,7 @@ impl Processor {
         let micro_images = model_fit::micro_images(&self.measurement, pair);
         let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
         let found_s = seconds_since(self.clock, started);
-        let kept = self.measurement.velocimetry.place_particles.then_some(handed);
+        drop(handed);
 
         let started = (self.clock)();
         let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
@@ -275,7 +252,7 @@ impl Processor {
         let started = (self.clock)();
         let grid = self.interrogation.cloud_grid();
         let cloud = |volume| PointCloud::from_volume(volume, &grid);
-        let (mut field, everywhere) = self.interrogation.measure_everywhere(
+        let mut field = self.interrogation.measure(
             &cloud(&solved_a.volume),
             &cloud(&solved_b.volume),
             self.measurement.dt_s,
@@ -293,15 +270,8 @@ impl Processor {
         }
         .fit();
         let judge_s = found_s + seconds_since(self.clock, started);
-        let volumes = [solved_a.volume, solved_b.volume];
-        let mut placed = None;
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
-        } else if let Some(pair) = kept {
-            let found = self.place(pair.borrow(), &volumes, &everywhere)?;
-            let samples = samples(&found.pairs, &grid);
-            field = self.interrogation.through_placed(&field, &everywhere, &samples);
-            placed = Some(found);
         }
         tracing::debug!(
             "model fit {}: {}",
@@ -310,15 +280,17 @@ impl Processor {
         );
         let warnings = self.warnings(&fit, [&a, &b], &identical);
         let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s, judge_s };
-        let result = PairResult {
-            field,
-            seconds,
-            warnings,
-            model: fitted.choice.clone(),
-            light: None,
-            fit: Some(fit),
-        };
-        Ok(Measured { result, volumes, everywhere, placed })
+        Ok((
+            PairResult {
+                field,
+                seconds,
+                warnings,
+                model: fitted.choice.clone(),
+                light: None,
+                fit: Some(fit),
+            },
+            [solved_a.volume, solved_b.volume],
+        ))
     }
 
     /// What the reader should know about a pair, the worst first.
