@@ -11,7 +11,7 @@ use crate::{
         blur_of_width, place_pairs,
     },
     reconstruction::SparseVolume,
-    velocimetry::{PointCloud, Predictor, VelocityField, particles},
+    velocimetry::{DisplacementField, PointCloud, particles},
 };
 
 /// How the cameras image points of `volume`, with the blur that the fit starts from.
@@ -39,7 +39,7 @@ pub(super) struct Found<'a> {
     /// The light of frames a and b.
     pub volumes: [&'a SparseVolume; 2],
     /// The displacement by correlation.
-    pub field: &'a VelocityField,
+    pub field: &'a DisplacementField,
     /// The grid, with margin, that light is in.
     pub grid: &'a VolumeGrid,
 }
@@ -47,8 +47,11 @@ pub(super) struct Found<'a> {
 impl Found<'_> {
     /// The particles: candidates are the local maxima of light in the volumes.
     pub fn place(&self, pair: &ImagePair) -> PlacedParticles {
-        let predictor = Predictor::new(self.field);
-        let flow = |at_mm: [f64; 3]| predictor.displacement_mm(at_mm);
+        let grid = self.grid;
+        let flow = |at_mm: [f64; 3]| {
+            let at_vox = std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32);
+            self.field.at(at_vox).map(|vox| f64::from(vox) * grid.voxel_mm)
+        };
         let starts = [0, 1].map(|frame| self.start(pair, frame));
         place_pairs(self.cameras, self.grid.voxel_mm, starts, &flow)
     }

@@ -23,7 +23,9 @@ use crate::{
     reconstruction::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
     },
-    velocimetry::{Interrogation, PairResult, PointCloud, StageSeconds, VelocimetrySettings},
+    velocimetry::{
+        DisplacementField, Interrogation, PairResult, PointCloud, StageSeconds, VelocimetrySettings,
+    },
 };
 
 /// Everything that turns image pairs into vectors.
@@ -104,6 +106,15 @@ pub struct Processor {
     stationary: Vec<[StationaryLight; 2]>,
 }
 
+/// A pair's vectors and what they come from.
+struct Measured {
+    result: PairResult,
+    /// The light of frames a and b.
+    volumes: [SparseVolume; 2],
+    /// The field behind the vectors.
+    everywhere: DisplacementField,
+}
+
 impl Processor {
     /// Builds the tables. Errors when a camera does not see the volume.
     pub fn new(measurement: Measurement) -> Result<Self, SetupError> {
@@ -168,7 +179,7 @@ impl Processor {
     /// Measures one pair. A pair that is handed over is dropped as soon as it is decoded: on large
     /// sensors the images are the largest part of the memory.
     pub fn process(&self, pair: impl Borrow<ImagePair>) -> Result<PairResult, ProcessError> {
-        self.measure(pair).map(|(result, _)| result)
+        self.measure(pair).map(|measured| measured.result)
     }
 
     /// Measures one pair and keeps the light of both frames beside the vectors, to look at.
@@ -179,7 +190,7 @@ impl Processor {
         &self,
         pair: impl Borrow<ImagePair>,
     ) -> Result<PairResult, ProcessError> {
-        let (mut result, [a, b]) = self.measure(pair)?;
+        let Measured { mut result, volumes: [a, b], .. } = self.measure(pair)?;
         let grid = &self.measurement.volume;
         let (a, b) = rayon::join(|| FrameLight::new(&a, grid), || FrameLight::new(&b, grid));
         result.light = Some([a, b]);
@@ -191,7 +202,7 @@ impl Processor {
         &self,
         pair: impl Borrow<ImagePair>,
     ) -> Result<(PairResult, [DenseVolume; 2]), ProcessError> {
-        let (result, volumes) = self.measure(pair)?;
+        let Measured { result, volumes, .. } = self.measure(pair)?;
         let volumes = volumes.map(|volume| volume.on_grid(&self.measurement.volume));
         Ok((result, volumes))
     }
@@ -204,13 +215,13 @@ impl Processor {
         &self,
         pair: &ImagePair,
     ) -> Result<(PairResult, PlacedParticles), ProcessError> {
-        let (result, [a, b]) = self.measure(pair)?;
+        let Measured { result, volumes, everywhere } = self.measure(pair)?;
         let grid = self.interrogation.cloud_grid();
         let placed = Found {
             cameras: &point_cameras(&self.measurement, &grid)?,
             correction: &self.correction(),
-            volumes: [&a, &b],
-            field: &result.field,
+            volumes: volumes.each_ref(),
+            field: &everywhere,
             grid: &grid,
         }
         .place(pair);
@@ -225,10 +236,7 @@ impl Processor {
         }
     }
 
-    fn measure(
-        &self,
-        handed: impl Borrow<ImagePair>,
-    ) -> Result<(PairResult, [SparseVolume; 2]), ProcessError> {
+    fn measure(&self, handed: impl Borrow<ImagePair>) -> Result<Measured, ProcessError> {
         let pair = handed.borrow();
         self.check(pair)?;
         let correction = self.correction();
@@ -252,7 +260,7 @@ impl Processor {
         let started = (self.clock)();
         let grid = self.interrogation.cloud_grid();
         let cloud = |volume| PointCloud::from_volume(volume, &grid);
-        let mut field = self.interrogation.measure(
+        let (mut field, everywhere) = self.interrogation.measure_everywhere(
             &cloud(&solved_a.volume),
             &cloud(&solved_b.volume),
             self.measurement.dt_s,
@@ -270,6 +278,7 @@ impl Processor {
         }
         .fit();
         let judge_s = found_s + seconds_since(self.clock, started);
+        let volumes = [solved_a.volume, solved_b.volume];
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
         }
@@ -280,17 +289,15 @@ impl Processor {
         );
         let warnings = self.warnings(&fit, [&a, &b], &identical);
         let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s, judge_s };
-        Ok((
-            PairResult {
-                field,
-                seconds,
-                warnings,
-                model: fitted.choice.clone(),
-                light: None,
-                fit: Some(fit),
-            },
-            [solved_a.volume, solved_b.volume],
-        ))
+        let result = PairResult {
+            field,
+            seconds,
+            warnings,
+            model: fitted.choice.clone(),
+            light: None,
+            fit: Some(fit),
+        };
+        Ok(Measured { result, volumes, everywhere })
     }
 
     /// What the reader should know about a pair, the worst first.

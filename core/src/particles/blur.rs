@@ -42,8 +42,8 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
             image.add(&camera, &footprint, particle.light[c] as f32);
         }
         let left = |footprint: &mut PointFootprint, &n: &usize| {
-            camera.image(fit.particles[n].at_mm, footprint);
-            image.equations(&camera, footprint).misfit[0]
+            cameras[c].image(fit.particles[n].at_mm, footprint);
+            image.left(&fit.images[c], &camera, footprint)
         };
         let left: Vec<f64> = asked.par_iter().map_init(PointFootprint::default, left).collect();
         left.iter().sum::<f64>()

@@ -9,6 +9,10 @@ use super::{
 };
 use crate::model::{PointCamera, PointFootprint};
 
+/// A camera's image of a point tells by its derivatives where that is from this diameter on, in pitches of
+/// the microlenses.
+const LEAST_SPREAD_PITCHES: f64 = 0.9;
+
 /// Images and particles of one frame.
 #[derive(Debug, Clone)]
 pub struct FrameFit {
@@ -67,18 +71,32 @@ impl FrameFit {
             .collect()
     }
 
-    /// Covariance of the gradients of the numbered particles, estimated from the residuals. It takes the
-    /// place of the matrix of [`Self::equations`].
-    pub fn gradient_covariances(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
+    /// Covariances of the places of the numbered particles, in mm², from the cameras that see them across
+    /// several microlenses.
+    ///
+    /// Near its focal plane a camera's image changes in jumps, as a particle goes from one microlens to the
+    /// next, and derivatives say nothing of how far that is: such a camera is left out.
+    pub fn covariances_mm2(
+        &self,
+        cameras: &[PointCamera],
+        of: &[usize],
+        (prior, voxel_mm): (&LightPrior, f64),
+    ) -> Vec<[[f64; 3]; 3]> {
         let covariance = |footprint: &mut PointFootprint, &n: &usize| {
             let particle = &self.particles[n];
-            let mut normal = Normal::default();
+            let (mut normal, mut gradient) = (Normal::default(), Normal::default());
             for (c, camera) in cameras.iter().enumerate() {
+                if camera.spread_pitches(particle.at_mm) < LEAST_SPREAD_PITCHES {
+                    continue;
+                }
                 camera.image(particle.at_mm, footprint);
+                let light = particle.light[c];
+                let equations = self.images[c].equations(camera, footprint);
+                normal.add(&equations, &footprint.by_place, light, c);
                 let equations = self.images[c].gradient_covariance(camera, footprint);
-                normal.add(&equations, &footprint.by_place, particle.light[c], c);
+                gradient.add(&equations, &footprint.by_place, light, c);
             }
-            normal
+            normal.covariance_mm2(&gradient, particle, (cameras.len(), prior, voxel_mm))
         };
         of.par_iter().with_min_len(64).map_init(PointFootprint::default, covariance).collect()
     }

@@ -91,6 +91,32 @@ impl ParticleImage {
         kernels::light_equation(&self.view(), open, stride, footprint)
     }
 
+    /// Square of the residual, in variances of `reference`, over the pixels of a particle by its share in them:
+    /// models are compared by weights that are not their own. A model that explains less would lower its own.
+    pub fn left(&self, reference: &Self, camera: &PointCamera, footprint: &PointFootprint) -> f64 {
+        let PixelNoise { dark, gain, misfit } = reference.noise;
+        let mut sum = 0.0;
+        for patch in &footprint.patches {
+            let columns = footprint.of(0, &patch.columns);
+            for (r, &row) in footprint.of(0, &patch.rows).iter().enumerate() {
+                let first = (patch.rows.first_px + r) * self.width + patch.columns.first_px;
+                let open = &camera.open_shares()[patch.open + r * camera.open_stride()..];
+                for (c, &column) in columns.iter().enumerate() {
+                    let at = first + c;
+                    if self.counts[at] >= self.saturation {
+                        continue;
+                    }
+                    let lit = reference.model[at].max(0.0);
+                    let variance = dark + lit * (gain + misfit * misfit * lit);
+                    let residual = f32::from(self.counts[at]) - self.black - self.model[at];
+                    let share = column * row * f32::from(open[c]) / 255.0;
+                    sum += f64::from(share * residual * residual / variance);
+                }
+            }
+        }
+        sum
+    }
+
     fn view(&self) -> kernels::View<'_> {
         kernels::View {
             counts: &self.counts,

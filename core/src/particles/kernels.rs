@@ -21,8 +21,6 @@ pub struct Equations {
     pub right: [f64; UNKNOWNS],
     /// Σ g gᵀ / v, its upper triangle row by row.
     pub matrix: [f64; ENTRIES],
-    /// Σ w r² / v and Σ w, with w the particle's weight in a pixel: what is left, in variances.
-    pub misfit: [f64; 2],
 }
 
 impl Equations {
@@ -62,8 +60,6 @@ pub fn add_row(pixels: &mut [f32], open: &[u8], columns: &[f32], scale: f32) {
 
 /// What pixels side by side say.
 struct Pixels {
-    /// Open share.
-    open: Lanes,
     /// Open share × residual / variance.
     pull: Lanes,
     /// Open share² / variance.
@@ -84,7 +80,7 @@ impl Pixels {
         let open = open.map(|share| f32::from(share) * (1.0 / 255.0));
         let counts = counts.map(f32::from);
         let saturation = f32::from(view.saturation);
-        let mut pixels = Self { open, pull: [0.0; LANES], own: open, left: [0.0; LANES] };
+        let mut pixels = Self { pull: [0.0; LANES], own: open, left: [0.0; LANES] };
         let mut inverse = [0.0; LANES];
         for n in 0..LANES {
             let lit = model[n].max(0.0);
@@ -120,9 +116,9 @@ fn times(one: &Lanes, other: &Lanes) -> Lanes {
     std::array::from_fn(|n| one[n] * other[n])
 }
 
-/// Sums over the rows of a patch, a lane per column: of residuals with the three shares of the rows, of
-/// open shares with their six products, and those of the misfit.
-type ColumnSums = [Lanes; 11];
+/// Sums over the rows of a patch, a lane per column: of residuals with the three shares of the rows, and of
+/// open shares with their six products.
+type ColumnSums = [Lanes; 9];
 
 /// The normal equations of the particle with this footprint. With `spread` the matrix is that of the
 /// gradient's covariance instead, Σ g gᵀ r² / v², by the residuals themselves (White 1980).
@@ -136,20 +132,19 @@ pub fn equations(
 ) -> Equations {
     let mut right = [[0.0f32; LANES]; UNKNOWNS];
     let mut matrix = [[0.0f32; LANES]; ENTRIES];
-    let mut misfit = [[0.0f32; LANES]; 2];
     for patch in &footprint.patches {
         let columns = [0, 1, 2].map(|kind| footprint.padded(kind, &patch.columns));
         let rows = [0, 1, 2].map(|kind| footprint.of(kind, &patch.rows));
         for start in (0..columns[0].len()).step_by(LANES) {
             let lanes = start..start + LANES;
-            let mut sums: ColumnSums = [[0.0; LANES]; 11];
+            let mut sums: ColumnSums = [[0.0; LANES]; 9];
             let first = patch.rows.first_px * view.width + patch.columns.first_px + start;
             for (r, ((&row, &by_offset), &by_parallax)) in
                 rows[0].iter().zip(rows[1]).zip(rows[2]).enumerate()
             {
                 let at = first + r * view.width;
                 let pixels = Pixels::at(view, at, &open[patch.open + start + r * open_stride..]);
-                let Pixels { open, pull, left, .. } = &pixels;
+                let Pixels { pull, left, .. } = &pixels;
                 let own = if spread { &times(&pixels.own, left) } else { &pixels.own };
                 add(&mut sums[0], pull, row);
                 add(&mut sums[1], pull, by_offset);
@@ -160,16 +155,12 @@ pub fn equations(
                 add(&mut sums[6], own, by_offset * by_offset);
                 add(&mut sums[7], own, by_offset * by_parallax);
                 add(&mut sums[8], own, by_parallax * by_parallax);
-                add(&mut sums[9], &times(open, left), row);
-                add(&mut sums[10], open, row);
             }
             let column = [0, 1, 2].map(|kind| lanes_of(&columns[kind][lanes.clone()]));
             gather(&mut right, &mut matrix, &sums, column);
-            add_product(&mut misfit[0], column[0], &sums[9]);
-            add_product(&mut misfit[1], column[0], &sums[10]);
         }
     }
-    Equations { right: right.map(total), matrix: matrix.map(total), misfit: misfit.map(total) }
+    Equations { right: right.map(total), matrix: matrix.map(total) }
 }
 
 /// Puts the sums of a patch together with the shares of its columns: derivatives by the unknowns are
@@ -245,8 +236,14 @@ mod tests {
     };
 
     /// The naive reference: pixel by pixel, in double precision.
-    fn reference(view: &View<'_>, camera: &PointCamera, footprint: &PointFootprint) -> Equations {
-        let mut sums = Equations { right: [0.0; 5], matrix: [0.0; 15], misfit: [0.0; 2] };
+    fn reference(
+        view: &View<'_>,
+        camera: &PointCamera,
+        footprint: &PointFootprint,
+    ) -> (Equations, [f64; 2]) {
+        let mut sums = Equations { right: [0.0; 5], matrix: [0.0; 15] };
+        // Σ w r² / v and Σ w, the scale of what is compared.
+        let mut left = [0.0; 2];
         for patch in &footprint.patches {
             for r in 0..patch.rows.len {
                 for c in 0..patch.columns.len {
@@ -271,12 +268,12 @@ mod tests {
                             entry += 1;
                         }
                     }
-                    sums.misfit[0] += by[0] * open * residual * residual / variance;
-                    sums.misfit[1] += by[0] * open;
+                    left[0] += by[0] * open * residual * residual / variance;
+                    left[1] += by[0] * open;
                 }
             }
         }
-        sums
+        (sums, left)
     }
 
     #[test]
@@ -304,7 +301,7 @@ mod tests {
         for at_mm in [[0.03, 0.01, 0.02], [1.21, -1.37, 0.4], [-1.6, 1.8, -1.7]] {
             let mut footprint = PointFootprint::default();
             camera.image(at_mm, &mut footprint);
-            let expected = reference(&view, &camera, &footprint);
+            let (expected, left) = reference(&view, &camera, &footprint);
             let (open, stride) = (camera.open_shares(), camera.open_stride());
             let found = equations(&view, open, stride, &footprint, false);
             let close = |found: &[f64], expected: &[f64], scale: &dyn Fn(usize) -> f64| {
@@ -313,12 +310,11 @@ mod tests {
                 }
             };
             let diagonal = [0, 5, 9, 12, 14].map(|entry| expected.matrix[entry].sqrt());
-            let residuals = (expected.misfit[0] / expected.misfit[1].max(1e-9)).sqrt() * 10.0;
+            let residuals = (left[0] / left[1].max(1e-9)).sqrt() * 10.0;
             close(&found.right, &expected.right, &|n| diagonal[n] * residuals + 1e-6);
             let entries: Vec<f64> =
                 (0..5).flat_map(|i| (i..5).map(move |j| diagonal[i] * diagonal[j])).collect();
             close(&found.matrix, &expected.matrix, &|n| entries[n] + 1e-6);
-            close(&found.misfit, &expected.misfit, &|n| expected.misfit[n]);
             let light = light_equation(&view, open, stride, &footprint);
             assert!((light[0] - found.right[0]).abs() < 1e-3 * diagonal[0] * residuals);
             assert!((light[1] - found.matrix[0]).abs() < 1e-4 * found.matrix[0]);

@@ -8,7 +8,7 @@ use super::{
     flow::{Flow, FlowCorrection},
     image::ParticleImage,
     neighbours::Neighbours,
-    normal::{CAMERAS, LightPrior, Normal, Particle, StepRule},
+    normal::{CAMERAS, LightPrior, Particle, StepRule},
     partners::{Partners, exchange},
     select::Candidate,
 };
@@ -69,6 +69,9 @@ impl ParticlePair {
     }
 }
 
+/// Steps of the candidates' lights alone: places that are fitted to wrong lights leave where they belong.
+const LIGHT_STEPS: usize = 3;
+
 /// Most steps before and after the first removal of faint and doubled particles.
 const FIRST_STEPS: usize = 5;
 const SECOND_STEPS: usize = 4;
@@ -84,7 +87,7 @@ const EXCHANGES: usize = 3;
 const BLUR_ROUNDS: usize = 2;
 
 /// Relative error of the model while particles are missing, by exchange.
-const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.15, 0.15];
+const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.2, 0.15];
 
 /// Least relative error of the model in the last fit: that of the footprint.
 const LEAST_MODEL_ERROR: f32 = 0.02;
@@ -173,6 +176,12 @@ impl Placing {
         self.each(fits, |fit, prior| {
             fit.set_model_error(MODEL_ERRORS[0]);
             fit.render(&self.cameras);
+            let in_place = StepRule { longest_mm: 0.0, ..self.rule };
+            for _ in 0..LIGHT_STEPS {
+                fit.reactivate();
+                fit.iterate(&self.cameras, prior, &in_place, (converged_mm, 1));
+            }
+            fit.reactivate();
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, FIRST_STEPS));
             fit.prune(&self.cameras, prior, (LEAST_LIGHT[0], ONE_VOX * self.voxel_mm));
             fit.reactivate();
@@ -277,13 +286,7 @@ impl Placing {
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         let covariances = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
-            let normals = fits[frame].equations(&self.cameras, &of);
-            let gradients = fits[frame].gradient_covariances(&self.cameras, &of);
-            let known = (self.cameras.len(), &self.priors[frame], self.voxel_mm);
-            let covariance = |((&n, normal), gradient): ((&usize, &Normal), &Normal)| {
-                normal.covariance_mm2(gradient, &fits[frame].particles[n], known)
-            };
-            of.iter().zip(&normals).zip(&gradients).map(covariance).collect::<Vec<_>>()
+            fits[frame].covariances_mm2(&self.cameras, &of, (&self.priors[frame], self.voxel_mm))
         });
         let unpaired = [0, 1].map(|frame: usize| {
             let alone = partners.partners[frame].iter().zip(&fits[frame].particles);

@@ -12,6 +12,7 @@ use super::{
     cloud::PointCloud,
     correlation::Frames,
     differences::Layout,
+    displacement::DisplacementField,
     judge::{Judge, Vector, field_of, settled},
     lags::Lags,
     lattice::Lattice,
@@ -122,6 +123,16 @@ impl Interrogation {
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
+        self.measure_everywhere(a, b, dt_s).0
+    }
+
+    /// [`Self::measure`], and the field behind the vectors.
+    pub fn measure_everywhere(
+        &self,
+        a: &PointCloud,
+        b: &PointCloud,
+        dt_s: f64,
+    ) -> (VelocityField, DisplacementField) {
         let particles = self.settings.follow_particles && [a, b].into_iter().all(is_fine);
         self.measured([a, b], particles, dt_s)
     }
@@ -129,10 +140,15 @@ impl Interrogation {
     /// The same by windows alone, whether or not the settings ask for single particles: what is left
     /// of an error when the reconstruction has none.
     pub fn measure_by_windows(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
-        self.measured([a, b], false, dt_s)
+        self.measured([a, b], false, dt_s).0
     }
 
-    fn measured(&self, [a, b]: [&PointCloud; 2], particles: bool, dt_s: f64) -> VelocityField {
+    fn measured(
+        &self,
+        [a, b]: [&PointCloud; 2],
+        particles: bool,
+        dt_s: f64,
+    ) -> (VelocityField, DisplacementField) {
         let mut field = self.searched(a, b);
         let last = self.settings.passes.max(2) - 1;
         for pass in 1..last {
@@ -228,7 +244,7 @@ impl Interrogation {
         peaks: &[Option<Peak>],
         frames: Option<[&PointCloud; 2]>,
         dt_s: f64,
-    ) -> VelocityField {
+    ) -> (VelocityField, DisplacementField) {
         let (windows, uncertainty_vox) = settled(vectors, self.windows.at_rest());
         let refined = frames
             .map(|frames| follow(&windows, &uncertainty_vox, frames, self.settings.incompressible));
@@ -243,7 +259,12 @@ impl Interrogation {
             .collect();
         let (reported, ratios): (Vec<Vector>, Vec<f32>) =
             places.iter().map(|&at_vox| report.at(at_vox)).unzip();
-        field_of(grid, &self.grid, dt_s, &reported, &ratios)
+        let field = field_of(grid, &self.grid, dt_s, &reported, &ratios);
+        let everywhere = match refined {
+            Some(refined) => DisplacementField::Particles(refined.spline),
+            None => DisplacementField::Windows(windows),
+        };
+        (field, everywhere)
     }
 }
 

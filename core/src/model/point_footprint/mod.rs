@@ -126,6 +126,14 @@ impl PointCamera {
         self.seen.sampling.cell_mm.powi(2) / (std::f64::consts::PI * radius_mm * radius_mm)
     }
 
+    /// Diameter of the light of a point at `world_mm` on the microlens array, in pitches: of the narrower axis.
+    pub fn spread_pitches(&self, world_mm: [f64; 3]) -> f64 {
+        let (_, parallaxes) = self.place(world_mm);
+        let (pitch_mm, diameter_mm) = (self.seen.pitch_mm(), self.seen.optics.pupil_diameter_mm());
+        let along = |axis: usize| parallaxes[axis].abs() * diameter_mm / pitch_mm[axis];
+        along(0).min(along(1))
+    }
+
     /// Makes `footprint` that of a point at `world_mm`.
     pub fn image(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
         footprint.clear();

@@ -15,11 +15,11 @@ mod spline;
 mod variance;
 
 pub use self::particles::{Particle, particles};
+pub use self::spline::Spline;
 use self::{
     fit::Fit,
     pairs::{FARTHEST_VOX, Pair, pairs},
     samples::Samples,
-    spline::Spline,
 };
 use super::{cloud::PointCloud, differences::Layout, lattice::Lattice};
 
