@@ -4,6 +4,7 @@
 //! 1000 mm/s. Particle paths are integrated from the middle of the pulse pair, half a pulse
 //! separation backwards and half forwards.
 
+mod drawn;
 mod fields;
 mod round_jet;
 mod turbulence;

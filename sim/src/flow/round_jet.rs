@@ -1,13 +1,16 @@
 //! The near field of a round jet: a mean that spreads downstream, and fluctuations of every shot.
 
-use std::{f64::consts::TAU, sync::OnceLock};
+use std::f64::consts::TAU;
 
 use garde::Validate;
 use lfpiv_hw::check::finite;
 use rand::RngExt;
 use serde::{Deserialize, Serialize};
 
-use super::turbulence::{direction, perpendicular};
+use super::{
+    drawn::DrawnWaves,
+    turbulence::{direction, perpendicular},
+};
 use crate::stream::{Purpose, random_stream};
 
 /// Number of waves of a realisation.
@@ -69,18 +72,7 @@ pub struct RoundJet {
     pub realisation: Option<[u64; 2]>,
     #[serde(skip)]
     #[garde(skip)]
-    waves: Waves,
-}
-
-/// The waves, drawn once from the settings.
-#[derive(Debug, Clone, Default)]
-struct Waves(OnceLock<Vec<Wave>>);
-
-/// Always equal, because waves follow from the settings, which are compared.
-impl PartialEq for Waves {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
+    waves: DrawnWaves<Wave>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -110,7 +102,7 @@ impl Default for RoundJet {
             quiet_share: 0.2,
             wavelengths_mm: [5.0, 20.0],
             realisation: None,
-            waves: Waves::default(),
+            waves: DrawnWaves::default(),
         }
     }
 }
@@ -132,7 +124,7 @@ impl RoundJet {
     /// The flow of a shot: with fluctuations of its own, unless a realisation is set.
     pub fn of_shot(&self, seed: u64, shot: u64) -> Self {
         let realisation = self.realisation.or(Some([seed, shot]));
-        Self { realisation, waves: Waves::default(), ..self.clone() }
+        Self { realisation, waves: DrawnWaves::default(), ..self.clone() }
     }
 
     /// Mean over all realisations of (u, v, w), in m/s.
@@ -169,7 +161,7 @@ impl RoundJet {
         let Some(realisation) = self.realisation else { return velocity };
         let (g, gradient) = self.envelope(&self.profile(position_mm));
         let (mut potential, mut curl) = ([0.0; 3], [0.0; 3]);
-        for wave in self.waves.0.get_or_init(|| self.draw(realisation)) {
+        for wave in self.waves.get_or_draw(|| self.draw(realisation)) {
             let angle: f64 = (0..3).map(|c| wave.number_per_mm[c] * position_mm[c]).sum();
             let (sin, cos) = (angle + wave.phase).sin_cos();
             for c in 0..3 {

@@ -1,15 +1,13 @@
 //! Synthetic turbulence: many random solenoidal waves between two wavelengths.
 
-use std::{
-    f64::consts::{PI, TAU},
-    sync::OnceLock,
-};
+use std::f64::consts::{PI, TAU};
 
 use garde::Validate;
 use lfpiv_hw::check::finite;
 use rand::{Rng, RngExt};
 use serde::{Deserialize, Serialize};
 
+use super::drawn::DrawnWaves;
 use crate::stream::{Purpose, random_stream};
 
 /// Number of waves: enough to have no preferred direction, few enough to advect particles quickly.
@@ -37,18 +35,7 @@ pub struct Turbulence {
     pub seed: u64,
     #[serde(skip)]
     #[garde(skip)]
-    waves: Waves,
-}
-
-/// The waves, drawn once from the settings.
-#[derive(Debug, Clone, Default)]
-struct Waves(OnceLock<Vec<Wave>>);
-
-/// Always equal, because waves follow from the settings, which are compared.
-impl PartialEq for Waves {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
+    waves: DrawnWaves<Wave>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -71,12 +58,12 @@ impl Default for Turbulence {
 impl Turbulence {
     /// A field between two wavelengths (shorter one first), in mm.
     pub fn new(wavelengths_mm: [f64; 2], rms_m_s: f64, seed: u64) -> Self {
-        Self { wavelengths_mm, rms_m_s, seed, waves: Waves::default() }
+        Self { wavelengths_mm, rms_m_s, seed, waves: DrawnWaves::default() }
     }
 
     pub(super) fn velocity_m_s(&self, position_mm: [f64; 3]) -> [f64; 3] {
         let mut velocity = [0.0; 3];
-        for wave in self.waves.0.get_or_init(|| self.draw()) {
+        for wave in self.waves.get_or_draw(|| self.draw()) {
             let angle: f64 = (0..3).map(|c| wave.number_per_mm[c] * position_mm[c]).sum();
             let cosine = (angle + wave.phase).cos();
             for (velocity, amplitude) in velocity.iter_mut().zip(wave.amplitude_m_s) {
