@@ -38,7 +38,7 @@ pub(super) struct Found<'a> {
     pub correction: &'a Correction<'a>,
     /// The light of frames a and b.
     pub volumes: [&'a SparseVolume; 2],
-    /// The displacement by correlation.
+    /// The displacement everywhere in the volume.
     pub field: &'a DisplacementField,
     /// The grid, with margin, that light is in.
     pub grid: &'a VolumeGrid,

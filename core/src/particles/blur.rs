@@ -41,9 +41,10 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
             camera.image(particle.at_mm, &mut footprint);
             image.add(&camera, &footprint, particle.light[c] as f32);
         }
+        // The same pixels and weights for every width: those of the width before.
         let left = |footprint: &mut PointFootprint, &n: &usize| {
             cameras[c].image(fit.particles[n].at_mm, footprint);
-            image.left(&fit.images[c], &camera, footprint)
+            image.weighted_residual(&fit.images[c], &cameras[c], footprint)
         };
         let left: Vec<f64> = asked.par_iter().map_init(PointFootprint::default, left).collect();
         left.iter().sum::<f64>()

@@ -9,8 +9,8 @@ use super::{
 };
 use crate::model::{PointCamera, PointFootprint};
 
-/// A camera's image of a point tells by its derivatives where that is from this diameter on, in pitches of
-/// the microlenses.
+/// Least diameter of a point's light on the microlens array, in pitches, at which the derivatives of its image
+/// say how well its place is known (docs/decisions.md).
 const LEAST_SPREAD_PITCHES: f64 = 0.9;
 
 /// Images and particles of one frame.
@@ -74,8 +74,8 @@ impl FrameFit {
     /// Covariances of the places of the numbered particles, in mm², from the cameras that see them across
     /// several microlenses.
     ///
-    /// Near its focal plane a camera's image changes in jumps, as a particle goes from one microlens to the
-    /// next, and derivatives say nothing of how far that is: such a camera is left out.
+    /// Near a camera's focal plane all light of a particle is behind one microlens, and its image changes only
+    /// where it crosses to the next. The linear covariance does not hold there: that camera is left out.
     pub fn covariances_mm2(
         &self,
         cameras: &[PointCamera],

@@ -23,6 +23,15 @@ pub struct PixelNoise {
     pub misfit: f32,
 }
 
+impl PixelNoise {
+    /// Variance of a pixel that should hold `model` counts above black, in counts².
+    #[inline(always)]
+    pub fn variance(&self, model: f32) -> f32 {
+        let lit = model.max(0.0);
+        self.dark + lit * (self.gain + self.misfit * self.misfit * lit)
+    }
+}
+
 /// A raw image and the model of it.
 #[derive(Debug, Clone)]
 pub struct ParticleImage {
@@ -91,10 +100,16 @@ impl ParticleImage {
         kernels::light_equation(&self.view(), open, stride, footprint)
     }
 
-    /// Square of the residual, in variances of `reference`, over the pixels of a particle by its share in them:
-    /// models are compared by weights that are not their own. A model that explains less would lower its own.
-    pub fn left(&self, reference: &Self, camera: &PointCamera, footprint: &PointFootprint) -> f64 {
-        let PixelNoise { dark, gain, misfit } = reference.noise;
+    /// Sum of squared residuals over a particle's pixels, each weighted by the particle's share of light in it and by
+    /// 1 / variance as `reference` models it.
+    ///
+    /// To compare models: weights by each model itself would favour the one that expects more noise.
+    pub fn weighted_residual(
+        &self,
+        reference: &Self,
+        camera: &PointCamera,
+        footprint: &PointFootprint,
+    ) -> f64 {
         let mut sum = 0.0;
         for patch in &footprint.patches {
             let columns = footprint.of(0, &patch.columns);
@@ -106,8 +121,7 @@ impl ParticleImage {
                     if self.counts[at] >= self.saturation {
                         continue;
                     }
-                    let lit = reference.model[at].max(0.0);
-                    let variance = dark + lit * (gain + misfit * misfit * lit);
+                    let variance = reference.noise.variance(reference.model[at]);
                     let residual = f32::from(self.counts[at]) - self.black - self.model[at];
                     let share = column * row * f32::from(open[c]) / 255.0;
                     sum += f64::from(share * residual * residual / variance);

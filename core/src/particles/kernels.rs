@@ -75,17 +75,14 @@ impl Pixels {
         let model = lanes_of(&view.model[at..]);
         let counts: [u16; LANES] = *view.counts[at..].first_chunk().unwrap_or(&[0; LANES]);
         let open: [u8; LANES] = *open.first_chunk().unwrap_or(&[0; LANES]);
-        let PixelNoise { dark, gain, misfit } = view.noise;
-        let square = misfit * misfit;
         let open = open.map(|share| f32::from(share) * (1.0 / 255.0));
         let counts = counts.map(f32::from);
         let saturation = f32::from(view.saturation);
         let mut pixels = Self { pull: [0.0; LANES], own: open, left: [0.0; LANES] };
         let mut inverse = [0.0; LANES];
         for n in 0..LANES {
-            let lit = model[n].max(0.0);
             let trust: f32 = if counts[n] < saturation { 1.0 } else { 0.0 };
-            inverse[n] = trust / (dark + lit * (gain + square * lit));
+            inverse[n] = trust / view.noise.variance(model[n]);
         }
         for n in 0..LANES {
             let residual = counts[n] - view.black - model[n];

@@ -69,7 +69,7 @@ impl ParticlePair {
     }
 }
 
-/// Steps of the candidates' lights alone: places that are fitted to wrong lights leave where they belong.
+/// First steps, of the candidates' lights alone: with wrong lights, fitted places move away from the true ones.
 const LIGHT_STEPS: usize = 3;
 
 /// Most steps before and after the first removal of faint and doubled particles.

@@ -101,3 +101,19 @@ fn a_small_step_changes_the_image_by_its_derivatives() {
         assert!(all > 1.0 && apart < 5e-3 * all, "axis {axis}: {apart} of {all}");
     }
 }
+
+/// The circle of confusion of a thin lens, D |s_i − s'|/s'.
+#[test]
+fn the_light_of_a_point_is_as_wide_as_the_circle_of_confusion() {
+    let camera = camera(&CameraCalibration::default(), 0);
+    let optics = test_bench::optics();
+    let (focal_mm, object_mm) = (optics.focal_length_mm, optics.object_distance_mm);
+    let image_of = |distance_mm: f64| focal_mm * distance_mm / (distance_mm - focal_mm);
+    for depth_mm in [-1.7, -0.4, 0.0, 0.8, 1.5] {
+        let image_mm = image_of(object_mm - depth_mm);
+        let apart_mm = (image_of(object_mm) - image_mm).abs();
+        let expected = optics.pupil_diameter_mm() * apart_mm / image_mm / optics.microlens.pitch_mm;
+        let found = camera.spread_pitches([0.3, -0.2, depth_mm]);
+        assert!((found - expected).abs() < 0.01, "{depth_mm} mm: {found} {expected}");
+    }
+}
