@@ -58,7 +58,7 @@ for name in one two three; do
     workers[$name]=$!
     started+=($!)
 done
-"$lfpiv" process "$run" --cluster "$url" --patience 2 >"$out/cluster.txt" 2>"$out/cluster.log" &
+"$lfpiv" process "$run" --cluster "$url" --heartbeat-timeout 2 >"$out/cluster.txt" 2>"$out/cluster.log" &
 coordinator=$!
 started+=($coordinator)
 echo "three workers and a coordinator share $shots shots by way of $url"

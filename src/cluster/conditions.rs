@@ -1,8 +1,10 @@
 //! What results depend on besides the images and the forward model.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
-/// See the module. Results of several machines are those of one if these are equal.
+/// Results of several machines are those of one if these are equal.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Conditions {
     /// Version of the program that measured.
@@ -15,31 +17,52 @@ pub struct Conditions {
     pub background_crc32: Vec<u32>,
 }
 
+/// Something that results depend on and that differs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Difference {
+    Version,
+    Configuration,
+    Background,
+    Shots,
+}
+
 impl Conditions {
-    /// What of these is not as in `other`, if so.
-    pub fn first_difference(&self, other: &Self) -> Option<&'static str> {
+    /// The first of these that is not as in `other`, if any.
+    pub fn first_difference(&self, other: &Self) -> Option<Difference> {
         let parts = [
-            (self.code_version == other.code_version, "version of lfpiv"),
-            (self.configuration_sha256 == other.configuration_sha256, "configuration"),
-            (self.background_crc32 == other.background_crc32, "background images"),
-            (self.shots_sha256 == other.shots_sha256, "shots"),
+            (self.code_version == other.code_version, Difference::Version),
+            (self.configuration_sha256 == other.configuration_sha256, Difference::Configuration),
+            (self.background_crc32 == other.background_crc32, Difference::Background),
+            (self.shots_sha256 == other.shots_sha256, Difference::Shots),
         ];
-        parts.into_iter().find(|(same, _)| !same).map(|(_, what)| what)
+        parts.into_iter().find(|(same, _)| !same).map(|(_, difference)| difference)
     }
 
-    /// In which way results made under these are not those of a run under `run`, if so.
+    /// Why results made under these are not those of a run under `run`, if so.
     pub fn difference(&self, run: &Self) -> Option<String> {
-        let what = self.first_difference(run)?;
-        Some(match what {
-            "version of lfpiv" => format!(
+        self.first_difference(run).map(|difference| match difference {
+            Difference::Version => format!(
                 "was measured by lfpiv {}, and this is {}: measure and merge with one version",
                 self.code_version, run.code_version
             ),
-            "shots" => "is of another run".to_owned(),
-            "background images" => {
+            Difference::Configuration => {
+                "was measured with another configuration than the run's".to_owned()
+            }
+            Difference::Background => {
                 "was measured with other background images than the run's".to_owned()
             }
-            _ => format!("was measured with another {what} than the run's"),
+            Difference::Shots => "is of another run".to_owned(),
+        })
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Version => "version of lfpiv",
+            Self::Configuration => "configuration",
+            Self::Background => "set of background images",
+            Self::Shots => "list of shots",
         })
     }
 }

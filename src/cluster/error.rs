@@ -17,7 +17,7 @@ pub enum ClusterError {
     /// The log of delivered results cannot be written or read.
     #[error(transparent)]
     Log(#[from] RawLogError),
-    /// A folder of delivered results cannot be listed or removed.
+    /// A folder of delivered results cannot be created, listed or removed.
     #[error("cannot {what} {}: {reason}", path.display())]
     Folder { what: &'static str, path: PathBuf, reason: std::io::Error },
     /// A delivered result is not what its sender made.

@@ -33,7 +33,7 @@ pub struct Job {
     pub address: String,
     /// Token of scope `work`, for this run and as long as this coordinator lives.
     pub token: String,
-    /// Pause between signs of life while the shot is measured, in ms.
+    /// Pause between heartbeats while the shot is measured, in ms.
     pub heartbeat_ms: u64,
     /// Time after which these signs stop, in ms, so that another worker gets the shot.
     pub deadline_ms: u64,

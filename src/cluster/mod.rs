@@ -11,30 +11,30 @@
 //!   the truth, and what has no result is offered again.
 //! - [`Tally`]: who was first, and how often a shot was tried. A function of what was reported, in any order.
 //! - [`DeliveryLog`]: the same on disk, with the results, so that a coordinator that was killed goes on.
-//! - [`Desk`]: takes deliveries in, hands records out; [`desk_routes`] is its HTTP side, [`DeskClient`] the other
-//!   end.
+//! - [`Coordinator`]: takes results in, hands records out; [`coordinator_routes`] is its HTTP side,
+//!   [`CoordinatorClient`] the worker's end.
 //!
 //! Neither pixels nor results go through the broker.
 
 mod conditions;
+mod coordinator;
+mod coordinator_client;
 mod delivery;
 mod delivery_bytes;
 mod delivery_log;
-mod desk;
 mod error;
 mod job;
 mod queue;
 mod routes;
 mod tally;
-mod work_client;
 
 pub use conditions::Conditions;
+pub use coordinator::{Begin, Coordinator, CoordinatorSetup, model_sha256};
+pub use coordinator_client::{ClientError, CoordinatorClient};
 pub use delivery::Delivery;
 pub use delivery_log::{DeliveryLog, LoggedDeliveries};
-pub use desk::{Begin, Desk, DeskSetup, model_sha256};
 pub use error::ClusterError;
 pub use job::{Assignment, Frame, Job, PROTOCOL, Reference, Shot};
 pub use queue::{Broker, JobQueue, TakenJob};
-pub use routes::desk_routes;
+pub use routes::coordinator_routes;
 pub use tally::{Attempt, Report, ShotState, Tally, Verdict};
-pub use work_client::{ClientError, DeskClient};

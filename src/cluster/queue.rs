@@ -2,7 +2,7 @@
 //!
 //! One stream holds the jobs of all runs, each under a subject of its own, `lfpiv.jobs.RUN.SHOT`, so that offering a
 //! shot twice leaves one job. A job stays until it is acknowledged; what is not acknowledged or kept alive within
-//! the patience goes to another worker, without limit: the [`super::Tally`] gives shots up. Nothing in the broker
+//! the heartbeat timeout goes to another worker, without limit: the [`super::Tally`] gives shots up. Nothing in the broker
 //! is relied on: [`JobQueue::offer`] makes stream and consumer again when they are gone, and what is absent is
 //! offered again.
 
@@ -33,11 +33,11 @@ const MOST_TAKEN: i64 = 10_000;
 /// How long a worker's request for a job waits in the broker.
 const REQUEST: Duration = Duration::from_secs(1);
 /// Pause before a job that this version does not understand is handed out again.
-const GIVEN_BACK: Duration = Duration::from_millis(500);
+const REDELIVERY_PAUSE: Duration = Duration::from_millis(500);
 /// Age at which a job is dropped. Coordinators offer again what is missing; those that were killed do not.
-const OLDEST: Duration = Duration::from_secs(24 * 3600);
+const LONGEST_AGE: Duration = Duration::from_secs(24 * 3600);
 
-/// Where the broker is, and who we are.
+/// Where the broker is, and the credentials it asks for.
 #[derive(Debug, Clone, Default)]
 pub struct Broker {
     /// `nats://host:port`, or `tls://`; also with `user:password@`.
@@ -109,9 +109,9 @@ impl JobQueue {
         self.connected.notified().await;
     }
 
-    /// Makes stream and consumer where they are missing. A job that is not kept alive for `patience` goes to
+    /// Makes stream and consumer where they are missing. A job that is not kept alive for `heartbeat_timeout` goes to
     /// another worker.
-    async fn open(&self, patience: Duration) -> Result<stream::Stream, ClusterError> {
+    async fn open(&self, heartbeat_timeout: Duration) -> Result<stream::Stream, ClusterError> {
         let stream = self
             .jetstream
             .get_or_create_stream(stream::Config {
@@ -121,7 +121,7 @@ impl JobQueue {
                 discard: stream::DiscardPolicy::New,
                 discard_new_per_subject: true,
                 max_messages_per_subject: 1,
-                max_age: OLDEST,
+                max_age: LONGEST_AGE,
                 ..stream::Config::default()
             })
             .await
@@ -129,7 +129,7 @@ impl JobQueue {
         let consumer = pull::Config {
             durable_name: Some(CONSUMER.into()),
             ack_policy: AckPolicy::Explicit,
-            ack_wait: patience,
+            ack_wait: heartbeat_timeout,
             max_deliver: -1,
             max_ack_pending: MOST_TAKEN,
             ..pull::Config::default()
@@ -147,10 +147,10 @@ impl JobQueue {
         &self,
         run: &str,
         shots: &[u64],
-        patience: Duration,
+        heartbeat_timeout: Duration,
         mut job: impl FnMut(u64) -> Option<Job>,
     ) -> Result<usize, ClusterError> {
-        let stream = self.open(patience).await?;
+        let stream = self.open(heartbeat_timeout).await?;
         let there = stream
             .info_with_subjects(format!("{SUBJECT}.{run}.>"))
             .await
@@ -182,8 +182,12 @@ impl JobQueue {
     ///
     /// # Errors
     /// The broker does not answer.
-    pub async fn withdraw(&self, run: &str, patience: Duration) -> Result<(), ClusterError> {
-        let stream = self.open(patience).await?;
+    pub async fn withdraw(
+        &self,
+        run: &str,
+        heartbeat_timeout: Duration,
+    ) -> Result<(), ClusterError> {
+        let stream = self.open(heartbeat_timeout).await?;
         let purged = stream.purge().filter(format!("{SUBJECT}.{run}.>")).await;
         purged.map(|_| ()).map_err(ClusterError::broker("remove jobs"))
     }
@@ -217,7 +221,7 @@ impl JobQueue {
             Err(error) => {
                 tracing::warn!("a job of another version of lfpiv is left to others: {error}");
                 // Others are asked first.
-                let _ = message.ack_with(AckKind::Nak(Some(GIVEN_BACK))).await;
+                let _ = message.ack_with(AckKind::Nak(Some(REDELIVERY_PAUSE))).await;
                 Ok(None)
             }
         }
@@ -231,7 +235,7 @@ impl TakenJob {
     /// There is no broker.
     pub async fn keep_alive(&self) -> Result<(), ClusterError> {
         let told = self.message.ack_with(AckKind::Progress).await;
-        told.map_err(ClusterError::broker("take signs of life"))
+        told.map_err(ClusterError::broker("take heartbeats"))
     }
 
     /// Removes the job: the shot is settled, or the job is stale.

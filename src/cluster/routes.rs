@@ -1,11 +1,11 @@
-//! The desk over HTTP. Every request needs `Authorization: Bearer TOKEN` with the run's token of scope `work`.
+//! The coordinator's HTTP interface. Every request needs `Authorization: Bearer TOKEN` with the run's token of scope `work`.
 //!
 //! | endpoint | |
 //! |---|---|
 //! | `GET /work/v1/run` | [`Assignment`](super::Assignment) |
 //! | `GET /work/v1/records/{segment}/{offset}` | a record as it is on disk |
-//! | `POST /work/v1/shots/{n}/begin` | [`Trial`]: whether to measure the shot |
-//! | `POST /work/v1/shots/{n}/failure` | [`Trial`] with a reason |
+//! | `POST /work/v1/shots/{n}/begin` | [`AttemptRequest`]: whether to measure the shot |
+//! | `POST /work/v1/shots/{n}/failure` | [`AttemptRequest`] with a reason |
 //! | `POST /work/v1/results` | bytes of a [`Delivery`](super::Delivery); the [`Verdict`](super::Verdict) |
 //!
 //! Errors are JSON, `{"error": "..."}`: 401 without the token, 410 for records that cannot be read, 422 for
@@ -28,22 +28,22 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 use subtle::ConstantTimeEq;
 
-use super::{Attempt, ClusterError, Desk};
+use super::{Attempt, ClusterError, Coordinator};
 
 /// Largest result: a field of four million vectors.
 const MOST_BYTES: usize = 256 << 20;
 
 /// A worker's try at a shot.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Trial {
+pub(super) struct AttemptRequest {
     pub attempt: Attempt,
     pub worker: String,
     #[serde(default)]
     pub reason: String,
 }
 
-/// The routes of a desk; see the module.
-pub fn desk_routes(desk: Arc<Desk>, token: &str) -> Router {
+/// The routes of a coordinator; see the head of this file.
+pub fn coordinator_routes(coordinator: Arc<Coordinator>, token: &str) -> Router {
     let expected = digest(&SHA256, token.as_bytes());
     let allowed = middleware::from_fn(move |request: Request, next: Next| async move {
         let given = request.headers().get(header::AUTHORIZATION);
@@ -67,18 +67,18 @@ pub fn desk_routes(desk: Arc<Desk>, token: &str) -> Router {
         .route("/work/v1/results", post(deliver).layer(DefaultBodyLimit::max(MOST_BYTES)))
         // Before the body is read.
         .layer(allowed)
-        .with_state(desk)
+        .with_state(coordinator)
 }
 
-async fn run(State(desk): State<Arc<Desk>>) -> Response {
-    Json(desk.assignment()).into_response()
+async fn run(State(coordinator): State<Arc<Coordinator>>) -> Response {
+    Json(coordinator.assignment()).into_response()
 }
 
 async fn record(
-    State(desk): State<Arc<Desk>>,
+    State(coordinator): State<Arc<Coordinator>>,
     Path((segment, offset)): Path<(u32, u64)>,
 ) -> Response {
-    blocking(move || match desk.packed(Position { segment, offset }) {
+    blocking(move || match coordinator.packed(Position { segment, offset }) {
         Ok(bytes) => bytes.into_response(),
         Err(error) => failed(StatusCode::GONE, &error.to_string()),
     })
@@ -86,23 +86,23 @@ async fn record(
 }
 
 async fn begin(
-    State(desk): State<Arc<Desk>>,
+    State(coordinator): State<Arc<Coordinator>>,
     Path(shot): Path<u64>,
-    Json(Trial { attempt, worker, .. }): Json<Trial>,
+    Json(AttemptRequest { attempt, worker, .. }): Json<AttemptRequest>,
 ) -> Response {
-    blocking(move || answer(desk.begin(shot, attempt, &worker))).await
+    blocking(move || answer(coordinator.begin(shot, attempt, &worker))).await
 }
 
 async fn fail(
-    State(desk): State<Arc<Desk>>,
+    State(coordinator): State<Arc<Coordinator>>,
     Path(shot): Path<u64>,
-    Json(Trial { attempt, worker, reason }): Json<Trial>,
+    Json(AttemptRequest { attempt, worker, reason }): Json<AttemptRequest>,
 ) -> Response {
-    blocking(move || answer(desk.fail(shot, attempt, &worker, &reason))).await
+    blocking(move || answer(coordinator.fail(shot, attempt, &worker, &reason))).await
 }
 
-async fn deliver(State(desk): State<Arc<Desk>>, bytes: Bytes) -> Response {
-    blocking(move || answer(desk.deliver(&bytes))).await
+async fn deliver(State(coordinator): State<Arc<Coordinator>>, bytes: Bytes) -> Response {
+    blocking(move || answer(coordinator.deliver(&bytes))).await
 }
 
 /// Runs what waits for a disk where waiting holds up nobody.

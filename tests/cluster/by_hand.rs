@@ -5,7 +5,9 @@ use std::time::Duration;
 use lfpiv::{
     acquisition::journal::RecordedRun,
     archive::{RawLevel, ShotResult},
-    cluster::{Attempt, Begin, Broker, ClientError, Delivery, DeskClient, Job, JobQueue, Verdict},
+    cluster::{
+        Attempt, Begin, Broker, ClientError, CoordinatorClient, Delivery, Job, JobQueue, Verdict,
+    },
     config::Config,
 };
 use lfpiv_core::measurement::Processor;
@@ -32,7 +34,7 @@ async fn first_job(url: &str) -> Job {
 }
 
 /// What a worker makes of the job.
-fn measured(job: &Job, client: &DeskClient) -> Delivery {
+fn measured(job: &Job, client: &CoordinatorClient) -> Delivery {
     let assignment = client.assignment().expect("a coordinator");
     let config = Config::parse("the run's", &assignment.configuration).expect("a configuration");
     let processor = Processor::new(config.measurement()).expect("a bench");
@@ -66,12 +68,12 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
     let runtime = tokio::runtime::Runtime::new().expect("a runtime");
     let job = runtime.block_on(first_job(&nats.url()));
-    let client = DeskClient::new(&job.address, &job.token);
+    let client = CoordinatorClient::new(&job.address, &job.token);
     let shot = job.shot.number;
 
     // Only with the run's token.
     for token in ["", "0123456789abcdef0123456789abcdef"] {
-        let stranger = DeskClient::new(&job.address, token);
+        let stranger = CoordinatorClient::new(&job.address, token);
         let refused = stranger.begin(shot, Attempt { issue: 1, delivery: 1 }, "stranger");
         assert!(matches!(refused, Err(ClientError::Stale(_))), "{refused:?}");
         assert!(matches!(stranger.frame(&job.shot.frames[0][0]), Err(ClientError::Stale(_))));
@@ -141,7 +143,7 @@ fn a_shot_that_nobody_can_measure_is_given_up_with_reasons() {
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
     let runtime = tokio::runtime::Runtime::new().expect("a runtime");
     let job = runtime.block_on(first_job(&nats.url()));
-    let client = DeskClient::new(&job.address, &job.token);
+    let client = CoordinatorClient::new(&job.address, &job.token);
     let shots: Vec<u64> =
         RecordedRun::open(&run).expect("a run").index().shots.into_keys().collect();
     let [failing, deadly] = [shots[2], shots[4]];

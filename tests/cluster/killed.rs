@@ -14,7 +14,7 @@ use crate::{
 
 const KILLS: usize = 20;
 /// A lost worker's shot goes to another one soon.
-const SOON: [&str; 2] = ["--patience", "1"];
+const SOON: [&str; 2] = ["--heartbeat-timeout", "1"];
 
 #[test]
 fn no_shot_is_lost_with_workers_or_the_broker() {

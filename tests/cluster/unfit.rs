@@ -5,7 +5,7 @@ use std::time::Duration;
 use axum::{Json, Router, extract::Path, routing::get as get_of};
 use lfpiv::{
     acquisition::journal::RecordedRun,
-    cluster::{Broker, Conditions, DeskClient, Job, JobQueue, PROTOCOL, Shot},
+    cluster::{Broker, Conditions, CoordinatorClient, Job, JobQueue, PROTOCOL, Shot},
 };
 use lfpiv_rawlog::Position;
 
@@ -67,11 +67,11 @@ async fn a_worker_of_another_version_refuses() {
         heartbeat_ms: 100,
         deadline_ms: 10_000,
     };
-    let patience = Duration::from_secs(30);
-    let offered = queue.offer("other", &[0], patience, |_| Some(job.clone())).await;
+    let heartbeat_timeout = Duration::from_secs(30);
+    let offered = queue.offer("other", &[0], heartbeat_timeout, |_| Some(job.clone())).await;
     assert_eq!(offered.expect("a broker"), 1);
     // Offered once more, it is one job.
-    let offered = queue.offer("other", &[0], patience, |_| Some(job.clone())).await;
+    let offered = queue.offer("other", &[0], heartbeat_timeout, |_| Some(job.clone())).await;
     assert_eq!(offered.expect("a broker"), 0);
 
     let url = nats.url();
@@ -107,7 +107,7 @@ async fn a_worker_that_computes_otherwise_refuses() {
     };
     let mut job = taken.job.clone();
     let (address, token) = (job.address.clone(), job.token.clone());
-    let get = move || DeskClient::new(&address, &token).assignment().expect("a coordinator");
+    let get = move || CoordinatorClient::new(&address, &token).assignment().expect("a coordinator");
     let mut assignment = tokio::task::spawn_blocking(get).await.expect("an assignment");
     // The real coordinator ends, and withdraws its jobs; another one has its place.
     let ended = tokio::task::spawn_blocking(|| real.terminate()).await.expect("its end");

@@ -3,9 +3,9 @@
 //! The coordinator measures the shot that decides the forward model, offers the others as jobs, serves records
 //! and takes results in. It alone writes the run.
 
+mod distribution;
 mod offers;
-mod sharing;
-mod storing;
+mod result_writer;
 
 use std::{
     net::{Ipv4Addr, SocketAddr},
@@ -22,7 +22,7 @@ use super::{
     recorded_shots::{Finished, ShotProcessor},
     run_processor::conditions,
 };
-use sharing::{Shared, Sharing};
+use distribution::{Distribution, Outcome};
 
 /// Where a coordinator listens unless told otherwise: workers of this machine only.
 const THIS_MACHINE: SocketAddr = SocketAddr::new(std::net::IpAddr::V4(Ipv4Addr::LOCALHOST), 0);
@@ -37,9 +37,9 @@ pub struct ClusterArgs {
     /// Address of this machine at which workers read frames and deliver results.
     #[arg(long, value_name = "ADDRESS", default_value_t = THIS_MACHINE, requires = "cluster")]
     pub serve: SocketAddr,
-    /// Seconds without a sign of life after which a shot goes to another worker.
+    /// Seconds without a heartbeat of its worker after which a shot goes to another one.
     #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = seconds, requires = "cluster")]
-    pub patience: f64,
+    pub heartbeat_timeout: f64,
     /// Seconds a worker may take over one shot.
     #[arg(long, value_name = "SECONDS", default_value_t = 600.0, value_parser = seconds, requires = "cluster")]
     pub deadline: f64,
@@ -88,18 +88,18 @@ pub(super) fn process_cluster(
         None => store.close()?,
         Some((shot, result)) => {
             let shots = rest.iter().map(|shot| (*shot).clone()).collect();
-            let sharing = Sharing {
+            let distribution = Distribution {
                 folder,
                 recorded: &run.recorded,
                 conditions: conditions(&run.recorded, &run.index, &run.config)?,
                 reference: (shot, result),
                 broker: args.broker.broker(url),
                 serve: args.serve,
-                patience: Duration::from_secs_f64(args.patience),
+                heartbeat_timeout: Duration::from_secs_f64(args.heartbeat_timeout),
                 deadline: Duration::from_secs_f64(args.deadline),
             };
-            let shared = sharing.share(shots, store, stop)?;
-            let Shared { failed, lost, left, differing } = shared;
+            let outcome = distribution.distribute(shots, store, stop)?;
+            let Outcome { failed, lost, left, differing } = outcome;
             finished.failed.extend(failed);
             finished.left = left;
             lost.into_iter().for_each(|(shot, why)| losses.add(shot, why));

@@ -4,17 +4,17 @@ use std::{collections::BTreeMap, sync::Arc, time::Duration};
 
 use crate::{
     acquisition::journal::RecordedRun,
-    cluster::{ClusterError, Conditions, Desk, Job, JobQueue, PROTOCOL, Shot},
+    cluster::{ClusterError, Conditions, Coordinator, Job, JobQueue, PROTOCOL, Shot},
 };
 
 /// Jobs in the broker at once. More would only make its lists longer.
-const AHEAD: usize = 1000;
+const MOST_OFFERED: usize = 1000;
 /// Pause between two looks at the broker's jobs.
-const LOOK: Duration = Duration::from_secs(1);
+const OFFER_INTERVAL: Duration = Duration::from_secs(1);
 
 /// What all jobs of a run have in common.
 pub(super) struct Offers {
-    pub desk: Arc<Desk>,
+    pub coordinator: Arc<Coordinator>,
     pub recorded: RecordedRun,
     pub run: String,
     pub run_name: String,
@@ -22,7 +22,7 @@ pub(super) struct Offers {
     pub model_sha256: String,
     pub address: String,
     pub token: String,
-    pub patience: Duration,
+    pub heartbeat_timeout: Duration,
     pub deadline: Duration,
     /// The number of the next offers of shots that were offered before.
     pub issues: BTreeMap<u64, u32>,
@@ -35,7 +35,7 @@ impl Offers {
         let mut is_clean = false;
         let mut trouble = None;
         loop {
-            let done = self.look(&queue, &mut is_clean).await;
+            let done = self.refresh(&queue, &mut is_clean).await;
             let now = done.err().map(|error| error.to_string());
             // Once, not every second.
             if let Some(words) = now.as_ref().filter(|_| trouble.is_none()) {
@@ -43,30 +43,30 @@ impl Offers {
             }
             trouble = now;
             tokio::select! {
-                () = tokio::time::sleep(LOOK) => {}
+                () = tokio::time::sleep(OFFER_INTERVAL) => {}
                 () = queue.reconnected() => {}
             }
         }
     }
 
-    async fn look(&mut self, queue: &JobQueue, is_clean: &mut bool) -> Result<(), ClusterError> {
+    async fn refresh(&mut self, queue: &JobQueue, is_clean: &mut bool) -> Result<(), ClusterError> {
         if !*is_clean {
             // Those of an earlier coordinator name its address and token.
-            queue.withdraw(&self.run, self.patience).await?;
+            queue.withdraw(&self.run, self.heartbeat_timeout).await?;
             *is_clean = true;
         }
-        let desk = self.desk.clone();
-        let open = desk.open_shots(AHEAD);
+        let coordinator = self.coordinator.clone();
+        let open = coordinator.open_shots(MOST_OFFERED);
         let shots: Vec<u64> = open.iter().map(|shot| shot.trigger).collect();
-        let (run, patience) = (self.run.clone(), self.patience);
+        let (run, heartbeat_timeout) = (self.run.clone(), self.heartbeat_timeout);
         let find = |shot: u64| open.iter().find(|open| open.trigger == shot);
         let offered = queue
-            .offer(&run, &shots, patience, |shot| {
+            .offer(&run, &shots, heartbeat_timeout, |shot| {
                 // A damaged header is found again, and noted, by the coordinator itself.
                 match Shot::of(&self.recorded, find(shot)?) {
                     Ok(described) => Some(self.job(described)),
                     Err(error) => {
-                        self.desk.unreadable(shot, &error);
+                        self.coordinator.unreadable(shot, &error);
                         None
                     }
                 }
@@ -92,7 +92,9 @@ impl Offers {
             model_sha256: self.model_sha256.clone(),
             address: self.address.clone(),
             token: self.token.clone(),
-            heartbeat_ms: u64::try_from(self.patience.as_millis() / 4).unwrap_or(u64::MAX).max(10),
+            heartbeat_ms: u64::try_from(self.heartbeat_timeout.as_millis() / 4)
+                .unwrap_or(u64::MAX)
+                .max(10),
             deadline_ms: u64::try_from(self.deadline.as_millis()).unwrap_or(u64::MAX),
         }
     }

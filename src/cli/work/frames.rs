@@ -8,7 +8,7 @@ use lfpiv_hw::RawImage;
 use crate::{
     acquisition::journal::RecordedRun,
     cli::process_run::is_run,
-    cluster::{ClientError, DeskClient, Frame, Shot},
+    cluster::{ClientError, CoordinatorClient, Frame, Shot},
 };
 
 /// See the module.
@@ -24,7 +24,7 @@ impl Frames {
     ///
     /// # Errors
     /// A frame cannot be read.
-    pub fn pair(&self, client: &DeskClient, shot: &Shot) -> Result<ImagePair, ClientError> {
+    pub fn pair(&self, client: &CoordinatorClient, shot: &Shot) -> Result<ImagePair, ClientError> {
         let image = |frame: &Frame| match self {
             Self::Shared(run) => shared_image(run, frame),
             Self::Coordinator => client.frame(frame),

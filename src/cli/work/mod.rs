@@ -17,7 +17,7 @@ use crate::{acquisition::SynchroniserThread, cluster::JobQueue, pipeline::run_af
 use slot::Worker;
 
 /// How long measurements that nobody waits for are waited for at the end.
-const FAREWELL: Duration = Duration::from_secs(1);
+const SHUTDOWN_TIMEOUT: Duration = Duration::from_secs(1);
 
 /// Arguments of `lfpiv work`.
 #[derive(Debug, clap::Args)]
@@ -52,7 +52,7 @@ pub fn work(args: &WorkArgs) -> anyhow::Result<()> {
         .build()
         .context("cannot start the runtime")?;
     let done = runtime.block_on(serve(args));
-    runtime.shutdown_timeout(FAREWELL);
+    runtime.shutdown_timeout(SHUTDOWN_TIMEOUT);
     done
 }
 

@@ -13,7 +13,7 @@ use crate::{
         recorded_shots::shot_result,
         run_processor::{background_crc32, conditions, run_processor},
     },
-    cluster::{Assignment, Attempt, Delivery, DeskClient, Job, Shot, model_sha256},
+    cluster::{Assignment, Attempt, CoordinatorClient, Delivery, Job, Shot, model_sha256},
     config::Config,
 };
 
@@ -32,7 +32,7 @@ impl Prepared {
     pub fn new(
         job: &Job,
         assignment: &Assignment,
-        client: &DeskClient,
+        client: &CoordinatorClient,
         shared: Option<&Path>,
     ) -> anyhow::Result<Self> {
         let text = &assignment.configuration;
@@ -54,14 +54,14 @@ impl Prepared {
     ///
     /// # Errors
     /// A frame cannot be read, or the shot cannot be measured.
-    pub fn measure(&self, client: &DeskClient, shot: &Shot) -> anyhow::Result<ShotResult> {
+    pub fn measure(&self, client: &CoordinatorClient, shot: &Shot) -> anyhow::Result<ShotResult> {
         let pair = self.frames.pair(client, shot)?;
         let measured = self.processor.process(pair)?;
         Ok(shot_result(measured, shot.dt_us(), &shot.suspect, shot.time()))
     }
 
     /// Measures the reference, which decides the forward model here as it did there.
-    fn reproduce(&self, assignment: &Assignment, client: &DeskClient) -> anyhow::Result<()> {
+    fn reproduce(&self, assignment: &Assignment, client: &CoordinatorClient) -> anyhow::Result<()> {
         let reference = &assignment.reference;
         let result =
             self.measure(client, &reference.shot).context("the reference cannot be measured")?;

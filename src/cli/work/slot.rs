@@ -14,13 +14,14 @@ use tokio_util::sync::CancellationToken;
 
 use super::prepared::Prepared;
 use crate::cluster::{
-    Attempt, Begin, ClientError, Delivery, DeskClient, Job, JobQueue, PROTOCOL, TakenJob, Verdict,
+    Attempt, Begin, ClientError, CoordinatorClient, Delivery, Job, JobQueue, PROTOCOL, TakenJob,
+    Verdict,
 };
 
 /// Pause while there is no broker, and before a shot is tried again.
 const PAUSE: Duration = Duration::from_millis(500);
 /// How long a coordinator that does not answer is left alone. Jobs of others are not held up by it.
-const SILENCE: Duration = Duration::from_secs(5);
+const UNREACHABLE_PAUSE: Duration = Duration::from_secs(5);
 /// Tries at delivering a result that is made already, and the pause between them.
 const DELIVERIES: usize = 5;
 
@@ -32,7 +33,7 @@ pub(super) struct Worker {
     /// The run that was measured last, and its jobs' common part.
     prepared: Mutex<Option<(Common, Arc<Prepared>)>>,
     /// Coordinators that did not answer, and when.
-    silent: Mutex<HashMap<String, Instant>>,
+    unreachable: Mutex<HashMap<String, Instant>>,
 }
 
 /// What jobs of one run and coordinator have in common.
@@ -45,12 +46,12 @@ enum Ended {
     /// Someone else, or this worker later, may have better luck.
     Later,
     /// Its coordinator does not answer.
-    Silence,
+    Unreachable,
 }
 
 impl Worker {
     pub fn new(name: String, queue: JobQueue, shared: Option<PathBuf>) -> Self {
-        Self { name, queue, shared, prepared: Mutex::new(None), silent: Mutex::default() }
+        Self { name, queue, shared, prepared: Mutex::new(None), unreachable: Mutex::default() }
     }
 
     /// Takes and does jobs until `stop` is cancelled.
@@ -92,7 +93,7 @@ impl Worker {
         let told = match &ended {
             Ok(Ended::Settled) => taken.done().await,
             Ok(Ended::Later) | Err(_) => taken.give_back(PAUSE).await,
-            Ok(Ended::Silence) => taken.give_back(SILENCE).await,
+            Ok(Ended::Unreachable) => taken.give_back(UNREACHABLE_PAUSE).await,
         };
         if let Err(error) = told {
             tracing::debug!("shot {shot}: {error}");
@@ -105,11 +106,11 @@ impl Worker {
     /// # Errors
     /// This worker is not fit for the run.
     fn measure(&self, job: &Job, attempt: Attempt) -> anyhow::Result<Ended> {
-        let is_recent = |since: &Instant| since.elapsed() < SILENCE;
-        if self.silent.lock().get(&job.address).is_some_and(is_recent) {
-            return Ok(Ended::Silence);
+        let is_recent = |since: &Instant| since.elapsed() < UNREACHABLE_PAUSE;
+        if self.unreachable.lock().get(&job.address).is_some_and(is_recent) {
+            return Ok(Ended::Unreachable);
         }
-        let client = DeskClient::new(&job.address, &job.token);
+        let client = CoordinatorClient::new(&job.address, &job.token);
         let shot = job.shot.number;
         match self.try_measuring(job, attempt, &client) {
             Ok(verdict) => {
@@ -132,11 +133,11 @@ impl Worker {
                 Ended::Settled
             }
             Some(ClientError::Unreachable(why)) => {
-                let known = self.silent.lock().insert(job.address.clone(), Instant::now());
+                let known = self.unreachable.lock().insert(job.address.clone(), Instant::now());
                 if known.is_none() {
                     tracing::warn!("shot {} at {}: {why}", job.shot.number, job.address);
                 }
-                Ended::Silence
+                Ended::Unreachable
             }
             _ => self.tell_failure(job, attempt, &format!("{error:#}")),
         }
@@ -145,7 +146,7 @@ impl Worker {
     fn tell_failure(&self, job: &Job, attempt: Attempt, reason: &str) -> Ended {
         let shot = job.shot.number;
         tracing::warn!("shot {shot} cannot be measured: {reason}");
-        let client = DeskClient::new(&job.address, &job.token);
+        let client = CoordinatorClient::new(&job.address, &job.token);
         if let Err(error) = client.fail(shot, attempt, &self.name, reason) {
             tracing::warn!("shot {shot}: {error}");
         }
@@ -157,14 +158,14 @@ impl Worker {
         &self,
         job: &Job,
         attempt: Attempt,
-        client: &DeskClient,
+        client: &CoordinatorClient,
     ) -> anyhow::Result<Option<Verdict>> {
         let prepared = self.prepare(job, client)?;
         let shot = &job.shot;
         if client.begin(shot.number, attempt, &self.name)? == Begin::Settled {
             return Ok(None);
         }
-        self.silent.lock().remove(&job.address);
+        self.unreachable.lock().remove(&job.address);
         let result = prepared.measure(client, shot)?;
         let delivery = Delivery {
             shot: shot.number,
@@ -188,7 +189,7 @@ impl Worker {
     }
 
     /// The job's run, ready to be measured. Other slots wait.
-    fn prepare(&self, job: &Job, client: &DeskClient) -> anyhow::Result<Arc<Prepared>> {
+    fn prepare(&self, job: &Job, client: &CoordinatorClient) -> anyhow::Result<Arc<Prepared>> {
         let common = (job.run.clone(), job.address.clone(), job.token.clone());
         let mut prepared = self.prepared.lock();
         if let Some((of, prepared)) = prepared.as_ref()

@@ -1,4 +1,4 @@
-//! Shares shots out among workers, until every one is settled.
+//! Distributes shots among workers until every one is settled.
 
 use std::{
     collections::BTreeMap,
@@ -14,27 +14,27 @@ use ring::rand::{SecureRandom, SystemRandom};
 use tokio::net::TcpListener;
 use tokio_util::sync::CancellationToken;
 
-use super::{offers::Offers, storing::Storing};
+use super::{offers::Offers, result_writer::ResultWriter};
 use crate::{
     acquisition::journal::{RecordedRun, RecordedShot},
     archive::{ResultStore, ShotResult},
     cli::output::{count, print, progress_bar},
     cluster::{
-        Assignment, Attempt, Broker, Conditions, Delivery, DeliveryLog, Desk, DeskSetup, JobQueue,
-        LoggedDeliveries, Reference, Report, Shot, ShotState, Tally, Verdict, desk_routes,
-        model_sha256,
+        Assignment, Attempt, Broker, Conditions, Coordinator, CoordinatorSetup, Delivery,
+        DeliveryLog, JobQueue, LoggedDeliveries, Reference, Report, Shot, ShotState, Tally,
+        Verdict, coordinator_routes, model_sha256,
     },
 };
 
 /// How long jobs and connections are waited for at the end.
-const FAREWELL: Duration = Duration::from_secs(2);
+const SHUTDOWN_TIMEOUT: Duration = Duration::from_secs(2);
 /// Pause between lines about the progress in the log.
-const LINES: Duration = Duration::from_secs(30);
+const LOG_INTERVAL: Duration = Duration::from_secs(30);
 /// Characters of the hash that identify a run to the broker.
 const RUN_CHARACTERS: usize = 16;
 
-/// What a coordinator shares out, and how.
-pub(super) struct Sharing<'a> {
+/// What is distributed, and how.
+pub(super) struct Distribution<'a> {
     pub folder: &'a Path,
     pub recorded: &'a RecordedRun,
     pub conditions: Conditions,
@@ -42,12 +42,12 @@ pub(super) struct Sharing<'a> {
     pub reference: (RecordedShot, ShotResult),
     pub broker: Broker,
     pub serve: SocketAddr,
-    pub patience: Duration,
+    pub heartbeat_timeout: Duration,
     pub deadline: Duration,
 }
 
-/// What came of it.
-pub(super) struct Shared {
+/// What came of the shots.
+pub(super) struct Outcome {
     /// The dead-letter list.
     pub failed: BTreeMap<u64, String>,
     /// Shots whose images cannot be read.
@@ -58,24 +58,24 @@ pub(super) struct Shared {
     pub differing: Vec<String>,
 }
 
-impl Sharing<'_> {
+impl Distribution<'_> {
     /// Has these shots measured and stores their results.
     ///
     /// # Errors
     /// An address or a file cannot be used, or results cannot be stored. What is stored stays.
-    pub fn share(
+    pub fn distribute(
         self,
         shots: Vec<RecordedShot>,
         store: ResultStore,
         stop: &CancellationToken,
-    ) -> anyhow::Result<Shared> {
+    ) -> anyhow::Result<Outcome> {
         let model = self.reference.1.measured.model.clone();
         let model_sha256 = model_sha256(&model);
         let (log, logged) =
             DeliveryLog::open(self.folder, &self.conditions, &model, &model_sha256)?;
-        let (sink, storing) = Storing::start(store).context("cannot start a thread")?;
+        let (sink, writer) = ResultWriter::start(store).context("cannot start a thread")?;
         let tally = taken_up(&shots, logged, &sink)?;
-        let setup = DeskSetup {
+        let setup = CoordinatorSetup {
             run: self.recorded.clone(),
             shots,
             assignment: self.assignment(model_sha256)?,
@@ -86,18 +86,18 @@ impl Sharing<'_> {
             sink,
         };
         let first_issue = setup.tally.last_issue() + 1;
-        let desk = Arc::new(Desk::open(setup));
-        let served = self.serve_until_settled(&desk, first_issue, stop);
-        let (tally, refused, log) = desk.close();
+        let coordinator = Arc::new(Coordinator::open(setup));
+        let served = self.serve_until_settled(&coordinator, first_issue, stop);
+        let (tally, refused, log) = coordinator.close();
         // Whatever has failed: what was delivered is stored.
-        storing.join()?;
+        writer.join()?;
         served?;
         report(&tally, refused)?;
-        let shared = Shared::of(&tally);
-        if let Some(log) = log.filter(|_| shared.left == 0) {
+        let outcome = Outcome::of(&tally);
+        if let Some(log) = log.filter(|_| outcome.left == 0) {
             log.remove()?;
         }
-        Ok(shared)
+        Ok(outcome)
     }
 
     fn assignment(&self, model_sha256: String) -> anyhow::Result<Assignment> {
@@ -122,7 +122,7 @@ impl Sharing<'_> {
 
     fn serve_until_settled(
         &self,
-        desk: &Arc<Desk>,
+        coordinator: &Arc<Coordinator>,
         first_issue: u32,
         stop: &CancellationToken,
     ) -> anyhow::Result<()> {
@@ -131,14 +131,14 @@ impl Sharing<'_> {
             .enable_all()
             .build()
             .context("cannot start the runtime")?;
-        let served = runtime.block_on(self.serve(desk, first_issue, stop));
-        runtime.shutdown_timeout(FAREWELL);
+        let served = runtime.block_on(self.serve(coordinator, first_issue, stop));
+        runtime.shutdown_timeout(SHUTDOWN_TIMEOUT);
         served
     }
 
     async fn serve(
         &self,
-        desk: &Arc<Desk>,
+        coordinator: &Arc<Coordinator>,
         first_issue: u32,
         stop: &CancellationToken,
     ) -> anyhow::Result<()> {
@@ -151,15 +151,15 @@ impl Sharing<'_> {
         let run = self.conditions.shots_sha256.chars().take(RUN_CHARACTERS).collect::<String>();
         let name = self.folder.canonicalize().unwrap_or_else(|_| self.folder.to_owned());
         let offers = Offers {
-            desk: desk.clone(),
+            coordinator: coordinator.clone(),
             recorded: self.recorded.clone(),
             run: run.clone(),
             run_name: name.file_name().unwrap_or_default().to_string_lossy().into_owned(),
             conditions: self.conditions.clone(),
-            model_sha256: desk.assignment().reference.model_sha256.clone(),
+            model_sha256: coordinator.assignment().reference.model_sha256.clone(),
             address: address.clone(),
             token: token.clone(),
-            patience: self.patience,
+            heartbeat_timeout: self.heartbeat_timeout,
             deadline: self.deadline,
             issues: BTreeMap::new(),
             first_issue,
@@ -167,26 +167,28 @@ impl Sharing<'_> {
         warn_of_addresses(self.serve, &queue);
         tracing::info!("workers read frames and deliver results at {address}");
         let closing = CancellationToken::new();
-        let server = axum::serve(listener, desk_routes(desk.clone(), &token))
+        let server = axum::serve(listener, coordinator_routes(coordinator.clone(), &token))
             .with_graceful_shutdown(closing.clone().cancelled_owned());
         let server = tokio::spawn(async { server.await });
         let offering = tokio::spawn(offers.keep_up(queue.clone()));
-        let showing = tokio::spawn(show_progress(desk.clone()));
+        let showing = tokio::spawn(show_progress(coordinator.clone()));
         let settled = tokio::select! {
-            settled = desk.settled() => settled,
+            settled = coordinator.settled() => settled,
             () = stop.cancelled() => Ok(()),
         };
         offering.abort();
         showing.abort();
         // Workers do not look at jobs that nobody waits for. Without a broker there are none.
-        let _ = tokio::time::timeout(FAREWELL, queue.withdraw(&run, self.patience)).await;
+        let _ =
+            tokio::time::timeout(SHUTDOWN_TIMEOUT, queue.withdraw(&run, self.heartbeat_timeout))
+                .await;
         closing.cancel();
-        let _ = tokio::time::timeout(FAREWELL, server).await;
+        let _ = tokio::time::timeout(SHUTDOWN_TIMEOUT, server).await;
         Ok(settled?)
     }
 }
 
-impl Shared {
+impl Outcome {
     fn of(tally: &Tally) -> Self {
         let lost = tally.unreadable();
         let dead = tally.dead().into_iter().filter(|(shot, _)| !lost.contains_key(shot));
@@ -236,12 +238,13 @@ fn taken_up(
 }
 
 /// On a terminal as a bar, and in the log now and then.
-async fn show_progress(desk: Arc<Desk>) {
-    let mut left = desk.left();
+async fn show_progress(coordinator: Arc<Coordinator>) {
+    let mut left = coordinator.left();
     let all = *left.borrow_and_update();
     let bar = progress_bar(all, "shots");
     let began = Instant::now();
-    let mut lines = tokio::time::interval_at(tokio::time::Instant::now() + LINES, LINES);
+    let mut lines =
+        tokio::time::interval_at(tokio::time::Instant::now() + LOG_INTERVAL, LOG_INTERVAL);
     loop {
         tokio::select! {
             changed = left.changed() => match changed {
@@ -251,7 +254,7 @@ async fn show_progress(desk: Arc<Desk>) {
             _ = lines.tick() => {
                 let settled = all.saturating_sub(*left.borrow());
                 let rate = settled as f64 / began.elapsed().as_secs_f64();
-                let workers = count(desk.workers(), "worker");
+                let workers = count(coordinator.workers(), "worker");
                 tracing::info!("{settled} of {all} shots, {rate:.2} a second, {workers} so far");
             }
         }

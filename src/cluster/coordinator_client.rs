@@ -9,12 +9,12 @@ use serde_json::Value;
 use thiserror::Error;
 use ureq::{Agent, Body, http::Response};
 
-use super::{Assignment, Attempt, Begin, Frame, Verdict, routes::Trial};
+use super::{Assignment, Attempt, Begin, Frame, Verdict, routes::AttemptRequest};
 
 /// Longest time for a request: coordinators wait for their disks.
-const PATIENCE: Duration = Duration::from_secs(60);
+const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
 /// Longest time until a connection is made.
-const CONNECT: Duration = Duration::from_secs(5);
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 /// Most bytes of an answer: the largest image, stored as it is.
 const MOST_BYTES: u64 = 600 << 20;
 
@@ -37,19 +37,19 @@ pub enum ClientError {
 
 /// Blocking requests to one coordinator.
 #[derive(Debug, Clone)]
-pub struct DeskClient {
+pub struct CoordinatorClient {
     agent: Agent,
     address: String,
     authorization: String,
 }
 
-impl DeskClient {
+impl CoordinatorClient {
     /// For the coordinator at `http://ADDRESS`.
     pub fn new(address: &str, token: &str) -> Self {
         let agent = Agent::config_builder()
             .http_status_as_error(false)
-            .timeout_connect(Some(CONNECT))
-            .timeout_global(Some(PATIENCE))
+            .timeout_connect(Some(CONNECT_TIMEOUT))
+            .timeout_global(Some(REQUEST_TIMEOUT))
             .build();
         Self {
             agent: agent.into(),
@@ -87,8 +87,8 @@ impl DeskClient {
     /// # Errors
     /// [`ClientError`].
     pub fn begin(&self, shot: u64, attempt: Attempt, worker: &str) -> Result<Begin, ClientError> {
-        let trial = Trial { attempt, worker: worker.to_owned(), reason: String::new() };
-        read(self.post(&format!("shots/{shot}/begin"), &trial)?)
+        let request = AttemptRequest { attempt, worker: worker.to_owned(), reason: String::new() };
+        read(self.post(&format!("shots/{shot}/begin"), &request)?)
     }
 
     /// Says that a shot could not be measured.
@@ -102,8 +102,9 @@ impl DeskClient {
         worker: &str,
         reason: &str,
     ) -> Result<(), ClientError> {
-        let trial = Trial { attempt, worker: worker.to_owned(), reason: reason.to_owned() };
-        self.post(&format!("shots/{shot}/failure"), &trial).map(|_| ())
+        let request =
+            AttemptRequest { attempt, worker: worker.to_owned(), reason: reason.to_owned() };
+        self.post(&format!("shots/{shot}/failure"), &request).map(|_| ())
     }
 
     /// Delivers a result, as [`super::Delivery::encode`] made it.

@@ -1,4 +1,4 @@
-//! The coordinator's desk: hands records out, takes deliveries in.
+//! The coordinator's state: it hands records out and takes results in.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -22,8 +22,8 @@ use crate::{
     archive::{ShotResult, sha256},
 };
 
-/// What a desk is opened with.
-pub struct DeskSetup {
+/// What a coordinator starts with.
+pub struct CoordinatorSetup {
     /// The record.
     pub run: RecordedRun,
     /// The shots to be measured.
@@ -50,8 +50,8 @@ pub enum Begin {
     Settled,
 }
 
-/// See the module. Shared by all requests.
-pub struct Desk {
+/// Hands records out and takes results in. Shared by all requests.
+pub struct Coordinator {
     run: RecordedRun,
     shots: BTreeMap<u64, RecordedShot>,
     assignment: Assignment,
@@ -64,7 +64,7 @@ pub struct Desk {
 
 struct State {
     tally: Tally,
-    /// Both are gone once the desk is closed.
+    /// Both are gone once it is closed.
     log: Option<DeliveryLog>,
     sink: Option<SyncSender<(u64, ShotResult)>>,
     workers: BTreeSet<String>,
@@ -73,10 +73,10 @@ struct State {
     failure: Option<String>,
 }
 
-impl Desk {
-    /// Opens the desk.
-    pub fn open(setup: DeskSetup) -> Self {
-        let DeskSetup { run, shots, assignment, model, grid, tally, log, sink } = setup;
+impl Coordinator {
+    /// Ready for requests.
+    pub fn open(setup: CoordinatorSetup) -> Self {
+        let CoordinatorSetup { run, shots, assignment, model, grid, tally, log, sink } = setup;
         let (left, _) = watch::channel(tally.open().count());
         Self {
             run,
@@ -124,7 +124,7 @@ impl Desk {
             return Ok(Begin::Settled);
         }
         self.note(&mut state, shot, &report)?;
-        // What this attempt says of earlier ones may be the last straw.
+        // This attempt shows that earlier ones were lost, which may be one too many.
         Ok(match state.tally.state(shot) {
             Some(ShotState::Open) => Begin::Measure,
             _ => Begin::Settled,
@@ -256,7 +256,7 @@ impl Desk {
             if *left.borrow_and_update() == 0 {
                 return Ok(());
             }
-            // The sender lives as long as this desk.
+            // The sender lives as long as this.
             let _ = left.changed().await;
         }
     }
