@@ -78,7 +78,7 @@ const BETWEEN: f64 = 16.0;
 /// Least width of a panel: that of a title.
 const LEAST_WIDTH: f64 = 190.0;
 
-/// Panels in rows, as a file of its own.
+/// Panels in rows, as a file of its own. Edges are crisp, or cells of one colour would show seams between them.
 pub fn panels(rows: &[Vec<Panel>]) -> String {
     let (mut inside, mut y, mut widest) = (String::new(), 0.0, 0.0_f64);
     for row in rows {
@@ -111,7 +111,8 @@ pub fn panels(rows: &[Vec<Panel>]) -> String {
         y += TITLE + tallest + BETWEEN;
     }
     let outer = format!(
-        "<svg viewBox=\"0 0 {widest} {y}\" width=\"{widest}\" role=\"img\">\n{inside}</svg>\n"
+        "<svg viewBox=\"0 0 {widest} {y}\" width=\"{widest}\" role=\"img\" \
+         shape-rendering=\"crispEdges\">\n{inside}</svg>\n"
     );
     standalone(&outer)
 }
