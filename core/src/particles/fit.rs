@@ -62,7 +62,7 @@ impl FrameFit {
                 let particle = &self.particles[n];
                 let mut normal = Normal::default();
                 for (c, camera) in cameras.iter().enumerate() {
-                    camera.image(particle.at_mm, footprint);
+                    camera.image_and_derivatives(particle.at_mm, footprint);
                     let equations = self.images[c].equations(camera, footprint);
                     normal.add(&equations, &footprint.by_place, particle.light[c], c);
                 }
@@ -89,7 +89,7 @@ impl FrameFit {
                 if camera.spread_pitches(particle.at_mm) < LEAST_SPREAD_PITCHES {
                     continue;
                 }
-                camera.image(particle.at_mm, footprint);
+                camera.image_and_derivatives(particle.at_mm, footprint);
                 let light = particle.light[c];
                 let equations = self.images[c].equations(camera, footprint);
                 normal.add(&equations, &footprint.by_place, light, c);
@@ -110,7 +110,7 @@ impl FrameFit {
     ) -> Normal {
         let mut normal = Normal::default();
         for (c, camera) in cameras.iter().enumerate() {
-            camera.image(particle.at_mm, footprint);
+            camera.image_and_derivatives(particle.at_mm, footprint);
             let mut equations = self.images[c].equations(camera, footprint);
             // Its own light is not in the model yet.
             let light = particle.light[c];
