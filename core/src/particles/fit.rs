@@ -71,6 +71,33 @@ impl FrameFit {
             .collect()
     }
 
+    /// What the images say of the lights of all particles alone.
+    fn light_equations(&self, cameras: &[PointCamera]) -> Vec<Normal> {
+        let light = |footprint: &mut PointFootprint, particle: &Particle| {
+            let mut normal = Normal::default();
+            for (c, camera) in cameras.iter().enumerate() {
+                camera.image(particle.at_mm, footprint);
+                let [pull, weight] = self.images[c].light_equation(camera, footprint);
+                normal.add_light(c, pull, weight);
+            }
+            normal
+        };
+        self.particles
+            .par_iter()
+            .with_min_len(64)
+            .map_init(PointFootprint::default, light)
+            .collect()
+    }
+
+    /// Steps the lights of all particles, whose places stay.
+    pub fn step_lights(&mut self, cameras: &[PointCamera], prior: &LightPrior, rule: &StepRule) {
+        let normals = self.light_equations(cameras);
+        for (particle, normal) in self.particles.iter_mut().zip(&normals) {
+            *particle = normal.stepped(particle, cameras.len(), prior, rule).0;
+        }
+        self.render(cameras);
+    }
+
     /// Covariances of the places of the numbered particles, in mm², from the cameras that see them across
     /// several microlenses.
     ///

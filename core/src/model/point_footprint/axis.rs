@@ -148,8 +148,7 @@ impl AxisShares {
         for all in &mut all[..kinds] {
             all.resize(start + padded, 0.0);
         }
-        let Share { value, by_offset, by_parallax } =
-            self.beyond(edges.first_mm, edges.offset_mm);
+        let Share { value, by_offset, by_parallax } = self.beyond(edges.first_mm, edges.offset_mm);
         // Of the edge before the pixels that are next.
         let mut carried = [value, by_offset, by_parallax];
         // What is beyond an edge falls with the pupil's coordinate.

@@ -1,6 +1,6 @@
 //! How much wider the field's error is than its draws, from samples that were left out.
 
-use super::{Sample, field::SplineField, nodes::Nodes, roughness::sums_within};
+use super::{super::differences::Layout, Sample, field::SplineField, nodes::Nodes};
 
 /// Nodes on either side whose samples tell how wide the error is about a place.
 const REACH: usize = 2;
@@ -8,15 +8,11 @@ const REACH: usize = 2;
 /// All samples count about each place as so many more.
 const SHARED: f32 = 30.0;
 
-/// Mean of |r| of a normal distribution, in standard deviations.
-const MEAN: f32 = 0.798;
-
 /// A sample farther off than so many standard deviations counts as so far off: it may be wrong itself.
 const FARTHEST: f32 = 4.0;
 
-/// Least and most that a variance is changed by. Draws are never narrowed: samples that were left out are close
-/// to others more often than any place is.
-const LIMITS: [f32; 2] = [1.0, 100.0];
+/// Least and most that a variance is changed by.
+const LIMITS: [f32; 2] = [0.01, 100.0];
 
 /// What a sample was missed by, and by what that is explained.
 struct Missed {
@@ -63,7 +59,7 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
     for one in missed {
         let deviation = one.deviation();
         let values = [
-            one.off.min(FARTHEST * scale * deviation) / deviation,
+            (one.off / deviation).min(FARTHEST * scale).powi(2),
             1.0,
             one.own_variance,
             one.field_variance,
@@ -76,23 +72,43 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
     let [off, numbers, own, field] = &sums;
     (0..nodes.layout.len())
         .map(|n| {
-            let ratio = (off[n] / MEAN + SHARED * scale) / (numbers[n] + SHARED);
-            // (own + field) ratio² = own + factor · field
+            let square = (off[n] + SHARED * scale * scale) / (numbers[n] + SHARED);
+            if square < 1.0 {
+                // Samples know more than they state, and the field with them.
+                return square.max(LIMITS[0]);
+            }
+            // (own + field) square = own + factor · field
             let share = if field[n] > 0.0 { own[n] / field[n] } else { 0.0 };
-            (ratio * ratio * (1.0 + share) - share).clamp(LIMITS[0], LIMITS[1])
+            (square * (1.0 + share) - share).min(LIMITS[1])
         })
         .collect()
 }
 
-/// What all samples are missed by over what explains it; the farthest are cut off where it says.
+/// What all samples are missed by over what explains it, root mean square; the farthest are cut off where it
+/// says.
 fn common_scale(missed: &[Missed]) -> f32 {
-    let stated: f32 = missed.iter().map(|one| MEAN * one.deviation()).sum();
     let mut scale = 1.0f32;
-    if stated > 0.0 {
-        for _ in 0..4 {
-            let off = |one: &Missed| one.off.min(FARTHEST * scale * one.deviation());
-            scale = missed.iter().map(off).sum::<f32>() / stated;
-        }
+    for _ in 0..4 {
+        let square = |one: &Missed| (one.off / one.deviation()).min(FARTHEST * scale).powi(2);
+        let mean = missed.iter().map(square).sum::<f32>() / missed.len().max(1) as f32;
+        scale = if mean > 0.0 { mean.sqrt() } else { 1.0 };
     }
     scale
+}
+
+/// Every value replaced by the sum of those within `reach` nodes along each axis.
+fn sums_within(layout: Layout, reach: usize, values: &mut [f32]) {
+    for axis in 0..3 {
+        let (s, count) = (layout.stride(axis), layout.nodes[axis]);
+        let mut row = vec![0.0; count];
+        for start in (0..values.len()).filter(|n| n / s % count == 0) {
+            for (i, entry) in row.iter_mut().enumerate() {
+                *entry = values[start + i * s];
+            }
+            for i in 0..count {
+                let (low, high) = (i.saturating_sub(reach), (i + reach).min(count - 1));
+                values[start + i * s] = row[low..=high].iter().sum();
+            }
+        }
+    }
 }

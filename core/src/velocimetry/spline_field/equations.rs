@@ -15,11 +15,11 @@ use super::{
 /// What is asked of a field c: for every lane the least of
 ///
 /// ```text
-/// Σ w (y − B c)²  +  Σ λ (t − Δ³c)²  +  Σ μ (s − ∇·c)²
+/// Σ w (y − B c)²  +  Σ λ (t − Δ³c)²  +  Σ μ (s − ∇·c)²  +  Σ κ (b − c)²
 /// ```
 ///
-/// over samples y, third differences along the axes, and half-node points. t and s are 0 for the field
-/// itself.
+/// over samples y, third differences along the axes, half-node points, and coefficients b of the field before.
+/// t and s are 0 for the field itself.
 pub struct Equations<'a> {
     /// Where the coefficients are.
     pub nodes: &'a Nodes,
@@ -27,17 +27,23 @@ pub struct Equations<'a> {
     pub taps: &'a [Taps],
     /// Per component and sample: w.
     pub weights: [Vec<Lane>; 3],
-    /// Per component, axis and first coefficient of a third difference: λ, 0 where none starts.
-    pub stiffness: &'a [[Vec<f32>; 3]; 3],
+    /// Per component: λ of all lanes,
+    pub stiffness: [f32; 3],
+    /// times a factor for each.
+    pub factors: Lane,
     /// Divergence, where it costs anything.
     pub divergence: Option<Divergence>,
+    /// κ, greater than zero: samples and third differences alone leave some fields open.
+    pub anchor: f32,
 }
 
 /// What a field is compared with.
 pub struct Targets<'a> {
     /// Per component and sample: y.
     pub samples: &'a [Vec<Lane>; 3],
-    /// t √λ and s √μ.
+    /// Per component and coefficient: b.
+    pub before: &'a [Vec<f32>; 3],
+    /// t √λ, s √μ, and what b √κ is in all lanes but the first.
     pub noise: Option<&'a Noise>,
 }
 
@@ -58,14 +64,12 @@ impl Equations<'_> {
             let mut sum = vec![[0.0; LANES]; layout.len()];
             let values = targets.map(|targets| targets.samples[c].as_slice());
             add_samples(layout, self.taps, &self.weights[c], &field[c], values, sign, &mut sum);
+            let stiffness = self.lanes_of_stiffness(c);
             for axis in 0..3 {
-                let stiffness = &self.stiffness[c][axis];
-                let noise = targets
-                    .and_then(|targets| targets.noise)
-                    .map(|noise| noise.scaled(c, axis, stiffness));
-                let stride = layout.stride(axis);
-                add_differences(stride, stiffness, &field[c], noise.as_deref(), sign, &mut sum);
+                let noise = targets.and_then(|t| t.noise).map(|noise| (noise, c));
+                add_differences(layout, axis, stiffness, &field[c], noise, sign, &mut sum);
             }
+            self.add_anchors(c, &field[c], targets, sign, &mut sum);
             sum
         };
         let mut sums: Vectors = zeros(0);
@@ -74,6 +78,36 @@ impl Equations<'_> {
             divergence.add_forces(layout, field, targets.and_then(|t| t.noise), sign, &mut sums);
         }
         sums
+    }
+
+    /// λ of component `c`, lane by lane.
+    pub fn lanes_of_stiffness(&self, c: usize) -> Lane {
+        self.factors.map(|factor| factor * self.stiffness[c])
+    }
+
+    /// Adds sign · κ (b − c).
+    fn add_anchors(
+        &self,
+        c: usize,
+        field: &[Lane],
+        targets: Option<&Targets>,
+        sign: f32,
+        sum: &mut [Lane],
+    ) {
+        let root = self.anchor.sqrt();
+        for (n, (sum, field)) in sum.iter_mut().zip(field).enumerate() {
+            let before = targets.map_or([0.0; LANES], |targets| match targets.noise {
+                Some(noise) => {
+                    let mut drawn = noise.of_anchor(c, n).map(|sign| sign / root);
+                    drawn[0] = targets.before[c][n];
+                    drawn
+                }
+                None => [targets.before[c][n]; LANES],
+            });
+            for l in 0..LANES {
+                sum[l] += sign * self.anchor * (before[l] - field[l]);
+            }
+        }
     }
 }
 
@@ -102,31 +136,37 @@ fn add_samples(
     }
 }
 
-/// Adds sign · Δᵀ λ (t − Δ c) along the axis of nodes `s` apart; `noise` is t λ.
+/// Adds sign · Δᵀ λ (t − Δ c) along an axis; `noise` of a component gives t √λ.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn add_differences(
-    s: usize,
-    stiffness: &[f32],
+    layout: Layout,
+    axis: usize,
+    stiffness: Lane,
     field: &[Lane],
-    noise: Option<&[Lane]>,
+    noise: Option<(&Noise, usize)>,
     sign: f32,
     sum: &mut [Lane],
 ) {
-    for n in 0..stiffness.len().saturating_sub(3 * s) {
-        let (a, b, c, d) = (field[n], field[n + s], field[n + 2 * s], field[n + 3 * s]);
-        let mut force = [0.0; LANES];
-        for l in 0..LANES {
-            force[l] = -sign * stiffness[n] * (d[l] - a[l] + 3.0 * (b[l] - c[l]));
-        }
-        if let Some(noise) = noise {
+    let (s, count) = (layout.stride(axis), layout.nodes[axis]);
+    let roots = stiffness.map(f32::sqrt);
+    for start in (0..field.len()).step_by(s * count) {
+        for n in start..start + s * count.saturating_sub(3) {
+            let (a, b, c, d) = (field[n], field[n + s], field[n + 2 * s], field[n + 3 * s]);
+            let mut force = [0.0; LANES];
             for l in 0..LANES {
-                force[l] += sign * noise[n][l];
+                force[l] = -sign * stiffness[l] * (d[l] - a[l] + 3.0 * (b[l] - c[l]));
             }
-        }
-        for (place, factor) in [-1.0, 3.0, -3.0, 1.0].into_iter().enumerate() {
-            let sum = &mut sum[n + place * s];
-            for l in 0..LANES {
-                sum[l] += factor * force[l];
+            if let Some((noise, component)) = noise {
+                let signs = noise.of_difference(component, axis, n);
+                for l in 0..LANES {
+                    force[l] += sign * roots[l] * signs[l];
+                }
+            }
+            for (place, factor) in [-1.0, 3.0, -3.0, 1.0].into_iter().enumerate() {
+                let sum = &mut sum[n + place * s];
+                for l in 0..LANES {
+                    sum[l] += factor * force[l];
+                }
             }
         }
     }

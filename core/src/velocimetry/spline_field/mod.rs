@@ -2,18 +2,19 @@
 //! allow (Gesemann et al., From noisy particle tracks to velocity, acceleration and pressure fields using
 //! B-splines and penalties, 18th Int. Symp. Lisbon, 2016).
 //!
-//! Samples y with variance σ² at places x, third differences Δ³ of the coefficients c and, where the flow is
-//! incompressible, its divergence make the field that minimises
+//! Samples y with variance σ² at places x, third differences Δ³ of the coefficients c, where the flow is
+//! incompressible its divergence, and, loosely, the coefficients b of the field before make the field that
+//! minimises
 //!
 //! ```text
-//! Σ ρ((y − B c)/σ)  +  Σ λ (Δ³c)²  +  Σ μ (∇·c)²
+//! Σ ρ((y − B c)/σ)  +  Σ λ (Δ³c)²  +  Σ μ (∇·c)²  +  Σ κ (b − c)²
 //! ```
 //!
 //! ρ is the negative logarithm of Student's distribution, minimised by reweighted least squares (`fit`). How
-//! rough the field may be, λ, is estimated about each place from the field and what is left open of it
-//! (`roughness`), never from the field alone. What is left open is known by draws: the same equations with
-//! random right-hand sides (`noise`), solved beside the field itself (`lanes`). What samples that were left
-//! out are missed by says how far the draws can be trusted (`calibration`).
+//! stiff the field is, λ, is chosen by how well samples that are left out are predicted (`stiffness`). What is
+//! left open is known by draws: the same equations with random right-hand sides (`noise`), solved beside the
+//! field itself (`lanes`). What left-out samples are missed by says how far the draws can be trusted
+//! (`calibration`).
 
 mod calibration;
 mod divergence;
@@ -25,13 +26,14 @@ mod nodes;
 mod noise;
 mod nugget;
 mod preconditioner;
-mod roughness;
 mod scatter;
 mod solve;
+mod stiffness;
 
 pub use field::SplineField;
-use fit::{Fit, Round};
+use fit::{Effort, Fit};
 use nodes::Nodes;
+use stiffness::Ladder;
 
 /// The displacement of a particle, or of anything else that is known at a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,17 +52,21 @@ const NODES_PER_PARTICLE: f32 = 0.9;
 /// Finest and coarsest nodes, in voxels.
 const STEPS_VOX: [f32; 2] = [2.0, 12.0];
 
-/// Slack of the rounds, in voxels, down from what a first field may miss.
-const SLACK_VOX: [f32; 10] = [1.0, 0.5, 0.3, 0.15, 0.07, 0.03, 0.0, 0.0, 0.0, 0.0];
+/// Largest third difference of neighbouring coefficients that is expected at first, in voxels, and the ratio of
+/// those that are tried at first and once samples are weighted by their real errors.
+const LARGEST_DIFFERENCE_VOX: f32 = 1.0;
+const RATIOS: [f32; 2] = [2.5, 1.5];
 
-/// Rounds begin with no more slack than so many times the first field's error.
-const FIRST_SLACK: f32 = 4.0;
+/// Slack of samples at first, over what the field before errs by, and in the second round.
+const SLACK: [f32; 2] = [0.5, 0.1];
 
-/// Slack below which particles that are far off are taken for wrong.
-const ROBUST_BELOW_VOX: f32 = 0.05;
+/// Rounds in which samples are weighted by their real errors.
+const ROUNDS: usize = 3;
 
-/// Steps of conjugate gradients in a round.
-const STEPS: usize = 12;
+/// To try penalties, to follow samples, and to solve without the samples that are left out.
+const TRYING: Effort = Effort { steps: 40, tolerance: 1e-3 };
+const FOLLOWING: Effort = Effort { steps: 30, tolerance: 3e-3 };
+const LEAVING_OUT: Effort = Effort { steps: 60, tolerance: 2e-3 };
 
 /// Nodes over a box from `low_vox` to `high_vox` that holds so many particles: about one for each.
 fn nodes_for(low_vox: [f32; 3], high_vox: [f32; 3], particles: usize) -> Nodes {
@@ -81,17 +87,21 @@ pub fn through(
     incompressible: bool,
 ) -> (SplineField, Vec<[f32; 3]>) {
     let nodes = nodes_for(low_vox, high_vox, samples.len());
-    let mut fit = Fit::new(nodes, start, incompressible);
-    let slacks = SLACK_VOX.into_iter().filter(|slack| *slack <= FIRST_SLACK * error_vox);
-    for (n, slack_vox) in slacks.enumerate() {
-        if n > 0 {
-            fit.learn_roughness();
+    let mut fit = Fit::new(nodes, samples, start, incompressible);
+    fit.weigh(SLACK[0] * error_vox);
+    fit.choose_stiffness(&Ladder::expecting(LARGEST_DIFFERENCE_VOX, RATIOS[0]), 0, TRYING);
+    fit.improve(FOLLOWING);
+    fit.weigh(SLACK[1] * error_vox);
+    fit.improve(FOLLOWING);
+    for round in 0..ROUNDS {
+        fit.weigh(0.0);
+        if round == 0 {
+            fit.choose_stiffness(&Ladder::about(RATIOS[1]), 1, TRYING);
         }
-        let robust = slack_vox < ROBUST_BELOW_VOX;
-        fit.adjust(samples, Round { slack_vox, robust, steps: STEPS });
+        fit.improve(FOLLOWING);
     }
-    let missed = fit.left_out(samples);
-    (fit.calibrated(samples, &missed), missed)
+    let missed = fit.left_out(LEAVING_OUT);
+    (fit.calibrated(&missed), missed)
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ pub struct Noise;
 const SAMPLES: usize = 0;
 const DIFFERENCES: usize = 3;
 const DIVERGENCE: usize = 12;
+const ANCHORS: usize = 13;
 
 impl Noise {
     /// ε of sample `n` in component `c`.
@@ -22,13 +23,14 @@ impl Noise {
         signs(SAMPLES + c, n)
     }
 
-    /// ε √λ of the third differences along an axis of component `c`.
-    pub fn scaled(self, c: usize, axis: usize, stiffness: &[f32]) -> Vec<Lane> {
-        let scaled = |(n, stiffness): (usize, &f32)| {
-            let root = stiffness.sqrt();
-            signs(DIFFERENCES + 3 * c + axis, n).map(|sign| root * sign)
-        };
-        stiffness.iter().enumerate().map(scaled).collect()
+    /// ε of the third difference along an axis of component `c` that starts at coefficient `n`.
+    pub fn of_difference(self, c: usize, axis: usize, n: usize) -> Lane {
+        signs(DIFFERENCES + 3 * c + axis, n)
+    }
+
+    /// ε of coefficient `n` of component `c` about the field before.
+    pub fn of_anchor(self, c: usize, n: usize) -> Lane {
+        signs(ANCHORS + c, n)
     }
 
     /// ε of the divergence in cell `n`.

@@ -39,7 +39,7 @@ pub struct Modes {
 pub struct Preconditioner<'a> {
     modes: &'a Modes,
     /// 1 over the equations' diagonal in the modes, per component.
-    inverse: [Vec<f32>; 3],
+    inverse: [Vec<Lane>; 3],
     /// Root of the mean diagonal over each coefficient's own, per component: where there is more data
     /// than elsewhere.
     scale: [Vec<f32>; 3],
@@ -101,7 +101,7 @@ impl Modes {
 impl<'a> Preconditioner<'a> {
     /// For equations on the lattice of `modes`.
     pub fn new(modes: &'a Modes, equations: &Equations) -> Self {
-        let parts: Vec<(Vec<f32>, Vec<f32>)> =
+        let parts: Vec<(Vec<Lane>, Vec<f32>)> =
             (0..3usize).into_par_iter().map(|c| of_component(modes, equations, c)).collect();
         let mut preconditioner =
             Self { modes, inverse: Default::default(), scale: Default::default() };
@@ -134,7 +134,11 @@ impl<'a> Preconditioner<'a> {
                 );
                 std::mem::swap(&mut field, &mut other);
             }
-            scaled(&mut field, &self.inverse[c]);
+            for (value, inverse) in field.iter_mut().zip(&self.inverse[c]) {
+                for l in 0..LANES {
+                    value[l] *= inverse[l];
+                }
+            }
             for (axis, modes) in self.modes.axes.iter().enumerate() {
                 turn(
                     &modes.transposed,
@@ -153,17 +157,12 @@ impl<'a> Preconditioner<'a> {
 }
 
 /// 1 over the diagonal in the modes, and the scales, of component `c`.
-fn of_component(modes: &Modes, equations: &Equations, c: usize) -> (Vec<f32>, Vec<f32>) {
+fn of_component(modes: &Modes, equations: &Equations, c: usize) -> (Vec<Lane>, Vec<f32>) {
     let (layout, count) = (modes.layout, modes.layout.len());
     let cells: f64 = (0..3).map(|axis| equations.nodes.cells(axis) as f64).product();
     // Lane 0 stands for all: lanes differ little in what counts.
     let weight = equations.weights[c].iter().map(|w| f64::from(w[0])).sum::<f64>() / cells;
-    let stiffness: [f64; 3] = std::array::from_fn(|axis| {
-        let logs = equations.stiffness[c][axis].iter().filter(|s| **s > 0.0);
-        let (sum, known) =
-            logs.fold((0.0, 0.0), |(sum, known), s| (sum + f64::from(s.ln()), known + 1.0));
-        if known > 0.0 { (sum / known).exp() } else { 0.0 }
-    });
+    let stiffness = equations.lanes_of_stiffness(c).map(f64::from);
     let divergence = equations.divergence.map_or((0.0, 1.0), |divergence| {
         (f64::from(divergence.stiffness), f64::from(divergence.step_vox))
     });
@@ -172,42 +171,38 @@ fn of_component(modes: &Modes, equations: &Equations, c: usize) -> (Vec<f32>, Ve
     for n in 0..count {
         let [i, j, k] = layout.place(n);
         let data = weight * x.data[i] * y.data[j] * z.data[k];
-        let stiff =
-            stiffness[0] * x.penalty[i] + stiffness[1] * y.penalty[j] + stiffness[2] * z.penalty[k];
+        let rough = x.penalty[i] + y.penalty[j] + z.penalty[k];
         let along = |axis: usize, of: usize| {
             let modes = &modes.axes[axis];
             if axis == c { modes.slope[of] / divergence.1.powi(2) } else { modes.halfway[of] }
         };
         let divergence = divergence.0 * along(0, i) * along(1, j) * along(2, k);
-        let all = data + stiff + divergence;
-        inverse.push(if all > 0.0 { (1.0 / all) as f32 } else { 0.0 });
+        let even = data + divergence + f64::from(equations.anchor);
+        inverse.push(stiffness.map(|stiffness| (1.0 / (even + stiffness * rough)) as f32));
     }
-    (inverse, scales(equations, c, weight, stiffness))
+    (inverse, scales(equations, c, weight))
 }
 
 /// Root of the diagonal that constant weights would give over the coefficients' own.
-fn scales(equations: &Equations, c: usize, weight: f64, stiffness: [f64; 3]) -> Vec<f32> {
+fn scales(equations: &Equations, c: usize, weight: f64) -> Vec<f32> {
     let layout = equations.nodes.layout;
-    let mut own = vec![0.0f32; layout.len()];
+    let mut rough = vec![equations.anchor; layout.len()];
+    for axis in 0..3 {
+        let s = layout.stride(axis);
+        for n in (0..layout.len()).filter(|&n| layout.starts(axis, n)) {
+            for (place, square) in [1.0, 9.0, 9.0, 1.0].into_iter().enumerate() {
+                rough[n + place * s] += square * equations.stiffness[c];
+            }
+        }
+    }
+    let mut own = rough.clone();
     for (taps, weight) in equations.taps.iter().zip(&equations.weights[c]) {
         taps.scatter_squares(layout, weight[0], &mut own);
     }
     // Mean square of a B-spline over its four cells, along three axes.
     let mean = (weight * (151.0f64 / 315.0).powi(3)) as f32;
-    let mut constant = vec![mean; layout.len()];
-    for (axis, stiffness) in stiffness.into_iter().enumerate() {
-        let s = layout.stride(axis);
-        for n in (0..layout.len()).filter(|&n| layout.starts(axis, n)) {
-            for (place, square) in [1.0, 9.0, 9.0, 1.0].into_iter().enumerate() {
-                own[n + place * s] += square * equations.stiffness[c][axis][n];
-                constant[n + place * s] += square * stiffness as f32;
-            }
-        }
-    }
-    let scale = |(constant, own): (&f32, &f32)| {
-        (constant / own.max(1e-6 * constant)).sqrt().clamp(0.1, 10.0)
-    };
-    constant.iter().zip(&own).map(scale).collect()
+    let scale = |(rough, own): (&f32, &f32)| ((rough + mean) / own).sqrt().clamp(0.1, 10.0);
+    rough.iter().zip(&own).map(scale).collect()
 }
 
 /// Multiplies every row along the axis of `count` nodes `s` apart by a matrix, stored row by row.

@@ -2,11 +2,12 @@
 
 use super::{
     equations::Equations,
+    fit::Effort,
     lanes::{Lane, Vectors, add, dot, turn},
     preconditioner::Preconditioner,
 };
 
-/// Moves `field` towards the solution, of whose equations `residual` is left: `steps` steps of conjugate
+/// Moves `field` towards the solution, of whose equations `residual` is left: at most so many steps of conjugate
 /// gradients (Hestenes and Stiefel, J. Res. Natl. Bur. Stand. 49, 1952), each lane with its own step
 /// lengths, or fewer once every lane's residual, in the preconditioner's norm, is `tolerance` of its first.
 pub fn improve(
@@ -14,8 +15,7 @@ pub fn improve(
     preconditioner: &Preconditioner,
     mut residual: Vectors,
     field: &mut Vectors,
-    steps: usize,
-    tolerance: f64,
+    Effort { steps, tolerance }: Effort,
 ) {
     let mut step = preconditioner.applied(&residual);
     let mut square = dot(&residual, &step);

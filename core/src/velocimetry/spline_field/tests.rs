@@ -9,7 +9,6 @@ use super::{
     lanes::{LANES, Lane, Vectors, zeros},
     noise::Noise,
     preconditioner::{Modes, Preconditioner},
-    roughness::{Stiffness, even},
     solve::improve,
     *,
 };
@@ -48,13 +47,17 @@ fn wave(wavelength: f32, [x, y, z]: [f32; 3]) -> [f32; 3] {
     [(k * z).sin() + (k * y).cos(), (k * x).sin() + (k * z).cos(), (k * y).sin() + (k * x).cos()]
 }
 
+/// Lanes differ in how stiff they are.
+const FACTORS: Lane = [1.0, 2.0, 0.5, 3.0, 1.0, 0.3, 1.0, 1.0];
+
 /// A small problem with all its parts, of random weights.
 struct Problem {
     nodes: Nodes,
     taps: Vec<nodes::Taps>,
     weights: [Vec<Lane>; 3],
-    stiffness: [Stiffness; 3],
+    stiffness: [f32; 3],
     values: [Vec<Lane>; 3],
+    before: [Vec<f32>; 3],
 }
 
 impl Problem {
@@ -70,8 +73,11 @@ impl Problem {
             })
         };
         let (weights, values) = (lanes(0.5, 2.0), lanes(-1.0, 1.0));
-        let stiffness = std::array::from_fn(|c| even(nodes.layout, 0.3 + 0.1 * c as f32));
-        Self { nodes, taps, weights, stiffness, values }
+        let stiffness = [3.7, 2.1, 1.3];
+        let before = std::array::from_fn(|c| {
+            (0..nodes.layout.len()).map(|n| 0.01 * ((c + n) % 7) as f32).collect()
+        });
+        Self { nodes, taps, weights, stiffness, values, before }
     }
 
     fn equations(&self) -> Equations<'_> {
@@ -79,12 +85,14 @@ impl Problem {
             nodes: &self.nodes,
             taps: &self.taps,
             weights: self.weights.clone(),
-            stiffness: &self.stiffness,
+            stiffness: self.stiffness,
+            factors: FACTORS,
             divergence: Some(Divergence { step_vox: 4.0, stiffness: 5.0 }),
+            anchor: 0.1,
         }
     }
 
-    /// The equations of lane `l` row by row: samples, third differences, divergence; with what each row is
+    /// The equations of lane `l` row by row: samples, third differences, anchors, divergence; with what each row is
     /// to be, and its weight.
     fn rows(&self, l: usize) -> (DMatrix<f64>, DVector<f64>) {
         let layout = self.nodes.layout;
@@ -103,15 +111,24 @@ impl Problem {
             }
             for axis in 0..3 {
                 let s = layout.stride(axis);
-                let noise = Noise.scaled(c, axis, &self.stiffness[c][axis]);
                 for n in (0..count).filter(|&n| layout.starts(axis, n)) {
-                    let root = f64::from(self.stiffness[c][axis][n]).sqrt();
+                    let root = f64::from(self.stiffness[c] * FACTORS[l]).sqrt();
                     let mut whole = vec![0.0; 3 * count];
                     for (place, factor) in [-1.0, 3.0, -3.0, 1.0].into_iter().enumerate() {
                         whole[c * count + n + place * s] = root * factor;
                     }
-                    rows.push((whole, f64::from(noise[n][l]) / root));
+                    rows.push((whole, f64::from(Noise.of_difference(c, axis, n)[l])));
                 }
+            }
+            for n in 0..count {
+                let root = 0.1f64.sqrt();
+                let mut whole = vec![0.0; 3 * count];
+                whole[c * count + n] = root;
+                let drawn = f64::from(Noise.of_anchor(c, n)[l]);
+                rows.push((
+                    whole,
+                    if l == 0 { root * f64::from(self.before[c][n]) } else { drawn },
+                ));
             }
         }
         for n in (0..count).filter(|&n| (0..3).all(|axis| layout.starts(axis, n))) {
@@ -150,7 +167,8 @@ fn the_equations_are_those_of_a_dense_matrix() {
     let mut field = zeros(problem.nodes.layout.len());
     field.iter_mut().flatten().for_each(|lanes| *lanes = [(); LANES].map(|()| random.random()));
     let applied = equations.applied(&field);
-    let targets = Targets { samples: &problem.values, noise: Some(&Noise) };
+    let targets =
+        Targets { samples: &problem.values, before: &problem.before, noise: Some(&Noise) };
     let residual = equations.residual(&field, &targets);
     for l in [0, 3] {
         let (rows, right) = problem.rows(l);
@@ -166,11 +184,18 @@ fn conjugate_gradients_come_to_the_solution_of_the_dense_matrix() {
     let problem = Problem::new();
     let equations = problem.equations();
     let mut field = zeros(problem.nodes.layout.len());
-    let targets = Targets { samples: &problem.values, noise: Some(&Noise) };
+    let targets =
+        Targets { samples: &problem.values, before: &problem.before, noise: Some(&Noise) };
     let residual = equations.residual(&field, &targets);
     let modes = Modes::new(problem.nodes.layout);
     let preconditioner = Preconditioner::new(&modes, &equations);
-    improve(&equations, &preconditioner, residual, &mut field, 60, 1e-6);
+    improve(
+        &equations,
+        &preconditioner,
+        residual,
+        &mut field,
+        Effort { steps: 60, tolerance: 1e-6 },
+    );
     for l in [0, 5] {
         let (rows, right) = problem.rows(l);
         let normal = rows.transpose() * &rows;
@@ -184,7 +209,7 @@ fn conjugate_gradients_come_to_the_solution_of_the_dense_matrix() {
 fn a_fields_derivatives_are_its_slopes() {
     let start = |[x, y, z]: [f32; 3]| [0.1 * x - 0.2 * z, 0.3 * y, 0.05 * x * z];
     let nodes = Nodes::covering(LOW, HIGH, 5.0);
-    let field = Fit::new(nodes, start, false).field();
+    let field = Fit::new(nodes, &[], start, false).field();
     let mut random = random();
     for _ in 0..50 {
         let at = place(&mut random).map(|v| v.clamp(1.0, 31.0));
