@@ -3,7 +3,12 @@
 //! Figures are printed: `cargo test --package lfpiv-core --test capabilities placed -- --nocapture`;
 //! the whole bench's are those of `lfpiv bench --set particles`.
 
-use lfpiv_core::{lightfield::ImagePair, measurement::Processor, particles::PlacedParticles};
+use lfpiv_core::{
+    lightfield::ImagePair,
+    measurement::{Measurement, Processor},
+    particles::PlacedParticles,
+    velocimetry::VectorStatus,
+};
 use lfpiv_sim::{Scene, Truth};
 
 use crate::support::Bench;
@@ -101,4 +106,37 @@ fn blur_and_lights_are_found_in_the_images() {
         assert!((second / first - 0.7).abs() < 0.1, "{first} {second}");
     }
     assert!(found.found > 0.65 && found.wrong < 0.08 && found.median_vox < 0.01);
+}
+
+/// Mean |error| along x, y, z over valid vectors, and the share of vectors that are valid.
+fn error_of_field(place_particles: bool) -> (f64, f64) {
+    let mut config = Bench::shipped("bench");
+    config.volume.voxels = [30; 3];
+    config.velocimetry.place_particles = place_particles;
+    let scene = config.simulation.as_mut().unwrap();
+    scene.ppm = 12.5 * 3.0 * 0.01;
+    let scene = scene.clone();
+    let shot = scene.shot(&config.geometry(), 5, 0);
+    let pair = ImagePair { cameras: shot.images };
+    let processor =
+        Processor::new(Measurement { spacing_mm: Some(0.4), ..config.measurement() }).unwrap();
+    let field = processor.process(&pair).unwrap().field;
+    let valid: Vec<usize> =
+        (0..field.grid.len()).filter(|&n| field.status[n] == VectorStatus::Valid).collect();
+    let error = |&n: &usize| -> f64 {
+        let moved_mm = scene.flow.displacement_mm(field.grid.position_mm(n), field.dt_s);
+        (0..3)
+            .map(|c| (f64::from(field.displacement_vox[n][c]) - moved_mm[c] / field.voxel_mm).abs())
+            .sum::<f64>()
+            / 3.0
+    };
+    let mean = valid.iter().map(error).sum::<f64>() / valid.len() as f64;
+    (mean, valid.len() as f64 / field.grid.len() as f64)
+}
+
+#[test]
+fn the_field_through_placed_particles_is_closer_to_the_flow() {
+    let [(windows, _), (placed, valid)] = [false, true].map(error_of_field);
+    println!("{windows:.4} voxel by correlation, {placed:.4} through placed particles");
+    assert!(placed < 0.9 * windows && valid > 0.95, "{windows} {placed} {valid}");
 }

@@ -7,11 +7,11 @@ use crate::{
     lightfield::ImagePair,
     model::{CameraCalibration, ModelError, PointCamera, VolumeGrid},
     particles::{
-        Candidate, FIRST_WIDTH_PX, FrameStart, ParticleImage, PixelNoise, PlacedParticles,
-        blur_of_width, place_pairs,
+        Candidate, FIRST_WIDTH_PX, FrameStart, ParticleImage, ParticlePair, PixelNoise,
+        PlacedParticles, blur_of_width, place_pairs,
     },
     reconstruction::SparseVolume,
-    velocimetry::{DisplacementField, PointCloud, particles},
+    velocimetry::{DisplacementField, PointCloud, Sample, particles},
 };
 
 /// How the cameras image points of `volume`, with the blur that the fit starts from.
@@ -31,6 +31,9 @@ pub(super) fn point_cameras(
     };
     cameras.iter().enumerate().map(camera).collect()
 }
+
+/// Least standard deviation of a particle's displacement, in voxels: what the path's midpoint rule resolves.
+const LEAST_DEVIATION_VOX: f32 = 1e-3;
 
 /// A pair after correlation, before its particles are placed.
 pub(super) struct Found<'a> {
@@ -76,4 +79,18 @@ impl Found<'_> {
             candidates: candidates.collect(),
         }
     }
+}
+
+/// What `pairs` say of the displacement, in voxels of `grid`.
+pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> {
+    let vox = |mm: f64| (mm / grid.voxel_mm) as f32;
+    let sample = |pair: &ParticlePair| {
+        let middle_mm = pair.middle_mm();
+        Sample {
+            middle_vox: std::array::from_fn(|axis| grid.index_of(axis, middle_mm[axis]) as f32),
+            displacement_vox: pair.displacement_mm().map(vox),
+            variance_vox2: pair.uncertainty_mm().map(|mm| vox(mm).max(LEAST_DEVIATION_VOX).powi(2)),
+        }
+    };
+    pairs.iter().map(sample).collect()
 }

@@ -15,7 +15,7 @@ use crate::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
-        placed::{Found, point_cameras},
+        placed::{Found, point_cameras, samples},
         plan::Plan,
     },
     model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid},
@@ -111,8 +111,10 @@ struct Measured {
     result: PairResult,
     /// The light of frames a and b.
     volumes: [SparseVolume; 2],
-    /// The field behind the vectors.
+    /// The field behind the vectors by correlation.
     everywhere: DisplacementField,
+    /// The particles in the images, where the field follows them.
+    placed: Option<PlacedParticles>,
 }
 
 impl Processor {
@@ -215,17 +217,30 @@ impl Processor {
         &self,
         pair: &ImagePair,
     ) -> Result<(PairResult, PlacedParticles), ProcessError> {
-        let Measured { result, volumes, everywhere } = self.measure(pair)?;
+        let Measured { result, volumes, everywhere, placed } = self.measure(pair)?;
+        let placed = match placed {
+            Some(placed) => placed,
+            None => self.place(pair, &volumes, &everywhere)?,
+        };
+        Ok((result, placed))
+    }
+
+    /// The particles of a pair whose light is in `volumes`.
+    fn place(
+        &self,
+        pair: &ImagePair,
+        volumes: &[SparseVolume; 2],
+        field: &DisplacementField,
+    ) -> Result<PlacedParticles, ProcessError> {
         let grid = self.interrogation.cloud_grid();
-        let placed = Found {
+        let found = Found {
             cameras: &point_cameras(&self.measurement, &grid)?,
             correction: &self.correction(),
             volumes: volumes.each_ref(),
-            field: &everywhere,
+            field,
             grid: &grid,
-        }
-        .place(pair);
-        Ok((result, placed))
+        };
+        Ok(found.place(pair))
     }
 
     fn correction(&self) -> Correction<'_> {
@@ -250,7 +265,7 @@ impl Processor {
         let micro_images = model_fit::micro_images(&self.measurement, pair);
         let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
         let found_s = seconds_since(self.clock, started);
-        drop(handed);
+        let kept = self.measurement.velocimetry.place_particles.then_some(handed);
 
         let started = (self.clock)();
         let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
@@ -279,8 +294,14 @@ impl Processor {
         .fit();
         let judge_s = found_s + seconds_since(self.clock, started);
         let volumes = [solved_a.volume, solved_b.volume];
+        let mut placed = None;
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
+        } else if let Some(pair) = kept {
+            let found = self.place(pair.borrow(), &volumes, &everywhere)?;
+            let samples = samples(&found.pairs, &grid);
+            field = self.interrogation.through_placed(&field, &everywhere, &samples);
+            placed = Some(found);
         }
         tracing::debug!(
             "model fit {}: {}",
@@ -297,7 +318,7 @@ impl Processor {
             light: None,
             fit: Some(fit),
         };
-        Ok(Measured { result, volumes, everywhere })
+        Ok(Measured { result, volumes, everywhere, placed })
     }
 
     /// What the reader should know about a pair, the worst first.

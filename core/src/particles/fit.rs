@@ -62,13 +62,40 @@ impl FrameFit {
                 let particle = &self.particles[n];
                 let mut normal = Normal::default();
                 for (c, camera) in cameras.iter().enumerate() {
-                    camera.image(particle.at_mm, footprint);
+                    camera.image_and_derivatives(particle.at_mm, footprint);
                     let equations = self.images[c].equations(camera, footprint);
                     normal.add(&equations, &footprint.by_place, particle.light[c], c);
                 }
                 normal
             })
             .collect()
+    }
+
+    /// What the images say of the lights of all particles alone.
+    fn light_equations(&self, cameras: &[PointCamera]) -> Vec<Normal> {
+        let light = |footprint: &mut PointFootprint, particle: &Particle| {
+            let mut normal = Normal::default();
+            for (c, camera) in cameras.iter().enumerate() {
+                camera.image(particle.at_mm, footprint);
+                let [pull, weight] = self.images[c].light_equation(camera, footprint);
+                normal.add_light(c, pull, weight);
+            }
+            normal
+        };
+        self.particles
+            .par_iter()
+            .with_min_len(64)
+            .map_init(PointFootprint::default, light)
+            .collect()
+    }
+
+    /// Steps the lights of all particles, whose places stay.
+    pub fn step_lights(&mut self, cameras: &[PointCamera], prior: &LightPrior, rule: &StepRule) {
+        let normals = self.light_equations(cameras);
+        for (particle, normal) in self.particles.iter_mut().zip(&normals) {
+            *particle = normal.stepped(particle, cameras.len(), prior, rule).0;
+        }
+        self.render(cameras);
     }
 
     /// Covariances of the places of the numbered particles, in mm², from the cameras that see them across
@@ -89,7 +116,7 @@ impl FrameFit {
                 if camera.spread_pitches(particle.at_mm) < LEAST_SPREAD_PITCHES {
                     continue;
                 }
-                camera.image(particle.at_mm, footprint);
+                camera.image_and_derivatives(particle.at_mm, footprint);
                 let light = particle.light[c];
                 let equations = self.images[c].equations(camera, footprint);
                 normal.add(&equations, &footprint.by_place, light, c);
@@ -110,7 +137,7 @@ impl FrameFit {
     ) -> Normal {
         let mut normal = Normal::default();
         for (c, camera) in cameras.iter().enumerate() {
-            camera.image(particle.at_mm, footprint);
+            camera.image_and_derivatives(particle.at_mm, footprint);
             let mut equations = self.images[c].equations(camera, footprint);
             // Its own light is not in the model yet.
             let light = particle.light[c];

@@ -297,7 +297,7 @@ mod tests {
         };
         for at_mm in [[0.03, 0.01, 0.02], [1.21, -1.37, 0.4], [-1.6, 1.8, -1.7]] {
             let mut footprint = PointFootprint::default();
-            camera.image(at_mm, &mut footprint);
+            camera.image_and_derivatives(at_mm, &mut footprint);
             let (expected, left) = reference(&view, &camera, &footprint);
             let (open, stride) = (camera.open_shares(), camera.open_stride());
             let found = equations(&view, open, stride, &footprint, false);

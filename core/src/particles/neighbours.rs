@@ -4,6 +4,8 @@
 pub struct Neighbours<'a> {
     points: &'a [[f32; 3]],
     reach: f32,
+    /// Edge of a cell: no shorter than the reach, and long enough that there are not many more cells than points.
+    edge: f32,
     first: [f32; 3],
     cells: [usize; 3],
     /// Where the points of each cell begin in `order`, and where the last ones end.
@@ -18,13 +20,15 @@ impl<'a> Neighbours<'a> {
             std::array::from_fn(|axis| points.iter().map(|p| p[axis]).fold(start, pick))
         };
         let (low, high) = (bound(f32::min, f32::INFINITY), bound(f32::max, f32::NEG_INFINITY));
+        let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f32::max);
+        let edge = reach.max(longest / (points.len() as f32).cbrt());
         let cells = if points.is_empty() {
             [0; 3]
         } else {
-            std::array::from_fn(|axis| ((high[axis] - low[axis]) / reach) as usize + 1)
+            std::array::from_fn(|axis| ((high[axis] - low[axis]) / edge) as usize + 1)
         };
         let mut neighbours =
-            Self { points, reach, first: low, cells, starts: Vec::new(), order: Vec::new() };
+            Self { points, reach, edge, first: low, cells, starts: Vec::new(), order: Vec::new() };
         neighbours.sort();
         neighbours
     }
@@ -50,7 +54,7 @@ impl<'a> Neighbours<'a> {
 
     fn cell_of(&self, at: [f32; 3]) -> usize {
         let place = |axis: usize| {
-            (((at[axis] - self.first[axis]) / self.reach) as usize).min(self.cells[axis] - 1)
+            (((at[axis] - self.first[axis]) / self.edge) as usize).min(self.cells[axis] - 1)
         };
         (place(2) * self.cells[1] + place(1)) * self.cells[0] + place(0)
     }
@@ -61,7 +65,7 @@ impl<'a> Neighbours<'a> {
             return;
         }
         let range = |axis: usize| {
-            let place = ((at[axis] - self.first[axis]) / self.reach).floor() as i64;
+            let place = ((at[axis] - self.first[axis]) / self.edge).floor() as i64;
             let last = self.cells[axis] as i64;
             (place - 1).clamp(0, last) as usize..(place + 2).clamp(0, last) as usize
         };

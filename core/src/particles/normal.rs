@@ -82,6 +82,12 @@ impl Normal {
         self.right[3 + camera] += of.right[0];
     }
 
+    /// Adds what a camera's residual says of the light alone: Σ g r / v and Σ g² / v.
+    pub fn add_light(&mut self, camera: usize, pull: f64, weight: f64) {
+        self.matrix[(3 + camera, 3 + camera)] += weight;
+        self.right[3 + camera] += pull;
+    }
+
     /// Adds what is known before: a ratio of the lights, and that a camera that is not there has none.
     fn with_prior(&self, particle: &Particle, cameras: usize, prior: &LightPrior) -> Self {
         let mut normal = self.clone();

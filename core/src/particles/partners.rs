@@ -1,15 +1,21 @@
 //! Both frames support each other: where the flow takes the particles of one, those of the other should be.
 
+use rayon::prelude::*;
+
 use super::{
     fit::FrameFit,
     flow::{Flow, middle},
     neighbours::Neighbours,
     normal::{CAMERAS, LightPrior, Particle},
 };
+use crate::model::{PointCamera, PointFootprint};
 
 /// Share of its partner's light that a proposed particle starts with where the frame has none of its own.
 /// The fit increases the light of a true one.
 const STARTING_SHARE: f64 = 0.3;
+
+/// Least share of the typical light that the residual must have for a proposed particle.
+const LEAST_LIGHT: f64 = 0.1;
 
 /// The particles of both frames at mid-pair, and which of them belong together.
 pub struct Partners {
@@ -37,6 +43,12 @@ impl Partners {
         self.partners[0].iter().enumerate().filter_map(|(a, b)| Some([a, (*b)?]))
     }
 
+    /// The particles of a frame that have no partner.
+    pub fn alone(&self, frame: usize) -> impl Iterator<Item = usize> + '_ {
+        let partners = self.partners[frame].iter().enumerate();
+        partners.filter(|(_, partner)| partner.is_none()).map(|(n, _)| n)
+    }
+
     /// Where a particle of the other frame would be in frame `frame`, in mm.
     pub fn place_in(&self, frame: usize, n: usize, flow: Flow<'_>, voxel_mm: f64) -> [f64; 3] {
         let middle_mm = self.middles[1 - frame][n].map(|vox| f64::from(vox) * voxel_mm);
@@ -62,39 +74,62 @@ fn mutual(middles: &[Vec<[f32; 3]>; 2], reach: f32) -> [Vec<Option<usize>>; 2] {
     [both(&a, &b), both(&b, &a)]
 }
 
-/// Proposes particles without a partner to the other frame. A particle without a partner near a proposal
-/// shares its light with it: the fit decides which of the two remains.
+/// A place that is proposed to a frame.
+struct Proposal {
+    /// The particle of the other frame.
+    particle: Particle,
+    at_mm: [f64; 3],
+    /// The frame's own particle beside it that has no partner either.
+    rival: Option<usize>,
+}
+
+/// Proposes particles without a partner to the other frame, where its residual has light for them. A particle
+/// without a partner near a proposal shares its light with it: the fit decides which of the two remains.
 pub fn exchange(
     fits: &mut [FrameFit; 2],
     partners: &Partners,
     flow: Flow<'_>,
-    priors: &[LightPrior; 2],
+    (cameras, priors): (&[PointCamera], &[LightPrior; 2]),
     (near_vox, voxel_mm): (f64, f64),
 ) {
-    let found = [0, 1].map(|frame: usize| fits[frame].particles.clone());
-    for frame in 0..2 {
+    let proposals = [0, 1].map(|frame: usize| {
         let other = 1 - frame;
-        let alone: Vec<usize> =
-            (0..found[frame].len()).filter(|&n| partners.partners[frame][n].is_none()).collect();
+        let alone: Vec<usize> = partners.alone(frame).collect();
         let places: Vec<[f32; 3]> = alone.iter().map(|&n| partners.middles[frame][n]).collect();
         let near = Neighbours::new(&places, near_vox as f32);
-        for (n, particle) in found[other].iter().enumerate() {
-            if partners.partners[other][n].is_some() {
-                continue;
-            }
-            let rival = near.nearest(partners.middles[other][n], near_vox as f32);
+        let proposal = |n: usize| Proposal {
+            particle: fits[other].particles[n],
+            at_mm: partners.place_in(frame, n, flow, voxel_mm),
+            rival: near
+                .nearest(partners.middles[other][n], near_vox as f32)
+                .map(|rival| alone[rival]),
+        };
+        let has_light = |footprint: &mut PointFootprint, proposal: Proposal| {
+            let (lit, _) = fits[frame].light_at(cameras, proposal.at_mm, footprint);
+            let share = priors[frame].mean_relative(&lit, cameras.len());
+            (proposal.rival.is_some() || share >= LEAST_LIGHT).then_some(proposal)
+        };
+        let numbers: Vec<usize> = partners.alone(other).collect();
+        numbers
+            .into_par_iter()
+            .map(proposal)
+            .map_init(PointFootprint::default, has_light)
+            .flatten()
+            .collect::<Vec<Proposal>>()
+    });
+    for (frame, proposals) in proposals.into_iter().enumerate() {
+        for Proposal { particle, at_mm, rival } in proposals {
             let share = match rival {
-                Some(own) => {
-                    let light = &mut fits[frame].particles[alone[own]].light;
+                Some(rival) => {
+                    let light = &mut fits[frame].particles[rival].light;
                     light.iter_mut().for_each(|light| *light /= 2.0);
                     0.5
                 }
                 None => STARTING_SHARE,
             };
-            let relative = |c: usize| particle.light[c] / priors[other].typical[c];
+            let relative = |c: usize| particle.light[c] / priors[1 - frame].typical[c];
             let light: [f64; CAMERAS] =
                 std::array::from_fn(|c| share * relative(c) * priors[frame].typical[c]);
-            let at_mm = partners.place_in(frame, n, flow, voxel_mm);
             fits[frame].extend([Particle { at_mm, light }]);
         }
     }

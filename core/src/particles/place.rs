@@ -178,8 +178,7 @@ impl Placing {
             fit.render(&self.cameras);
             let in_place = StepRule { longest_mm: 0.0, ..self.rule };
             for _ in 0..LIGHT_STEPS {
-                fit.reactivate();
-                fit.iterate(&self.cameras, prior, &in_place, (converged_mm, 1));
+                fit.step_lights(&self.cameras, prior, &in_place);
             }
             fit.reactivate();
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, FIRST_STEPS));
@@ -196,7 +195,7 @@ impl Placing {
         let flow = |at_mm: [f64; 3]| added(flow(at_mm), correction(at_mm));
         let partners = self.partners(fits, &flow, corrected.agree_vox);
         self.learn(fits, &partners, round);
-        exchange(fits, &partners, &flow, &self.priors, (RIVAL_VOX, self.voxel_mm));
+        exchange(fits, &partners, &flow, (&self.cameras, &self.priors), (RIVAL_VOX, self.voxel_mm));
         let converged_mm = CONVERGED_VOX * self.voxel_mm;
         let misfit = MODEL_ERRORS[round + 1];
         self.each(fits, |fit, prior| {

@@ -90,14 +90,13 @@ impl FrameFit {
         }
     }
 
-    /// What a new particle at a place explains of the residual.
-    fn gain(
+    /// The lights that the residual has for a new particle at a place, and what that explains of it.
+    pub fn light_at(
         &self,
         cameras: &[PointCamera],
         at_mm: [f64; 3],
-        prior: &LightPrior,
         footprint: &mut PointFootprint,
-    ) -> Gain {
+    ) -> (Particle, f64) {
         let mut particle = Particle { at_mm, light: [0.0; CAMERAS] };
         let mut value = 0.0;
         for (c, camera) in cameras.iter().enumerate() {
@@ -106,6 +105,18 @@ impl FrameFit {
             particle.light[c] = (pull / weight.max(1e-12)).max(0.0);
             value += particle.light[c] * pull;
         }
+        (particle, value)
+    }
+
+    /// What a new particle at a place explains of the residual.
+    fn gain(
+        &self,
+        cameras: &[PointCamera],
+        at_mm: [f64; 3],
+        prior: &LightPrior,
+        footprint: &mut PointFootprint,
+    ) -> Gain {
+        let (particle, mut value) = self.light_at(cameras, at_mm, footprint);
         if cameras.len() == CAMERAS {
             let [a, b] = prior.relative(&particle);
             let apart = 2.0 * (a - b) / (prior.spread * (a + b).max(0.1));

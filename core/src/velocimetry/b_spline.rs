@@ -26,6 +26,13 @@ pub fn weights(t: f32) -> [f32; 4] {
     ]
 }
 
+/// The slopes of the four splines of [`weights`].
+#[inline(always)]
+pub fn slopes(t: f32) -> [f32; 4] {
+    let s = 1.0 - t;
+    [-s * s / 2.0, t * (1.5 * t - 2.0), s * (2.0 - 1.5 * s), t * t / 2.0]
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -43,6 +50,14 @@ mod tests {
             prop_assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6);
             let mean: f32 = weights.iter().zip([-1.0, 0.0, 1.0, 2.0]).map(|(w, at)| w * at).sum();
             prop_assert!((mean - t).abs() < 1e-6);
+        }
+
+        #[test]
+        fn slopes_are_differences_of_weights(t in 0.01f32..=0.99) {
+            let (low, high) = (weights(t - 0.01), weights(t + 0.01));
+            for (slope, (low, high)) in slopes(t).into_iter().zip(low.into_iter().zip(high)) {
+                prop_assert!((slope - (high - low) / 0.02).abs() < 1e-3);
+            }
         }
     }
 

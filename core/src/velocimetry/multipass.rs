@@ -97,6 +97,11 @@ impl Interrogation {
         Self { spacing_mm, ..self }
     }
 
+    /// How volumes are correlated.
+    pub(super) fn settings(&self) -> &VelocimetrySettings {
+        &self.settings
+    }
+
     /// The grid, with margin, in whose voxels clouds are given.
     pub fn cloud_grid(&self) -> VolumeGrid {
         self.grid.padded(self.margin)

@@ -34,6 +34,10 @@ pub struct VelocimetrySettings {
     /// coarser than half of the configured ones.
     #[garde(skip)]
     pub follow_particles: bool,
+    /// Place particles in the images after correlation, and fit the field to those that both frames show:
+    /// rough flows are resolved as far as their particles allow, at about five times the processor time.
+    #[garde(skip)]
+    pub place_particles: bool,
     /// The flow is incompressible: the field through particles is nearly free of divergence, which tells it
     /// more than the particles alone. Not for a plane of a flow, nor for gases at speed.
     #[garde(skip)]
@@ -97,6 +101,7 @@ impl Default for VelocimetrySettings {
             max_displacement_vox: 6.0,
             first_window_mm: None,
             follow_particles: true,
+            place_particles: false,
             incompressible: false,
             median_threshold: 2.0,
             median_epsilon_vox: 0.1,

@@ -13,6 +13,10 @@
 //! pixel: r becomes its mean over the density of their distance, Epanechnikov's here, which is a
 //! polynomial.
 
+use super::LANES;
+
+type Lanes = [f64; LANES];
+
 /// How a point's image is smeared, as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointBlur {
@@ -51,18 +55,6 @@ pub struct Share {
     pub by_offset: f64,
     /// By a.
     pub by_parallax: f64,
-}
-
-impl std::ops::Sub for Share {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self {
-            value: self.value - other.value,
-            by_offset: self.by_offset - other.by_offset,
-            by_parallax: self.by_parallax - other.by_parallax,
-        }
-    }
 }
 
 /// What a row of microlenses has in common for one point.
@@ -114,24 +106,86 @@ impl AxisShares {
     }
 
     /// G at the pixel edge `edge_mm` (T) behind the microlens at `offset_mm` (D).
-    pub fn beyond(&self, edge_mm: f64, offset_mm: f64) -> Share {
-        let spread = 1.0 - self.parallax;
-        let pupil_mm = (edge_mm + offset_mm) / spread;
-        let pupil_by = [1.0 / spread, pupil_mm / spread];
-        let ends = self.ends_mm(offset_mm);
-        let [low, high] = ends.map(|end| {
-            let ramp = Ramp::at((end - pupil_mm) / self.half_mm);
-            let by = [-1.0 / self.parallax - pupil_by[0], -end / self.parallax - pupil_by[1]];
-            Share {
-                value: self.half_mm * ramp.value,
-                by_offset: ramp.step * by[0],
-                by_parallax: ramp.step * by[1] + ramp.by_width * self.half_by_parallax,
-            }
-        });
-        let cell = self.point.cell_mm;
-        let Share { value, by_offset, by_parallax } = high - low;
-        Share { value: value / cell, by_offset: by_offset / cell, by_parallax: by_parallax / cell }
+    fn beyond(&self, edge_mm: f64, offset_mm: f64) -> Share {
+        let first = |lanes: [Lanes; 3]| lanes.map(|lanes| lanes[0]);
+        let [value, by_offset, by_parallax] =
+            first(self.beyond_edges::<true>(&[edge_mm; LANES], offset_mm));
+        Share { value, by_offset, by_parallax }
     }
+
+    /// [`Share`] at several pixel edges: values, and derivatives where they are asked for.
+    #[inline(always)]
+    fn beyond_edges<const DERIVED: bool>(&self, edges_mm: &Lanes, offset_mm: f64) -> [Lanes; 3] {
+        let (cell, spread) = (self.point.cell_mm, 1.0 - self.parallax);
+        let ends = self.ends_mm(offset_mm);
+        let per_half = 1.0 / self.half_mm;
+        let by_offset = (-1.0 / self.parallax - 1.0 / spread) / cell;
+        let mut shares = [[0.0; LANES]; 3];
+        for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
+            let by_parallax = -end / self.parallax;
+            for n in 0..LANES {
+                let pupil_mm = (edges_mm[n] + offset_mm) / spread;
+                let ramp = Ramp::at((end - pupil_mm) * per_half);
+                shares[0][n] += sign * self.half_mm / cell * ramp.value;
+                if DERIVED {
+                    shares[1][n] += sign * by_offset * ramp.step;
+                    let of_end = ramp.step * (by_parallax - pupil_mm / spread);
+                    let of_width = ramp.by_width * self.half_by_parallax;
+                    shares[2][n] += sign / cell * (of_end + of_width);
+                }
+            }
+        }
+        shares
+    }
+
+    /// Adds the shares of the pixels between consecutive edges to `all`, padded with zeros to whole [`LANES`]:
+    /// values, and derivatives where they are asked for.
+    #[inline(always)]
+    pub fn add_shares<const DERIVED: bool>(&self, edges: &PixelEdges, all: &mut [Vec<f32>; 3]) {
+        let kinds = if DERIVED { 3 } else { 1 };
+        let start = all[0].len();
+        let padded = edges.pixels.next_multiple_of(LANES);
+        for all in &mut all[..kinds] {
+            all.resize(start + padded, 0.0);
+        }
+        let Share { value, by_offset, by_parallax } = self.beyond(edges.first_mm, edges.offset_mm);
+        // Of the edge before the pixels that are next.
+        let mut carried = [value, by_offset, by_parallax];
+        // What is beyond an edge falls with the pupil's coordinate.
+        let sign = -edges.step_mm.signum();
+        for first in (0..padded).step_by(LANES) {
+            let mut at_mm = [0.0; LANES];
+            for (n, at_mm) in at_mm.iter_mut().enumerate() {
+                *at_mm = edges.first_mm + (first + n + 1) as f64 * edges.step_mm;
+            }
+            let after = self.beyond_edges::<DERIVED>(&at_mm, edges.offset_mm);
+            for kind in 0..kinds {
+                let mut before = [carried[kind]; LANES];
+                before[1..].copy_from_slice(&after[kind][..LANES - 1]);
+                let shares = &mut all[kind][start + first..][..LANES];
+                for n in 0..LANES {
+                    shares[n] = (sign * (after[kind][n] - before[n])) as f32;
+                }
+                carried[kind] = after[kind][LANES - 1];
+            }
+        }
+        for all in &mut all[..kinds] {
+            all[start + edges.pixels..].fill(0.0);
+        }
+    }
+}
+
+/// Edges of consecutive pixels behind one microlens.
+#[derive(Debug, Clone, Copy)]
+pub struct PixelEdges {
+    /// T of the first.
+    pub first_mm: f64,
+    /// From one to the next; negative where pixels count against the pupil's coordinate.
+    pub step_mm: f64,
+    /// One less than there are edges.
+    pub pixels: usize,
+    /// D of the microlens.
+    pub offset_mm: f64,
 }
 
 /// max(t, 0) averaged over Epanechnikov's density 3/4 (1 − s²) of half-width 1, and what belongs to
@@ -144,6 +198,7 @@ struct Ramp {
 }
 
 impl Ramp {
+    #[inline(always)]
     fn at(s: f64) -> Self {
         let c = s.clamp(-1.0, 1.0);
         let square = c * c;
@@ -164,6 +219,17 @@ mod tests {
 
     fn shares(parallax: f64, blur: PointBlur) -> AxisShares {
         AxisShares::new(AxisPoint { parallax, half_lens_mm: 0.05, cell_mm: 1.375, blur })
+    }
+
+    /// The share of the pixel from `edge_mm` on.
+    fn pixel_share(axis: &AxisShares, edge_mm: f64, offset_mm: f64) -> Share {
+        let [one, other] =
+            [edge_mm, edge_mm + 1.375].map(|edge_mm| axis.beyond(edge_mm, offset_mm));
+        Share {
+            value: one.value - other.value,
+            by_offset: one.by_offset - other.by_offset,
+            by_parallax: one.by_parallax - other.by_parallax,
+        }
     }
 
     /// The naive reference: rays through the pupil one by one, each blurred at both places.
@@ -203,7 +269,7 @@ mod tests {
             let parallax = if negative { -parallax } else { parallax };
             let blur = PointBlur { plane_mm: plane, sensor_px: sensor };
             let axis = shares(parallax, blur);
-            let value = axis.beyond(edge, offset).value - axis.beyond(edge + 1.375, offset).value;
+            let value = pixel_share(&axis, edge, offset).value;
             let reference = traced(parallax, offset, [edge, edge + 1.375], blur);
             prop_assert!((value - reference).abs() < 4e-3, "{value} {reference}");
         }
@@ -216,8 +282,7 @@ mod tests {
             let parallax = if negative { -parallax } else { parallax };
             let blur = PointBlur { plane_mm: plane, sensor_px: sensor };
             let pixel = |parallax: f64, offset: f64| {
-                let axis = shares(parallax, blur);
-                axis.beyond(edge, offset) - axis.beyond(edge + 1.375, offset)
+                pixel_share(&shares(parallax, blur), edge, offset)
             };
             let here = pixel(parallax, offset);
             let (by_d, by_a) = (1e-7, 1e-4 * parallax.abs());
@@ -231,10 +296,43 @@ mod tests {
         }
     }
 
+    proptest! {
+        /// Pixel by pixel they are the differences at the pixels' edges, in either direction.
+        #[test]
+        fn shares_of_consecutive_pixels_are_those_of_each(
+            parallax in 1e-4..0.03f64, offset in -0.2..0.2f64, first in -9.0..0.0f64, pixels in 1..20usize,
+            downwards: bool,
+        ) {
+            let axis = shares(parallax, PointBlur { plane_mm: 2e-3, sensor_px: 0.4 });
+            let step_mm = if downwards { -1.375 } else { 1.375 };
+            let first_mm = if downwards { -first } else { first };
+            let edges = PixelEdges { first_mm, step_mm, pixels, offset_mm: offset };
+            let (mut all, mut values): ([Vec<f32>; 3], [Vec<f32>; 3]) = Default::default();
+            axis.add_shares::<true>(&edges, &mut all);
+            axis.add_shares::<false>(&edges, &mut values);
+            prop_assert_eq!(&all[0], &values[0]);
+            prop_assert_eq!(all[0].len(), pixels.next_multiple_of(LANES));
+            for (n, value) in all[0].iter().enumerate() {
+                let edge_mm = first_mm + n as f64 * step_mm;
+                let low_mm = if downwards { edge_mm - 1.375 } else { edge_mm };
+                let expected = pixel_share(&axis, low_mm, offset);
+                let [by_offset, by_parallax] = [1, 2].map(|kind| all[kind][n]);
+                if n < pixels {
+                    prop_assert!((f64::from(*value) - expected.value).abs() < 1e-6);
+                    let close = |a: f32, b: f64| (f64::from(a) - b).abs() < 1e-5 * (1.0 + b.abs());
+                    prop_assert!(close(by_offset, expected.by_offset));
+                    prop_assert!(close(by_parallax, expected.by_parallax));
+                } else {
+                    prop_assert_eq!([*value, by_offset, by_parallax], [0.0; 3]);
+                }
+            }
+        }
+    }
+
     #[test]
     fn a_point_in_focus_lights_its_microlens_alone() {
         let axis = shares(0.0, PointBlur { plane_mm: 1e-4, sensor_px: 0.1 });
-        let pixel = |offset| (axis.beyond(2.0, offset) - axis.beyond(3.375, offset)).value;
+        let pixel = |offset| pixel_share(&axis, 2.0, offset).value;
         // The least parallax leaves 1e-5; at the microlens' edge the blur spreads over the pupil.
         assert!((pixel(0.0) - 1.0).abs() < 1e-4 && (pixel(0.049) - 1.0).abs() < 1e-4);
         assert!((pixel(0.05) - 0.5).abs() < 0.15 && pixel(0.051).abs() < 1e-6);

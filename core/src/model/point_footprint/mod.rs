@@ -14,11 +14,12 @@ mod open_cells;
 use std::{ops::Range, sync::Arc};
 
 use lfpiv_hw::{CameraName, Optics, Pose};
+use multiversion::multiversion;
 use nalgebra::Point3;
 
 use super::{CameraCalibration, ModelError, VolumeGrid, mapped_optics::MappedOptics};
 pub use axis::PointBlur;
-use axis::{AxisPoint, AxisShares, Share};
+use axis::{AxisPoint, AxisShares, PixelEdges};
 use open_cells::OpenCells;
 
 /// Pixels that kernels take at a time: shares are padded with zeros to a multiple of it, and images need as
@@ -33,6 +34,10 @@ const STEP_MM: f64 = 1e-3;
 pub struct PointCamera {
     seen: MappedOptics,
     open: Arc<OpenCells>,
+    /// Of the microlenses, along columns and rows.
+    pitch_mm: [f64; 2],
+    /// Half the widest interval of the pupil that pixels see.
+    pupil_mm: f64,
     /// How its images are smeared.
     pub blur: PointBlur,
     /// Whether all microlenses of a column have the same phase along the pixels' columns, and those of
@@ -65,14 +70,15 @@ pub struct LensPatch {
 /// The image of a point: a pixel's light is the product of three shares. To be filled again and again.
 #[derive(Debug, Clone, Default)]
 pub struct PointFootprint {
-    /// Shares, and their derivatives by offset per mm and by parallax.
+    /// Shares, and, where they are asked for, their derivatives by offset per mm and by parallax.
     pub shares: [Vec<f32>; 3],
     /// By microlens.
     pub patches: Vec<LensPatch>,
     /// Derivatives of offset and parallax along the columns, and along the rows, by x, y, z.
     pub by_place: [[f64; 3]; 4],
-    /// Of every column and of every row of microlenses, where phases are theirs.
-    aligned: [Vec<Option<LensShares>>; 2],
+    /// Along columns and along rows: of one microlens after the other, or, where phases are those of columns and
+    /// rows, of each column and each row.
+    behind: [Vec<BehindLens>; 2],
 }
 
 /// A point as the camera sees it along columns and rows.
@@ -100,7 +106,9 @@ impl PointCamera {
         let seen = MappedOptics::new(optics, pose, calibration, volume, camera)?;
         let grid = &seen.sampling.grid;
         let aligned = grid.column_px[2] == 0.0 && grid.row_px[1] == 0.0;
-        Ok(Self { open: Arc::new(OpenCells::new(&seen)), seen, blur, aligned })
+        let pupil_mm = optics.pupil_diameter_mm() / 2.0 + seen.sampling.cell_mm / 2.0;
+        let (open, pitch_mm) = (Arc::new(OpenCells::new(&seen)), seen.pitch_mm());
+        Ok(Self { open, pitch_mm, pupil_mm, seen, blur, aligned })
     }
 
     /// Open shares of the pixels of all microlenses, in steps of 1/255.
@@ -129,41 +137,52 @@ impl PointCamera {
     /// Diameter of the light of a point at `world_mm` on the microlens array, in pitches: of the narrower axis.
     pub fn spread_pitches(&self, world_mm: [f64; 3]) -> f64 {
         let (_, parallaxes) = self.place(world_mm);
-        let (pitch_mm, diameter_mm) = (self.seen.pitch_mm(), self.seen.optics.pupil_diameter_mm());
-        let along = |axis: usize| parallaxes[axis].abs() * diameter_mm / pitch_mm[axis];
+        let diameter_mm = self.seen.optics.pupil_diameter_mm();
+        let along = |axis: usize| parallaxes[axis].abs() * diameter_mm / self.pitch_mm[axis];
         along(0).min(along(1))
     }
 
-    /// Makes `footprint` that of a point at `world_mm`.
+    /// Makes `footprint` that of a point at `world_mm`: shares alone.
     pub fn image(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
-        footprint.clear();
+        self.fill::<false>(world_mm, footprint);
+    }
+
+    /// The same with the shares' derivatives.
+    pub fn image_and_derivatives(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
         self.differentiate(world_mm, &mut footprint.by_place);
+        self.fill::<true>(world_mm, footprint);
+    }
+
+    fn fill<const DERIVED: bool>(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
+        footprint.clear();
         let point = self.seen_point(world_mm);
-        let PointFootprint { shares, patches, aligned, .. } = footprint;
         let [columns, rows] = [0, 1].map(|axis| self.reached(&point, axis));
-        if self.aligned {
-            let first = [columns.start, rows.start];
-            let along_columns =
-                columns.clone().map(|i| self.behind(&point, 0, [i, first[1]], shares));
-            aligned[0].extend(along_columns);
-            let along_rows = rows.clone().map(|j| self.behind(&point, 1, [first[0], j], shares));
-            aligned[1].extend(along_rows);
+        let lenses = [columns.clone(), rows.clone()];
+        let PointFootprint { shares, patches, behind, .. } = footprint;
+        for axis in 0..2 {
+            // Where phases are those of columns and rows, one microlens of each stands for all.
+            let [columns, rows] = if self.aligned {
+                let mut lenses = lenses.clone();
+                lenses[1 - axis].end = lenses[1 - axis].end.min(lenses[1 - axis].start + 1);
+                lenses
+            } else {
+                lenses.clone()
+            };
+            for j in rows {
+                let lens = columns.clone().map(|i| self.behind(&point, axis, [i, j]));
+                behind[axis].extend(lens);
+            }
+            fill_shares::<DERIVED>(&point.axes[axis], &mut behind[axis], shares);
         }
-        for j in rows.clone() {
-            for i in columns.clone() {
-                let lens = [i, j];
-                let seen = if self.aligned {
-                    aligned[0][i - columns.start].zip(aligned[1][j - rows.start])
-                } else {
-                    let along_columns = self.behind(&point, 0, lens, shares);
-                    along_columns.zip(self.behind(&point, 1, lens, shares))
-                };
-                if let Some((columns, rows)) = seen {
-                    let first = self.open.first_px(self.seen.centre_px(lens));
-                    let across = (columns.first_px as i64 - first[0]) as usize;
-                    let down = (rows.first_px as i64 - first[1]) as usize;
-                    let open = self.open.tile(lens) + down * self.open.edge() + across;
-                    patches.push(LensPatch { columns, rows, open });
+        for (down, j) in rows.enumerate() {
+            for (across, i) in columns.clone().enumerate() {
+                let both = down * columns.len() + across;
+                let [column, row] = if self.aligned { [across, down] } else { [both; 2] };
+                let (column, row) = (&behind[0][column], &behind[1][row]);
+                if column.shares.len > 0 && row.shares.len > 0 {
+                    let in_tile = row.in_tile * self.open.edge() + column.in_tile;
+                    let open = self.open.tile([i, j]) + in_tile;
+                    patches.push(LensPatch { columns: column.shares, rows: row.shares, open });
                 }
             }
         }
@@ -171,11 +190,10 @@ impl PointCamera {
 
     fn seen_point(&self, world_mm: [f64; 3]) -> SeenPoint {
         let (places_mm, parallaxes) = self.place(world_mm);
-        let pitch_mm = self.seen.pitch_mm();
         let axes = [0, 1].map(|axis| {
             AxisShares::new(AxisPoint {
                 parallax: parallaxes[axis],
-                half_lens_mm: pitch_mm[axis] / 2.0,
+                half_lens_mm: self.pitch_mm[axis] / 2.0,
                 cell_mm: self.seen.sampling.cell_mm,
                 blur: self.blur,
             })
@@ -187,45 +205,49 @@ impl PointCamera {
     fn reached(&self, point: &SeenPoint, axis: usize) -> Range<usize> {
         let window = &self.seen.window;
         let lenses = [window.columns.len(), window.rows.len()][axis];
-        let pitch_mm = self.seen.pitch_mm()[axis];
-        let reach_mm = point.parallaxes[axis].abs() * self.pupil_mm() + 3.0 * self.blur.plane_mm;
+        let pitch_mm = self.pitch_mm[axis];
+        let reach_mm = point.parallaxes[axis].abs() * self.pupil_mm + 3.0 * self.blur.plane_mm;
         let index = |at_mm: f64| ((at_mm / pitch_mm).round().max(0.0) as usize).min(lenses);
         let place_mm = point.places_mm[axis];
         index(place_mm - reach_mm)..index(place_mm + reach_mm + pitch_mm)
     }
 
-    /// Adds the shares behind one microlens along an axis.
-    fn behind(
-        &self,
-        point: &SeenPoint,
-        axis: usize,
-        lens: [usize; 2],
-        shares: &mut [Vec<f32>; 3],
-    ) -> Option<LensShares> {
-        let centre = self.seen.centre_px(lens);
-        let first = self.open.first_px(centre)[axis];
-        let lens = BehindLens {
-            axis: &point.axes[axis],
-            offset_mm: point.places_mm[axis] - lens[axis] as f64 * self.seen.pitch_mm()[axis],
-            centre_px: centre[axis],
-            first_px: first.max(0),
-            end_px: (first + self.open.edge() as i64).min(self.sensor_px()[axis] as i64),
-            pupil_mm: self.pupil_mm(),
+    /// The pixels behind one microlens along an axis that a point lights.
+    fn behind(&self, point: &SeenPoint, axis: usize, lens: [usize; 2]) -> BehindLens {
+        let centre_px = self.seen.centre_px(lens)[axis];
+        let tile_px = self.open.first_px(centre_px);
+        let offset_mm = point.places_mm[axis] - lens[axis] as f64 * self.pitch_mm[axis];
+        // Columns see the pupil from right to left, rows, which count downwards, upwards.
+        let sign = [-1.0, 1.0][axis];
+        let shares = &point.axes[axis];
+        let cell_mm = shares.cell_mm();
+        let [low, high] = shares.interval_mm(offset_mm);
+        let (low, high) = (low.max(-self.pupil_mm), high.min(self.pupil_mm));
+        let at_px = |pupil_mm| {
+            (centre_px + sign * shares.edge_at(pupil_mm, offset_mm) / cell_mm + 0.5).floor() as i64
         };
-        lens.shares([Direction::Columns, Direction::Rows][axis], shares)
-    }
-
-    /// Half the widest pupil interval that pixels see, in mm.
-    fn pupil_mm(&self) -> f64 {
-        self.seen.optics.pupil_diameter_mm() / 2.0 + self.seen.sampling.cell_mm / 2.0
+        let (one, other) = (at_px(low), at_px(high));
+        let last_px = (tile_px + self.open.edge() as i64).min(self.sensor_px()[axis] as i64) - 1;
+        let first = one.min(other).max(tile_px).max(0);
+        let last = one.max(other).min(last_px);
+        let pixels = if low < high { (last + 1 - first).max(0) as usize } else { 0 };
+        BehindLens {
+            edges: PixelEdges {
+                first_mm: sign * (first as f64 - 0.5 - centre_px) * cell_mm,
+                step_mm: sign * cell_mm,
+                pixels,
+                offset_mm,
+            },
+            in_tile: (first - tile_px) as usize,
+            shares: LensShares { first_px: first as usize, start: 0, len: pixels },
+        }
     }
 
     /// Where the ray through the pupil's middle meets the microlens plane, in mm from the window's
     /// first microlens, and the parallax.
     fn place(&self, world_mm: [f64; 3]) -> ([f64; 2], [f64; 2]) {
         let seen = self.seen.see(&Point3::from(world_mm));
-        let pitch_mm = self.seen.pitch_mm();
-        ([0, 1].map(|axis| seen.place[axis] * pitch_mm[axis]), seen.parallax)
+        ([0, 1].map(|axis| seen.place[axis] * self.pitch_mm[axis]), seen.parallax)
     }
 
     fn differentiate(&self, world_mm: [f64; 3], by_place: &mut [[f64; 3]; 4]) {
@@ -248,7 +270,7 @@ impl PointFootprint {
     fn clear(&mut self) {
         self.shares.iter_mut().for_each(Vec::clear);
         self.patches.clear();
-        self.aligned.iter_mut().for_each(Vec::clear);
+        self.behind.iter_mut().for_each(Vec::clear);
     }
 
     /// One kind of shares: 0 the shares, 1 and 2 their derivatives.
@@ -264,68 +286,25 @@ impl PointFootprint {
     }
 }
 
-/// Whether pixels count along or against the pupil's coordinate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Direction {
-    /// Columns see the pupil from right to left.
-    Columns,
-    /// Rows, which count downwards, see it upwards.
-    Rows,
-}
-
 /// The pixels behind one microlens along one axis.
-struct BehindLens<'a> {
-    axis: &'a AxisShares,
-    offset_mm: f64,
-    centre_px: f64,
-    /// First pixel of the tile, and the one after the last.
-    first_px: i64,
-    end_px: i64,
-    /// Half the widest interval of the pupil that pixels see.
-    pupil_mm: f64,
+#[derive(Debug, Clone, Copy)]
+struct BehindLens {
+    edges: PixelEdges,
+    /// Of the first pixel, from the first of the microlens's tile.
+    in_tile: usize,
+    shares: LensShares,
 }
 
-impl BehindLens<'_> {
-    /// Adds the shares of the pixels that the point lights, padded with zeros; `None` where there
-    /// are none.
-    fn shares(&self, direction: Direction, all: &mut [Vec<f32>; 3]) -> Option<LensShares> {
-        let [low, high] = self.axis.interval_mm(self.offset_mm);
-        let (low, high) = (low.max(-self.pupil_mm), high.min(self.pupil_mm));
-        if low >= high {
-            return None;
-        }
-        let cell_mm = self.axis.cell_mm();
-        let sign = if direction == Direction::Columns { -1.0 } else { 1.0 };
-        let at_px = |pupil_mm| {
-            self.centre_px + sign * self.axis.edge_at(pupil_mm, self.offset_mm) / cell_mm
-        };
-        let (one, other) = (at_px(low), at_px(high));
-        let first = ((one.min(other) + 0.5).floor() as i64).max(self.first_px);
-        let last = ((one.max(other) + 0.5).floor() as i64).min(self.end_px - 1);
-        if last < first {
-            return None;
-        }
-        let edge = |n: i64| {
-            let edge_mm = sign * (n as f64 - 0.5 - self.centre_px) * cell_mm;
-            self.axis.beyond(edge_mm, self.offset_mm)
-        };
-        let start = all[0].len();
-        let mut before = edge(first);
-        for n in first..=last {
-            let after = edge(n + 1);
-            let share =
-                if direction == Direction::Columns { after - before } else { before - after };
-            let Share { value, by_offset, by_parallax } = share;
-            for (all, value) in all.iter_mut().zip([value, by_offset, by_parallax]) {
-                all.push(value as f32);
-            }
-            before = after;
-        }
-        let len = (last + 1 - first) as usize;
-        for all in all.iter_mut() {
-            all.resize(start + len.next_multiple_of(LANES), 0.0);
-        }
-        Some(LensShares { first_px: first as usize, start, len })
+/// Adds the shares behind microlenses side by side.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn fill_shares<const DERIVED: bool>(
+    axis: &AxisShares,
+    behind: &mut [BehindLens],
+    all: &mut [Vec<f32>; 3],
+) {
+    for lens in behind.iter_mut().filter(|lens| lens.edges.pixels > 0) {
+        lens.shares.start = all[0].len();
+        axis.add_shares::<DERIVED>(&lens.edges, all);
     }
 }
 

@@ -51,9 +51,9 @@ impl OpenCells {
         Self { shares, edge, lens_columns, half_px }
     }
 
-    /// First column and row of a tile whose micro-image is centred at `centre_px`.
-    pub fn first_px(&self, centre_px: [f64; 2]) -> [i64; 2] {
-        centre_px.map(|px| (px - self.half_px).ceil() as i64)
+    /// First column, or row, of a tile whose micro-image is centred at `centre_px`.
+    pub fn first_px(&self, centre_px: f64) -> i64 {
+        (centre_px - self.half_px).ceil() as i64
     }
 
     /// Pixels of a tile along each axis.

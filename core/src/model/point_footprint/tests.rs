@@ -68,7 +68,7 @@ fn a_small_step_changes_the_image_by_its_derivatives() {
     let at_mm = [0.533, 0.81, 1.72];
     let step = 1e-4;
     let mut footprint = PointFootprint::default();
-    camera.image(at_mm, &mut footprint);
+    camera.image_and_derivatives(at_mm, &mut footprint);
     let width = camera.sensor_px()[0];
     for axis in 0..3 {
         let at = |step: f64| {

@@ -1,0 +1,62 @@
+//! Several unknown fields at once: equations that differ in their right-hand sides, or in which samples
+//! count, have all they need of the others' loads.
+
+use rayon::prelude::*;
+
+/// Fields that are solved for together.
+pub const LANES: usize = 8;
+
+/// A coefficient, or a sample's value, of all of them.
+pub type Lane = [f32; LANES];
+
+/// Coefficients of the three components.
+pub type Vectors = [Vec<Lane>; 3];
+
+/// Sums over all coefficients of all components of the products of two fields, lane by lane.
+pub fn dot(a: &Vectors, b: &Vectors) -> [f64; LANES] {
+    // Blocks of fixed length: the order of the sum does not depend on the number of threads.
+    let of_component = |c: usize| {
+        let mut sum = [0.0f64; LANES];
+        for (a, b) in a[c].chunks(256).zip(b[c].chunks(256)) {
+            let mut part = [0.0f32; LANES];
+            for (a, b) in a.iter().zip(b) {
+                for l in 0..LANES {
+                    part[l] += a[l] * b[l];
+                }
+            }
+            for l in 0..LANES {
+                sum[l] += f64::from(part[l]);
+            }
+        }
+        sum
+    };
+    let parts: Vec<[f64; LANES]> = (0..3usize).into_par_iter().map(of_component).collect();
+    std::array::from_fn(|l| parts.iter().map(|part| part[l]).sum())
+}
+
+/// Adds `values` times a factor for each lane.
+pub fn add(to: &mut Vectors, factors: Lane, values: &Vectors) {
+    to.par_iter_mut().zip(values).for_each(|(to, values)| {
+        for (to, value) in to.iter_mut().zip(values) {
+            for l in 0..LANES {
+                to[l] += factors[l] * value[l];
+            }
+        }
+    });
+}
+
+/// `to` = `values` + factor × `to`, lane by lane.
+pub fn turn(to: &mut Vectors, factors: Lane, values: &Vectors) {
+    to.par_iter_mut().zip(values).for_each(|(to, values)| {
+        for (to, value) in to.iter_mut().zip(values) {
+            for l in 0..LANES {
+                to[l] = value[l] + factors[l] * to[l];
+            }
+        }
+    });
+}
+
+/// No field anywhere.
+pub fn zeros(count: usize) -> Vectors {
+    std::array::from_fn(|_| vec![[0.0; LANES]; count])
+}

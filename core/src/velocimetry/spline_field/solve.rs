@@ -1,0 +1,43 @@
+//! Several right-hand sides solved at once by preconditioned conjugate gradients.
+
+use super::{
+    equations::Equations,
+    fit::Effort,
+    lanes::{Lane, Vectors, add, dot, turn},
+    preconditioner::Preconditioner,
+};
+
+/// Moves `field` towards the solution, of whose equations `residual` is left: at most so many steps of conjugate
+/// gradients (Hestenes and Stiefel, J. Res. Natl. Bur. Stand. 49, 1952), each lane with its own step
+/// lengths, or fewer once every lane's residual, in the preconditioner's norm, is `tolerance` of its first.
+pub fn improve(
+    equations: &Equations,
+    preconditioner: &Preconditioner,
+    mut residual: Vectors,
+    field: &mut Vectors,
+    Effort { steps, tolerance }: Effort,
+) {
+    let mut step = preconditioner.applied(&residual);
+    let mut square = dot(&residual, &step);
+    let enough = square.map(|square| square * tolerance * tolerance);
+    for _ in 0..steps {
+        if square.iter().zip(enough).all(|(square, enough)| *square <= enough) {
+            return;
+        }
+        let applied = equations.applied(&step);
+        let curvature = dot(&step, &applied);
+        let length: Lane = std::array::from_fn(|l| ratio(square[l], curvature[l]));
+        add(field, length, &step);
+        add(&mut residual, length.map(|length| -length), &applied);
+        let next = preconditioner.applied(&residual);
+        let next_square = dot(&residual, &next);
+        let keep: Lane = std::array::from_fn(|l| ratio(next_square[l], square[l]));
+        turn(&mut step, keep, &next);
+        square = next_square;
+    }
+}
+
+/// 0 where there is nothing left to do.
+fn ratio(above: f64, below: f64) -> f32 {
+    if below > 0.0 && above > 0.0 { (above / below) as f32 } else { 0.0 }
+}

@@ -1,0 +1,63 @@
+//! How stiff the field is: the penalty of its third differences under which samples that were left out are
+//! predicted best (cross-validation: Craven and Wahba, Numer. Math. 31, 1979).
+
+use super::lanes::{LANES, Lane};
+
+/// Penalties that are tried, one in each lane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ladder {
+    /// First penalty, over the present one.
+    first: f32,
+    /// From one to the next.
+    ratio: f32,
+}
+
+impl Ladder {
+    /// From a penalty that expects third differences of `difference_vox` along each axis, each next one expecting
+    /// them `ratio` times smaller; the present penalty is 1.
+    pub fn expecting(difference_vox: f32, ratio: f32) -> Self {
+        Self { first: 1.0 / (3.0 * difference_vox * difference_vox), ratio: ratio * ratio }
+    }
+
+    /// About the present penalty.
+    pub fn about(ratio: f32) -> Self {
+        let ratio = ratio * ratio;
+        Self { first: ratio.powf(-0.5 * (LANES - 1) as f32), ratio }
+    }
+
+    /// What the present penalty is multiplied by in each lane.
+    pub fn factors(&self) -> Lane {
+        std::array::from_fn(|l| self.first * self.ratio.powi(l as i32))
+    }
+
+    /// The factor with the least score, between two rungs where the parabola through the least and its neighbours
+    /// has its minimum.
+    pub fn best(&self, scores: &[f64; LANES]) -> f32 {
+        let least = (0..LANES).fold(0, |best, l| if scores[l] < scores[best] { l } else { best });
+        let mut rung = least as f32;
+        if (1..LANES - 1).contains(&least) {
+            let [below, here, above] = [scores[least - 1], scores[least], scores[least + 1]];
+            let curvature = below - 2.0 * here + above;
+            if curvature > 0.0 {
+                rung += (0.5 * (below - above) / curvature) as f32;
+            }
+        }
+        self.first * self.ratio.powf(rung)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_score_lies_between_rungs() {
+        let ladder = Ladder::about(2.0);
+        let at = |rung: f32| ladder.first * ladder.ratio.powf(rung);
+        let scores = std::array::from_fn(|l| (l as f64 - 3.3).powi(2) + 7.0);
+        assert!((ladder.best(&scores) / at(3.3) - 1.0).abs() < 1e-4);
+        let falling = std::array::from_fn(|l| -(l as f64));
+        assert_eq!(ladder.best(&falling), at((LANES - 1) as f32));
+        assert!((ladder.factors()[3] * ladder.factors()[4] - 1.0).abs() < 1e-4);
+    }
+}
