@@ -31,7 +31,7 @@ def test_particles_are_near_those_that_were_simulated(placed, measured):
         found = np.stack([valid[axis].values for axis in "xyz"], axis=1)
         assert len(found) > 0.5 * len(lit)
         near = np.linalg.norm(found[:, None] - places, axis=2).min(axis=1)
-        # Voxels of 0.1 mm. In so small a volume, all of it near a focal plane, chance leaves a median of 0.12 mm.
+        # Voxels of 0.1 mm. All of so small a volume is near a focal plane.
         assert np.median(near) < 0.05
         for name in ["x", "y", "z", "u", "v", "w"]:
             assert (dataset[f"{name}_uncertainty"] > 0).all()
