@@ -7,7 +7,7 @@
 //! - [`RunResults`]: reads results of a finished run as they were measured.
 //! - [`StoredShots`]: reads the vectors of a run shot by shot; [`write_csv`], [`write_tecplot`],
 //!   [`Hdf5File`] write them in the formats of other programs.
-//! - [`write_velocity`], [`write_volumes`]: write the files of one processed pair; [`read_volumes`]
+//! - [`write_velocity`], [`write_particles`], [`write_volumes`]: write the files of one processed pair; [`read_volumes`]
 //!   reads volumes, which may come from other programs.
 //! - [`sha256`], [`stated_and_true_hash`]: JSON files that contain their own hash.
 //!
@@ -27,6 +27,7 @@ mod netcdf_open;
 mod pair_folder;
 mod pair_results;
 mod paraview;
+mod particle_file;
 mod run_results;
 mod shot_result;
 mod shot_time;
@@ -49,7 +50,8 @@ pub use grey_tiff::{
 pub use json_hash::{sha256, stated_and_true_hash};
 pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
-pub use paraview::{VtiSeries, VtiSource, write_vti};
+pub use paraview::{VtiSeries, VtiSource, write_vti, write_vtp};
+pub use particle_file::write_particles;
 pub use run_results::RunResults;
 pub use shot_result::{RawLevel, ShotResult};
 pub use shot_time::ShotTime;

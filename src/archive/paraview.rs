@@ -1,12 +1,12 @@
-//! Files for ParaView: one `.vti` per shot (VTK XML ImageData, raw appended data) and a
-//! `.vti.series` that lists them.
+//! Files for ParaView: one `.vti` per shot (VTK XML ImageData, raw appended data), a `.vti.series` that lists
+//! them, and `.vtp` for the particles of a pair (PolyData).
 
 use std::{
     io::{self, Write},
     path::Path,
 };
 
-use lfpiv_core::velocimetry::{VectorStatus, VelocityField};
+use lfpiv_core::velocimetry::{MeasuredParticle, VectorStatus, VelocityField};
 use serde::Serialize;
 
 use super::{ArchiveError, durable::replace};
@@ -116,7 +116,80 @@ fn write_header(
         r#"<Piece Extent="{extent}">
 <PointData Vectors="velocity" Scalars="valid">"#
     )?;
-    let mut offset = 0;
+    write_arrays(writer, arrays, 0)?;
+    // The underscore marks the first byte of the data.
+    write!(writer, "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_")
+}
+
+/// Writes particles for ParaView: vertices of a PolyData, in SI units, with the point arrays `velocity`,
+/// `velocity_uncertainty` (m/s), `light` (counts, mean of the cameras) and `valid`. `field` is what they are
+/// particles of.
+pub fn write_vtp(
+    path: &Path,
+    source: &VtiSource,
+    field: &VelocityField,
+    particles: &[MeasuredParticle],
+) -> Result<(), ArchiveError> {
+    let count = particles.len();
+    let speed = field.metres_per_second_per_voxel() as f32;
+    let cameras =
+        |p: &MeasuredParticle| p.light.iter().filter(|light| **light > 0.0).count().max(1);
+    let light: Vec<f32> =
+        particles.iter().map(|p| p.light.iter().sum::<f32>() / cameras(p) as f32).collect();
+    let integers = |name, values: &mut dyn Iterator<Item = i64>| Array {
+        name,
+        vtk_type: "Int64",
+        components: 1,
+        bytes: values.flat_map(i64::to_le_bytes).collect(),
+    };
+    let points =
+        [Array::vectors("points", particles.iter().map(|p| p.at_mm.map(|mm| (mm * 1e-3) as f32)))];
+    let vertices = [
+        integers("connectivity", &mut (0..count as i64)),
+        integers("offsets", &mut (1..=count as i64)),
+    ];
+    let of_points = [
+        Array::vectors("velocity", particles.iter().map(|p| p.displacement_vox.map(|d| d * speed))),
+        Array::vectors(
+            "velocity_uncertainty",
+            particles.iter().map(|p| p.uncertainty_vox.map(|u| u * speed)),
+        ),
+        Array::scalars("light", &light),
+        Array::flags("valid", particles.iter().map(|p| u8::from(p.agrees))),
+    ];
+    replace(path, |writer| {
+        writeln!(
+            writer,
+            r#"<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<PolyData>"#
+        )?;
+        write_field_data(writer, source, field.dt_s)?;
+        writeln!(writer, r#"<Piece NumberOfPoints="{count}" NumberOfVerts="{count}">"#)?;
+        let mut offset = 0;
+        let parts: [(&str, &[Array]); 3] = [
+            ("Points", &points),
+            ("Verts", &vertices),
+            (r#"PointData Vectors="velocity" Scalars="valid""#, &of_points),
+        ];
+        for (tag, arrays) in parts {
+            writeln!(writer, "<{tag}>")?;
+            offset = write_arrays(writer, arrays, offset)?;
+            let name = tag.split(' ').next().unwrap_or(tag);
+            writeln!(writer, "</{name}>")?;
+        }
+        write!(writer, "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_")?;
+        for array in parts.iter().flat_map(|(_, arrays)| arrays.iter()) {
+            writer.write_all(&(array.bytes.len() as u64).to_le_bytes())?;
+            writer.write_all(&array.bytes)?;
+        }
+        writer.write_all(b"\n</AppendedData>\n</VTKFile>\n")
+    })
+}
+
+/// Writes the headers of arrays whose data begins at `offset`, and returns where the next one's does.
+fn write_arrays(writer: &mut impl Write, arrays: &[Array], offset: usize) -> io::Result<usize> {
+    let mut offset = offset;
     for Array { name, vtk_type, components, bytes } in arrays {
         writeln!(
             writer,
@@ -124,8 +197,7 @@ fn write_header(
         )?;
         offset += size_of::<u64>() + bytes.len();
     }
-    // The underscore marks the first byte of the data.
-    write!(writer, "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_")
+    Ok(offset)
 }
 
 /// Writes the field data: time, if known, and origin.

@@ -75,6 +75,7 @@ fn result_of(record: StoredRecord<'_>, voxel_mm: f64) -> netcdf::Result<ShotResu
         model: Arc::new(model_of(record)?),
         fit: fit_of(record)?,
         light: None,
+        particles: None,
     };
     Ok(ShotResult { measured, time: time_of(record)?, raw: raw_level_of(record)? })
 }

@@ -32,6 +32,7 @@ pub(super) fn result(vectors: [usize; 3]) -> ShotResult {
         model: Default::default(),
         fit: None,
         light: None,
+        particles: None,
     };
     let time = ShotTime {
         utc_ns: 1_700_000_000_250_000_000,

@@ -83,6 +83,7 @@ fn store(
         model: Arc::new(ModelChoice::default()),
         fit: None,
         light: None,
+        particles: None,
     };
     Ok(write_velocity(&folder.join("velocity.nc"), configuration, 0, &measured.into())?)
 }

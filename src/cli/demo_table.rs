@@ -194,6 +194,7 @@ mod tests {
             model: Default::default(),
             fit: None,
             light: None,
+            particles: None,
         }
     }
 

@@ -30,8 +30,8 @@ use super::{
 use crate::{
     acquisition::SynchroniserThread,
     archive::{
-        ArchiveError, ShotResult, VtiSeries, VtiSource, read_pair, write_velocity, write_volumes,
-        write_vti,
+        ArchiveError, ShotResult, VtiSeries, VtiSource, read_pair, write_particles, write_velocity,
+        write_volumes, write_vti, write_vtp,
     },
     config::{Config, ConfigFile},
     pipeline::monotonic,
@@ -339,9 +339,18 @@ impl Run {
         if let Some(volumes) = volumes {
             write_volumes(&folder.join("volumes.nc"), &self.file.text, &volumes)?;
         }
-        if self.file.config.output.paraview {
-            let source = VtiSource { shot: job.shot, utc_s: None, configuration: &self.file.text };
+        let paraview = self.file.config.output.paraview;
+        let source = VtiSource { shot: job.shot, utc_s: None, configuration: &self.file.text };
+        if paraview {
             write_vti(&folder.join(VTI), &source, &result.field)?;
+        }
+        if let Some(particles) = &result.particles {
+            let cameras = self.file.config.camera.len();
+            let (path, text) = (folder.join("particles.nc"), &self.file.text);
+            write_particles(&path, text, job.shot, &result.field, (particles, cameras))?;
+            if paraview {
+                write_vtp(&folder.join("particles.vtp"), &source, &result.field, particles)?;
+            }
         }
         // Written last: this file marks complete results.
         let result = ShotResult::from(result);

@@ -133,6 +133,7 @@ mod tests {
                 model: Default::default(),
                 fit,
                 light: None,
+                particles: None,
             };
             Delivery {
                 shot,

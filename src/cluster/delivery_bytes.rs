@@ -145,8 +145,15 @@ fn take_delivery(from: &mut Source<'_>) -> Option<Delivery> {
     let warnings = from.list(Source::text)?;
     let fit = from.optional(take_fit)?;
     let field = take_field(from)?;
-    let measured =
-        PairResult { field, seconds, warnings, model: Default::default(), fit, light: None };
+    let measured = PairResult {
+        field,
+        seconds,
+        warnings,
+        model: Default::default(),
+        fit,
+        light: None,
+        particles: None,
+    };
     let result = ShotResult { measured, time, raw };
     Some(Delivery { shot, attempt, worker, model_sha256, result })
 }

@@ -236,6 +236,7 @@ mod tests {
             model: Default::default(),
             fit: None,
             light: None,
+            particles: None,
         };
         Delivery {
             shot,

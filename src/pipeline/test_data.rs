@@ -22,5 +22,6 @@ pub(super) fn result() -> PairResult {
         model: Default::default(),
         fit: None,
         light: None,
+        particles: None,
     }
 }

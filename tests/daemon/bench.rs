@@ -186,5 +186,6 @@ pub fn quick_result(_: &ImagePair) -> PairResult {
         model: Default::default(),
         fit: None,
         light: None,
+        particles: None,
     }
 }

@@ -126,6 +126,7 @@ fn result(shot: u64) -> PairResult {
         model: Default::default(),
         fit: None,
         light: None,
+        particles: None,
     }
 }
 

@@ -11,7 +11,7 @@ use crate::{
         PlacedParticles, blur_of_width, place_pairs,
     },
     reconstruction::SparseVolume,
-    velocimetry::{DisplacementField, PointCloud, Sample, particles},
+    velocimetry::{DisplacementField, MeasuredParticle, PointCloud, Sample, particles},
 };
 
 /// How the cameras image points of `volume`, with the blur that the fit starts from.
@@ -93,4 +93,23 @@ pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> 
         }
     };
     pairs.iter().map(sample).collect()
+}
+
+/// The particles behind `samples`, and whether they agree with those about them.
+pub(super) fn measured_particles(
+    pairs: &[ParticlePair],
+    samples: &[Sample],
+    agrees: &[bool],
+) -> Vec<MeasuredParticle> {
+    let particle = |((pair, sample), &agrees): ((&ParticlePair, &Sample), &bool)| {
+        let [a, b] = pair.light;
+        MeasuredParticle {
+            at_mm: pair.middle_mm(),
+            displacement_vox: sample.displacement_vox,
+            uncertainty_vox: sample.variance_vox2.map(f32::sqrt),
+            light: std::array::from_fn(|camera| ((a[camera] + b[camera]) / 2.0) as f32),
+            agrees,
+        }
+    };
+    pairs.iter().zip(samples).zip(agrees).map(particle).collect()
 }

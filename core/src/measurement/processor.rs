@@ -15,7 +15,7 @@ use crate::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
-        placed::{Found, point_cameras, samples},
+        placed::{Found, measured_particles, point_cameras, samples},
         plan::Plan,
     },
     model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid},
@@ -280,7 +280,7 @@ impl Processor {
             &cloud(&solved_b.volume),
             self.measurement.dt_s,
         );
-        let correlate_s = seconds_since(self.clock, started);
+        let mut correlate_s = seconds_since(self.clock, started);
 
         let started = (self.clock)();
         let fit = model_fit::FitInputs {
@@ -294,14 +294,19 @@ impl Processor {
         .fit();
         let judge_s = found_s + seconds_since(self.clock, started);
         let volumes = [solved_a.volume, solved_b.volume];
-        let mut placed = None;
+        let (mut placed, mut particles) = (None, None);
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
         } else if let Some(pair) = kept {
+            let started = (self.clock)();
             let found = self.place(pair.borrow(), &volumes, &everywhere)?;
             let samples = samples(&found.pairs, &grid);
-            field = self.interrogation.through_placed(&field, &everywhere, &samples);
+            let (through, agrees) =
+                self.interrogation.through_placed(&field, &everywhere, &samples);
+            field = through;
+            particles = Some(measured_particles(&found.pairs, &samples, &agrees));
             placed = Some(found);
+            correlate_s += seconds_since(self.clock, started);
         }
         tracing::debug!(
             "model fit {}: {}",
@@ -316,6 +321,7 @@ impl Processor {
             warnings,
             model: fitted.choice.clone(),
             light: None,
+            particles,
             fit: Some(fit),
         };
         Ok(Measured { result, volumes, everywhere, placed })

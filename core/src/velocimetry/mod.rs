@@ -37,7 +37,7 @@ pub use displacement::DisplacementField;
 pub use field::{VectorGrid, VectorStatus, VelocityField};
 pub use floor::correlation_error_vox;
 pub use multipass::Interrogation;
-pub use result::{PairResult, StageSeconds};
+pub use result::{MeasuredParticle, PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;
 pub use spline_field::Sample;
 pub use tracks::{Particle, particles};

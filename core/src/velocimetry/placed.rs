@@ -24,15 +24,21 @@ const LEAST_PARTICLES: usize = 6;
 /// chance within half a voxel have a median of 0.17.
 const LARGEST_MISSED_VOX: f64 = 0.12;
 
+/// A particle agrees with those about it if it is missed by no more standard deviations,
+const AGREE_DEVIATIONS: f32 = 4.0;
+
+/// of which the median of what all particles are missed by is one.
+const NORMAL_OF_MEDIAN: f32 = 1.4826;
+
 impl Interrogation {
     /// The field through placed particles, `samples` in voxels of [`Self::cloud_grid`], near `everywhere`, whose
-    /// vectors are `before`.
+    /// vectors are `before`; and whether each particle agrees with those about it.
     pub fn through_placed(
         &self,
         before: &VelocityField,
         everywhere: &DisplacementField,
         samples: &[Sample],
-    ) -> VelocityField {
+    ) -> (VelocityField, Vec<bool>) {
         let grid = self.cloud_grid();
         let corners = [[-0.5; 3], grid.voxels.map(|count| count as f32 - 0.5)];
         let (field, missed) = spline_field::through(
@@ -73,6 +79,22 @@ impl Interrogation {
             }
         };
         let vectors: Vec<Vector> = (0..before.grid.len()).map(vector).collect();
-        field_of(before.grid.clone(), &grid, before.dt_s, &vectors, &before.peak_ratio)
+        let field = field_of(before.grid.clone(), &grid, before.dt_s, &vectors, &before.peak_ratio);
+        (field, agreeing(samples, &missed))
     }
+}
+
+/// Whether each sample is what the others predict, within their typical error and its own.
+fn agreeing(samples: &[Sample], missed: &[[f32; 3]]) -> Vec<bool> {
+    let typical: [f32; 3] = std::array::from_fn(|c| {
+        let all = missed.iter().map(|missed| f64::from(missed[c].abs()));
+        NORMAL_OF_MEDIAN * median(all).unwrap_or_default() as f32
+    });
+    let agrees = |(sample, missed): (&Sample, &[f32; 3])| {
+        (0..3).all(|c| {
+            let variance = sample.variance_vox2[c] + typical[c] * typical[c];
+            missed[c] * missed[c] <= AGREE_DEVIATIONS * AGREE_DEVIATIONS * variance
+        })
+    };
+    samples.iter().zip(missed).map(agrees).collect()
 }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::VelocityField;
 use crate::{
     model::ModelChoice,
+    particles::CAMERAS,
     reconstruction::{FrameLight, ModelFit},
 };
 
@@ -46,4 +47,21 @@ pub struct PairResult {
     pub fit: Option<ModelFit>,
     /// The light of frames a and b on the configured grid, where it was asked for.
     pub light: Option<[FrameLight; 2]>,
+    /// Particles that both frames show, where they were placed in the images.
+    pub particles: Option<Vec<MeasuredParticle>>,
+}
+
+/// A particle in the middle of the pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeasuredParticle {
+    /// Its place, in mm.
+    pub at_mm: [f64; 3],
+    /// From frame a to frame b, in voxels.
+    pub displacement_vox: [f32; 3],
+    /// Standard uncertainty of the displacement, in voxels; that of the place is half of it.
+    pub uncertainty_vox: [f32; 3],
+    /// Its light in each camera, mean of both frames, in counts of an open pixel that gets all of it.
+    pub light: [f32; CAMERAS],
+    /// Whether the particles about it say the same of the flow.
+    pub agrees: bool,
 }
