@@ -23,6 +23,7 @@ fn bench() -> BenchSettings {
         configuration: file.text,
         optics: file.config.optics,
         timing: file.config.timing,
+        mask: None,
     }
 }
 

@@ -10,6 +10,8 @@ mod displacement;
 mod field;
 mod fill;
 mod floor;
+mod flow_geometry;
+mod flow_nodes;
 mod judge;
 mod kernel;
 mod lags;

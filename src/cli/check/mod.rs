@@ -51,7 +51,7 @@ fn summary(config: &Config) -> String {
     let mut lines = vec![
         ("cameras", cameras(config)),
         ("field of view", field_of_view(config)),
-        ("volume", volume(&config.volume)),
+        ("volume", volume(&config.volume.grid())),
         ("timing", format!("dt {} us, {} shots/s", config.shot.dt_us, config.shot.rate_hz)),
     ];
     if let Some(scene) = &config.simulation {

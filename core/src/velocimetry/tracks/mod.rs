@@ -21,7 +21,10 @@ use self::{
     pairs::{FARTHEST_VOX, Pair, pairs},
     samples::Samples,
 };
-use super::{cloud::PointCloud, differences::Layout, lattice::Lattice};
+use super::{
+    cloud::PointCloud, differences::Layout, flow_geometry::FlowGeometry, flow_nodes::FlowNodes,
+    lattice::Lattice,
+};
 
 /// Particles are at last looked for so near to where the field expects them, in voxels: some standard
 /// deviations of a reconstructed particle's place, and less than the distance to its neighbours.
@@ -67,20 +70,28 @@ pub struct Refined {
 
 /// The field that the particles of both frames follow, near the correlation's `field`, whose
 /// standard uncertainty is `uncertainty_vox`, `None` where it has measured nothing. At least three nodes
-/// along every axis. `incompressible`: the field is nearly free of divergence.
+/// along every axis. `incompressible`: the field is nearly free of divergence. Particles whose centres are not
+/// in the `flow` are left out: the light of one beside a body reaches into it, and counts whole.
 pub fn follow(
     field: &Lattice,
     uncertainty_vox: &[Option<[f32; 3]>],
     frames: [&PointCloud; 2],
     incompressible: bool,
+    flow: Option<&FlowGeometry>,
 ) -> Refined {
-    let [a, b] = frames;
-    let (a, b) = rayon::join(|| particles(a), || particles(b));
-    let frames: [&[Particle]; 2] = [&a, &b];
-    let fit_on = |nodes: Lattice, uncertainty_vox: &[Option<[f32; 3]>]| {
-        Stage::new(nodes, uncertainty_vox, field.step_vox, incompressible)
+    let in_flow = |cloud: &PointCloud| {
+        let mut found = particles(cloud);
+        found.retain(|particle| flow.is_none_or(|flow| flow.is_flow(particle.at_vox)));
+        found
     };
-    let mut stage = fit_on(field.clone(), uncertainty_vox);
+    let [a, b] = frames;
+    let (a, b) = rayon::join(|| in_flow(a), || in_flow(b));
+    let frames: [&[Particle]; 2] = [&a, &b];
+    let fit_on = |nodes: Lattice, uncertainty_vox: &[Option<[f32; 3]>], level: usize| {
+        let flow = flow.map(|flow| &flow.splines[level]);
+        Stage::new(nodes, uncertainty_vox, (field.step_vox, incompressible), flow)
+    };
+    let mut stage = fit_on(field.clone(), uncertainty_vox, 0);
     stage.settle(frames, COARSE_MOVING_SHARE);
     let near = pairs(&stage.spline, frames, NEAREST_VOX);
     stage.adjust(&near);
@@ -92,7 +103,7 @@ pub fn follow(
         return Refined { spline: stage.spline, nodes, uncertainty_vox, by_particles };
     }
     let (nodes, known) = stage.finer(uncertainty_vox);
-    let mut finer = fit_on(nodes, &known);
+    let mut finer = fit_on(nodes, &known, 1);
     finer.settle(frames, FINE_MOVING_SHARE);
     let near = pairs(&finer.spline, frames, NEAREST_VOX);
     finer.adjust(&near);
@@ -137,21 +148,22 @@ fn larger(
 }
 
 /// A field on nodes of some distance.
-struct Stage {
+struct Stage<'a> {
     nodes: Lattice,
     spline: Spline,
-    fit: Fit,
+    fit: Fit<'a>,
 }
 
-impl Stage {
+impl<'a> Stage<'a> {
     fn new(
         nodes: Lattice,
         uncertainty_vox: &[Option<[f32; 3]>],
-        window_step_vox: f32,
-        incompressible: bool,
+        (window_step_vox, incompressible): (f32, bool),
+        flow: Option<&'a FlowNodes>,
     ) -> Self {
         let spline = Spline::through(&nodes);
-        let fit = Fit::new(&nodes, uncertainty_vox, spline.layout, window_step_vox, incompressible);
+        let fit = Fit::new(&nodes, uncertainty_vox, spline.layout, window_step_vox, incompressible)
+            .with_flow(flow);
         Self { nodes, spline, fit }
     }
 

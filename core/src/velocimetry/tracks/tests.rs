@@ -176,7 +176,7 @@ fn no_light_leaves_the_correlations_field() {
     let dark = PointCloud { position_vox: vec![], light: vec![], grain_vox: 0.25 };
     let given_vox = [0.1, 0.2, 0.05];
     let uncertainty_vox = vec![Some(given_vox); field.values.len()];
-    let settled = follow(&field, &uncertainty_vox, [&dark, &dark], false);
+    let settled = follow(&field, &uncertainty_vox, [&dark, &dark], false, None);
     for (settled, correlated) in on_nodes(&settled, &field).values.iter().zip(&field.values) {
         for c in 0..3 {
             assert!((settled[c] - correlated[c]).abs() < given_vox[c]);
@@ -190,7 +190,7 @@ fn no_light_leaves_the_correlations_field() {
 /// Particles in `frames` of [`flow`] lead from a field of that uncertainty to the true one.
 fn assert_is_put_right(start: &Lattice, uncertainty_vox: f32, frames: [&PointCloud; 2]) {
     let settled =
-        follow(start, &vec![Some([uncertainty_vox; 3]); start.values.len()], frames, false);
+        follow(start, &vec![Some([uncertainty_vox; 3]); start.values.len()], frames, false, None);
     let error = largest_inner_error(&on_nodes(&settled, start));
     assert!(error < 0.02, "{error}");
 }
@@ -240,7 +240,8 @@ fn light_that_is_wide_along_an_axis_is_not_followed_along_it() {
         [u + 0.1, v, w]
     });
     let uncertainty_vox = vec![Some([0.1; 3]); correlated.values.len()];
-    let found = on_nodes(&follow(&correlated, &uncertainty_vox, [&a, &b], false), &correlated);
+    let found =
+        on_nodes(&follow(&correlated, &uncertainty_vox, [&a, &b], false, None), &correlated);
     let expected = lattice(sheared).values;
     let mean_error = |c: usize| {
         let errors = found.values.iter().zip(&expected).map(|(f, e)| f[c] - e[c]);
@@ -258,10 +259,10 @@ fn particles_measure_where_they_move_together_and_nowhere_else() {
     let uncertainty_vox = vec![Some([0.1; 3]); start.values.len()];
     let middles = places(&mut random, 2000);
     let [a, b] = frames(&middles, flow);
-    let together = follow(&start, &uncertainty_vox, [&a, &b], false).by_particles;
+    let together = follow(&start, &uncertainty_vox, [&a, &b], false, None).by_particles;
     assert!(together.iter().filter(|&&by| by).count() > together.len() / 2);
     let [_, other] = frames(&places(&mut random, 2000), flow);
-    let apart = follow(&start, &uncertainty_vox, [&a, &other], false).by_particles;
+    let apart = follow(&start, &uncertainty_vox, [&a, &other], false, None).by_particles;
     assert!(!apart.contains(&true));
 }
 
