@@ -68,7 +68,7 @@ impl Layout {
         (0..known.len()).filter(move |&n| {
             self.starts(axis, n)
                 && self.gaps(axis, n, known) == 0
-                && !flow.is_some_and(|flow| flow.crosses(axis, n))
+                && !flow.is_some_and(|flow| flow.ties_flows(axis, n))
         })
     }
 
@@ -139,12 +139,12 @@ impl Penalty {
         }
     }
 
-    /// Lets every third difference go that has flow on both sides of what is not flow: flows that a body
-    /// parts are no smoother together than each by itself.
+    /// Lets every third difference go that ties flows to each other which a body parts: together they are no
+    /// smoother than each by itself.
     pub fn part(&mut self, flow: &FlowNodes) {
         for (axis, stiffness) in self.stiffness.iter_mut().enumerate() {
             for (n, stiffness) in stiffness.iter_mut().enumerate() {
-                if self.layout.starts(axis, n) && flow.crosses(axis, n) {
+                if self.layout.starts(axis, n) && flow.ties_flows(axis, n) {
                     *stiffness = 0.0;
                 }
             }

@@ -81,6 +81,30 @@ impl FlowGeometry {
         self.mask.is_clear(self.in_mm(from_vox), self.in_mm(to_vox))
     }
 
+    /// How many of `windows`, which are those of this flow, have their centre in the flow and along an axis more
+    /// flow less than a window away behind what is not flow: the light and the field on both sides are mixed there.
+    pub fn around_bodies(&self, windows: &Windows) -> usize {
+        let layout = Layout { nodes: windows.nodes };
+        let reach = (windows.edge as f32 * windows.cell_vox) as usize;
+        let goes_around = |n: usize| {
+            let node = layout.place(n);
+            (0..6).any(|side| {
+                let mut is_behind = false;
+                (1..reach).any(|steps| {
+                    let mut at: [f32; 3] = std::array::from_fn(|axis| {
+                        let steps = windows.step as f32 * windows.cell_vox * node[axis] as f32;
+                        windows.first_vox[axis] + steps
+                    });
+                    at[side / 2] += if side % 2 == 0 { steps as f32 } else { -(steps as f32) };
+                    let is_flow = self.is_flow(at);
+                    is_behind |= !is_flow;
+                    is_behind && is_flow
+                })
+            })
+        };
+        (0..layout.len()).filter(|&n| self.windows.is_flow(n) && goes_around(n)).count()
+    }
+
     /// The light of a cloud that is in the flow.
     pub fn within(&self, cloud: &PointCloud) -> PointCloud {
         let points = cloud.position_vox.iter().zip(&cloud.light);

@@ -36,7 +36,7 @@ pub use derived::{Gradients, curl_and_divergence};
 pub use displacement::DisplacementField;
 pub use field::{VectorGrid, VectorStatus, VelocityField};
 pub use floor::correlation_error_vox;
-pub use multipass::Interrogation;
+pub use multipass::{InFlow, Interrogation};
 pub use result::{PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;
 pub use tracks::{Particle, particles};

@@ -44,6 +44,16 @@ pub struct Interrogation {
     flow: Option<FlowGeometry>,
 }
 
+/// What a mask leaves of an interrogation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct InFlow {
+    /// Vectors in the flow.
+    pub vectors: usize,
+    /// Windows in the flow beside a body that is thinner than a window: what they measure may be mixed with the flow
+    /// behind it.
+    pub around_bodies: usize,
+}
+
 /// Layers of windows around the volume's own, on the margin: they carry the deformation to the
 /// volume's faces and are not reported.
 const GUARD: usize = 1;
@@ -148,6 +158,15 @@ impl Interrogation {
     /// Edges of the first and the final windows, in voxels.
     pub fn windows_vox(&self) -> [usize; 2] {
         [&self.search, &self.windows].map(|w| w.edge * w.cell_vox as usize)
+    }
+
+    /// What of the vectors and windows is flow, where the volume has a mask.
+    pub fn in_flow(&self) -> Option<InFlow> {
+        let flow = self.flow.as_ref()?;
+        Some(InFlow {
+            vectors: flow.vectors.count(),
+            around_bodies: flow.around_bodies(&self.windows),
+        })
     }
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].

@@ -169,6 +169,33 @@ fn background(config: &Config) -> Option<Finding> {
     })
 }
 
+/// Whether windows fit into the flow; `None` without a mask.
+pub fn mask(config: &Config, plan: &Plan) -> Option<Finding> {
+    const CHECK: &str = "mask";
+    let (stored, flow) = (config.mask.as_ref()?, plan.in_flow?);
+    let share = stored.mask.flow_share();
+    let found = format!(
+        "{:.1} % of the volume and {} of {} vectors are in the flow",
+        100.0 * share,
+        flow.vectors,
+        plan.vectors.len()
+    );
+    let finding = if flow.vectors == 0 {
+        let todo = "no vector will be measured: make [volume.mask] smaller, or use smaller windows";
+        Finding::problem(CHECK, found, todo)
+    } else if flow.around_bodies > 0 {
+        let todo = format!(
+            "{} windows lie beside what is thinner than a window, and mix the flow on both sides of it: use \
+             windows of at most that thickness (velocimetry.window_mm)",
+            flow.around_bodies
+        );
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    Some(finding.with("flow_share", share))
+}
+
 /// Memory needed for one pair in process and the pairs that wait.
 pub fn memory(config: &Config, plan: &Plan) -> Finding {
     const CHECK: &str = "memory";
