@@ -8,8 +8,8 @@ impl Lattice {
     /// outside. No further outside the range of the known ones than that is wide. All zero where none is
     /// known.
     ///
-    /// Nodes in the `flow` take their values from those they see as far as these reach. What is left, inside
-    /// bodies and behind them, takes them from any.
+    /// Nodes in the `flow` take their values from those they see as far as these reach, nodes in bodies from the
+    /// flow that is nearest along an axis, and what is left from any.
     ///
     /// It is where light is looked for, and no measurement.
     pub fn filled(mut self, known: &[bool], flow: Option<&FlowNodes>) -> Self {
@@ -18,20 +18,27 @@ impl Lattice {
         for (value, _) in self.values.iter_mut().zip(known).filter(|(_, known)| !**known) {
             *value = [0.0; 3];
         }
-        if flow.is_some() {
-            self.fill(&mut filled, limits, flow);
+        if let Some(flow) = flow {
+            self.fill(&mut filled, limits, |n, axis| flow.is_open(n, axis));
+            self.fill(&mut filled, limits, |n, axis| flow.is_linked(n, axis));
         }
-        self.fill(&mut filled, limits, None);
+        self.fill(&mut filled, limits, |_, _| true);
         self
     }
 
-    /// Fills node after node outwards along open lines, until there is no more to fill.
-    fn fill(&mut self, filled: &mut [bool], limits: [[f32; 2]; 3], flow: Option<&FlowNodes>) {
+    /// Fills node after node outwards, from a node to the next one along an axis where `is_open`, until there is no
+    /// more to fill.
+    fn fill(
+        &mut self,
+        filled: &mut [bool],
+        limits: [[f32; 2]; 3],
+        is_open: impl Fn(usize, usize) -> bool,
+    ) {
         let layout = Layout { nodes: self.nodes };
         loop {
             let next: Vec<(usize, [f32; 3])> = (0..filled.len())
                 .filter(|&n| !filled[n])
-                .filter_map(|n| Some((n, self.continued(layout, n, filled, flow)?)))
+                .filter_map(|n| Some((n, self.continued(layout, n, filled, &is_open)?)))
                 .collect();
             if next.is_empty() {
                 return;
@@ -53,16 +60,15 @@ impl Lattice {
         if low > high { [0.0; 2] } else { [low - (high - low), high + (high - low)] }
     }
 
-    /// Mean of what every axis says of node `n`; `None` where no neighbour is filled that it sees.
+    /// Mean of what every axis says of node `n`; `None` where no neighbour is filled whose way is open.
     fn continued(
         &self,
         layout: Layout,
         n: usize,
         filled: &[bool],
-        flow: Option<&FlowNodes>,
+        is_open: &impl Fn(usize, usize) -> bool,
     ) -> Option<[f32; 3]> {
         let place = layout.place(n);
-        let is_open = |node: usize, axis: usize| flow.is_none_or(|flow| flow.is_open(node, axis));
         let said: Vec<[f32; 3]> = (0..3)
             .filter_map(|axis| {
                 let s = layout.stride(axis);

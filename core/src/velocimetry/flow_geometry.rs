@@ -17,6 +17,8 @@ pub struct FlowGeometry {
     grid: VolumeGrid,
     /// The final windows' centres.
     pub windows: FlowNodes,
+    /// Nodes on them and half as far apart.
+    pub finer: FlowNodes,
     /// The coefficients of splines on the windows' nodes and on nodes half as far apart.
     pub splines: [FlowNodes; 2],
     /// Where vectors are asked for.
@@ -56,6 +58,7 @@ impl FlowGeometry {
         let shares = |windows: &Windows| shares(windows, |at_vox| mask.is_flow(in_mm(at_vox)));
         Self {
             windows: on(&centres, 0),
+            finer: on(&centres.finer(), 0),
             // A spline has a coefficient on every node and one beyond each end.
             splines: [on(&centres, 1), on(&centres.finer(), 1)],
             vectors: FlowNodes::new(Layout { nodes: vectors.vectors }, &mask, at_vector),

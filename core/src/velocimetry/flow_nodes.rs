@@ -137,6 +137,12 @@ impl FlowNodes {
         self.sees(n, NEXT[axis])
     }
 
+    /// Whether node `n` and the next one along `axis` are of one flow, or one goes on from the other, or both from the
+    /// same side.
+    pub fn is_linked(&self, n: usize, axis: usize) -> bool {
+        self.linked[n][axis]
+    }
+
     /// Whether the third difference along `axis` that starts at node `n` ties flows to each other which a body
     /// parts.
     ///
@@ -144,7 +150,7 @@ impl FlowNodes {
     /// middle, and are not compared there.
     pub fn ties_flows(&self, axis: usize, n: usize) -> bool {
         let stride = self.layout.stride(axis);
-        !(0..3).all(|k| self.linked[n + k * stride][axis])
+        !(0..3).all(|k| self.is_linked(n + k * stride, axis))
     }
 }
 

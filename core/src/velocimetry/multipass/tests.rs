@@ -84,7 +84,8 @@ fn nothing_reaches_across_a_plate() {
         };
         let (masked, whole) = (errors(Some(mask.clone())), errors(None));
         println!("largest error, |vorticity| about z, valid share: {masked:?}, unmasked {whole:?}");
-        assert!(masked.0 < 0.15 && masked.1 < 0.02 && masked.2 > 0.95, "{masked:?}");
+        let most = if particles { 0.005 } else { 0.04 };
+        assert!(masked.0 < most && masked.1 < most / 4.0 && masked.2 > 0.98, "{masked:?}");
         // The test would notice.
         assert!(whole.1 > 0.05, "{whole:?}");
     }

@@ -102,7 +102,7 @@ pub fn follow(
         let nodes = stage.spline.on_nodes(&stage.nodes);
         return Refined { spline: stage.spline, nodes, uncertainty_vox, by_particles };
     }
-    let (nodes, known) = stage.finer(uncertainty_vox);
+    let (nodes, known) = stage.finer(uncertainty_vox, flow.map(|flow| &flow.finer));
     let mut finer = fit_on(nodes, &known, 1);
     finer.settle(frames, FINE_MOVING_SHARE);
     let near = pairs(&finer.spline, frames, NEAREST_VOX);
@@ -161,7 +161,7 @@ impl<'a> Stage<'a> {
         (window_step_vox, incompressible): (f32, bool),
         flow: Option<&'a FlowNodes>,
     ) -> Self {
-        let spline = Spline::through(&nodes);
+        let spline = Spline::through(&nodes, flow);
         let fit = Fit::new(&nodes, uncertainty_vox, spline.layout, window_step_vox, incompressible)
             .with_flow(flow);
         Self { nodes, spline, fit }
@@ -192,10 +192,19 @@ impl<'a> Stage<'a> {
 
     /// The same field on nodes at half the distance, and the standard uncertainty of the windows' vectors,
     /// `uncertainty_vox`, where these stand.
-    fn finer(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> (Lattice, Vec<Option<[f32; 3]>>) {
+    fn finer(
+        &self,
+        uncertainty_vox: &[Option<[f32; 3]>],
+        flow: Option<&FlowNodes>,
+    ) -> (Lattice, Vec<Option<[f32; 3]>>) {
         let spline = &self.spline;
-        let nodes =
+        let mut nodes =
             self.nodes.finer().sampling(|at| spline.of(&spline.taps(at)).map(|value| value as f32));
+        if let Some(flow) = flow {
+            // In a body the spline passes from one flow to the next.
+            let in_flow: Vec<bool> = (0..nodes.values.len()).map(|n| flow.is_flow(n)).collect();
+            nodes = nodes.filled(&in_flow, Some(flow));
+        }
         let (coarse, fine) = (Layout { nodes: self.nodes.nodes }, Layout { nodes: nodes.nodes });
         let mut known = vec![None; fine.len()];
         for (n, uncertainty) in uncertainty_vox.iter().enumerate() {

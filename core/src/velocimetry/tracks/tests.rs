@@ -82,7 +82,7 @@ fn largest_inner_error(found: &Lattice) -> f32 {
 #[test]
 fn a_spline_has_the_values_of_its_lattice_on_the_nodes_and_follows_it_between() {
     let field = lattice(flow);
-    let spline = Spline::through(&field);
+    let spline = Spline::through(&field, None);
     assert!(largest_difference(&spline.on_nodes(&field), &field) < 1e-5);
     for at in places(&mut random(), 200) {
         let (found, expected) = (spline.of(&spline.taps(at)), flow(at));
@@ -94,7 +94,7 @@ fn a_spline_has_the_values_of_its_lattice_on_the_nodes_and_follows_it_between() 
 
 #[test]
 fn a_place_on_a_node_has_the_nodes_own_taps() {
-    let spline = Spline::through(&lattice(flow));
+    let spline = Spline::through(&lattice(flow), None);
     for n in 0..NODES.iter().product() {
         let place = Layout { nodes: NODES }.place(n).map(|i| 3.0 + STEP * i as f32);
         let [a, b] = [spline.taps(place), Taps::of_node(spline.layout, NODES, n)]
@@ -107,7 +107,7 @@ fn a_place_on_a_node_has_the_nodes_own_taps() {
 #[test]
 fn scattering_is_the_transpose_of_gathering() {
     let mut random = random();
-    let spline = Spline::through(&lattice(flow));
+    let spline = Spline::through(&lattice(flow), None);
     let taps: Vec<Taps> = places(&mut random, 300).into_iter().map(|at| spline.taps(at)).collect();
     let mut numbers =
         |count: usize| -> Vec<f64> { (0..count).map(|_| f64::from(unit(&mut random))).collect() };
@@ -271,7 +271,7 @@ fn particles_measure_where_they_move_together_and_nowhere_else() {
 #[test]
 fn the_variance_is_the_inverse_matrix_s() {
     let mut random = random();
-    let spline = Spline::through(&lattice(flow));
+    let spline = Spline::through(&lattice(flow), None);
     let (layout, count) = (spline.layout, spline.layout.len());
     for (per_cell, stiffness) in [(20.0, 2.0), (20.0, 0.1), (60.0, 0.5)] {
         let cells: usize = NODES.iter().map(|n| n - 1).product();
@@ -324,7 +324,7 @@ fn the_variance_is_the_inverse_matrix_s() {
 
 #[test]
 fn pairs_are_each_others_nearest() {
-    let spline = Spline::through(&lattice(|_| [1.0, 0.0, 0.0]));
+    let spline = Spline::through(&lattice(|_| [1.0, 0.0, 0.0]), None);
     let a = [[10.0, 10.0, 10.0], [20.0, 20.0, 20.0], [20.3, 20.0, 20.0], [12.0, 30.0, 30.0]];
     let b = [[21.0, 20.0, 20.1], [11.1, 10.0, 10.0], [14.0, 30.0, 30.0]];
     let compact = |at_vox| Particle { at_vox, spread_vox2: [0.0; 3], light: 1.0 };
