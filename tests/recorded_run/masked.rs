@@ -26,11 +26,19 @@ fn masked_run(root: &Path) -> PathBuf {
     let config = configuration(root, "");
     let body = root.join("bodies/body.stl");
     fs::create_dir_all(body.parent().unwrap()).unwrap();
-    fs::write(&body, cylinder([0.2, 0.2], 0.15)).unwrap();
+    fs::write(&body, cylinder([0.3, 0.3], 0.2)).unwrap();
     let mask = "voxel_mm = 0.1\nmask = { leave_out = [{ stl = \"bodies/body.stl\" }] }";
     let masked = fs::read_to_string(&config).unwrap().replacen("voxel_mm = 0.1", mask, 1);
-    // Windows of 4 voxels: 27 vectors, some of them in the body.
-    let masked = masked.replacen("window_mm = 0.8", "window_mm = 0.4", 1);
+    // 27 vectors, three of them in the body.
+    let changes = [
+        ("voxels = [8, 8, 8]", "voxels = [12, 12, 12]"),
+        ("window_mm = 0.8", "window_mm = 0.6"),
+        ("ppm = 0.5", "ppm = 2.0"),
+    ];
+    let masked = changes.iter().fold(masked, |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    });
     fs::write(&config, masked).unwrap();
     let run = finished_run(&config, SHOTS);
     fs::remove_file(&body).unwrap();
@@ -65,7 +73,7 @@ fn a_masked_run_is_replayed_and_measured_again_without_the_files() {
     for shot in &measured {
         for (n, status) in shot.status.iter().enumerate() {
             let [x, y, _] = shot.grid.position_mm(n);
-            let is_inside = (x - 0.2).hypot(y - 0.2) < 0.15;
+            let is_inside = (x - 0.3).hypot(y - 0.3) < 0.2;
             assert_eq!(*status == VectorStatus::Masked, is_inside, "{x} {y}");
             let missing = shot.velocity_m_s[n].iter().all(|speed| speed.is_nan());
             assert_eq!(missing, !status.has_value(), "{status:?}");
