@@ -132,7 +132,7 @@ impl Setting<'_> {
 
     /// A row that says what is measured, and nothing of the result.
     pub fn row(&self, method: Option<&Method>, seed: u64) -> Row {
-        let volume = &self.config.volume;
+        let volume = &self.config.volume.grid();
         let [x, y, z] = volume.voxels;
         let sensor = &self.scene.sensor;
         let noisy = sensor.shot_noise || sensor.read_noise_electrons > 0.0;

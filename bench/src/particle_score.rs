@@ -37,7 +37,7 @@ pub struct ParticleScore {
 impl ParticleScore {
     /// Of a setting's shot.
     pub fn of(placed: &PlacedParticles, truth: &Truth, setting: &Setting) -> Self {
-        let volume = &setting.config.volume;
+        let volume = &setting.config.volume.grid();
         let voxel_mm = volume.voxel_mm;
         let inside = |at: &[f64; 3]| {
             (0..3).all(|axis| {

@@ -78,7 +78,7 @@ pub fn peers(command: &PeersCommand) -> anyhow::Result<()> {
         }
         PeersCommand::Reconstruct { time, passes } => {
             let config = case_config(&time.case)?;
-            let (bench, grid) = (config.bench_geometry(), &config.volume);
+            let (bench, grid) = (config.bench_geometry(), &config.volume.grid());
             let mut settings = config.reconstruction.clone();
             settings.passes = passes.or(settings.passes);
             print_row(&time_reconstruction(&time.case, &bench, grid, &settings, time.repeats)?)
@@ -89,7 +89,13 @@ pub fn peers(command: &PeersCommand) -> anyhow::Result<()> {
             settings.passes = passes.unwrap_or(settings.passes);
             let dt_s = config.measurement().dt_s;
             let repeats = time.repeats;
-            print_row(&time_correlation(&time.case, &config.volume, &settings, dt_s, repeats)?)
+            print_row(&time_correlation(
+                &time.case,
+                &config.volume.grid(),
+                &settings,
+                dt_s,
+                repeats,
+            )?)
         }
     }
 }
@@ -97,7 +103,7 @@ pub fn peers(command: &PeersCommand) -> anyhow::Result<()> {
 fn export_views(export: &ExportArgs) -> anyhow::Result<()> {
     let (config, scene) = start_export(export)?;
     let bench = config.bench_geometry();
-    let case = ReconstructionCase::simulate(&bench, &config.volume, &scene)?;
+    let case = ReconstructionCase::simulate(&bench, &config.volume.grid(), &scene)?;
     Ok(case.write(&bench, &export.out)?)
 }
 
@@ -107,7 +113,7 @@ fn export_volumes(export: &ExportArgs, reconstructed: bool) -> anyhow::Result<()
     let case = if reconstructed {
         CorrelationCase::reconstructed(&bench, &config.measurement(), &scene)?
     } else {
-        CorrelationCase::of_particles(&bench, &config.volume, &scene, &config.velocimetry)
+        CorrelationCase::of_particles(&bench, &config.volume.grid(), &scene, &config.velocimetry)
     };
     Ok(case.write(&export.out)?)
 }

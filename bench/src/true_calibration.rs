@@ -33,7 +33,7 @@ fn calibration(setting: &Setting, camera: usize) -> CameraCalibration {
         row_px: grid.row_px,
     });
     let map = scene.tracer(bench, camera).and_then(|tracer| {
-        let volume = &setting.config.volume;
+        let volume = &setting.config.volume.grid();
         let half = |voxels: usize| (voxels as f64 / 2.0 + MARGIN_VOXELS) * volume.voxel_mm;
         let exit_pupil_mm = scene.camera.get(camera).map_or(0.0, |flaws| flaws.exit_pupil_mm);
         let seen = |world_mm| equivalent(&bench.optics, &tracer, exit_pupil_mm, world_mm);

@@ -75,5 +75,5 @@ pub fn true_cloud(truth: &Truth, frame: FrameOfPair, windows: &Interrogation) ->
 /// The solver for a setting's own volume, without the margin that velocimetry adds.
 pub fn reconstructor(config: &lfpiv::config::Config) -> Result<Reconstructor, BenchmarkError> {
     let (optics, poses) = (&config.optics, &config.poses());
-    Ok(Reconstructor::new(optics, poses, &config.volume, &config.reconstruction)?)
+    Ok(Reconstructor::new(optics, poses, &config.volume.grid(), &config.reconstruction)?)
 }

@@ -57,7 +57,7 @@ fn check_claim(case: &str, ppm: f64, least_within: f64) {
     let (pair, truth) = simulated(&config, SEED);
     let result = Processor::new(config.measurement()).unwrap().process(&pair).unwrap();
     assert!(result.warnings.is_empty(), "{:?}", result.warnings);
-    let least = true_particles(&config.volume, &config.velocimetry, &truth);
+    let least = true_particles(&config.volume.grid(), &config.velocimetry, &truth);
     let deviation = |field| Deviation::of(field, &truth.flow);
     let name = |what: &str| format!("{case}, {ppm} ppm, {what}");
     let images = deviation(&result.field);

@@ -41,6 +41,7 @@
 //! #     poses: cameras.clone(),
 //! #     volume: lfpiv_sim::Volume { voxels: [24, 20, 20], voxel_mm: 0.1, centre_mm: [0.0; 3] },
 //! #     dt_s: 1e-4,
+//! #     empty: None,
 //! # };
 //! # let flow = lfpiv_sim::Flow::Uniform(lfpiv_sim::flow::Uniform { velocity_m_s });
 //! # let images = lfpiv_sim::Scene { ppm: 0.5, flow, ..Default::default() }.shot(&bench, 1, 0).images;
@@ -52,6 +53,7 @@
 //!     cameras,
 //!     calibrations: Vec::new(), // As drawn.
 //!     volume,
+//!     mask: None, // All of the volume is flow.
 //!     image: ImageSettings::default(),
 //!     model: ModelSettings::default(),
 //!     reconstruction: ReconstructionSettings::default(),

@@ -8,6 +8,7 @@ mod accuracy;
 mod forecast;
 mod forward_model;
 mod hard_cases;
+mod masked;
 mod model_fit;
 mod model_parts;
 mod placed_particles;

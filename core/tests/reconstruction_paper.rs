@@ -69,8 +69,13 @@ impl Case {
     fn seeded(cameras: usize, ppm: f64, depth_mm: f64) -> Self {
         let centre_mm = [0.0, 0.0, depth_mm];
         let grid = VolumeGrid { voxels: [24, 20, 20], voxel_mm: 0.1, centre_mm };
-        let seeding =
-            Seeding { ppm, placement: Placement::OnGrid, intensity_spread: 0.0, sheet_mm: None };
+        let seeding = Seeding {
+            ppm,
+            placement: Placement::OnGrid,
+            intensity_spread: 0.0,
+            sheet_mm: None,
+            empty: None,
+        };
         let volume = lfpiv_sim::Volume {
             voxels: grid.voxels,
             voxel_mm: grid.voxel_mm,

@@ -37,6 +37,7 @@ fn main() {
         ],
         volume: Volume { voxels: [100; 3], voxel_mm: 0.1, centre_mm: [0.0; 3] },
         dt_s: 100e-6,
+        empty: None,
     };
     let scene = Scene { flow: Flow::RingVortex(RingVortex::default()), ..Scene::default() };
 

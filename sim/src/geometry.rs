@@ -1,5 +1,7 @@
 //! The bench that is simulated, as plain data: this crate does not know the daemon's settings.
 
+use std::{fmt, sync::Arc};
+
 use lfpiv_hw::{Optics, Pose};
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +16,37 @@ pub struct BenchGeometry {
     pub volume: Volume,
     /// Time between the two laser pulses, in s.
     pub dt_s: f64,
+    /// Where there are no particles.
+    pub empty: Option<EmptySpace>,
+}
+
+/// Space without particles, such as the inside of a body. The flow goes on in it, and light passes it: a body
+/// only has no particles.
+#[derive(Clone)]
+pub struct EmptySpace(Arc<dyn Fn([f64; 3]) -> bool + Send + Sync>);
+
+impl EmptySpace {
+    /// The places (mm) for which `is_empty`.
+    pub fn new(is_empty: impl Fn([f64; 3]) -> bool + Send + Sync + 'static) -> Self {
+        Self(Arc::new(is_empty))
+    }
+
+    /// Whether there are no particles at a place (mm).
+    pub fn contains(&self, at_mm: [f64; 3]) -> bool {
+        (self.0)(at_mm)
+    }
+}
+
+impl fmt::Debug for EmptySpace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("EmptySpace")
+    }
+}
+
+impl PartialEq for EmptySpace {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
 }
 
 impl BenchGeometry {

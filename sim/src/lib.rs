@@ -27,7 +27,7 @@ pub mod wire;
 
 pub use bench::{SimulatedBench, connect};
 pub use flow::Flow;
-pub use geometry::{BenchGeometry, Volume};
+pub use geometry::{BenchGeometry, EmptySpace, Volume};
 pub use imaging::{CameraFlaws, ConventionalCamera, TrueMicroImageGrid};
 pub use particles::{FrameOfPair, Placement, Tracer};
 pub use planar::{PlanarScene, PlanarShot};

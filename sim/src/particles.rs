@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     flow::Flow,
-    geometry::Volume,
+    geometry::{EmptySpace, Volume},
     stream::{Purpose, random_stream},
 };
 
@@ -36,6 +36,9 @@ pub struct Seeding {
     /// Edge lengths (x, y, z) of the lit box, centred on the volume, in mm; the volume's own
     /// extents when absent.
     pub sheet_mm: Option<[f64; 3]>,
+    /// Where there are none.
+    #[serde(skip)]
+    pub empty: Option<EmptySpace>,
 }
 
 /// A frame of a pulse pair.
@@ -59,9 +62,9 @@ pub struct Tracer {
     pub b_mm: [f64; 3],
     /// Brightness relative to the mean particle.
     pub intensity: f64,
-    /// Whether it is inside the light sheet at the first pulse.
+    /// Whether it is seen at the first pulse: inside the light sheet, and not inside a body.
     pub visible_a: bool,
-    /// Whether it is inside the light sheet at the second pulse.
+    /// Whether it is seen at the second pulse.
     pub visible_b: bool,
 }
 
@@ -166,7 +169,7 @@ impl Seeding {
             .collect();
         placed
             .into_par_iter()
-            .map(|(mid_mm, intensity)| particle(mid_mm, intensity, &sheet, flow, dt_s))
+            .map(|(mid_mm, intensity)| self.particle(mid_mm, intensity, &sheet, flow, dt_s))
             .collect()
     }
 
@@ -180,7 +183,26 @@ impl Seeding {
         at_s: f64,
     ) -> Option<[f64; 3]> {
         let position_mm = flow.advect_mm(particle.mid_mm, at_s);
-        self.sheet(volume).contains(position_mm).then_some(position_mm)
+        self.is_seen(&self.sheet(volume), position_mm).then_some(position_mm)
+    }
+
+    /// Whether a particle is seen at a place (mm): in the light, and not where there are none.
+    fn is_seen(&self, sheet: &AlignedBox, at_mm: [f64; 3]) -> bool {
+        sheet.contains(at_mm) && !self.empty.as_ref().is_some_and(|empty| empty.contains(at_mm))
+    }
+
+    fn particle(
+        &self,
+        mid_mm: [f64; 3],
+        intensity: f64,
+        sheet: &AlignedBox,
+        flow: &Flow,
+        dt_s: f64,
+    ) -> Tracer {
+        let a_mm = flow.advect_mm(mid_mm, -dt_s / 2.0);
+        let b_mm = flow.advect_mm(mid_mm, dt_s / 2.0);
+        let (visible_a, visible_b) = (self.is_seen(sheet, a_mm), self.is_seen(sheet, b_mm));
+        Tracer { a_mm, mid_mm, b_mm, intensity, visible_a, visible_b }
     }
 
     fn sheet(&self, volume: &Volume) -> AlignedBox {
@@ -205,19 +227,6 @@ impl Seeding {
             0.0
         }
     }
-}
-
-fn particle(
-    mid_mm: [f64; 3],
-    intensity: f64,
-    sheet: &AlignedBox,
-    flow: &Flow,
-    dt_s: f64,
-) -> Tracer {
-    let a_mm = flow.advect_mm(mid_mm, -dt_s / 2.0);
-    let b_mm = flow.advect_mm(mid_mm, dt_s / 2.0);
-    let (visible_a, visible_b) = (sheet.contains(a_mm), sheet.contains(b_mm));
-    Tracer { a_mm, mid_mm, b_mm, intensity, visible_a, visible_b }
 }
 
 /// How far the flow carries any particle of the sheet along each axis in half a pulse separation,

@@ -71,6 +71,10 @@ pub struct Scene {
     /// default: those of the volume. Other sizes have the same number density.
     #[garde(inner(inner(custom(finite), range(min = 0.01, max = 1000.0))))]
     pub sheet_mm: Option<[f64; 3]>,
+    /// Whether particles are also where the bench has none, such as in what `[volume] mask` leaves out: the
+    /// surroundings of a region of interest have some, a body has none.
+    #[garde(skip)]
+    pub particles_in_mask: bool,
     /// Default seed of a run.
     #[garde(skip)]
     pub seed: u64,
@@ -118,6 +122,7 @@ impl Default for Scene {
             placement: Placement::OffGrid,
             intensity_spread: 0.2,
             sheet_mm: None,
+            particles_in_mask: false,
             seed: 1,
             camera_shift_mm: Vec::new(),
             particle_photoelectrons: 100_000.0,
@@ -163,8 +168,12 @@ impl Scene {
     /// Errors: more particles than [`PARTICLE_LIMIT`]; an impossible position of a stop, an
     /// aperture or a wall.
     pub fn check(&self, bench: &BenchGeometry) -> Result<(), SceneError> {
-        let particles =
-            self.seeding().drawn(&bench.volume, bench.object_pitch_mm(), &self.flow, bench.dt_s);
+        let particles = self.seeding(bench).drawn(
+            &bench.volume,
+            bench.object_pitch_mm(),
+            &self.flow,
+            bench.dt_s,
+        );
         if particles > PARTICLE_LIMIT {
             return Err(SceneError::TooManyParticles { particles });
         }
@@ -204,7 +213,7 @@ impl Scene {
     /// The particles of one shot, without images.
     pub fn truth(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Truth {
         let flow = self.flow.of_shot(seed, shot);
-        let particles = self.seeding().particles(
+        let particles = self.seeding(bench).particles(
             &bench.volume,
             bench.object_pitch_mm(),
             &flow,
@@ -271,12 +280,13 @@ impl Scene {
         }
     }
 
-    fn seeding(&self) -> Seeding {
+    fn seeding(&self, bench: &BenchGeometry) -> Seeding {
         Seeding {
             ppm: self.ppm,
             placement: self.placement,
             intensity_spread: self.intensity_spread,
             sheet_mm: self.sheet_mm,
+            empty: bench.empty.clone().filter(|_| !self.particles_in_mask),
         }
     }
 

@@ -37,5 +37,6 @@ pub(crate) fn small() -> BenchGeometry {
         poses: poses(),
         volume: Volume { voxels: [12, 10, 10], voxel_mm: 0.1, centre_mm: [0.0; 3] },
         dt_s: 100e-6,
+        empty: None,
     }
 }

@@ -67,6 +67,17 @@ fn calibration_hashes(configuration: &str) -> Option<String> {
     (!hashes.is_empty()).then(|| hashes.join(", "))
 }
 
+/// The hashes of the files of bodies in a configuration, as `FILE: HASH, FILE: HASH`; `None` without any.
+fn mask_hashes(configuration: &str) -> Option<String> {
+    let table: toml::Table = configuration.parse().ok()?;
+    let files = table.get("mask")?.get("file")?.as_array()?.iter();
+    let hash = |entry: &toml::Value| {
+        Some(format!("{}: {}", entry.get("file")?.as_str()?, entry.get("sha256")?.as_str()?))
+    };
+    let hashes: Vec<String> = files.filter_map(hash).collect();
+    (!hashes.is_empty()).then(|| hashes.join(", "))
+}
+
 impl NetCdfFile {
     /// Creates a file of at most `bytes`, to be stored at `path`, with the global attributes.
     /// `configuration` is the TOML text of the measurement.
@@ -89,6 +100,9 @@ impl NetCdfFile {
             file.add_attribute("configuration", configuration)?;
             if let Some(hashes) = calibration_hashes(configuration) {
                 file.add_attribute("calibration_sha256", hashes.as_str())?;
+            }
+            if let Some(hashes) = mask_hashes(configuration) {
+                file.add_attribute("mask_sha256", hashes.as_str())?;
             }
             Ok(file)
         };

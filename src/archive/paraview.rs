@@ -53,8 +53,8 @@ impl Array {
 /// (positions in m, velocities in m/s).
 ///
 /// Point arrays: `velocity` and its standard uncertainty `velocity_uncertainty` (m/s),
-/// `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`, `replaced`. `vtkGhostType` hides
-/// invalid vectors, whose numbers are NaN. Field data: `shot`, `dt_s`, `TimeValue` (UTC, s since
+/// `displacement_vox`, `vorticity_per_s`, `peak_ratio`, `valid`, `replaced`, `masked`. `vtkGhostType` hides
+/// vectors without a value, whose numbers are NaN. Field data: `shot`, `dt_s`, `TimeValue` (UTC, s since
 /// 1970, if known), `source` and `configuration`.
 pub fn write_vti(
     path: &Path,
@@ -72,13 +72,15 @@ pub fn write_vti(
     })
 }
 
-fn arrays_of(field: &VelocityField) -> [Array; 8] {
+fn arrays_of(field: &VelocityField) -> [Array; 9] {
     let to_velocity = field.metres_per_second_per_voxel() as f32;
     let to_rate = (1.0 / field.dt_s) as f32;
     let scaled = |factor: f32| move |vector: [f32; 3]| vector.map(|component| component * factor);
     let mark = |wanted: VectorStatus, mark: u8| {
         field.status.iter().map(move |status| if *status == wanted { mark } else { 0 })
     };
+    let hidden =
+        field.status.iter().map(|status| if status.has_value() { 0 } else { HIDDEN_POINT });
     let displacement = || field.or_nan(&field.displacement_vox);
     let uncertainty = field.or_nan(&field.uncertainty_vox);
     [
@@ -89,7 +91,8 @@ fn arrays_of(field: &VelocityField) -> [Array; 8] {
         Array::scalars("peak_ratio", &field.peak_ratio),
         Array::flags("valid", mark(VectorStatus::Valid, 1)),
         Array::flags("replaced", mark(VectorStatus::Replaced, 1)),
-        Array::flags("vtkGhostType", mark(VectorStatus::Invalid, HIDDEN_POINT)),
+        Array::flags("masked", mark(VectorStatus::Masked, 1)),
+        Array::flags("vtkGhostType", hidden),
     ]
 }
 

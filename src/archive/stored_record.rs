@@ -60,9 +60,15 @@ impl StoredRecord<'_> {
     /// The status of each vector.
     pub(super) fn status(&self) -> netcdf::Result<Vec<VectorStatus>> {
         let (valid, replaced) = (self.vectors("valid")?, self.vectors("replaced")?);
-        let status = valid.iter().zip(&replaced).map(|flags| match flags {
-            (1.0, _) => VectorStatus::Valid,
-            (_, 1.0) => VectorStatus::Replaced,
+        // Earlier versions knew no masks.
+        let masked = match self.file.variable("masked") {
+            Some(_) => self.vectors("masked")?,
+            None => vec![0.0; valid.len()],
+        };
+        let status = valid.iter().zip(&replaced).zip(&masked).map(|flags| match flags {
+            ((1.0, _), _) => VectorStatus::Valid,
+            ((_, 1.0), _) => VectorStatus::Replaced,
+            (_, 1.0) => VectorStatus::Masked,
             _ => VectorStatus::Invalid,
         });
         Ok(status.collect())

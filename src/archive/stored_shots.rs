@@ -143,7 +143,7 @@ fn read(record: StoredRecord<'_>, shot: u64) -> netcdf::Result<StoredShot> {
     // The first versions stored zeros for missing vectors.
     let or_nan = |mut values: Vec<[f32; 3]>| {
         for (value, status) in values.iter_mut().zip(&status) {
-            if *status == VectorStatus::Invalid {
+            if !status.has_value() {
                 *value = [f32::NAN; 3];
             }
         }

@@ -14,11 +14,16 @@ pub(super) fn result(vectors: [usize; 3]) -> ShotResult {
         numbers(scale).into_iter().map(|n| [n, 2.0 * n, -n]).collect()
     };
     let cycle = [VectorStatus::Valid, VectorStatus::Replaced, VectorStatus::Invalid];
+    // The last of those without a value is no flow.
+    let status = |index: usize| match cycle[index % 3] {
+        VectorStatus::Invalid if index + 3 >= grid.len() => VectorStatus::Masked,
+        status => status,
+    };
     let measured = PairResult {
         field: VelocityField {
             displacement_vox: triples(0.01),
             uncertainty_vox: triples(0.0003).into_iter().map(|t| t.map(f32::abs)).collect(),
-            status: (0..grid.len()).map(|index| cycle[index % 3]).collect(),
+            status: (0..grid.len()).map(status).collect(),
             peak_ratio: numbers(0.5),
             vorticity: triples(0.001),
             divergence: numbers(0.002),

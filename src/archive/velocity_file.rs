@@ -1,7 +1,8 @@
 //! Velocity fields as NetCDF-4/CF, one record per shot.
 //!
 //! Dimensions `shot, z, y, x`. Velocity and uncertainty of an invalid vector are the fill value,
-//! NaN. A replaced vector has the interpolated value, `valid` = 0 and `replaced` = 1. Vorticity and
+//! NaN. A replaced vector has the interpolated value, `valid` = 0 and `replaced` = 1. A vector that is
+//! not in the flow, as the mask of the volume says, has the fill value as well, and `masked` = 1. Vorticity and
 //! divergence are the fill value where the field has no gradient. Each velocity component names its
 //! standard uncertainty as an ancillary variable.
 //!
@@ -58,6 +59,12 @@ const REPLACED: Described = Described {
     long_name: "measurement was rejected, value is interpolated from valid neighbours",
 };
 
+const MASKED: Described = Described {
+    name: "masked",
+    units: "1",
+    long_name: "place is not in the flow, as the mask of the volume says",
+};
+
 const FIELDS: [(Described, PerVector); 11] = [
     (velocity("u", "velocity along x"), |f, i| velocity_of(f, i, 0)),
     (velocity("v", "velocity along y"), |f, i| velocity_of(f, i, 1)),
@@ -111,8 +118,10 @@ fn uncertainty_of(field: &VelocityField, index: usize, component: usize) -> f32 
 /// Converts voxels per pair to m/s for vector `index`; NaN if it has no value.
 fn in_metres_per_second(field: &VelocityField, index: usize, number_vox: f32) -> f32 {
     match field.status[index] {
-        VectorStatus::Invalid => f32::NAN,
-        _ => (f64::from(number_vox) * field.metres_per_second_per_voxel()) as f32,
+        VectorStatus::Valid | VectorStatus::Replaced => {
+            (f64::from(number_vox) * field.metres_per_second_per_voxel()) as f32
+        }
+        VectorStatus::Invalid | VectorStatus::Masked => f32::NAN,
     }
 }
 
@@ -185,8 +194,9 @@ impl VelocityFile {
         }
         file.add_flag(&VALID, &VECTORS, "not_measured measured")?;
         file.add_flag(&REPLACED, &VECTORS, "as_measured interpolated")?;
+        file.add_flag(&MASKED, &VECTORS, "flow not_flow")?;
         for component in ["u", "v", "w"] {
-            let ancillary = format!("{component}_uncertainty valid replaced peak_ratio");
+            let ancillary = format!("{component}_uncertainty valid replaced masked peak_ratio");
             file.put_text(component, "ancillary_variables", &ancillary)?;
         }
         if time.is_some() {
@@ -224,9 +234,11 @@ impl VelocityFile {
             let values: Vec<f32> = (0..self.grid.len()).map(|i| value_of(field, i)).collect();
             self.file.put_record(described.name, record, &values)?;
         }
-        for (described, wanted) in
-            [(VALID, VectorStatus::Valid), (REPLACED, VectorStatus::Replaced)]
-        {
+        for (described, wanted) in [
+            (VALID, VectorStatus::Valid),
+            (REPLACED, VectorStatus::Replaced),
+            (MASKED, VectorStatus::Masked),
+        ] {
             let flags: Vec<i8> = field.status.iter().map(|s| i8::from(*s == wanted)).collect();
             self.file.put_record(described.name, record, &flags)?;
         }
@@ -298,7 +310,7 @@ mod tests {
         assert!((floats("v_uncertainty")[4] - uncertainty).abs() < 1e-6);
         let ancillary = file.variable("v").unwrap().attribute_value("ancillary_variables");
         let ancillary = String::try_from(ancillary.unwrap().unwrap()).unwrap();
-        assert_eq!(ancillary, "v_uncertainty valid replaced peak_ratio");
+        assert_eq!(ancillary, "v_uncertainty valid replaced masked peak_ratio");
         let spin = f64::from(result.measured.field.vorticity[4][2]) / 1e-4;
         assert!((floats("vorticity_z")[4] - spin).abs() < 1e-3 * spin.abs());
         assert_eq!(floats("valid")[..3], [1.0, 0.0, 0.0]);

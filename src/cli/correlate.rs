@@ -9,7 +9,7 @@ use std::{
 use anyhow::Context;
 use lfpiv_core::{
     model::ModelChoice,
-    velocimetry::{PairResult, StageSeconds, VectorStatus, VelocityField, VolumeInterrogation},
+    velocimetry::{PairResult, StageSeconds, VelocityField, VolumeInterrogation},
 };
 
 use super::{
@@ -39,8 +39,9 @@ pub struct CorrelateArgs {
 /// Measures the displacement between the two frames of a file.
 pub fn correlate(args: &CorrelateArgs) -> anyhow::Result<()> {
     let ConfigFile { config, text, .. } = ConfigFile::load_for(Purpose::Volumes, &args.config)?;
-    let [a, b] = read_safely(&args.volumes, &config.volume)?;
-    let interrogation = VolumeInterrogation::new(&config.volume, &config.velocimetry);
+    let [a, b] = read_safely(&args.volumes, &config.volume.grid())?;
+    let interrogation = VolumeInterrogation::new(&config.volume.grid(), &config.velocimetry)
+        .with_mask(config.measurement().mask);
     let started = Instant::now();
     let field = interrogation.measure(&a, &b, config.measurement().dt_s);
     let seconds =
@@ -56,11 +57,10 @@ pub fn correlate(args: &CorrelateArgs) -> anyhow::Result<()> {
 }
 
 fn summary(field: &VelocityField, seconds: f64) -> String {
-    let valid = field.status.iter().filter(|status| **status == VectorStatus::Valid).count();
     format!(
         "{}, {:.1} % valid; correlated in {seconds:.2} s",
         count(field.grid.len(), "vector"),
-        100.0 * valid as f64 / field.grid.len().max(1) as f64,
+        100.0 * field.valid_share(),
     )
 }
 

@@ -8,8 +8,11 @@ use lfpiv_hw::CameraName;
 use super::{daemon_plan::DaemonPlan, solver::solver_name};
 use crate::{
     acquisition::OverloadPolicy,
-    config::ConfigFile,
-    server::{BenchSettings, CalibrationSummary, ConfigurationSummary, RunInfo},
+    config::{ConfigFile, MaskFile, StoredMask},
+    server::{
+        BenchSettings, CalibrationSummary, ConfigurationSummary, MaskFileSummary, MaskSummary,
+        RunInfo,
+    },
 };
 
 /// The configured bench as shown by the server.
@@ -18,6 +21,7 @@ pub(super) fn bench_settings(file: &ConfigFile) -> BenchSettings {
         configuration: file.text.clone(),
         optics: file.config.optics.clone(),
         timing: file.config.timing.clone(),
+        mask: file.config.mask.as_ref().map(|stored| stored.mask.clone()),
     }
 }
 
@@ -45,6 +49,7 @@ pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
                     sha256: stored.sha256.clone(),
                 })
                 .collect(),
+            mask: config.mask.as_ref().map(mask_summary),
             voxels_xyz: config.volume.voxels,
             voxel_mm: config.volume.voxel_mm,
             centre_mm: config.volume.centre_mm,
@@ -61,5 +66,14 @@ pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
         },
         results_dir: folder.to_owned(),
         paraview: config.output.paraview,
+    }
+}
+
+fn mask_summary(stored: &StoredMask) -> MaskSummary {
+    let summary =
+        |file: &MaskFile| MaskFileSummary { file: file.file.clone(), sha256: file.sha256.clone() };
+    MaskSummary {
+        flow_share: stored.mask.flow_share(),
+        files: stored.files.iter().map(summary).collect(),
     }
 }

@@ -86,7 +86,12 @@ mod tests {
         let names = (any::<u64>(), any::<[u32; 2]>(), ".{0,9}", ".{0,9}");
         (arrays, scalars, fit, names).prop_map(|(arrays, (f, time), fit, names)| {
             let (displacement_vox, uncertainty_vox, vorticity, peaks, divergence, states) = arrays;
-            let cycle = [VectorStatus::Valid, VectorStatus::Replaced, VectorStatus::Invalid];
+            let cycle = [
+                VectorStatus::Valid,
+                VectorStatus::Replaced,
+                VectorStatus::Invalid,
+                VectorStatus::Masked,
+            ];
             let field = VelocityField {
                 grid: VectorGrid {
                     vectors: [3, 2, 1],
@@ -95,7 +100,7 @@ mod tests {
                 },
                 displacement_vox,
                 uncertainty_vox,
-                status: states.iter().map(|n| cycle[usize::from(*n) % 3]).collect(),
+                status: states.iter().map(|n| cycle[usize::from(*n) % 4]).collect(),
                 peak_ratio: peaks.to_vec(),
                 vorticity,
                 divergence: divergence.to_vec(),

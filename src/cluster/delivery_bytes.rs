@@ -20,8 +20,8 @@ use super::{Attempt, Delivery, PROTOCOL};
 use crate::archive::{RawLevel, ShotResult, ShotTime};
 
 const MAGIC: [u8; 8] = *b"LFPIVRES";
-const STATUS: [VectorStatus; 3] =
-    [VectorStatus::Valid, VectorStatus::Replaced, VectorStatus::Invalid];
+const STATUS: [VectorStatus; 4] =
+    [VectorStatus::Valid, VectorStatus::Replaced, VectorStatus::Invalid, VectorStatus::Masked];
 const VERDICTS: [FitVerdict; 3] = [FitVerdict::Good, FitVerdict::Doubtful, FitVerdict::Poor];
 const LEVELS: [RawLevel; 5] =
     [RawLevel::NotKept, RawLevel::Lost, RawLevel::Acquired, RawLevel::Written, RawLevel::Synced];

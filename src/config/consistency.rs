@@ -52,10 +52,21 @@ impl Inconsistency {
     }
 }
 
+/// The field through placed particles is one field of the whole volume.
+fn placing(config: &Config) -> Option<Inconsistency> {
+    let asked = config.velocimetry.place_particles && config.mask.is_some();
+    asked.then(|| {
+        let message = "the field through placed particles does not know the volume's mask and would mix the flows on \
+                       both sides of a body; leave out one of the two";
+        Inconsistency::new("velocimetry.place_particles", message.to_owned())
+    })
+}
+
 /// All inconsistencies for `purpose`.
 pub(super) fn inconsistencies(config: &Config, purpose: Purpose) -> Vec<Inconsistency> {
     let mut found = windows(config);
     found.extend(vectors(config));
+    found.extend(placing(config));
     if purpose != Purpose::Volumes {
         found.extend(domain(config));
         found.extend(common_view(config));
@@ -78,7 +89,7 @@ fn domain(config: &Config) -> Option<Inconsistency> {
 }
 
 fn windows(config: &Config) -> Vec<Inconsistency> {
-    let VolumeGrid { voxels, voxel_mm, .. } = &config.volume;
+    let VolumeGrid { voxels, voxel_mm, .. } = &config.volume.grid();
     let shortest_mm = voxels.iter().min().map_or(0.0, |&n| n as f64) * voxel_mm;
     let settings = &config.velocimetry;
     let windows = [
@@ -101,7 +112,7 @@ fn windows(config: &Config) -> Vec<Inconsistency> {
 
 /// A spacing that gives more vectors than memory should hold.
 fn vectors(config: &Config) -> Option<Inconsistency> {
-    let (spacing_mm, grid) = (config.output.spacing_mm?, &config.volume);
+    let (spacing_mm, grid) = (config.output.spacing_mm?, &config.volume.grid());
     let volume_mm3: f64 = grid.voxels.iter().map(|&n| n as f64 * grid.voxel_mm).product();
     (volume_mm3 / spacing_mm.powi(3) > MOST_VECTORS).then(|| {
         let least_mm = ((volume_mm3 / MOST_VECTORS).cbrt() * 100.0).ceil() / 100.0;
@@ -113,11 +124,11 @@ fn vectors(config: &Config) -> Option<Inconsistency> {
 
 fn common_view(config: &Config) -> Option<Inconsistency> {
     let sight = |grid: &VolumeGrid| Sight::new(&config.optics, &config.poses(), grid);
-    let seen = sight(&config.volume);
+    let seen = sight(&config.volume.grid());
     if seen.common >= LEAST_COMMON_VIEW {
         return None;
     }
-    let centred = VolumeGrid { centre_mm: [0.0; 3], ..config.volume.clone() };
+    let centred = VolumeGrid { centre_mm: [0.0; 3], ..config.volume.grid() };
     let off_centre =
         config.volume.centre_mm != [0.0; 3] && sight(&centred).common >= LEAST_COMMON_VIEW;
     let (key, todo) = match off_centre {
@@ -144,7 +155,7 @@ fn common_view(config: &Config) -> Option<Inconsistency> {
 fn same_camera(config: &Config) -> Option<Inconsistency> {
     let poses = config.poses();
     let [one, other] = poses.as_slice() else { return None };
-    let degrees = degrees_apart(&config.optics, [one, other], &config.volume);
+    let degrees = degrees_apart(&config.optics, [one, other], &config.volume.grid());
     (degrees < LEAST_DEGREES_APART).then(|| {
         Inconsistency::new(
             "camera[1].axis",

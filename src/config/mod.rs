@@ -8,11 +8,14 @@ mod camera;
 mod consistency;
 mod instruments;
 mod location;
+mod mask;
 mod overlong;
 mod problem;
 mod range;
 mod server;
 mod shipped;
+mod stl;
+mod volume;
 
 use std::path::{Path, PathBuf};
 
@@ -20,13 +23,13 @@ use garde::Validate;
 use lfpiv_core::{
     lightfield::ImageSettings,
     measurement::Measurement,
-    model::{CameraCalibration, ModelSettings, VolumeGrid, mode_or_table},
+    model::{CameraCalibration, ModelSettings, mode_or_table},
     reconstruction::ReconstructionSettings,
     velocimetry::VelocimetrySettings,
 };
 use lfpiv_hw::{Optics, Pose, TimingSettings, check::finite};
 use lfpiv_rawlog::RawLogSettings;
-use lfpiv_sim::{BenchGeometry, Scene, Volume, wire::WireSettings};
+use lfpiv_sim::{BenchGeometry, EmptySpace, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
 pub use calibration::StoredCalibration;
@@ -37,17 +40,19 @@ pub use calibration_file::{
 pub use camera::CameraTable;
 pub use consistency::Purpose;
 pub use instruments::InstrumentSettings;
+pub use mask::{MaskFile, StoredMask};
 pub use problem::{ConfigError, Problem};
 pub use server::{ServerSettings, TlsSettings};
 pub use shipped::read_or_shipped;
+pub use volume::{MaskTable, RegionTable, VolumeTable};
 
 /// A configuration and its text, which is stored with the results. The text includes the content of
-/// the calibration files that the configuration names.
+/// the calibration files that the configuration names, and the mask of its volume.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConfigFile {
     /// The configuration file.
     pub path: PathBuf,
-    /// The file's text, with the calibrations appended.
+    /// The file's text, with calibrations and mask appended.
     pub text: String,
     /// The parsed and checked configuration.
     pub config: Config,
@@ -72,19 +77,20 @@ impl ConfigFile {
         let folder = path.parent().unwrap_or(Path::new(""));
         let config = problem::read(&path.display().to_string(), &text, Some((purpose, folder)))
             .map_err(|problems| ConfigError::Invalid { problems })?;
-        Ok(Self { path: path.into(), text: with_calibrations(text, &config)?, config })
+        Ok(Self { path: path.into(), text: with_files(text, &config)?, config })
     }
 }
 
-/// Appends the calibrations to the configuration's text, unless it contains them already.
-fn with_calibrations(text: String, config: &Config) -> Result<String, ConfigError> {
-    let has_calibrations =
-        text.parse::<toml::Table>().is_ok_and(|table| table.contains_key("calibration"));
-    if has_calibrations {
-        return Ok(text);
+/// Appends calibrations and mask to the configuration's text, unless it contains them already.
+fn with_files(mut text: String, config: &Config) -> Result<String, ConfigError> {
+    let table = text.parse::<toml::Table>().unwrap_or_default();
+    if !table.contains_key("calibration") {
+        text += &calibration::stored_text(&config.calibration)?;
     }
-    let stored = calibration::stored_text(&config.calibration)?;
-    Ok(text + &stored)
+    if let Some(mask) = config.mask.as_ref().filter(|_| !table.contains_key("mask")) {
+        text += &mask::stored_text(mask)?;
+    }
+    Ok(text)
 }
 
 /// A whole configuration file.
@@ -99,7 +105,7 @@ pub struct Config {
     pub camera: Vec<CameraTable>,
     /// The measurement volume.
     #[garde(dive)]
-    pub volume: VolumeGrid,
+    pub volume: VolumeTable,
     /// Laser and shot timing.
     #[garde(dive)]
     pub shot: ShotSettings,
@@ -160,6 +166,10 @@ pub struct Config {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[garde(dive)]
     pub calibration: Vec<StoredCalibration>,
+    /// The mask that `[volume.mask]` describes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[garde(custom(mask::fits(&self.volume)))]
+    pub mask: Option<StoredMask>,
 }
 
 /// Timing of a shot.
@@ -312,6 +322,7 @@ impl Config {
                 centre_mm: self.volume.centre_mm,
             },
             dt_s: self.shot.dt_us / 1e6,
+            empty: self.mask.clone().map(|mask| EmptySpace::new(move |at| !mask.is_flow(at))),
         }
     }
 
@@ -329,7 +340,8 @@ impl Config {
             calibrations: self.calibrations(),
             optics: self.optics.clone(),
             cameras: self.poses(),
-            volume: self.volume.clone(),
+            volume: self.volume.grid(),
+            mask: self.mask.as_ref().map(|stored| stored.mask.clone()),
             image: self.image.clone(),
             model: self.model.clone(),
             reconstruction: self.reconstruction.clone(),

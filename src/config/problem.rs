@@ -14,6 +14,7 @@ use super::{
     Config, calibration,
     consistency::{Purpose, inconsistencies},
     location::{Entry, KeyPath, Step, entries, line_and_column},
+    mask,
     overlong::overlong_arrays,
     range::{allowed_range, is_bound},
 };
@@ -29,9 +30,9 @@ pub enum ConfigError {
         /// The system's reason.
         reason: io::Error,
     },
-    /// The calibrations could not be appended to the configuration's text.
-    #[error("the calibrations cannot be written as TOML: {0}")]
-    Calibration(#[from] toml::ser::Error),
+    /// The content of files that the configuration names could not be appended to its text.
+    #[error("calibrations or mask cannot be written as TOML: {0}")]
+    Stored(#[from] toml::ser::Error),
     /// The content is invalid; prints each [`Problem`] on a line of its own.
     #[error("{}", list(problems))]
     Invalid {
@@ -71,7 +72,7 @@ impl fmt::Display for Problem {
 }
 
 /// Parses and checks a configuration. With a purpose and a folder it also checks the consistency of
-/// the tables and loads the calibration files, whose paths are relative to the folder. `file`
+/// the tables and loads the files that it names, whose paths are relative to the folder. `file`
 /// appears in messages only.
 pub(super) fn read(
     file: &str,
@@ -112,6 +113,12 @@ pub(super) fn read(
         if matches!(purpose, Purpose::Images | Purpose::Bench) && config.calibration.is_empty() {
             match calibration::load(&config, folder) {
                 Ok(loaded) => config.calibration = loaded,
+                Err(inconsistencies) => found.extend(inconsistencies),
+            }
+        }
+        if config.mask.is_none() {
+            match mask::load(&config.volume, folder) {
+                Ok(loaded) => config.mask = loaded,
                 Err(inconsistencies) => found.extend(inconsistencies),
             }
         }

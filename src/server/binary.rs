@@ -14,11 +14,11 @@
 //! | 72 | f64 | time between the frames, in s |
 //! | 80 | 3n × f32 | displacement x, y, z per vector, in voxels |
 //! | 80 + 12n | n × f32 | peak ratio |
-//! | 80 + 16n | n × u8 | 0 valid, 1 replaced, 2 invalid |
+//! | 80 + 16n | n × u8 | 0 valid, 1 replaced, 2 invalid, 3 masked |
 //! | 80 + 17n, rounded up to a multiple of 4 | 3n × f32 | standard uncertainty x, y, z, in voxels |
 //!
 //! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Displacement and uncertainty of an
-//! invalid vector are NaN (in version 1: zero and the largest expected value). Velocity in m/s is
+//! invalid or masked vector are NaN (in version 1: zero and the largest expected value). Velocity in m/s is
 //! displacement times voxel edge / 1000 / time between the frames.
 //!
 //! A volume:
@@ -34,8 +34,22 @@
 //! | 64 | u32 | frame: 0 is a, 1 is b |
 //! | 68 | 12 bytes | zero |
 //! | 80 | nx·ny·nz × f32 | light intensity per voxel, ordered z, y, x (x fastest) |
+//!
+//! A mask:
+//!
+//! | offset | type | content |
+//! |---|---|---|
+//! | 0 | 8 bytes | magic `LFPIVMK1` |
+//! | 8 | 8 bytes | zero |
+//! | 16 | 3 × u32 | voxel counts nx, ny, nz |
+//! | 28 | u32 | offset of the bits: 80 |
+//! | 32 | 3 × f64 | position of the centre of voxel (0, 0, 0), in mm |
+//! | 56 | f64 | edge of a voxel, in mm |
+//! | 64 | 16 bytes | zero |
+//! | 80 | nx·ny·nz bits, rounded up to bytes | 1 where a voxel is flow, ordered z, y, x (x fastest); the first eight voxels are the bits of the first byte, from the lowest |
 
 use lfpiv_core::{
+    model::VolumeMask,
     reconstruction::SparseVolume,
     velocimetry::{VectorStatus, VelocityField},
 };
@@ -46,6 +60,8 @@ pub const MEDIA_TYPE: &str = "application/octet-stream";
 pub const MAGIC: &[u8; 8] = b"LFPIVVF2";
 /// First bytes of a volume; the last byte is the version of the layout.
 pub const VOLUME_MAGIC: &[u8; 8] = b"LFPIVVO1";
+/// First bytes of a mask; the last byte is the version of the layout.
+pub const MASK_MAGIC: &[u8; 8] = b"LFPIVMK1";
 /// Offset of the arrays.
 pub const HEADER_BYTES: u32 = 80;
 
@@ -81,6 +97,7 @@ pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
         VectorStatus::Valid => 0,
         VectorStatus::Replaced => 1,
         VectorStatus::Invalid => 2,
+        VectorStatus::Masked => 3,
     }));
     bytes.resize(bytes.len().next_multiple_of(4), 0);
     with_value(&field.uncertainty_vox, &mut bytes);
@@ -114,4 +131,47 @@ pub fn encode_volume(shot: u64, frame: usize, volume: &SparseVolume) -> Vec<u8> 
         bytes[at..at + size_of::<f32>()].copy_from_slice(&light.to_le_bytes());
     }
     bytes
+}
+
+/// Size of an encoded mask in bytes.
+pub fn mask_bytes(mask: &VolumeMask) -> usize {
+    HEADER_BYTES as usize + mask.flow.len().div_ceil(8)
+}
+
+/// Encodes a mask as described in the module documentation.
+pub fn encode_mask(mask: &VolumeMask) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(mask_bytes(mask));
+    bytes.extend_from_slice(MASK_MAGIC);
+    bytes.extend_from_slice(&[0; 8]);
+    for count in mask.grid.voxels {
+        bytes.extend_from_slice(&(count as u32).to_le_bytes());
+    }
+    bytes.extend_from_slice(&HEADER_BYTES.to_le_bytes());
+    for number in mask.grid.centre_of([0; 3]).iter().chain([&mask.grid.voxel_mm]) {
+        bytes.extend_from_slice(&number.to_le_bytes());
+    }
+    bytes.resize(HEADER_BYTES as usize, 0);
+    let bits = |eight: &[bool]| {
+        eight.iter().enumerate().fold(0, |byte, (n, flow)| byte | u8::from(*flow) << n)
+    };
+    bytes.extend(mask.flow.chunks(8).map(bits));
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use lfpiv_core::model::VolumeGrid;
+
+    use super::*;
+
+    #[test]
+    fn a_mask_has_a_bit_for_each_voxel() {
+        let grid = VolumeGrid { voxels: [3, 3, 1], voxel_mm: 0.5, centre_mm: [1.0, 0.0, 0.0] };
+        let flow = vec![true, false, false, true, true, false, false, false, true];
+        let bytes = encode_mask(&VolumeMask { grid, flow });
+        assert_eq!(bytes.len(), 82);
+        assert_eq!(bytes[80..], [0b0001_1001, 1]);
+        assert_eq!(bytes[..8], *MASK_MAGIC);
+        assert_eq!(f64::from_le_bytes(bytes[32..40].try_into().unwrap()), 0.5);
+    }
 }

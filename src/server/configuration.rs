@@ -1,6 +1,15 @@
-//! `/api/v1/configuration` and `/api/v1/control/timing`: the run's settings and its pulse schedule.
+//! `/api/v1/configuration`, `/api/v1/mask` and `/api/v1/control/timing`: the run's settings, what of the
+//! volume is flow, and the pulse schedule.
 
-use axum::{Json, extract::State, http::StatusCode};
+use std::sync::Arc;
+
+use axum::{
+    Json,
+    extract::State,
+    http::{HeaderMap, StatusCode},
+    response::Response,
+};
+use lfpiv_core::model::VolumeMask;
 use lfpiv_hw::{
     Optics,
     timing::{PulseSchedule, TimingSettings},
@@ -8,7 +17,13 @@ use lfpiv_hw::{
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 
-use super::{ApiError, app::App, extract::Arguments};
+use super::{
+    ApiError,
+    app::App,
+    binary,
+    bytes::{ETag, cacheable},
+    extract::Arguments,
+};
 
 /// The configured bench.
 #[derive(Debug, Clone)]
@@ -19,6 +34,8 @@ pub struct BenchSettings {
     pub optics: Optics,
     /// Timing limits for pulse schedules.
     pub timing: TimingSettings,
+    /// What of the volume is flow; absent if all of it is.
+    pub mask: Option<Arc<VolumeMask>>,
 }
 
 #[derive(Debug, Serialize, ToSchema)]
@@ -39,6 +56,24 @@ pub(super) async fn configuration(
     let bench = app.run.bench.as_ref().ok_or_else(unknown)?;
     let file = app.run.info.configuration.file.display().to_string();
     Ok(Json(ConfigurationView { file, text: bench.configuration.clone() }))
+}
+
+/// Which voxels of the volume are flow: a bit for each, after a header of 80 bytes; see docs/http.md.
+#[utoipa::path(get, path = "/api/v1/mask", tag = "live", responses(
+    (status = 200, description = "The mask", content_type = "application/octet-stream", body = Vec<u8>),
+    (status = 304, description = "The client already has it (`If-None-Match`)"),
+    (status = 404, description = "All of the volume is flow", body = super::error::ErrorBody)))]
+pub(super) async fn mask(State(app): State<App>, headers: HeaderMap) -> Result<Response, ApiError> {
+    let mask = app.run.bench.as_ref().and_then(|bench| bench.mask.clone());
+    let mask =
+        mask.ok_or_else(|| ApiError::not_found("the volume has no mask: all of it is flow"))?;
+    let tag = ETag::new(app.run.board.events().run(), "mask");
+    cacheable(&headers, &tag, binary::MEDIA_TYPE, || async {
+        let bytes = binary::mask_bytes(&mask);
+        let made = move || Ok(binary::encode_mask(&mask));
+        Ok((app.work.make(bytes, made).await?, HeaderMap::new()))
+    })
+    .await
 }
 
 #[derive(Debug, Deserialize, IntoParams)]

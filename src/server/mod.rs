@@ -9,6 +9,7 @@
 //! | `GET /api/v1/shots/{n}/frames/{camera}/{a,b}.png?width=` | read | a raw frame to look at |
 //! | `GET /api/v1/shots/{n}/frames/{camera}/statistics` | read | both frames in numbers |
 //! | `GET /api/v1/configuration` | read | the settings of the run |
+//! | `GET /api/v1/mask` | read | which voxels are flow, as bytes |
 //! | `GET /api/v1/results/{n}` | read | the result of shot n, or of `latest` |
 //! | `GET /api/v1/results/{n}/volumes/{a,b}` | read | a frame's volume, as bytes |
 //! | `GET /api/v1/results/{n}/projections/{a,b}/{xy,xz,yz}.png` | read | its maximum projections |
@@ -68,7 +69,10 @@ use error::ApiError;
 pub use frames::FrameSource;
 pub use protection::{Protection, ProtectionError, open_files_needed, raise_open_files};
 pub use results::ResultSource;
-pub use state::{ApiState, CalibrationSummary, ConfigurationSummary, Phase, RunInfo};
+pub use state::{
+    ApiState, CalibrationSummary, ConfigurationSummary, MaskFileSummary, MaskSummary, Phase,
+    RunInfo,
+};
 
 /// Largest size of a request's body.
 const BODY_BYTES: usize = 64 << 10;
@@ -118,6 +122,7 @@ fn routes() -> (Routes, utoipa::openapi::OpenApi) {
         .routes(routes!(shots::list))
         .routes(routes!(shots::one))
         .routes(routes!(configuration::configuration))
+        .routes(routes!(configuration::mask))
         .routes(routes!(frames::preview))
         .routes(routes!(frame_statistics::statistics))
         .routes(routes!(results::one))

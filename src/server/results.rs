@@ -83,8 +83,8 @@ impl GridView {
     }
 }
 
-/// A result as JSON: every array has one element per vector; null for invalid vectors and unknown
-/// derivatives.
+/// A result as JSON: every array has one element per vector; null for invalid and masked vectors and
+/// unknown derivatives.
 #[derive(Debug, Serialize, ToSchema)]
 #[schema(as = Result)]
 pub(super) struct ResultView<'a> {

@@ -184,8 +184,8 @@ schema!(
     VectorStatusSchema,
     "VectorStatus",
     words(
-        &["valid", "replaced", "invalid"],
-        "Whether a vector is measured, interpolated from its neighbours, or missing."
+        &["valid", "replaced", "invalid", "masked"],
+        "Whether a vector is measured, interpolated from its neighbours, missing, or not in the flow."
     )
 );
 

@@ -63,6 +63,8 @@ pub struct ConfigurationSummary {
     pub cameras: Vec<String>,
     /// Calibrations of the cameras; cameras that are not listed are taken as nominal.
     pub calibrations: Vec<CalibrationSummary>,
+    /// What of the volume is flow; absent if all of it is.
+    pub mask: Option<MaskSummary>,
     /// Voxels along x, y, z.
     pub voxels_xyz: [usize; 3],
     /// Edge of a voxel.
@@ -91,6 +93,25 @@ pub struct CalibrationSummary {
     /// Name of the camera.
     pub camera: String,
     /// The calibration file.
+    #[schema(value_type = String)]
+    pub file: PathBuf,
+    /// SHA-256 hash of the file.
+    pub sha256: String,
+}
+
+/// The mask of the volume.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct MaskSummary {
+    /// Share of the voxels that are flow, 0 to 1.
+    pub flow_share: f64,
+    /// The files of bodies.
+    pub files: Vec<MaskFileSummary>,
+}
+
+/// A file that the mask was made from.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct MaskFileSummary {
+    /// As the configuration names it.
     #[schema(value_type = String)]
     pub file: PathBuf,
     /// SHA-256 hash of the file.

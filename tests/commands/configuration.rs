@@ -280,7 +280,7 @@ fn an_unknown_key_is_named_with_the_keys_that_exist() {
             "voxel_mm = 0.1",
             "voxel = 0.1",
             "voxel",
-            "volume.voxel: unknown key; allowed: voxels, voxel_mm, centre_mm",
+            "volume.voxel: unknown key; allowed: voxels, voxel_mm, centre_mm, mask",
         ),
         (
             "wavelength_mm = 10.0",

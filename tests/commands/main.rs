@@ -8,6 +8,8 @@
 mod support;
 
 mod bad_input;
+#[path = "../support/body.rs"]
+mod body;
 mod calibrate;
 mod calibrate_volume;
 mod calibrated_run;
@@ -16,6 +18,7 @@ mod configuration;
 mod configuration_numbers;
 mod doctor;
 mod malformed;
+mod masks;
 mod process;
 mod run;
 mod service;

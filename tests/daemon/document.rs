@@ -53,7 +53,7 @@ async fn every_documented_endpoint_exists_and_accepts_no_other_method() {
     let (server, _) = busy_server().await;
     let document = document(&server).await;
     let operations = operations(&document);
-    assert_eq!(operations.len(), 29, "{operations:?}");
+    assert_eq!(operations.len(), 30, "{operations:?}");
     for (method, path) in &operations {
         let address = filled(path);
         assert!(!address.contains('{'), "{address}");

@@ -1,9 +1,12 @@
 //! Endpoints used by the bench page: its files, heartbeat, settings, timing and image statistics.
 
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 use lfpiv::{acquisition::Ledger, server::BenchSettings};
-use lfpiv_core::lightfield::ImagePair;
+use lfpiv_core::{
+    lightfield::ImagePair,
+    model::{VolumeGrid, VolumeMask},
+};
 use lfpiv_hw::{Optics, RawImage};
 use tokio::{
     io::{AsyncReadExt, AsyncWriteExt},
@@ -23,6 +26,7 @@ fn bench() -> BenchSettings {
         configuration: file.text,
         optics: file.config.optics,
         timing: file.config.timing,
+        mask: None,
     }
 }
 
@@ -131,4 +135,21 @@ async fn image_statistics_are_returned() {
         server.get("/api/v1/shots/6/frames/1/statistics").await.error(404).contains("no shot 6")
     );
     assert!(server.get("/api/v1/shots/7/frames/9/statistics").await.error(404).contains("cam9"));
+}
+
+#[tokio::test]
+async fn the_mask_is_told_voxel_by_voxel() {
+    let grid = VolumeGrid { voxels: [4, 3, 2], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+    let flow = (0..24).map(|n| n % 5 != 0).collect();
+    let mask = Some(Arc::new(VolumeMask { grid, flow }));
+    let masked = BenchSettings { mask, ..bench() };
+    let (ledger, board) = (Ledger::new(2), lit_board([4, 3, 2]));
+    let server = Server::with(ledger, board, &settings(), |state| state.with_bench(masked)).await;
+    let told = server.get("/api/v1/mask").await;
+    assert_eq!((told.status, told.body.len()), (200, 83));
+    assert_eq!(&told.body[..8], b"LFPIVMK1");
+    let bit = |n: usize| told.body[80 + n / 8] >> (n % 8) & 1 == 1;
+    assert!((0..24).all(|n| bit(n) == (n % 5 != 0)));
+    let all = configured_server().await;
+    assert!(all.get("/api/v1/mask").await.error(404).contains("all of it is flow"));
 }

@@ -57,6 +57,7 @@ fn info() -> RunInfo {
             file: PathBuf::from("bench.toml"),
             simulated: true,
             cameras: vec!["cam1".to_owned(), "cam2".to_owned()],
+            mask: None,
             voxels_xyz: [3, 2, 1],
             voxel_mm: 0.1,
             centre_mm: [0.0; 3],

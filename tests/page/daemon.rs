@@ -10,8 +10,13 @@ use std::{
 
 use serde_json::Value;
 
+use crate::body::cylinder;
+
 pub const READ: &str = "9c27d5f01ab8463e70c1f94d2e58b6a3";
 pub const CONTROL: &str = "Zr8+qT1/vXo2Lk9wBe5HdM==";
+
+/// The body that masks a part of the volume, beside the configuration.
+pub const BODY: &str = "body.stl";
 
 pub struct Daemon {
     child: Child,
@@ -108,6 +113,11 @@ pub fn configuration(folder: &Path, port: u16) -> PathBuf {
         ("dir = \"results\"", &format!("dir = {:?}", folder.join("results"))),
         // More would be shed, and take the browser's processors.
         ("rate_hz = 10.0", "rate_hz = 2.0"),
+        // A body in a corner.
+        (
+            "centre_mm = [0.0, 0.0, 0.0]",
+            "centre_mm = [0.0, 0.0, 0.0]\nmask = { leave_out = [{ stl = \"body.stl\" }] }",
+        ),
         // A flow with something to see in it.
         ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),
         ("velocity_m_s = [1.0, -0.5, 0.25]", ""),
@@ -116,6 +126,7 @@ pub fn configuration(folder: &Path, port: u16) -> PathBuf {
         assert!(text.contains(from), "{from}");
         text.replacen(from, to, 1)
     });
+    fs::write(folder.join(BODY), cylinder([0.8, 0.6], 0.5)).unwrap();
     let configuration = folder.join("page.toml");
     fs::write(&configuration, text).unwrap();
     configuration

@@ -144,6 +144,7 @@ fn info() -> RunInfo {
             file: PathBuf::from(format!("{HOSTILE}.toml")),
             simulated: true,
             cameras: vec![format!("cam1{HOSTILE}"), "cam2".to_owned()],
+            mask: None,
             voxels_xyz: [96, 80, 64],
             voxel_mm: 0.1,
             centre_mm: [0.0; 3],

@@ -4,6 +4,8 @@
 // All of this crate is test; clippy's exception covers only the functions marked as such.
 #![allow(clippy::unwrap_used)]
 
+#[path = "../support/body.rs"]
+mod body;
 mod built;
 mod daemon;
 mod fed;

@@ -9,7 +9,7 @@ use std::{
 
 use crate::{
     BROWSER,
-    daemon::{Daemon, READ, configuration, lfpiv},
+    daemon::{BODY, Daemon, READ, configuration, lfpiv},
     script::run_script,
 };
 
@@ -22,12 +22,17 @@ fn a_finished_run_is_shown_and_cannot_be_controlled() {
     let _browser = BROWSER.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let folder = tempfile::tempdir().unwrap();
     let run = finished_run(folder.path());
+    // What a run was measured with is in the run.
+    fs::remove_file(folder.path().join(BODY)).unwrap();
     let before = contents(&run);
     let mut daemon = Daemon::serve(&run);
 
     let status = daemon.get("/api/v1/status");
     assert_eq!((&status["state"], &status["shots"]["done"]), (&"finished".into(), &SHOTS.into()));
     assert_eq!(status["ledger"]["balanced"], true);
+    let mask = &status["configuration"]["mask"];
+    assert!((0.8..0.98).contains(&mask["flow_share"].as_f64().unwrap()), "{mask}");
+    assert_eq!(mask["files"][0]["file"], BODY);
     let shots = daemon.get("/api/v1/shots?limit=100");
     let numbers: Vec<u64> = shots["shots"]
         .as_array()

@@ -66,7 +66,7 @@ def test_pandas_reads_what_was_measured(dataset, export):
             np.testing.assert_allclose(table[f"{axis}_mm"], places, atol=1e-6)
         for name in NAMES:
             np.testing.assert_allclose(table[f"{name}_m_s"], flat(shot[name]), rtol=1e-6)
-        for name in ["valid", "replaced"]:
+        for name in ["valid", "replaced", "masked"]:
             np.testing.assert_array_equal(table[name], flat(shot[name]))
         divergence = table["divergence_per_s"]
         np.testing.assert_allclose(divergence, flat(shot["divergence"]), rtol=1e-6)

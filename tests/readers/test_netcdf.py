@@ -14,6 +14,7 @@ UNITS = {
     "w_uncertainty": "m s-1",
     "valid": "1",
     "replaced": "1",
+    "masked": "1",
     "peak_ratio": "1",
     "vorticity_x": "s-1",
     "vorticity_y": "s-1",
@@ -94,10 +95,11 @@ def test_a_mean_leaves_out_what_is_missing(half_dark):
 
 
 def test_flags_are_zero_or_one(velocity):
-    for name in ["valid", "replaced"]:
+    for name in ["valid", "replaced", "masked"]:
         assert np.issubdtype(velocity[name].dtype, np.integer), name
         assert set(np.unique(velocity[name])) <= {0, 1}, name
     assert not (velocity["valid"] & velocity["replaced"]).any()
+    assert not velocity["masked"].any(), "there is no mask"
 
 
 def test_the_simulated_flow_is_measured(velocity, measured):

@@ -42,7 +42,7 @@ def test_vectors_and_flags_are_those_of_the_netcdf_file(both):
         np.testing.assert_allclose(displacement, speeds, rtol=1e-5, atol=1e-7)
         spin = flat(dataset[f"vorticity_{'xyz'[column]}"])
         np.testing.assert_allclose(image["vorticity_per_s"][:, column], spin, rtol=1e-4, atol=1e-3)
-    for name in ["valid", "replaced", "peak_ratio"]:
+    for name in ["valid", "replaced", "masked", "peak_ratio"]:
         np.testing.assert_array_equal(image[name], flat(dataset[name]))
 
 

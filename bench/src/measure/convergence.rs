@@ -40,25 +40,26 @@ pub(super) fn measure(
             Footprint::Voxel => config.volume.voxel_mm,
             Footprint::Auto | Footprint::Point => 0.0,
         };
-        let model = thin_lens_model(&config.optics, &config.poses(), &config.volume, footprint_mm)?;
+        let model =
+            thin_lens_model(&config.optics, &config.poses(), &config.volume.grid(), footprint_mm)?;
         for &seed in &setting.case.seeds {
             let truth = setting.scene.truth(&setting.bench, seed, 0);
             let frame = Frame::simulate(setting, &truth, &reconstructor);
-            let expected = true_volume(setting, &truth, &config.volume);
+            let expected = true_volume(setting, &truth, &config.volume.grid());
             let mut log = ConvergenceLog::with_truth(expected.clone());
             let mut observe = |report: &_, volume: &_| log.record(report, volume);
             let solved = if settings.solver == Solver::PrSart {
                 let dark: Vec<f32> = frame.levels.iter().map(|l| l.dark_below()).collect();
                 pr_sart(model.as_ref(), &frame.views, &dark, &options, &mut observe)
             } else {
-                let voxels = (0..config.volume.len() as u32).collect();
+                let voxels = (0..config.volume.grid().len() as u32).collect();
                 sart(model.as_ref(), &frame.views, voxels, &options, &mut observe)
             };
             let mut row = setting.row(method, seed);
             row.seconds = Some(log.seconds());
             row.seconds_of = "all passes of the solver on one frame".to_owned();
             row.iterations = Some(log.passes.len());
-            volume::fill(&mut row, &solved.on_grid(&config.volume), &expected);
+            volume::fill(&mut row, &solved.on_grid(&config.volume.grid()), &expected);
             let dark: f64 = expected.intensity.iter().map(|&e| f64::from(e).powi(2)).sum();
             findings.curves.extend(
                 curves(&log, dark.sqrt()).map(|(name, points)| Curve::of(&row, name, points)),

@@ -138,7 +138,7 @@ fn see(
     };
     let frame = Frame::simulate(setting, &truth, &reconstructor);
     let solved = reconstructor.reconstruct(&frame.views, &frame.levels);
-    let volume = solved.volume.on_grid(&config.volume);
+    let volume = solved.volume.on_grid(&config.volume.grid());
     Ok(Seen {
         // A particle that was lost is as wide as the volume and as far off as its face.
         fwhm_mm: elongation_mm(&volume, 2)
@@ -147,7 +147,7 @@ fn see(
             .map_or(config.volume.voxels[2] as f64 * config.volume.voxel_mm / 2.0, |centroid| {
                 (centroid - at[2]).abs()
             }),
-        truth: true_volume(setting, &truth, &config.volume),
+        truth: true_volume(setting, &truth, &config.volume.grid()),
         volume,
     })
 }

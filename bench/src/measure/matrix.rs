@@ -21,7 +21,7 @@ pub(super) fn measure(
         let weights = TableWeights::new(
             &config.optics,
             &config.poses(),
-            &config.volume,
+            &config.volume.grid(),
             config.volume.voxel_mm,
         )?;
         let model = ExplicitModel::new(weights);
@@ -42,7 +42,7 @@ fn subsets(
     model: &ExplicitModel,
 ) -> Result<Vec<Vec<lfpiv_core::model::ViewId>>, BenchmarkError> {
     let reconstructor =
-        Reconstructor::new(&config.optics, &config.poses(), &config.volume, settings)?;
+        Reconstructor::new(&config.optics, &config.poses(), &config.volume.grid(), settings)?;
     let per_camera = reconstructor.subsets_per_pass() / model.layouts().len().max(1);
     Ok(balanced_subsets(model.layouts(), per_camera))
 }

@@ -30,8 +30,8 @@ pub(super) fn measure(
             let started = Instant::now();
             let solved = reconstructor.reconstruct(&frame.views, &frame.levels);
             let seconds = started.elapsed().as_secs_f64();
-            let volume = solved.volume.on_grid(&setting.config.volume);
-            let expected = true_volume(setting, &truth, &setting.config.volume);
+            let volume = solved.volume.on_grid(&setting.config.volume.grid());
+            let expected = true_volume(setting, &truth, &setting.config.volume.grid());
             let mut row = setting.row(method, seed);
             row.seconds = Some(seconds);
             row.seconds_of = "reconstruction of one frame, its start counted".to_owned();

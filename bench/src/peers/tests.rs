@@ -19,7 +19,7 @@ fn bench(grid: &VolumeGrid) -> BenchGeometry {
     optics.sensor.pixel_pitch_um = 20.08;
     (optics.sensor.columns, optics.sensor.rows) = (645, 485);
     let volume = Volume { voxels: grid.voxels, voxel_mm: grid.voxel_mm, centre_mm: grid.centre_mm };
-    BenchGeometry { optics, poses, volume, dt_s: 1e-4 }
+    BenchGeometry { optics, poses, volume, dt_s: 1e-4, empty: None }
 }
 
 fn grid(voxels: [usize; 3]) -> VolumeGrid {

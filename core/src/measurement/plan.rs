@@ -6,7 +6,7 @@ use super::{Measurement, fitted::Fitted};
 use crate::{
     model::{ModelChoice, ModelMode},
     reconstruction::ReconstructionSettings,
-    velocimetry::{Interrogation, VectorGrid},
+    velocimetry::{InFlow, Interrogation, VectorGrid},
 };
 
 /// The work that each pair will need.
@@ -30,6 +30,8 @@ pub struct Plan {
     pub model: Arc<ModelChoice>,
     /// Where the vectors will be.
     pub vectors: VectorGrid,
+    /// What of them is flow, where the volume has a mask.
+    pub in_flow: Option<InFlow>,
     /// Edges of the first and the final windows, in voxels.
     pub windows_vox: [usize; 2],
     /// Correlation passes.
@@ -56,6 +58,7 @@ impl Plan {
             reconstruction: measurement.reconstruction.clone(),
             model: fitted.choice.clone(),
             vectors: interrogation.vector_grid(),
+            in_flow: interrogation.in_flow(),
             windows_vox: interrogation.windows_vox(),
             passes: measurement.velocimetry.passes,
         }
@@ -122,10 +125,11 @@ impl fmt::Display for Plan {
         )?;
         writeln!(
             f,
-            "{:<14} {}, one every {} mm",
+            "{:<14} {}, one every {} mm{}",
             "vectors",
             times(&self.vectors.vectors),
-            self.vectors.spacing_mm
+            self.vectors.spacing_mm,
+            self.in_flow.map_or(String::new(), |flow| format!("; {} in the flow", flow.vectors))
         )
     }
 }

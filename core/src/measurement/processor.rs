@@ -1,6 +1,6 @@
 //! One image pair to one velocity field.
 
-use std::borrow::Borrow;
+use std::{borrow::Borrow, sync::Arc};
 
 use lfpiv_hw::{CameraName, Optics, Pose, RawImage};
 use thiserror::Error;
@@ -18,7 +18,7 @@ use crate::{
         placed::{Found, measured_particles, point_cameras, samples},
         plan::Plan,
     },
-    model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid},
+    model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid, VolumeMask},
     particles::PlacedParticles,
     reconstruction::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
@@ -39,6 +39,12 @@ pub struct Measurement {
     pub calibrations: Vec<CameraCalibration>,
     /// The measurement volume.
     pub volume: VolumeGrid,
+    /// Where flow is in it; everywhere if absent.
+    ///
+    /// All of the volume is reconstructed: light that is seen beside a body has to come from somewhere, and
+    /// voxels without a right to it would leave it to those in the flow. What is not flow is left out where
+    /// displacements are found.
+    pub mask: Option<Arc<VolumeMask>>,
     /// What is known about the images.
     pub image: ImageSettings,
     /// Which parts the forward model has, or who decides.
@@ -128,7 +134,7 @@ impl Processor {
     /// # Errors
     /// A camera does not see the volume.
     pub fn timed(measurement: Measurement, clock: Clock) -> Result<Self, SetupError> {
-        let Measurement { optics, volume, velocimetry, spacing_mm, .. } = &measurement;
+        let Measurement { optics, volume, mask, velocimetry, spacing_mm, .. } = &measurement;
         // Light that crosses a face between the frames must have voxels on both sides of it.
         let margin = (velocimetry.max_displacement_vox / 2.0).ceil() as usize + 1;
         let models = Models::new(&measurement, margin, clock)?;
@@ -136,6 +142,7 @@ impl Processor {
         let zones = layouts.iter().map(|layout| PhotometricZones::of(optics, layout)).collect();
         let interrogation =
             Interrogation::new(volume, margin, velocimetry).with_spacing_mm(*spacing_mm);
+        let interrogation = interrogation.with_mask(mask.clone());
         Ok(Self { measurement, models, clock, zones, interrogation, stationary: Vec::new() })
     }
 

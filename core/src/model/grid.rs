@@ -1,25 +1,21 @@
 //! The measurement volume as a grid of cubic voxels.
 
-use garde::Validate;
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 
-/// Placement and size of the voxel grid: the `[volume]` table of the configuration.
+/// Placement and size of the voxel grid.
 ///
 /// Voxel (i, j, k) is centred at `centre_mm + ((i, j, k) − (n − 1)/2)·voxel_mm`; arrays over the
 /// grid are stored z, y, x (x fastest).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VolumeGrid {
     /// Voxel counts along x, y, z.
-    #[garde(inner(range(min = 1, max = 2000)))]
     pub voxels: [usize; 3],
     /// Edge length of a voxel, in mm.
-    #[garde(range(min = 0.001, max = 10.0))]
     pub voxel_mm: f64,
     /// World position of the volume's centre, in mm.
     #[serde(default)]
-    #[garde(inner(range(min = -100.0, max = 100.0)))]
     pub centre_mm: [f64; 3],
 }
 

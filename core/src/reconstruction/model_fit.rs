@@ -85,21 +85,12 @@ impl ModelFit {
 
     /// The numbers behind the assessment, as text; `pitch_mm` as in [`Self::warning`].
     pub fn numbers(&self, pitch_mm: f64) -> String {
-        let per_camera = |number: &dyn Fn(&CameraFit) -> Option<String>| -> String {
-            let numbers =
-                self.cameras.iter().map(|camera| number(camera).unwrap_or("?".to_owned()));
-            numbers.collect::<Vec<_>>().join(" and ")
-        };
-        let mut parts = vec![
-            format!(
-                "Unexplained light {} of its standard deviation",
-                per_camera(&|camera| Some(format!("{:.2}", camera.unexplained)))
-            ),
-            format!(
-                "micro-images {} pixels off",
-                per_camera(&|camera| camera.micro_image_offset_px.map(|px| format!("{px:.1}")))
-            ),
-        ];
+        let unexplained = self.cameras.iter().map(|camera| format!("{:.2}", camera.unexplained));
+        let mut parts = vec![format!(
+            "Unexplained light {} of its standard deviation",
+            unexplained.collect::<Vec<_>>().join(" and ")
+        )];
+        parts.extend(self.micro_images());
         parts.extend(self.camera_agreement.map(|r| format!("correlation of the cameras {r:.2}")));
         parts.extend(self.camera_disparity_mm.map(|mm| {
             format!("the cameras put particles {:.2} microlens pitches apart", mm / pitch_mm)
@@ -109,9 +100,39 @@ impl ModelFit {
         parts.join(", ")
     }
 
+    /// How far micro-images are from their configured positions. `None` if that was not measured for
+    /// any camera: the cameras are calibrated, or no micro-image is visible.
+    fn micro_images(&self) -> Option<String> {
+        self.cameras.iter().find_map(|camera| camera.micro_image_offset_px)?;
+        let offset = |camera: &CameraFit| match camera.micro_image_offset_px {
+            Some(px) => format!("{px:.1}"),
+            None => "(not visible)".to_owned(),
+        };
+        let offsets: Vec<String> = self.cameras.iter().map(offset).collect();
+        Some(format!("micro-images {} pixels off", offsets.join(" and ")))
+    }
+
     /// The fit as JSON, for files that keep text.
     pub fn to_json(&self) -> String {
         // Numbers, strings and lists cannot fail to serialise.
         serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fit(offsets_px: [Option<f64>; 2]) -> ModelFit {
+        let camera = |micro_image_offset_px| CameraFit { unexplained: 0.2, micro_image_offset_px };
+        ModelFit { cameras: offsets_px.map(camera).to_vec(), ..ModelFit::default() }
+    }
+
+    #[test]
+    fn only_measured_micro_images_are_reported() {
+        let text = |offsets_px| fit(offsets_px).numbers(0.1);
+        assert!(text([Some(0.31), Some(2.0)]).contains("micro-images 0.3 and 2.0 pixels off"));
+        assert!(text([Some(0.31), None]).contains("micro-images 0.3 and (not visible) pixels off"));
+        assert!(!text([None, None]).contains("micro-images"));
     }
 }

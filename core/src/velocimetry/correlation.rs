@@ -15,6 +15,7 @@
 use rayon::prelude::*;
 
 use super::{
+    differences::Layout,
     kernel::{box_sums, product_columns, window_sums},
     lags::Lags,
     raster::Raster,
@@ -31,6 +32,8 @@ pub struct Frames<'a> {
     sums: [Vec<f32>; 2],
     /// First cell with known light along each axis, and the one after the last.
     lit: [[i64; 2]; 3],
+    /// Share of each window that is flow; all of it where absent.
+    flow_shares: Option<&'a [f32]>,
     bricks: Bricks,
 }
 
@@ -74,7 +77,13 @@ impl<'a> Frames<'a> {
         let sum = |image| box_sums(image, raster.cells, windows.edge);
         let (sum_a, sum_b) = rayon::join(|| sum(a), || sum(b));
         let bricks = Bricks::of(windows);
-        Self { windows, lags, raster, a, b, sums: [sum_a, sum_b], lit, bricks }
+        Self { windows, lags, raster, a, b, sums: [sum_a, sum_b], lit, flow_shares: None, bricks }
+    }
+
+    /// The same with these shares of the windows in the flow: there is light in no other cell, so that fewer
+    /// pairs of cells agree by chance.
+    pub fn with_flow_shares(self, flow_shares: Option<&'a [f32]>) -> Self {
+        Self { flow_shares, ..self }
     }
 
     /// What `visit` makes of every window's correlation, C(s) for all lags, in the windows' order.
@@ -152,11 +161,14 @@ impl<'a> Frames<'a> {
         let strides = [1, nx, nx * ny];
         let [xs, ys, zs]: [Vec<AxisPairs>; 3] =
             std::array::from_fn(|axis| self.axis_pairs(axis, node[axis], strides[axis]));
+        let window = Layout { nodes: self.windows.nodes }.number(node);
+        let share = self.flow_shares.map_or(1.0, |shares| shares[window]);
         let mut products = sums.iter().step_by(self.windows.nodes[0]);
         let mut correlation = correlation.iter_mut();
         for z in &zs {
             for y in &ys {
-                let (pairs, back, forth) = (y.pairs * z.pairs, y.back + z.back, y.forth + z.forth);
+                let pairs = share * y.pairs * z.pairs;
+                let (back, forth) = (y.back + z.back, y.forth + z.forth);
                 let (a, b) = (&self.sums[0][back..], &self.sums[1][forth..]);
                 for ((x, value), product) in xs.iter().zip(&mut correlation).zip(&mut products) {
                     *value = product - a[x.back] * b[x.forth] / (pairs * x.pairs).max(1.0);

@@ -1,5 +1,7 @@
 //! Vorticity and divergence of a vector field on a lattice.
 
+use super::flow_nodes::FlowNodes;
+
 /// Derivatives of a vector field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gradients {
@@ -21,12 +23,29 @@ pub fn curl_and_divergence(
     has_value: &[bool],
     step: f64,
 ) -> Gradients {
+    gradients_within(nodes, values, has_value, step, None)
+}
+
+/// [`curl_and_divergence`] with differences between nodes of one `flow` only.
+pub fn gradients_within(
+    nodes: [usize; 3],
+    values: &[[f32; 3]],
+    has_value: &[bool],
+    step: f64,
+    flow: Option<&FlowNodes>,
+) -> Gradients {
     let found: Vec<Option<([f32; 3], f32)>> = (0..values.len())
         .map(|index| {
             if !has_value[index] {
                 return None;
             }
-            let along = |axis| derivative(nodes, values, has_value, index, axis, step);
+            let along = |axis| {
+                derivative(nodes, values, index, axis, step, |from, to| {
+                    has_value[from]
+                        && has_value[to]
+                        && flow.is_none_or(|flow| flow.is_open(from, axis))
+                })
+            };
             // gradient[a][c]: derivative of component c along axis a
             let gradient = [along(0)?, along(1)?, along(2)?];
             let curl = [
@@ -43,21 +62,23 @@ pub fn curl_and_divergence(
     Gradients { vorticity, divergence, known }
 }
 
+/// The derivative along an axis at a node that has a value; `is_open`: whether a node and the next one can be
+/// compared.
 fn derivative(
     nodes: [usize; 3],
     values: &[[f32; 3]],
-    has_value: &[bool],
     index: usize,
     axis: usize,
     step: f64,
+    is_open: impl Fn(usize, usize) -> bool,
 ) -> Option<[f64; 3]> {
     if nodes[axis] == 1 {
         return Some([0.0; 3]);
     }
     let stride = [1, nodes[0], nodes[0] * nodes[1]][axis];
     let place = index / stride % nodes[axis];
-    let below = usize::from(place > 0 && has_value[index - stride]);
-    let above = usize::from(place + 1 < nodes[axis] && has_value[index + stride]);
+    let below = usize::from(place > 0 && is_open(index - stride, index));
+    let above = usize::from(place + 1 < nodes[axis] && is_open(index, index + stride));
     if below + above == 0 {
         return None;
     }

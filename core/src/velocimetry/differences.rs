@@ -1,5 +1,7 @@
 //! Third differences along the axes of a lattice, and what they cost a field.
 
+use super::flow_nodes::FlowNodes;
+
 /// A lattice's nodes in memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
@@ -55,9 +57,19 @@ impl Layout {
         (0..4).filter(|k| !known[n + k * s]).count()
     }
 
-    /// Nodes at which a third difference along `axis` starts that touches `known` nodes only.
-    pub fn within(self, axis: usize, known: &[bool]) -> impl Iterator<Item = usize> {
-        (0..known.len()).filter(move |&n| self.starts(axis, n) && self.gaps(axis, n, known) == 0)
+    /// Nodes at which a third difference along `axis` starts that touches `known` nodes only, all of them of
+    /// one flow.
+    pub fn within<'a>(
+        self,
+        axis: usize,
+        known: &'a [bool],
+        flow: Option<&'a FlowNodes>,
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        (0..known.len()).filter(move |&n| {
+            self.starts(axis, n)
+                && self.gaps(axis, n, known) == 0
+                && !flow.is_some_and(|flow| flow.ties_flows(axis, n))
+        })
     }
 
     /// Third differences along `axis` that start at the nodes; where none fits, one that runs on
@@ -86,13 +98,19 @@ impl Layout {
     }
 
     /// Mean square of the third difference along `axis` about each node, with the whole lattice's
-    /// as one more of those around: how rough the field is there, from `known` values only. 0 where
-    /// none starts.
-    pub fn roughness(self, axis: usize, value: &[f64], known: &[bool]) -> Vec<f64> {
+    /// as one more of those around: how rough the field is there, from `known` values of one flow only. 0
+    /// where none starts.
+    pub fn roughness(
+        self,
+        axis: usize,
+        value: &[f64],
+        known: &[bool],
+        flow: Option<&FlowNodes>,
+    ) -> Vec<f64> {
         let starts: Vec<bool> = (0..value.len()).map(|n| self.starts(axis, n)).collect();
         let (mut squares, mut counts) = (vec![0.0; value.len()], vec![0.0; value.len()]);
         let differences = self.third_differences(axis, value);
-        for n in self.within(axis, known) {
+        for n in self.within(axis, known, flow) {
             (squares[n], counts[n]) = (differences[n] * differences[n], 1.0);
         }
         let mean = squares.iter().sum::<f64>() / counts.iter().sum::<f64>().max(1.0);
@@ -115,6 +133,18 @@ impl Penalty {
         for (axis, stiffness) in self.stiffness.iter_mut().enumerate() {
             for (n, stiffness) in stiffness.iter_mut().enumerate() {
                 if layout.starts(axis, n) && layout.gaps(axis, n, known) > 1 {
+                    *stiffness = 0.0;
+                }
+            }
+        }
+    }
+
+    /// Lets every third difference go that ties flows to each other which a body parts: together they are no
+    /// smoother than each by itself.
+    pub fn part(&mut self, flow: &FlowNodes) {
+        for (axis, stiffness) in self.stiffness.iter_mut().enumerate() {
+            for (n, stiffness) in stiffness.iter_mut().enumerate() {
+                if self.layout.starts(axis, n) && flow.ties_flows(axis, n) {
                     *stiffness = 0.0;
                 }
             }

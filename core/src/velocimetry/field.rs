@@ -64,6 +64,15 @@ pub enum VectorStatus {
     /// No value: the window holds no light, or nothing in it can be trusted and too little valid
     /// is near. Stored as zero.
     Invalid,
+    /// No value: its place is not flow, as the mask of the volume says. Stored as zero.
+    Masked,
+}
+
+impl VectorStatus {
+    /// Whether the vector has a value, its own or one interpolated.
+    pub fn has_value(self) -> bool {
+        matches!(self, Self::Valid | Self::Replaced)
+    }
 }
 
 /// A displacement field on a [`VectorGrid`]; every array is stored z, y, x (x fastest) and every
@@ -75,7 +84,7 @@ pub struct VelocityField {
     /// Displacement from frame a to frame b along x, y, z, in voxels.
     pub displacement_vox: Vec<[f32; 3]>,
     /// Standard uncertainty of the displacement along x, y, z, in voxels; greater than zero. For
-    /// an invalid vector that of anything within the largest displacement expected.
+    /// a vector without a value that of anything within the largest displacement expected.
     pub uncertainty_vox: Vec<[f32; 3]>,
     /// What each vector is worth.
     pub status: Vec<VectorStatus>,
@@ -85,8 +94,8 @@ pub struct VelocityField {
     pub vorticity: Vec<[f32; 3]>,
     /// Divergence of the displacement, in voxel per voxel; zero where it is not known.
     pub divergence: Vec<f32>,
-    /// Whether vorticity and divergence are known: the vector and, along every axis, a neighbour of it are
-    /// not invalid.
+    /// Whether vorticity and divergence are known: the vector and, along every axis, a neighbour of it in
+    /// the same flow have values.
     pub has_gradient: Vec<bool>,
     /// Edge length of a voxel, in mm.
     pub voxel_mm: f64,
@@ -100,23 +109,28 @@ impl VelocityField {
         self.voxel_mm * 1e-3 / self.dt_s
     }
 
-    /// Marks every vector invalid and sets it to zero, with the uncertainty of anything within
-    /// `max_displacement_vox`.
+    /// Marks every vector invalid that is not masked, and sets it to zero, with the uncertainty of anything
+    /// within `max_displacement_vox`.
     pub fn invalidate(&mut self, max_displacement_vox: f64) {
         self.displacement_vox.fill([0.0; 3]);
         self.uncertainty_vox.fill([unknown_vox(max_displacement_vox); 3]);
-        self.status.fill(VectorStatus::Invalid);
+        for status in self.status.iter_mut().filter(|status| status.has_value()) {
+            *status = VectorStatus::Invalid;
+        }
         self.peak_ratio.fill(0.0);
         self.vorticity.fill([0.0; 3]);
         self.divergence.fill(0.0);
         self.has_gradient.fill(false);
     }
 
-    /// `values`, one per vector, where the vector has a value, and NaN where it is invalid: for files and
+    /// `values`, one per vector, where the vector has a value, and NaN where it has none: for files and
     /// answers, at whose edge a missing value is said so.
     pub fn or_nan(&self, values: &[[f32; 3]]) -> impl Iterator<Item = [f32; 3]> {
-        let missing = self.status.iter().map(|status| *status == VectorStatus::Invalid);
-        values.iter().zip(missing).map(|(v, missing)| if missing { [f32::NAN; 3] } else { *v })
+        let has_value = self.status.iter().map(|status| status.has_value());
+        values
+            .iter()
+            .zip(has_value)
+            .map(|(v, has_value)| if has_value { *v } else { [f32::NAN; 3] })
     }
 
     /// Vorticity where it is known, and NaN where not.
@@ -131,10 +145,11 @@ impl VelocityField {
         known.map(|(d, known)| if *known { *d } else { f32::NAN })
     }
 
-    /// Share of the vectors that were measured and accepted, 0 to 1.
+    /// Share of the vectors in the flow that were measured and accepted, 0 to 1; 0 where none is in the flow.
     pub fn valid_share(&self) -> f64 {
         let valid = self.status.iter().filter(|s| **s == VectorStatus::Valid).count();
-        valid as f64 / self.status.len().max(1) as f64
+        let masked = self.status.iter().filter(|s| **s == VectorStatus::Masked).count();
+        valid as f64 / (self.status.len() - masked).max(1) as f64
     }
 }
 

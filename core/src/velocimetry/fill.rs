@@ -1,6 +1,6 @@
 //! Values for the nodes of a lattice that have none.
 
-use super::{differences::Layout, lattice::Lattice};
+use super::{differences::Layout, flow_nodes::FlowNodes, lattice::Lattice};
 
 impl Lattice {
     /// The field with values on the nodes that are not `known`, node after node outwards: between known
@@ -8,21 +8,40 @@ impl Lattice {
     /// outside. No further outside the range of the known ones than that is wide. All zero where none is
     /// known.
     ///
+    /// Nodes in the `flow` take their values from those they see as far as these reach, nodes in bodies from the
+    /// flow that is nearest along an axis, and what is left from any.
+    ///
     /// It is where light is looked for, and no measurement.
-    pub fn filled(mut self, known: &[bool]) -> Self {
-        let layout = Layout { nodes: self.nodes };
+    pub fn filled(mut self, known: &[bool], flow: Option<&FlowNodes>) -> Self {
         let limits: [[f32; 2]; 3] = std::array::from_fn(|c| self.limits(c, known));
         let mut filled = known.to_vec();
         for (value, _) in self.values.iter_mut().zip(known).filter(|(_, known)| !**known) {
             *value = [0.0; 3];
         }
+        if let Some(flow) = flow {
+            self.fill(&mut filled, limits, |n, axis| flow.is_open(n, axis));
+            self.fill(&mut filled, limits, |n, axis| flow.is_linked(n, axis));
+        }
+        self.fill(&mut filled, limits, |_, _| true);
+        self
+    }
+
+    /// Fills node after node outwards, from a node to the next one along an axis where `is_open`, until there is no
+    /// more to fill.
+    fn fill(
+        &mut self,
+        filled: &mut [bool],
+        limits: [[f32; 2]; 3],
+        is_open: impl Fn(usize, usize) -> bool,
+    ) {
+        let layout = Layout { nodes: self.nodes };
         loop {
             let next: Vec<(usize, [f32; 3])> = (0..filled.len())
                 .filter(|&n| !filled[n])
-                .filter_map(|n| Some((n, self.continued(layout, n, &filled)?)))
+                .filter_map(|n| Some((n, self.continued(layout, n, filled, &is_open)?)))
                 .collect();
             if next.is_empty() {
-                return self;
+                return;
             }
             for (n, value) in next {
                 let within = |c: usize| value[c].clamp(limits[c][0], limits[c][1]);
@@ -41,20 +60,28 @@ impl Lattice {
         if low > high { [0.0; 2] } else { [low - (high - low), high + (high - low)] }
     }
 
-    /// Mean of what every axis says of node `n`; `None` where no neighbour is filled.
-    fn continued(&self, layout: Layout, n: usize, filled: &[bool]) -> Option<[f32; 3]> {
+    /// Mean of what every axis says of node `n`; `None` where no neighbour is filled whose way is open.
+    fn continued(
+        &self,
+        layout: Layout,
+        n: usize,
+        filled: &[bool],
+        is_open: &impl Fn(usize, usize) -> bool,
+    ) -> Option<[f32; 3]> {
         let place = layout.place(n);
         let said: Vec<[f32; 3]> = (0..3)
             .filter_map(|axis| {
                 let s = layout.stride(axis);
                 let below = |steps: usize| {
                     let other = (place[axis] >= steps).then(|| n - steps * s)?;
-                    filled[other].then(|| self.values[other])
+                    let is_open = (1..=steps).all(|step| is_open(n - step * s, axis));
+                    (filled[other] && is_open).then(|| self.values[other])
                 };
                 let above = |steps: usize| {
                     let other =
                         (place[axis] + steps < layout.nodes[axis]).then(|| n + steps * s)?;
-                    filled[other].then(|| self.values[other])
+                    let is_open = (0..steps).all(|step| is_open(n + step * s, axis));
+                    (filled[other] && is_open).then(|| self.values[other])
                 };
                 match (below(1), above(1)) {
                     (Some(low), Some(high)) => {
@@ -99,7 +126,7 @@ mod tests {
         for (value, _) in holes.values.iter_mut().zip(&known).filter(|(_, known)| !**known) {
             *value = [99.0; 3];
         }
-        for (filled, value) in holes.filled(&known).values.iter().zip(&field.values) {
+        for (filled, value) in holes.filled(&known, None).values.iter().zip(&field.values) {
             assert!((0..3).all(|c| (filled[c] - value[c]).abs() < 1e-5), "{filled:?} {value:?}");
         }
     }
@@ -109,15 +136,15 @@ mod tests {
         let field = lattice(|[x, _, _]| x);
         let layout = Layout { nodes: field.nodes };
         let known: Vec<bool> = (0..120).map(|n| layout.place(n)[0] < 2).collect();
-        let filled = field.filled(&known);
+        let filled = field.filled(&known, None);
         assert_eq!(filled.values[layout.number([5, 2, 2])], [2.0, -2.0, 1.0]);
-        let none = lattice(|_| 3.0).filled(&[false; 120]);
+        let none = lattice(|_| 3.0).filled(&[false; 120], None);
         assert!(none.values.iter().all(|value| *value == [0.0; 3]));
     }
 
     #[test]
     fn a_known_field_is_left_as_it_is() {
         let field = lattice(|[x, y, _]| x * y);
-        assert_eq!(field.clone().filled(&[true; 120]), field);
+        assert_eq!(field.clone().filled(&[true; 120], None), field);
     }
 }

@@ -2,8 +2,9 @@
 
 use super::{
     VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
-    derived::{Gradients, curl_and_divergence},
+    derived::{Gradients, gradients_within},
     field::unknown_vox,
+    flow_nodes::FlowNodes,
     lattice::Lattice,
     peak::Peak,
     settings::SEARCH_MARGIN,
@@ -25,20 +26,28 @@ pub struct Vector {
     pub status: VectorStatus,
 }
 
+impl Vector {
+    /// A vector without a value, where displacements of up to `max_displacement_vox` are expected.
+    pub fn without_value(status: VectorStatus, max_displacement_vox: f64) -> Self {
+        let uncertainty_vox = [unknown_vox(max_displacement_vox); 3];
+        Self { displacement_vox: [0.0; 3], uncertainty_vox, status }
+    }
+}
+
 /// The field that `vectors` on `grid` make, in voxels of `volume`, with the height of every correlation
-/// peak over the next highest.
+/// peak over the next highest. Derivatives compare vectors of one `flow`, which is that on `grid`.
 pub fn field_of(
     grid: VectorGrid,
     volume: &VolumeGrid,
     dt_s: f64,
-    vectors: &[Vector],
-    peak_ratios: &[f32],
+    (vectors, peak_ratios): (&[Vector], &[f32]),
+    flow: Option<&FlowNodes>,
 ) -> VelocityField {
     let displacement_vox: Vec<[f32; 3]> = vectors.iter().map(|v| v.displacement_vox).collect();
     let spacing_vox = grid.spacing_mm / volume.voxel_mm;
-    let has_value: Vec<bool> = vectors.iter().map(|v| v.status != VectorStatus::Invalid).collect();
+    let has_value: Vec<bool> = vectors.iter().map(|v| v.status.has_value()).collect();
     let Gradients { vorticity, divergence, known } =
-        curl_and_divergence(grid.vectors, &displacement_vox, &has_value, spacing_vox);
+        gradients_within(grid.vectors, &displacement_vox, &has_value, spacing_vox, flow);
     VelocityField {
         grid,
         uncertainty_vox: vectors.iter().map(|v| v.uncertainty_vox).collect(),
@@ -54,15 +63,19 @@ pub fn field_of(
 }
 
 /// The likeliest field behind the last pass's vectors, on the lattice `at_rest`, and the uncertainty of
-/// those that were measured: a replacement is no measurement.
-pub fn settled(vectors: &[Vector], at_rest: Lattice) -> (Lattice, Vec<Option<[f32; 3]>>) {
+/// those that were measured: a replacement is no measurement. `flow` is that on the lattice.
+pub fn settled(
+    vectors: &[Vector],
+    at_rest: Lattice,
+    flow: Option<&FlowNodes>,
+) -> (Lattice, Vec<Option<[f32; 3]>>) {
     let measured = |v: &Vector| (v.status == VectorStatus::Valid).then_some(v.uncertainty_vox);
     let uncertainty_vox: Vec<Option<[f32; 3]>> = vectors.iter().map(measured).collect();
-    let has_value: Vec<bool> = vectors.iter().map(|v| v.status != VectorStatus::Invalid).collect();
+    let has_value: Vec<bool> = vectors.iter().map(|v| v.status.has_value()).collect();
     let values = vectors.iter().map(|v| v.displacement_vox).collect();
-    let field = Lattice { values, ..at_rest }.filled(&has_value);
+    let field = Lattice { values, ..at_rest }.filled(&has_value, flow);
     let measured: Vec<bool> = uncertainty_vox.iter().map(Option::is_some).collect();
-    (field.likeliest(&uncertainty_vox, &measured), uncertainty_vox)
+    (field.likeliest(&uncertainty_vox, &measured, flow), uncertainty_vox)
 }
 
 /// Moves vectors to those of `field`, and lets `change` say what else becomes of each, whose number it is
@@ -73,7 +86,7 @@ pub fn move_to(
     mut change: impl FnMut(usize, &mut Vector),
 ) {
     for (n, vector) in vectors.iter_mut().enumerate() {
-        if vector.status != VectorStatus::Invalid {
+        if vector.status.has_value() {
             vector.displacement_vox = field.values[n];
             change(n, vector);
         }
@@ -100,6 +113,8 @@ pub struct Judge<'a> {
     pub field: &'a Lattice,
     /// The correlation peak of every window, where there is one.
     pub peaks: &'a [Option<Peak>],
+    /// Which windows are of one flow; all of them where absent.
+    pub flow: Option<&'a FlowNodes>,
 }
 
 impl Judge<'_> {
@@ -119,7 +134,7 @@ impl Judge<'_> {
         let replacement = |known: bool| known.then_some([REPLACEMENT_UNCERTAINTY_VOX; 3]);
         let weighed: Vec<Option<[f32; 3]>> =
             own.into_iter().zip(known).map(|(own, known)| own.or(replacement(known))).collect();
-        field.likeliest(&weighed, &measured)
+        field.likeliest(&weighed, &measured, self.flow)
     }
 
     fn replace_outliers(&self) -> Replaced {
@@ -135,7 +150,7 @@ impl Judge<'_> {
             .collect();
         let known: Vec<bool> = values.iter().map(Option::is_some).collect();
         let values = values.into_iter().map(Option::unwrap_or_default).collect();
-        Replaced { field: Lattice { values, ..*self.field }.filled(&known), pass, known }
+        Replaced { field: Lattice { values, ..*self.field }.filled(&known, self.flow), pass, known }
     }
 
     /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is
@@ -193,16 +208,12 @@ impl Judge<'_> {
                     status: VectorStatus::Replaced,
                 }
             }
-            _ => Vector {
-                displacement_vox: [0.0; 3],
-                uncertainty_vox: [unknown_vox(self.settings.max_displacement_vox); 3],
-                status: VectorStatus::Invalid,
-            },
+            _ => Vector::without_value(VectorStatus::Invalid, self.settings.max_displacement_vox),
         }
     }
 
     fn candidates<'a>(&'a self, present: &'a [bool]) -> Candidates<'a> {
-        Candidates { nodes: self.field.nodes, values: &self.field.values, present }
+        Candidates { nodes: self.field.nodes, values: &self.field.values, present, flow: self.flow }
     }
 
     fn passing(&self, candidates: &Candidates) -> Vec<bool> {

@@ -5,6 +5,8 @@
 //! the result belongs to the middle of the pair), renders them, correlates interrogation windows,
 //! and adds what it finds.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
 use super::{
@@ -13,6 +15,8 @@ use super::{
     correlation::Frames,
     differences::Layout,
     displacement::DisplacementField,
+    flow_geometry::FlowGeometry,
+    flow_nodes::FlowNodes,
     judge::{Judge, Vector, field_of, settled},
     lags::Lags,
     lattice::Lattice,
@@ -24,7 +28,7 @@ use super::{
     uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
 };
-use crate::model::VolumeGrid;
+use crate::model::{VolumeGrid, VolumeMask};
 
 /// Interrogation windows on a volume.
 pub struct Interrogation {
@@ -37,6 +41,18 @@ pub struct Interrogation {
     search: Windows,
     search_lags: Lags,
     windows: Windows,
+    /// The flow, where the volume has a mask.
+    flow: Option<FlowGeometry>,
+}
+
+/// What a mask leaves of an interrogation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct InFlow {
+    /// Vectors in the flow.
+    pub vectors: usize,
+    /// Windows in the flow beside a body that is thinner than a window: what they measure may be mixed with the flow
+    /// behind it.
+    pub around_bodies: usize,
 }
 
 /// Layers of windows around the volume's own, on the margin: they carry the deformation to the
@@ -88,13 +104,42 @@ impl Interrogation {
         };
         let (search, search_lags) = search_windows(&windows, search, reach);
         let (grid, settings) = (grid.clone(), settings.clone());
-        Self { grid, margin, settings, nodes, spacing_mm: None, search, search_lags, windows }
+        Self {
+            grid,
+            margin,
+            settings,
+            nodes,
+            spacing_mm: None,
+            search,
+            search_lags,
+            windows,
+            flow: None,
+        }
     }
 
     /// With vectors this far apart from the first window's centre to the last's, in mm, and not on the
     /// centres.
     pub fn with_spacing_mm(self, spacing_mm: Option<f64>) -> Self {
-        Self { spacing_mm, ..self }
+        let mask = self.flow.as_ref().map(|flow| flow.mask().clone());
+        Self { spacing_mm, ..self }.with_mask(mask)
+    }
+
+    /// With the flow of `mask` only; that of the whole volume without one.
+    ///
+    /// Windows then contain the light in the flow and no other. Those whose centres are not flow measure
+    /// nothing, nothing is compared, replaced or smoothed across what is not flow, and vectors there are
+    /// masked.
+    pub fn with_mask(self, mask: Option<Arc<VolumeMask>>) -> Self {
+        let flow = mask.map(|mask| {
+            let windows = [&self.search, &self.windows];
+            FlowGeometry::new(mask, self.cloud_grid(), windows, &self.vector_grid())
+        });
+        Self { flow, ..self }
+    }
+
+    /// The vectors that are flow, where the volume has a mask.
+    pub(super) fn flow_of_vectors(&self) -> Option<&FlowNodes> {
+        self.flow.as_ref().map(|flow| &flow.vectors)
     }
 
     /// How volumes are correlated.
@@ -126,6 +171,15 @@ impl Interrogation {
         [&self.search, &self.windows].map(|w| w.edge * w.cell_vox as usize)
     }
 
+    /// What of the vectors and windows is flow, where the volume has a mask.
+    pub fn in_flow(&self) -> Option<InFlow> {
+        let flow = self.flow.as_ref()?;
+        Some(InFlow {
+            vectors: flow.vectors.count(),
+            around_bodies: flow.around_bodies(&self.windows),
+        })
+    }
+
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
     pub fn measure(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
         self.measure_everywhere(a, b, dt_s).0
@@ -150,10 +204,12 @@ impl Interrogation {
 
     fn measured(
         &self,
-        [a, b]: [&PointCloud; 2],
+        all_light: [&PointCloud; 2],
         particles: bool,
         dt_s: f64,
     ) -> (VelocityField, DisplacementField) {
+        let in_flow = self.flow.as_ref().map(|flow| all_light.map(|cloud| flow.within(cloud)));
+        let [a, b] = in_flow.as_ref().map_or(all_light, |clouds| clouds.each_ref());
         let mut field = self.searched(a, b);
         let last = self.settings.passes.max(2) - 1;
         for pass in 1..last {
@@ -165,13 +221,19 @@ impl Interrogation {
         }
         let found = self.pass(a, b, &mut field, WIDE);
         let vectors = self.judge(&field, &found.peaks).vectors(&found.uncertainty_vox);
-        self.report(&vectors, &found.peaks, particles.then_some([a, b]), dt_s)
+        self.report(&vectors, &found.peaks, particles.then_some(all_light), dt_s)
     }
 
     /// Deforms by `field` and adds to it what is left.
     fn pass(&self, a: &PointCloud, b: &PointCloud, field: &mut Lattice, lags: Lags) -> Found {
         let frames = self.deformed(a, b, field, lags);
-        let peaks = self.correlate(&self.windows, &frames);
+        let shares = self.flow.as_ref().map(|flow| flow.window_shares.as_slice());
+        let mut peaks = self.correlate(&self.windows, &frames, shares);
+        if let Some(flow) = &self.flow {
+            // What a window finds whose centre is not flow belongs to no place in the flow.
+            let not_flow = peaks.iter_mut().enumerate().filter(|(n, _)| !flow.windows.is_flow(*n));
+            not_flow.for_each(|(_, peak)| *peak = None);
+        }
         field.add(&peaks, self.windows.cell_vox);
         Found { uncertainty_vox: self.uncertainties(&frames, &peaks), peaks }
     }
@@ -179,10 +241,13 @@ impl Interrogation {
     /// What the search on coarse cells finds, on the nodes of the windows.
     fn searched(&self, a: &PointCloud, b: &PointCloud) -> Lattice {
         let frames = self.render(&self.search, self.search_lags, [(a, None), (b, None)]);
-        let peaks = self.correlate(&self.search, &frames);
+        let shares = self.flow.as_ref().map(|flow| flow.search_shares.as_slice());
+        let peaks = self.correlate(&self.search, &frames, shares);
         let mut coarse = self.search.at_rest();
         coarse.add(&peaks, self.search.cell_vox);
-        coarse = self.judge(&coarse, &peaks).with_outliers_replaced();
+        // Windows of the search are large: what they say about each other is where to look, whatever is between.
+        let judge = Judge { settings: &self.settings, field: &coarse, peaks: &peaks, flow: None };
+        coarse = judge.with_outliers_replaced();
         self.windows.at_rest().sampling(|at| coarse.at(at))
     }
 
@@ -203,10 +268,16 @@ impl Interrogation {
         Rendered { lags, raster, lit, images: [a, b] }
     }
 
-    /// Residual displacement in every window of two rendered frames.
-    fn correlate(&self, windows: &Windows, frames: &Rendered) -> Vec<Option<Peak>> {
+    /// Residual displacement in every window of two rendered frames, of which these shares are flow.
+    fn correlate(
+        &self,
+        windows: &Windows,
+        frames: &Rendered,
+        flow_shares: Option<&[f32]>,
+    ) -> Vec<Option<Peak>> {
         let images = frames.images.each_ref().map(Vec::as_slice);
         Frames::new(windows, frames.lags, &frames.raster, images, frames.lit)
+            .with_flow_shares(flow_shares)
             .correlate(|correlation| highest_peak(frames.lags, correlation))
     }
 
@@ -238,7 +309,8 @@ impl Interrogation {
     }
 
     fn judge<'a>(&'a self, field: &'a Lattice, peaks: &'a [Option<Peak>]) -> Judge<'a> {
-        Judge { settings: &self.settings, field, peaks }
+        let flow = self.flow.as_ref().map(|flow| &flow.windows);
+        Judge { settings: &self.settings, field, peaks, flow }
     }
 
     /// The likeliest field behind the last pass's vectors, or the one that the particles of `frames` follow
@@ -250,11 +322,21 @@ impl Interrogation {
         frames: Option<[&PointCloud; 2]>,
         dt_s: f64,
     ) -> (VelocityField, DisplacementField) {
-        let (windows, uncertainty_vox) = settled(vectors, self.windows.at_rest());
-        let refined = frames
-            .map(|frames| follow(&windows, &uncertainty_vox, frames, self.settings.incompressible));
+        let (flow, settings) = (self.flow.as_ref(), &self.settings);
+        let (windows, uncertainty_vox) =
+            settled(vectors, self.windows.at_rest(), flow.map(|flow| &flow.windows));
+        let refined = frames.map(|frames| {
+            follow(&windows, &uncertainty_vox, frames, settings.incompressible, flow)
+        });
         let grid = self.vector_grid();
-        let report = Report { windows: &windows, vectors, peaks, refined: refined.as_ref() };
+        let report = Report {
+            windows: &windows,
+            vectors,
+            peaks,
+            refined: refined.as_ref(),
+            flow,
+            max_displacement_vox: settings.max_displacement_vox,
+        };
         let cloud_grid = self.cloud_grid();
         let places: Vec<[f32; 3]> = (0..grid.len())
             .map(|n| {
@@ -264,7 +346,8 @@ impl Interrogation {
             .collect();
         let (reported, ratios): (Vec<Vector>, Vec<f32>) =
             places.iter().map(|&at_vox| report.at(at_vox)).unzip();
-        let field = field_of(grid, &self.grid, dt_s, &reported, &ratios);
+        let in_flow = flow.map(|flow| &flow.vectors);
+        let field = field_of(grid, &self.grid, dt_s, (&reported, &ratios), in_flow);
         let everywhere = match refined {
             Some(refined) => DisplacementField::Particles(refined.spline),
             None => DisplacementField::Windows(windows),

@@ -64,7 +64,7 @@ impl Interrogation {
         let vector = |n: usize| {
             let at_mm = before.grid.position_mm(n);
             let at_vox = std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32);
-            if is_measured(at_vox) {
+            if before.status[n] != VectorStatus::Masked && is_measured(at_vox) {
                 Vector {
                     displacement_vox: field.value(at_vox),
                     uncertainty_vox: field.uncertainty_vox(at_vox),
@@ -79,7 +79,9 @@ impl Interrogation {
             }
         };
         let vectors: Vec<Vector> = (0..before.grid.len()).map(vector).collect();
-        let field = field_of(before.grid.clone(), &grid, before.dt_s, &vectors, &before.peak_ratio);
+        let flow = self.flow_of_vectors();
+        let field =
+            field_of(before.grid.clone(), &grid, before.dt_s, (&vectors, &before.peak_ratio), flow);
         (field, agreeing(samples, &missed))
     }
 }

@@ -1,6 +1,9 @@
 //! What becomes of a measured field: vectors at the places that are asked for.
 
-use super::{VectorStatus, judge::Vector, lattice::Lattice, peak::Peak, tracks::Refined};
+use super::{
+    VectorStatus, differences::Layout, flow_geometry::FlowGeometry, judge::Vector,
+    lattice::Lattice, peak::Peak, tracks::Refined,
+};
 
 /// What was measured.
 pub struct Report<'a> {
@@ -12,13 +15,21 @@ pub struct Report<'a> {
     pub peaks: &'a [Option<Peak>],
     /// The field through particles, where they were followed.
     pub refined: Option<&'a Refined>,
+    /// The flow, where the volume has a mask.
+    pub flow: Option<&'a FlowGeometry>,
+    /// Largest displacement component to expect, in voxels.
+    pub max_displacement_vox: f64,
 }
 
 impl Report<'_> {
     /// The vector at a place, and the height of the nearest window's peak over the next highest. It is worth
-    /// what the nearest window's vector is, or is valid where particles measure it.
+    /// what the nearest window's vector is, or is valid where particles measure it. What is not flow has none.
     pub fn at(&self, at_vox: [f32; 3]) -> (Vector, f32) {
-        let n = self.windows.nearest_node(at_vox);
+        let without = |status| (Vector::without_value(status, self.max_displacement_vox), 0.0);
+        if self.flow.is_some_and(|flow| !flow.is_flow(at_vox)) {
+            return without(VectorStatus::Masked);
+        }
+        let Some(n) = self.nearest_window(at_vox) else { return without(VectorStatus::Invalid) };
         let ratio = self.peaks[n].map_or(0.0, |peak| peak.ratio);
         let nearest = self.vectors[n];
         let by_windows = || match nearest.status {
@@ -29,6 +40,37 @@ impl Report<'_> {
             .refined
             .map_or_else(by_windows, |refined| of_particles(refined, n, nearest, at_vox));
         (vector, ratio)
+    }
+
+    /// The window nearest to a place among those whose centre it sees; of those about it if it does not see the
+    /// nearest.
+    fn nearest_window(&self, at_vox: [f32; 3]) -> Option<usize> {
+        let windows = self.windows;
+        let nearest = windows.nearest_node(at_vox);
+        let Some(flow) = self.flow else { return Some(nearest) };
+        let layout = Layout { nodes: windows.nodes };
+        let centre = |n: usize| -> [f32; 3] {
+            let node = layout.place(n);
+            std::array::from_fn(|axis| {
+                windows.first_vox[axis] + windows.step_vox * node[axis] as f32
+            })
+        };
+        if flow.is_clear(centre(nearest), at_vox) {
+            return Some(nearest);
+        }
+        let low = windows.coordinates(at_vox).map(|t| t.floor().max(0.0) as usize);
+        let square = |n: usize| -> f32 {
+            centre(n).iter().zip(at_vox).map(|(centre, at)| (centre - at).powi(2)).sum()
+        };
+        let about = (0..8).map(|corner| -> [usize; 3] {
+            std::array::from_fn(|axis| {
+                (low[axis] + (corner >> axis & 1)).min(windows.nodes[axis] - 1)
+            })
+        });
+        about
+            .map(|node| layout.number(node))
+            .filter(|&n| flow.is_clear(centre(n), at_vox))
+            .min_by(|&a, &b| square(a).total_cmp(&square(b)))
     }
 }
 

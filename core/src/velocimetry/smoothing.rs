@@ -21,6 +21,7 @@ use rayon::prelude::*;
 use super::{
     conjugate_gradients::{Until, solve},
     differences::{Layout, Penalty},
+    flow_nodes::FlowNodes,
     lattice::Lattice,
 };
 
@@ -41,6 +42,15 @@ const RESOLUTION_VOX: f64 = 1e-3;
 /// The equations are solved to this part of their first residual, or as far as this many steps go.
 const UNTIL: Until = Until { tolerance: 1e-3, steps: 20 };
 
+/// What tells how rough the flow is.
+#[derive(Debug, Clone, Copy)]
+struct Known<'a> {
+    /// Nodes whose vectors were measured.
+    measured: &'a [bool],
+    /// Which of them are of one flow; all of them where absent.
+    flow: Option<&'a FlowNodes>,
+}
+
 /// One component's equations (S + Σ Δᵀ P Δ) d = S y.
 struct Equations {
     /// 1/σ² of each node, with what windows cannot see; 0 where there is no vector.
@@ -55,8 +65,14 @@ impl Lattice {
     /// where these do not say, stays as it is.
     ///
     /// Only vectors that were `measured` tell how rough the flow and how large the noise is: what stands in
-    /// for others is as smooth or as far off as it happens to be.
-    pub fn likeliest(&self, uncertainty_vox: &[Option<[f32; 3]>], measured: &[bool]) -> Self {
+    /// for others is as smooth or as far off as it happens to be. Nodes that are not of one `flow` say
+    /// nothing of each other.
+    pub fn likeliest(
+        &self,
+        uncertainty_vox: &[Option<[f32; 3]>],
+        measured: &[bool],
+        flow: Option<&FlowNodes>,
+    ) -> Self {
         let layout = Layout { nodes: self.nodes };
         let components: Vec<Vec<f64>> = (0..3usize)
             .into_par_iter()
@@ -64,7 +80,7 @@ impl Lattice {
                 let value: Vec<f64> = self.values.iter().map(|v| f64::from(v[c])).collect();
                 let square = |u: &Option<[f32; 3]>| u.map(|u| f64::from(u[c]).powi(2));
                 let variance: Vec<Option<f64>> = uncertainty_vox.iter().map(square).collect();
-                Equations::new(layout, &value, &variance, measured).solve(value)
+                Equations::new(layout, &value, &variance, Known { measured, flow }).solve(value)
             })
             .collect();
         let values = (0..self.values.len())
@@ -75,12 +91,12 @@ impl Lattice {
 }
 
 impl Equations {
-    fn new(layout: Layout, value: &[f64], variance: &[Option<f64>], measured: &[bool]) -> Self {
+    fn new(layout: Layout, value: &[f64], variance: &[Option<f64>], known: Known) -> Self {
         let squares: [Vec<f64>; 3] =
-            std::array::from_fn(|axis| expected_squares(layout, axis, value, variance, measured));
+            std::array::from_fn(|axis| expected_squares(layout, axis, value, variance, known));
         let of_measured = (0..3).flat_map(|axis| {
             let squares = &squares[axis];
-            layout.within(axis, measured).map(move |n| squares[n])
+            layout.within(axis, known.measured, known.flow).map(move |n| squares[n])
         });
         let (sum, count) =
             of_measured.fold((0.0, 0usize), |(sum, count), square| (sum + square, count + 1));
@@ -91,6 +107,9 @@ impl Equations {
         let mut penalty = Penalty { layout, stiffness };
         let has_vector: Vec<bool> = variance.iter().map(Option::is_some).collect();
         penalty.release(&has_vector);
+        if let Some(flow) = known.flow {
+            penalty.part(flow);
+        }
         Self { certainty, penalty }
     }
 
@@ -125,10 +144,10 @@ fn expected_squares(
     axis: usize,
     value: &[f64],
     variance: &[Option<f64>],
-    measured: &[bool],
+    known: Known,
 ) -> Vec<f64> {
     let s = layout.stride(axis);
-    let mut squares = layout.roughness(axis, value, measured);
+    let mut squares = layout.roughness(axis, value, known.measured, known.flow);
     for n in (0..value.len()).filter(|&n| layout.starts(axis, n)) {
         let touched = (0..4).filter_map(|k| variance[n + k * s]);
         let (sum, count) = touched.fold((0.0, 0.0), |(sum, count), v| (sum + v, count + 1.0));

@@ -4,7 +4,10 @@ mod lanes;
 
 use rayon::prelude::*;
 
-use super::differences::Layout;
+use super::{
+    differences::Layout,
+    flow_nodes::{FlowNodes, cube_index},
+};
 use crate::statistics::median;
 
 /// Fewer neighbours than this say nothing about a vector.
@@ -19,6 +22,8 @@ pub struct Candidates<'a> {
     pub values: &'a [[f32; 3]],
     /// Whether each vector was measured.
     pub present: &'a [bool],
+    /// Which neighbours are of the same flow; all of them where absent.
+    pub flow: Option<&'a FlowNodes>,
 }
 
 impl Candidates<'_> {
@@ -121,8 +126,8 @@ impl Candidates<'_> {
         near
     }
 
-    /// Visits the up to 26 nodes around one: their places in the cube about it (see [`cube_index`])
-    /// and their numbers.
+    /// Visits the up to 26 nodes around one that are of the same flow: their places in the cube about it
+    /// (see [`cube_index`]) and their numbers.
     fn for_each_near(&self, index: usize, mut visit: impl FnMut(usize, usize)) {
         let [nx, ny, nz] = self.nodes;
         let [i, j, k] = self.place(index);
@@ -131,8 +136,9 @@ impl Candidates<'_> {
             for y in around(j, ny) {
                 for x in around(i, nx) {
                     let other = (z * ny + y) * nx + x;
-                    if other != index {
-                        visit(((z + 1 - k) * 3 + y + 1 - j) * 3 + x + 1 - i, other);
+                    let place = ((z + 1 - k) * 3 + y + 1 - j) * 3 + x + 1 - i;
+                    if other != index && self.flow.is_none_or(|flow| flow.sees(index, place)) {
+                        visit(place, other);
                     }
                 }
             }
@@ -161,11 +167,6 @@ struct Neighbour {
     /// Lattice steps to it along x, y, z.
     offset: [i32; 3],
     value: [f32; 3],
-}
-
-/// Number of an offset of −1 to 1 along each axis, x fastest.
-fn cube_index(offset: [i32; 3]) -> usize {
-    offset.iter().rev().fold(0, |index, c| index * 3 + (c + 1) as usize)
 }
 
 /// The values of neighbours, each carried to the centre along their median gradient.
@@ -236,7 +237,7 @@ mod tests {
                 })
                 .collect();
             let present: Vec<bool> = (0..140).map(|_| !random.random_bool(missing)).collect();
-            let field = Candidates { nodes, values: &values, present: &present };
+            let field = Candidates { nodes, values: &values, present: &present, flow: None };
             let all: Vec<usize> = (0..140).collect();
             let lanes: Vec<bool> = all
                 .chunks(lanes::LANES)
@@ -257,7 +258,7 @@ mod tests {
             (0..125).map(|n| [(n / 25) as f32 * 0.5, 1.0, 0.0]).collect();
         values[62] = [4.0, -3.0, 0.0];
         let present = vec![true; 125];
-        let field = Candidates { nodes, values: &values, present: &present };
+        let field = Candidates { nodes, values: &values, present: &present, flow: None };
         let pass = field.passing(2.0, 0.1);
         let failed: Vec<usize> = (0..125).filter(|&n| !pass[n]).collect();
         assert_eq!(failed, [62]);

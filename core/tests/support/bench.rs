@@ -66,6 +66,7 @@ impl Bench {
                 centre_mm: self.volume.centre_mm,
             },
             dt_s: self.shot.dt_us / 1e6,
+            empty: None,
         }
     }
 
@@ -76,6 +77,7 @@ impl Bench {
             optics: self.optics.clone(),
             cameras: self.camera.clone(),
             volume: self.volume.clone(),
+            mask: None,
             image: self.image.clone(),
             model: self.model.clone(),
             reconstruction: self.reconstruction.clone(),

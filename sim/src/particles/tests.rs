@@ -10,7 +10,7 @@ fn cube() -> Volume {
 }
 
 fn seeding(placement: Placement) -> Seeding {
-    Seeding { ppm: 1.0, placement, intensity_spread: 0.2, sheet_mm: None }
+    Seeding { ppm: 1.0, placement, intensity_spread: 0.2, sheet_mm: None, empty: None }
 }
 
 fn flow_along_x(velocity_m_s: f64) -> Flow {
@@ -114,5 +114,24 @@ proptest! {
         for p in particles {
             prop_assert!((p.intensity - 1.0).abs() <= spread + 1e-12);
         }
+    }
+}
+
+/// A body of which nothing is seen, in either frame, though the flow carries particles through it.
+#[test]
+fn a_body_has_no_particles_in_either_frame() {
+    let in_body = |at: [f64; 3]| at[0].hypot(at[2]) < 1.0;
+    let body = Seeding { empty: Some(EmptySpace::new(in_body)), ..seeding(Placement::OffGrid) };
+    let flow = flow_along_x(2.0);
+    let [with, without] = [body, seeding(Placement::OffGrid)]
+        .map(|seeding| seeding.particles(&cube(), 0.1, &flow, 1e-4, (3, 0)));
+    let seen = |particles: &[Tracer], frame| -> Vec<[f64; 3]> {
+        particles.iter().filter_map(|particle| particle.lit_mm(frame)).collect()
+    };
+    for frame in [FrameOfPair::A, FrameOfPair::B] {
+        let outside: Vec<[f64; 3]> =
+            seen(&without, frame).into_iter().filter(|at| !in_body(*at)).collect();
+        assert!(outside.len() > 1000);
+        assert_eq!(seen(&with, frame), outside);
     }
 }

@@ -51,7 +51,8 @@ impl Scene {
     fn numbered_particles(&self, bench: &BenchGeometry, seed: u64, shot: u64) -> Vec<Tracer> {
         let (volume, pitch_mm) = (&bench.volume, bench.object_pitch_mm());
         let flow = self.flow.of_shot(seed, shot);
-        let all = self.seeding().all_particles(volume, pitch_mm, &flow, bench.dt_s, (seed, shot));
+        let all =
+            self.seeding(bench).all_particles(volume, pitch_mm, &flow, bench.dt_s, (seed, shot));
         let (mut lit, dark): (Vec<_>, Vec<_>) =
             all.into_iter().partition(|particle| particle.visible_a || particle.visible_b);
         lit.extend(dark);
@@ -85,7 +86,7 @@ impl Scene {
         pulse: &LightPulse,
         exposure: [u64; 4],
     ) -> Vec<PointSource> {
-        let (seeding, flow) = (self.seeding(), self.flow.of_shot(exposure[0], exposure[1]));
+        let (seeding, flow) = (self.seeding(bench), self.flow.of_shot(exposure[0], exposure[1]));
         let lit = particles.iter().zip(0..).filter_map(|(particle, id)| {
             let position_mm = seeding.lit_mm(particle, &bench.volume, &flow, pulse.at_s)?;
             let electrons = self.electrons(particle, id, exposure) * pulse.energy;

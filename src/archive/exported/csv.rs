@@ -15,6 +15,7 @@ const NAMES: [&str; QUANTITIES] = [
     "w_uncertainty_m_s",
     "valid",
     "replaced",
+    "masked",
     "peak_ratio",
     "vorticity_x_per_s",
     "vorticity_y_per_s",

@@ -46,6 +46,12 @@ const REPLACED: Described = Described {
     long_name: "value is interpolated from valid neighbours",
 };
 
+const MASKED: Described = Described {
+    name: "masked",
+    units: "1",
+    long_name: "place is not in the flow, as the mask of the volume says",
+};
+
 /// Size in bytes from which a file takes no further shot.
 const FULL_BYTES: u64 = 128 << 20;
 /// Upper bounds for the bytes per vector, and per shot without its vectors.
@@ -83,6 +89,7 @@ impl Hdf5File {
         }
         file.add_flag(&VALID, &SCALARS, "not_measured measured")?;
         file.add_flag(&REPLACED, &SCALARS, "as_measured interpolated")?;
+        file.add_flag(&MASKED, &SCALARS, "flow not_flow")?;
         Ok(Self { file, grid: like.grid.clone(), shots: 0 })
     }
 
@@ -107,9 +114,11 @@ impl Hdf5File {
         }
         self.file.put_record(DIVERGENCE.name, record, &shot.divergence_per_s)?;
         self.file.put_record(PEAK_RATIO.name, record, &shot.peak_ratio)?;
-        for (described, wanted) in
-            [(&VALID, VectorStatus::Valid), (&REPLACED, VectorStatus::Replaced)]
-        {
+        for (described, wanted) in [
+            (&VALID, VectorStatus::Valid),
+            (&REPLACED, VectorStatus::Replaced),
+            (&MASKED, VectorStatus::Masked),
+        ] {
             let flags: Vec<i8> = shot.status.iter().map(|s| i8::from(*s == wanted)).collect();
             self.file.put_record(described.name, record, &flags)?;
         }

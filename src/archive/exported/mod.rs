@@ -15,10 +15,10 @@ use super::StoredShot;
 use lfpiv_core::velocimetry::VectorStatus;
 
 /// Numbers of a vector besides its position.
-const QUANTITIES: usize = 13;
+const QUANTITIES: usize = 14;
 
 /// The numbers of a vector: velocity, its standard uncertainty, whether it is measured, whether it
-/// is interpolated, peak ratio, vorticity, divergence. A missing number is NaN.
+/// is interpolated, whether it is not in the flow, peak ratio, vorticity, divergence. A missing number is NaN.
 fn numbers(shot: &StoredShot, index: usize) -> [f32; QUANTITIES] {
     let is = |wanted: VectorStatus| f32::from(u8::from(shot.status[index] == wanted));
     let [u, v, w] = shot.velocity_m_s[index];
@@ -33,6 +33,7 @@ fn numbers(shot: &StoredShot, index: usize) -> [f32; QUANTITIES] {
         sw,
         is(VectorStatus::Valid),
         is(VectorStatus::Replaced),
+        is(VectorStatus::Masked),
         shot.peak_ratio[index],
         ox,
         oy,

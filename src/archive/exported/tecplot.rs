@@ -1,7 +1,7 @@
 //! Tecplot's ASCII format: one ordered zone in block layout.
 //!
 //! The format cannot mark a missing number, so missing numbers are zero. `valid` and `replaced`
-//! tell which vectors have a value; use them for blanking.
+//! tell which vectors have a value; use them for blanking. `masked` tells what is not flow.
 
 use std::{io::Write, path::Path};
 
@@ -17,6 +17,7 @@ const NAMES: [&str; QUANTITIES] = [
     "w_uncertainty",
     "valid",
     "replaced",
+    "masked",
     "peak_ratio",
     "vorticity_x",
     "vorticity_y",

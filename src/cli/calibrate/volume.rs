@@ -112,7 +112,7 @@ pub fn volume(args: &VolumeArgs) -> anyhow::Result<()> {
 /// Centre and half edges of the box in which the maps are valid: the volume, its margin, and
 /// [`BEYOND_MM`].
 fn box_mm(config: &Config) -> [[f64; 3]; 2] {
-    let volume = &config.volume;
+    let volume = &config.volume.grid();
     let margin = (config.velocimetry.max_displacement_vox / 2.0).ceil() + 1.0;
     let half = |voxels: usize| (voxels as f64 / 2.0 + margin) * volume.voxel_mm + BEYOND_MM;
     [volume.centre_mm, volume.voxels.map(half)]

@@ -57,7 +57,7 @@ fn calibration(config: &Config) -> Option<Finding> {
 
 fn view(config: &Config) -> Finding {
     const CHECK: &str = "view";
-    let seen = Sight::new(&config.optics, &config.poses(), &config.volume);
+    let seen = Sight::new(&config.optics, &config.poses(), &config.volume.grid());
     let each = (0..).zip(&seen.each);
     let each: Vec<String> = each
         .map(|(camera, share)| format!("{} sees {:.0} %", CameraName(camera), 100.0 * share))
@@ -90,7 +90,7 @@ fn angle(config: &Config) -> Finding {
         let todo = "depth then comes from the views of one camera and is ten times less accurate: use two cameras";
         return Finding::advice(CHECK, found, todo);
     };
-    let degrees = degrees_apart(&config.optics, [one, other], &config.volume);
+    let degrees = degrees_apart(&config.optics, [one, other], &config.volume.grid());
     let found = format!("{degrees:.0} degrees between the cameras");
     let finding = if degrees.min(180.0 - degrees) < GOOD_DEGREES_APART {
         let todo = "depth is less accurate than the other components: 90 degrees are best";
@@ -133,7 +133,7 @@ fn particles(config: &Config) -> Finding {
     const CHECK: &str = "particles";
     let bench = config.bench_geometry();
     let window_mm =
-        config.velocimetry.in_voxels(&config.volume).window as f64 * config.volume.voxel_mm;
+        config.velocimetry.in_voxels(&config.volume.grid()).window as f64 * config.volume.voxel_mm;
     // Seeding is counted per area of the volume's x and y, as in [simulation].
     let per_mm3 = 1.0 / bench.object_pitch_mm().powi(2) / bench.volume.extents_mm()[2];
     let per_window = per_mm3 * window_mm.powi(3);
@@ -167,6 +167,33 @@ fn background(config: &Config) -> Option<Finding> {
              image.background to \"constant\" or \"images\" for a run",
         )
     })
+}
+
+/// Whether windows fit into the flow; `None` without a mask.
+pub fn mask(config: &Config, plan: &Plan) -> Option<Finding> {
+    const CHECK: &str = "mask";
+    let (stored, flow) = (config.mask.as_ref()?, plan.in_flow?);
+    let share = stored.mask.flow_share();
+    let found = format!(
+        "{:.1} % of the volume and {} of {} vectors are in the flow",
+        100.0 * share,
+        flow.vectors,
+        plan.vectors.len()
+    );
+    let finding = if flow.vectors == 0 {
+        let todo = "no vector will be measured: make [volume.mask] smaller, or use smaller windows";
+        Finding::problem(CHECK, found, todo)
+    } else if flow.around_bodies > 0 {
+        let todo = format!(
+            "{} windows lie beside what is thinner than a window, and mix the flow on both sides of it: use \
+             windows of at most that thickness (velocimetry.window_mm)",
+            flow.around_bodies
+        );
+        Finding::advice(CHECK, found, todo)
+    } else {
+        Finding::ok(CHECK, found)
+    };
+    Some(finding.with("flow_share", share))
 }
 
 /// Memory needed for one pair in process and the pairs that wait.

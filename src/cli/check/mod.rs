@@ -8,7 +8,11 @@ use std::{fmt::Write, path::PathBuf};
 use anyhow::Context;
 use lfpiv_core::{lightfield::Background, measurement::Processor, model::VolumeGrid};
 
-use super::{finding, output::print, run_processor::background_images};
+use super::{
+    finding,
+    output::{count, print},
+    run_processor::background_images,
+};
 use crate::{
     config::{Config, ConfigFile, Purpose},
     pipeline::monotonic,
@@ -39,6 +43,7 @@ pub fn check(args: &CheckArgs) -> anyhow::Result<()> {
     // The tables of the whole volume are no longer needed, and may be large.
     drop(processor);
     let mut findings = advice::for_configuration(&file.config);
+    findings.extend(advice::mask(&file.config, &plan));
     findings.push(advice::memory(&file.config, &plan));
     if !args.quick {
         findings.push(advice::time(&file.config, &sample::expected(&file.config, &plan)));
@@ -51,7 +56,8 @@ fn summary(config: &Config) -> String {
     let mut lines = vec![
         ("cameras", cameras(config)),
         ("field of view", field_of_view(config)),
-        ("volume", volume(&config.volume)),
+        ("volume", volume(&config.volume.grid())),
+        ("mask", mask(config)),
         ("timing", format!("dt {} us, {} shots/s", config.shot.dt_us, config.shot.rate_hz)),
     ];
     if let Some(scene) = &config.simulation {
@@ -90,6 +96,19 @@ fn field_of_view(config: &Config) -> String {
         "{:.2} x {:.2} mm in focus, one microlens {object_pitch_mm:.3} mm",
         optics.microlens.columns as f64 * object_pitch_mm,
         optics.microlens.rows as f64 * object_pitch_mm
+    )
+}
+
+/// How much of the volume is flow, and which files say so.
+fn mask(config: &Config) -> String {
+    let Some(stored) = &config.mask else { return "none: all of the volume is flow".to_owned() };
+    let files = stored.files.iter().map(|file| {
+        format!(", {} with {}", file.file.display(), count(file.triangles, "triangle"))
+    });
+    format!(
+        "{:.1} % of the volume is flow{}",
+        100.0 * stored.mask.flow_share(),
+        files.collect::<String>()
     )
 }
 

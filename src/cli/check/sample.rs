@@ -12,14 +12,16 @@ use anyhow::Context;
 use lfpiv_core::{
     lightfield::{ImagePair, ImageSettings},
     measurement::{Plan, Processor},
-    model::VolumeGrid,
     reconstruction::Solver,
     velocimetry::StageSeconds,
 };
 use lfpiv_sim::Scene;
 use tracing::subscriber::NoSubscriber;
 
-use crate::{config::Config, pipeline::monotonic};
+use crate::{
+    config::{Config, VolumeTable},
+    pipeline::monotonic,
+};
 
 /// Assumed particles per microlens if the configuration has no scene.
 pub const ASSUMED_PPM: f64 = 0.5;
@@ -102,7 +104,7 @@ fn slab(config: &Config) -> Config {
     let from_the_side =
         |axis: &usize| config.camera.iter().all(|pose| pose.axis[*axis].abs() < 0.5);
     let across = (0..3).filter(from_the_side).max_by_key(|&axis| config.volume.voxels[axis]);
-    let search = config.velocimetry.in_voxels(&config.volume).search;
+    let search = config.velocimetry.in_voxels(&config.volume.grid()).search;
     let mut most = config.volume.voxels;
     if let Some(axis) = across {
         most[axis] = search.max(LEAST_SLAB_VOX);
@@ -134,13 +136,13 @@ fn one_pass(mut piece: Config) -> Config {
     piece
 }
 
-/// The configuration with the volume limited to `most` voxels. Image settings are reset, because
+/// The configuration with the volume limited to `most` voxels, all of them flow. Image settings are reset, because
 /// they describe images of the bench, not simulated ones.
 fn cut(config: &Config, most: [usize; 3]) -> Config {
-    let VolumeGrid { voxels, .. } = config.volume;
-    let voxels = std::array::from_fn(|axis| voxels[axis].min(most[axis]));
+    let voxels = std::array::from_fn(|axis| config.volume.voxels[axis].min(most[axis]));
     Config {
-        volume: VolumeGrid { voxels, ..config.volume.clone() },
+        volume: VolumeTable { voxels, mask: None, ..config.volume.clone() },
+        mask: None,
         image: ImageSettings::default(),
         ..config.clone()
     }
@@ -178,8 +180,12 @@ mod tests {
     fn work(config: &Config) -> anyhow::Result<StageSeconds> {
         let (optics, scene) = (&config.optics, scene(config));
         let bench = config.bench_geometry();
-        let reconstructor =
-            Reconstructor::new(optics, &config.poses(), &config.volume, &config.reconstruction)?;
+        let reconstructor = Reconstructor::new(
+            optics,
+            &config.poses(),
+            &config.volume.grid(),
+            &config.reconstruction,
+        )?;
         let layouts = reconstructor.layouts();
         let truth = scene.truth(&bench, scene.seed, 0);
         let decode = |(camera, layout): (usize, &ViewLayout)| {

@@ -3,6 +3,7 @@
 
 import { ApiError, getJson } from "./api.js";
 import { follow } from "./event_stream.js";
+import { fetchMask } from "./mask.js";
 import { controlEvent, shotEvent } from "./words.js";
 
 /** Without a sign of life for so long nothing here is known any more. */
@@ -47,6 +48,8 @@ export class RunState {
     this.latestResult = null;
     this.finished = [];
     this.frames = [];
+    /** Which voxels are flow; `null` where all are, or as long as it is not known. */
+    this.mask = null;
   }
 
   /** Whether nothing is known any more. */
@@ -225,6 +228,8 @@ export class RunState {
           this.resultListeners.forEach((listener) => listener(latest));
         }
       }
+      // It does not change in a run.
+      if (status.configuration.mask && !this.mask) this.mask = await fetchMask();
       this.refusal = null;
     } catch (error) {
       if (error instanceof ApiError) this.refusal = error;

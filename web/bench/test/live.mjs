@@ -14,6 +14,15 @@ const HOSTILE = `<img src=x onerror="window.taken=1"><script>window.taken=2</scr
 /** The browser's own lines on refused requests, and on those that nobody answered while the daemon was away. */
 const EXPECTED = /Failed to load resource: (the server responded with a status of (401|403|404|409|410|503)|net::ERR_(CONNECTION|INCOMPLETE|EMPTY|FAILED))/;
 
+/** Pixels of the first projection that are coloured: light is grey. */
+const tintedPixels = (page) => page.evaluate(() => {
+  const canvas = document.querySelector("canvas.projection");
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  let count = 0;
+  for (let n = 0; n < data.length; n += 4) count += data[n] > data[n + 2] + 40;
+  return count;
+});
+
 const began = Date.now();
 const step = (words) => console.log(`${((Date.now() - began) / 1000).toFixed(1)} s: ${words}`);
 
@@ -70,6 +79,13 @@ await withBrowser(async (browser) => {
     assert.equal(await eye.differing(await eye.take(page, { clip })), 0, `something is cut at ${JSON.stringify(clip)}`);
   }
   await page.click(".velocity .shot-choice button:text('Follow')");
+
+  step("what is not flow is tinted, and no vector is there");
+  await until(() => page.locator(".velocity .readings dd").nth(2).textContent(), (text) => Number(text) > 0, "masked vectors");
+  await look(page, "volume");
+  await until(() => page.locator(".volume .legend").isVisible(), (visible) => visible, "the legend");
+  await until(() => tintedPixels(page), (pixels) => pixels > 500, "the tint");
+  await look(page, "velocity");
 
   step("control fails without the scope");
   await page.click(".press .stop");

@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { EventParser } from "../src/event_stream.js";
 import { dtAdvice, histogram, locking } from "../src/velocity/displacement.js";
-import { decode, magnitudes, quantile, validShare, vorticity } from "../src/velocity/field.js";
+import { decodeMask, faces, projected } from "../src/mask.js";
+import { decode, inFlow, magnitudes, quantile, validShare, vorticity } from "../src/velocity/field.js";
 import { Running } from "../src/velocity/running.js";
 import { surface } from "../src/velocity/surface.js";
 
@@ -50,6 +51,42 @@ for (let v = 0; v < 210; v += 1) {
 }
 assert.ok(Number.isNaN(magnitudes(rotation.u)[100]));
 assert.equal(quantile([3, NaN, 1, 2], 0.99), 3);
+
+// What is masked is in no share.
+const masked = field([4, 3, 2], () => [1, 0, 0], { status: (v) => (v < 6 ? 3 : v < 9 ? 2 : 0) });
+assert.equal(inFlow(masked), 18);
+assert.ok(Math.abs(validShare(masked) - 15 / 18) < 1e-9);
+
+// A ball of voxels of 0.5 mm that are not flow.
+const [side, reach] = [12, 4.2];
+const isFlow = (v) => Math.hypot((v % side) - 5, (Math.floor(v / side) % side) - 6, Math.floor(v / side ** 2) - 6) > reach;
+const wire1 = new Uint8Array(80 + side ** 3 / 8);
+wire1.set(new TextEncoder().encode("LFPIVMK1"));
+const header = new DataView(wire1.buffer);
+[side, side, side, 80].forEach((m, n) => header.setUint32(16 + 4 * n, m, true));
+[-3, -2, -1, 0.5].forEach((mm, n) => header.setFloat64(32 + 8 * n, mm, true));
+for (let v = 0; v < side ** 3; v += 1) wire1[80 + (v >> 3)] |= isFlow(v) << (v & 7);
+const ball = decodeMask(wire1.buffer);
+assert.deepEqual([ball.n, ball.first, ball.voxel], [[12, 12, 12], [-3, -2, -1], 0.5]);
+assert.ok(ball.flow.every((flow, v) => flow === Number(isFlow(v))));
+const solid = ball.flow.reduce((sum, flow) => sum + 1 - flow, 0);
+for (const [right, up] of [[0, 1], [0, 2], [1, 2]]) {
+  const shares = projected(ball, right, up);
+  assert.ok(Math.abs(shares.reduce((sum, share) => sum + share * side, 0) - solid) < 1e-3);
+  const middle = [5, 6, 6];
+  assert.ok(Math.abs(shares[middle[up] * side + middle[right]] - 9 / side) < 1e-6, "nine voxels across its middle");
+}
+// Seen along x every column of it shows two faces.
+const skin = faces(ball, [-99, -99, -99], [99, 99, 99]);
+const facing = (axis) => {
+  let count = 0;
+  for (let t = 0; t < skin.length; t += 9) count += skin[t + axis] === skin[t + 3 + axis] && skin[t + axis] === skin[t + 6 + axis];
+  return count / 2;
+};
+const columns = projected(ball, 1, 2).filter((share) => share > 0).length;
+assert.equal(facing(0), 2 * columns);
+assert.ok(skin.every((mm, n) => Math.abs(mm - [-0.5, 1, 2][n % 3]) <= 0.5 * (reach + 0.5)), "it lies about its middle");
+assert.equal(faces(ball, [-99, -99, -99], [-3, 99, 99]).length, 0, "none outside the box");
 
 // The naive reference of mean and rms.
 const shots = [1, 2, 4, 9].map((size) => field([3, 3, 3], (x) => [size * x, size, -size], { status: (v) => (v === 5 && size === 4 ? 2 : 0) }));

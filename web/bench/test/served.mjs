@@ -20,10 +20,17 @@ await withBrowser(async (browser) => {
   await until(() => space.getAttribute("data-gpu-objects"), (objects) => Number(objects) > 0, "a field");
   const eye = await Pictures.open(browser);
   await until(async () => eye.differing(await eye.take(space)), (pixels) => pixels > 2000, "vectors");
-  const speed = () => page.locator(".velocity .readings dd").nth(2).textContent();
+  const speed = () => page.locator(".velocity .readings dd").nth(3).textContent();
   const last = await until(speed, (text) => text.includes("m/s"), "the largest speed");
   await page.click(".velocity button[aria-label='Shot before']");
   await until(speed, (text) => text.includes("m/s") && text !== last, "the shot before");
+
+  // The file of the body is gone since the run.
+  const masked = () => page.locator(".velocity .readings dd").nth(2).textContent();
+  await until(masked, (text) => Number(text) > 0, "masked vectors");
+  await look(page, "volume");
+  await until(() => page.locator(".volume .readings dd").nth(2).textContent(), (text) => text.includes("% of the volume"), "the share of the flow");
+  assert.ok(await page.locator(".volume .legend").isVisible());
 
   await look(page, "cameras");
   const images = page.locator("canvas.zoom");

@@ -16,6 +16,7 @@ fn bench(cameras: Vec<Pose>) -> Measurement {
         cameras,
         calibrations: Vec::new(),
         volume: VolumeGrid { voxels: [60, 50, 50], voxel_mm: 0.1, centre_mm: [0.0; 3] },
+        mask: None,
         image: ImageSettings::default(),
         model: ModelSettings::default(),
         reconstruction: ReconstructionSettings::default(),

@@ -219,7 +219,7 @@ impl FitInputs<'_> {
         disparity(&bench, &sources, [&of_camera(0)?, &of_camera(1)?])
     }
 
-    /// Share of windows with particles whose vectors are valid; `None` if too few windows contain
+    /// Share of windows with particles in the flow whose vectors are valid; `None` if too few windows contain
     /// particles.
     fn valid_share(&self) -> Option<f64> {
         let particle_counts =
@@ -227,7 +227,9 @@ impl FitInputs<'_> {
         let window_mm = self.measurement.velocimetry.window_mm;
         let lit =
             lit_windows(&self.solved[0].volume, &self.field.grid, window_mm, particle_counts)?;
-        let valid = |n: &&usize| self.field.status[**n] == VectorStatus::Valid;
-        Some(lit.iter().filter(valid).count() as f64 / lit.len() as f64)
+        let having =
+            |wanted: VectorStatus| lit.iter().filter(|&&n| self.field.status[n] == wanted).count();
+        let in_flow = lit.len() - having(VectorStatus::Masked);
+        (in_flow > 0).then(|| having(VectorStatus::Valid) as f64 / in_flow as f64)
     }
 }

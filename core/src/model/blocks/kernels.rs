@@ -7,9 +7,8 @@
 //!
 //! A view's tables come from memory or a far cache, at a different place for each block. Waiting
 //! for them took a third of the time, because a processor looks ahead over only two or three
-//! blocks. So the taps of a batch of blocks are copied first, so that their loads overlap. While a
-//! batch is processed, the taps of the next one are prefetched ([`prefetch`]): the tables of all
-//! views are larger than most last-level caches, and copying spent two fifths of the time waiting.
+//! blocks. So the taps of a batch of blocks are prefetched ([`prefetch`](super::prefetch)) while the
+//! batch before it is processed: the tables of all views are larger than most last-level caches.
 
 use multiversion::multiversion;
 
@@ -19,10 +18,14 @@ use super::{
     pair_tap::{PairTap, SHARE_UNIT},
 };
 
-/// Source of the taps of blocks in one view, with `D` layers per block.
-pub(super) trait TapSource<const L: usize, const D: usize>: Sync {
+/// Source of the taps of blocks in one view, with `D` layers per block and `C` voxels per tap: pairs
+/// if a layer's voxels share their depth, or two pairs at different depths.
+pub(super) trait TapSource<const L: usize, const D: usize, const C: usize>: Sync {
     /// Addresses of a batch's taps.
     type Addresses;
+
+    /// Orientation of the blocks. Only used with [`ANY`].
+    fn axes(&self) -> Axes;
 
     /// The addresses of `count` blocks, at most [`BATCH`], starting with block `start`.
     fn addresses(&self, start: usize, count: usize) -> Self::Addresses;
@@ -30,47 +33,66 @@ pub(super) trait TapSource<const L: usize, const D: usize>: Sync {
     /// Prefetches the taps of a batch.
     fn prefetch_taps(&self, addresses: &Self::Addresses);
 
-    /// Copies the taps of a batch.
-    fn fetch(&self, addresses: &Self::Addresses, taps: &mut [BlockTaps<L, D>; BATCH]);
+    /// The taps of a block of a batch along columns and rows. `scratch` holds them if they are not
+    /// as in the tables.
+    fn taps<'a>(
+        &'a self,
+        addresses: &Self::Addresses,
+        block: usize,
+        layer: usize,
+        scratch: &'a mut [PairTap<L, C>; 2],
+    ) -> [PlacedTap<'a, L, C>; 2];
+}
+
+/// A tap, and its first microlens relative to the window.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PlacedTap<'a, const L: usize, const C: usize> {
+    pub tap: &'a PairTap<L, C>,
+    pub first: usize,
 }
 
 /// Index of the arrangement in which each of a block's eight voxels is its own layer; smaller
 /// indices are those of [`Axes`].
 pub(super) const APART: usize = Axes::ALL.len();
 
+/// Index of any arrangement along [`TapSource::axes`], for kernels that are rarely used: one instead
+/// of six.
+pub(super) const ANY: usize = APART + 1;
+
 /// Unit of a share along the columns times one along the rows.
 const UNITS: f32 = SHARE_UNIT * SHARE_UNIT;
 
-/// Blocks whose taps are fetched together: enough to keep a core's load buffers full, few enough
+/// Blocks whose taps are prefetched together: enough to keep a core's load buffers full, few enough
 /// for its L1 cache.
 pub(super) const BATCH: usize = 16;
 
-/// A block's taps along columns and rows, per layer.
-pub(super) type BlockTaps<const L: usize, const D: usize> = [[PairTap<L>; 2]; D];
-
 /// The children of row r and column c of a block, near and far.
-const fn children_of(arrangement: usize) -> [[[usize; 2]; 2]; 2] {
+type Children = [[[usize; 2]; 2]; 2];
+
+const fn children_of(arrangement: usize) -> Children {
     // Unused if each voxel is its own layer.
     Axes::ALL[arrangement % APART].children()
 }
 
-/// The light of row r and column c of a block's layer.
+/// The light of row r and column c of a block's layer, and of those behind them: `C` rows.
 #[inline(always)]
-fn light_of<const D: usize>(
-    children: [[[usize; 2]; 2]; 2],
+fn light_of<const D: usize, const C: usize>(
+    children: Children,
     light: &BlockLight,
     layer: usize,
-) -> [[f32; 2]; 2] {
+) -> [[f32; 2]; C] {
+    let mut quarters = [[0.0; 2]; C];
     if D == 8 {
-        return [[light[layer & 7] * UNITS, 0.0], [0.0; 2]];
+        quarters[0][0] = light[layer & 7] * UNITS;
+        return quarters;
     }
-    let mut quarters = [[0.0; 2]; 2];
-    for r in 0..2 {
+    for (q, quarters) in quarters.iter_mut().enumerate() {
         for c in 0..2 {
-            let [near, far] = children[r][c];
-            quarters[r][c] = match D {
-                1 => (light[near] + light[far]) * UNITS,
-                _ => light[children[r][c][layer & 1]] * UNITS,
+            let [near, far] = children[q % 2][c].map(|child| child & 7);
+            quarters[c] = match (D, C) {
+                (1, 2) => (light[near] + light[far]) * UNITS,
+                (1, _) => light[if q < 2 { near } else { far }] * UNITS,
+                _ => light[if layer == 0 { near } else { far }] * UNITS,
             };
         }
     }
@@ -79,39 +101,54 @@ fn light_of<const D: usize>(
 
 /// `A` is the index of the camera's [`Axes`], or [`APART`] with 8 layers.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-pub(super) fn project_blocks<S: TapSource<L, D>, const L: usize, const D: usize, const A: usize>(
+pub(super) fn project_blocks<
+    S: TapSource<L, D, C>,
+    const L: usize,
+    const D: usize,
+    const C: usize,
+    const A: usize,
+>(
     source: &S,
     width: usize,
     light: &[BlockLight],
     image: &mut [f32],
 ) {
-    let children = const { children_of(A) };
-    let mut taps = [[[PairTap::NONE; 2]; D]; BATCH];
+    let children = if A == ANY { source.axes().children() } else { const { children_of(A) } };
+    let mut scratch = [PairTap::NONE; 2];
     let mut next = source.addresses(0, light.len().min(BATCH));
     for (batch, lights) in light.chunks(BATCH).enumerate() {
-        source.fetch(&next, &mut taps);
+        let addresses = next;
         let start = (batch + 1) * BATCH;
         next = source.addresses(start, light.len().saturating_sub(start).min(BATCH));
         source.prefetch_taps(&next);
-        for (taps, light) in taps.iter().zip(lights) {
-            for (layer, [column, row]) in taps.iter().enumerate() {
-                let quarters = light_of::<D>(children, light, layer);
-                let mut spread = [[0.0f32; L]; 2];
-                for r in 0..2 {
-                    let [low, high] = quarters[r];
-                    let [of_low, of_high] = &column.shares;
-                    let spread = &mut spread[r];
+        for (block, light) in lights.iter().enumerate() {
+            for layer in 0..D {
+                let [columns, rows] = source.taps(&addresses, block % BATCH, layer, &mut scratch);
+                let (column, row) = (columns.tap, rows.tap);
+                let quarters = light_of::<D, C>(children, light, layer);
+                let mut spread = [[0.0f32; L]; C];
+                for q in 0..C {
+                    let [low, high] = quarters[q];
+                    let (of_low, of_high) = (&column.shares[q & !1], &column.shares[q | 1]);
+                    let spread = &mut spread[q];
                     for i in 0..L {
                         spread[i] = low * f32::from(of_low[i]) + high * f32::from(of_high[i]);
                     }
                 }
-                let mut at = usize::from(row.first) * width + usize::from(column.first);
+                let mut at = rows.first * width + columns.first;
                 for j in 0..usize::from(row.len).min(L) {
                     // Tables and image match; a wrong image length would only lose light.
                     let Some(pixels) = image.get_mut(at..at + L) else { break };
-                    let (low, high) = (f32::from(row.shares[0][j]), f32::from(row.shares[1][j]));
+                    let mut shares = [0.0f32; C];
+                    for q in 0..C {
+                        shares[q] = f32::from(row.shares[q][j]);
+                    }
                     for i in 0..L {
-                        pixels[i] += low * spread[0][i] + high * spread[1][i];
+                        let mut sum = shares[0] * spread[0][i];
+                        for q in 1..C {
+                            sum += shares[q] * spread[q][i];
+                        }
+                        pixels[i] += sum;
                     }
                     at += width;
                 }
@@ -122,49 +159,65 @@ pub(super) fn project_blocks<S: TapSource<L, D>, const L: usize, const D: usize,
 
 /// The adjoint of [`project_blocks`], for the blocks from number `start` on.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-pub(super) fn gather_blocks<S: TapSource<L, D>, const L: usize, const D: usize, const A: usize>(
+pub(super) fn gather_blocks<
+    S: TapSource<L, D, C>,
+    const L: usize,
+    const D: usize,
+    const C: usize,
+    const A: usize,
+>(
     source: &S,
     width: usize,
     start: usize,
     image: &[f32],
     out: &mut [BlockLight],
 ) {
-    let children = const { children_of(A) };
-    let mut taps = [[[PairTap::NONE; 2]; D]; BATCH];
+    let children = if A == ANY { source.axes().children() } else { const { children_of(A) } };
+    let mut scratch = [PairTap::NONE; 2];
     let blocks = out.len();
     let mut next = source.addresses(start, blocks.min(BATCH));
     for (batch, out) in out.chunks_mut(BATCH).enumerate() {
-        source.fetch(&next, &mut taps);
+        let addresses = next;
         let done = (batch + 1) * BATCH;
         next = source.addresses(start + done, blocks.saturating_sub(done).min(BATCH));
         source.prefetch_taps(&next);
-        for (taps, out) in taps.iter().zip(out) {
-            for (layer, [column, row]) in taps.iter().enumerate() {
-                let mut at = usize::from(row.first) * width + usize::from(column.first);
-                let mut sums = [[0.0f32; L]; 2];
+        for (block, out) in out.iter_mut().enumerate() {
+            for layer in 0..D {
+                let [columns, rows] = source.taps(&addresses, block, layer, &mut scratch);
+                let (column, row) = (columns.tap, rows.tap);
+                let mut at = rows.first * width + columns.first;
+                let mut sums = [[0.0f32; L]; C];
                 for j in 0..usize::from(row.len).min(L) {
                     let Some(pixels) = image.get(at..at + L) else { break };
-                    let (low, high) = (f32::from(row.shares[0][j]), f32::from(row.shares[1][j]));
-                    for i in 0..L {
-                        sums[0][i] += low * pixels[i];
-                        sums[1][i] += high * pixels[i];
+                    for q in 0..C {
+                        let share = f32::from(row.shares[q][j]);
+                        for i in 0..L {
+                            sums[q][i] += share * pixels[i];
+                        }
                     }
                     at += width;
                 }
-                let quarters = along_columns(&sums, &column.shares);
-                if D == 8 {
-                    out[layer & 7] += quarters[0];
-                    continue;
-                }
-                for r in 0..2 {
-                    for c in 0..2 {
-                        let sum = quarters[2 * r + c];
-                        let [near, far] = children[r][c];
-                        if D == 1 {
-                            out[near] += sum;
-                            out[far] += sum;
-                        } else {
-                            out[children[r][c][layer & 1]] += sum;
+                for d in 0..C / 2 {
+                    let quarters = along_columns(
+                        [&sums[2 * d], &sums[2 * d + 1]],
+                        [&column.shares[2 * d], &column.shares[2 * d + 1]],
+                    );
+                    if D == 8 {
+                        out[layer & 7] += quarters[0];
+                        continue;
+                    }
+                    for r in 0..2 {
+                        for c in 0..2 {
+                            let sum = quarters[2 * r + c];
+                            let [near, far] = children[r][c].map(|child| child & 7);
+                            match (D, C) {
+                                (1, 2) => {
+                                    out[near] += sum;
+                                    out[far] += sum;
+                                }
+                                (1, _) => out[if d == 0 { near } else { far }] += sum,
+                                _ => out[if layer == 0 { near } else { far }] += sum,
+                            }
                         }
                     }
                 }
@@ -176,7 +229,7 @@ pub(super) fn gather_blocks<S: TapSource<L, D>, const L: usize, const D: usize, 
 /// Σ_i sums[r][i] shares[c][i] at index 2 r + c, summed in halves: four sums per vector. `L` is a
 /// power of two.
 #[inline(always)]
-fn along_columns<const L: usize>(sums: &[[f32; L]; 2], shares: &[[u16; L]; 2]) -> [f32; 4] {
+fn along_columns<const L: usize>(sums: [&[f32; L]; 2], shares: [&[u16; L]; 2]) -> [f32; 4] {
     let mut products = [[0.0f32; 4]; L];
     for i in 0..L {
         for q in 0..4 {

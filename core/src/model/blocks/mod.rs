@@ -12,6 +12,7 @@ mod aligned;
 mod aligned_tables;
 mod axis_table;
 mod dark_counts;
+#[expect(clippy::needless_range_loop, reason = "plain loops become vector instructions")]
 mod kernels;
 mod lit;
 mod mapped;
@@ -71,8 +72,7 @@ pub trait BlockModel: Send + Sync {
     /// The photo-hull: voxels that in no camera are dark in more of the selected views than
     /// tolerated, and that any view, selected or not, sees. A view finds a voxel dark if every
     /// pixel of the voxel's support is dark. Views that see too little of a voxel, and pixels less
-    /// than half open, are no evidence (see [`super::Projector::brightest`]). evidence (see
-    /// [`super::Projector::brightest`]).
+    /// than half open, are no evidence (see [`super::Projector::brightest`]).
     fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks;
     /// Length of a projected image: the pixels of the camera's window, row-major, followed by
     /// padding that lets the kernels write past a row's end.

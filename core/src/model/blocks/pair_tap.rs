@@ -2,23 +2,23 @@
 
 use crate::model::{footprint::RayMap, tables::AxisGeometry};
 
-/// The microlenses that a pair of voxels covers along one axis, and the share of each voxel on each
-/// of them.
+/// The microlenses that `C` voxels cover along one axis, and the share of each voxel on each of
+/// them: a pair along the axis or, with `C` = 4, two pairs at different depths.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PairTap<const L: usize> {
-    /// Shares of the lower and the upper voxel on microlenses `first..first + L`, in units of
-    /// [`SHARE_UNIT`]; 0 from `len` on. At half the size of floats, a view's tables fit into the L2
+pub struct PairTap<const L: usize, const C: usize = 2> {
+    /// Shares of the lower and the upper voxel on microlenses `first..first + L`, and those of the
+    /// pair behind them, in units of [`SHARE_UNIT`]; 0 from `len` on. At half the size of floats, a view's tables fit into the L2
     /// cache, and 1/32768 of a voxel's light is far below any noise.
-    pub shares: [[u16; L]; 2],
+    pub shares: [[u16; L]; C],
     /// First microlens, relative to the window.
     pub first: u16,
     /// Number of microlenses up to the last one with light.
     pub len: u16,
 }
 
-impl<const L: usize> PairTap<L> {
+impl<const L: usize, const C: usize> PairTap<L, C> {
     /// No light on any microlens.
-    pub const NONE: Self = Self { shares: [[0; L]; 2], first: 0, len: 0 };
+    pub const NONE: Self = Self { shares: [[0; L]; C], first: 0, len: 0 };
 }
 
 /// Unit of a share in a [`PairTap`]. Shares may exceed 1, because microlenses see a view through

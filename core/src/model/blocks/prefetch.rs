@@ -4,7 +4,7 @@
 #[cfg(target_arch = "x86_64")]
 const CACHE_LINE: usize = 64;
 
-/// Prefetches value `at`, of at most one cache line's size. Does nothing if the processor has no
+/// Prefetches value `at`, of at most two cache lines' size. Does nothing if the processor has no
 /// such instruction, or beyond the last value.
 #[inline(always)]
 #[cfg_attr(
@@ -18,9 +18,10 @@ pub(super) fn prefetch<T>(values: &[T], at: usize) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        const { assert!(size_of::<T>() > 0 && size_of::<T>() <= CACHE_LINE) };
+        const { assert!(size_of::<T>() > 0 && size_of::<T>() <= 2 * CACHE_LINE) };
         let first = values.as_ptr().wrapping_add(at).cast::<i8>();
-        // A value may span two cache lines.
+        // A value spans up to two cache lines, a larger one up to three, of which the middle one
+        // may be missed.
         let last = first.wrapping_add(size_of::<T>() - 1);
         // SAFETY: the instruction is part of SSE, which every x86-64 has. It is a hint that loads
         // nothing into registers and never faults, whatever the address.

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use super::{
     BlockLight, BlockProjector,
-    aligned_tables::{AlignedModel, Place, ViewTables},
-    kernels::{BATCH, BlockTaps, TapSource, gather_blocks, project_blocks},
+    aligned_tables::{AlignedModel, Axes, Place, ViewTables},
+    kernels::{PlacedTap, TapSource, gather_blocks, project_blocks},
+    pair_tap::PairTap,
     prefetch::prefetch,
 };
 use crate::model::ViewId;
@@ -21,10 +22,15 @@ pub(super) struct AlignedProjector<'a, const L: usize, const D: usize> {
 struct AlignedTaps<'a, const L: usize> {
     tables: ViewTables<'a, L>,
     places: &'a [Place],
+    axes: Axes,
 }
 
-impl<'a, const L: usize, const D: usize> TapSource<L, D> for AlignedTaps<'a, L> {
+impl<'a, const L: usize, const D: usize> TapSource<L, D, 2> for AlignedTaps<'a, L> {
     type Addresses = &'a [Place];
+
+    fn axes(&self) -> Axes {
+        self.axes
+    }
 
     #[inline(always)]
     fn addresses(&self, start: usize, count: usize) -> &'a [Place] {
@@ -43,20 +49,28 @@ impl<'a, const L: usize, const D: usize> TapSource<L, D> for AlignedTaps<'a, L> 
     }
 
     #[inline(always)]
-    fn fetch(&self, places: &&'a [Place], taps: &mut [BlockTaps<L, D>; BATCH]) {
+    fn taps<'t>(
+        &'t self,
+        places: &&'a [Place],
+        block: usize,
+        layer: usize,
+        _: &'t mut [PairTap<L>; 2],
+    ) -> [PlacedTap<'t, L, 2>; 2] {
         let tables = &self.tables;
-        for (taps, place) in taps.iter_mut().zip(*places) {
-            for (layer, [column, row]) in taps.iter_mut().enumerate() {
-                *column = tables.columns[place.column as usize + layer * tables.column_pairs];
-                *row = tables.rows[place.row as usize + layer * tables.row_pairs];
-            }
-        }
+        let place = places[block];
+        let column = &tables.columns[place.column as usize + layer * tables.column_pairs];
+        let row = &tables.rows[place.row as usize + layer * tables.row_pairs];
+        [column, row].map(|tap| PlacedTap { tap, first: usize::from(tap.first) })
     }
 }
 
 impl<const L: usize, const D: usize> AlignedProjector<'_, L, D> {
     fn taps(&self, view: ViewId) -> AlignedTaps<'_, L> {
-        AlignedTaps { tables: self.model.view(view), places: &self.places[view.camera] }
+        AlignedTaps {
+            tables: self.model.view(view),
+            places: &self.places[view.camera],
+            axes: self.model.cameras[view.camera].axes,
+        }
     }
 }
 
@@ -66,12 +80,12 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
         image.fill(0.0);
         // With constant indices, children are shuffled in registers instead of being loaded one by one.
         let project_blocks = match self.model.cameras[view.camera].axes.number() {
-            0 => project_blocks::<_, L, D, 0>,
-            1 => project_blocks::<_, L, D, 1>,
-            2 => project_blocks::<_, L, D, 2>,
-            3 => project_blocks::<_, L, D, 3>,
-            4 => project_blocks::<_, L, D, 4>,
-            _ => project_blocks::<_, L, D, 5>,
+            0 => project_blocks::<_, L, D, 2, 0>,
+            1 => project_blocks::<_, L, D, 2, 1>,
+            2 => project_blocks::<_, L, D, 2, 2>,
+            3 => project_blocks::<_, L, D, 2, 3>,
+            4 => project_blocks::<_, L, D, 2, 4>,
+            _ => project_blocks::<_, L, D, 2, 5>,
         };
         project_blocks(&taps, taps.tables.width, light, image);
         cover(taps.tables.coverage, image);
@@ -90,12 +104,12 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
     ) {
         let taps = self.taps(view);
         let gather_blocks = match self.model.cameras[view.camera].axes.number() {
-            0 => gather_blocks::<_, L, D, 0>,
-            1 => gather_blocks::<_, L, D, 1>,
-            2 => gather_blocks::<_, L, D, 2>,
-            3 => gather_blocks::<_, L, D, 3>,
-            4 => gather_blocks::<_, L, D, 4>,
-            _ => gather_blocks::<_, L, D, 5>,
+            0 => gather_blocks::<_, L, D, 2, 0>,
+            1 => gather_blocks::<_, L, D, 2, 1>,
+            2 => gather_blocks::<_, L, D, 2, 2>,
+            3 => gather_blocks::<_, L, D, 2, 3>,
+            4 => gather_blocks::<_, L, D, 2, 4>,
+            _ => gather_blocks::<_, L, D, 2, 5>,
         };
         gather_blocks(&taps, taps.tables.width, range.start, image, out);
     }

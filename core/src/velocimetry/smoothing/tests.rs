@@ -19,7 +19,7 @@ fn places() -> impl Iterator<Item = [f32; 3]> {
 /// The likeliest field behind vectors all of which were measured.
 fn likeliest(field: &Lattice, uncertainty_vox: &[Option<[f32; 3]>]) -> Lattice {
     let measured: Vec<bool> = uncertainty_vox.iter().map(Option::is_some).collect();
-    field.likeliest(uncertainty_vox, &measured)
+    field.likeliest(uncertainty_vox, &measured, None)
 }
 
 /// The same equations as a dense matrix, solved directly.
@@ -51,7 +51,12 @@ proptest! {
         let layout = Layout { nodes: NODES };
         let (value, deviation): (Vec<f64>, Vec<f64>) = noise.into_iter().unzip();
         let variance: Vec<Option<f64>> = deviation.iter().map(|d| Some(d * d)).collect();
-        let equations = Equations::new(layout, &value, &variance, &vec![true; value.len()]);
+        let equations = Equations::new(
+            layout,
+            &value,
+            &variance,
+            Known { measured: &vec![true; value.len()], flow: None },
+        );
         let expected = solved_directly(&equations, &value);
         for (n, found) in equations.solve(value).into_iter().enumerate() {
             let allowed = 0.02 * deviation[n];
@@ -125,7 +130,7 @@ fn what_has_no_vector_changes_none_of_the_others() {
     let known: Vec<bool> = (0..120).map(|n| n < lit).collect();
     let uncertainty_vox: Vec<Option<[f32; 3]>> =
         known.iter().map(|known| known.then_some([0.02; 3])).collect();
-    for whole in [whole.clone(), whole.filled(&known)] {
+    for whole in [whole.clone(), whole.filled(&known, None)] {
         let found = likeliest(&whole, &uncertainty_vox);
         for (found, alone) in found.values.iter().zip(&alone.values) {
             // Both are solved as far as a fraction of the uncertainty.

@@ -2,7 +2,7 @@
 //! al., From noisy particle tracks to velocity, acceleration and pressure fields using B-splines and
 //! penalties, 18th Int. Symp. Lisbon, 2016).
 
-use super::super::differences::Layout;
+use super::super::{differences::Layout, flow_nodes::FlowNodes};
 
 /// Standard deviation of the divergence that an incompressible flow may show, in voxel per voxel: the
 /// displacement over a pair is a chord of a curved path, splines follow short waves nearly, and particles near
@@ -24,8 +24,9 @@ pub struct Divergence {
 }
 
 impl Divergence {
-    /// Adds half the gradient of the penalty at `coefficients` to `sum`: Dᵀ D c/σ².
-    pub fn add_forces(&self, coefficients: &[f64], sum: &mut [f64]) {
+    /// Adds half the gradient of the penalty at `coefficients` to `sum`: Dᵀ D c/σ². Cells without a corner in
+    /// the `flow` cost nothing.
+    pub fn add_forces(&self, coefficients: &[f64], sum: &mut [f64], flow: Option<&FlowNodes>) {
         let count = self.layout.len();
         let mut divergence = vec![0.0; count];
         for (c, part) in coefficients.chunks(count).enumerate() {
@@ -36,7 +37,8 @@ impl Divergence {
             divergence.iter_mut().zip(along).for_each(|(sum, part)| *sum += part);
         }
         for (n, value) in divergence.iter_mut().enumerate() {
-            let is_cell = (0..3).all(|axis| self.layout.starts(axis, n));
+            let is_cell = (0..3).all(|axis| self.layout.starts(axis, n))
+                && flow.is_none_or(|flow| self.touches(flow, n));
             *value *= if is_cell { 1.0 / (DEVIATION * DEVIATION) } else { 0.0 };
         }
         for (c, sum) in sum.chunks_mut(count).enumerate() {
@@ -46,6 +48,14 @@ impl Divergence {
             }
             sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
         }
+    }
+
+    /// Whether a corner of the cell in the middle of the coefficients from `n` on is in the flow.
+    fn touches(&self, flow: &FlowNodes, n: usize) -> bool {
+        let corner = |bits: usize| -> usize {
+            (0..3).map(|axis| (1 + (bits >> axis & 1)) * self.layout.stride(axis)).sum()
+        };
+        (0..8).any(|bits| flow.is_flow(n + corner(bits)))
     }
 
     /// The diagonal of [`Self::add_forces`] away from the faces, the same for all coefficients.
@@ -116,7 +126,7 @@ mod tests {
             }
         }
         let mut found = vec![0.0; 3 * count];
-        divergence.add_forces(&field, &mut found);
+        divergence.add_forces(&field, &mut found, None);
         let largest = expected.iter().fold(0.0f64, |most, value| most.max(value.abs()));
         for (found, expected) in found.iter().zip(&expected) {
             assert!((found - expected).abs() < 1e-9 * largest, "{found} {expected}");
@@ -135,7 +145,7 @@ mod tests {
         };
         let field: Vec<f64> = (0..3 * count).map(rotation).collect();
         let mut forces = vec![0.0; 3 * count];
-        divergence.add_forces(&field, &mut forces);
+        divergence.add_forces(&field, &mut forces, None);
         assert!(forces.iter().all(|force| force.abs() < 1e-6), "{forces:?}");
     }
 }

@@ -19,6 +19,7 @@ use super::{
     super::{
         conjugate_gradients::{Until, solve},
         differences::{Layout, Penalty},
+        flow_nodes::FlowNodes,
         lattice::Lattice,
     },
     divergence::Divergence,
@@ -68,7 +69,7 @@ struct Weighed {
 }
 
 /// The equations of all three components.
-pub struct Fit {
+pub struct Fit<'a> {
     layout: Layout,
     nodes: [usize; 3],
     /// What makes a field on the nodes.
@@ -90,9 +91,11 @@ pub struct Fit {
     densities: [Vec<f64>; 3],
     /// See [`Samples::variance_inflation`].
     variance_inflation: Vec<[f64; 3]>,
+    /// Which coefficients are of one flow; all of them where absent.
+    flow: Option<&'a FlowNodes>,
 }
 
-impl Fit {
+impl<'a> Fit<'a> {
     /// Equations near the correlation's `field` with standard uncertainty `uncertainty_vox`, `None` where
     /// there is no vector, for splines whose coefficients lie in `layout`. Windows stand `window_step_vox`
     /// apart, the nodes as far or closer.
@@ -122,7 +125,13 @@ impl Fit {
             counts: vec![0.0; count],
             densities: std::array::from_fn(|_| vec![0.0; count]),
             variance_inflation: vec![[1.0; 3]; count],
+            flow: None,
         }
+    }
+
+    /// The same in a volume of whose coefficients these are of one flow.
+    pub fn with_flow(self, flow: Option<&'a FlowNodes>) -> Self {
+        Self { flow, ..self }
     }
 
     /// Moves `spline` to the field that `samples` follow, which may be a little rougher.
@@ -228,7 +237,7 @@ impl Fit {
                 .map(|(c, part)| self.applied(c, part, samples, &weighed[c]))
                 .collect();
             let mut sum = parts.concat();
-            divergence.add_forces(coefficients, &mut sum);
+            divergence.add_forces(coefficients, &mut sum, self.flow);
             sum
         };
         let own = divergence.diagonal();
@@ -271,7 +280,7 @@ impl Fit {
         let layout = self.layout;
         std::array::from_fn(|c| {
             let stiffness = std::array::from_fn(|axis| {
-                let squares = layout.roughness(axis, &spline.coefficients[c], measured);
+                let squares = layout.roughness(axis, &spline.coefficients[c], measured, self.flow);
                 let stiffness = |(n, square): (usize, f64)| {
                     let middle = node_in_the_middle(layout, self.nodes, axis, n);
                     let unseen = self.variance[c][middle] + RESOLUTION_VOX * RESOLUTION_VOX;
@@ -282,6 +291,9 @@ impl Fit {
             });
             let mut penalty = Penalty { layout, stiffness };
             penalty.release(measured);
+            if let Some(flow) = self.flow {
+                penalty.part(flow);
+            }
             penalty
         })
     }

@@ -21,7 +21,10 @@ use self::{
     pairs::{FARTHEST_VOX, Pair, pairs},
     samples::Samples,
 };
-use super::{cloud::PointCloud, differences::Layout, lattice::Lattice};
+use super::{
+    cloud::PointCloud, differences::Layout, flow_geometry::FlowGeometry, flow_nodes::FlowNodes,
+    lattice::Lattice,
+};
 
 /// Particles are at last looked for so near to where the field expects them, in voxels: some standard
 /// deviations of a reconstructed particle's place, and less than the distance to its neighbours.
@@ -67,20 +70,28 @@ pub struct Refined {
 
 /// The field that the particles of both frames follow, near the correlation's `field`, whose
 /// standard uncertainty is `uncertainty_vox`, `None` where it has measured nothing. At least three nodes
-/// along every axis. `incompressible`: the field is nearly free of divergence.
+/// along every axis. `incompressible`: the field is nearly free of divergence. Particles whose centres are not
+/// in the `flow` are left out: the light of one beside a body reaches into it, and counts whole.
 pub fn follow(
     field: &Lattice,
     uncertainty_vox: &[Option<[f32; 3]>],
     frames: [&PointCloud; 2],
     incompressible: bool,
+    flow: Option<&FlowGeometry>,
 ) -> Refined {
-    let [a, b] = frames;
-    let (a, b) = rayon::join(|| particles(a), || particles(b));
-    let frames: [&[Particle]; 2] = [&a, &b];
-    let fit_on = |nodes: Lattice, uncertainty_vox: &[Option<[f32; 3]>]| {
-        Stage::new(nodes, uncertainty_vox, field.step_vox, incompressible)
+    let in_flow = |cloud: &PointCloud| {
+        let mut found = particles(cloud);
+        found.retain(|particle| flow.is_none_or(|flow| flow.is_flow(particle.at_vox)));
+        found
     };
-    let mut stage = fit_on(field.clone(), uncertainty_vox);
+    let [a, b] = frames;
+    let (a, b) = rayon::join(|| in_flow(a), || in_flow(b));
+    let frames: [&[Particle]; 2] = [&a, &b];
+    let fit_on = |nodes: Lattice, uncertainty_vox: &[Option<[f32; 3]>], level: usize| {
+        let flow = flow.map(|flow| &flow.splines[level]);
+        Stage::new(nodes, uncertainty_vox, (field.step_vox, incompressible), flow)
+    };
+    let mut stage = fit_on(field.clone(), uncertainty_vox, 0);
     stage.settle(frames, COARSE_MOVING_SHARE);
     let near = pairs(&stage.spline, frames, NEAREST_VOX);
     stage.adjust(&near);
@@ -91,8 +102,8 @@ pub fn follow(
         let nodes = stage.spline.on_nodes(&stage.nodes);
         return Refined { spline: stage.spline, nodes, uncertainty_vox, by_particles };
     }
-    let (nodes, known) = stage.finer(uncertainty_vox);
-    let mut finer = fit_on(nodes, &known);
+    let (nodes, known) = stage.finer(uncertainty_vox, flow.map(|flow| &flow.finer));
+    let mut finer = fit_on(nodes, &known, 1);
     finer.settle(frames, FINE_MOVING_SHARE);
     let near = pairs(&finer.spline, frames, NEAREST_VOX);
     finer.adjust(&near);
@@ -137,21 +148,22 @@ fn larger(
 }
 
 /// A field on nodes of some distance.
-struct Stage {
+struct Stage<'a> {
     nodes: Lattice,
     spline: Spline,
-    fit: Fit,
+    fit: Fit<'a>,
 }
 
-impl Stage {
+impl<'a> Stage<'a> {
     fn new(
         nodes: Lattice,
         uncertainty_vox: &[Option<[f32; 3]>],
-        window_step_vox: f32,
-        incompressible: bool,
+        (window_step_vox, incompressible): (f32, bool),
+        flow: Option<&'a FlowNodes>,
     ) -> Self {
-        let spline = Spline::through(&nodes);
-        let fit = Fit::new(&nodes, uncertainty_vox, spline.layout, window_step_vox, incompressible);
+        let spline = Spline::through(&nodes, flow);
+        let fit = Fit::new(&nodes, uncertainty_vox, spline.layout, window_step_vox, incompressible)
+            .with_flow(flow);
         Self { nodes, spline, fit }
     }
 
@@ -180,10 +192,19 @@ impl Stage {
 
     /// The same field on nodes at half the distance, and the standard uncertainty of the windows' vectors,
     /// `uncertainty_vox`, where these stand.
-    fn finer(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> (Lattice, Vec<Option<[f32; 3]>>) {
+    fn finer(
+        &self,
+        uncertainty_vox: &[Option<[f32; 3]>],
+        flow: Option<&FlowNodes>,
+    ) -> (Lattice, Vec<Option<[f32; 3]>>) {
         let spline = &self.spline;
-        let nodes =
+        let mut nodes =
             self.nodes.finer().sampling(|at| spline.of(&spline.taps(at)).map(|value| value as f32));
+        if let Some(flow) = flow {
+            // In a body the spline passes from one flow to the next.
+            let in_flow: Vec<bool> = (0..nodes.values.len()).map(|n| flow.is_flow(n)).collect();
+            nodes = nodes.filled(&in_flow, Some(flow));
+        }
         let (coarse, fine) = (Layout { nodes: self.nodes.nodes }, Layout { nodes: nodes.nodes });
         let mut known = vec![None; fine.len()];
         for (n, uncertainty) in uncertainty_vox.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! A vector field as a sum of cubic B-splines, with two continuous derivatives and an error of fourth
 //! order in the distance of its nodes.
 
-use super::super::{b_spline, differences::Layout, lattice::Lattice};
+use super::super::{b_spline, differences::Layout, flow_nodes::FlowNodes, lattice::Lattice};
 
 /// A vector field on a lattice, which has a coefficient on every node and one beyond each end.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,7 +26,10 @@ pub struct Taps {
 
 impl Spline {
     /// The spline that has the values of `field` on its nodes, and no curvature across its faces.
-    pub fn through(field: &Lattice) -> Self {
+    ///
+    /// Where flows meet in the middle of a body, as `flow` has it on the coefficients, each goes on as if it ended
+    /// there: the spline does not swing on either side of the jump, and does not have the nodes' values beside it.
+    pub fn through(field: &Lattice, flow: Option<&FlowNodes>) -> Self {
         let layout = Layout { nodes: field.nodes.map(|n| n + 2) };
         let coefficients = std::array::from_fn(|c| {
             let mut values = vec![0.0; layout.len()];
@@ -34,7 +37,8 @@ impl Spline {
                 values[index_within(layout, field.nodes, n)] = f64::from(value[c]);
             }
             for axis in 0..3 {
-                interpolate_along(layout, axis, &mut values);
+                let is_linked = |n| flow.is_none_or(|flow| flow.is_linked(n, axis));
+                interpolate_along(layout, axis, &mut values, is_linked);
             }
             values
         });
@@ -161,29 +165,48 @@ fn index_within(layout: Layout, nodes: [usize; 3], n: usize) -> usize {
 }
 
 /// Turns the values on the inner nodes of every row along `axis` into the coefficients of the
-/// interpolating spline with straight ends: (c₋ + 4 c + c₊)/6 = y.
-fn interpolate_along(layout: Layout, axis: usize, values: &mut [f64]) {
+/// interpolating spline with straight ends: (c₋ + 4 c + c₊)/6 = y. A row ends where the next node is not linked.
+fn interpolate_along(
+    layout: Layout,
+    axis: usize,
+    values: &mut [f64],
+    is_linked: impl Fn(usize) -> bool,
+) {
     let (s, count) = (layout.stride(axis), layout.nodes[axis] - 2);
     let starts = (0..layout.len()).filter(|n| n / s % layout.nodes[axis] == 0);
     let (mut ratio, mut row) = (vec![0.0; count], vec![0.0; count]);
     for start in starts {
         let at = |i: usize| start + (i + 1) * s;
-        // At the ends the coefficient is the value; between, elimination and back substitution.
-        row[0] = values[at(0)];
-        for i in 1..count {
-            let end = i + 1 == count;
-            let (side, middle) = if end { (0.0, 6.0) } else { (1.0, 4.0) };
-            let pivot = middle - side * ratio[i - 1];
-            ratio[i] = if end { 0.0 } else { 1.0 / pivot };
-            row[i] = (6.0 * values[at(i)] - side * row[i - 1]) / pivot;
-        }
-        for i in (0..count.saturating_sub(1)).rev() {
-            row[i] -= ratio[i] * row[i + 1];
-        }
-        for (i, value) in row.iter().enumerate() {
-            values[at(i)] = *value;
+        let mut first = 0;
+        for last in (0..count).filter(|&i| i + 1 == count || !is_linked(at(i))) {
+            let length = last + 1 - first;
+            for (i, value) in row[..length].iter_mut().enumerate() {
+                *value = values[at(first + i)];
+            }
+            to_coefficients(&mut row[..length], &mut ratio[..length]);
+            for (i, value) in row[..length].iter().enumerate() {
+                values[at(first + i)] = *value;
+            }
+            first = last + 1;
         }
         values[start] = 2.0 * values[at(0)] - values[at(1)];
         values[at(count)] = 2.0 * values[at(count - 1)] - values[at(count - 2)];
+    }
+}
+
+/// Solves for the coefficients of a row. At the ends they are the values; between, elimination and back
+/// substitution. `ratio` is room to work in.
+fn to_coefficients(row: &mut [f64], ratio: &mut [f64]) {
+    let count = row.len();
+    ratio[0] = 0.0;
+    for i in 1..count {
+        let end = i + 1 == count;
+        let (side, middle) = if end { (0.0, 6.0) } else { (1.0, 4.0) };
+        let pivot = middle - side * ratio[i - 1];
+        ratio[i] = if end { 0.0 } else { 1.0 / pivot };
+        row[i] = (6.0 * row[i] - side * row[i - 1]) / pivot;
+    }
+    for i in (0..count.saturating_sub(1)).rev() {
+        row[i] -= ratio[i] * row[i + 1];
     }
 }

@@ -82,7 +82,7 @@ fn largest_inner_error(found: &Lattice) -> f32 {
 #[test]
 fn a_spline_has_the_values_of_its_lattice_on_the_nodes_and_follows_it_between() {
     let field = lattice(flow);
-    let spline = Spline::through(&field);
+    let spline = Spline::through(&field, None);
     assert!(largest_difference(&spline.on_nodes(&field), &field) < 1e-5);
     for at in places(&mut random(), 200) {
         let (found, expected) = (spline.of(&spline.taps(at)), flow(at));
@@ -94,7 +94,7 @@ fn a_spline_has_the_values_of_its_lattice_on_the_nodes_and_follows_it_between() 
 
 #[test]
 fn a_place_on_a_node_has_the_nodes_own_taps() {
-    let spline = Spline::through(&lattice(flow));
+    let spline = Spline::through(&lattice(flow), None);
     for n in 0..NODES.iter().product() {
         let place = Layout { nodes: NODES }.place(n).map(|i| 3.0 + STEP * i as f32);
         let [a, b] = [spline.taps(place), Taps::of_node(spline.layout, NODES, n)]
@@ -107,7 +107,7 @@ fn a_place_on_a_node_has_the_nodes_own_taps() {
 #[test]
 fn scattering_is_the_transpose_of_gathering() {
     let mut random = random();
-    let spline = Spline::through(&lattice(flow));
+    let spline = Spline::through(&lattice(flow), None);
     let taps: Vec<Taps> = places(&mut random, 300).into_iter().map(|at| spline.taps(at)).collect();
     let mut numbers =
         |count: usize| -> Vec<f64> { (0..count).map(|_| f64::from(unit(&mut random))).collect() };
@@ -176,7 +176,7 @@ fn no_light_leaves_the_correlations_field() {
     let dark = PointCloud { position_vox: vec![], light: vec![], grain_vox: 0.25 };
     let given_vox = [0.1, 0.2, 0.05];
     let uncertainty_vox = vec![Some(given_vox); field.values.len()];
-    let settled = follow(&field, &uncertainty_vox, [&dark, &dark], false);
+    let settled = follow(&field, &uncertainty_vox, [&dark, &dark], false, None);
     for (settled, correlated) in on_nodes(&settled, &field).values.iter().zip(&field.values) {
         for c in 0..3 {
             assert!((settled[c] - correlated[c]).abs() < given_vox[c]);
@@ -190,7 +190,7 @@ fn no_light_leaves_the_correlations_field() {
 /// Particles in `frames` of [`flow`] lead from a field of that uncertainty to the true one.
 fn assert_is_put_right(start: &Lattice, uncertainty_vox: f32, frames: [&PointCloud; 2]) {
     let settled =
-        follow(start, &vec![Some([uncertainty_vox; 3]); start.values.len()], frames, false);
+        follow(start, &vec![Some([uncertainty_vox; 3]); start.values.len()], frames, false, None);
     let error = largest_inner_error(&on_nodes(&settled, start));
     assert!(error < 0.02, "{error}");
 }
@@ -240,7 +240,8 @@ fn light_that_is_wide_along_an_axis_is_not_followed_along_it() {
         [u + 0.1, v, w]
     });
     let uncertainty_vox = vec![Some([0.1; 3]); correlated.values.len()];
-    let found = on_nodes(&follow(&correlated, &uncertainty_vox, [&a, &b], false), &correlated);
+    let found =
+        on_nodes(&follow(&correlated, &uncertainty_vox, [&a, &b], false, None), &correlated);
     let expected = lattice(sheared).values;
     let mean_error = |c: usize| {
         let errors = found.values.iter().zip(&expected).map(|(f, e)| f[c] - e[c]);
@@ -258,10 +259,10 @@ fn particles_measure_where_they_move_together_and_nowhere_else() {
     let uncertainty_vox = vec![Some([0.1; 3]); start.values.len()];
     let middles = places(&mut random, 2000);
     let [a, b] = frames(&middles, flow);
-    let together = follow(&start, &uncertainty_vox, [&a, &b], false).by_particles;
+    let together = follow(&start, &uncertainty_vox, [&a, &b], false, None).by_particles;
     assert!(together.iter().filter(|&&by| by).count() > together.len() / 2);
     let [_, other] = frames(&places(&mut random, 2000), flow);
-    let apart = follow(&start, &uncertainty_vox, [&a, &other], false).by_particles;
+    let apart = follow(&start, &uncertainty_vox, [&a, &other], false, None).by_particles;
     assert!(!apart.contains(&true));
 }
 
@@ -270,7 +271,7 @@ fn particles_measure_where_they_move_together_and_nowhere_else() {
 #[test]
 fn the_variance_is_the_inverse_matrix_s() {
     let mut random = random();
-    let spline = Spline::through(&lattice(flow));
+    let spline = Spline::through(&lattice(flow), None);
     let (layout, count) = (spline.layout, spline.layout.len());
     for (per_cell, stiffness) in [(20.0, 2.0), (20.0, 0.1), (60.0, 0.5)] {
         let cells: usize = NODES.iter().map(|n| n - 1).product();
@@ -323,7 +324,7 @@ fn the_variance_is_the_inverse_matrix_s() {
 
 #[test]
 fn pairs_are_each_others_nearest() {
-    let spline = Spline::through(&lattice(|_| [1.0, 0.0, 0.0]));
+    let spline = Spline::through(&lattice(|_| [1.0, 0.0, 0.0]), None);
     let a = [[10.0, 10.0, 10.0], [20.0, 20.0, 20.0], [20.3, 20.0, 20.0], [12.0, 30.0, 30.0]];
     let b = [[21.0, 20.0, 20.1], [11.1, 10.0, 10.0], [14.0, 30.0, 30.0]];
     let compact = |at_vox| Particle { at_vox, spread_vox2: [0.0; 3], light: 1.0 };

@@ -21,14 +21,21 @@ mod stage;
 mod statistics;
 mod warp;
 
+use std::sync::Arc;
+
 use super::{
     VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
+    differences::Layout,
+    flow_nodes::FlowNodes,
     judge::{Judge, Vector, field_of, move_to, settled},
     lags::Lags,
     lattice::Lattice,
     peak::Peak,
 };
-use crate::{model::VolumeGrid, reconstruction::DenseVolume};
+use crate::{
+    model::{VolumeGrid, VolumeMask},
+    reconstruction::DenseVolume,
+};
 use light::Light;
 use profile::Profile;
 use stage::{Stage, is_layer};
@@ -42,6 +49,8 @@ pub struct VolumeInterrogation {
     fine: Stage,
     /// The search's windows with the lags [`BESIDE`].
     beside: Stage,
+    /// The flow, where the volume has a mask, and the final windows in it.
+    flow: Option<(Arc<VolumeMask>, FlowNodes)>,
 }
 
 /// The search looks this many cells far: its cells are as coarse as that asks for.
@@ -92,7 +101,25 @@ impl VolumeInterrogation {
             Stage::new(grid, cell, [sizes.window, sizes.step], Profile::peaked, NEAREST)
         });
         let beside = Stage { lags: BESIDE, ..search.clone() };
-        Self { grid: grid.clone(), settings: settings.clone(), search, coarse, fine, beside }
+        let (grid, settings) = (grid.clone(), settings.clone());
+        Self { grid, settings, search, coarse, fine, beside, flow: None }
+    }
+
+    /// With the flow of `mask` only; that of the whole volume without one. See
+    /// [`super::Interrogation::with_mask`]; voxels that are not flow get the mean light of those that are,
+    /// which correlates with nothing.
+    pub fn with_mask(self, mask: Option<Arc<VolumeMask>>) -> Self {
+        let grid = self.vector_grid();
+        let flow = mask.map(|mask| {
+            let place = |place: [usize; 3]| {
+                std::array::from_fn(|axis| {
+                    grid.first_mm[axis] + place[axis] as f64 * grid.spacing_mm
+                })
+            };
+            let nodes = FlowNodes::new(Layout { nodes: grid.vectors }, &mask, place);
+            (mask, nodes)
+        });
+        Self { flow, ..self }
     }
 
     /// Where the vectors will be.
@@ -146,7 +173,11 @@ impl VolumeInterrogation {
             assert_eq!(volume.intensity.len(), volume.grid.len(), "one number per voxel");
         }
         let Stage { windows, profile, lags } = &self.fine;
-        let level = |volume| Light::without_mean(volume, windows, profile, lags.border());
+        let level = |volume: &DenseVolume| {
+            let in_flow = self.flow.as_ref().map(|(mask, _)| within(volume, mask));
+            let volume = in_flow.as_ref().unwrap_or(volume);
+            Light::without_mean(volume, windows, profile, lags.border())
+        };
         let (a, b) = rayon::join(|| level(a), || level(b));
         let mut field = start([&a, &b]);
         if self.settings.passes > 2 {
@@ -165,8 +196,7 @@ impl VolumeInterrogation {
     fn start(&self, known: &VelocityField, dt_s: f64) -> Lattice {
         let (grid, voxel_mm) = (&known.grid, self.grid.voxel_mm);
         let scale = (known.voxel_mm / voxel_mm * dt_s / known.dt_s) as f32;
-        let has_value: Vec<bool> =
-            known.status.iter().map(|status| *status != VectorStatus::Invalid).collect();
+        let has_value: Vec<bool> = known.status.iter().map(|status| status.has_value()).collect();
         let in_voxels =
             |axis: usize| (grid.first_mm[axis] - self.grid.coordinate_mm(axis, 0.0)) / voxel_mm;
         let middle = Lattice {
@@ -175,7 +205,7 @@ impl VolumeInterrogation {
             step_vox: (grid.spacing_mm / voxel_mm) as f32,
             values: known.displacement_vox.iter().map(|d| d.map(|d| d * scale)).collect(),
         }
-        .filled(&has_value);
+        .filled(&has_value, None);
         middle.clone().sampling(|at| {
             let half = middle.at(at).map(|d| d / 2.0);
             middle.at(std::array::from_fn(|c| at[c] + half[c]))
@@ -194,7 +224,7 @@ impl VolumeInterrogation {
     fn predictor(&self, stage: &Stage, field: &Lattice, peaks: &[Option<Peak>]) -> Lattice {
         let uncertainty_vox = COARSE_UNCERTAINTY * stage.windows.cell_vox;
         let known = vec![Some([uncertainty_vox; 3]); peaks.len()];
-        Judge { settings: &self.settings, field, peaks }.predictor(&known)
+        Judge { settings: &self.settings, field, peaks, flow: None }.predictor(&known)
     }
 
     /// The pass on voxels, and what it gives.
@@ -208,13 +238,22 @@ impl VolumeInterrogation {
             }
         }
         let least = self.settings.least_correlation;
+        let flow = self.flow.as_ref().map(|(_, nodes)| nodes);
+        let is_flow = |n: usize| flow.is_none_or(|flow| flow.is_flow(n));
+        let not_flow = found.peaks.iter_mut().enumerate().filter(|(n, _)| !is_flow(*n));
+        not_flow.for_each(|(_, peak)| *peak = None);
         let uncertainty_vox = self.fine.uncertainties([a, &moved], &found.peaks, least);
-        let judge = Judge { settings: &self.settings, field: &found.field, peaks: &found.peaks };
+        let judge =
+            Judge { settings: &self.settings, field: &found.field, peaks: &found.peaks, flow };
         let mut vectors = judge.vectors(&uncertainty_vox);
-        self.to_likeliest(&mut vectors);
+        self.to_likeliest(&mut vectors, flow);
+        for (n, vector) in vectors.iter_mut().enumerate().filter(|(n, _)| !is_flow(*n)) {
+            debug_assert!(!vector.status.has_value(), "vector {n} has no neighbours");
+            vector.status = VectorStatus::Masked;
+        }
         let ratios: Vec<f32> =
             found.peaks.iter().map(|peak| peak.map_or(0.0, |peak| peak.ratio)).collect();
-        field_of(self.vector_grid(), &self.grid, dt_s, &vectors, &ratios)
+        field_of(self.vector_grid(), &self.grid, dt_s, (&vectors, &ratios), flow)
     }
 
     /// How high the peak of every window is over the next. The lags of the last pass see one peak only:
@@ -229,13 +268,29 @@ impl VolumeInterrogation {
 
     /// Moves vectors to the likeliest field behind them, as it is in the middle of the pair. What is
     /// invalid stays so.
-    fn to_likeliest(&self, vectors: &mut [Vector]) {
-        let (field, _) = settled(vectors, self.fine.windows.at_rest());
+    fn to_likeliest(&self, vectors: &mut [Vector], flow: Option<&FlowNodes>) {
+        let (field, _) = settled(vectors, self.fine.windows.at_rest(), flow);
         let middle = field.carried_to_middle();
         move_to(&middle, vectors, |_, vector| {
             vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHED * sigma);
         });
     }
+}
+
+/// A volume with the light of its flow, and with the mean of that elsewhere.
+fn within(volume: &DenseVolume, mask: &VolumeMask) -> DenseVolume {
+    let grid = &volume.grid;
+    let flow: Vec<bool> = (0..grid.len())
+        .map(|n| mask.is_flow(grid.centre_of(grid.indices(n as u32)).into()))
+        .collect();
+    let light = volume.intensity.iter().zip(&flow);
+    let (sum, count) = light
+        .clone()
+        .filter(|(_, flow)| **flow)
+        .fold((0.0, 0usize), |(sum, count), (light, _)| (sum + f64::from(*light), count + 1));
+    let mean = (sum / count.max(1) as f64) as f32;
+    let intensity = light.map(|(light, flow)| if *flow { *light } else { mean }).collect();
+    DenseVolume { grid: grid.clone(), intensity }
 }
 
 /// A grid whose single layer is no reason to shrink windows.

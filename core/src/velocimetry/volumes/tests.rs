@@ -178,3 +178,37 @@ fn a_peak_that_is_hardly_the_highest_is_not_trusted() {
     let share = [field.valid_share(), asked.valid_share()];
     assert!(share[0] > 0.97 && (0.3..0.7).contains(&share[1]), "{share:?}");
 }
+
+/// Light in what is masked moves against the flow, and is brighter.
+#[test]
+fn what_is_masked_is_not_measured_and_does_not_disturb() {
+    let flow = [1.5, -0.75, 0.5];
+    let edge = 28;
+    let masked = |n: usize| GRID.indices(n as u32)[0] < edge;
+    let mask = VolumeMask { grid: GRID, flow: (0..GRID.len()).map(|n| !masked(n)).collect() };
+    let (mut inside, outside) = (pair(5, |_| flow.map(|d| -d)), pair(6, |_| flow));
+    for (inside, outside) in inside.iter_mut().zip(&outside) {
+        let light = inside.intensity.iter_mut().zip(&outside.intensity).enumerate();
+        light.for_each(|(n, (inside, outside))| {
+            *inside = if masked(n) { 3.0 * *inside } else { *outside };
+        });
+    }
+    let worst = |field: &VelocityField| {
+        let valid = (0..field.grid.len()).filter(|&n| field.status[n] == VectorStatus::Valid);
+        let in_flow = valid.filter(|&n| mask.is_flow(field.grid.position_mm(n)));
+        in_flow
+            .flat_map(|n| error_vox(field, &GRID, |_| flow, n))
+            .fold(0.0f64, |worst, error| worst.max(error.abs()))
+    };
+    let [a, b] = &inside;
+    let windows = VolumeInterrogation::new(&GRID, &settings());
+    let whole = windows.measure(a, b, 1e-4);
+    let field = windows.with_mask(Some(Arc::new(mask.clone()))).measure(a, b, 1e-4);
+    for (n, status) in field.status.iter().enumerate() {
+        let is_flow = mask.is_flow(field.grid.position_mm(n));
+        assert_eq!(*status == VectorStatus::Masked, !is_flow);
+    }
+    assert!(field.valid_share() > 0.95, "{}", field.valid_share());
+    println!("largest error beside it: {:.3}, unmasked {:.3} voxels", worst(&field), worst(&whole));
+    assert!(worst(&field) < 0.25 && worst(&whole) > 0.5);
+}

@@ -4,6 +4,7 @@ const MAGIC = "LFPIVVF2";
 export const VALID = 0;
 export const REPLACED = 1;
 export const INVALID = 2;
+export const MASKED = 3;
 
 /**
  * Reads a field: vector counts `n` [nx, ny, nz], `first` and `spacing` in mm, `u` (m/s, 3 per vector, NaN
@@ -105,9 +106,14 @@ export function quantile(values, share) {
   return known.length ? known[Math.min(known.length - 1, Math.floor(share * known.length))] : NaN;
 }
 
-/** Share of the vectors that were measured and accepted. */
+/** How many vectors are in the flow. */
+export function inFlow(field) {
+  return field.status.reduce((count, status) => count + (status !== MASKED), 0);
+}
+
+/** Share of the vectors in the flow that were measured and accepted. */
 export function validShare(field) {
   let valid = 0;
   for (const status of field.status) valid += status === VALID;
-  return valid / field.status.length;
+  return valid / Math.max(1, inFlow(field));
 }

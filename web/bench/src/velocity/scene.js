@@ -11,6 +11,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 
 import { fitCanvas, h, themeColour } from "../dom.js";
+import { faces } from "../mask.js";
 import { number } from "../words.js";
 
 const UP = new Vector3(0, 1, 0);
@@ -63,6 +64,10 @@ export class FieldScene {
     this.surface = new Mesh(new BufferGeometry(), new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.6, depthWrite: false }));
     this.surface.visible = false;
     this.group.add(this.surface);
+    this.bodies = new Mesh(new BufferGeometry(), new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.45, depthWrite: false }));
+    this.bodies.visible = false;
+    this.drawnMask = null;
+    this.group.add(this.bodies);
     this.slice = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial({ side: DoubleSide, transparent: true, opacity: 0.7 }));
     this.slice.visible = false;
     this.group.add(this.slice);
@@ -155,6 +160,22 @@ export class FieldScene {
     if (this.vectors.instanceColor) this.vectors.instanceColor.needsUpdate = true;
   }
 
+  /** Where the flow ends at what is masked, within the field's box; nothing without a mask. */
+  showBodies(field, mask) {
+    this.bodies.visible = Boolean(mask);
+    if (!mask || (this.drawnMask === mask && this.maskedSize === this.size)) return;
+    [this.drawnMask, this.maskedSize] = [mask, this.size];
+    const middle = field.first.map((mm, axis) => mm + ((field.n[axis] - 1) / 2) * field.spacing);
+    const end = (side) => middle.map((mm, axis) => mm + (side * this.size[axis]) / 2);
+    const corners = faces(mask, end(-1), end(1)).map((mm, n) => mm - middle[n % 3]);
+    const { geometry } = this.bodies;
+    geometry.dispose();
+    geometry.setAttribute("position", new BufferAttribute(corners, 3));
+    geometry.deleteAttribute("normal");
+    geometry.computeVertexNormals();
+    this.bodies.visible = corners.length > 0;
+  }
+
   /** A surface, in units of the grid; `null` hides it. */
   showSurface(field, triangles) {
     this.surface.visible = Boolean(triangles?.length);
@@ -212,6 +233,7 @@ export class FieldScene {
     if (!this.isFramed) this.standBack();
     this.box.material.color.set(themeColour("faint-ink"));
     this.surface.material.color.set(themeColour("surface"));
+    this.bodies.material.color.set(themeColour("mask"));
     this.renderer.render(this.scene, this.camera);
     this.placeLabels(width / ratio, height / ratio);
     const { geometries, textures } = this.renderer.info.memory;

@@ -6,7 +6,7 @@ import { h, panel, reading, select, setText, slider, tick } from "../dom.js";
 import { Plot } from "../plot.js";
 import { shotChoice } from "../shot_choice.js";
 import { dtAdvice, histogram, lockingWords, validDisplacements } from "../velocity/displacement.js";
-import { component, magnitudes, quantile, validShare, vorticity } from "../velocity/field.js";
+import { component, inFlow, magnitudes, quantile, validShare, vorticity } from "../velocity/field.js";
 import { FieldScene } from "../velocity/scene.js";
 import { PLANE, SliceCanvas, slicePixels, slicePlane } from "../velocity/slice.js";
 import { surface } from "../velocity/surface.js";
@@ -39,6 +39,7 @@ export function velocityView(run, results) {
   const readings = {
     valid: reading("Valid vectors"),
     replaced: reading("Replaced"),
+    masked: reading("Masked", { title: "vectors whose place is not flow, as [volume.mask] says; no share counts them" }),
     speed: reading("Largest speed", { title: "99th percentile" }),
     uncertainty: reading("Uncertainty", { title: "median standard uncertainty of a component" }),
     shots: reading("Shots in mean and rms"),
@@ -123,6 +124,7 @@ export function velocityView(run, results) {
     const speedScale = new ColourScale(0, quantile(speeds, WHITE));
     scene.frame(field);
     scene.showVectors(field, u, speedScale, vectors.input.checked);
+    scene.showBodies(field, run.mask);
     bar.show(speedScale, chosen.shown === "rms" ? "fluctuation (m/s)" : "speed (m/s)");
 
     const spin = magnitudes(rotation);
@@ -177,7 +179,9 @@ export function velocityView(run, results) {
     const replaced = field.status.reduce((sum, status) => sum + (status === 1), 0);
     const share = validShare(field);
     readings.valid.show(percent(share, 1), share < 0.7 ? "doubt" : null);
-    readings.replaced.show(percent(replaced / field.status.length, 1));
+    const flow = inFlow(field);
+    readings.replaced.show(percent(replaced / Math.max(1, flow), 1));
+    readings.masked.show(flow < field.status.length ? String(field.status.length - flow) : "none");
     readings.speed.show(`${number(quantile(speeds, WHITE))} m/s`);
     readings.uncertainty.show(`${number(quantile(field.uncertainty, 0.5), 2)} m/s`);
     readings.shots.show(String(results.running.shots));
@@ -198,5 +202,14 @@ export function velocityView(run, results) {
     return window ? dtAdvice(field, window) : null;
   }
 
-  return { element, update: () => shot.update(), show: () => draw() };
+  let drawnMask = null;
+  function update() {
+    shot.update();
+    if (run.mask !== drawnMask) {
+      drawnMask = run.mask;
+      redraw();
+    }
+  }
+
+  return { element, update, show: () => draw() };
 }

@@ -2,11 +2,15 @@
 
 import { ApiError, getImage } from "../api.js";
 import { fitCanvas, h, panel, reading, select, setText, themeColour } from "../dom.js";
+import { projected } from "../mask.js";
 import { shotChoice } from "../shot_choice.js";
 import { count, number, percent, tickNumber } from "../words.js";
 
 const PLANES = { xy: [0, 1], xz: [0, 2], yz: [1, 2] };
 const LEAST_MS = 700;
+/** Opacity of the tint where all of a line of sight is not flow: light shows through. */
+const DEEPEST = 0.7;
+const FLOW = "share of the voxels that are flow, as [volume.mask] says";
 
 export function volumeView(run) {
   const choice = { frame: "a", held: null };
@@ -22,17 +26,22 @@ export function volumeView(run) {
   const readings = {
     size: reading("Volume"),
     voxels: reading("Voxels"),
+    flow: reading("Flow", { title: FLOW }),
     particles: reading("Particles", { title: "from the statistics of the first measured pair's views" }),
     perWindow: reading("Particles per window"),
     unexplained: reading("Light unexplained", { title: "per camera; 0: everything is explained" }),
     agreement: reading("Cameras agree", { title: "correlation of the cameras' light along the direction that both see" }),
     disparity: reading("Cameras apart"),
   };
+  const legend = h("p", { class: "hint legend" }, h("span", { class: "swatch", "aria-hidden": "true" }),
+    "Not flow: the deeper the tint, the more of the line of sight. There is light in it, but no vector is measured.");
   const planes = Object.entries(PLANES).map(([name, axes]) => plane(name, axes));
   const element = h("div", { class: "view volume" },
     h("div", { class: "controls" }, shot.element, frame.element, problem),
     h("dl", { class: "readings" }, ...Object.values(readings).map((one) => one.element)),
+    legend,
     h("div", { class: "three" }, ...planes.map((one) => one.element)));
+  legend.hidden = true;
   let shown = null;
   let busy = false;
   let last = -Infinity;
@@ -48,7 +57,7 @@ export function volumeView(run) {
     last = performance.now();
     try {
       const images = await Promise.all(planes.map((one) => getImage(`/api/v1/results/${wanted}/projections/${choice.frame}/${one.name}.png`)));
-      planes.forEach((one, n) => one.show(images[n].bitmap, run.status.configuration));
+      planes.forEach((one, n) => one.show(images[n].bitmap, run.status.configuration, run.mask));
       shown = `${wanted} ${choice.frame}`;
       setText(problem, "");
     } catch (error) {
@@ -65,6 +74,11 @@ export function volumeView(run) {
     const { voxels_xyz: voxels, voxel_mm: voxel } = status.configuration;
     readings.size.show(`${voxels.map((n) => number(n * voxel)).join(" × ")} mm`);
     readings.voxels.show(`${voxels.join(" × ")} of ${number(voxel)} mm`);
+    const { mask } = status.configuration;
+    readings.flow.show(mask ? `${percent(mask.flow_share, 1)} of the volume` : "all of it");
+    readings.flow.element.title = [FLOW, ...(mask?.files ?? []).map(({ file, sha256 }) => `${file}, SHA-256 ${sha256}`)].join("\n");
+    legend.hidden = !run.mask;
+    planes.forEach((one) => one.mask(run.mask));
     const scene = status.model_choice?.scene;
     const cubicMm = voxels.reduce((product, n) => product * n * voxel, 1);
     readings.particles.show(scene ? `${count(Math.round(scene.particles_per_mm3 * cubicMm))}, ${number(scene.particles_per_mm3, 2)} per mm³` : "–");
@@ -93,6 +107,8 @@ function plane(name, [right, up]) {
   const canvas = h("canvas", { class: "projection", role: "img", "aria-label": `Largest light along ${across}` });
   let bitmap = null;
   let configuration = null;
+  let mask = null;
+  let tinted = null;
   new ResizeObserver(() => draw()).observe(canvas);
 
   function draw() {
@@ -109,6 +125,10 @@ function plane(name, [right, up]) {
     const [x, y] = [left + (width - left - rest - w) / 2, rest + (height - below - rest - hgt) / 2];
     context.imageSmoothingEnabled = false;
     context.drawImage(bitmap, x, y, w, hgt);
+    if (mask) {
+      tinted ??= tint(mask, right, up);
+      context.drawImage(tinted, x, y, w, hgt);
+    }
     const ink = themeColour("ink");
     context.strokeStyle = context.fillStyle = ink;
     context.lineWidth = ratio;
@@ -139,14 +159,40 @@ function plane(name, [right, up]) {
   return {
     name,
     element: panel(`Along ${across}: ${"xyz"[right]} to the right, ${"xyz"[up]} upwards, in mm`, canvas),
-    show(image, settings) {
+    show(image, settings, masked) {
       bitmap?.close();
       bitmap = image;
       configuration = settings;
+      if (mask !== masked) [mask, tinted] = [masked, null];
+      draw();
+    },
+    /** Draws anew where the mask is another one. */
+    mask(other) {
+      if (mask === other) return;
+      [mask, tinted] = [other, null];
       draw();
     },
     draw,
   };
+}
+
+/** What of a plane is not flow, as an image whose rows go down. */
+function tint(mask, right, up) {
+  const [columns, rows] = [mask.n[right], mask.n[up]];
+  const shares = projected(mask, right, up);
+  const image = new ImageData(columns, rows);
+  const ofTheme = themeColour("mask");
+  const colour = [1, 3, 5].map((start) => parseInt(ofTheme.slice(start, start + 2), 16));
+  for (let row = 0; row < rows; row += 1) {
+    for (let column = 0; column < columns; column += 1) {
+      const share = shares[(rows - 1 - row) * columns + column];
+      image.data.set([...colour, Math.round(255 * DEEPEST * share)], 4 * (row * columns + column));
+    }
+  }
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [columns, rows];
+  canvas.getContext("2d").putImageData(image, 0, 0);
+  return canvas;
 }
 
 /** Round numbers between two lengths, about five of them. */

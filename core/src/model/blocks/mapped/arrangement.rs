@@ -11,10 +11,12 @@ const SHARED_PLACE_TOLERANCE: f64 = 1.0 / 16.0;
 /// Displacement that is always allowed, in microlenses: a step of the tables.
 const MIN_TOLERANCE: f64 = 1.0 / 64.0;
 
-/// Number of separate positions per block.
+/// Number of separate positions per block. Each has its own address in the tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Layers {
-    /// The block's centre for all voxels, which form pairs along columns and rows.
+    /// The block's centre for all voxels, which form pairs along columns and rows. If the pairs at
+    /// its two depths are too far from each other, but by the same distance in all views, tables
+    /// hold both.
     One,
     /// One for each of its two depths.
     Two,
@@ -31,6 +33,8 @@ pub(super) struct Arrangement {
     /// Distance between the voxels of a pair, along columns and rows, in microlenses for a ray map
     /// with b = 1; 0 without pairs.
     pub pair_step: [f64; 2],
+    /// Distance between a pair and the one behind it, likewise; 0 if they share their position.
+    pub depth_step: [f64; 2],
     /// Lowest and highest depth of the grid, for columns and rows.
     pub depths_mm: [[f64; 2]; 2],
 }
@@ -62,8 +66,14 @@ impl Arrangement {
             Layers::Eight => [0.0; 2],
             _ => [slopes.place[0][axes.column], slopes.place[1][axes.row]],
         };
-        let pair_step = pair_step.map(|step| step / position);
-        Self { axes, layers, pair_step, depths_mm: depths_mm(optics, grid) }
+        let [pair_step, depth_step] = [pair_step, slopes.depth_step(axes, layers, tolerance)]
+            .map(|steps| steps.map(|step| step / position));
+        Self { axes, layers, pair_step, depth_step, depths_mm: depths_mm(optics, grid) }
+    }
+
+    /// Whether tables have two pairs per block, one for each of its depths.
+    pub fn has_quads(&self) -> bool {
+        self.depth_step != [0.0; 2]
     }
 }
 
@@ -124,11 +134,20 @@ impl Slopes {
         let along_row = [all(row)[0], edge[1][row].abs()];
         if exceeds(along_column) || exceeds(along_row) {
             Layers::Eight
-        } else if exceeds(all(depth)) {
+        } else if exceeds(edge.map(|edge| edge[depth].abs())) {
             Layers::Two
         } else {
             Layers::One
         }
+    }
+
+    /// Distance between the two depths of a block with one position, in microlenses; 0 if they may
+    /// share it.
+    fn depth_step(&self, axes: Axes, layers: Layers, tolerance: [f64; 2]) -> [f64; 2] {
+        let step = [0, 1].map(|n| self.place[n][axes.depth]);
+        let shift = [0, 1].map(|n| step[n].abs() + self.edge[n][axes.depth].abs());
+        let shared = (0..2).all(|n| shift[n] / 2.0 <= tolerance[n]);
+        if layers == Layers::One && !shared { step } else { [0.0; 2] }
     }
 }
 

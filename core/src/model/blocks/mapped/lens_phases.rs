@@ -16,6 +16,8 @@ pub(super) struct LensPhases {
     phases: [Vec<f32>; 2],
     /// See [`Self::steps`].
     steps: Vec<[[f32; 2]; 2]>,
+    /// See [`Self::range`].
+    ranges: Vec<[[f32; 2]; 2]>,
 }
 
 impl LensPhases {
@@ -34,9 +36,17 @@ impl LensPhases {
                 }
             }
         }
-        let width = (columns + 3 * MARGIN) as usize;
+        Self::of(phases, (columns + 3 * MARGIN) as usize, rows)
+    }
+
+    /// Of `phases` along i and j, with `width` per row, for a window of `rows`.
+    fn of(phases: [Vec<f32>; 2], width: usize, rows: i32) -> Self {
         let steps = steps(&phases, width);
-        Self { width, rows, phases, steps }
+        let [along, across] = phases.each_ref().map(|phases| {
+            phases.chunks_exact(width).map(|row| extent(row.iter().copied())).collect::<Vec<_>>()
+        });
+        let ranges = along.into_iter().zip(across).map(|(along, across)| [along, across]).collect();
+        Self { width, rows, phases, steps, ranges }
     }
 
     /// The smallest and largest increase of the phase along i from a microlens of row `j` to the
@@ -44,6 +54,12 @@ impl LensPhases {
     #[inline(always)]
     pub fn steps(&self, j: i32) -> [[f32; 2]; 2] {
         self.steps[self.line(j)]
+    }
+
+    /// The smallest and largest phase along i and along j in row `j`.
+    #[inline(always)]
+    pub fn range(&self, j: i32) -> [[f32; 2]; 2] {
+        self.ranges[self.line(j)]
     }
 
     #[inline(always)]
@@ -66,17 +82,20 @@ impl LensPhases {
     }
 }
 
+/// The smallest and the largest of some numbers.
+fn extent(numbers: impl Iterator<Item = f32>) -> [f32; 2] {
+    let none = [f32::INFINITY, f32::NEG_INFINITY];
+    numbers.fold(none, |[least, most], number| [least.min(number), most.max(number)])
+}
+
 fn steps([along, across]: &[Vec<f32>; 2], width: usize) -> Vec<[[f32; 2]; 2]> {
-    let range = |steps: &mut dyn Iterator<Item = f32>| {
-        steps.fold([0.0f32; 2], |[least, most], step| [least.min(step), most.max(step)])
-    };
     let rows = along.chunks_exact(width).zip(across.chunks_exact(width));
     let before = across[..width].iter().chain(across).copied().collect::<Vec<f32>>();
     rows.zip(before.chunks_exact(width))
         .map(|((along, across), before)| {
-            let next = &mut along.windows(2).map(|pair| pair[1] - pair[0]);
-            let from_before = &mut across.iter().zip(before).map(|(here, before)| here - before);
-            [range(next), range(from_before)]
+            let next = along.windows(2).map(|pair| pair[1] - pair[0]);
+            let from_before = across.iter().zip(before).map(|(here, before)| here - before);
+            [extent(next), extent(from_before)]
         })
         .collect()
 }
@@ -87,4 +106,16 @@ fn steps([along, across]: &[Vec<f32>; 2], width: usize) -> Vec<[[f32; 2]; 2]> {
 pub(super) fn phase_px(column: f32, row: f32) -> [f32; 2] {
     const HALF: f32 = 0.5 + TIE_PX as f32;
     [column - (column + HALF).floor(), (row + HALF).floor() - row]
+}
+
+#[cfg(test)]
+impl LensPhases {
+    /// For a window of `columns` and `rows`, from the phases of microlens (i, j).
+    pub fn with(columns: i32, rows: i32, phase: impl Fn(i32, i32) -> [f32; 2]) -> Self {
+        let lenses = (-MARGIN..rows + MARGIN)
+            .flat_map(|j| (-MARGIN..columns + 2 * MARGIN).map(move |i| (i, j)));
+        let phases: Vec<[f32; 2]> = lenses.map(|(i, j)| phase(i, j)).collect();
+        let along = |n: usize| phases.iter().map(|phase| phase[n]).collect();
+        Self::of([along(0), along(1)], (columns + 3 * MARGIN) as usize, rows)
+    }
 }

@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::{
-    MappedModel,
+    CameraTables, MappedModel,
     arrangement::Layers,
     lens_phases::LensPhases,
     lit_bits::LitBits,
@@ -110,10 +110,13 @@ impl CameraResult {
         };
         let see = |index: [f64; 3]| camera.see(&model.grid, index);
         let support = |depth_mm: [f64; 2]| camera.support(depth_mm);
+        // Two pairs in one tap are at different positions.
+        let is_shared =
+            matches!((camera.layers, &camera.tables), (Layers::One, CameraTables::Pairs(_)));
         let tiles = Tiles {
             grid: &model.grid,
             axes: camera.axes,
-            layers: if camera.layers == Layers::One { 1 } else { 2 },
+            layers: if is_shared { 1 } else { 2 },
             camera: Camera { see: &see, support: &support, pupil_radius: camera.pupil_radius() },
         };
         let evaluated: Vec<(Span, TileResult)> = tiles
@@ -154,10 +157,15 @@ impl Tiles<'_> {
         spans
     }
 
+    /// Fractional index of the grid's middle.
+    fn middle(&self) -> [f64; 3] {
+        self.grid.voxels.map(|n| (n as f64 - 1.0) / 2.0)
+    }
+
     /// Distance between neighbouring voxels along an axis of the grid, in microlenses along the
     /// array's columns, in the view where it is largest.
     fn lenses_per_voxel(&self, axis: usize) -> f64 {
-        let middle = self.grid.voxels.map(|n| (n as f64 - 1.0) / 2.0);
+        let middle = self.middle();
         let mut next = middle;
         next[axis] += 1.0;
         let (here, there) = ((self.camera.see)(middle), (self.camera.see)(next));
@@ -167,7 +175,7 @@ impl Tiles<'_> {
 
     /// Microlenses of a row that a tile's light reaches outside its voxels.
     fn lenses_beside(&self) -> f64 {
-        let middle = self.grid.voxels.map(|n| (n as f64 - 1.0) / 2.0);
+        let middle = self.middle();
         let beside = [0.0, 1.0].map(|end| {
             let mut index = middle;
             index[self.axes.depth] *= 2.0 * end;

@@ -7,6 +7,7 @@
 
 mod arrangement;
 mod lens_phases;
+mod lens_row;
 mod lit;
 mod lit_bits;
 mod places;
@@ -17,6 +18,7 @@ mod support;
 #[cfg(test)]
 mod tests;
 mod tile;
+mod tile_view;
 
 use lfpiv_hw::{CameraName, Optics, Pose};
 use nalgebra::Point3;
@@ -37,7 +39,7 @@ use crate::{
 use arrangement::{Arrangement, Layers};
 use places::{AxisAddresses, BlockPlaces, ViewAddresses};
 use projector::MappedProjector;
-use share_table::{FootprintGeometry, ShareTable};
+use share_table::{FootprintGeometry, ShareTable, TableLayout};
 use support::Support;
 
 /// Largest change of a shadow's width between depth nodes, in microlenses.
@@ -59,8 +61,16 @@ pub(super) struct MappedCamera<const L: usize> {
     axes: Axes,
     layers: Layers,
     geometries: [FootprintGeometry; 2],
-    /// Along columns and rows.
-    tables: [ShareTable<L>; 2],
+    tables: CameraTables<L>,
+}
+
+/// A camera's tables along columns and rows.
+#[derive(Debug)]
+enum CameraTables<const L: usize> {
+    /// Of pairs of voxels.
+    Pairs([ShareTable<L, 2>; 2]),
+    /// Of two pairs each, one for each of a block's depths.
+    Quads([ShareTable<L, 4>; 2]),
 }
 
 /// The model with the narrowest sufficient tables; `None` if no table is wide enough.
@@ -133,15 +143,17 @@ impl Setup<'_> {
     fn model<const L: usize>(&self) -> Option<MappedModel<L>> {
         let cameras = self.seen.iter().zip(&self.arrangements).map(|(optics, arrangement)| {
             let geometries = self.geometries(optics, arrangement);
-            let [columns, rows] = &geometries;
-            let (columns, rows) =
-                rayon::join(|| ShareTable::new(columns), || ShareTable::new(rows));
+            let tables = if arrangement.has_quads() {
+                CameraTables::Quads(tables(&geometries)?)
+            } else {
+                CameraTables::Pairs(tables(&geometries)?)
+            };
             Some(MappedCamera {
                 optics: optics.clone(),
                 axes: arrangement.axes,
                 layers: arrangement.layers,
                 geometries,
-                tables: [columns?, rows?],
+                tables,
             })
         });
         let cameras = cameras.collect::<Option<Vec<_>>>()?;
@@ -176,12 +188,38 @@ impl Setup<'_> {
                 phase_step_px: [grid.column_px[1], -grid.row_px[2]][n],
                 depths: Nodes { first_mm: low + step_mm / 2.0, step_mm, count },
                 pair_step: arrangement.pair_step[n],
+                depth_step: arrangement.depth_step[n],
                 footprint_mm: self.footprint_mm,
                 blur,
                 max_slope_mm: lens.pupil_diameter_mm() / 2.0
                     + farthest * lens.object_distance_mm / lens.image_distance_mm(),
             }
         })
+    }
+}
+
+/// Tables along columns and rows; `None` if one is not wide enough.
+fn tables<const L: usize, const C: usize>(
+    geometries: &[FootprintGeometry; 2],
+) -> Option<[ShareTable<L, C>; 2]> {
+    let [columns, rows] = geometries;
+    let (columns, rows) = rayon::join(|| ShareTable::new(columns), || ShareTable::new(rows));
+    Some([columns?, rows?])
+}
+
+impl<const L: usize> CameraTables<L> {
+    fn layouts(&self) -> [&TableLayout; 2] {
+        match self {
+            Self::Pairs(tables) => tables.each_ref().map(|table| &table.layout),
+            Self::Quads(tables) => tables.each_ref().map(|table| &table.layout),
+        }
+    }
+
+    fn memory_bytes(&self) -> usize {
+        match self {
+            Self::Pairs(tables) => tables.iter().map(ShareTable::memory_bytes).sum(),
+            Self::Quads(tables) => tables.iter().map(ShareTable::memory_bytes).sum(),
+        }
     }
 }
 
@@ -213,6 +251,7 @@ impl<const L: usize> MappedCamera<L> {
         let lenses = [window.columns.len(), window.rows.len()];
         let lens = &self.optics.optics;
         let magnification = -RayMap::at_depth(lens, 0.0).position;
+        let layouts = self.tables.layouts();
         ViewAddresses {
             pupil: lenses_per_cell.map(|[by_right, by_up]| {
                 (by_right * f64::from(view.k) + by_up * f64::from(view.l)) as f32
@@ -221,11 +260,11 @@ impl<const L: usize> MappedCamera<L> {
             column_px: from_window(grid.column_px),
             row_px: from_window(grid.row_px),
             axes: [0, 1].map(|n| AxisAddresses {
-                layout: self.tables[n].layout,
+                layout: *layouts[n],
                 on_axis: on_axis[n] as f32,
                 lenses: lenses[n] as f32,
                 object_per_place: (1.0 / magnification) as f32,
-                slopes: self.tables[n].layout.leans_per_mm * self.geometries[n].pitch_mm as f32,
+                slopes: layouts[n].leans_per_mm * self.geometries[n].pitch_mm as f32,
             }),
         }
     }
@@ -234,7 +273,7 @@ impl<const L: usize> MappedCamera<L> {
 impl<const L: usize> MappedModel<L> {
     /// Positions of the blocks relative to a camera, for each of their layers.
     fn places(&self, camera: &MappedCamera<L>, blocks: &[u32]) -> Vec<BlockPlaces> {
-        let layouts = [&camera.tables[0].layout, &camera.tables[1].layout];
+        let layouts = camera.tables.layouts();
         let offsets = camera.layers.offsets(camera.axes);
         let place = |offset: [f64; 3]| {
             let mut places = BlockPlaces::default();
@@ -271,10 +310,7 @@ impl<const L: usize> BlockModel for MappedModel<L> {
     }
 
     fn memory_bytes(&self) -> usize {
-        let tables = |camera: &MappedCamera<L>| -> usize {
-            camera.tables.iter().map(ShareTable::memory_bytes).sum()
-        };
-        self.cameras.iter().map(tables).sum::<usize>()
+        self.cameras.iter().map(|camera| camera.tables.memory_bytes()).sum::<usize>()
             + self.layouts.iter().map(coverage_bytes).sum::<usize>()
     }
 }

@@ -11,6 +11,10 @@ use crate::model::{blocks::kernels::BATCH, mapped_optics::SeenPoint};
 /// outside, and pixel numbers stay small.
 const BEYOND: f32 = 64.0;
 
+/// Added to a number of up to ± 2²², it leaves no bits for fractions: the sum is rounded to an integer,
+/// which is its lowest bits.
+const INTEGERS: f32 = 12_582_912.0;
+
 /// Positions of blocks, or of one layer of each, as arrays for vectorised address computation.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BlockPlaces {
@@ -127,7 +131,9 @@ pub(super) fn addresses(places: &BlockPlaces, start: usize, view: &ViewAddresses
             let nominal = place[n][b] + parallax[n][b] * view.pupil[n];
             let nominal = if nominal > least { nominal } else { least };
             let nominal = if nominal < most { nominal } else { most };
-            lens[n][b] = (nominal + 0.5).floor();
+            let rounded = nominal + INTEGERS;
+            found.lens[n][b] = rounded.to_bits().wrapping_sub(INTEGERS.to_bits()) as i32;
+            lens[n][b] = rounded - INTEGERS;
             beside[n][b] = nominal - lens[n][b];
         }
     }
@@ -152,7 +158,6 @@ pub(super) fn addresses(places: &BlockPlaces, start: usize, view: &ViewAddresses
                 + index(slope, SLOPE_CLASSES) * layout.taps_per_slope() as u32
                 + index(class, PHASE_CLASSES) * layout.places as u32
                 + index(node, layout.places);
-            found.lens[n][b] = whole(nearest(lens[n][b] + BEYOND)) - BEYOND as i32;
         }
     }
     found

@@ -5,7 +5,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::{
-    MappedCamera, MappedModel,
+    CameraTables, MappedCamera, MappedModel,
     arrangement::Layers,
     places::{Addresses, BlockPlaces, ViewAddresses, addresses},
     share_table::{FIRST_BIAS, ShareTable},
@@ -14,7 +14,8 @@ use crate::model::{
     ViewId,
     blocks::{
         BlockLight, BlockProjector,
-        kernels::{APART, BATCH, BlockTaps, TapSource, gather_blocks, project_blocks},
+        aligned_tables::Axes,
+        kernels::{ANY, APART, PlacedTap, TapSource, gather_blocks, project_blocks},
         pair_tap::PairTap,
         prefetch::prefetch,
         projector::cover,
@@ -32,16 +33,23 @@ pub(super) struct MappedProjector<'a, const L: usize> {
 }
 
 /// One view's tables, and the blocks' positions in them.
-struct MappedTaps<'a, const L: usize> {
-    camera: &'a MappedCamera<L>,
+struct MappedTaps<'a, const L: usize, const C: usize> {
+    tables: &'a [ShareTable<L, C>; 2],
+    axes: Axes,
     view: ViewAddresses,
     layers: &'a [BlockPlaces],
     lenses: [i32; 2],
+    /// Number of places along columns and rows at which a tap is inside the window.
+    fitting: [u32; 2],
 }
 
 /// With as many layers as the camera's blocks have.
-impl<const L: usize, const D: usize> TapSource<L, D> for MappedTaps<'_, L> {
+impl<const L: usize, const D: usize, const C: usize> TapSource<L, D, C> for MappedTaps<'_, L, C> {
     type Addresses = ([Addresses; D], usize);
+
+    fn axes(&self) -> Axes {
+        self.axes
+    }
 
     #[inline(always)]
     fn addresses(&self, start: usize, count: usize) -> Self::Addresses {
@@ -56,7 +64,7 @@ impl<const L: usize, const D: usize> TapSource<L, D> for MappedTaps<'_, L> {
     #[inline(always)]
     fn prefetch_taps(&self, (layers, count): &Self::Addresses) {
         for addresses in layers {
-            for (table, taps) in self.camera.tables.iter().zip(&addresses.tap) {
+            for (table, taps) in self.tables.iter().zip(&addresses.tap) {
                 for &at in &taps[..*count] {
                     prefetch(&table.taps, at as usize);
                 }
@@ -65,42 +73,46 @@ impl<const L: usize, const D: usize> TapSource<L, D> for MappedTaps<'_, L> {
     }
 
     #[inline(always)]
-    fn fetch(&self, (layers, count): &Self::Addresses, taps: &mut [BlockTaps<L, D>; BATCH]) {
-        let [columns, rows] = &self.camera.tables;
-        for layer in 0..D {
-            let addresses = &layers[layer];
-            for (b, taps) in taps[..(*count).min(BATCH)].iter_mut().enumerate() {
-                place(columns, addresses, 0, b, self.lenses[0], &mut taps[layer][0]);
-                place(rows, addresses, 1, b, self.lenses[1], &mut taps[layer][1]);
-            }
-        }
+    fn taps<'t>(
+        &'t self,
+        (layers, _): &Self::Addresses,
+        block: usize,
+        layer: usize,
+        [columns, rows]: &'t mut [PairTap<L, C>; 2],
+    ) -> [PlacedTap<'t, L, C>; 2] {
+        let addresses = &layers[layer];
+        [self.placed(addresses, 0, block, columns), self.placed(addresses, 1, block, rows)]
     }
 }
 
-/// Copies the tap of block `b` along axis `n`, relative to the window's first microlens.
-#[inline(always)]
-fn place<const L: usize>(
-    table: &ShareTable<L>,
-    addresses: &Addresses,
-    n: usize,
-    b: usize,
-    lenses: i32,
-    to: &mut PairTap<L>,
-) {
-    let tap = table.tap(addresses.tap[n][b] as usize);
-    let first = addresses.lens[n][b] + i32::from(tap.first) - FIRST_BIAS;
-    // Copied whole, then modified: assembling it from parts would stall on the store buffer, which
-    // took a quarter of the time.
-    *to = *tap;
-    to.first = first as u16;
-    if first < 0 || first + L as i32 > lenses {
-        *to = clipped(tap, first, lenses);
+impl<const L: usize, const C: usize> MappedTaps<'_, L, C> {
+    /// The tap of block `b` along axis `n`, relative to the window's first microlens.
+    #[inline(always)]
+    fn placed<'a>(
+        &'a self,
+        addresses: &Addresses,
+        n: usize,
+        b: usize,
+        scratch: &'a mut PairTap<L, C>,
+    ) -> PlacedTap<'a, L, C> {
+        let tap = self.tables[n].tap(addresses.tap[n][b] as usize);
+        let first = addresses.lens[n][b] + i32::from(tap.first) - FIRST_BIAS;
+        // Negative numbers are large ones here.
+        if first as u32 >= self.fitting[n] {
+            *scratch = clipped(tap, first, self.lenses[n]);
+            return PlacedTap { tap: scratch, first: usize::from(scratch.first) };
+        }
+        PlacedTap { tap, first: first as usize }
     }
 }
 
 /// The part inside the window of a tap that extends beyond it.
 #[cold]
-fn clipped<const L: usize>(tap: &PairTap<L>, first: i32, lenses: i32) -> PairTap<L> {
+fn clipped<const L: usize, const C: usize>(
+    tap: &PairTap<L, C>,
+    first: i32,
+    lenses: i32,
+) -> PairTap<L, C> {
     let kept = first.clamp(0, (lenses - L as i32).max(0));
     let mut clipped = PairTap { first: kept as u16, ..PairTap::NONE };
     for n in 0..L {
@@ -134,14 +146,22 @@ impl<'a, const L: usize> MappedProjector<'a, L> {
         Self { model, places: model.cameras.iter().map(places).collect() }
     }
 
-    fn taps(&self, id: ViewId) -> MappedTaps<'_, L> {
+    /// The view `id` by its camera's `tables`.
+    fn taps<'t, const C: usize>(
+        &'t self,
+        id: ViewId,
+        tables: &'t [ShareTable<L, C>; 2],
+    ) -> MappedTaps<'t, L, C> {
         let camera = &self.model.cameras[id.camera];
         let window = &camera.optics.window;
+        let lenses = [window.columns.len() as i32, window.rows.len() as i32];
         MappedTaps {
-            camera,
+            tables,
+            axes: camera.axes,
             view: camera.view(&self.model.layouts[id.camera].views[id.view]),
             layers: &self.places[id.camera],
-            lenses: [window.columns.len() as i32, window.rows.len() as i32],
+            lenses,
+            fitting: lenses.map(|lenses| (lenses - L as i32 + 1).max(0) as u32),
         }
     }
 
@@ -150,26 +170,47 @@ impl<'a, const L: usize> MappedProjector<'a, L> {
     }
 }
 
+/// The kernel for blocks with one position and `C` voxels per tap. With constant orientation, children
+/// are shuffled in registers instead of being loaded one by one.
+macro_rules! kernel_of_one {
+    ($kernel:ident, $voxels:literal, $axes:expr) => {
+        match $axes.number() {
+            0 => $kernel::<_, L, 1, $voxels, 0>,
+            1 => $kernel::<_, L, 1, $voxels, 1>,
+            2 => $kernel::<_, L, 1, $voxels, 2>,
+            3 => $kernel::<_, L, 1, $voxels, 3>,
+            4 => $kernel::<_, L, 1, $voxels, 4>,
+            _ => $kernel::<_, L, 1, $voxels, 5>,
+        }
+    };
+}
+
+/// The kernel for pairs of voxels.
+macro_rules! kernel_of_pairs {
+    ($kernel:ident, $camera:expr) => {
+        match $camera.layers {
+            Layers::One => kernel_of_one!($kernel, 2, $camera.axes),
+            Layers::Two => $kernel::<_, L, 2, 2, ANY>,
+            Layers::Eight => $kernel::<_, L, 8, 2, APART>,
+        }
+    };
+}
+
 impl<const L: usize> BlockProjector for MappedProjector<'_, L> {
     fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]) {
-        let taps = self.taps(view);
+        let camera = &self.model.cameras[view.camera];
+        let width = camera.optics.window.columns.len();
         image.fill(0.0);
-        let project_blocks = match (taps.camera.layers, taps.camera.axes.number()) {
-            (Layers::One, 0) => project_blocks::<_, L, 1, 0>,
-            (Layers::One, 1) => project_blocks::<_, L, 1, 1>,
-            (Layers::One, 2) => project_blocks::<_, L, 1, 2>,
-            (Layers::One, 3) => project_blocks::<_, L, 1, 3>,
-            (Layers::One, 4) => project_blocks::<_, L, 1, 4>,
-            (Layers::One, _) => project_blocks::<_, L, 1, 5>,
-            (Layers::Two, 0) => project_blocks::<_, L, 2, 0>,
-            (Layers::Two, 1) => project_blocks::<_, L, 2, 1>,
-            (Layers::Two, 2) => project_blocks::<_, L, 2, 2>,
-            (Layers::Two, 3) => project_blocks::<_, L, 2, 3>,
-            (Layers::Two, 4) => project_blocks::<_, L, 2, 4>,
-            (Layers::Two, _) => project_blocks::<_, L, 2, 5>,
-            (Layers::Eight, _) => project_blocks::<_, L, 8, APART>,
-        };
-        project_blocks(&taps, taps.lenses[0] as usize, light, image);
+        match &camera.tables {
+            CameraTables::Pairs(tables) => {
+                let project = kernel_of_pairs!(project_blocks, camera);
+                project(&self.taps(view, tables), width, light, image);
+            }
+            CameraTables::Quads(tables) => {
+                let project = kernel_of_one!(project_blocks, 4, camera.axes);
+                project(&self.taps(view, tables), width, light, image);
+            }
+        }
         cover(self.coverage(view), image);
     }
 
@@ -184,23 +225,18 @@ impl<const L: usize> BlockProjector for MappedProjector<'_, L> {
         range: Range<usize>,
         out: &mut [BlockLight],
     ) {
-        let taps = self.taps(view);
-        let gather_blocks = match (taps.camera.layers, taps.camera.axes.number()) {
-            (Layers::One, 0) => gather_blocks::<_, L, 1, 0>,
-            (Layers::One, 1) => gather_blocks::<_, L, 1, 1>,
-            (Layers::One, 2) => gather_blocks::<_, L, 1, 2>,
-            (Layers::One, 3) => gather_blocks::<_, L, 1, 3>,
-            (Layers::One, 4) => gather_blocks::<_, L, 1, 4>,
-            (Layers::One, _) => gather_blocks::<_, L, 1, 5>,
-            (Layers::Two, 0) => gather_blocks::<_, L, 2, 0>,
-            (Layers::Two, 1) => gather_blocks::<_, L, 2, 1>,
-            (Layers::Two, 2) => gather_blocks::<_, L, 2, 2>,
-            (Layers::Two, 3) => gather_blocks::<_, L, 2, 3>,
-            (Layers::Two, 4) => gather_blocks::<_, L, 2, 4>,
-            (Layers::Two, _) => gather_blocks::<_, L, 2, 5>,
-            (Layers::Eight, _) => gather_blocks::<_, L, 8, APART>,
-        };
-        gather_blocks(&taps, taps.lenses[0] as usize, range.start, image, out);
+        let camera = &self.model.cameras[view.camera];
+        let width = camera.optics.window.columns.len();
+        match &camera.tables {
+            CameraTables::Pairs(tables) => {
+                let gather = kernel_of_pairs!(gather_blocks, camera);
+                gather(&self.taps(view, tables), width, range.start, image, out);
+            }
+            CameraTables::Quads(tables) => {
+                let gather = kernel_of_one!(gather_blocks, 4, camera.axes);
+                gather(&self.taps(view, tables), width, range.start, image, out);
+            }
+        }
     }
 
     fn retain(&mut self, keep: &[bool]) {

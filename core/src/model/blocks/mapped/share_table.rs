@@ -6,8 +6,7 @@
 //! and slope only change its width, so few nodes suffice; the position determines the shares of the
 //! microlenses. The phase of the nearest microlens is added to the position; the table only needs
 //! its discontinuities, which decide which neighbours see the view through the previous or next
-//! pixel. view through the pixel before or after. The nearest microlens' own phase goes into the
-//! place.
+//! pixel.
 
 use lfpiv_hw::Optics;
 use rayon::prelude::*;
@@ -48,17 +47,20 @@ pub(super) struct FootprintGeometry {
     /// Distance between the voxels of a pair, in microlenses for a ray map with b = 1; 0 if single
     /// voxels are tabulated.
     pub pair_step: f64,
+    /// Distance between a pair and the one behind it, likewise.
+    pub depth_step: f64,
     pub footprint_mm: f64,
     pub blur: Blur,
     /// The largest |U − ξ| of any ray, in mm.
     pub max_slope_mm: f64,
 }
 
-/// Shares of pairs of voxels, ordered by slope, depth, phase, position.
+/// Shares of pairs of voxels, or of two pairs at different depths, ordered by slope, depth, phase,
+/// position.
 #[derive(Debug)]
-pub(super) struct ShareTable<const L: usize> {
+pub(super) struct ShareTable<const L: usize, const C: usize> {
     pub layout: TableLayout,
-    pub taps: Vec<PairTap<L>>,
+    pub taps: Vec<PairTap<L, C>>,
 }
 
 /// Addressing of a table.
@@ -128,33 +130,43 @@ impl FootprintGeometry {
         (class as f64 + 0.5) / PHASE_CLASSES as f64 - 0.5
     }
 
-    /// The tap of a pair whose centre is `place` microlenses from the nearest one; `None` if it
+    /// Positions of a tap's voxels relative to their centre, in microlenses.
+    pub fn voxels<const C: usize>(&self, map: RayMap) -> [f64; C] {
+        let half = |upper: bool, step: f64| if upper { step / 2.0 } else { -step / 2.0 };
+        std::array::from_fn(|q| {
+            let behind = if C > 2 { half(q >= 2, self.depth_step) } else { 0.0 };
+            map.position * (half(q % 2 == 1, self.pair_step) + behind)
+        })
+    }
+
+    /// The tap of voxels whose centre is `place` microlenses from the nearest one; `None` if it
     /// reaches more than `L`.
-    fn tap<const L: usize>(
+    fn tap<const L: usize, const C: usize>(
         &self,
         map: RayMap,
         shadow: &Trapezoid,
         phase: f64,
         place: f64,
-    ) -> Option<PairTap<L>> {
-        let half_step = map.position * self.pair_step / 2.0;
-        let reach = (place.abs() + half_step.abs()).ceil() as i32 + 2 * L as i32;
-        let units = |n: i32| -> [u16; 2] {
-            [-half_step, half_step].map(|step| {
-                let share = self.share(map, shadow, phase, place + step, n);
+    ) -> Option<PairTap<L, C>> {
+        let voxels = self.voxels::<C>(map);
+        let farthest = voxels.into_iter().fold(0.0, |most: f64, voxel| most.max(voxel.abs()));
+        let reach = (place.abs() + farthest).ceil() as i32 + 2 * L as i32;
+        let units = |n: i32| -> [u16; C] {
+            voxels.map(|voxel| {
+                let share = self.share(map, shadow, phase, place + voxel, n);
                 (share / f64::from(SHARE_UNIT) + 0.5) as u16
             })
         };
         let nearest = place.round() as i32;
-        let mut lit = (nearest - reach..=nearest + reach).filter(|&n| units(n) != [0; 2]);
+        let mut lit = (nearest - reach..=nearest + reach).filter(|&n| units(n) != [0; C]);
         let Some(first) = lit.next() else {
             return Some(PairTap { first: FIRST_BIAS as u16, ..PairTap::NONE });
         };
         let last = lit.next_back().unwrap_or(first);
         let len = usize::try_from(last - first + 1).ok().filter(|&len| len <= L)?;
-        let units = |n: usize| if n < len { units(first + n as i32) } else { [0; 2] };
-        let pairs: [[u16; 2]; L] = std::array::from_fn(units);
-        let shares = [0, 1].map(|child| pairs.map(|pair| pair[child]));
+        let units = |n: usize| if n < len { units(first + n as i32) } else { [0; C] };
+        let voxels: [[u16; C]; L] = std::array::from_fn(units);
+        let shares = std::array::from_fn(|q| voxels.map(|units| units[q]));
         let first = u16::try_from(first + FIRST_BIAS).ok()?;
         Some(PairTap { shares, first, len: len as u16 })
     }
@@ -172,12 +184,12 @@ impl TableLayout {
     }
 }
 
-impl<const L: usize> ShareTable<L> {
-    /// `None` if a pair reaches more than `L` microlenses.
+impl<const L: usize, const C: usize> ShareTable<L, C> {
+    /// `None` if a tap reaches more than `L` microlenses.
     pub fn new(geometry: &FootprintGeometry) -> Option<Self> {
         let layout = geometry.layout();
         let (places, depths) = (layout.places, layout.depths.count);
-        let row = |n: usize| -> Option<Vec<PairTap<L>>> {
+        let row = |n: usize| -> Option<Vec<PairTap<L, C>>> {
             let (slope, depth, phase) =
                 (n / (depths * PHASE_CLASSES), n / PHASE_CLASSES % depths, n % PHASE_CLASSES);
             let map = RayMap::at_depth(&geometry.optics, layout.depths.at(depth));
@@ -193,7 +205,7 @@ impl<const L: usize> ShareTable<L> {
     }
 
     #[inline(always)]
-    pub fn tap(&self, at: usize) -> &PairTap<L> {
+    pub fn tap(&self, at: usize) -> &PairTap<L, C> {
         &self.taps[at]
     }
 
