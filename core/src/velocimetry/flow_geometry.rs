@@ -5,9 +5,19 @@ use std::sync::Arc;
 
 use super::{
     VectorGrid, cloud::PointCloud, differences::Layout, flow_nodes::FlowNodes, kernel::box_sums,
-    lattice::Lattice, windows::Windows,
+    lattice::Lattice, peak::Peak, windows::Windows,
 };
 use crate::model::{VolumeGrid, VolumeMask};
+
+/// What a mask leaves of an interrogation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct InFlow {
+    /// Vectors in the flow.
+    pub vectors: usize,
+    /// Windows in the flow beside a body that is thinner than a window: what they measure may be mixed with the flow
+    /// behind it.
+    pub around_bodies: usize,
+}
 
 /// The flow in the volume of an interrogation.
 #[derive(Debug, Clone)]
@@ -84,9 +94,20 @@ impl FlowGeometry {
         self.mask.is_clear(self.in_mm(from_vox), self.in_mm(to_vox))
     }
 
+    /// What of the vectors and of `windows`, which are those of this flow, is in it.
+    pub fn in_flow(&self, windows: &Windows) -> InFlow {
+        InFlow { vectors: self.vectors.count(), around_bodies: self.around_bodies(windows) }
+    }
+
+    /// Drops what windows find whose centres are not flow: it belongs to no place in the flow.
+    pub fn drop_outside(&self, peaks: &mut [Option<Peak>]) {
+        let outside = peaks.iter_mut().enumerate().filter(|(n, _)| !self.windows.is_flow(*n));
+        outside.for_each(|(_, peak)| *peak = None);
+    }
+
     /// How many of `windows`, which are those of this flow, have their centre in the flow and along an axis more
     /// flow less than a window away behind what is not flow: the light and the field on both sides are mixed there.
-    pub fn around_bodies(&self, windows: &Windows) -> usize {
+    fn around_bodies(&self, windows: &Windows) -> usize {
         let layout = Layout { nodes: windows.nodes };
         let reach = (windows.edge as f32 * windows.cell_vox) as usize;
         let goes_around = |n: usize| {

@@ -15,7 +15,7 @@ use super::{
     correlation::Frames,
     differences::Layout,
     displacement::DisplacementField,
-    flow_geometry::FlowGeometry,
+    flow_geometry::{FlowGeometry, InFlow},
     flow_nodes::FlowNodes,
     judge::{Judge, Vector, field_of, settled},
     lags::Lags,
@@ -43,16 +43,6 @@ pub struct Interrogation {
     windows: Windows,
     /// The flow, where the volume has a mask.
     flow: Option<FlowGeometry>,
-}
-
-/// What a mask leaves of an interrogation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct InFlow {
-    /// Vectors in the flow.
-    pub vectors: usize,
-    /// Windows in the flow beside a body that is thinner than a window: what they measure may be mixed with the flow
-    /// behind it.
-    pub around_bodies: usize,
 }
 
 /// Layers of windows around the volume's own, on the margin: they carry the deformation to the
@@ -173,11 +163,7 @@ impl Interrogation {
 
     /// What of the vectors and windows is flow, where the volume has a mask.
     pub fn in_flow(&self) -> Option<InFlow> {
-        let flow = self.flow.as_ref()?;
-        Some(InFlow {
-            vectors: flow.vectors.count(),
-            around_bodies: flow.around_bodies(&self.windows),
-        })
+        self.flow.as_ref().map(|flow| flow.in_flow(&self.windows))
     }
 
     /// The displacement from `a` to `b`, both in voxels of [`Self::cloud_grid`].
@@ -230,9 +216,7 @@ impl Interrogation {
         let shares = self.flow.as_ref().map(|flow| flow.window_shares.as_slice());
         let mut peaks = self.correlate(&self.windows, &frames, shares);
         if let Some(flow) = &self.flow {
-            // What a window finds whose centre is not flow belongs to no place in the flow.
-            let not_flow = peaks.iter_mut().enumerate().filter(|(n, _)| !flow.windows.is_flow(*n));
-            not_flow.for_each(|(_, peak)| *peak = None);
+            flow.drop_outside(&mut peaks);
         }
         field.add(&peaks, self.windows.cell_vox);
         Found { uncertainty_vox: self.uncertainties(&frames, &peaks), peaks }
