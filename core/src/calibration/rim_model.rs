@@ -7,7 +7,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::second_aperture::{Field, SecondAperture};
-use crate::lightfield::MicroImageGrid;
+use crate::{lightfield::MicroImageGrid, statistics::NORMAL_OF_MEDIAN};
 
 /// Six of the grid, the stop's radius, and four of the second aperture.
 const UNKNOWNS: usize = 11;
@@ -107,7 +107,7 @@ impl RimModel {
 
     /// The robust standard deviation of points from the rim, in pixels.
     pub fn deviation_px(&self, points: &[RimPoint], field: &Field) -> f64 {
-        1.4826 * super::median(self.distances(points, field).map(f64::abs))
+        NORMAL_OF_MEDIAN * super::median(self.distances(points, field).map(f64::abs))
     }
 
     /// How far points pull: by the square of their distance up to here, and beyond by its length.

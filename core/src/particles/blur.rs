@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{fit::FrameFit, image::PixelNoise};
+use super::fit::FrameFit;
 use crate::model::{PointBlur, PointCamera, PointFootprint};
 
 /// Widths that are tried, as factors of the one before.
@@ -36,8 +36,6 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
         camera.blur = blur_of_width(log_width.exp(), pixel_mm);
         let mut image = fit.images[c].clone();
         image.clear();
-        // All pixels weigh alike: weights by the model would favour the width that explains less.
-        image.noise = PixelNoise { gain: 0.0, misfit: 0.0, ..image.noise };
         let mut footprint = PointFootprint::default();
         for particle in &fit.particles {
             camera.image(particle.at_mm, &mut footprint);

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     model::PointCamera,
-    statistics::{median, weighted_median},
+    statistics::{NORMAL_OF_MEDIAN, median, weighted_median},
 };
 
 /// A place where a particle may be.
@@ -24,9 +24,6 @@ const SPREAD_BEFORE: f64 = 0.5;
 
 /// Bounds of the estimated spread.
 const SPREADS: [f64; 2] = [0.05, 1.0];
-
-/// Standard deviation of a normal distribution over its median absolute deviation.
-const NORMAL_OF_MEDIAN: f64 = 1.4826;
 
 impl LightPrior {
     /// The prior before the first fit. Faint candidates are many and mostly false, so each counts by its light.

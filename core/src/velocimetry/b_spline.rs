@@ -26,6 +26,10 @@ pub fn weights(t: f32) -> [f32; 4] {
     ]
 }
 
+/// The four splines of [`weights`], and their slopes, half way between two nodes.
+pub const HALFWAY: [f64; 4] = [1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0];
+pub const HALFWAY_SLOPES: [f64; 4] = [-0.125, -0.625, 0.625, 0.125];
+
 /// The slopes of the four splines of [`weights`].
 #[inline(always)]
 pub fn slopes(t: f32) -> [f32; 4] {
@@ -38,6 +42,13 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+
+    #[test]
+    fn half_way_the_splines_are_those_of_any_place() {
+        let close = |a: f32, b: f64| (f64::from(a) - b).abs() < 1e-7;
+        assert!(weights(0.5).into_iter().zip(HALFWAY).all(|(a, b)| close(a, b)));
+        assert!(slopes(0.5).into_iter().zip(HALFWAY_SLOPES).all(|(a, b)| close(a, b)));
+    }
 
     proptest! {
         #[test]

@@ -330,7 +330,7 @@ impl Interrogation {
             .collect();
         let (reported, ratios): (Vec<Vector>, Vec<f32>) =
             places.iter().map(|&at_vox| report.at(at_vox)).unzip();
-        let in_flow = flow.map(|flow| &flow.vectors);
+        let in_flow = self.flow_of_vectors();
         let field = field_of(grid, &self.grid, dt_s, (&reported, &ratios), in_flow);
         let everywhere = match refined {
             Some(refined) => DisplacementField::Particles(refined.spline),

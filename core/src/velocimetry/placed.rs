@@ -9,7 +9,10 @@ use super::{
     judge::{Vector, field_of},
     spline_field::{self, Sample},
 };
-use crate::{particles::Neighbours, statistics::median};
+use crate::{
+    particles::Neighbours,
+    statistics::{NORMAL_OF_MEDIAN, median},
+};
 
 /// What the field before may be off, in voxels.
 const FIRST_ERROR_VOX: f32 = 0.3;
@@ -24,11 +27,8 @@ const LEAST_PARTICLES: usize = 6;
 /// chance within half a voxel have a median of 0.17.
 const LARGEST_MISSED_VOX: f64 = 0.12;
 
-/// A particle agrees with those about it if it is missed by no more standard deviations,
+/// A particle agrees with those about it if they miss its displacement by no more standard deviations.
 const AGREE_DEVIATIONS: f32 = 4.0;
-
-/// of which the median of what all particles are missed by is one.
-const NORMAL_OF_MEDIAN: f32 = 1.4826;
 
 impl Interrogation {
     /// The field through placed particles, `samples` in voxels of [`Self::cloud_grid`], near `everywhere`, whose
@@ -90,7 +90,7 @@ impl Interrogation {
 fn agreeing(samples: &[Sample], missed: &[[f32; 3]]) -> Vec<bool> {
     let typical: [f32; 3] = std::array::from_fn(|c| {
         let all = missed.iter().map(|missed| f64::from(missed[c].abs()));
-        NORMAL_OF_MEDIAN * median(all).unwrap_or_default() as f32
+        (NORMAL_OF_MEDIAN * median(all).unwrap_or_default()) as f32
     });
     let agrees = |(sample, missed): (&Sample, &[f32; 3])| {
         (0..3).all(|c| {

@@ -17,7 +17,10 @@ const EXPECTED = /Failed to load resource: (the server responded with a status o
 /** Pixels of the first projection that are coloured: light is grey. */
 const tintedPixels = (page) => page.evaluate(() => {
   const canvas = document.querySelector("canvas.projection");
-  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  // Of a copy: a canvas of the page that is read several times makes Chromium complain.
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+  copy.drawImage(canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
   let count = 0;
   for (let n = 0; n < data.length; n += 4) count += data[n] > data[n + 2] + 40;
   return count;

@@ -3,7 +3,7 @@
 use crate::{
     lightfield::{ViewLayout, ViewStack},
     reconstruction::{ProjectedView, ViewLevels},
-    statistics::median,
+    statistics::{MEDIAN_SQUARE, median},
 };
 
 /// Edge of the tiles that are assessed separately, in microlenses: contains some particles at the
@@ -30,9 +30,6 @@ const BRIGHT_PARTICLE_SHARE: f64 = 0.5;
 
 /// Variance of I₋ − 2 I₀ + I₊ for independent pixels of variance 1.
 const SECOND_DIFFERENCE_GAIN: f64 = 6.0;
-
-/// Median of the square of a standard normal variable.
-const MEDIAN_OF_SQUARE: f64 = 0.455;
 
 /// Minimum number of second differences for an estimate of shot noise.
 const MIN_DIFFERENCES: usize = 100;
@@ -135,7 +132,7 @@ fn counts_per_electron(views: &ViewStack, layout: &ViewLayout, levels: &ViewLeve
     }
     let median = median(gains).unwrap_or_default();
     let read = levels.noise_counts.powi(2) / levels.particle_counts.max(1e-9);
-    (median / MEDIAN_OF_SQUARE - read).max(0.0)
+    (median / MEDIAN_SQUARE - read).max(0.0)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! How much wider the field's error is than its draws, from samples that were left out.
+//! How wide the field's error is, over that of its draws, from samples that were left out.
 
 use super::{super::differences::Layout, Sample, field::SplineField, nodes::Nodes};
 

@@ -4,14 +4,13 @@ use multiversion::multiversion;
 use rayon::prelude::*;
 
 use super::{
-    super::differences::Layout,
+    super::{
+        b_spline::{HALFWAY, HALFWAY_SLOPES},
+        differences::Layout,
+    },
     lanes::{LANES, Lane, Vectors, zeros},
     noise::Noise,
 };
-
-/// Weights of a cubic B-spline's value and slope half way between its middle two nodes.
-const VALUE: [f32; 4] = [1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0];
-const SLOPE: [f32; 4] = [-0.125, -0.625, 0.625, 0.125];
 
 /// The penalty Σ μ (∇·c)² over half-node points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +64,12 @@ impl Divergence {
 
     /// Weights along `axis` of component `c`.
     fn weights(&self, c: usize, axis: usize) -> [f32; 4] {
-        if axis == c { SLOPE.map(|slope| slope / self.step_vox) } else { VALUE }
+        let weights = if axis == c {
+            HALFWAY_SLOPES.map(|slope| slope / f64::from(self.step_vox))
+        } else {
+            HALFWAY
+        };
+        weights.map(|weight| weight as f32)
     }
 }
 

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::{
+    super::conjugate_gradients::Until,
     Sample, calibration,
     divergence::Divergence,
     equations::{Equations, Targets, values_at},
@@ -55,15 +56,6 @@ pub struct Fit<'a> {
     /// Standard deviation that every sample is given beside its own, in voxels.
     slack_vox: f32,
     incompressible: bool,
-}
-
-/// How long and how far conjugate gradients go.
-#[derive(Debug, Clone, Copy)]
-pub struct Effort {
-    /// At most so many steps, or until every lane's residual is
-    pub steps: usize,
-    /// this part of its first.
-    pub tolerance: f64,
 }
 
 impl<'a> Fit<'a> {
@@ -127,7 +119,7 @@ impl<'a> Fit<'a> {
 
     /// Chooses the stiffness by which the samples that are left out, one in eight from number `first` on, are
     /// predicted best.
-    pub fn choose_stiffness(&mut self, ladder: &Ladder, first: usize, effort: Effort) {
+    pub fn choose_stiffness(&mut self, ladder: &Ladder, first: usize, until: Until) {
         let is_left_out = |n: usize| n % LANES == first;
         let weights =
             self.lanes_of_weights(
@@ -139,7 +131,7 @@ impl<'a> Fit<'a> {
         equations.factors = ladder.factors();
         let mut field: Vectors =
             std::array::from_fn(|c| self.before[c].iter().map(|&b| [b; LANES]).collect());
-        self.solve(&equations, self.values_of_samples(), &mut field, effort);
+        self.solve(&equations, self.values_of_samples(), &mut field, until);
         for (c, field) in field.iter().enumerate() {
             let values = self.values(field);
             let mut scores = [0.0f64; LANES];
@@ -156,7 +148,7 @@ impl<'a> Fit<'a> {
     }
 
     /// Moves the field towards the samples, and draws from its error.
-    pub fn improve(&mut self, effort: Effort) {
+    pub fn improve(&mut self, until: Until) {
         let weights = self.lanes_of_weights(|_, weight| [weight; LANES]);
         let equations = self.equations(weights);
         let targets = std::array::from_fn(|c| {
@@ -171,12 +163,12 @@ impl<'a> Fit<'a> {
         let mut field = self.coefficients.clone();
         let residual = equations.residual(&field, &targets);
         let preconditioner = Preconditioner::new(&self.modes, &equations);
-        improve(&equations, &preconditioner, residual, &mut field, effort);
+        improve(&equations, &preconditioner, residual, &mut field, until);
         self.coefficients = field;
     }
 
     /// What each sample is off the field that all but an eighth of the samples, it among them, make.
-    pub fn left_out(&self, effort: Effort) -> Vec<[f32; 3]> {
+    pub fn left_out(&self, until: Until) -> Vec<[f32; 3]> {
         let weights = self.lanes_of_weights(|n, weight| {
             let mut weights = [weight; LANES];
             weights[n % LANES] = 0.0;
@@ -185,7 +177,7 @@ impl<'a> Fit<'a> {
         let mut field: Vectors = std::array::from_fn(|c| {
             self.coefficients[c].iter().map(|lanes| [lanes[0]; LANES]).collect()
         });
-        self.solve(&self.equations(weights), self.values_of_samples(), &mut field, effort);
+        self.solve(&self.equations(weights), self.values_of_samples(), &mut field, until);
         let values: [Vec<Lane>; 3] = std::array::from_fn(|c| self.values(&field[c]));
         let missed = |(n, sample): (usize, &Sample)| {
             std::array::from_fn(|c| sample.displacement_vox[c] - values[c][n][n % LANES])
@@ -224,12 +216,12 @@ impl<'a> Fit<'a> {
         equations: &Equations,
         samples: [Vec<Lane>; 3],
         field: &mut Vectors,
-        effort: Effort,
+        until: Until,
     ) {
         let targets = Targets { samples: &samples, before: &self.before, noise: None };
         let residual = equations.residual(field, &targets);
         let preconditioner = Preconditioner::new(&self.modes, equations);
-        improve(equations, &preconditioner, residual, field, effort);
+        improve(equations, &preconditioner, residual, field, until);
     }
 
     fn values(&self, field: &[Lane]) -> Vec<Lane> {

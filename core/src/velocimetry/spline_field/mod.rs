@@ -30,8 +30,9 @@ mod scatter;
 mod solve;
 mod stiffness;
 
+use super::conjugate_gradients::Until;
 pub use field::SplineField;
-use fit::{Effort, Fit};
+use fit::Fit;
 use nodes::Nodes;
 use stiffness::Ladder;
 
@@ -52,9 +53,10 @@ const NODES_PER_PARTICLE: f32 = 0.9;
 /// Finest and coarsest nodes, in voxels.
 const STEPS_VOX: [f32; 2] = [2.0, 12.0];
 
-/// Largest third difference of neighbouring coefficients that is expected at first, in voxels, and the ratio of
-/// those that are tried at first and once samples are weighted by their real errors.
+/// Largest third difference of neighbouring coefficients that is tried, in voxels.
 const LARGEST_DIFFERENCE_VOX: f32 = 1.0;
+
+/// From one third difference that is tried to the next: at first, and once samples are weighted by their real errors.
 const RATIOS: [f32; 2] = [2.5, 1.5];
 
 /// Slack of samples at first, over what the field before errs by, and in the second round.
@@ -64,9 +66,9 @@ const SLACK: [f32; 2] = [0.5, 0.1];
 const ROUNDS: usize = 3;
 
 /// To try penalties, to follow samples, and to solve without the samples that are left out.
-const TRYING: Effort = Effort { steps: 40, tolerance: 1e-3 };
-const FOLLOWING: Effort = Effort { steps: 30, tolerance: 3e-3 };
-const LEAVING_OUT: Effort = Effort { steps: 60, tolerance: 2e-3 };
+const TRYING: Until = Until { steps: 40, tolerance: 1e-3 };
+const FOLLOWING: Until = Until { steps: 30, tolerance: 3e-3 };
+const LEAVING_OUT: Until = Until { steps: 60, tolerance: 2e-3 };
 
 /// Nodes over a box from `low_vox` to `high_vox` that holds so many particles: about one for each.
 fn nodes_for(low_vox: [f32; 3], high_vox: [f32; 3], particles: usize) -> Nodes {

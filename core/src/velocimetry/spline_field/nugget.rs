@@ -4,7 +4,10 @@
 //! their displacements apart is their own errors (the nugget of a variogram: Matheron, Econ. Geol. 58, 1963).
 
 use super::{Sample, field::SplineField};
-use crate::{particles::Neighbours, statistics::median};
+use crate::{
+    particles::Neighbours,
+    statistics::{MEDIAN_SQUARE, median},
+};
 
 /// Particles this close count as a pair, in mean distances.
 const CLOSE: f32 = 0.3;
@@ -14,9 +17,6 @@ const STATED: f64 = 20.0;
 
 /// The least and the most that the samples' variance may be of what they state.
 const LIMITS: [f64; 2] = [1e-4, 9.0];
-
-/// Median of the square of a normal distribution, in variances.
-const MEDIAN_SQUARE: f64 = 0.455;
 
 /// Variance of the samples over what they state, per component.
 pub fn excess(samples: &[Sample], field: &SplineField) -> [f32; 3] {

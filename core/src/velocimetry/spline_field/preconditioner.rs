@@ -9,7 +9,10 @@ use nalgebra::{DMatrix, SymmetricEigen};
 use rayon::prelude::*;
 
 use super::{
-    super::differences::Layout,
+    super::{
+        b_spline::{self, HALFWAY, HALFWAY_SLOPES},
+        differences::Layout,
+    },
     equations::Equations,
     lanes::{LANES, Lane, Vectors, zeros},
 };
@@ -62,7 +65,7 @@ impl AxisModes {
         const PLACES: usize = 4;
         for n in 0..PLACES {
             let t = (n as f32 + 0.5) / PLACES as f32;
-            let weights = super::super::b_spline::weights(t).map(f64::from);
+            let weights = b_spline::weights(t).map(f64::from);
             data += banded(&weights) / PLACES as f64;
         }
         let penalty = banded(&[-1.0, 3.0, -3.0, 1.0]);
@@ -85,8 +88,8 @@ impl AxisModes {
             transposed,
             penalty: diagonal(&penalty),
             data: diagonal(&data),
-            slope: diagonal(&banded(&[-0.125, -0.625, 0.625, 0.125])),
-            halfway: diagonal(&banded(&[1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0])),
+            slope: diagonal(&banded(&HALFWAY_SLOPES)),
+            halfway: diagonal(&banded(&HALFWAY)),
         }
     }
 }

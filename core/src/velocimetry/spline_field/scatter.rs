@@ -3,16 +3,13 @@
 use rayon::prelude::*;
 
 use super::{Sample, nodes::Nodes};
-use crate::statistics::median;
+use crate::statistics::{MEDIAN_SQUARE, median};
 
 /// Nodes on either side whose particles tell how they scatter about a place.
 const REACH: i64 = 1;
 
 /// The stated variance counts as so many particles.
 const STATED: f64 = 10.0;
-
-/// Median of the square of a normal distribution, in variances.
-const MEDIAN_SQUARE: f64 = 0.455;
 
 /// Largest factor.
 const LARGEST: f64 = 1e4;

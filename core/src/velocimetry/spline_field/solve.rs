@@ -1,8 +1,8 @@
 //! Several right-hand sides solved at once by preconditioned conjugate gradients.
 
 use super::{
+    super::conjugate_gradients::Until,
     equations::Equations,
-    fit::Effort,
     lanes::{Lane, Vectors, add, dot, turn},
     preconditioner::Preconditioner,
 };
@@ -15,7 +15,7 @@ pub fn improve(
     preconditioner: &Preconditioner,
     mut residual: Vectors,
     field: &mut Vectors,
-    Effort { steps, tolerance }: Effort,
+    Until { steps, tolerance }: Until,
 ) {
     let mut step = preconditioner.applied(&residual);
     let mut square = dot(&residual, &step);

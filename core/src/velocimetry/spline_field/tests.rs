@@ -194,7 +194,7 @@ fn conjugate_gradients_come_to_the_solution_of_the_dense_matrix() {
         &preconditioner,
         residual,
         &mut field,
-        Effort { steps: 60, tolerance: 1e-6 },
+        Until { steps: 60, tolerance: 1e-6 },
     );
     for l in [0, 5] {
         let (rows, right) = problem.rows(l);

@@ -2,16 +2,16 @@
 //! al., From noisy particle tracks to velocity, acceleration and pressure fields using B-splines and
 //! penalties, 18th Int. Symp. Lisbon, 2016).
 
-use super::super::{differences::Layout, flow_nodes::FlowNodes};
+use super::super::{
+    b_spline::{HALFWAY, HALFWAY_SLOPES},
+    differences::Layout,
+    flow_nodes::FlowNodes,
+};
 
 /// Standard deviation of the divergence that an incompressible flow may show, in voxel per voxel: the
 /// displacement over a pair is a chord of a curved path, splines follow short waves nearly, and particles near
 /// each other err in common.
 const DEVIATION: f64 = 0.01;
-
-/// A cubic B-spline's values and slopes half way between its middle two nodes, 1 apart.
-const VALUES: [f64; 4] = [1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0];
-const SLOPES: [f64; 4] = [-0.125, -0.625, 0.625, 0.125];
 
 /// The penalty Σ (∇·B c)²/σ² over the middles of cells, for the coefficients c of three components, one after
 /// the other.
@@ -66,7 +66,7 @@ impl Divergence {
 
     /// Weights along `axis` of component `c`.
     fn weights(&self, c: usize, axis: usize) -> [f64; 4] {
-        if axis == c { SLOPES.map(|slope| slope / self.step_vox) } else { VALUES }
+        if axis == c { HALFWAY_SLOPES.map(|slope| slope / self.step_vox) } else { HALFWAY }
     }
 }
 
@@ -110,11 +110,13 @@ mod tests {
                     let at = [tap % 4, tap / 4 % 4, tap / 16];
                     let offset: usize = (0..3).map(|axis| at[axis] * layout.stride(axis)).sum();
                     let weight: f64 = (0..3)
-                        .map(
-                            |axis| {
-                                if axis == c { SLOPES[at[axis]] / 4.0 } else { VALUES[at[axis]] }
-                            },
-                        )
+                        .map(|axis| {
+                            if axis == c {
+                                HALFWAY_SLOPES[at[axis]] / 4.0
+                            } else {
+                                HALFWAY[at[axis]]
+                            }
+                        })
                         .product();
                     terms.push((c * count + cell + offset, weight));
                 }
