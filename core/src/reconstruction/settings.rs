@@ -57,14 +57,14 @@ impl Footprint {
     pub fn reason(self) -> &'static str {
         match self {
             Self::Voxel => {
-                "a voxel is an with_uniform_light filled cube, because particles may be anywhere in it"
+                "a voxel is a cube filled evenly with light, because particles may be anywhere in it"
             }
             Self::Point => {
                 "a voxel is a point, because the configuration says that particles sit on voxel \
                  centres"
             }
             Self::Auto => {
-                "a voxel is a point while that explains the images, an with_uniform_light filled cube otherwise"
+                "a voxel is a point while that explains the images, a cube filled evenly with light otherwise"
             }
         }
     }
