@@ -7,11 +7,11 @@ use crate::{
     lightfield::ImagePair,
     model::{CameraCalibration, ModelError, PointCamera, VolumeGrid},
     particles::{
-        Candidate, FIRST_WIDTH_PX, FrameStart, ParticleImage, ParticlePair, PixelNoise,
+        Candidate, FIRST_WIDTH_PX, Flow, FrameStart, ParticleImage, ParticlePair, PixelNoise,
         PlacedParticles, blur_of_width, place_pairs,
     },
     reconstruction::SparseVolume,
-    velocimetry::{DisplacementField, MeasuredParticle, PointCloud, Sample, particles},
+    velocimetry::{CorrectedField, MeasuredParticle, PointCloud, Sample, particles},
 };
 
 /// How the cameras image points of `volume`, with the blur that the fit starts from.
@@ -41,22 +41,45 @@ pub(super) struct Found<'a> {
     pub correction: &'a Correction<'a>,
     /// The light of frames a and b.
     pub volumes: [&'a SparseVolume; 2],
-    /// The displacement everywhere in the volume.
-    pub field: &'a DisplacementField,
     /// The grid, with margin, that light is in.
     pub grid: &'a VolumeGrid,
 }
 
-impl Found<'_> {
-    /// The particles: candidates are the local maxima of light in the volumes.
-    pub fn place(&self, pair: &ImagePair) -> PlacedParticles {
-        let grid = self.grid;
-        let flow = |at_mm: [f64; 3]| {
-            let at_vox = std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32);
-            self.field.at(at_vox).map(|vox| f64::from(vox) * grid.voxel_mm)
+/// Standard deviation of a displacement that corrects the flow, in voxels, while particles are not all in their
+/// places.
+const PLACING_ERROR_VOX: f32 = 0.02;
+
+/// The flow in mm.
+struct FlowInMm<'a, 'b> {
+    field: &'a mut CorrectedField<'b>,
+    grid: &'a VolumeGrid,
+}
+
+impl Flow for FlowInMm<'_, '_> {
+    fn displacement_mm(&self, at_mm: [f64; 3]) -> [f64; 3] {
+        self.field.at(at_vox(self.grid, at_mm)).map(|vox| f64::from(vox) * self.grid.voxel_mm)
+    }
+
+    fn correct(&mut self, middles_mm: &[[f64; 3]], moved_mm: &[[f64; 3]]) {
+        let sample = |(middle_mm, moved_mm): (&[f64; 3], &[f64; 3])| Sample {
+            middle_vox: at_vox(self.grid, *middle_mm),
+            displacement_vox: moved_mm.map(|mm| (mm / self.grid.voxel_mm) as f32),
+            variance_vox2: [PLACING_ERROR_VOX * PLACING_ERROR_VOX; 3],
         };
+        self.field.correct(middles_mm.iter().zip(moved_mm).map(sample));
+    }
+}
+
+fn at_vox(grid: &VolumeGrid, at_mm: [f64; 3]) -> [f32; 3] {
+    std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32)
+}
+
+impl Found<'_> {
+    /// The particles: candidates are the local maxima of light in the volumes. They correct `field`.
+    pub fn place(&self, pair: &ImagePair, field: &mut CorrectedField<'_>) -> PlacedParticles {
         let starts = [0, 1].map(|frame| self.start(pair, frame));
-        place_pairs(self.cameras, self.grid.voxel_mm, starts, &flow)
+        let mut flow = FlowInMm { field, grid: self.grid };
+        place_pairs(self.cameras, self.grid.voxel_mm, starts, &mut flow)
     }
 
     fn start(&self, pair: &ImagePair, frame: usize) -> FrameStart {
@@ -84,13 +107,10 @@ impl Found<'_> {
 /// What `pairs` say of the displacement, in voxels of `grid`.
 pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> {
     let vox = |mm: f64| (mm / grid.voxel_mm) as f32;
-    let sample = |pair: &ParticlePair| {
-        let middle_mm = pair.middle_mm();
-        Sample {
-            middle_vox: std::array::from_fn(|axis| grid.index_of(axis, middle_mm[axis]) as f32),
-            displacement_vox: pair.displacement_mm().map(vox),
-            variance_vox2: pair.uncertainty_mm().map(|mm| vox(mm).max(LEAST_DEVIATION_VOX).powi(2)),
-        }
+    let sample = |pair: &ParticlePair| Sample {
+        middle_vox: at_vox(grid, pair.middle_mm()),
+        displacement_vox: pair.displacement_mm().map(vox),
+        variance_vox2: pair.uncertainty_mm().map(|mm| vox(mm).max(LEAST_DEVIATION_VOX).powi(2)),
     };
     pairs.iter().map(sample).collect()
 }

@@ -24,7 +24,8 @@ use crate::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
     },
     velocimetry::{
-        DisplacementField, Interrogation, PairResult, PointCloud, StageSeconds, VelocimetrySettings,
+        CorrectedField, DisplacementField, Interrogation, PairResult, PointCloud, StageSeconds,
+        VelocimetrySettings,
     },
 };
 
@@ -227,7 +228,7 @@ impl Processor {
         let Measured { result, volumes, everywhere, placed } = self.measure(pair)?;
         let placed = match placed {
             Some(placed) => placed,
-            None => self.place(pair, &volumes, &everywhere)?,
+            None => self.place(pair, &volumes, &mut self.interrogation.to_correct(&everywhere))?,
         };
         Ok((result, placed))
     }
@@ -237,17 +238,16 @@ impl Processor {
         &self,
         pair: &ImagePair,
         volumes: &[SparseVolume; 2],
-        field: &DisplacementField,
+        field: &mut CorrectedField<'_>,
     ) -> Result<PlacedParticles, ProcessError> {
         let grid = self.interrogation.cloud_grid();
         let found = Found {
             cameras: &point_cameras(&self.measurement, &grid)?,
             correction: &self.correction(),
             volumes: volumes.each_ref(),
-            field,
             grid: &grid,
         };
-        Ok(found.place(pair))
+        Ok(found.place(pair, field))
     }
 
     fn correction(&self) -> Correction<'_> {
@@ -306,10 +306,10 @@ impl Processor {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
         } else if let Some(pair) = kept {
             let started = (self.clock)();
-            let found = self.place(pair.borrow(), &volumes, &everywhere)?;
+            let mut corrected = self.interrogation.to_correct(&everywhere);
+            let found = self.place(pair.borrow(), &volumes, &mut corrected)?;
             let samples = samples(&found.pairs, &grid);
-            let (through, agrees) =
-                self.interrogation.through_placed(&field, &everywhere, &samples);
+            let (through, agrees) = self.interrogation.through_placed(&field, &corrected, &samples);
             field = through;
             particles = Some(measured_particles(&found.pairs, &samples, &agrees));
             placed = Some(found);

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::{
     image::ParticleImage,
     normal::{LightPrior, Normal, Particle, StepRule},
+    order::image_order,
 };
 use crate::model::{PointCamera, PointFootprint};
 
@@ -22,12 +23,14 @@ pub struct FrameFit {
     pub particles: Vec<Particle>,
     /// Length of each particle's last step, in mm.
     pub steps_mm: Vec<f64>,
+    /// Per camera, the particles of the model in the order of their images.
+    orders: Vec<Vec<u32>>,
 }
 
 impl FrameFit {
     /// A frame without particles.
     pub fn new(images: Vec<ParticleImage>) -> Self {
-        Self { images, particles: Vec::new(), steps_mm: Vec::new() }
+        Self { images, particles: Vec::new(), steps_mm: Vec::new(), orders: Vec::new() }
     }
 
     /// Adds particles; the model does not hold them before [`Self::render`].
@@ -44,58 +47,69 @@ impl FrameFit {
     /// Renders the model of all particles from scratch.
     pub fn render(&mut self, cameras: &[PointCamera]) {
         let particles = &self.particles;
-        self.images.par_iter_mut().zip(cameras).enumerate().for_each(|(c, (image, camera))| {
+        self.orders.resize(cameras.len(), Vec::new());
+        let images = self.images.par_iter_mut().zip(&mut self.orders).zip(cameras).enumerate();
+        images.for_each(|(c, ((image, order), camera))| {
+            *order = image_order(camera, particles);
             image.clear();
             let mut footprint = PointFootprint::default();
-            for particle in particles {
+            for &n in order.iter() {
+                let particle = &particles[n as usize];
                 camera.image(particle.at_mm, &mut footprint);
                 image.add(camera, &footprint, particle.light[c] as f32);
             }
         });
     }
 
-    /// The normal equations of the numbered particles.
-    pub fn equations(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
-        of.par_iter()
-            .with_min_len(64)
-            .map_init(PointFootprint::default, |footprint, &n| {
-                let particle = &self.particles[n];
-                let mut normal = Normal::default();
-                for (c, camera) in cameras.iter().enumerate() {
-                    camera.image_and_derivatives(particle.at_mm, footprint);
-                    let equations = self.images[c].equations(camera, footprint);
-                    normal.add(&equations, &footprint.by_place, particle.light[c], c);
-                }
-                normal
-            })
-            .collect()
-    }
-
-    /// What the images say of the lights of all particles alone.
-    fn light_equations(&self, cameras: &[PointCamera]) -> Vec<Normal> {
-        let light = |footprint: &mut PointFootprint, particle: &Particle| {
-            let mut normal = Normal::default();
-            for (c, camera) in cameras.iter().enumerate() {
-                camera.image(particle.at_mm, footprint);
-                let [pull, weight] = self.images[c].light_equation(camera, footprint);
-                normal.add_light(c, pull, weight);
-            }
-            normal
-        };
-        self.particles
+    /// What `act` makes of the numbered particles in camera number `c`, in their order. They are taken in the
+    /// order of their images.
+    fn in_camera<T: Send + Clone + Default>(
+        &self,
+        c: usize,
+        of: &[usize],
+        act: impl Fn(&mut PointFootprint, &Particle) -> T + Sync,
+    ) -> Vec<T> {
+        let mut places = vec![usize::MAX; self.particles.len()];
+        of.iter().enumerate().for_each(|(k, &n)| places[n] = k);
+        let asked = |&n: &u32| Some(places[n as usize]).filter(|&k| k != usize::MAX);
+        let order: Vec<usize> = self.orders[c].iter().filter_map(asked).collect();
+        let made: Vec<T> = order
             .par_iter()
             .with_min_len(64)
-            .map_init(PointFootprint::default, light)
-            .collect()
+            .map_init(PointFootprint::default, |footprint, &k| {
+                act(footprint, &self.particles[of[k]])
+            })
+            .collect();
+        let mut in_order = vec![T::default(); of.len()];
+        order.into_iter().zip(made).for_each(|(k, made)| in_order[k] = made);
+        in_order
     }
 
-    /// Steps the lights of all particles, whose places stay.
-    pub fn step_lights(&mut self, cameras: &[PointCamera], prior: &LightPrior, rule: &StepRule) {
-        let normals = self.light_equations(cameras);
-        for (particle, normal) in self.particles.iter_mut().zip(&normals) {
-            *particle = normal.stepped(particle, cameras.len(), prior, rule).0;
+    /// The sum over the cameras of what `act` makes of the numbered particles.
+    fn over_cameras(
+        &self,
+        cameras: &[PointCamera],
+        of: &[usize],
+        act: impl Fn(usize, &PointCamera, &mut PointFootprint, &Particle) -> Normal + Sync,
+    ) -> Vec<Normal> {
+        let mut sums = vec![Normal::default(); of.len()];
+        for (c, camera) in cameras.iter().enumerate() {
+            let one =
+                self.in_camera(c, of, |footprint, particle| act(c, camera, footprint, particle));
+            sums.iter_mut().zip(&one).for_each(|(sum, one)| *sum += one);
         }
-        self.render(cameras);
+        sums
+    }
+
+    /// The normal equations of the numbered particles.
+    pub fn equations(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
+        self.over_cameras(cameras, of, |c, camera, footprint, particle| {
+            let mut normal = Normal::default();
+            camera.image_and_derivatives(particle.at_mm, footprint);
+            let equations = self.images[c].equations(camera, footprint);
+            normal.add(&equations, &footprint.by_place, particle.light[c], c);
+            normal
+        })
     }
 
     /// Covariances of the places of the numbered particles, in mm², from the cameras that see them across
@@ -109,23 +123,29 @@ impl FrameFit {
         of: &[usize],
         (prior, voxel_mm): (&LightPrior, f64),
     ) -> Vec<[[f64; 3]; 3]> {
-        let covariance = |footprint: &mut PointFootprint, &n: &usize| {
-            let particle = &self.particles[n];
-            let (mut normal, mut gradient) = (Normal::default(), Normal::default());
-            for (c, camera) in cameras.iter().enumerate() {
-                if camera.spread_pitches(particle.at_mm) < LEAST_SPREAD_PITCHES {
-                    continue;
-                }
-                camera.image_and_derivatives(particle.at_mm, footprint);
-                let light = particle.light[c];
-                let equations = self.images[c].equations(camera, footprint);
-                normal.add(&equations, &footprint.by_place, light, c);
-                let equations = self.images[c].gradient_covariance(camera, footprint);
-                gradient.add(&equations, &footprint.by_place, light, c);
-            }
-            normal.covariance_mm2(&gradient, particle, (cameras.len(), prior, voxel_mm))
+        let seen = |camera: &PointCamera, particle: &Particle| {
+            camera.spread_pitches(particle.at_mm) >= LEAST_SPREAD_PITCHES
         };
-        of.par_iter().with_min_len(64).map_init(PointFootprint::default, covariance).collect()
+        let sums = |of_gradient: bool| {
+            self.over_cameras(cameras, of, |c, camera, footprint, particle| {
+                let mut normal = Normal::default();
+                if seen(camera, particle) {
+                    camera.image_and_derivatives(particle.at_mm, footprint);
+                    let image = &self.images[c];
+                    let equations = if of_gradient {
+                        image.gradient_covariance(camera, footprint)
+                    } else {
+                        image.equations(camera, footprint)
+                    };
+                    normal.add(&equations, &footprint.by_place, particle.light[c], c);
+                }
+                normal
+            })
+        };
+        let covariance = |((normal, gradient), &n): ((&Normal, &Normal), &usize)| {
+            normal.covariance_mm2(gradient, &self.particles[n], (cameras.len(), prior, voxel_mm))
+        };
+        sums(false).iter().zip(&sums(true)).zip(of).map(covariance).collect()
     }
 
     /// The normal equations of a particle that is not in the model.
@@ -183,9 +203,14 @@ impl FrameFit {
     /// Replaces the image of the numbered particles, as they were `before`, by their present one.
     fn exchange(&mut self, cameras: &[PointCamera], before: &[Particle], of: &[usize]) {
         let particles = &self.particles;
-        self.images.par_iter_mut().zip(cameras).enumerate().for_each(|(c, (image, camera))| {
+        let mut places = vec![usize::MAX; particles.len()];
+        of.iter().enumerate().for_each(|(k, &n)| places[n] = k);
+        let images = self.images.par_iter_mut().zip(&self.orders).zip(cameras).enumerate();
+        images.for_each(|(c, ((image, order), camera))| {
             let mut footprint = PointFootprint::default();
-            for (old, &n) in before.iter().zip(of) {
+            for &n in order {
+                let n = n as usize;
+                let Some(old) = before.get(places[n]) else { continue };
                 camera.image(old.at_mm, &mut footprint);
                 image.add(camera, &footprint, -old.light[c] as f32);
                 camera.image(particles[n].at_mm, &mut footprint);

@@ -66,21 +66,14 @@ impl ParticleImage {
 
     /// Adds a particle of `light` counts in an open pixel to the model; a negative light takes it out.
     pub fn add(&mut self, camera: &PointCamera, footprint: &PointFootprint, light: f32) {
-        let open = camera.open_shares();
-        for patch in &footprint.patches {
-            let columns = footprint.padded(0, &patch.columns);
-            for (r, &row) in footprint.of(0, &patch.rows).iter().enumerate() {
-                let at = (patch.rows.first_px + r) * self.width + patch.columns.first_px;
-                let open = &open[patch.open + r * camera.open_stride()..];
-                kernels::add_row(&mut self.model[at..], open, columns, row * light / 255.0);
-            }
-        }
+        let (open, stride) = (camera.open_shares(), camera.open_stride());
+        kernels::add_image(&mut self.model, self.width, open, stride, footprint, light);
     }
 
     /// What the residual says about a particle.
     pub fn equations(&self, camera: &PointCamera, footprint: &PointFootprint) -> Equations {
         let (open, stride) = (camera.open_shares(), camera.open_stride());
-        kernels::equations(&self.view(), open, stride, footprint, false)
+        kernels::equations::<false>(&self.view(), open, stride, footprint)
     }
 
     /// The same with the covariance of the gradient in place of the matrix.
@@ -90,7 +83,7 @@ impl ParticleImage {
         footprint: &PointFootprint,
     ) -> Equations {
         let (open, stride) = (camera.open_shares(), camera.open_stride());
-        kernels::equations(&self.view(), open, stride, footprint, true)
+        kernels::equations::<true>(&self.view(), open, stride, footprint)
     }
 
     /// What the residual says about the light of a particle alone: Σ g r / v and Σ g² / v, with g its

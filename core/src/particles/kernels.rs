@@ -47,13 +47,31 @@ pub struct View<'a> {
     pub noise: PixelNoise,
 }
 
-/// Adds `scale` × columns × open shares to consecutive pixels.
+/// Adds a particle of `light` counts in an open pixel to rows of `width` pixels.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-pub fn add_row(pixels: &mut [f32], open: &[u8], columns: &[f32], scale: f32) {
-    let rows = pixels.chunks_exact_mut(LANES).zip(open.chunks_exact(LANES));
-    for ((pixels, open), columns) in rows.zip(columns.chunks_exact(LANES)) {
-        for n in 0..LANES {
-            pixels[n] += scale * columns[n] * f32::from(open[n]);
+pub fn add_image(
+    pixels: &mut [f32],
+    width: usize,
+    open: &[u8],
+    open_stride: usize,
+    footprint: &PointFootprint,
+    light: f32,
+) {
+    for patch in &footprint.patches {
+        let columns = footprint.padded(0, &patch.columns);
+        let mut at = patch.rows.first_px * width + patch.columns.first_px;
+        let mut open_at = patch.open;
+        for &row in footprint.of(0, &patch.rows) {
+            let scale = row * light / 255.0;
+            let lanes =
+                pixels[at..].chunks_exact_mut(LANES).zip(open[open_at..].chunks_exact(LANES));
+            for ((pixels, open), columns) in lanes.zip(columns.chunks_exact(LANES)) {
+                for n in 0..LANES {
+                    pixels[n] += scale * columns[n] * f32::from(open[n]);
+                }
+            }
+            at += width;
+            open_at += open_stride;
         }
     }
 }
@@ -62,35 +80,28 @@ pub fn add_row(pixels: &mut [f32], open: &[u8], columns: &[f32], scale: f32) {
 struct Pixels {
     /// Open share × residual / variance.
     pull: Lanes,
-    /// Open share² / variance.
+    /// Open share² / variance, or, of the gradient's covariance, open share² × residual² / variance².
     own: Lanes,
-    /// Residual² / variance.
-    left: Lanes,
 }
 
 impl Pixels {
-    /// Of the pixels from `at` on. Each loop is one that compilers turn into vector instructions.
+    /// Of the pixels from `at` on, if the image has them. Each loop is one that compilers turn into vector
+    /// instructions.
     #[inline(always)]
-    fn at(view: &View<'_>, at: usize, open: &[u8]) -> Self {
-        let model = lanes_of(&view.model[at..]);
-        let counts: [u16; LANES] = *view.counts[at..].first_chunk().unwrap_or(&[0; LANES]);
-        let open: [u8; LANES] = *open.first_chunk().unwrap_or(&[0; LANES]);
-        let open = open.map(|share| f32::from(share) * (1.0 / 255.0));
-        let counts = counts.map(f32::from);
-        let saturation = f32::from(view.saturation);
-        let mut pixels = Self { pull: [0.0; LANES], own: open, left: [0.0; LANES] };
-        let mut inverse = [0.0; LANES];
+    fn at<const SPREAD: bool>(view: &View<'_>, at: usize, open: &[u8]) -> Option<Self> {
+        let model: &Lanes = view.model.get(at..)?.first_chunk()?;
+        let counts: &[u16; LANES] = view.counts.get(at..)?.first_chunk()?;
+        let open: &[u8; LANES] = open.first_chunk()?;
+        let mut pixels = Self { pull: [0.0; LANES], own: [0.0; LANES] };
         for n in 0..LANES {
-            let trust: f32 = if counts[n] < saturation { 1.0 } else { 0.0 };
-            inverse[n] = trust / view.noise.variance(model[n]);
+            let open = f32::from(open[n]) * (1.0 / 255.0);
+            let trust: f32 = if counts[n] < view.saturation { 1.0 } else { 0.0 };
+            let residual = f32::from(counts[n]) - view.black - model[n];
+            let weight = open * (trust / view.noise.variance(model[n]));
+            pixels.pull[n] = weight * residual;
+            pixels.own[n] = if SPREAD { pixels.pull[n] * pixels.pull[n] } else { open * weight };
         }
-        for n in 0..LANES {
-            let residual = counts[n] - view.black - model[n];
-            pixels.pull[n] = open[n] * inverse[n] * residual;
-            pixels.own[n] = open[n] * open[n] * inverse[n];
-            pixels.left[n] = residual * residual * inverse[n];
-        }
-        pixels
+        Some(pixels)
     }
 }
 
@@ -117,15 +128,14 @@ fn times(one: &Lanes, other: &Lanes) -> Lanes {
 /// open shares with their six products.
 type ColumnSums = [Lanes; 9];
 
-/// The normal equations of the particle with this footprint. With `spread` the matrix is that of the
+/// The normal equations of the particle with this footprint. With `SPREAD` the matrix is that of the
 /// gradient's covariance instead, Σ g gᵀ r² / v², by the residuals themselves (White 1980).
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-pub fn equations(
+pub fn equations<const SPREAD: bool>(
     view: &View<'_>,
     open: &[u8],
     open_stride: usize,
     footprint: &PointFootprint,
-    spread: bool,
 ) -> Equations {
     let mut right = [[0.0f32; LANES]; UNKNOWNS];
     let mut matrix = [[0.0f32; LANES]; ENTRIES];
@@ -135,14 +145,11 @@ pub fn equations(
         for start in (0..columns[0].len()).step_by(LANES) {
             let lanes = start..start + LANES;
             let mut sums: ColumnSums = [[0.0; LANES]; 9];
-            let first = patch.rows.first_px * view.width + patch.columns.first_px + start;
-            for (r, ((&row, &by_offset), &by_parallax)) in
-                rows[0].iter().zip(rows[1]).zip(rows[2]).enumerate()
-            {
-                let at = first + r * view.width;
-                let pixels = Pixels::at(view, at, &open[patch.open + start + r * open_stride..]);
-                let Pixels { pull, left, .. } = &pixels;
-                let own = if spread { &times(&pixels.own, left) } else { &pixels.own };
+            let mut at = patch.rows.first_px * view.width + patch.columns.first_px + start;
+            let mut open_at = patch.open + start;
+            for ((&row, &by_offset), &by_parallax) in rows[0].iter().zip(rows[1]).zip(rows[2]) {
+                let Some(pixels) = Pixels::at::<SPREAD>(view, at, &open[open_at..]) else { break };
+                let Pixels { pull, own } = &pixels;
                 add(&mut sums[0], pull, row);
                 add(&mut sums[1], pull, by_offset);
                 add(&mut sums[2], pull, by_parallax);
@@ -152,6 +159,8 @@ pub fn equations(
                 add(&mut sums[6], own, by_offset * by_offset);
                 add(&mut sums[7], own, by_offset * by_parallax);
                 add(&mut sums[8], own, by_parallax * by_parallax);
+                at += view.width;
+                open_at += open_stride;
             }
             let column = [0, 1, 2].map(|kind| lanes_of(&columns[kind][lanes.clone()]));
             gather(&mut right, &mut matrix, &sums, column);
@@ -193,22 +202,27 @@ pub fn light_equation(
     open_stride: usize,
     footprint: &PointFootprint,
 ) -> [f64; 2] {
-    let mut sums = [[0.0f32; LANES]; 2];
+    let mut total_of = [[0.0f32; LANES]; 2];
     for patch in &footprint.patches {
         let columns = footprint.padded(0, &patch.columns);
-        for (r, &row) in footprint.of(0, &patch.rows).iter().enumerate() {
-            let at = (patch.rows.first_px + r) * view.width + patch.columns.first_px;
-            let open = &open[patch.open + r * open_stride..];
-            for start in (0..columns.len()).step_by(LANES) {
-                let open = &open[start..];
-                let Pixels { pull, own, .. } = Pixels::at(view, at + start, open);
-                let share = lanes_of(&columns[start..]).map(|share| share * row);
-                add_product(&mut sums[0], &share, &pull);
-                add_product(&mut sums[1], &times(&share, &share), &own);
+        let rows = footprint.of(0, &patch.rows);
+        for start in (0..columns.len()).step_by(LANES) {
+            let mut sums = [[0.0f32; LANES]; 2];
+            let mut at = patch.rows.first_px * view.width + patch.columns.first_px + start;
+            let mut open_at = patch.open + start;
+            for &row in rows {
+                let Some(pixels) = Pixels::at::<false>(view, at, &open[open_at..]) else { break };
+                add(&mut sums[0], &pixels.pull, row);
+                add(&mut sums[1], &pixels.own, row * row);
+                at += view.width;
+                open_at += open_stride;
             }
+            let column = lanes_of(&columns[start..]);
+            add_product(&mut total_of[0], column, &sums[0]);
+            add_product(&mut total_of[1], &times(column, column), &sums[1]);
         }
     }
-    sums.map(total)
+    total_of.map(total)
 }
 
 #[inline(always)]
@@ -300,7 +314,7 @@ mod tests {
             camera.image_and_derivatives(at_mm, &mut footprint);
             let (expected, left) = reference(&view, &camera, &footprint);
             let (open, stride) = (camera.open_shares(), camera.open_stride());
-            let found = equations(&view, open, stride, &footprint, false);
+            let found = equations::<false>(&view, open, stride, &footprint);
             let close = |found: &[f64], expected: &[f64], scale: &dyn Fn(usize) -> f64| {
                 for (n, (found, expected)) in found.iter().zip(expected).enumerate() {
                     assert!((found - expected).abs() < 1e-3 * scale(n), "{n}: {found} {expected}");

@@ -17,6 +17,7 @@ mod kernels;
 mod neighbours;
 mod noise;
 mod normal;
+mod order;
 mod partners;
 mod place;
 mod restart;

@@ -1,5 +1,7 @@
 //! The normal equations of one particle's place and lights.
 
+use std::ops::AddAssign;
+
 use nalgebra::{SMatrix, SVector};
 
 use super::kernels::{Equations, UNKNOWNS};
@@ -57,6 +59,13 @@ impl Default for Normal {
     }
 }
 
+impl AddAssign<&Self> for Normal {
+    fn add_assign(&mut self, other: &Self) {
+        self.matrix += other.matrix;
+        self.right += other.right;
+    }
+}
+
 impl Normal {
     /// Adds a camera's equations by light and array coordinates, as they are by light and place.
     pub fn add(&mut self, of: &Equations, by_place: &[[f64; 3]; 4], light: f64, camera: usize) {
@@ -80,12 +89,6 @@ impl Normal {
         }
         self.matrix[(3 + camera, 3 + camera)] += full[0][0];
         self.right[3 + camera] += of.right[0];
-    }
-
-    /// Adds what a camera's residual says of the light alone: Σ g r / v and Σ g² / v.
-    pub fn add_light(&mut self, camera: usize, pull: f64, weight: f64) {
-        self.matrix[(3 + camera, 3 + camera)] += weight;
-        self.right[3 + camera] += pull;
     }
 
     /// Adds what is known before: a ratio of the lights, and that a camera that is not there has none.

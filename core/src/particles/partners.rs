@@ -27,7 +27,7 @@ pub struct Partners {
 
 impl Partners {
     /// Mutual nearest neighbours at mid-pair, no further apart than `reach_vox`.
-    pub fn new(frames: [&[Particle]; 2], flow: Flow<'_>, reach_vox: f64, voxel_mm: f64) -> Self {
+    pub fn new(frames: [&[Particle]; 2], flow: &dyn Flow, reach_vox: f64, voxel_mm: f64) -> Self {
         let middles = [0, 1].map(|frame| {
             let sign = [1.0, -1.0][frame];
             let in_voxels =
@@ -50,9 +50,9 @@ impl Partners {
     }
 
     /// Where a particle of the other frame would be in frame `frame`, in mm.
-    pub fn place_in(&self, frame: usize, n: usize, flow: Flow<'_>, voxel_mm: f64) -> [f64; 3] {
+    pub fn place_in(&self, frame: usize, n: usize, flow: &dyn Flow, voxel_mm: f64) -> [f64; 3] {
         let middle_mm = self.middles[1 - frame][n].map(|vox| f64::from(vox) * voxel_mm);
-        let moved = flow(middle_mm);
+        let moved = flow.displacement_mm(middle_mm);
         let sign = [-0.5, 0.5][frame];
         std::array::from_fn(|axis| middle_mm[axis] + sign * moved[axis])
     }
@@ -88,7 +88,7 @@ struct Proposal {
 pub fn exchange(
     fits: &mut [FrameFit; 2],
     partners: &Partners,
-    flow: Flow<'_>,
+    flow: &dyn Flow,
     (cameras, priors): (&[PointCamera], &[LightPrior; 2]),
     (near_vox, voxel_mm): (f64, f64),
 ) {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::{
     blur::fitted_blur,
     fit::FrameFit,
-    flow::{Flow, FlowCorrection},
+    flow::Flow,
     image::ParticleImage,
     neighbours::Neighbours,
     normal::{CAMERAS, LightPrior, Particle, StepRule},
@@ -69,16 +69,12 @@ impl ParticlePair {
     }
 }
 
-/// First steps, of the candidates' lights alone: with wrong lights, fitted places move away from the true ones.
-const LIGHT_STEPS: usize = 3;
-
 /// Most steps before and after the first removal of faint and doubled particles.
-const FIRST_STEPS: usize = 5;
-const SECOND_STEPS: usize = 4;
+const FIRST_STEPS: [usize; 2] = [4, 2];
 /// Most steps after an exchange between the frames, before and after the removal.
-const EXCHANGE_STEPS: [usize; 2] = [5, 3];
+const EXCHANGE_STEPS: [usize; 2] = [4, 2];
 /// Most steps of the last fit.
-const LAST_STEPS: usize = 4;
+const LAST_STEPS: usize = 2;
 
 /// Exchanges between the frames.
 const EXCHANGES: usize = 3;
@@ -92,14 +88,14 @@ const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.2, 0.15];
 /// Least relative error of the model in the last fit: that of the footprint.
 const LEAST_MODEL_ERROR: f32 = 0.02;
 
-/// Least share of the typical light of a particle, at first and after an exchange.
-const LEAST_LIGHT: [f64; 2] = [0.15, 0.25];
+/// Least share of the typical light of a particle.
+const LEAST_LIGHT: f64 = 0.25;
 
 /// Particles nearer to each other than this are merged, in voxels.
 const ONE_VOX: f64 = 0.35;
 
 /// A particle whose step is shorter has converged, in voxels.
-const CONVERGED_VOX: f64 = 0.003;
+const CONVERGED_VOX: f64 = 0.01;
 
 /// Partners that are nearer to each other than this are not started again, in voxels: a few standard
 /// deviations of the flow, within these bounds.
@@ -116,7 +112,7 @@ const RIVAL_VOX: f64 = 1.0;
 const PAIR_VOX: f64 = 0.5;
 
 /// Starts beside a particle's place, along each axis.
-const STARTS_VOX: [f64; 6] = [-0.6, -0.3, -0.15, 0.15, 0.3, 0.6];
+const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 
 /// Proposals of the other frame within this distance of a particle are starts as well, in voxels.
 const STARTS_REACH_VOX: f64 = 1.5;
@@ -129,13 +125,13 @@ const LONGEST_VOX: f64 = 0.2;
 
 /// Places particles in the images of both frames.
 ///
-/// `flow` is what is known of the displacement; it may be a part of a voxel off. `voxel_mm` is the unit
-/// of all lengths that are chosen: about a microlens in the volume.
+/// `flow` is what is known of the displacement; it may be a part of a voxel off, and is corrected by the
+/// particles. `voxel_mm` is the unit of all lengths that are chosen: about a microlens in the volume.
 pub fn place_pairs(
     cameras: &[PointCamera],
     voxel_mm: f64,
     starts: [FrameStart; 2],
-    flow: Flow<'_>,
+    flow: &mut dyn Flow,
 ) -> PlacedParticles {
     let mut placing = Placing {
         cameras: cameras.to_vec(),
@@ -162,13 +158,6 @@ struct Placing {
     priors: [LightPrior; 2],
 }
 
-/// The flow with the correction by particles that both frames agree on.
-struct Corrected {
-    correction: FlowCorrection,
-    /// Partners that are nearer to each other agree, in voxels.
-    agree_vox: f64,
-}
-
 impl Placing {
     /// First steps of all candidates, and removal of those without light.
     fn begin(&self, fits: &mut [FrameFit; 2]) {
@@ -176,26 +165,20 @@ impl Placing {
         self.each(fits, |fit, prior| {
             fit.set_model_error(MODEL_ERRORS[0]);
             fit.render(&self.cameras);
-            let in_place = StepRule { longest_mm: 0.0, ..self.rule };
-            for _ in 0..LIGHT_STEPS {
-                fit.step_lights(&self.cameras, prior, &in_place);
-            }
+            let [before, after] = FIRST_STEPS;
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, before));
+            fit.prune(&self.cameras, prior, (LEAST_LIGHT, ONE_VOX * self.voxel_mm));
             fit.reactivate();
-            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, FIRST_STEPS));
-            fit.prune(&self.cameras, prior, (LEAST_LIGHT[0], ONE_VOX * self.voxel_mm));
-            fit.reactivate();
-            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, SECOND_STEPS));
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, after));
         });
     }
 
     /// Exchanges particles between the frames, fits them, and starts those again that have no partner.
-    fn support(&mut self, fits: &mut [FrameFit; 2], flow: Flow<'_>, round: usize) {
-        let corrected = self.corrected(fits, flow);
-        let correction = corrected.correction.ready();
-        let flow = |at_mm: [f64; 3]| added(flow(at_mm), correction(at_mm));
-        let partners = self.partners(fits, &flow, corrected.agree_vox);
+    fn support(&mut self, fits: &mut [FrameFit; 2], flow: &mut dyn Flow, round: usize) {
+        let agree_vox = self.correct(fits, flow);
+        let partners = self.partners(fits, flow, agree_vox);
         self.learn(fits, &partners, round);
-        exchange(fits, &partners, &flow, (&self.cameras, &self.priors), (RIVAL_VOX, self.voxel_mm));
+        exchange(fits, &partners, flow, (&self.cameras, &self.priors), (RIVAL_VOX, self.voxel_mm));
         let converged_mm = CONVERGED_VOX * self.voxel_mm;
         let misfit = MODEL_ERRORS[round + 1];
         self.each(fits, |fit, prior| {
@@ -204,10 +187,10 @@ impl Placing {
             fit.render(&self.cameras);
             let [before, after] = EXCHANGE_STEPS;
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, before));
-            fit.prune(&self.cameras, prior, (LEAST_LIGHT[1], ONE_VOX * self.voxel_mm));
+            fit.prune(&self.cameras, prior, (LEAST_LIGHT, ONE_VOX * self.voxel_mm));
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, after));
         });
-        self.restart(fits, &flow, corrected.agree_vox);
+        self.restart(fits, flow, agree_vox);
     }
 
     /// Estimates light and blur from the particles that both frames agree on.
@@ -221,6 +204,7 @@ impl Placing {
         if round < BLUR_ROUNDS {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[0]).collect();
             let blurs: Vec<PointBlur> = (0..self.cameras.len())
+                .into_par_iter()
                 .map(|c| fitted_blur(&fits[0], &self.cameras, c, &of))
                 .collect();
             for (camera, blur) in self.cameras.iter_mut().zip(blurs) {
@@ -230,7 +214,7 @@ impl Placing {
     }
 
     /// Starts particles without a partner again.
-    fn restart(&self, fits: &mut [FrameFit; 2], flow: Flow<'_>, agree_vox: f64) {
+    fn restart(&self, fits: &mut [FrameFit; 2], flow: &dyn Flow, agree_vox: f64) {
         let partners = self.partners(fits, flow, agree_vox);
         let proposals = [0, 1].map(|frame: usize| -> Vec<[f64; 3]> {
             let other = 1 - frame;
@@ -268,7 +252,7 @@ impl Placing {
     }
 
     /// Last steps, with pixels weighted by their estimated noise, and the result.
-    fn finish(&self, fits: &mut [FrameFit; 2], flow: Flow<'_>) -> PlacedParticles {
+    fn finish(&self, fits: &mut [FrameFit; 2], flow: &mut dyn Flow) -> PlacedParticles {
         let converged_mm = CONVERGED_VOX * self.voxel_mm / 2.0;
         self.each(fits, |fit, prior| {
             for image in &mut fit.images {
@@ -278,10 +262,8 @@ impl Placing {
             fit.reactivate();
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, LAST_STEPS));
         });
-        let corrected = self.corrected(fits, flow);
-        let correction = corrected.correction.ready();
-        let flow = |at_mm: [f64; 3]| added(flow(at_mm), correction(at_mm));
-        let partners = self.partners(fits, &flow, PAIR_VOX);
+        self.correct(fits, flow);
+        let partners = self.partners(fits, flow, PAIR_VOX);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         let covariances = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
@@ -307,39 +289,28 @@ impl Placing {
         }
     }
 
-    /// The flow corrected by mutual nearest neighbours.
-    fn corrected(&self, fits: &[FrameFit; 2], flow: Flow<'_>) -> Corrected {
+    /// Corrects the flow by mutual nearest neighbours, and says how near to each other partners that agree are, in
+    /// voxels.
+    fn correct(&self, fits: &[FrameFit; 2], flow: &mut dyn Flow) -> f64 {
         let partners = self.partners(fits, flow, CORRECT_VOX);
-        let pairs: Vec<[usize; 2]> = partners.pairs().collect();
-        let middle = |pair: &[usize; 2]| -> [f64; 3] {
-            let [a, b] = [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
-            std::array::from_fn(|axis| (a[axis] + b[axis]) / 2.0)
+        let places =
+            |pair: [usize; 2]| [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
+        let pairs: Vec<[[f64; 3]; 2]> = partners.pairs().map(places).collect();
+        let of = |by: fn(f64, f64) -> f64| -> Vec<[f64; 3]> {
+            pairs.iter().map(|[a, b]| std::array::from_fn(|axis| by(a[axis], b[axis]))).collect()
         };
-        let missed = |pair: &[usize; 2]| -> [f64; 3] {
-            let [a, b] = [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
-            let moved = flow(middle(pair));
-            std::array::from_fn(|axis| b[axis] - a[axis] - moved[axis])
+        let (middles_mm, moved_mm) = (of(|a, b| (a + b) / 2.0), of(|a, b| b - a));
+        flow.correct(&middles_mm, &moved_mm);
+        let left = |(at_mm, moved): (&[f64; 3], &[f64; 3])| {
+            let known = flow.displacement_mm(*at_mm);
+            (0..3).map(|axis| (moved[axis] - known[axis]).powi(2)).sum::<f64>().sqrt()
         };
-        let middles_mm: Vec<[f64; 3]> = pairs.par_iter().map(middle).collect();
-        let missed_mm: Vec<[f64; 3]> = pairs.par_iter().map(missed).collect();
-        let middles =
-            middles_mm.iter().map(|at| at.map(|mm| (mm / self.voxel_mm) as f32)).collect();
-        let density = density(&middles_mm, self.voxel_mm);
-        let correction = FlowCorrection::new(middles, missed_mm.clone(), density, self.voxel_mm);
-        let agree_vox = {
-            let correct = correction.ready();
-            let left = |(at, missed): (&[f64; 3], &[f64; 3])| {
-                let known = correct(*at);
-                (0..3).map(|axis| (missed[axis] - known[axis]).powi(2)).sum::<f64>().sqrt()
-            };
-            let left: Vec<f64> = middles_mm.par_iter().zip(&missed_mm).map(left).collect();
-            let typical = median(left).unwrap_or_default() / self.voxel_mm;
-            (AGREE_DEVIATIONS * typical).clamp(AGREE_VOX[0], AGREE_VOX[1])
-        };
-        Corrected { correction, agree_vox }
+        let left: Vec<f64> = middles_mm.iter().zip(&moved_mm).map(left).collect();
+        let typical = median(left).unwrap_or_default() / self.voxel_mm;
+        (AGREE_DEVIATIONS * typical).clamp(AGREE_VOX[0], AGREE_VOX[1])
     }
 
-    fn partners(&self, fits: &[FrameFit; 2], flow: Flow<'_>, reach_vox: f64) -> Partners {
+    fn partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
         let frames = [&fits[0].particles[..], &fits[1].particles[..]];
         Partners::new(frames, flow, reach_vox, self.voxel_mm)
     }
@@ -349,22 +320,4 @@ impl Placing {
         let [a, b] = fits;
         rayon::join(|| act(a, &self.priors[0]), || act(b, &self.priors[1]));
     }
-}
-
-/// Points per cubic voxel in the box that holds nine tenths of them along each axis.
-fn density(points_mm: &[[f64; 3]], voxel_mm: f64) -> f64 {
-    if points_mm.is_empty() {
-        return 0.0;
-    }
-    let length = |axis: usize| {
-        let mut along: Vec<f64> = points_mm.iter().map(|at| at[axis]).collect();
-        along.sort_unstable_by(f64::total_cmp);
-        let at = |share: f64| along[((along.len() - 1) as f64 * share) as usize];
-        ((at(0.95) - at(0.05)) / voxel_mm).max(1.0)
-    };
-    0.729 * points_mm.len() as f64 / (0..3).map(length).product::<f64>()
-}
-
-fn added(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| one[axis] + other[axis])
 }

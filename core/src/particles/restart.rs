@@ -14,7 +14,7 @@ use crate::model::{PointCamera, PointFootprint};
 const STEPS: usize = 4;
 
 /// Starts that are followed.
-const FOLLOWED: usize = 3;
+const FOLLOWED: usize = 2;
 
 /// A start has converged when a step is shorter than this, in mm.
 const CONVERGED_MM: f64 = 1e-4;

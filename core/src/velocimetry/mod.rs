@@ -40,6 +40,7 @@ pub use field::{VectorGrid, VectorStatus, VelocityField};
 pub use floor::correlation_error_vox;
 pub use flow_geometry::InFlow;
 pub use multipass::Interrogation;
+pub use placed::CorrectedField;
 pub use result::{MeasuredParticle, PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;
 pub use spline_field::Sample;

@@ -7,15 +7,25 @@
 use super::{
     DisplacementField, Interrogation, VectorStatus, VelocityField,
     judge::{Vector, field_of},
-    spline_field::{self, Sample},
+    spline_field::{self, Extent, Guess, Sample, SplineField},
 };
 use crate::{
     particles::Neighbours,
     statistics::{NORMAL_OF_MEDIAN, median},
 };
 
-/// What the field before may be off, in voxels.
+/// What the field by correlation may be off, in voxels.
 const FIRST_ERROR_VOX: f32 = 0.3;
+
+/// Fewer particles do not correct it.
+const LEAST_CORRECTING: usize = 50;
+
+/// What the field that particles corrected may be off, in voxels.
+const CORRECTED_ERROR_VOX: f32 = 0.05;
+
+/// Nodes along a window, where particles are so far apart that there would be fewer. Windows do not show waves
+/// that are shorter than they are, and cubic B-splines need some three nodes for one.
+const NODES_PER_WINDOW: f32 = 3.0;
 
 /// A sphere about a vector holds so many particles on average.
 const PARTICLES_ABOUT: f32 = 20.0;
@@ -30,24 +40,76 @@ const LARGEST_MISSED_VOX: f64 = 0.12;
 /// A particle agrees with those about it if they miss its displacement by no more standard deviations.
 const AGREE_DEVIATIONS: f32 = 4.0;
 
+/// The displacement in the volume while particles are placed, in voxels of [`Interrogation::cloud_grid`].
+pub struct CorrectedField<'a> {
+    extent: Extent,
+    by_correlation: &'a DisplacementField,
+    /// What particles say that it misses.
+    correction: Option<SplineField>,
+}
+
+impl CorrectedField<'_> {
+    /// The displacement of the particle that is here in the middle of the pair.
+    pub fn at(&self, at_vox: [f32; 3]) -> [f32; 3] {
+        let known = self.by_correlation.at(at_vox);
+        let missed = self.missed(at_vox);
+        std::array::from_fn(|c| known[c] + missed[c])
+    }
+
+    /// Corrects it by displacements of particles, near their places in the middle of the pair.
+    pub fn correct(&mut self, moved: impl Iterator<Item = Sample>) {
+        let left_by_correlation = |mut sample: Sample| {
+            let known = self.by_correlation.at(sample.middle_vox);
+            sample
+                .displacement_vox
+                .iter_mut()
+                .zip(known)
+                .for_each(|(moved, known)| *moved -= known);
+            sample
+        };
+        let missed: Vec<Sample> = moved.map(left_by_correlation).collect();
+        if missed.len() >= LEAST_CORRECTING {
+            let stiffness = self.correction.as_ref().map(|field| field.stiffness);
+            let at = |at_vox| self.missed(at_vox);
+            let guess = Guess { at: &at, error_vox: FIRST_ERROR_VOX, stiffness };
+            self.correction = Some(spline_field::near(&self.extent, &missed, &guess));
+        }
+    }
+
+    fn missed(&self, at_vox: [f32; 3]) -> [f32; 3] {
+        self.correction.as_ref().map_or([0.0; 3], |correction| correction.value(at_vox))
+    }
+}
+
 impl Interrogation {
-    /// The field through placed particles, `samples` in voxels of [`Self::cloud_grid`], near `everywhere`, whose
-    /// vectors are `before`; and whether each particle agrees with those about it.
+    /// A field that particles will correct.
+    pub fn to_correct<'a>(&self, by_correlation: &'a DisplacementField) -> CorrectedField<'a> {
+        let corners_vox = [[-0.5; 3], self.cloud_grid().voxels.map(|count| count as f32 - 0.5)];
+        let [_, window_vox] = self.windows_vox();
+        let coarsest_vox = window_vox as f32 / NODES_PER_WINDOW;
+        CorrectedField {
+            extent: Extent { corners_vox, coarsest_vox },
+            by_correlation,
+            correction: None,
+        }
+    }
+
+    /// The field through placed particles, `samples` in voxels of [`Self::cloud_grid`], near `known`; it takes the
+    /// place of the vectors `before` where there are enough of them. And whether each particle agrees with those
+    /// about it.
     pub fn through_placed(
         &self,
         before: &VelocityField,
-        everywhere: &DisplacementField,
+        known: &CorrectedField<'_>,
         samples: &[Sample],
     ) -> (VelocityField, Vec<bool>) {
         let grid = self.cloud_grid();
-        let corners = [[-0.5; 3], grid.voxels.map(|count| count as f32 - 0.5)];
-        let (field, missed) = spline_field::through(
-            corners,
-            samples,
-            |at_vox| everywhere.at(at_vox),
-            FIRST_ERROR_VOX,
-            self.settings().incompressible,
-        );
+        let at = |at_vox| known.at(at_vox);
+        let error_vox =
+            if known.correction.is_some() { CORRECTED_ERROR_VOX } else { FIRST_ERROR_VOX };
+        let guess = Guess { at: &at, error_vox, stiffness: None };
+        let incompressible = self.settings().incompressible;
+        let (field, missed) = spline_field::through(&known.extent, samples, &guess, incompressible);
         let places: Vec<[f32; 3]> = samples.iter().map(|sample| sample.middle_vox).collect();
         let sphere = 4.0 / 3.0 * std::f32::consts::PI;
         let density = samples.len() as f32 / grid.voxels.iter().product::<usize>() as f32;

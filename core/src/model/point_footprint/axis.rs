@@ -26,6 +26,9 @@ pub struct PointBlur {
     pub sensor_px: f64,
 }
 
+/// The number of each lane.
+const LANE_NUMBERS: Lanes = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+
 /// Half-width of Epanechnikov's density over its standard deviation.
 const HALF_WIDTH: f64 = 2.236_067_977_499_79;
 
@@ -44,17 +47,6 @@ pub struct AxisPoint {
     pub cell_mm: f64,
     /// Blur of the image.
     pub blur: PointBlur,
-}
-
-/// A share and its derivatives, in pupil cells and pupil cells per mm.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Share {
-    /// Pupil cells.
-    pub value: f64,
-    /// By D, per mm.
-    pub by_offset: f64,
-    /// By a.
-    pub by_parallax: f64,
 }
 
 /// What a row of microlenses has in common for one point.
@@ -105,33 +97,25 @@ impl AxisShares {
         pupil_mm * (1.0 - self.parallax) - offset_mm
     }
 
-    /// G at the pixel edge `edge_mm` (T) behind the microlens at `offset_mm` (D).
-    fn beyond(&self, edge_mm: f64, offset_mm: f64) -> Share {
-        let first = |lanes: [Lanes; 3]| lanes.map(|lanes| lanes[0]);
-        let [value, by_offset, by_parallax] =
-            first(self.beyond_edges::<true>(&[edge_mm; LANES], offset_mm));
-        Share { value, by_offset, by_parallax }
-    }
-
     /// [`Share`] at several pixel edges: values, and derivatives where they are asked for.
     #[inline(always)]
     fn beyond_edges<const DERIVED: bool>(&self, edges_mm: &Lanes, offset_mm: f64) -> [Lanes; 3] {
-        let (cell, spread) = (self.point.cell_mm, 1.0 - self.parallax);
-        let ends = self.ends_mm(offset_mm);
-        let per_half = 1.0 / self.half_mm;
-        let by_offset = (-1.0 / self.parallax - 1.0 / spread) / cell;
+        let per_spread = 1.0 / (1.0 - self.parallax);
+        let (per_half, per_parallax) = (1.0 / self.half_mm, 1.0 / self.parallax);
+        let per_cell = 1.0 / self.point.cell_mm;
+        let by_offset = (-per_parallax - per_spread) * per_cell;
+        let pupil_mm = edges_mm.map(|edge_mm| (edge_mm + offset_mm) * per_spread);
         let mut shares = [[0.0; LANES]; 3];
-        for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
-            let by_parallax = -end / self.parallax;
+        for (end, sign) in self.ends_mm(offset_mm).into_iter().zip([-1.0, 1.0]) {
+            let by_parallax = -end * per_parallax;
             for n in 0..LANES {
-                let pupil_mm = (edges_mm[n] + offset_mm) / spread;
-                let ramp = Ramp::at((end - pupil_mm) * per_half);
-                shares[0][n] += sign * self.half_mm / cell * ramp.value;
+                let ramp = Ramp::at((end - pupil_mm[n]) * per_half);
+                shares[0][n] += sign * self.half_mm * per_cell * ramp.value;
                 if DERIVED {
                     shares[1][n] += sign * by_offset * ramp.step;
-                    let of_end = ramp.step * (by_parallax - pupil_mm / spread);
+                    let of_end = ramp.step * (by_parallax - pupil_mm[n] * per_spread);
                     let of_width = ramp.by_width * self.half_by_parallax;
-                    shares[2][n] += sign / cell * (of_end + of_width);
+                    shares[2][n] += sign * per_cell * (of_end + of_width);
                 }
             }
         }
@@ -144,32 +128,26 @@ impl AxisShares {
     pub fn add_shares<const DERIVED: bool>(&self, edges: &PixelEdges, all: &mut [Vec<f32>; 3]) {
         let kinds = if DERIVED { 3 } else { 1 };
         let start = all[0].len();
-        let padded = edges.pixels.next_multiple_of(LANES);
+        let end = start + edges.pixels.next_multiple_of(LANES);
+        // Whole lanes are written, the last of them beyond the end.
         for all in &mut all[..kinds] {
-            all.resize(start + padded, 0.0);
+            all.resize(end + LANES, 0.0);
         }
-        let Share { value, by_offset, by_parallax } = self.beyond(edges.first_mm, edges.offset_mm);
-        // Of the edge before the pixels that are next.
-        let mut carried = [value, by_offset, by_parallax];
         // What is beyond an edge falls with the pupil's coordinate.
         let sign = -edges.step_mm.signum();
-        for first in (0..padded).step_by(LANES) {
-            let mut at_mm = [0.0; LANES];
-            for (n, at_mm) in at_mm.iter_mut().enumerate() {
-                *at_mm = edges.first_mm + (first + n + 1) as f64 * edges.step_mm;
-            }
-            let after = self.beyond_edges::<DERIVED>(&at_mm, edges.offset_mm);
+        // So many edges enclose one pixel less.
+        for first in (0..edges.pixels).step_by(LANES - 1) {
+            let at_mm = LANE_NUMBERS.map(|n| edges.first_mm + (first as f64 + n) * edges.step_mm);
+            let beyond = self.beyond_edges::<DERIVED>(&at_mm, edges.offset_mm);
             for kind in 0..kinds {
-                let mut before = [carried[kind]; LANES];
-                before[1..].copy_from_slice(&after[kind][..LANES - 1]);
                 let shares = &mut all[kind][start + first..][..LANES];
-                for n in 0..LANES {
-                    shares[n] = (sign * (after[kind][n] - before[n])) as f32;
+                for n in 0..LANES - 1 {
+                    shares[n] = (sign * (beyond[kind][n + 1] - beyond[kind][n])) as f32;
                 }
-                carried[kind] = after[kind][LANES - 1];
             }
         }
         for all in &mut all[..kinds] {
+            all.truncate(end);
             all[start + edges.pixels..].fill(0.0);
         }
     }
@@ -221,10 +199,24 @@ mod tests {
         AxisShares::new(AxisPoint { parallax, half_lens_mm: 0.05, cell_mm: 1.375, blur })
     }
 
+    /// A share and its derivatives, in pupil cells and pupil cells per mm.
+    #[derive(Debug, Clone, Copy, Default, PartialEq)]
+    pub struct Share {
+        /// Pupil cells.
+        pub value: f64,
+        /// By D, per mm.
+        pub by_offset: f64,
+        /// By a.
+        pub by_parallax: f64,
+    }
+
     /// The share of the pixel from `edge_mm` on.
     fn pixel_share(axis: &AxisShares, edge_mm: f64, offset_mm: f64) -> Share {
-        let [one, other] =
-            [edge_mm, edge_mm + 1.375].map(|edge_mm| axis.beyond(edge_mm, offset_mm));
+        let [one, other] = [edge_mm, edge_mm + 1.375].map(|edge_mm| {
+            let [value, by_offset, by_parallax] =
+                axis.beyond_edges::<true>(&[edge_mm; LANES], offset_mm).map(|lanes| lanes[0]);
+            Share { value, by_offset, by_parallax }
+        });
         Share {
             value: one.value - other.value,
             by_offset: one.by_offset - other.by_offset,

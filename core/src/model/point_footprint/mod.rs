@@ -142,6 +142,11 @@ impl PointCamera {
         along(0).min(along(1))
     }
 
+    /// Column and row of the microlens of the window that the ray through the pupil's middle meets.
+    pub fn lens_at(&self, world_mm: [f64; 3]) -> [u16; 2] {
+        self.seen.see(&Point3::from(world_mm)).place.map(|place| place.round() as u16)
+    }
+
     /// Makes `footprint` that of a point at `world_mm`: shares alone.
     pub fn image(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
         self.fill::<false>(world_mm, footprint);

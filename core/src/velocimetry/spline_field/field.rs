@@ -12,15 +12,17 @@ pub struct SplineField {
     coefficients: Vec<[f32; 3]>,
     /// Variance of the field at each coefficient's place.
     variance: Vec<[f32; 3]>,
+    /// Penalty of third differences, per component.
+    pub stiffness: [f32; 3],
 }
 
 impl SplineField {
     /// From a field in lane 0 and draws from its error in the others.
-    pub fn new(nodes: Nodes, lanes: &Vectors) -> Self {
+    pub fn new(nodes: Nodes, lanes: &Vectors, stiffness: [f32; 3]) -> Self {
         let coefficients =
             (0..nodes.layout.len()).map(|n| std::array::from_fn(|c| lanes[c][n][0])).collect();
         let variance = variances(&nodes, lanes);
-        Self { nodes, coefficients, variance }
+        Self { nodes, coefficients, variance, stiffness }
     }
 
     /// The same field with variances so many times as large at the coefficients' places.

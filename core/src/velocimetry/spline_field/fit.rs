@@ -48,7 +48,7 @@ pub struct Fit<'a> {
     /// Per component and sample: inverse variance, less for one that is far off the field.
     weights: [Vec<f32>; 3],
     /// Penalty of third differences, per component.
-    stiffness: [f32; 3],
+    pub stiffness: [f32; 3],
     /// Variance of the samples over what they state, per component.
     excess: [f32; 3],
     /// Factor on the variance of each sample beside that, per component.
@@ -187,7 +187,7 @@ impl<'a> Fit<'a> {
 
     /// The field as it is now, as uncertain as its draws say.
     pub fn field(&self) -> SplineField {
-        SplineField::new(self.nodes, &self.coefficients)
+        SplineField::new(self.nodes, &self.coefficients, self.stiffness)
     }
 
     /// The field as it is now, as uncertain as samples that were left out say, which `missed` it by so much.

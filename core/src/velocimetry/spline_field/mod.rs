@@ -47,11 +47,31 @@ pub struct Sample {
     pub variance_vox2: [f32; 3],
 }
 
+/// Where a field is fitted, in voxels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent {
+    /// Least and largest corner.
+    pub corners_vox: [[f32; 3]; 2],
+    /// Nodes are no further apart.
+    pub coarsest_vox: f32,
+}
+
+/// What is known of a field before it is fitted.
+#[derive(Clone, Copy)]
+pub struct Guess<'a> {
+    /// The field.
+    pub at: &'a dyn Fn([f32; 3]) -> [f32; 3],
+    /// What it errs by, in voxels.
+    pub error_vox: f32,
+    /// That of a field through about the same samples, where one was fitted.
+    pub stiffness: Option<[f32; 3]>,
+}
+
 /// Distance of the nodes over that of the particles.
 const NODES_PER_PARTICLE: f32 = 0.9;
 
-/// Finest and coarsest nodes, in voxels.
-const STEPS_VOX: [f32; 2] = [2.0, 12.0];
+/// Finest nodes, in voxels.
+const FINEST_VOX: f32 = 2.0;
 
 /// Largest third difference of neighbouring coefficients that is tried, in voxels.
 const LARGEST_DIFFERENCE_VOX: f32 = 1.0;
@@ -66,35 +86,35 @@ const SLACK: [f32; 2] = [0.5, 0.1];
 const ROUNDS: usize = 3;
 
 /// To try penalties, to follow samples, and to solve without the samples that are left out.
-const TRYING: Until = Until { steps: 40, tolerance: 1e-3 };
+const TRYING: Until = Until { steps: 30, tolerance: 1e-3 };
 const FOLLOWING: Until = Until { steps: 30, tolerance: 3e-3 };
-const LEAVING_OUT: Until = Until { steps: 60, tolerance: 2e-3 };
+const LEAVING_OUT: Until = Until { steps: 100, tolerance: 1e-3 };
 
-/// Nodes over a box from `low_vox` to `high_vox` that holds so many particles: about one for each.
-fn nodes_for(low_vox: [f32; 3], high_vox: [f32; 3], particles: usize) -> Nodes {
-    let volume: f32 = (0..3).map(|axis| (high_vox[axis] - low_vox[axis]).max(1.0)).product();
-    let between = (volume / particles.max(1) as f32).cbrt();
-    let step_vox = (NODES_PER_PARTICLE * between).clamp(STEPS_VOX[0], STEPS_VOX[1]);
-    Nodes::covering(low_vox, high_vox, step_vox)
+/// The same for a field that is not the last.
+const TRYING_QUICKLY: Until = Until { steps: 12, tolerance: 1e-3 };
+const FOLLOWING_QUICKLY: Until = Until { steps: 10, tolerance: 3e-3 };
+
+impl Extent {
+    /// Nodes for so many particles: about one for each.
+    fn nodes_for(&self, particles: usize) -> Nodes {
+        let [low, high] = self.corners_vox;
+        let volume: f32 = (0..3).map(|axis| (high[axis] - low[axis]).max(1.0)).product();
+        let between = (volume / particles.max(1) as f32).cbrt();
+        let step_vox = (NODES_PER_PARTICLE * between).clamp(FINEST_VOX, self.coarsest_vox);
+        Nodes::covering(low, high, step_vox)
+    }
 }
 
-/// The field through `samples` in a box from its least to its largest corner, near the field `start`, which errs
-/// by some `error_vox`, and what it leaves of each sample when that is left out, in voxels. Samples outside the
-/// box count as if they were on its faces.
+/// The field through `samples`, and what it leaves of each sample when that is left out, in voxels. Samples
+/// outside the extent count as if they were on its faces.
 pub fn through(
-    [low_vox, high_vox]: [[f32; 3]; 2],
+    extent: &Extent,
     samples: &[Sample],
-    start: impl Fn([f32; 3]) -> [f32; 3],
-    error_vox: f32,
+    guess: &Guess<'_>,
     incompressible: bool,
 ) -> (SplineField, Vec<[f32; 3]>) {
-    let nodes = nodes_for(low_vox, high_vox, samples.len());
-    let mut fit = Fit::new(nodes, samples, start, incompressible);
-    fit.weigh(SLACK[0] * error_vox);
-    fit.choose_stiffness(&Ladder::expecting(LARGEST_DIFFERENCE_VOX, RATIOS[0]), 0, TRYING);
-    fit.improve(FOLLOWING);
-    fit.weigh(SLACK[1] * error_vox);
-    fit.improve(FOLLOWING);
+    let mut fit = Fit::new(extent.nodes_for(samples.len()), samples, guess.at, incompressible);
+    follow(&mut fit, guess, TRYING, FOLLOWING);
     for round in 0..ROUNDS {
         fit.weigh(0.0);
         if round == 0 {
@@ -104,6 +124,28 @@ pub fn through(
     }
     let missed = fit.left_out(LEAVING_OUT);
     (fit.calibrated(&missed), missed)
+}
+
+/// The field near `samples`, whose stated errors are not relied on.
+pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineField {
+    let mut fit = Fit::new(extent.nodes_for(samples.len()), samples, guess.at, false);
+    follow(&mut fit, guess, TRYING_QUICKLY, FOLLOWING_QUICKLY);
+    fit.field()
+}
+
+/// Moves the field from a guess towards samples, with less and less slack.
+fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, following: Until) {
+    fit.weigh(SLACK[0] * guess.error_vox);
+    match guess.stiffness {
+        Some(stiffness) => fit.stiffness = stiffness,
+        None => {
+            let ladder = Ladder::expecting(LARGEST_DIFFERENCE_VOX, RATIOS[0]);
+            fit.choose_stiffness(&ladder, 0, trying);
+        }
+    }
+    fit.improve(following);
+    fit.weigh(SLACK[1] * guess.error_vox);
+    fit.improve(following);
 }
 
 #[cfg(test)]
