@@ -13,6 +13,7 @@ use super::{
     netcdf_file::FILL_F64,
     netcdf_open::open,
     stored::missing,
+    stored_particles::particles_of,
     stored_record::{RecordPlace, StoredRecord, places_in_segments},
 };
 
@@ -49,7 +50,7 @@ impl RunResults {
     }
 
     /// Reads the result of a shot; `None` if it has none. Warnings and the causes of a poor fit are
-    /// not stored, so they are empty.
+    /// not stored, so they are empty. Particles that cannot be read are reported, and absent.
     ///
     /// # Errors
     /// The segment cannot be read.
@@ -57,7 +58,12 @@ impl RunResults {
         let Some(RecordPlace { path, record }) = self.places.get(&shot) else { return Ok(None) };
         let read =
             || result_of(StoredRecord { file: &open(path)?, record: *record }, self.voxel_mm);
-        read().map(Some).map_err(ArchiveError::unreadable_results(path))
+        let mut result = read().map_err(ArchiveError::unreadable_results(path))?;
+        match particles_of(path, shot, &result.measured.field) {
+            Ok(particles) => result.measured.particles = particles,
+            Err(error) => tracing::error!(shot, "its particles are missing: {error}"),
+        }
+        Ok(Some(result))
     }
 }
 
