@@ -4,8 +4,9 @@
 //! `record_shot` is its number, `row_size` the number of its particles, which may be 0.
 //!
 //! A run keeps particles beside its vectors: those of the shots in `velocity_000000.nc` are in
-//! `particles_000000.nc`. The latter is stored first, so vectors are never without their particles. A file of
-//! particles without its file of vectors is of a store that was cut off: it does not count.
+//! `particles_000000.nc`. In one file they would be in the way of readers that concatenate vectors along `shot`.
+//! Particles are stored first, so vectors are never without them. A file of particles without its file of vectors
+//! is of a store that was cut off: it does not count.
 
 use std::path::{Path, PathBuf};
 
