@@ -210,6 +210,18 @@ mod tests {
     }
 
     #[test]
+    fn a_segment_with_many_particles_is_sealed() {
+        let root = tempfile::tempdir().unwrap();
+        let mut store = ResultStore::create(root.path(), "").unwrap();
+        // 32 MB are 524,288 of them.
+        store.append(0, &with_particles(0, 400_000)).unwrap();
+        assert!(StoredResults::find(root.path()).unwrap().shots.is_empty());
+        store.append(1, &with_particles(1, 130_000)).unwrap();
+        assert_eq!(StoredResults::find(root.path()).unwrap().shots.len(), 2);
+        assert_eq!(particles(root.path(), 1).unwrap().len(), 130_000);
+    }
+
+    #[test]
     fn particles_without_vectors_are_gone_after_a_crash() {
         let root = tempfile::tempdir().unwrap();
         let mut store = ResultStore::create(root.path(), "").unwrap();

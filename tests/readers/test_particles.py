@@ -8,6 +8,7 @@ import pyvista
 import xarray
 
 from conftest import CONFIG, lfpiv
+from test_conventions import mistakes
 
 
 SHOTS = 3
@@ -102,6 +103,12 @@ def test_a_run_keeps_the_particles_of_its_shots_beside_its_vectors(run):
         with xarray.open_dataset(path) as one:
             rows = one["shot"].values
             np.testing.assert_array_equal(np.repeat(one["record_shot"], one["row_size"]), rows)
+
+
+def test_files_of_particles_keep_the_conventions(run, placed, tmp_path):
+    # Those of a run have times, those of imported images none.
+    for path in [*run.glob("particles_*.nc"), placed]:
+        assert mistakes(path, tmp_path) == [], path
 
 
 def without_results(run, to):
