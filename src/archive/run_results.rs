@@ -55,15 +55,32 @@ impl RunResults {
     /// # Errors
     /// The segment cannot be read.
     pub fn read(&self, shot: u64) -> Result<Option<ShotResult>, ArchiveError> {
+        let Some((mut result, path)) = self.read_vectors(shot)? else { return Ok(None) };
+        result.measured.particles = particles_of(path, shot, &result.measured.field)
+            .unwrap_or_else(|error| {
+                tracing::error!(shot, "{error}");
+                None
+            });
+        Ok(Some(result))
+    }
+
+    /// As [`Self::read`], but not without its particles.
+    ///
+    /// # Errors
+    /// The segment or the particles beside it cannot be read.
+    pub fn read_whole(&self, shot: u64) -> Result<Option<ShotResult>, ArchiveError> {
+        let Some((mut result, path)) = self.read_vectors(shot)? else { return Ok(None) };
+        result.measured.particles = particles_of(path, shot, &result.measured.field)?;
+        Ok(Some(result))
+    }
+
+    /// The result without its particles, and the segment that it is in.
+    fn read_vectors(&self, shot: u64) -> Result<Option<(ShotResult, &Path)>, ArchiveError> {
         let Some(RecordPlace { path, record }) = self.places.get(&shot) else { return Ok(None) };
         let read =
             || result_of(StoredRecord { file: &open(path)?, record: *record }, self.voxel_mm);
-        let mut result = read().map_err(ArchiveError::unreadable_results(path))?;
-        match particles_of(path, shot, &result.measured.field) {
-            Ok(particles) => result.measured.particles = particles,
-            Err(error) => tracing::error!(shot, "its particles are missing: {error}"),
-        }
-        Ok(Some(result))
+        let result = read().map_err(ArchiveError::unreadable_results(path))?;
+        Ok(Some((result, path)))
     }
 }
 

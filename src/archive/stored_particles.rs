@@ -28,7 +28,7 @@ pub(super) fn particles_of(
         let file = open(&path)?;
         rows_in(&file)?.remove(&shot).map(|rows| read(&file, rows, field)).transpose()
     };
-    read().map_err(ArchiveError::unreadable_results(&path))
+    read().map_err(ArchiveError::unreadable_particles(&path))
 }
 
 /// The rows of each shot's particles in a file.
@@ -55,7 +55,8 @@ pub fn stored_particles(folder: &Path) -> Result<BTreeMap<u64, Vec<u64>>, Archiv
     let mut particles = BTreeMap::new();
     for path in segments(folder, ".nc")?.iter().map(|path| particles_beside(path)) {
         if path.exists() {
-            particles.append(&mut bits_in(&path).map_err(ArchiveError::unreadable_results(&path))?);
+            particles
+                .append(&mut bits_in(&path).map_err(ArchiveError::unreadable_particles(&path))?);
         }
     }
     Ok(particles)
@@ -252,5 +253,9 @@ mod tests {
         store.close().unwrap();
         fs::write(root.path().join("particles_000000.nc"), b"damaged").unwrap();
         assert_eq!(particles(root.path(), 0), None);
+        let results = RunResults::find(root.path(), 0.1).unwrap();
+        let error = results.read_whole(0).unwrap_err().to_string();
+        assert!(error.contains("particles_000000.nc"), "{error}");
+        assert!(stored_particles(root.path()).is_err());
     }
 }

@@ -43,7 +43,7 @@ fn rows_of(group: &[Segment], piece: &[Record]) -> Result<Vec<Rows>, ArchiveErro
         let path = particles_beside(&group[*segment].path);
         if !in_segments.contains_key(segment) && path.exists() {
             let rows = open(&path).and_then(|file| rows_in(&file));
-            in_segments.insert(*segment, rows.map_err(ArchiveError::unreadable_results(&path))?);
+            in_segments.insert(*segment, rows.map_err(ArchiveError::unreadable_particles(&path))?);
         }
     }
     let rows = |record: &Record| {

@@ -33,7 +33,7 @@ pub(super) fn export(args: &ExportArgs) -> anyhow::Result<()> {
     let mut particles = FileSeries::new(|shot| format!("particles_{shot:06}.vtp"));
     for shot in shots {
         bar.inc(1);
-        let Some(result) = results.read(shot)? else { continue };
+        let Some(result) = results.read_whole(shot)? else { continue };
         let (measured, utc_s) = (&result.measured, result.time.map(|time| time.utc_s()));
         let source = VtiSource { shot, utc_s, configuration: &configuration };
         write_vti(&args.out.join(vectors.name_of(shot)), &source, &measured.field)?;
