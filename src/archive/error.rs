@@ -56,6 +56,17 @@ pub enum ArchiveError {
         /// The library's error.
         reason: netcdf::Error,
     },
+    /// Stored particles cannot be read.
+    #[error(
+        "cannot read the particles in {}: {reason}; to measure them again, move this file and the \
+         file of vectors beside it away, then `lfpiv process` the run", path.display()
+    )]
+    UnreadableParticles {
+        /// The file.
+        path: PathBuf,
+        /// The library's error.
+        reason: netcdf::Error,
+    },
     /// A file does not contain usable volumes.
     #[error(
         "cannot read volumes from {}: {reason}; the file needs variables a and b over z, y, x, on \
@@ -197,6 +208,11 @@ impl ArchiveError {
     /// Adapter for `map_err`: adds the file of stored results being read.
     pub(super) fn unreadable_results(path: &Path) -> impl FnOnce(netcdf::Error) -> Self {
         move |reason| Self::UnreadableResults { path: path.into(), reason }
+    }
+
+    /// Adapter for `map_err`: adds the file of stored particles being read.
+    pub(super) fn unreadable_particles(path: &Path) -> impl FnOnce(netcdf::Error) -> Self {
+        move |reason| Self::UnreadableParticles { path: path.into(), reason }
     }
 
     /// Adapter for `map_err`: adds the file.

@@ -5,8 +5,12 @@
 //! merged file is named by its first shot and bounded in size. The shots of consecutive files
 //! follow each other, as required by readers that concatenate files by coordinates.
 //!
+//! The particles of a merged file's shots become the file beside it ([`particles`]).
+//!
 //! Merged files are sealed before their segments are removed. If the process is killed in between,
 //! some shots are stored twice with equal numbers; the next merge removes the duplicates.
+
+mod particles;
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -16,7 +20,7 @@ use std::{
 };
 
 use netcdf::{
-    AttributeValue, FileMut, Variable,
+    AttributeValue, FileMut, Variable, VariableMut,
     types::{FloatType, IntType, NcVariableType},
 };
 
@@ -25,7 +29,9 @@ use super::{
     durable::{MemoryFile, part_path, seal},
     netcdf_file::history_line,
     netcdf_open::{create, open},
+    particle_file::particles_beside,
     stored::{FIRST_STORED, first_stored, records_of, segments},
+    stored_particles::remove_orphans,
 };
 
 /// The dimension along which segments are concatenated.
@@ -79,6 +85,7 @@ pub(super) fn merge_within(
     bounds: Bounds,
     mut go_on: impl FnMut() -> bool,
 ) -> Result<(), ArchiveError> {
+    remove_orphans(folder)?;
     let mut by_kind: BTreeMap<String, Vec<Segment>> = BTreeMap::new();
     for path in segments(folder, ".nc")? {
         let segment = Segment::read(path)?;
@@ -106,6 +113,7 @@ struct Segment {
     shots: Vec<i64>,
     /// Equal for segments that can be merged into one file.
     kind: String,
+    /// Those of its particles, too.
     bytes: u64,
     sealed: SystemTime,
     first_stored: Option<u64>,
@@ -118,7 +126,9 @@ impl Segment {
         let first_stored = first_stored(&path)?;
         let metadata = fs::metadata(&path).map_err(ArchiveError::io("look at", &path))?;
         let sealed = metadata.modified().map_err(ArchiveError::io("look at", &path))?;
-        Ok(Self { shots, kind, bytes: metadata.len(), sealed, first_stored, path })
+        let particles = fs::metadata(particles_beside(&path)).map_or(0, |file| file.len());
+        let bytes = metadata.len() + particles;
+        Ok(Self { shots, kind, bytes, sealed, first_stored, path })
     }
 
     fn is_sorted(&self) -> bool {
@@ -248,7 +258,7 @@ fn merge(folder: &Path, group: &[Segment], bounds: Bounds) -> Result<(), Archive
     for path in group.iter().map(|segment| &segment.path).filter(|path| !written.contains(path)) {
         fs::remove_file(path).map_err(ArchiveError::io("remove", path))?;
     }
-    Ok(())
+    remove_orphans(folder)
 }
 
 /// Path for a merged file, named by its first shot. A suffix is added if a file of that name has
@@ -280,6 +290,8 @@ fn write_piece(path: &Path, group: &[Segment], piece: &[Record]) -> Result<(), A
     merged
         .and_then(|merged| write(merged, group, piece, first_stored))
         .map_err(ArchiveError::netcdf(path))?;
+    // First, as where a segment is stored.
+    particles::merge(&particles_beside(path), group, piece)?;
     memory.write_part(path)?;
     if let Some(oldest) = oldest {
         let part = part_path(path);
@@ -299,7 +311,8 @@ fn write(
     piece: &[Record],
     first_stored: Option<u64>,
 ) -> netcdf::Result<()> {
-    define(&mut merged, &group[0].path, group.len(), first_stored)?;
+    describe(&mut merged, &group[0].path, group.len(), first_stored)?;
+    define(&mut merged, &group[0].path)?;
     for (number, segment) in group.iter().enumerate() {
         let records = piece.iter().enumerate().filter(|(_, record)| record.segment == number);
         let mut places: Vec<(usize, usize)> =
@@ -310,16 +323,14 @@ fn write(
     merged.close()
 }
 
-/// Defines dimensions, variables and attributes as in `like`, and copies values that do not belong
-/// to a shot.
-fn define(
+/// Copies the global attributes of `like`.
+fn describe(
     merged: &mut FileMut,
     like: &Path,
     segments: usize,
     first_stored: Option<u64>,
 ) -> netcdf::Result<()> {
-    let like = open(like)?;
-    for attribute in like.attributes() {
+    for attribute in open(like)?.attributes() {
         match (attribute.name(), attribute.value()?) {
             ("history", AttributeValue::Str(history)) => {
                 let line = history_line(&format!("{segments} segments merged"));
@@ -334,6 +345,12 @@ fn define(
     if let Some(shot) = first_stored {
         merged.add_attribute(FIRST_STORED, shot as i64)?;
     }
+    Ok(())
+}
+
+/// Defines dimensions and variables as in `like`, and copies values that do not belong to a shot.
+fn define(merged: &mut FileMut, like: &Path) -> netcdf::Result<()> {
+    let like = open(like)?;
     for dimension in like.dimensions() {
         if dimension.is_unlimited() {
             merged.add_unlimited_dimension(&dimension.name())?;
@@ -342,18 +359,27 @@ fn define(
         }
     }
     for variable in like.variables() {
-        let dimensions: Vec<String> = variable.dimensions().iter().map(|d| d.name()).collect();
-        let dimensions: Vec<&str> = dimensions.iter().map(String::as_str).collect();
-        let kind = variable.vartype();
-        let mut copy = merged.add_variable_with_type(&variable.name(), &dimensions, &kind)?;
-        for attribute in variable.attributes() {
-            copy.put_attribute(attribute.name(), attribute.value()?)?;
-        }
+        add_like(merged, &variable)?;
     }
     for variable in like.variables().filter(|variable| !has_shots(variable)) {
         copy(merged, &variable, None)?;
     }
     Ok(())
+}
+
+/// Adds a variable like that of another file, without its values.
+fn add_like<'m>(
+    merged: &'m mut FileMut,
+    variable: &Variable<'_>,
+) -> netcdf::Result<VariableMut<'m>> {
+    let dimensions: Vec<String> = variable.dimensions().iter().map(|d| d.name()).collect();
+    let dimensions: Vec<&str> = dimensions.iter().map(String::as_str).collect();
+    let kind = variable.vartype();
+    let mut copy = merged.add_variable_with_type(&variable.name(), &dimensions, &kind)?;
+    for attribute in variable.attributes() {
+        copy.put_attribute(attribute.name(), attribute.value()?)?;
+    }
+    Ok(copy)
 }
 
 /// Copies records of a segment. `places` lists pairs of the record's index in the segment and in

@@ -4,7 +4,7 @@
 //!   (`cam1_a.tif cam1_b.tif cam2_a.tif cam2_b.tif`).
 //! - [`ResultStore`]: stores the results of a run shot by shot (NetCDF segments, ParaView files);
 //!   [`merge_segments`] merges segments into few files.
-//! - [`RunResults`]: reads results of a finished run as they were measured.
+//! - [`RunResults`]: reads results of a finished run as they were measured, with their particles.
 //! - [`StoredShots`]: reads the vectors of a run shot by shot; [`write_csv`], [`write_tecplot`],
 //!   [`Hdf5File`] write them in the formats of other programs.
 //! - [`write_velocity`], [`write_particles`], [`write_volumes`]: write the files of one processed pair; [`read_volumes`]
@@ -34,6 +34,7 @@ mod shot_time;
 mod statistics_file;
 mod store;
 mod stored;
+mod stored_particles;
 mod stored_record;
 mod stored_shots;
 #[cfg(test)]
@@ -50,7 +51,7 @@ pub use grey_tiff::{
 pub use json_hash::{sha256, stated_and_true_hash};
 pub use merge::merge_segments;
 pub use pair_folder::{find_pair_folders, image_names, read_pair, write_pair};
-pub use paraview::{VtiSeries, VtiSource, write_vti, write_vtp};
+pub use paraview::{FileSeries, VtiSource, write_vti, write_vtp};
 pub use particle_file::write_particles;
 pub use run_results::RunResults;
 pub use shot_result::{RawLevel, ShotResult};
@@ -58,6 +59,7 @@ pub use shot_time::ShotTime;
 pub use statistics_file::write_statistics;
 pub use store::ResultStore;
 pub use stored::{SealedFile, StoredResults, stored_configuration, stored_vectors};
+pub use stored_particles::stored_particles;
 pub use stored_shots::{StoredShot, StoredShots};
 pub use velocity_file::write_velocity;
 pub use volume_file::{read_volumes, write_volumes};

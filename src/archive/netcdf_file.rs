@@ -43,10 +43,14 @@ pub(super) struct Finished {
 }
 
 impl Finished {
-    /// Writes the file to disk and returns its path. A failed call can be repeated.
-    pub fn store(&self) -> Result<&Path, ArchiveError> {
-        self.memory.store(&self.path)?;
-        Ok(&self.path)
+    /// Path of the file on disk.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes the file to disk. A failed call can be repeated.
+    pub fn store(&self) -> Result<(), ArchiveError> {
+        self.memory.store(&self.path)
     }
 }
 
@@ -255,7 +259,7 @@ impl NetCdfFile {
 
     /// Closes the file and writes it to disk.
     pub fn store(self) -> Result<(), ArchiveError> {
-        self.finish()?.store().map(|_| ())
+        self.finish()?.store()
     }
 
     fn with<R>(

@@ -1,12 +1,16 @@
 //! Files for ParaView: one `.vti` per shot (VTK XML ImageData, raw appended data), a `.vti.series` that lists
-//! them, and `.vtp` for the particles of a pair (PolyData).
+//! them; `.vtp` for the particles of a shot (PolyData), and a `.pvd` that lists those.
+
+mod particles;
+
+pub use particles::write_vtp;
 
 use std::{
     io::{self, Write},
     path::Path,
 };
 
-use lfpiv_core::velocimetry::{MeasuredParticle, VectorStatus, VelocityField};
+use lfpiv_core::velocimetry::{VectorStatus, VelocityField};
 use serde::Serialize;
 
 use super::{ArchiveError, durable::replace};
@@ -44,6 +48,11 @@ impl Array {
         Self { name, vtk_type: "Float32", components: 1, bytes }
     }
 
+    fn integers(name: &'static str, values: impl Iterator<Item = i64>) -> Self {
+        let bytes = values.flat_map(i64::to_le_bytes).collect();
+        Self { name, vtk_type: "Int64", components: 1, bytes }
+    }
+
     fn flags(name: &'static str, values: impl Iterator<Item = u8>) -> Self {
         Self { name, vtk_type: "UInt8", components: 1, bytes: values.collect() }
     }
@@ -64,11 +73,7 @@ pub fn write_vti(
     let arrays = arrays_of(field);
     replace(path, |writer| {
         write_header(writer, source, field, &arrays)?;
-        for array in &arrays {
-            writer.write_all(&(array.bytes.len() as u64).to_le_bytes())?;
-            writer.write_all(&array.bytes)?;
-        }
-        writer.write_all(b"\n</AppendedData>\n</VTKFile>\n")
+        write_data(writer, &arrays)
     })
 }
 
@@ -124,72 +129,6 @@ fn write_header(
     write!(writer, "</PointData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_")
 }
 
-/// Writes particles for ParaView: vertices of a PolyData, in SI units, with the point arrays `velocity`,
-/// `velocity_uncertainty` (m/s), `light` (counts, mean of the cameras) and `valid`. `field` is what they are
-/// particles of.
-pub fn write_vtp(
-    path: &Path,
-    source: &VtiSource,
-    field: &VelocityField,
-    particles: &[MeasuredParticle],
-) -> Result<(), ArchiveError> {
-    let count = particles.len();
-    let speed = field.metres_per_second_per_voxel() as f32;
-    let cameras =
-        |p: &MeasuredParticle| p.light.iter().filter(|light| **light > 0.0).count().max(1);
-    let light: Vec<f32> =
-        particles.iter().map(|p| p.light.iter().sum::<f32>() / cameras(p) as f32).collect();
-    let integers = |name, values: &mut dyn Iterator<Item = i64>| Array {
-        name,
-        vtk_type: "Int64",
-        components: 1,
-        bytes: values.flat_map(i64::to_le_bytes).collect(),
-    };
-    let points =
-        [Array::vectors("points", particles.iter().map(|p| p.at_mm.map(|mm| (mm * 1e-3) as f32)))];
-    let vertices = [
-        integers("connectivity", &mut (0..count as i64)),
-        integers("offsets", &mut (1..=count as i64)),
-    ];
-    let of_points = [
-        Array::vectors("velocity", particles.iter().map(|p| p.displacement_vox.map(|d| d * speed))),
-        Array::vectors(
-            "velocity_uncertainty",
-            particles.iter().map(|p| p.uncertainty_vox.map(|u| u * speed)),
-        ),
-        Array::scalars("light", &light),
-        Array::flags("valid", particles.iter().map(|p| u8::from(p.agrees))),
-    ];
-    replace(path, |writer| {
-        writeln!(
-            writer,
-            r#"<?xml version="1.0"?>
-<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-<PolyData>"#
-        )?;
-        write_field_data(writer, source, field.dt_s)?;
-        writeln!(writer, r#"<Piece NumberOfPoints="{count}" NumberOfVerts="{count}">"#)?;
-        let mut offset = 0;
-        let parts: [(&str, &[Array]); 3] = [
-            ("Points", &points),
-            ("Verts", &vertices),
-            (r#"PointData Vectors="velocity" Scalars="valid""#, &of_points),
-        ];
-        for (tag, arrays) in parts {
-            writeln!(writer, "<{tag}>")?;
-            offset = write_arrays(writer, arrays, offset)?;
-            let name = tag.split(' ').next().unwrap_or(tag);
-            writeln!(writer, "</{name}>")?;
-        }
-        write!(writer, "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_")?;
-        for array in parts.iter().flat_map(|(_, arrays)| arrays.iter()) {
-            writer.write_all(&(array.bytes.len() as u64).to_le_bytes())?;
-            writer.write_all(&array.bytes)?;
-        }
-        writer.write_all(b"\n</AppendedData>\n</VTKFile>\n")
-    })
-}
-
 /// Writes the headers of arrays whose data begins at `offset`, and returns where the next one's does.
 fn write_arrays(writer: &mut impl Write, arrays: &[Array], offset: usize) -> io::Result<usize> {
     let mut offset = offset;
@@ -201,6 +140,18 @@ fn write_arrays(writer: &mut impl Write, arrays: &[Array], offset: usize) -> io:
         offset += size_of::<u64>() + bytes.len();
     }
     Ok(offset)
+}
+
+/// Writes the data of arrays, behind their headers, and the end of the file.
+fn write_data<'a>(
+    writer: &mut impl Write,
+    arrays: impl IntoIterator<Item = &'a Array>,
+) -> io::Result<()> {
+    for array in arrays {
+        writer.write_all(&(array.bytes.len() as u64).to_le_bytes())?;
+        writer.write_all(&array.bytes)?;
+    }
+    writer.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
 
 /// Writes the field data: time, if known, and origin.
@@ -238,10 +189,10 @@ fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()>
     writeln!(writer, "0</Array>")
 }
 
-/// A list of `.vti` files that ParaView opens as one animation: the `.vti.series` file.
+/// A list of files that ParaView opens as one animation: `.vti` files as a `.vti.series`, others as a `.pvd`.
 ///
 /// ParaView's time is UTC in seconds since 1970, or the shot number unless every shot has a time.
-pub struct VtiSeries<'a> {
+pub struct FileSeries<'a> {
     name_of: Box<dyn Fn(u64) -> String + Send + 'a>,
     /// Sorted by shot. A run may have a million files, so only their numbers and times are kept.
     files: Vec<ListedFile>,
@@ -266,10 +217,15 @@ struct SeriesEntry {
     time: f64,
 }
 
-impl<'a> VtiSeries<'a> {
+impl<'a> FileSeries<'a> {
     /// An empty list. `name_of` maps a shot to the path of its file, relative to the series file.
     pub fn new(name_of: impl Fn(u64) -> String + Send + 'a) -> Self {
         Self { name_of: Box::new(name_of), files: Vec::new() }
+    }
+
+    /// Path of a shot's file, relative to the list.
+    pub fn name_of(&self, shot: u64) -> String {
+        (self.name_of)(shot)
     }
 
     /// Adds or replaces the file of a shot; `utc_s` is the shot's time, if known.
@@ -291,16 +247,32 @@ impl<'a> VtiSeries<'a> {
         self.files.is_empty()
     }
 
-    /// Writes the list, replacing an older one.
+    /// Writes the list as a `.vti.series`, replacing an older one.
     pub fn write(&self, path: &Path) -> Result<(), ArchiveError> {
-        let timed = self.files.iter().all(|file| file.utc_s.is_some());
-        let files = self.files.iter().map(|&ListedFile { shot, utc_s }| SeriesEntry {
-            name: (self.name_of)(shot),
-            time: utc_s.filter(|_| timed).unwrap_or(shot as f64),
-        });
-        let series = SeriesFile { version: "1.0", files: files.collect() };
+        let series = SeriesFile { version: "1.0", files: self.entries().collect() };
         replace(path, |writer| {
             serde_json::to_writer_pretty(writer, &series).map_err(io::Error::from)
+        })
+    }
+
+    /// Writes the list as a `.pvd`, replacing an older one.
+    pub fn write_pvd(&self, path: &Path) -> Result<(), ArchiveError> {
+        replace(path, |writer| {
+            writeln!(writer, r#"<?xml version="1.0"?>"#)?;
+            writeln!(writer, r#"<VTKFile type="Collection" version="1.0">"#)?;
+            writeln!(writer, "<Collection>")?;
+            for SeriesEntry { name, time } in self.entries() {
+                writeln!(writer, r#"<DataSet timestep="{time}" part="0" file="{name}"/>"#)?;
+            }
+            writeln!(writer, "</Collection>\n</VTKFile>")
+        })
+    }
+
+    fn entries(&self) -> impl Iterator<Item = SeriesEntry> {
+        let timed = self.files.iter().all(|file| file.utc_s.is_some());
+        self.files.iter().map(move |&ListedFile { shot, utc_s }| SeriesEntry {
+            name: self.name_of(shot),
+            time: utc_s.filter(|_| timed).unwrap_or(shot as f64),
         })
     }
 }
@@ -336,8 +308,8 @@ mod tests {
     fn a_series_lists_its_shots() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("velocity.vti.series");
-        let mut series = VtiSeries::new(|shot| format!("shot_{shot:06}.vti"));
-        let read = |series: &VtiSeries<'_>| -> serde_json::Value {
+        let mut series = FileSeries::new(|shot| format!("shot_{shot:06}.vti"));
+        let read = |series: &FileSeries<'_>| -> serde_json::Value {
             series.write(&path).unwrap();
             serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap()
         };
@@ -352,5 +324,9 @@ mod tests {
         let times = read(&series)["files"].as_array().unwrap().clone();
         let times: Vec<_> = times.iter().map(|file| file["time"].as_f64().unwrap()).collect();
         assert_eq!(times, [2.0, 3.0, 4.0]);
+        series.write_pvd(&path).unwrap();
+        let collection = std::fs::read_to_string(&path).unwrap();
+        let listed = r#"<DataSet timestep="3" part="0" file="shot_000003.vti"/>"#;
+        assert!(collection.contains(listed), "{collection}");
     }
 }

@@ -13,6 +13,7 @@ use super::{
     netcdf_file::FILL_F64,
     netcdf_open::open,
     stored::missing,
+    stored_particles::particles_of,
     stored_record::{RecordPlace, StoredRecord, places_in_segments},
 };
 
@@ -49,15 +50,37 @@ impl RunResults {
     }
 
     /// Reads the result of a shot; `None` if it has none. Warnings and the causes of a poor fit are
-    /// not stored, so they are empty.
+    /// not stored, so they are empty. Particles that cannot be read are reported, and absent.
     ///
     /// # Errors
     /// The segment cannot be read.
     pub fn read(&self, shot: u64) -> Result<Option<ShotResult>, ArchiveError> {
+        let Some((mut result, path)) = self.read_vectors(shot)? else { return Ok(None) };
+        result.measured.particles = particles_of(path, shot, &result.measured.field)
+            .unwrap_or_else(|error| {
+                tracing::error!(shot, "{error}");
+                None
+            });
+        Ok(Some(result))
+    }
+
+    /// As [`Self::read`], but not without its particles.
+    ///
+    /// # Errors
+    /// The segment or the particles beside it cannot be read.
+    pub fn read_whole(&self, shot: u64) -> Result<Option<ShotResult>, ArchiveError> {
+        let Some((mut result, path)) = self.read_vectors(shot)? else { return Ok(None) };
+        result.measured.particles = particles_of(path, shot, &result.measured.field)?;
+        Ok(Some(result))
+    }
+
+    /// The result without its particles, and the segment that it is in.
+    fn read_vectors(&self, shot: u64) -> Result<Option<(ShotResult, &Path)>, ArchiveError> {
         let Some(RecordPlace { path, record }) = self.places.get(&shot) else { return Ok(None) };
         let read =
             || result_of(StoredRecord { file: &open(path)?, record: *record }, self.voxel_mm);
-        read().map(Some).map_err(ArchiveError::unreadable_results(path))
+        let result = read().map_err(ArchiveError::unreadable_results(path))?;
+        Ok(Some((result, path)))
     }
 }
 

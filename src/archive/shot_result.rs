@@ -1,6 +1,6 @@
 //! The result of a shot: measurement, time, and durability of its images.
 
-use lfpiv_core::velocimetry::PairResult;
+use lfpiv_core::{particles::CAMERAS, velocimetry::PairResult};
 use serde::{Deserialize, Serialize};
 
 use super::ShotTime;
@@ -31,6 +31,13 @@ pub struct ShotResult {
     pub time: Option<ShotTime>,
     /// Durability of the raw images when the result was stored.
     pub raw: RawLevel,
+}
+
+impl ShotResult {
+    /// Number of cameras that its particles have light of.
+    pub fn cameras(&self) -> usize {
+        self.measured.fit.as_ref().map_or(CAMERAS, |fit| fit.cameras.len().min(CAMERAS))
+    }
 }
 
 /// For images that do not belong to a run.

@@ -3,11 +3,12 @@
 //! ```text
 //! DIR/configuration.toml     the configuration of the run
 //! DIR/velocity_000000.nc     sealed segment, named by its first shot
+//! DIR/particles_000000.nc    the particles of its shots, if they were placed in the images
 //! DIR/shot_000000.vti        one per shot, for ParaView, unless switched off
 //! DIR/velocity.vti.series    the list of the above
 //! ```
 //!
-//! The open segment is in memory and has at most some 32 MB. If a finished segment does not fit on
+//! The open segment is in memory and has at most some 32 MB of vectors and as many of particles. If a finished segment does not fit on
 //! the disk, it stays in memory, and no further result is accepted before it is stored.
 //!
 //! [`super::merge_segments`] merges the segments of a finished run into few files.
@@ -25,8 +26,10 @@ use super::{
     ArchiveError, ShotResult,
     durable::{create_folder, replace},
     netcdf_file::Finished,
-    paraview::{VtiSeries, VtiSource, write_vti},
+    paraview::{FileSeries, VtiSource, write_vti},
+    particle_file::{GatheredParticles, particles_beside},
     stored::StoredResults,
+    stored_particles::remove_orphans,
     velocity_file::VelocityFile,
 };
 
@@ -48,17 +51,19 @@ pub struct ResultStore {
     /// A finished segment that is not on disk yet.
     unstored: Option<Unstored>,
     /// `None` if no files for ParaView are written.
-    series: Option<VtiSeries<'static>>,
+    series: Option<FileSeries<'static>>,
 }
 
 struct Segment {
     file: VelocityFile,
+    particles: GatheredParticles,
     opened: Instant,
     shots: Vec<u64>,
 }
 
 struct Unstored {
     file: Finished,
+    particles: GatheredParticles,
     shots: Vec<u64>,
 }
 
@@ -91,7 +96,7 @@ impl ResultStore {
             segment_age,
             segment: None,
             unstored: None,
-            series: Some(VtiSeries::new(vti_name)),
+            series: Some(FileSeries::new(vti_name)),
         })
     }
 
@@ -108,7 +113,8 @@ impl ResultStore {
         for part in &stored.unreadable {
             fs::remove_file(part).map_err(ArchiveError::io("remove", part))?;
         }
-        let mut series = VtiSeries::new(vti_name);
+        remove_orphans(folder)?;
+        let mut series = FileSeries::new(vti_name);
         for shot in &stored.shots {
             if folder.join(vti_name(*shot)).exists() {
                 series.push(*shot, stored.times_s.get(shot).copied());
@@ -148,7 +154,10 @@ impl ResultStore {
         };
         let segment = self.segment.insert(segment);
         match segment.file.append(shot, result) {
-            Ok(()) => segment.shots.push(shot),
+            Ok(()) => {
+                segment.shots.push(shot);
+                segment.particles.add(shot, result);
+            }
             Err(error) => {
                 self.segment.take_if(|segment| segment.shots.is_empty());
                 return Err(error);
@@ -165,6 +174,7 @@ impl ResultStore {
             segment.opened.elapsed() >= self.segment_age
                 || segment.shots.len() >= SEGMENT_SHOTS
                 || segment.file.is_full()
+                || segment.particles.is_full()
         };
         if self.segment.as_ref().is_some_and(is_due) { self.seal() } else { self.store() }
     }
@@ -188,15 +198,20 @@ impl ResultStore {
     pub fn seal(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
         // Store an earlier segment first: only one can wait.
         let earlier = self.store()?;
-        let Some(Segment { file, shots, .. }) = self.segment.take() else { return Ok(earlier) };
-        self.unstored = Some(Unstored { file: file.finish()?, shots });
+        let Some(Segment { file, particles, shots, .. }) = self.segment.take() else {
+            return Ok(earlier);
+        };
+        self.unstored = Some(Unstored { file: file.finish()?, particles, shots });
         self.store()
     }
 
     /// Writes the finished segment that waits for disk space.
     fn store(&mut self) -> Result<Option<PathBuf>, ArchiveError> {
         let Some(unstored) = &self.unstored else { return Ok(None) };
-        let path = unstored.file.store()?.to_owned();
+        let path = unstored.file.path().to_owned();
+        // First: vectors are never without their particles.
+        unstored.particles.store(&particles_beside(&path), &self.configuration)?;
+        unstored.file.store()?;
         self.unstored = None;
         self.write_series()?;
         Ok(Some(path))
@@ -240,7 +255,8 @@ impl ResultStore {
     fn open_segment(&self, shot: u64, result: &ShotResult) -> Result<Segment, ArchiveError> {
         let path = self.unused_name(shot);
         let file = VelocityFile::create(&path, &self.configuration, result)?;
-        Ok(Segment { file, opened: Instant::now(), shots: Vec::new() })
+        let (opened, particles, shots) = (Instant::now(), Default::default(), Vec::new());
+        Ok(Segment { file, particles, opened, shots })
     }
 }
 

@@ -93,12 +93,21 @@ const COMPARED: [&str; 8] =
 
 /// Segments in the run's folder whose names end in `ending`, sorted by name.
 pub(super) fn segments(folder: &Path, ending: &str) -> Result<Vec<PathBuf>, ArchiveError> {
+    named(folder, "velocity_", ending)
+}
+
+/// Files in a folder whose names begin and end so, sorted by name.
+pub(super) fn named(
+    folder: &Path,
+    beginning: &str,
+    ending: &str,
+) -> Result<Vec<PathBuf>, ArchiveError> {
     let entries = fs::read_dir(folder).map_err(ArchiveError::io("list the folder", folder))?;
     let mut paths = Vec::new();
     for entry in entries {
         let path = entry.map_err(ArchiveError::io("list the folder", folder))?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if name.starts_with("velocity_") && name.ends_with(ending) {
+        if name.starts_with(beginning) && name.ends_with(ending) {
             paths.push(path);
         }
     }

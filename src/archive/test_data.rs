@@ -1,6 +1,8 @@
 //! A synthetic result for the tests of this room.
 
-use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
+use lfpiv_core::velocimetry::{
+    MeasuredParticle, PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField,
+};
 
 use super::{RawLevel, ShotResult, ShotTime};
 
@@ -45,4 +47,21 @@ pub(super) fn result(vectors: [usize; 3]) -> ShotResult {
         clock_synchronised: true,
     };
     ShotResult { measured, time: Some(time), raw: RawLevel::NotKept }
+}
+
+/// The same with so many particles, all different, and different from those of other shots.
+pub(super) fn with_particles(shot: u64, count: usize) -> ShotResult {
+    let mut result = result([4, 3, 2]);
+    let particle = |n: usize| {
+        let number = shot as f32 + 0.01 * n as f32;
+        MeasuredParticle {
+            at_mm: [0.1, -0.2, 0.3].map(|mm| mm * f64::from(number)),
+            displacement_vox: [number, 2.0, -number],
+            uncertainty_vox: [0.01, 0.02, 0.03].map(|vox| vox * (1.0 + number)),
+            light: [100.0 + number, 200.0 + number],
+            agrees: n % 3 != 1,
+        }
+    };
+    result.measured.particles = Some((0..count).map(particle).collect());
+    result
 }

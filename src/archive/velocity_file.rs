@@ -133,14 +133,23 @@ fn per_second(field: &VelocityField, index: usize, gradient: f32) -> f32 {
     }
 }
 
-fn add_time(file: &mut NetCdfFile) -> Result<(), ArchiveError> {
-    file.add_with_fill(&TIME, &["shot"])?;
-    file.add_with_fill(&TIME_UNCERTAINTY, &["shot"])?;
-    file.add_flag(&CLOCK, &["shot"], "not_known_to_be_synchronised synchronised")?;
+/// Adds the time of the trigger over a dimension, unknown times being [`FILL_F64`]; its name is returned.
+pub(super) fn add_utc(
+    file: &mut NetCdfFile,
+    dimension: &str,
+) -> Result<&'static str, ArchiveError> {
+    file.add_with_fill(&TIME, &[dimension])?;
     file.put_text(TIME.name, "standard_name", "time")?;
     file.put_text(TIME.name, "calendar", "standard")?;
     // Seconds since 1970 without leap seconds, as the system's clock counts.
     file.put_text(TIME.name, "units_metadata", "leap_seconds: none")?;
+    Ok(TIME.name)
+}
+
+fn add_time(file: &mut NetCdfFile) -> Result<(), ArchiveError> {
+    add_utc(file, "shot")?;
+    file.add_with_fill(&TIME_UNCERTAINTY, &["shot"])?;
+    file.add_flag(&CLOCK, &["shot"], "not_known_to_be_synchronised synchronised")?;
     let ancillary = format!("{} {}", TIME_UNCERTAINTY.name, CLOCK.name);
     file.put_text(TIME.name, "ancillary_variables", &ancillary)
 }
@@ -154,7 +163,7 @@ pub fn write_velocity(
 ) -> Result<(), ArchiveError> {
     let mut file = VelocityFile::create(path, configuration, result)?;
     file.append(shot, result)?;
-    file.finish()?.store().map(|_| ())
+    file.finish()?.store()
 }
 
 /// Memory requested for a file; it is twice the size at which a file counts as full.

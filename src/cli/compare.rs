@@ -1,4 +1,4 @@
-//! `lfpiv compare`: compares two runs, with every number of every vector, and their ledgers.
+//! `lfpiv compare`: compares two runs, with every number of every vector and placed particle, and their ledgers.
 
 use std::{
     collections::BTreeMap,
@@ -13,7 +13,7 @@ use super::{
     ledger_file::{CUT_OFF, has_ledger, read_json},
     output::{count, print},
 };
-use crate::archive::stored_vectors;
+use crate::archive::{stored_particles, stored_vectors};
 
 /// Arguments of `lfpiv compare`.
 #[derive(Debug, clap::Args)]
@@ -42,6 +42,8 @@ pub fn compare_runs(args: &CompareArgs) -> anyhow::Result<()> {
 pub(super) struct Results {
     /// The bits of each shot's vectors.
     vectors: BTreeMap<u64, Vec<u32>>,
+    /// The same of the particles, of the shots whose particles were stored.
+    particles: BTreeMap<u64, Vec<u64>>,
     /// Each camera's counts. Empty if they cannot be compared: the record of a killed run has
     /// undecided triggers, which a replay decides.
     accounts: Vec<BTreeMap<String, u64>>,
@@ -53,7 +55,8 @@ impl Results {
     /// Existing results or an existing ledger cannot be read.
     pub fn read(run: &Path) -> anyhow::Result<Self> {
         let accounts = if has_ledger(run) { accounts(run)? } else { Vec::new() };
-        Ok(Self { vectors: stored_vectors(run)?, accounts })
+        let (vectors, particles) = (stored_vectors(run)?, stored_particles(run)?);
+        Ok(Self { vectors, particles, accounts })
     }
 
     /// Whether a shot has vectors.
@@ -65,6 +68,7 @@ impl Results {
     pub fn leave_out(&mut self, is_lost: impl Fn(u64) -> bool) {
         let before = self.vectors.len();
         self.vectors.retain(|shot, _| !is_lost(*shot));
+        self.particles.retain(|shot, _| !is_lost(*shot));
         self.accounts.clear();
         let left_out = before - self.vectors.len();
         tracing::warn!(
@@ -96,6 +100,12 @@ pub(super) fn compare(then: &Results, now: &Results) -> anyhow::Result<()> {
         count(then.vectors.len(), "shot"),
         differ.len()
     ))?;
+    let particles = then.particles.iter().filter(|(shot, _)| now.has(**shot));
+    for (shot, _) in
+        particles.filter(|(shot, particles)| now.particles.get(shot) != Some(particles))
+    {
+        differ.push(format!("shot {shot}: different particles"));
+    }
     differ.extend(ledger_differences(then, now));
     if differ.is_empty() {
         return match then.accounts.len() {

@@ -30,8 +30,8 @@ use super::{
 use crate::{
     acquisition::SynchroniserThread,
     archive::{
-        ArchiveError, ShotResult, VtiSeries, VtiSource, read_pair, write_particles, write_velocity,
-        write_volumes, write_vti, write_vtp,
+        ArchiveError, FileSeries, ShotResult, VtiSource, read_pair, write_particles,
+        write_velocity, write_volumes, write_vti, write_vtp,
     },
     config::{Config, ConfigFile},
     pipeline::monotonic,
@@ -124,7 +124,7 @@ pub fn process(args: &ProcessArgs) -> anyhow::Result<()> {
     let bar = progress_bar(jobs.iter().filter(|job| !job.is_done).count(), "pairs");
     let names: HashMap<u64, &str> = jobs.iter().map(|job| (job.shot, job.name.as_str())).collect();
     let path_of = |shot: u64| format!("{}/{VTI}", names.get(&shot).copied().unwrap_or_default());
-    let (mut series, mut finished, mut tried) = (VtiSeries::new(path_of), 0_usize, 0_usize);
+    let (mut series, mut finished, mut tried) = (FileSeries::new(path_of), 0_usize, 0_usize);
     let mut full = None;
     for job in &jobs {
         if stop.is_cancelled() {
@@ -344,16 +344,12 @@ impl Run {
         if paraview {
             write_vti(&folder.join(VTI), &source, &result.field)?;
         }
-        if let Some(particles) = &result.particles {
-            let cameras = self.file.config.camera.len();
-            let (path, text) = (folder.join("particles.nc"), &self.file.text);
-            write_particles(&path, text, job.shot, &result.field, (particles, cameras))?;
-            if paraview {
-                write_vtp(&folder.join("particles.vtp"), &source, &result.field, particles)?;
-            }
+        if let Some(particles) = result.particles.as_ref().filter(|_| paraview) {
+            write_vtp(&folder.join("particles.vtp"), &source, &result.field, particles)?;
         }
-        // Written last: this file marks complete results.
         let result = ShotResult::from(result);
+        write_particles(&folder.join("particles.nc"), &self.file.text, job.shot, &result)?;
+        // Written last: this file marks complete results.
         write_velocity(&folder.join("velocity.nc"), &self.file.text, job.shot, &result)?;
         Ok(result.measured)
     }

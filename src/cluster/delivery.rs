@@ -66,12 +66,22 @@ impl Delivery {
 mod tests {
     use lfpiv_core::{
         reconstruction::{CameraFit, FitVerdict, ModelFit},
-        velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
+        velocimetry::{
+            MeasuredParticle, PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField,
+        },
     };
     use proptest::prelude::*;
 
     use super::*;
     use crate::archive::{RawLevel, ShotTime};
+
+    fn particle() -> impl Strategy<Value = MeasuredParticle> {
+        (any::<[f64; 3]>(), any::<[u32; 8]>(), any::<bool>()).prop_map(|(at_mm, bits, agrees)| {
+            let [a, b, c, d, e, f, g, h] = bits.map(f32::from_bits);
+            let (displacement_vox, uncertainty_vox, light) = ([a, b, c], [d, e, f], [g, h]);
+            MeasuredParticle { at_mm, displacement_vox, uncertainty_vox, light, agrees }
+        })
+    }
 
     /// Any result of 3 × 2 × 1 vectors.
     fn delivery() -> impl Strategy<Value = Delivery> {
@@ -81,10 +91,11 @@ mod tests {
                 .prop_map(|(x, y, z)| (0..6).map(|n| [x[n], y[n], z[n]]).collect::<Vec<_>>())
         };
         let fit = proptest::option::of((any::<[f64; 3]>(), any::<Option<f64>>(), ".{0,9}"));
+        let fit = (fit, proptest::option::of(proptest::collection::vec(particle(), 0..4)));
         let arrays = (triples(), triples(), triples(), numbers(), numbers(), any::<[u8; 6]>());
         let scalars = (any::<[f64; 10]>(), proptest::option::of(any::<(i64, u64, bool)>()));
         let names = (any::<u64>(), any::<[u32; 2]>(), ".{0,9}", ".{0,9}");
-        (arrays, scalars, fit, names).prop_map(|(arrays, (f, time), fit, names)| {
+        (arrays, scalars, fit, names).prop_map(|(arrays, (f, time), (fit, particles), names)| {
             let (displacement_vox, uncertainty_vox, vorticity, peaks, divergence, states) = arrays;
             let cycle = [
                 VectorStatus::Valid,
@@ -138,7 +149,7 @@ mod tests {
                 model: Default::default(),
                 fit,
                 light: None,
-                particles: None,
+                particles,
             };
             Delivery {
                 shot,

@@ -12,7 +12,9 @@
 
 use lfpiv_core::{
     reconstruction::{CameraFit, FitVerdict, ModelFit},
-    velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField},
+    velocimetry::{
+        MeasuredParticle, PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField,
+    },
 };
 use ring::digest::{SHA256, SHA256_OUTPUT_LEN, digest};
 
@@ -56,7 +58,17 @@ pub(super) fn result_bytes(delivery: &Delivery) -> Vec<u8> {
     to.list(&measured.warnings, |to, warning| to.text(warning));
     to.optional(measured.fit.as_ref(), put_fit);
     put_field(&mut to, &measured.field);
+    to.optional(measured.particles.as_ref(), |to, particles| to.list(particles, put_particle));
     to.0
+}
+
+fn put_particle(to: &mut Sink, particle: &MeasuredParticle) {
+    let MeasuredParticle { at_mm, displacement_vox, uncertainty_vox, light, agrees } = particle;
+    at_mm.iter().for_each(|mm| to.f64(*mm));
+    for number in displacement_vox.iter().chain(uncertainty_vox).chain(light) {
+        to.f32(*number);
+    }
+    to.0.push(u8::from(*agrees));
 }
 
 fn put_fit(to: &mut Sink, fit: &ModelFit) {
@@ -145,6 +157,7 @@ fn take_delivery(from: &mut Source<'_>) -> Option<Delivery> {
     let warnings = from.list(Source::text)?;
     let fit = from.optional(take_fit)?;
     let field = take_field(from)?;
+    let particles = from.optional(|from| from.list(take_particle))?;
     let measured = PairResult {
         field,
         seconds,
@@ -152,7 +165,7 @@ fn take_delivery(from: &mut Source<'_>) -> Option<Delivery> {
         model: Default::default(),
         fit,
         light: None,
-        particles: None,
+        particles,
     };
     let result = ShotResult { measured, time, raw };
     Some(Delivery { shot, attempt, worker, model_sha256, result })
@@ -192,6 +205,21 @@ fn take_field(from: &mut Source<'_>) -> Option<VelocityField> {
         voxel_mm,
         dt_s,
     })
+}
+
+fn take_particle(from: &mut Source<'_>) -> Option<MeasuredParticle> {
+    let mut particle = MeasuredParticle {
+        at_mm: [from.f64()?, from.f64()?, from.f64()?],
+        displacement_vox: [from.f32()?, from.f32()?, from.f32()?],
+        uncertainty_vox: [from.f32()?, from.f32()?, from.f32()?],
+        light: Default::default(),
+        agrees: false,
+    };
+    for light in &mut particle.light {
+        *light = from.f32()?;
+    }
+    particle.agrees = from.flag()?;
+    Some(particle)
 }
 
 struct Sink(Vec<u8>);

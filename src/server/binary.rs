@@ -1,4 +1,4 @@
-//! Byte layout of velocity fields and volumes, little-endian throughout.
+//! Byte layout of velocity fields, particles, volumes and masks, little-endian throughout.
 //!
 //! A velocity field:
 //!
@@ -20,6 +20,25 @@
 //! n = nx·ny·nz; vectors are ordered z, y, x (x fastest). Displacement and uncertainty of an
 //! invalid or masked vector are NaN (in version 1: zero and the largest expected value). Velocity in m/s is
 //! displacement times voxel edge / 1000 / time between the frames.
+//!
+//! Particles:
+//!
+//! | offset | type | content |
+//! |---|---|---|
+//! | 0 | 8 bytes | magic `LFPIVPA1` |
+//! | 8 | u64 | shot number |
+//! | 16 | u32 | number of particles n |
+//! | 20 | u32 | number of cameras c |
+//! | 24 | u32 | zero |
+//! | 28 | u32 | offset of the arrays: 80 |
+//! | 32 | f64 | edge of a voxel, in mm |
+//! | 40 | f64 | time between the frames, in s |
+//! | 48 | 32 bytes | zero |
+//! | 80 | 3n × f32 | place x, y, z per particle in the middle of the pair, in mm |
+//! | 80 + 12n | 3n × f32 | displacement x, y, z between the frames, in voxels |
+//! | 80 + 24n | 3n × f32 | standard uncertainty of the displacement x, y, z, in voxels; that of the place is half of it |
+//! | 80 + 36n | c·n × f32 | light in each camera per particle |
+//! | 80 + (36 + 4c)n | n × u8 | 1 valid: it agrees with the particles about it; 0 rejected |
 //!
 //! A volume:
 //!
@@ -51,13 +70,17 @@
 use lfpiv_core::{
     model::VolumeMask,
     reconstruction::SparseVolume,
-    velocimetry::{VectorStatus, VelocityField},
+    velocimetry::{MeasuredParticle, VectorStatus, VelocityField},
 };
+
+use crate::archive::ShotResult;
 
 /// Media type of binary responses.
 pub const MEDIA_TYPE: &str = "application/octet-stream";
 /// First bytes of a field; the last byte is the version of the layout.
 pub const MAGIC: &[u8; 8] = b"LFPIVVF2";
+/// First bytes of particles; the last byte is the version of the layout.
+pub const PARTICLE_MAGIC: &[u8; 8] = b"LFPIVPA1";
 /// First bytes of a volume; the last byte is the version of the layout.
 pub const VOLUME_MAGIC: &[u8; 8] = b"LFPIVVO1";
 /// First bytes of a mask; the last byte is the version of the layout.
@@ -101,6 +124,38 @@ pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
     }));
     bytes.resize(bytes.len().next_multiple_of(4), 0);
     with_value(&field.uncertainty_vox, &mut bytes);
+    bytes
+}
+
+/// Size of so many encoded particles, seen by so many cameras, in bytes.
+pub fn particle_bytes(particles: usize, cameras: usize) -> usize {
+    HEADER_BYTES as usize + (37 + 4 * cameras) * particles
+}
+
+/// Encodes the particles of a result, none where none were placed, as described in the module documentation.
+pub fn encode_particles(shot: u64, result: &ShotResult) -> Vec<u8> {
+    let (field, cameras) = (&result.measured.field, result.cameras());
+    let particles = result.measured.particles.as_deref().unwrap_or_default();
+    let mut bytes = Vec::with_capacity(particle_bytes(particles.len(), cameras));
+    bytes.extend_from_slice(PARTICLE_MAGIC);
+    bytes.extend_from_slice(&shot.to_le_bytes());
+    for number in [particles.len() as u32, cameras as u32, 0, HEADER_BYTES] {
+        bytes.extend_from_slice(&number.to_le_bytes());
+    }
+    for number in [field.voxel_mm, field.dt_s] {
+        bytes.extend_from_slice(&number.to_le_bytes());
+    }
+    bytes.resize(HEADER_BYTES as usize, 0);
+    type Numbers = fn(&MeasuredParticle) -> [f32; 3];
+    let triples: [Numbers; 3] =
+        [|p| p.at_mm.map(|mm| mm as f32), |p| p.displacement_vox, |p| p.uncertainty_vox];
+    for numbers in triples {
+        bytes.extend(particles.iter().flat_map(numbers).flat_map(f32::to_le_bytes));
+    }
+    for particle in particles {
+        bytes.extend(particle.light[..cameras].iter().flat_map(|light| light.to_le_bytes()));
+    }
+    bytes.extend(particles.iter().map(|particle| u8::from(particle.agrees)));
     bytes
 }
 

@@ -11,6 +11,7 @@
 //! | `GET /api/v1/configuration` | read | the settings of the run |
 //! | `GET /api/v1/mask` | read | which voxels are flow, as bytes |
 //! | `GET /api/v1/results/{n}` | read | the result of shot n, or of `latest` |
+//! | `GET /api/v1/results/{n}/particles` | read | the particles placed in its images |
 //! | `GET /api/v1/results/{n}/volumes/{a,b}` | read | a frame's volume, as bytes |
 //! | `GET /api/v1/results/{n}/projections/{a,b}/{xy,xz,yz}.png` | read | its maximum projections |
 //! | `GET /api/v1/statistics` | read | ensemble statistics of the shots so far |
@@ -44,6 +45,7 @@ mod listener;
 mod metrics;
 mod openapi;
 mod page;
+mod particles;
 mod preview;
 mod protection;
 mod results;
@@ -126,6 +128,7 @@ fn routes() -> (Routes, utoipa::openapi::OpenApi) {
         .routes(routes!(frames::preview))
         .routes(routes!(frame_statistics::statistics))
         .routes(routes!(results::one))
+        .routes(routes!(particles::particles))
         .routes(routes!(statistics::statistics))
         .routes(routes!(light::volume))
         .routes(routes!(light::projection))

@@ -37,7 +37,7 @@ const STYLE: &str = include_str!("../../web/openapi/viewer.css");
     tags(
         (name = "live", description = "State of the run"),
         (name = "shots", description = "State of each shot"),
-        (name = "results", description = "Velocity fields, volumes and their projections"),
+        (name = "results", description = "Velocity fields, particles, volumes and their projections"),
         (name = "control", description = "Needs a token of scope control, also on loopback"),
         (name = "document", description = "This document, and the bench in a browser")
     ),

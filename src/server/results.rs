@@ -1,5 +1,7 @@
 //! `/api/v1/results`: velocity fields.
 
+use std::sync::Arc;
+
 use axum::{
     extract::State,
     http::{HeaderMap, header},
@@ -46,7 +48,7 @@ const JSON_VECTOR_BYTES: usize = 512;
 /// Encoding of a result.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
-enum Format {
+pub(super) enum Format {
     #[default]
     Json,
     Binary,
@@ -172,12 +174,7 @@ pub(super) async fn one(
 ) -> Result<Response, ApiError> {
     let format = requested(&headers, &query);
     let shot = resolved(&app.run, &shot)?;
-    let source = app.run.results.clone();
-    let looked_up = tokio::task::spawn_blocking(move || source.result(shot)).await;
-    let result = match looked_up.map_err(|error| ApiError::internal(error.to_string()))? {
-        Lookup::Here(result) => result,
-        other => return Err(unavailable(&app.run, shot, other)),
-    };
+    let result = looked_up(&app, shot).await?;
     let run = app.run.board.events().run();
     let vectors = result.measured.field.grid.len();
     match format {
@@ -207,6 +204,16 @@ pub(super) async fn one(
     }
 }
 
+/// The result of a shot, or why there is none.
+pub(super) async fn looked_up(app: &App, shot: u64) -> Result<Arc<ShotResult>, ApiError> {
+    let source = app.run.results.clone();
+    let looked_up = tokio::task::spawn_blocking(move || source.result(shot)).await;
+    match looked_up.map_err(|error| ApiError::internal(error.to_string()))? {
+        Lookup::Here(result) => Ok(result),
+        other => Err(unavailable(&app.run, shot, other)),
+    }
+}
+
 /// The shot that a path requests, by number or as `latest`.
 pub(super) fn resolved(state: &ApiState, shot: &str) -> Result<u64, ApiError> {
     if shot != "latest" {
@@ -229,7 +236,7 @@ pub(super) fn unavailable(state: &ApiState, shot: u64, lookup: Lookup) -> ApiErr
 }
 
 /// The requested encoding: by the query if given, otherwise by the `Accept` header.
-fn requested(headers: &HeaderMap, query: &FormatQuery) -> Format {
+pub(super) fn requested(headers: &HeaderMap, query: &FormatQuery) -> Format {
     let accepts_binary = headers
         .get(header::ACCEPT)
         .and_then(|accept| accept.to_str().ok())
@@ -244,9 +251,12 @@ fn on_disk(state: &ApiState, shot: u64) -> ApiError {
         "the result of shot {shot} is no longer in memory, which keeps the last \
          {RESULTS_IN_MEMORY}: read it from disk"
     );
-    let gone = ApiError::gone(message)
+    let mut gone = ApiError::gone(message)
         .with("results_dir", folder.display().to_string())
         .with("netcdf_files", folder.join("velocity_*.nc").display().to_string());
+    if state.info.configuration.place_particles {
+        gone = gone.with("particle_files", folder.join("particles_*.nc").display().to_string());
+    }
     if !state.info.paraview {
         return gone;
     }

@@ -71,6 +71,8 @@ pub struct ConfigurationSummary {
     pub voxel_mm: f64,
     /// Edge of an interrogation window.
     pub window_mm: f64,
+    /// Whether particles are placed in the images.
+    pub place_particles: bool,
     /// Centre of the volume in the world frame.
     pub centre_mm: [f64; 3],
     /// Largest displacement that is searched.

@@ -7,7 +7,7 @@ use std::{
     sync::OnceLock,
 };
 
-use lfpiv::archive::{StoredResults, stored_vectors};
+use lfpiv::archive::{StoredResults, stored_particles, stored_vectors};
 
 use crate::{
     bench::{configuration, finished_run, lfpiv, text},
@@ -65,7 +65,7 @@ fn remove_results(run: &Path) {
     for entry in fs::read_dir(run).expect("a folder") {
         let entry = entry.expect("an entry");
         let name = entry.file_name().into_string().expect("UTF-8");
-        if name.starts_with("velocity") || name.starts_with("shot_") {
+        if ["velocity", "particles", "shot_"].iter().any(|start| name.starts_with(start)) {
             fs::remove_file(entry.path()).expect("a file");
         }
     }
@@ -90,6 +90,8 @@ pub fn assert_same(one: &Path, other: &Path) {
     assert_eq!(b.records, b.shots.len(), "each shot once");
     let [a, b] = [one, other].map(|run| stored_vectors(run).expect("vectors"));
     assert!(a == b, "vectors differ");
+    let [a, b] = [one, other].map(|run| stored_particles(run).expect("particles"));
+    assert!(a == b, "particles differ");
     let names = |run: &Path| {
         let entries = fs::read_dir(run).expect("a run");
         let mut names: Vec<_> = entries.map(|entry| entry.expect("an entry").file_name()).collect();

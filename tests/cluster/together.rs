@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use lfpiv::acquisition::journal::RecordedRun;
+use lfpiv::{acquisition::journal::RecordedRun, archive::stored_particles};
 use rcgen::{CertifiedKey, generate_simple_self_signed};
 
 use crate::{
@@ -80,6 +80,25 @@ fn only_what_has_no_result_is_measured_and_damaged_shots_are_lost_as_on_one_mach
     assert_eq!(ended.code, Some(3), "{ended:?}");
     assert!(ended.stderr.contains("shot 0") && ended.stderr.contains("shot 7"), "{ended:?}");
     assert_same(&at_once, &run);
+}
+
+#[test]
+fn placed_particles_come_with_their_shots() {
+    let root = tempfile::tempdir().expect("a folder");
+    let placed = ("[velocimetry]", "[velocimetry]\nplace_particles = true");
+    let run = recorded_otherwise(&root.path().join("bench"), placed, 4);
+    let at_once = copied(&run, &root.path().join("at_once"));
+    let output = lfpiv(&["process", path(&at_once)]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let particles = stored_particles(&at_once).expect("particles");
+    assert!(particles.len() > 2 && particles.values().all(|shot| !shot.is_empty()));
+
+    let nats = Nats::start(root.path());
+    let worker = worker(root.path(), &nats.url(), "one", &[]);
+    let ended = coordinator(root.path(), &run, &nats.url(), &[]).wait();
+    assert_eq!(ended.code, Some(0), "{ended:?}");
+    assert_same(&at_once, &run);
+    assert_eq!(worker.terminate().code, Some(0));
 }
 
 #[test]

@@ -53,7 +53,7 @@ async fn every_documented_endpoint_exists_and_accepts_no_other_method() {
     let (server, _) = busy_server().await;
     let document = document(&server).await;
     let operations = operations(&document);
-    assert_eq!(operations.len(), 30, "{operations:?}");
+    assert_eq!(operations.len(), 31, "{operations:?}");
     for (method, path) in &operations {
         let address = filled(path);
         assert!(!address.contains('{'), "{address}");
@@ -90,6 +90,8 @@ async fn responses_match_their_schemas() {
         ("/api/v1/results/latest".to_owned(), "/api/v1/results/{shot}"),
         ("/api/v1/results/0".to_owned(), "/api/v1/results/{shot}"),
         ("/api/v1/results/x".to_owned(), "/api/v1/results/{shot}"),
+        ("/api/v1/results/latest/particles".to_owned(), "/api/v1/results/{shot}/particles"),
+        ("/api/v1/results/0/particles".to_owned(), "/api/v1/results/{shot}/particles"),
         ("/api/v1/statistics".to_owned(), "/api/v1/statistics"),
         ("/api/v1/statistics?quantities=all".to_owned(), "/api/v1/statistics"),
         ("/api/v1/control".to_owned(), "/api/v1/control"),

@@ -6,13 +6,25 @@ use lfpiv::{
     pipeline::{Board, RESULTS_IN_MEMORY},
     server::Phase,
 };
-use lfpiv_core::lightfield::ImagePair;
+use lfpiv_core::{lightfield::ImagePair, velocimetry::MeasuredParticle};
 use serde_json::Value;
 
 use crate::{bench::quick_result, client::Ask, server::Server};
 
-/// A server with more finished shots than fit in memory, then one shot each that is failed, shed,
-/// lost, processing, queued, and waiting for frames.
+/// Two particles, of which the second disagrees with those about it.
+fn particles() -> Vec<MeasuredParticle> {
+    let first = MeasuredParticle {
+        at_mm: [0.5, -0.25, 1.5],
+        displacement_vox: [1.0, -2.0, 0.5],
+        uncertainty_vox: [0.25, 0.5, 0.125],
+        light: [400.0, 300.0],
+        agrees: true,
+    };
+    vec![first, MeasuredParticle { at_mm: [1.0, 2.0, 3.0], agrees: false, ..first }]
+}
+
+/// A server with more finished shots than fit in memory, the last with particles, then one shot each that is
+/// failed, shed, lost, processing, queued, and waiting for frames.
 pub async fn busy_server() -> (Server, u64) {
     let (mut ledger, board) = (Ledger::new(2), Board::new());
     let done = RESULTS_IN_MEMORY as u64 + 2;
@@ -23,7 +35,9 @@ pub async fn busy_server() -> (Server, u64) {
     for shot in 0..done {
         ledger.mark_queued(shot, &[]);
         board.processing(shot);
-        board.done(shot, ShotResult::from(quick_result(&pair)).into());
+        let mut result = quick_result(&pair);
+        result.particles = (shot + 1 == done).then(particles);
+        board.done(shot, ShotResult::from(result).into());
         ledger.settle_all(shot, Outcome::Complete).unwrap();
     }
     board.failed(done, "camera 2 is dark".to_owned());
@@ -112,6 +126,61 @@ async fn a_result_is_json_or_bytes() {
     assert_eq!(by_query.body, by_header.body);
     check_layout(&by_query.body, last);
     assert_eq!(server.get(&path).await.json(), latest);
+}
+
+#[tokio::test]
+async fn particles_are_json_or_bytes() {
+    let (server, done) = busy_server().await;
+    let latest = server.get("/api/v1/results/latest/particles").await.json();
+    let last = done - 1;
+    assert_eq!((&latest["shot"], &latest["dt_s"]), (&last.into(), &1e-4.into()));
+    let places = serde_json::json!([[0.5, -0.25, 1.5], [1.0, 2.0, 3.0]]);
+    assert_eq!(latest["place_mm"], places);
+    // One voxel of 0.1 mm in 100 us is 1 m/s.
+    let near = |name: &str, expected: [f64; 3]| {
+        for (axis, expected) in expected.into_iter().enumerate() {
+            let found = latest[name][1][axis].as_f64().unwrap();
+            assert!((found - expected).abs() < 1e-9, "{name}: {found}");
+        }
+    };
+    near("velocity_m_s", [1.0, -2.0, 0.5]);
+    near("velocity_uncertainty_m_s", [0.25, 0.5, 0.125]);
+    near("place_uncertainty_mm", [0.0125, 0.025, 0.00625]);
+    assert_eq!(latest["light"], serde_json::json!([[400.0, 300.0], [400.0, 300.0]]));
+    assert_eq!(latest["valid"], serde_json::json!([true, false]));
+
+    let path = format!("/api/v1/results/{last}/particles");
+    let by_query = server.get(&format!("{path}?format=binary")).await;
+    let by_header = Ask::get(&path).with("Accept", "application/octet-stream");
+    let by_header = by_header.of(server.address).await;
+    assert_eq!(by_query.media_type, "application/octet-stream");
+    assert_eq!(by_query.body, by_header.body);
+    check_particles(&by_query.body, last);
+    let tag = by_query.header("etag").unwrap().to_owned();
+    let again = Ask::get(&format!("{path}?format=binary")).with("If-None-Match", &tag);
+    assert_eq!(again.of(server.address).await.status, 304);
+
+    let none = format!("/api/v1/results/{}/particles", last - 1);
+    server.assert_error(&none, 404, "has no particles").await;
+    server.assert_error(&format!("/api/v1/results/{done}/particles"), 404, "is dark").await;
+    let gone = server.assert_error("/api/v1/results/0/particles", 410, "read it from disk").await;
+    assert_eq!(gone["particle_files"], "/data/run-1/particles_*.nc");
+}
+
+/// Checks the bytes at the documented offsets.
+fn check_particles(bytes: &[u8], shot: u64) {
+    let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let f32_at = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let f64_at = |at: usize| f64::from_le_bytes(bytes[at..at + 8].try_into().unwrap());
+    assert_eq!(&bytes[..8], b"LFPIVPA1");
+    assert_eq!(u64::from_le_bytes(bytes[8..16].try_into().unwrap()), shot);
+    assert_eq!([16, 20, 24, 28].map(u32_at), [2, 2, 0, 80]);
+    assert_eq!([32, 40].map(f64_at), [0.1, 1e-4]);
+    assert_eq!([80, 84, 88, 92].map(f32_at), [0.5, -0.25, 1.5, 1.0]);
+    assert_eq!([104, 108, 112].map(f32_at), [1.0, -2.0, 0.5]);
+    assert_eq!([128, 132, 136].map(f32_at), [0.25, 0.5, 0.125]);
+    assert_eq!([152, 156].map(f32_at), [400.0, 300.0]);
+    assert_eq!(bytes[168..], [1, 0]);
 }
 
 #[tokio::test]

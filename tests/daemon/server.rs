@@ -63,6 +63,7 @@ fn info() -> RunInfo {
             centre_mm: [0.0; 3],
             max_displacement_vox: 2.0,
             window_mm: 1.6,
+            place_particles: true,
             dt_us: 100.0,
             rate_hz: 10.0,
             shots: None,

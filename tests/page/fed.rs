@@ -11,7 +11,9 @@ use lfpiv::{
         ApiState, CalibrationSummary, ConfigurationSummary, Phase, Protection, RunInfo, serve,
     },
 };
-use lfpiv_core::velocimetry::{PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField};
+use lfpiv_core::velocimetry::{
+    MeasuredParticle, PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField,
+};
 use parking_lot::Mutex;
 use tokio::{net::TcpListener, runtime::Runtime};
 use tokio_util::sync::CancellationToken;
@@ -126,7 +128,23 @@ fn result(shot: u64) -> PairResult {
         model: Default::default(),
         fit: None,
         light: None,
-        particles: None,
+        particles: Some((0..PARTICLES).map(particle).collect()),
+    }
+}
+
+/// Particles of a shot, of which every fourth disagrees with those about it.
+const PARTICLES: usize = 300;
+
+/// On a helix in the volume.
+fn particle(n: usize) -> MeasuredParticle {
+    let share = n as f64 / PARTICLES as f64;
+    let turn = 40.0 * share;
+    MeasuredParticle {
+        at_mm: [3.0 * turn.cos(), 3.0 * turn.sin(), 6.0 * (share - 0.5)],
+        displacement_vox: [share as f32, 0.5, 0.0],
+        uncertainty_vox: [0.01; 3],
+        light: [400.0; 2],
+        agrees: n % 4 != 3,
     }
 }
 
@@ -150,6 +168,7 @@ fn info() -> RunInfo {
             centre_mm: [0.0; 3],
             max_displacement_vox: 4.0,
             window_mm: 1.6,
+            place_particles: true,
             dt_us: 100.0,
             rate_hz: 10.0,
             shots: None,

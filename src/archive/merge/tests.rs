@@ -3,7 +3,10 @@ use std::time::Duration;
 use lfpiv_core::model::ModelChoice;
 
 use super::*;
-use crate::archive::{ResultStore, ShotResult, StoredResults, stored_vectors, test_data::result};
+use crate::archive::{
+    ResultStore, RunResults, ShotResult, StoredResults, stored_vectors,
+    test_data::{result, with_particles},
+};
 
 /// A folder with one segment for each list of shots.
 fn run(segments: &[&[u64]]) -> tempfile::TempDir {
@@ -166,4 +169,78 @@ fn the_next_merge_completes_a_merge_that_was_killed() {
     assert_eq!((stored.shots, stored.records), (BTreeSet::from([0, 1, 2]), 4));
     merge_segments(root.path(), || true).unwrap();
     assert_eq!(files(root.path()), [file("velocity_000000.nc", &[0, 1, 2])]);
+}
+
+/// A run whose shot has as many particles as its number; 3 has none because none were placed.
+fn run_with_particles(segments: &[&[u64]]) -> tempfile::TempDir {
+    let root = tempfile::tempdir().unwrap();
+    let mut store = ResultStore::create(root.path(), "").unwrap();
+    for shots in segments {
+        for shot in *shots {
+            let mut result = with_particles(*shot, *shot as usize);
+            result.measured.particles.take_if(|_| *shot == 3);
+            store.append(*shot, &result).unwrap();
+        }
+        store.seal().unwrap();
+    }
+    store.close().unwrap();
+    root
+}
+
+fn particles(folder: &Path, shot: u64) -> Option<String> {
+    let result = RunResults::find(folder, 0.1).unwrap().read(shot).unwrap().unwrap();
+    result.measured.particles.map(|particles| format!("{particles:?}"))
+}
+
+#[test]
+fn particles_stay_with_their_shots() {
+    let segments: [&[u64]; 5] = [&[3], &[6, 4, 0], &[5], &[2, 9, 1], &[7, 8]];
+    for most in [4, 100] {
+        let root = run_with_particles(&segments);
+        let before: Vec<_> = (0..10).map(|shot| particles(root.path(), shot)).collect();
+        assert_eq!((&before[3], before[0].as_deref()), (&None, Some("[]")));
+        // The second time nothing is left to do.
+        for _ in 0..2 {
+            merge_within(root.path(), Bounds { shots: most, bytes: u64::MAX }, || true).unwrap();
+            for (shot, before) in before.iter().enumerate() {
+                assert_eq!(particles(root.path(), shot as u64), *before, "shot {shot}");
+            }
+        }
+        let names: Vec<_> = files(root.path())
+            .iter()
+            .map(|(name, _)| name.replace("velocity", "particles"))
+            .collect();
+        let mut found: Vec<_> = fs::read_dir(root.path())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter(|name| name.starts_with("particles"))
+            .collect();
+        found.sort();
+        assert_eq!(found, names, "each beside its vectors");
+        let file = netcdf::open(root.path().join(&names[0])).unwrap();
+        let history = format!("{:?}", file.attribute("history").unwrap().value().unwrap());
+        assert!(history.contains("segments merged"), "{history}");
+        let shots: Vec<i64> = file.variable("shot").unwrap().get_values(..).unwrap();
+        assert!(shots.is_sorted(), "{shots:?}");
+    }
+}
+
+#[test]
+fn the_next_merge_completes_one_that_was_killed_between_particles_and_vectors() {
+    let root = run_with_particles(&[&[1], &[2], &[4]]);
+    let (first, second) =
+        (root.path().join("velocity_000001.nc"), root.path().join("velocity_000002.nc"));
+    let kept = [&first, &second, &particles_beside(&second)].map(|path| fs::read(path).unwrap());
+    let before: Vec<_> = [1, 2, 4].map(|shot| particles(root.path(), shot)).into();
+    merge_segments(root.path(), || true).unwrap();
+    // The particles of all are beside the vectors of the first; a segment is not removed yet.
+    for (path, bytes) in [&first, &second, &particles_beside(&second)].into_iter().zip(kept) {
+        fs::write(path, bytes).unwrap();
+    }
+    let now: Vec<_> = [1, 2].map(|shot| particles(root.path(), shot)).into();
+    assert_eq!(now, before[..2]);
+    merge_segments(root.path(), || true).unwrap();
+    assert_eq!(files(root.path()), [file("velocity_000001.nc", &[1, 2])]);
+    let now: Vec<_> = [1, 2].map(|shot| particles(root.path(), shot)).into();
+    assert_eq!(now, before[..2]);
 }

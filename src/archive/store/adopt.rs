@@ -9,11 +9,12 @@ use std::{
 use super::{ArchiveError, ResultStore, vti_name};
 use crate::archive::{
     durable::{part_path, replace, seal},
+    particle_file::particles_beside,
     stored::{StoredResults, segments, shots_in},
 };
 
 impl ResultStore {
-    /// Copies the sealed results in `folders` into this run's folder, with their files for ParaView. These
+    /// Copies the sealed results in `folders` into this run's folder, with their particles and files for ParaView. These
     /// must be results of this run, by its forward model. What is here already, after a copy that was cut
     /// off, is not copied again. The lowest shot counts as the first stored.
     ///
@@ -35,7 +36,12 @@ impl ResultStore {
         // The oldest file names the shot that was stored first.
         sealed.sort();
         for (lowest, path) in &sealed {
-            copy_sealed(path, &self.unused_name(*lowest))?;
+            let to = self.unused_name(*lowest);
+            let particles = particles_beside(path);
+            if particles.exists() {
+                copy_sealed(&particles, &particles_beside(&to))?;
+            }
+            copy_sealed(path, &to)?;
         }
         folders.iter().try_for_each(|folder| self.adopt_for_paraview(folder))?;
         self.write_series()
@@ -70,13 +76,13 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::archive::{merge_segments, stored_vectors, test_data::result};
+    use crate::archive::{RunResults, merge_segments, stored_vectors, test_data::with_particles};
 
     fn folder_with(root: &Path, name: &str, shots: &[u64]) -> PathBuf {
         let folder = root.join(name);
         let mut store = ResultStore::create(&folder, "").unwrap();
         for shot in shots {
-            store.append(*shot, &result([4, 3, 2])).unwrap();
+            store.append(*shot, &with_particles(*shot, 2)).unwrap();
         }
         store.close().unwrap();
         folder
@@ -102,6 +108,14 @@ mod tests {
         assert_eq!(stored, whole_stored);
         assert_eq!(stored.first, Some(0));
         assert_eq!(stored_vectors(&run).unwrap(), stored_vectors(&whole).unwrap());
+        let particles = |folder: &Path, shot| {
+            let results = RunResults::find(folder, 0.1).unwrap();
+            results.read(shot).unwrap().unwrap().measured.particles
+        };
+        for shot in 0..5 {
+            assert_eq!(particles(&run, shot), particles(&whole, shot));
+            assert_eq!(particles(&run, shot).unwrap().len(), 2);
+        }
         let names = |folder: &Path| -> BTreeSet<_> {
             std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name()).collect()
         };

@@ -1,6 +1,7 @@
-//! `lfpiv export`: writes a run's images or vectors in the formats of other programs.
+//! `lfpiv export`: writes a run's images, vectors or particles in the formats of other programs.
 
 mod images;
+mod paraview;
 mod vectors;
 
 use std::{ops::RangeInclusive, path::PathBuf};
@@ -37,12 +38,16 @@ pub enum Format {
     Tecplot,
     /// The vectors as plain arrays over shot, z, y, x; missing values are NaN.
     Hdf5,
+    /// Vectors and placed particles for ParaView: .vti and .vtp files for each shot, and lists that open
+    /// them as animations.
+    Paraview,
 }
 
 /// Exports in the chosen format.
 pub fn export(args: &ExportArgs) -> anyhow::Result<()> {
     match args.format {
         Format::Tiff => images::export(args),
+        Format::Paraview => paraview::export(args),
         _ => vectors::export(args),
     }
 }

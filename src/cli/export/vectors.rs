@@ -18,7 +18,7 @@ pub(super) fn export(args: &ExportArgs) -> anyhow::Result<()> {
         match all {
             0 => bail!(
                 "{run} contains no results: is it the folder of a run, or an output folder of \
-                 has `lfpiv process`?"
+                 `lfpiv process`?"
             ),
             _ => bail!("{run} has none of these shots: it has results of {}", count(all, "shot")),
         }
@@ -51,8 +51,8 @@ impl Writer<'_> {
             Format::Csv => Ok(write_csv(&path("csv"), shot)?),
             Format::Tecplot => Ok(write_tecplot(&path("dat"), shot)?),
             Format::Hdf5 => self.append(shot),
-            // Images are exported elsewhere.
-            Format::Tiff => Ok(()),
+            // These are exported elsewhere.
+            Format::Tiff | Format::Paraview => Ok(()),
         }
     }
 

@@ -1,6 +1,6 @@
 // The page before a server that is fed with shots: fed.mjs URL SHOTS CALIBRATION. It must not grow, whatever it is told.
 
-import { assert, assertQuiet, demand, holdings, look, openBench, settle, until, withBrowser } from "./browser.mjs";
+import { Pictures, assert, assertQuiet, demand, holdings, look, openBench, settle, until, withBrowser } from "./browser.mjs";
 
 const [url, shots, calibration] = process.argv.slice(2);
 /** Four times as many shots fill everything that is bounded. */
@@ -23,6 +23,7 @@ await withBrowser(async (browser) => {
   await until(() => page.locator(".overview .log").textContent(), (text) => text.includes("<img"), "hostile words");
   assert.match(await page.locator(".overview").textContent(), /1 of 2 cameras/);
   assert.match(await page.locator(".overview .hashes tbody tr").textContent(), new RegExp(`^cam2<img.*${calibration}$`));
+  await placedParticles(browser, page);
   const before = await holdings(page);
   await look(page, "velocity");
   await fed(Math.floor(Number(shots) / 2));
@@ -39,3 +40,22 @@ await withBrowser(async (browser) => {
   assert.equal(await page.locator("main img, main script, main iframe").count(), 0);
   assertQuiet(complaints, /Failed to load resource: the server responded with a status of (404|410|503)/);
 });
+
+/** The particles of the latest shot are counted and drawn, unless they are not wanted. */
+async function placedParticles(browser, page) {
+  await look(page, "volume");
+  const reading = page.locator(".volume .reading", { hasText: "Particles placed" }).locator("dd");
+  await until(() => reading.textContent(), (text) => text === "300, 225 valid", "the number of particles");
+  assert.ok(await page.locator(".volume .colour-bar").isVisible());
+  const eye = await Pictures.open(browser);
+  for (const plane of await page.locator("canvas.projection").all()) {
+    await page.check(".volume .tick input");
+    const drawn = await eye.take(plane);
+    await page.uncheck(".volume .tick input");
+    const pixels = await eye.differing(drawn, await eye.take(plane));
+    assert.ok(pixels > 300, `particles are drawn on ${pixels} pixels`);
+  }
+  await page.check(".volume .tick input");
+  await eye.reader.close();
+  await look(page, "overview");
+}

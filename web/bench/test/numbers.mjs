@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { EventParser } from "../src/event_stream.js";
 import { dtAdvice, histogram, locking } from "../src/velocity/displacement.js";
 import { decodeMask, faces, projected } from "../src/mask.js";
+import { decodeParticles, drawParticles } from "../src/particles.js";
 import { decode, inFlow, magnitudes, quantile, validShare, vorticity } from "../src/velocity/field.js";
 import { Running } from "../src/velocity/running.js";
 import { surface } from "../src/velocity/surface.js";
@@ -87,6 +88,25 @@ const columns = projected(ball, 1, 2).filter((share) => share > 0).length;
 assert.equal(facing(0), 2 * columns);
 assert.ok(skin.every((mm, n) => Math.abs(mm - [-0.5, 1, 2][n % 3]) <= 0.5 * (reach + 0.5)), "it lies about its middle");
 assert.equal(faces(ball, [-99, -99, -99], [-3, 99, 99]).length, 0, "none outside the box");
+
+// Three particles of one camera, of which the second disagrees with the others.
+const wire2 = new DataView(new ArrayBuffer(80 + 41 * 3));
+new Uint8Array(wire2.buffer).set(new TextEncoder().encode("LFPIVPA1"));
+[3, 1, 0, 80].forEach((m, n) => wire2.setUint32(16 + 4 * n, m, true));
+[0.1, 2e-4].forEach((m, n) => wire2.setFloat64(32 + 8 * n, m, true));
+[-1, 2, 3, 0, 0, 0, 1, 2, -3].forEach((mm, n) => wire2.setFloat32(80 + 4 * n, mm, true));
+[3, 0, 4, 9, 9, 9, 0, 2, 0].forEach((voxels, n) => wire2.setFloat32(80 + 36 + 4 * n, voxels, true));
+[1, 0, 1].forEach((valid, n) => wire2.setUint8(80 + 40 * 3 + n, valid));
+const placed = decodeParticles(wire2.buffer);
+assert.deepEqual([placed.count, placed.accepted, [...placed.valid]], [3, 2, [1, 0, 1]]);
+// A voxel of 0.1 mm in 200 us is 0.5 m/s.
+assert.ok([2.5, 1].every((speed, n) => Math.abs(placed.speed[2 * n] - speed) < 1e-6));
+assert.ok(Math.abs(placed.scale.high - 2.5) < 1e-6, "those that disagree do not widen the scale");
+const squares = [];
+const context = { set fillStyle(colour) { squares.push([colour]); }, fillRect: (...square) => squares.at(-1).push(square) };
+drawParticles(context, placed, [0, 2], (right, up) => [10 * right, -10 * up], 2);
+assert.deepEqual(squares.map(([, square]) => square), [[-13, -33, 6, 6], [7, 27, 6, 6]]);
+assert.equal(squares[0][0], "rgb(254 232 56)", "the fastest is the lightest");
 
 // The naive reference of mean and rms.
 const shots = [1, 2, 4, 9].map((size) => field([3, 3, 3], (x) => [size * x, size, -size], { status: (v) => (v === 5 && size === 4 ? 2 : 0) }));

@@ -1,8 +1,10 @@
-// Volume: the light that was reconstructed, seen along three axes.
+// Volume: the light that was reconstructed, and the particles placed in the images, seen along three axes.
 
 import { ApiError, getImage } from "../api.js";
-import { fitCanvas, h, panel, reading, select, setText, themeColour } from "../dom.js";
+import { colourBar } from "../colour_bar.js";
+import { fitCanvas, h, panel, reading, select, setText, themeColour, tick } from "../dom.js";
 import { projected } from "../mask.js";
+import { drawParticles, fetchParticles } from "../particles.js";
 import { shotChoice } from "../shot_choice.js";
 import { count, number, percent, tickNumber } from "../words.js";
 
@@ -22,6 +24,8 @@ export function volumeView(run) {
     choice.frame = value;
     load();
   });
+  const placed = tick("Particles", true, () => showParticles());
+  const speeds = colourBar();
   const problem = h("p", { class: "empty" });
   const readings = {
     size: reading("Volume"),
@@ -29,6 +33,7 @@ export function volumeView(run) {
     flow: reading("Flow", { title: FLOW }),
     particles: reading("Particles", { title: "from the statistics of the first measured pair's views" }),
     perWindow: reading("Particles per window"),
+    placed: reading("Particles placed", { title: "seen in the images of both frames; valid: they agree with those about them, and are drawn" }),
     unexplained: reading("Light unexplained", { title: "per camera; 0: everything is explained" }),
     agreement: reading("Cameras agree", { title: "correlation of the cameras' light along the direction that both see" }),
     disparity: reading("Cameras apart"),
@@ -37,12 +42,14 @@ export function volumeView(run) {
     "Not flow: the deeper the tint, the more of the line of sight. There is light in it, but no vector is measured.");
   const planes = Object.entries(PLANES).map(([name, axes]) => plane(name, axes));
   const element = h("div", { class: "view volume" },
-    h("div", { class: "controls" }, shot.element, frame.element, problem),
+    h("div", { class: "controls" }, shot.element, frame.element, placed.element, problem),
     h("dl", { class: "readings" }, ...Object.values(readings).map((one) => one.element)),
     legend,
-    h("div", { class: "three" }, ...planes.map((one) => one.element)));
-  legend.hidden = true;
+    h("div", { class: "three" }, ...planes.map((one) => one.element)),
+    speeds.element);
+  for (const one of [legend, placed.element, readings.placed.element, speeds.element]) one.hidden = true;
   let shown = null;
+  let particles = null;
   let busy = false;
   let last = -Infinity;
 
@@ -56,10 +63,18 @@ export function volumeView(run) {
     busy = true;
     last = performance.now();
     try {
-      const images = await Promise.all(planes.map((one) => getImage(`/api/v1/results/${wanted}/projections/${choice.frame}/${one.name}.png`)));
-      planes.forEach((one, n) => one.show(images[n].bitmap, run.status.configuration, run.mask));
+      const { configuration } = run.status;
+      const [light, found] = await Promise.allSettled([
+        Promise.all(planes.map((one) => getImage(`/api/v1/results/${wanted}/projections/${choice.frame}/${one.name}.png`))),
+        configuration.place_particles ? fetchParticles(wanted) : null,
+      ]);
+      particles = found.value ?? null;
+      // A run that is over has no projections, but its particles.
+      if (!light.value && !particles) throw light.reason;
+      planes.forEach((one, n) => one.show(light.value?.[n].bitmap ?? null, configuration, run.mask));
+      showParticles();
       shown = `${wanted} ${choice.frame}`;
-      setText(problem, "");
+      setText(problem, (light.reason ?? found.reason)?.message ?? "");
     } catch (error) {
       setText(problem, error instanceof ApiError ? error.message : "the daemon does not answer");
     } finally {
@@ -67,10 +82,18 @@ export function volumeView(run) {
     }
   }
 
+  function showParticles() {
+    planes.forEach((one) => one.particles(placed.input.checked ? particles : null));
+    speeds.element.hidden = !(particles && placed.input.checked);
+    readings.placed.show(particles ? `${count(particles.count)}, ${count(particles.accepted)} valid` : "–");
+    if (particles) speeds.show(particles.scale, "speed of the particles (m/s)");
+  }
+
   function update() {
     shot.update();
     const { status } = run;
     if (!status) return;
+    placed.element.hidden = readings.placed.element.hidden = !status.configuration.place_particles;
     const { voxels_xyz: voxels, voxel_mm: voxel } = status.configuration;
     readings.size.show(`${voxels.map((n) => number(n * voxel)).join(" × ")} mm`);
     readings.voxels.show(`${voxels.join(" × ")} of ${number(voxel)} mm`);
@@ -109,6 +132,7 @@ function plane(name, [right, up]) {
   let configuration = null;
   let mask = null;
   let tinted = null;
+  let particles = null;
   new ResizeObserver(() => draw()).observe(canvas);
 
   function draw() {
@@ -116,7 +140,7 @@ function plane(name, [right, up]) {
     const context = canvas.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, width, height);
-    if (!bitmap) return;
+    if (!configuration) return;
     const size = [right, up].map((axis) => configuration.voxels_xyz[axis] * configuration.voxel_mm);
     const middle = [right, up].map((axis) => configuration.centre_mm[axis]);
     const [left, below, rest] = [46 * ratio, 38 * ratio, 10 * ratio];
@@ -124,10 +148,22 @@ function plane(name, [right, up]) {
     const [w, hgt] = size.map((mm) => mm * scale);
     const [x, y] = [left + (width - left - rest - w) / 2, rest + (height - below - rest - hgt) / 2];
     context.imageSmoothingEnabled = false;
-    context.drawImage(bitmap, x, y, w, hgt);
+    context.fillStyle = "#000000";
+    context.fillRect(x, y, w, hgt);
+    if (bitmap) context.drawImage(bitmap, x, y, w, hgt);
     if (mask) {
       tinted ??= tint(mask, right, up);
       context.drawImage(tinted, x, y, w, hgt);
+    }
+    if (particles) {
+      const place = (a, b) => [x + (a - middle[0] + size[0] / 2) * scale, y + hgt - (b - middle[1] + size[1] / 2) * scale];
+      context.save();
+      context.beginPath();
+      context.rect(x, y, w, hgt);
+      // Some lie in the margin of the volume.
+      context.clip();
+      drawParticles(context, particles, [right, up], place, ratio);
+      context.restore();
     }
     const ink = themeColour("ink");
     context.strokeStyle = context.fillStyle = ink;
@@ -164,6 +200,11 @@ function plane(name, [right, up]) {
       bitmap = image;
       configuration = settings;
       if (mask !== masked) [mask, tinted] = [masked, null];
+      draw();
+    },
+    /** Draws these, or none. */
+    particles(found) {
+      particles = found;
       draw();
     },
     /** Draws anew where the mask is another one. */
