@@ -69,10 +69,8 @@ impl FrameFit {
         of: &[usize],
         act: impl Fn(&mut PointFootprint, &Particle) -> T + Sync,
     ) -> Vec<T> {
-        let mut places = vec![usize::MAX; self.particles.len()];
-        of.iter().enumerate().for_each(|(k, &n)| places[n] = k);
-        let asked = |&n: &u32| Some(places[n as usize]).filter(|&k| k != usize::MAX);
-        let order: Vec<usize> = self.orders[c].iter().filter_map(asked).collect();
+        let places = places_in(of, self.particles.len());
+        let order: Vec<usize> = self.orders[c].iter().filter_map(|&n| places[n as usize]).collect();
         let made: Vec<T> = order
             .par_iter()
             .with_min_len(64)
@@ -203,14 +201,13 @@ impl FrameFit {
     /// Replaces the image of the numbered particles, as they were `before`, by their present one.
     fn exchange(&mut self, cameras: &[PointCamera], before: &[Particle], of: &[usize]) {
         let particles = &self.particles;
-        let mut places = vec![usize::MAX; particles.len()];
-        of.iter().enumerate().for_each(|(k, &n)| places[n] = k);
+        let places = places_in(of, particles.len());
         let images = self.images.par_iter_mut().zip(&self.orders).zip(cameras).enumerate();
         images.for_each(|(c, ((image, order), camera))| {
             let mut footprint = PointFootprint::default();
             for &n in order {
                 let n = n as usize;
-                let Some(old) = before.get(places[n]) else { continue };
+                let Some(old) = places[n].map(|place| before[place]) else { continue };
                 camera.image(old.at_mm, &mut footprint);
                 image.add(camera, &footprint, -old.light[c] as f32);
                 camera.image(particles[n].at_mm, &mut footprint);
@@ -218,4 +215,11 @@ impl FrameFit {
             }
         });
     }
+}
+
+/// Where each of `count` particles is in the list `of` of their numbers.
+fn places_in(of: &[usize], count: usize) -> Vec<Option<usize>> {
+    let mut places = vec![None; count];
+    of.iter().enumerate().for_each(|(place, &n)| places[n] = Some(place));
+    places
 }
