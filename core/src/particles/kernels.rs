@@ -326,6 +326,21 @@ mod tests {
             let entries: Vec<f64> =
                 (0..5).flat_map(|i| (i..5).map(move |j| diagonal[i] * diagonal[j])).collect();
             close(&found.matrix, &expected.matrix, &|n| entries[n] + 1e-6);
+            let (mut added, mut expected) = (vec![0.0; pixels], vec![0.0; pixels]);
+            add_image(&mut added, width, open, stride, &footprint, 90.0);
+            for patch in &footprint.patches {
+                let [columns, rows] =
+                    [&patch.columns, &patch.rows].map(|shares| footprint.of(0, shares));
+                for (r, c) in (0..rows.len()).flat_map(|r| (0..columns.len()).map(move |c| (r, c)))
+                {
+                    let at = (patch.rows.first_px + r) * width + patch.columns.first_px + c;
+                    let share = f32::from(open[patch.open + r * stride + c]) / 255.0;
+                    expected[at] += 90.0 * rows[r] * columns[c] * share;
+                }
+            }
+            let off = |(added, expected): (&f32, &f32)| (added - expected).abs();
+            assert!(added.iter().zip(&expected).map(off).fold(0.0, f32::max) < 1e-4);
+            assert!(expected.iter().sum::<f32>() > 90.0);
             let light = light_equation(&view, open, stride, &footprint);
             assert!((light[0] - found.right[0]).abs() < 1e-3 * diagonal[0] * residuals);
             assert!((light[1] - found.matrix[0]).abs() < 1e-4 * found.matrix[0]);
