@@ -17,6 +17,12 @@ const STARTING_SHARE: f64 = 0.3;
 /// Least share of the typical light that the residual must have for a proposed particle.
 const LEAST_LIGHT: f64 = 0.1;
 
+/// Chance brings a particle that has no partner so many others as near as partners may be, on average.
+const CHANCE_PARTNERS: f32 = 0.01;
+
+/// Largest distance of partners, in voxels, however few particles there are.
+const FARTHEST_VOX: f32 = 3.0;
+
 /// The particles of both frames at mid-pair, and which of them belong together.
 pub struct Partners {
     /// In voxels.
@@ -36,6 +42,39 @@ impl Partners {
         });
         let partners = mutual(&middles, reach_vox as f32);
         Self { middles, partners }
+    }
+
+    /// The same, and those that are left belong together as far away as chance rarely brings two, if they are `seen` in
+    /// their frames: the flow is known less well about them.
+    pub fn widened(mut self, seen: impl Fn(usize, usize) -> bool) -> Self {
+        let alone = [0, 1]
+            .map(|frame| -> Vec<usize> { self.alone(frame).filter(|&n| seen(frame, n)).collect() });
+        let places =
+            [0, 1].map(|f| alone[f].iter().map(|&n| self.middles[f][n]).collect::<Vec<_>>());
+        let [a, _] = mutual(&places, self.rare_reach(&places));
+        for (n, partner) in a.into_iter().enumerate() {
+            if let Some(partner) = partner {
+                let (a, b) = (alone[0][n], alone[1][partner]);
+                self.partners[0][a] = Some(b);
+                self.partners[1][b] = Some(a);
+            }
+        }
+        self
+    }
+
+    /// How far from one of the places chance rarely brings another, in voxels.
+    fn rare_reach(&self, places: &[Vec<[f32; 3]>; 2]) -> f32 {
+        let all = || self.middles.iter().flatten();
+        let span = |axis: usize| {
+            let (low, high) = all().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), at| {
+                (low.min(at[axis]), high.max(at[axis]))
+            });
+            (high - low).max(1.0)
+        };
+        let volume: f32 = (0..3).map(span).product();
+        let most = places.iter().map(Vec::len).max().unwrap_or_default().max(1) as f32;
+        let sphere = 4.0 / 3.0 * std::f32::consts::PI;
+        (CHANCE_PARTNERS * volume / (most * sphere)).cbrt().min(FARTHEST_VOX)
     }
 
     /// Pairs, by their numbers in frame a and in frame b.
@@ -132,5 +171,52 @@ pub fn exchange(
                 std::array::from_fn(|c| share * relative(c) * priors[frame].typical[c]);
             fits[frame].extend([Particle { at_mm, light }]);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    struct Still;
+
+    impl Flow for Still {
+        fn displacement_mm(&self, _: [f64; 3]) -> [f64; 3] {
+            [0.0; 3]
+        }
+
+        fn correct(&mut self, _: &[[f64; 3]], _: &[[f64; 3]]) {}
+    }
+
+    fn particle(at_mm: [f64; 3]) -> Particle {
+        Particle { at_mm, light: [1.0; CAMERAS] }
+    }
+
+    /// In a cube of 60 voxels: two in the middle that are 1.5 voxels apart, and `others` without a partner.
+    fn apart(others: usize) -> [Vec<Particle>; 2] {
+        let mut random = Pcg64Mcg::seed_from_u64(3);
+        let mut place = |_| particle([0; 3].map(|_: i32| random.random_range(-30.0..30.0)));
+        [0.0, 1.5].map(|x| {
+            let mut particles = vec![particle([x, 0.0, 0.0])];
+            particles.extend((0..others).map(&mut place));
+            particles
+        })
+    }
+
+    #[test]
+    fn particles_without_a_partner_look_farther_where_they_are_few() {
+        let frames = |others| {
+            let [a, b] = apart(others);
+            Partners::new([&a, &b], &Still, 0.5, 1.0)
+        };
+        assert_eq!(frames(40).partners[0][0], None);
+        let widened = frames(40).widened(|_, _| true);
+        assert_eq!((widened.partners[0][0], widened.partners[1][0]), (Some(0), Some(0)));
+        assert!(widened.pairs().count() < 3, "chance joins hardly any others");
+        assert_eq!(frames(40).widened(|frame, n| frame == 0 || n > 0).partners[0][0], None);
+        assert_eq!(frames(4000).widened(|_, _| true).partners[0][0], None);
     }
 }

@@ -74,16 +74,16 @@ const FIRST_STEPS: [usize; 2] = [4, 2];
 /// Most steps after an exchange between the frames, before and after the removal.
 const EXCHANGE_STEPS: [usize; 2] = [4, 2];
 /// Most steps of the last fit.
-const LAST_STEPS: usize = 2;
+const LAST_STEPS: usize = 4;
 
 /// Exchanges between the frames.
-const EXCHANGES: usize = 3;
+const EXCHANGES: usize = 4;
 
 /// Exchanges before which the blur is estimated again.
 const BLUR_ROUNDS: usize = 2;
 
 /// Relative error of the model while particles are missing, by exchange.
-const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.2, 0.15];
+const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.2, 0.15, 0.15];
 
 /// Least relative error of the model in the last fit: that of the footprint.
 const LEAST_MODEL_ERROR: f32 = 0.02;
@@ -253,7 +253,7 @@ impl Placing {
 
     /// Last steps, with pixels weighted by their estimated noise, and the result.
     fn finish(&self, fits: &mut [FrameFit; 2], flow: &mut dyn Flow) -> PlacedParticles {
-        let converged_mm = CONVERGED_VOX * self.voxel_mm / 2.0;
+        let converged_mm = CONVERGED_VOX * self.voxel_mm / 10.0;
         self.each(fits, |fit, prior| {
             for image in &mut fit.images {
                 image.noise = image.noise_of_residual();
@@ -263,7 +263,7 @@ impl Placing {
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, LAST_STEPS));
         });
         self.correct(fits, flow);
-        let partners = self.partners(fits, flow, PAIR_VOX);
+        let partners = self.far_partners(fits, flow, PAIR_VOX);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         let covariances = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
@@ -292,7 +292,7 @@ impl Placing {
     /// Corrects the flow by mutual nearest neighbours, and says how near to each other partners that agree are, in
     /// voxels.
     fn correct(&self, fits: &[FrameFit; 2], flow: &mut dyn Flow) -> f64 {
-        let partners = self.partners(fits, flow, CORRECT_VOX);
+        let partners = self.far_partners(fits, flow, CORRECT_VOX);
         let places =
             |pair: [usize; 2]| [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
         let pairs: Vec<[[f64; 3]; 2]> = partners.pairs().map(places).collect();
@@ -313,6 +313,15 @@ impl Placing {
     fn partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
         let frames = [&fits[0].particles[..], &fits[1].particles[..]];
         Partners::new(frames, flow, reach_vox, self.voxel_mm)
+    }
+
+    /// The same, and particles that every camera sees as bright as others, if their nearest is farther away.
+    fn far_partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
+        let seen = |frame: usize, n: usize| {
+            let light = fits[frame].particles[n].light.iter().zip(&self.priors[frame].typical);
+            light.take(self.cameras.len()).all(|(light, typical)| *light >= LEAST_LIGHT * typical)
+        };
+        self.partners(fits, flow, reach_vox).widened(seen)
     }
 
     /// Applies `act` to both frames at once.

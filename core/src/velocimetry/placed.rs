@@ -142,21 +142,28 @@ impl Interrogation {
         };
         let vectors: Vec<Vector> = (0..before.grid.len()).map(vector).collect();
         let flow = self.flow_of_vectors();
+        let agrees = agreeing(samples, &missed, |at_vox| field.uncertainty_vox(at_vox));
         let field =
             field_of(before.grid.clone(), &grid, before.dt_s, (&vectors, &before.peak_ratio), flow);
-        (field, agreeing(samples, &missed))
+        (field, agrees)
     }
 }
 
-/// Whether each sample is what the others predict, within their typical error and its own.
-fn agreeing(samples: &[Sample], missed: &[[f32; 3]]) -> Vec<bool> {
+/// Whether each sample is what the others predict, within their typical error, the field's own there, and the
+/// sample's.
+fn agreeing(
+    samples: &[Sample],
+    missed: &[[f32; 3]],
+    field_vox: impl Fn([f32; 3]) -> [f32; 3],
+) -> Vec<bool> {
     let typical: [f32; 3] = std::array::from_fn(|c| {
         let all = missed.iter().map(|missed| f64::from(missed[c].abs()));
         (NORMAL_OF_MEDIAN * median(all).unwrap_or_default()) as f32
     });
     let agrees = |(sample, missed): (&Sample, &[f32; 3])| {
+        let field = field_vox(sample.middle_vox);
         (0..3).all(|c| {
-            let variance = sample.variance_vox2[c] + typical[c] * typical[c];
+            let variance = sample.variance_vox2[c] + typical[c].powi(2) + field[c].powi(2);
             missed[c] * missed[c] <= AGREE_DEVIATIONS * AGREE_DEVIATIONS * variance
         })
     };

@@ -17,6 +17,7 @@ use super::{
     solve::improve,
     stiffness::Ladder,
 };
+use crate::statistics::{NORMAL_OF_MEDIAN, median};
 
 /// Degrees of freedom of Student's distribution, which particles' errors are taken to have: one that was
 /// taken for another is wrong by more than a normal distribution allows (Lange, Little and Taylor, J. Am.
@@ -34,6 +35,11 @@ const DIVERGENCE_OF_SLACK: f32 = 0.1;
 /// Standard deviation of a coefficient about that of the field before, in voxels. Samples say far more wherever
 /// there are any; without it the equations leave fields open that are quadratic along every axis.
 const ANCHOR_VOX: f32 = 3.0;
+
+/// Standard deviation that every sample is given beside its own, over what samples that are left out are typically
+/// missed by. A sample that is known far better than the field between samples says no more by it, but weights that
+/// differ by a million make conjugate gradients slow (docs/decisions.md).
+const RESOLVED: f32 = 0.2;
 
 /// A field that is being fitted to samples.
 pub struct Fit<'a> {
@@ -55,6 +61,8 @@ pub struct Fit<'a> {
     inflation: [Vec<f32>; 3],
     /// Standard deviation that every sample is given beside its own, in voxels.
     slack_vox: f32,
+    /// What samples that are left out are typically missed by, in voxels, per component; 0 before that is known.
+    missed_vox: [f32; 3],
     incompressible: bool,
 }
 
@@ -89,6 +97,7 @@ impl<'a> Fit<'a> {
             excess: [1.0; 3],
             inflation: [(); 3].map(|()| vec![1.0; samples.len()]),
             slack_vox: 0.0,
+            missed_vox: [0.0; 3],
             incompressible,
         }
     }
@@ -135,15 +144,20 @@ impl<'a> Fit<'a> {
         for (c, field) in field.iter().enumerate() {
             let values = self.values(field);
             let mut scores = [0.0f64; LANES];
+            let mut missed: [Vec<f64>; LANES] = Default::default();
             for n in (first..self.samples.len()).step_by(LANES) {
                 let variance = f64::from(DEGREES_OF_FREEDOM * self.variance(c, n));
                 for l in 0..LANES {
                     let left = f64::from(self.samples[n].displacement_vox[c] - values[n][l]);
                     // Minus the logarithm of Student's density.
                     scores[l] += (left * left / variance).ln_1p();
+                    missed[l].push(left.abs());
                 }
             }
-            self.stiffness[c] *= ladder.best(&scores);
+            let (factor, rung) = ladder.best(&scores);
+            self.stiffness[c] *= factor;
+            let typical = median(std::mem::take(&mut missed[rung])).unwrap_or_default();
+            self.missed_vox[c] = (NORMAL_OF_MEDIAN * typical) as f32;
         }
     }
 
@@ -243,7 +257,8 @@ impl<'a> Fit<'a> {
     /// Variance of sample `n` in component `c`, in voxel².
     fn variance(&self, c: usize, n: usize) -> f32 {
         let own = self.excess[c] * self.inflation[c][n] * self.samples[n].variance_vox2[c];
-        own + self.slack_vox * self.slack_vox
+        let unresolved = RESOLVED * self.missed_vox[c];
+        own + self.slack_vox * self.slack_vox + unresolved * unresolved
     }
 
     fn equations(&self, weights: [Vec<Lane>; 3]) -> Equations<'_> {

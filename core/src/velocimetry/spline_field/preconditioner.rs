@@ -208,22 +208,31 @@ fn scales(equations: &Equations, c: usize, weight: f64) -> Vec<f32> {
     rough.iter().zip(&own).map(scale).collect()
 }
 
+/// Rows of the matrix that are multiplied at once: each value is then read once for all of them.
+const ROWS: usize = 4;
+
 /// Multiplies every row along the axis of `count` nodes `s` apart by a matrix, stored row by row.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn turn(matrix: &[f32], s: usize, count: usize, from: &[Lane], to: &mut [Lane]) {
     for block in 0..from.len() / (s * count) {
         let start = block * s * count;
-        for i in 0..count {
-            let row = &matrix[i * count..][..count];
+        for i in (0..count).step_by(ROWS) {
+            // The last rows once more where there are fewer.
+            let numbers: [usize; ROWS] = std::array::from_fn(|r| (i + r).min(count - 1));
+            let rows = numbers.map(|i| &matrix[i * count..][..count]);
             for o in 0..s {
-                let mut sum = [0.0; LANES];
-                for (j, weight) in row.iter().enumerate() {
+                let mut sums = [[0.0; LANES]; ROWS];
+                for j in 0..count {
                     let value = &from[start + j * s + o];
-                    for l in 0..LANES {
-                        sum[l] += weight * value[l];
+                    for (sum, row) in sums.iter_mut().zip(rows) {
+                        for l in 0..LANES {
+                            sum[l] += row[j] * value[l];
+                        }
                     }
                 }
-                to[start + i * s + o] = sum;
+                for (i, sum) in numbers.into_iter().zip(sums) {
+                    to[start + i * s + o] = sum;
+                }
             }
         }
     }

@@ -31,8 +31,8 @@ impl Ladder {
     }
 
     /// The factor with the least score, between two rungs where the parabola through the least and its neighbours
-    /// has its minimum.
-    pub fn best(&self, scores: &[f64; LANES]) -> f32 {
+    /// has its minimum, and the rung with the least.
+    pub fn best(&self, scores: &[f64; LANES]) -> (f32, usize) {
         let least = (0..LANES).fold(0, |best, l| if scores[l] < scores[best] { l } else { best });
         let mut rung = least as f32;
         if (1..LANES - 1).contains(&least) {
@@ -42,7 +42,7 @@ impl Ladder {
                 rung += (0.5 * (below - above) / curvature) as f32;
             }
         }
-        self.first * self.ratio.powf(rung)
+        (self.first * self.ratio.powf(rung), least)
     }
 }
 
@@ -55,9 +55,10 @@ mod tests {
         let ladder = Ladder::about(2.0);
         let at = |rung: f32| ladder.first * ladder.ratio.powf(rung);
         let scores = std::array::from_fn(|l| (l as f64 - 3.3).powi(2) + 7.0);
-        assert!((ladder.best(&scores) / at(3.3) - 1.0).abs() < 1e-4);
+        let (factor, rung) = ladder.best(&scores);
+        assert!((factor / at(3.3) - 1.0).abs() < 1e-4 && rung == 3);
         let falling = std::array::from_fn(|l| -(l as f64));
-        assert_eq!(ladder.best(&falling), at((LANES - 1) as f32));
+        assert_eq!(ladder.best(&falling), (at((LANES - 1) as f32), LANES - 1));
         assert!((ladder.factors()[3] * ladder.factors()[4] - 1.0).abs() < 1e-4);
     }
 }
