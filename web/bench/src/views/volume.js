@@ -103,6 +103,7 @@ export function volumeView(run) {
     legend.hidden = !run.mask;
     planes.forEach((one) => one.mask(run.mask));
     const scene = status.model_choice?.scene;
+    readings.particles.element.hidden = readings.perWindow.element.hidden = !scene;
     const cubicMm = voxels.reduce((product, n) => product * n * voxel, 1);
     readings.particles.show(scene ? `${count(Math.round(scene.particles_per_mm3 * cubicMm))}, ${number(scene.particles_per_mm3, 2)} per mm³` : "–");
     readings.perWindow.show(number(scene?.particles_per_window, 2));
