@@ -21,7 +21,7 @@ use crate::{
     archive::{ImageSize, write_replacing},
     cli::{
         card_file::read_card,
-        output::{count, print},
+        output::{count, print, progress_bar},
     },
     config::{CalibrationContent, Config, ConfigFile, Purpose, read_calibration},
 };
@@ -223,6 +223,7 @@ fn read_card_images<'a>(
 ) -> anyhow::Result<(Vec<Vec<CardLight<'a>>>, Images)> {
     let size = Some(ImageSize::from(&config.optics.sensor));
     let mut lights = Vec::new();
+    let bar = progress_bar(card.position.len(), "card positions");
     for (number, position) in card.position.iter().enumerate() {
         if position.images.len() != grids.len() {
             bail!(
@@ -246,7 +247,9 @@ fn read_card_images<'a>(
             ));
         }
         lights.push(position_lights);
+        bar.inc(1);
     }
+    bar.finish_and_clear();
     Ok((lights, images))
 }
 
