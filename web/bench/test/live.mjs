@@ -92,6 +92,14 @@ await withBrowser(async (browser) => {
   // A slice through the middle of the body, which lies along z.
   await until(() => tintedPixels(page, "canvas.slice"), (pixels) => pixels > 500, "the tint of the slice");
 
+  step("the seeding of both images of both cameras");
+  await look(page, "cameras");
+  const seedings = () => page.locator(".cameras-view .reading", { hasText: "Seeding a, b" }).locator("dd").allTextContents();
+  const densities = await until(seedings, (words) => words.length === 2 && words.every((text) => /^\d+\.\d+, \d+\.\d+$/.test(text)), "densities");
+  // The scene has 0.5; chance, and the body in the corner, have their share.
+  for (const found of densities.join(", ").split(", ").map(Number)) assert.ok(found > 0.2 && found < 1, `${found} particles per microlens`);
+  await look(page, "velocity");
+
   step("control fails without the scope");
   await page.click(".press .stop");
   const said = () => page.locator(".said").textContent();
