@@ -27,7 +27,7 @@ sed 's|/usr/local/bin/lfpiv|/usr/bin/lfpiv|' packaging/lfpiv.service \
 
 doc=$root/usr/share/doc/lfpiv
 install -D --mode 644 --target-directory "$doc" README.md CHANGELOG.md ARCHITECTURE.md
-install -D --mode 644 --target-directory "$doc/docs" docs/*.md docs/*.png docs/*.sbatch
+install -D --mode 644 --target-directory "$doc/docs" docs/*
 install -D --mode 644 --target-directory "$doc/config" config/*.toml
 install -D --mode 644 --target-directory "$doc/examples" examples/*
 if command -v mdbook >/dev/null; then

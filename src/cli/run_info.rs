@@ -11,7 +11,7 @@ use crate::{
     config::{ConfigFile, MaskFile, StoredMask},
     server::{
         BenchSettings, CalibrationSummary, ConfigurationSummary, MaskFileSummary, MaskSummary,
-        RunInfo,
+        RunInfo, VolumeViews,
     },
 };
 
@@ -22,6 +22,7 @@ pub(super) fn bench_settings(file: &ConfigFile) -> BenchSettings {
         optics: file.config.optics.clone(),
         timing: file.config.timing.clone(),
         mask: file.config.mask.as_ref().map(|stored| stored.mask.clone()),
+        views: VolumeViews::new(&file.config),
     }
 }
 

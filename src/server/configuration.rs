@@ -23,6 +23,7 @@ use super::{
     binary,
     bytes::{ETag, cacheable},
     extract::Arguments,
+    seeding::VolumeViews,
 };
 
 /// The configured bench.
@@ -36,6 +37,8 @@ pub struct BenchSettings {
     pub timing: TimingSettings,
     /// What of the volume is flow; absent if all of it is.
     pub mask: Option<Arc<VolumeMask>>,
+    /// Where each camera sees the volume.
+    pub views: VolumeViews,
 }
 
 #[derive(Debug, Serialize, ToSchema)]

@@ -66,6 +66,8 @@ struct FrameView {
     background_counts: f64,
     /// Share of the open pixels with light of particles.
     bright_share: f64,
+    /// Particles per microlens in the middle of the volume; absent if no light stands out.
+    seeding_ppm: Option<f64>,
     /// Absent if no pixel is saturated.
     saturation_counts: Option<u16>,
     saturated_share: f64,
@@ -113,14 +115,16 @@ pub(super) async fn statistics(
     let camera = camera_index(&camera, names.len())?;
     let name = names[camera].clone();
     let bench = app.run.bench.clone();
-    let optics = bench
-        .map(|bench| bench.optics.clone())
-        .ok_or_else(|| ApiError::not_found("this server has no configuration of a bench"))?;
+    let bench =
+        bench.ok_or_else(|| ApiError::not_found("this server has no configuration of a bench"))?;
     let known = app.run.ledger.lock().entry(shot).is_some();
     let frames = app.run.frames.clone();
     let made = move || {
         let image = |half| frames.frame(shot, camera, half).ok_or_else(|| unavailable(shot, known));
-        let view = view(shot, name, &optics, &[image(0)?, image(1)?]);
+        let images = [image(0)?, image(1)?];
+        let view = view((shot, name), &bench.optics, &images, |image, levels| {
+            bench.views.seeding_ppm(camera, image, levels)
+        });
         serde_json::to_vec(&view).map_err(|error| ApiError::internal(error.to_string()))
     };
     let json = app.work.make(ANSWER_BYTES, made).await?;
@@ -129,12 +133,20 @@ pub(super) async fn statistics(
     Ok((headers, json).into_response())
 }
 
-fn view(shot: u64, camera: String, optics: &Optics, images: &[RawImage; 2]) -> StatisticsView {
+fn view(
+    (shot, camera): (u64, String),
+    optics: &Optics,
+    images: &[RawImage; 2],
+    seeding_ppm: impl Fn(&RawImage, &LightLevels) -> Option<f64>,
+) -> StatisticsView {
     let zones =
         PhotometricZones::new(optics, &AxisSampling::columns(optics), &AxisSampling::rows(optics));
     let levels = images.each_ref().map(|image| zones.levels(image, &ImageSettings::default()));
     let [a, b] = levels.each_ref().map(|levels| levels.mean_signal_counts);
-    let frames = images.iter().zip(&levels).map(|(image, levels)| frame(optics, image, levels));
+    let frames = images
+        .iter()
+        .zip(&levels)
+        .map(|(image, levels)| frame(optics, image, levels, seeding_ppm(image, levels)));
     StatisticsView {
         shot,
         camera,
@@ -168,7 +180,12 @@ fn diameter_pitches(optics: &Optics) -> f64 {
     picture_mm / optics.micro_image_pitch_mm()
 }
 
-fn frame(optics: &Optics, image: &RawImage, levels: &LightLevels) -> FrameView {
+fn frame(
+    optics: &Optics,
+    image: &RawImage,
+    levels: &LightLevels,
+    seeding_ppm: Option<f64>,
+) -> FrameView {
     let counts = image.counts();
     let greatest_counts = counts.iter().copied().max().unwrap_or_default();
     let bin_counts = (u32::from(greatest_counts) + 1).div_ceil(BINS as u32);
@@ -182,6 +199,7 @@ fn frame(optics: &Optics, image: &RawImage, levels: &LightLevels) -> FrameView {
         light_counts: levels.mean_signal_counts,
         background_counts: levels.background_counts,
         bright_share: levels.bright_share,
+        seeding_ppm,
         saturation_counts: levels.saturation_counts,
         saturated_share: levels.saturated_share,
         histogram,

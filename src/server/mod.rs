@@ -50,6 +50,7 @@ mod preview;
 mod protection;
 mod results;
 mod schemas;
+mod seeding;
 mod shots;
 mod state;
 mod statistics;
@@ -71,6 +72,7 @@ use error::ApiError;
 pub use frames::FrameSource;
 pub use protection::{Protection, ProtectionError, open_files_needed, raise_open_files};
 pub use results::ResultSource;
+pub use seeding::VolumeViews;
 pub use state::{
     ApiState, CalibrationSummary, ConfigurationSummary, MaskFileSummary, MaskSummary, Phase,
     RunInfo,

@@ -1,13 +1,18 @@
 //! Endpoints used by the bench page: its files, heartbeat, settings, timing and image statistics.
 
-use std::{sync::Arc, time::Duration};
+use std::{path::Path, sync::Arc, time::Duration};
 
-use lfpiv::{acquisition::Ledger, server::BenchSettings};
+use lfpiv::{
+    acquisition::Ledger,
+    config::ConfigFile,
+    server::{BenchSettings, VolumeViews},
+};
 use lfpiv_core::{
     lightfield::ImagePair,
     model::{VolumeGrid, VolumeMask},
 };
 use lfpiv_hw::{Optics, RawImage};
+use lfpiv_sim::Scene;
 use tokio::{
     io::{AsyncReadExt, AsyncWriteExt},
     net::TcpStream,
@@ -27,6 +32,7 @@ fn bench() -> BenchSettings {
         optics: file.config.optics,
         timing: file.config.timing,
         mask: None,
+        views: VolumeViews::default(),
     }
 }
 
@@ -107,6 +113,33 @@ async fn settings_and_timing_are_returned_and_nothing_is_changed() {
     let empty = Server::empty(&settings()).await;
     for path in ["/api/v1/configuration", "/api/v1/control/timing"] {
         assert!(empty.get(path).await.error(404).contains("no configuration of a bench"));
+    }
+}
+
+/// Of simulated images, whose scene says how many particles there are.
+#[tokio::test]
+async fn the_seeding_of_an_image_is_returned() {
+    let small = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/small.toml");
+    let config = ConfigFile::load(&small).unwrap().config;
+    for ppm in [0.3, 1.5] {
+        let scene = Scene { ppm, ..config.simulation.clone().unwrap() };
+        let shot = scene.shot(&config.bench_geometry(), 1, 7);
+        let mut ledger = Ledger::new(2);
+        ledger.enter(7).unwrap();
+        let board = lit_board([4, 3, 2]);
+        board.gallery().show_frames(7, &ImagePair { cameras: shot.images });
+        let (optics, views) = (config.optics.clone(), VolumeViews::new(&config));
+        let bench = BenchSettings { optics, views, ..bench() };
+        let server =
+            Server::with(ledger, board, &settings(), |state| state.with_bench(bench)).await;
+        // The volume is 20 voxels high and 16 deep: from above there are as many particles in fewer microlenses.
+        for (camera, ppm) in [(1, ppm), (2, 20.0 / 16.0 * ppm)] {
+            let path = format!("/api/v1/shots/7/frames/{camera}/statistics");
+            for frame in server.get(&path).await.json()["frames"].as_array().unwrap() {
+                let found = frame["seeding_ppm"].as_f64().unwrap();
+                assert!((found / ppm - 1.0).abs() < 0.3, "{found} instead of {ppm}");
+            }
+        }
     }
 }
 

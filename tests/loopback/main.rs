@@ -6,6 +6,7 @@
 
 mod bench;
 mod faults;
+mod first_use;
 mod focus;
 mod killed;
 mod lost;

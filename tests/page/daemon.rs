@@ -18,6 +18,15 @@ pub const CONTROL: &str = "Zr8+qT1/vXo2Lk9wBe5HdM==";
 /// The body that masks a part of the volume, beside the configuration.
 pub const BODY: &str = "body.stl";
 
+/// What stands in the volume: the two exclude each other.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Scene {
+    /// A body in a corner, which a mask leaves out.
+    Body,
+    /// Flow alone, whose particles are placed in the images.
+    Placed,
+}
+
 pub struct Daemon {
     child: Child,
     pub port: u16,
@@ -25,8 +34,8 @@ pub struct Daemon {
 
 impl Daemon {
     /// A run without end; port 0 takes any.
-    pub fn start(folder: &Path, port: u16) -> Self {
-        let configuration = configuration(folder, port);
+    pub fn start(folder: &Path, port: u16, scene: Scene) -> Self {
+        let configuration = configuration(folder, port, scene);
         Self::of(lfpiv(&["run", "--remote-arming", "--config"]).arg(configuration))
     }
 
@@ -98,8 +107,16 @@ pub fn lfpiv(arguments: &[&str]) -> Command {
     command
 }
 
+/// The folder of the only run.
+pub fn only_run(folder: &Path) -> PathBuf {
+    let runs = fs::read_dir(folder.join("results")).unwrap();
+    let runs: Vec<PathBuf> = runs.map(|run| run.unwrap().path()).collect();
+    assert_eq!(runs.len(), 1, "{runs:?}");
+    runs.into_iter().next().unwrap()
+}
+
 /// A small bench with tokens, and arming allowed.
-pub fn configuration(folder: &Path, port: u16) -> PathBuf {
+pub fn configuration(folder: &Path, port: u16, scene: Scene) -> PathBuf {
     let tokens = folder.join("tokens");
     fs::write(&tokens, format!("read {READ}\ncontrol {CONTROL}\n")).unwrap();
     fs::set_permissions(&tokens, PermissionsExt::from_mode(0o600)).unwrap();
@@ -113,11 +130,13 @@ pub fn configuration(folder: &Path, port: u16) -> PathBuf {
         ("dir = \"results\"", &format!("dir = {:?}", folder.join("results"))),
         // More would be shed, and take the browser's processors.
         ("rate_hz = 10.0", "rate_hz = 2.0"),
-        // A body in a corner.
-        (
-            "centre_mm = [0.0, 0.0, 0.0]",
-            "centre_mm = [0.0, 0.0, 0.0]\nmask = { leave_out = [{ stl = \"body.stl\" }] }",
-        ),
+        match scene {
+            Scene::Body => (
+                "centre_mm = [0.0, 0.0, 0.0]",
+                "centre_mm = [0.0, 0.0, 0.0]\nmask = { leave_out = [{ stl = \"body.stl\" }] }",
+            ),
+            Scene::Placed => ("[velocimetry]", "[velocimetry]\nplace_particles = true"),
+        },
         // A flow with something to see in it.
         ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),
         ("velocity_m_s = [1.0, -0.5, 0.25]", ""),

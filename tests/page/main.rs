@@ -9,12 +9,13 @@ mod body;
 mod built;
 mod daemon;
 mod fed;
+mod placed;
 mod script;
 mod served;
 
 use std::{path::PathBuf, sync::Mutex};
 
-use daemon::Daemon;
+use daemon::{Daemon, Scene};
 use script::{page_folder, run_script};
 
 /// One browser at a time: two would wait for each other's processors.
@@ -29,7 +30,7 @@ fn pictures() -> PathBuf {
 fn the_page_shows_a_run_and_controls_it() {
     let _browser = BROWSER.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let folder = tempfile::tempdir().unwrap();
-    let mut daemon = Daemon::start(folder.path(), 0);
+    let mut daemon = Daemon::start(folder.path(), 0, Scene::Body);
     let port = daemon.port;
     let pictures = pictures().display().to_string();
     let arguments = [&daemon.url(), daemon::READ, daemon::CONTROL, &pictures];
@@ -39,7 +40,7 @@ fn the_page_shows_a_run_and_controls_it() {
             "killed".to_owned()
         }
         "start" => {
-            daemon = Daemon::start(folder.path(), port);
+            daemon = Daemon::start(folder.path(), port, Scene::Body);
             "started".to_owned()
         }
         other => panic!("asked for {other}"),
@@ -50,7 +51,7 @@ fn the_page_shows_a_run_and_controls_it() {
 fn a_foreign_page_neither_frames_nor_reads_nor_controls() {
     let _browser = BROWSER.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let folder = tempfile::tempdir().unwrap();
-    let daemon = Daemon::start(folder.path(), 0);
+    let daemon = Daemon::start(folder.path(), 0, Scene::Body);
     run_script("foreign.mjs", &[&daemon.url(), daemon::CONTROL], |asked| {
         panic!("asked for {asked}")
     });

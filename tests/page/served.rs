@@ -9,7 +9,7 @@ use std::{
 
 use crate::{
     BROWSER,
-    daemon::{BODY, Daemon, READ, configuration, lfpiv},
+    daemon::{BODY, Daemon, READ, Scene, configuration, lfpiv, only_run},
     script::run_script,
 };
 
@@ -67,12 +67,9 @@ fn a_finished_run_is_shown_and_cannot_be_controlled() {
 /// Takes shots to the end, and gives the run's folder.
 fn finished_run(folder: &Path) -> PathBuf {
     let mut command = lfpiv(&["run", "--shots", &SHOTS.to_string(), "--config"]);
-    let output = command.arg(configuration(folder, 0)).output().unwrap();
+    let output = command.arg(configuration(folder, 0, Scene::Body)).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let runs = fs::read_dir(folder.join("results")).unwrap();
-    let runs: Vec<PathBuf> = runs.map(|run| run.unwrap().path()).collect();
-    assert_eq!(runs.len(), 1, "{runs:?}");
-    runs.into_iter().next().unwrap()
+    only_run(folder)
 }
 
 /// Every file below a folder.

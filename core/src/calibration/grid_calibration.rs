@@ -103,6 +103,21 @@ pub fn calibrate_grid(
     image: &WhiteImage,
     optics: Option<&Optics>,
 ) -> Result<GridCalibration, CalibrationError> {
+    calibrate_grid_watched(image, optics, |_| ())
+}
+
+/// Steps of a calibration: the start, rounds of fitted discs, the centres, arcs of rims.
+pub const GRID_STEPS: usize = rendered_discs::ROUNDS + 3;
+
+/// As [`calibrate_grid`]; tells how many of the [`GRID_STEPS`] are behind it. Fits that need fewer rounds skip some.
+///
+/// # Errors
+/// As [`calibrate_grid`].
+pub fn calibrate_grid_watched(
+    image: &WhiteImage,
+    optics: Option<&Optics>,
+    mut steps_done: impl FnMut(usize),
+) -> Result<GridCalibration, CalibrationError> {
     let start = start::find(image)?;
     let light = CellLight::of_image(image, &start.grid);
     let lenses = lens_states::usable(image, &start.grid, &light);
@@ -110,11 +125,20 @@ pub fn calibrate_grid(
     if lenses.len() < LEAST_LENSES {
         return Err(too_few(lenses.len()));
     }
-    let discs = rendered_discs::fit(image, &start, &light, &lenses).ok_or(too_few(0))?;
+    steps_done(1);
+    let mut rounds = 0;
+    let round_ended = || {
+        rounds += 1;
+        steps_done(1 + rounds);
+    };
+    let discs =
+        rendered_discs::fit(image, &start, &light, &lenses, round_ended).ok_or(too_few(0))?;
+    steps_done(GRID_STEPS - 1);
     let fit = affine_fit::fit(&discs.grid, &discs.centres).ok_or(too_few(discs.centres.len()))?;
     let agreement = edge_arcs::fit(image, &start, &lenses)
         .and_then(|arcs| affine_fit::fit(&arcs.circles.grid, &arcs.centres))
         .map(|arcs| Agreement::of(&fit.grid, &arcs.grid, &lenses));
+    steps_done(GRID_STEPS);
     let lit = numbering::lit_range(&fit.grid, &light).ok_or(too_few(0))?;
     let size = [image.columns(), image.rows()];
     let (grid, first) = numbering::number(&fit.grid, lit, optics, size);

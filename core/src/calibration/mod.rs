@@ -36,12 +36,15 @@ pub use agreement::Agreement;
 pub use error::CalibrationError;
 pub use f_number::FNumberMatch;
 pub use focus::{Focus, focus};
-pub use grid_calibration::{ArrayKind, GridCalibration, Residual, calibrate_grid};
+pub use grid_calibration::{
+    ArrayKind, GRID_STEPS, GridCalibration, Residual, calibrate_grid, calibrate_grid_watched,
+};
 pub use lens_states::{Lens, LensState};
 pub use second_aperture::SecondAperture;
 pub use volume::{
     CalibratedCamera, CardLight, HeldOut, MarkResidual, PARAMETERS, ParameterEstimate,
     VolumeCalibration, VolumeError, VolumeInput, VolumeWarning, calibrate_volume,
+    calibrate_volume_watched,
 };
 pub use warnings::GridWarning;
 pub use white_image::WhiteImage;

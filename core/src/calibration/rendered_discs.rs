@@ -21,7 +21,7 @@ use crate::lightfield::MicroImageGrid;
 /// At most this many lenses, all over the field, decide on what is shared.
 const MOST_LENSES: usize = 900;
 
-const ROUNDS: usize = 40;
+pub(super) const ROUNDS: usize = 40;
 
 /// Blur at the start, and at least, in pixels.
 const FIRST_BLUR_PX: f64 = 0.8;
@@ -49,6 +49,7 @@ pub(super) fn fit(
     start: &Start,
     light: &CellLight,
     lenses: &[[usize; 2]],
+    mut round_ended: impl FnMut(),
 ) -> Option<Discs> {
     let field = Field::of(image.columns(), image.rows());
     let mut model = Model {
@@ -62,6 +63,7 @@ pub(super) fn fit(
     let some: Vec<[usize; 2]> = lenses.iter().copied().step_by(stride).collect();
     for _ in 0..ROUNDS {
         let moved_px = model.improve(image, light, &field, &some)?;
+        round_ended();
         if moved_px < 1e-4 {
             break;
         }

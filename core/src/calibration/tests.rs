@@ -146,7 +146,11 @@ impl Scene {
     }
 
     fn calibrated(&self, seed: u64) -> GridCalibration {
-        calibrate_grid(&self.image(seed), None).unwrap()
+        let mut steps = vec![0];
+        let watch = |done| steps.push(done);
+        let found = calibrate_grid_watched(&self.image(seed), None, watch).unwrap();
+        assert!(steps.is_sorted() && steps.last() == Some(&GRID_STEPS), "{steps:?}");
+        found
     }
 }
 

@@ -6,7 +6,9 @@ use std::{
 };
 
 use anyhow::{Context, bail};
-use lfpiv_core::calibration::{GridCalibration, LensState, WhiteImage, calibrate_grid};
+use lfpiv_core::calibration::{
+    GRID_STEPS, GridCalibration, LensState, WhiteImage, calibrate_grid_watched,
+};
 use lfpiv_hw::CameraName;
 
 use super::{
@@ -16,7 +18,7 @@ use super::{
 };
 use crate::{
     archive::write_replacing,
-    cli::output::{count, print},
+    cli::output::{count, print, progress_bar},
     config::{ConfigFile, Purpose},
 };
 
@@ -55,11 +57,16 @@ pub fn grid(args: &GridArgs) -> anyhow::Result<()> {
     let config = configured(args)?;
     let optics = config.as_ref().map(|file| &file.config.optics);
     let size = optics.map(|optics| (&optics.sensor).into());
+    let images = args.white.len() + args.dark.len();
+    let bar = progress_bar(images + GRID_STEPS, "steps");
     let (white, white_files) = read_images(&args.white, size)?;
     let (dark, dark_files) = read_images(&args.dark, size)?;
+    bar.set_position(images as u64);
     let image = WhiteImage::average(&white, &dark)?;
-    let found = calibrate_grid(&image, optics)
+    let steps_done = |steps: usize| bar.set_position((images + steps) as u64);
+    let found = calibrate_grid_watched(&image, optics, steps_done)
         .with_context(|| format!("no grid in {}", args.white[0].display()))?;
+    bar.finish_and_clear();
     let inputs = Inputs {
         white: white_files,
         dark: dark_files,

@@ -7,7 +7,9 @@ use std::{
 
 use anyhow::{Context, bail};
 use lfpiv_core::{
-    calibration::{CardLight, VolumeCalibration, VolumeInput, WhiteImage, calibrate_volume},
+    calibration::{
+        CardLight, VolumeCalibration, VolumeInput, WhiteImage, calibrate_volume_watched,
+    },
     lightfield::MicroImageGrid,
 };
 use lfpiv_hw::{CameraName, card::CalibrationCard};
@@ -21,7 +23,7 @@ use crate::{
     archive::{ImageSize, write_replacing},
     cli::{
         card_file::read_card,
-        output::{count, print},
+        output::{count, print, progress_bar},
     },
     config::{CalibrationContent, Config, ConfigFile, Purpose, read_calibration},
 };
@@ -97,8 +99,10 @@ pub fn volume(args: &VolumeArgs) -> anyhow::Result<()> {
         stage_deviation_mm: args.stage_uncertainty_um * 1e-3,
         box_mm: box_mm(config),
     };
-    let found = calibrate_volume(&input)
+    let bar = progress_bar(input.steps(), "steps");
+    let found = calibrate_volume_watched(&input, || bar.inc(1))
         .with_context(|| format!("no calibration from {}", args.card.display()))?;
+    bar.finish_and_clear();
     let written = VolumeFile::new(config, &args.serial, &card, &grids, &found, images.inputs)?;
     write_replacing(&args.out, |writer| {
         serde_json::to_writer_pretty(&mut *writer, &written).map_err(io::Error::from)?;
@@ -223,6 +227,7 @@ fn read_card_images<'a>(
 ) -> anyhow::Result<(Vec<Vec<CardLight<'a>>>, Images)> {
     let size = Some(ImageSize::from(&config.optics.sensor));
     let mut lights = Vec::new();
+    let bar = progress_bar(card.position.len(), "card positions");
     for (number, position) in card.position.iter().enumerate() {
         if position.images.len() != grids.len() {
             bail!(
@@ -246,7 +251,9 @@ fn read_card_images<'a>(
             ));
         }
         lights.push(position_lights);
+        bar.inc(1);
     }
+    bar.finish_and_clear();
     Ok((lights, images))
 }
 

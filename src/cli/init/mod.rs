@@ -9,7 +9,7 @@ use std::{
 };
 
 use anyhow::{Context, bail};
-use lfpiv_hw::gige::{FoundCamera, list_devices};
+use lfpiv_hw::gige::{FoundCamera, ImageSize, list_devices};
 
 use self::{
     questions::{Answers, Question, questions},
@@ -48,10 +48,10 @@ pub fn init(args: &InitArgs) -> anyhow::Result<()> {
     let questions = questions();
     let mut given = given(args, &questions)?;
     if let Some(camera) = &args.camera {
-        let [columns, rows] = sensor_of(camera)?;
-        given.push(("sensor_columns", columns.to_string()));
-        given.push(("sensor_rows", rows.to_string()));
-        given.push(("addresses", camera.clone()));
+        let (sensor, address) = found(camera)?;
+        given.push(("sensor_columns", sensor.columns.to_string()));
+        given.push(("sensor_rows", sensor.rows.to_string()));
+        given.push(("addresses", address));
     }
     let mut answers = Answers::default();
     let mut lines = io::stdin().lock().lines();
@@ -128,11 +128,11 @@ fn ask(
     }
 }
 
-/// Columns and rows of a camera's sensor.
-fn sensor_of(camera: &str) -> anyhow::Result<[usize; 2]> {
+/// The size of a camera's sensor, and its address.
+fn found(camera: &str) -> anyhow::Result<(ImageSize, String)> {
     let found = list_devices()?;
-    let is_it = |found: &&FoundCamera| found.address == camera || found.serial == camera;
-    let Some(found) = found.iter().find(is_it) else {
+    let is_it = |found: &FoundCamera| found.address == camera || found.serial == camera;
+    let Some(found) = found.into_iter().find(is_it) else {
         bail!("no camera {camera} answers: `lfpiv devices` lists the cameras that answer");
     };
     let sensor = found.sensor.with_context(|| {
@@ -140,7 +140,7 @@ fn sensor_of(camera: &str) -> anyhow::Result<[usize; 2]> {
             "camera {camera} does not report its sensor's size: another program may be using it"
         )
     })?;
-    Ok([sensor.columns, sensor.rows])
+    Ok((sensor, found.address))
 }
 
 fn key_and_value(text: &str) -> Result<(String, String), String> {

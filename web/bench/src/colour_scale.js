@@ -1,7 +1,9 @@
 // Colour scales that people with any colour vision read in the same order: cividis (Nuñez, Anderton and
-// Renslow 2018) for sizes, vik (Crameri 2018) for what has a sign.
+// Renslow 2018) for sizes, vik (Crameri 2018) for what has a sign, the bright two thirds of plasma (Smith and van der
+// Walt 2015) for the speed of particles, which are small and lie on the black of an image.
 
 const CIVIDIS = ["#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74", "#c3b369", "#e1cc55", "#fee838"];
+const PLASMA = ["#9c179e", "#bd3786", "#d8576b", "#ed7953", "#fb9f3a", "#fdca26", "#f0f921"];
 const VIK = ["#001261", "#033e7d", "#1e6f9d", "#71a8c4", "#c9dde7", "#eacebd", "#d39774", "#be6533", "#8b2706", "#590007"];
 
 const channels = (hex) => [1, 3, 5].map((start) => parseInt(hex.slice(start, start + 2), 16));
@@ -22,14 +24,16 @@ function table(stops) {
 
 const SIZES = table(CIVIDIS);
 const SIGNS = table(VIK);
+/** Every colour has at least three times the luminance of black, as WCAG 2.1 reckons contrast. */
+export const ON_BLACK = table(PLASMA);
 
 /** A scale from `low` to `high`; signed ones should be symmetric about zero. */
 export class ColourScale {
-  constructor(low, high, signed = false) {
+  constructor(low, high, signed = false, colours = signed ? SIGNS : SIZES) {
     this.low = low;
     this.high = high > low ? high : low + 1e-9;
     this.signed = signed;
-    this.colours = signed ? SIGNS : SIZES;
+    this.colours = colours;
   }
 
   /** Red, green and blue of a value, 0 to 255. */

@@ -3,6 +3,9 @@
 import { ApiError, hasToken, post, setToken } from "./api.js";
 import { h, setText } from "./dom.js";
 
+/** What was granted longer ago may no longer be so. */
+const GRANTED_MS = 15_000;
+
 /** Asks for a token, shows what was refused, and sends control requests. */
 export class Desk {
   constructor(run) {
@@ -41,6 +44,14 @@ export class Desk {
     setText(this.said, text);
     if (tone) this.said.setAttribute("data-tone", tone);
     else this.said.removeAttribute("data-tone");
+    clearTimeout(this.fading);
+    // What was refused stays until something else is asked for.
+    if (text && !tone) this.fading = setTimeout(() => this.say(""), GRANTED_MS);
+  }
+
+  /** Nothing is known any more: what was granted is not repeated. */
+  doubt() {
+    if (!this.said.hasAttribute("data-tone")) this.say("");
   }
 
   /** Sends a request; true where it was granted. */

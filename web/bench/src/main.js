@@ -30,6 +30,7 @@ const VIEWS = {
 /** Made when they are first looked at. */
 const made = {};
 let current = null;
+let wasStale = true;
 
 const links = Object.entries(VIEWS).map(([name, [title]]) => h("a", { href: `#${name}`, "data-view": name }, title));
 const main = h("main", { tabindex: "-1" });
@@ -54,6 +55,8 @@ function show() {
 
 function update() {
   setAttribute(document.documentElement, "data-stale", run.stale ? "" : null);
+  if (run.stale && !wasStale) desk.doubt();
+  wasStale = run.stale;
   bar.update();
   made[current]?.update();
 }

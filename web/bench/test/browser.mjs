@@ -6,13 +6,13 @@ import { chromium } from "playwright-core";
 const CHROMIUM = process.env.LFPIV_CHROMIUM ?? "/usr/bin/chromium";
 const PATIENCE_MS = 60_000;
 
-/** Starts the browser, and ends it when `body` has ended. */
-export async function withBrowser(body) {
+/** Starts the browser, with more flags of its JavaScript engine, and ends it when `body` has ended. */
+export async function withBrowser(body, engineFlags = []) {
   const browser = await chromium.launch({
     executablePath: CHROMIUM,
     args: [
       "--no-sandbox", "--no-first-run", "--disable-background-networking", "--use-gl=angle",
-      "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc",
+      "--use-angle=swiftshader", "--enable-unsafe-swiftshader", `--js-flags=${["--expose-gc", ...engineFlags].join(" ")}`,
     ],
   });
   try {

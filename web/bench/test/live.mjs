@@ -14,17 +14,17 @@ const HOSTILE = `<img src=x onerror="window.taken=1"><script>window.taken=2</scr
 /** The browser's own lines on refused requests, and on those that nobody answered while the daemon was away. */
 const EXPECTED = /Failed to load resource: (the server responded with a status of (401|403|404|409|410|503)|net::ERR_(CONNECTION|INCOMPLETE|EMPTY|FAILED))/;
 
-/** Pixels of the first projection that are coloured: light is grey. */
-const tintedPixels = (page) => page.evaluate(() => {
-  const canvas = document.querySelector("canvas.projection");
+/** Pixels of a canvas in the tint of what is not flow: light is grey, and red of no size or speed exceeds green so far. */
+const tintedPixels = (page, canvasName) => page.evaluate((name) => {
+  const canvas = document.querySelector(name);
   // Of a copy: a canvas of the page that is read several times makes Chromium complain.
   const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
   copy.drawImage(canvas, 0, 0);
   const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
   let count = 0;
-  for (let n = 0; n < data.length; n += 4) count += data[n] > data[n + 2] + 40;
+  for (let n = 0; n < data.length; n += 4) count += data[n] > data[n + 1] + 30 && data[n] > data[n + 2] + 40;
   return count;
-});
+}, canvasName);
 
 const began = Date.now();
 const step = (words) => console.log(`${((Date.now() - began) / 1000).toFixed(1)} s: ${words}`);
@@ -87,7 +87,17 @@ await withBrowser(async (browser) => {
   await until(() => page.locator(".velocity .readings dd").nth(2).textContent(), (text) => Number(text) > 0, "masked vectors");
   await look(page, "volume");
   await until(() => page.locator(".volume .legend").isVisible(), (visible) => visible, "the legend");
-  await until(() => tintedPixels(page), (pixels) => pixels > 500, "the tint");
+  await until(() => tintedPixels(page, "canvas.projection"), (pixels) => pixels > 500, "the tint");
+  await look(page, "velocity");
+  // A slice through the middle of the body, which lies along z.
+  await until(() => tintedPixels(page, "canvas.slice"), (pixels) => pixels > 500, "the tint of the slice");
+
+  step("the seeding of both images of both cameras");
+  await look(page, "cameras");
+  const seedings = () => page.locator(".cameras-view .reading", { hasText: "Seeding a, b" }).locator("dd").allTextContents();
+  const densities = await until(seedings, (words) => words.length === 2 && words.every((text) => /^\d+\.\d+, \d+\.\d+$/.test(text)), "densities");
+  // The scene has 0.5; chance, and the body in the corner, have their share.
+  for (const found of densities.join(", ").split(", ").map(Number)) assert.ok(found > 0.2 && found < 1, `${found} particles per microlens`);
   await look(page, "velocity");
 
   step("control fails without the scope");
@@ -176,6 +186,7 @@ await withBrowser(async (browser) => {
   await until(() => laserWord(page), (word) => word === "unknown", "doubt", 10_000);
   assert.ok(Date.now() - killed < 5000, "within a few seconds");
   assert.ok(await page.evaluate(() => document.documentElement.hasAttribute("data-stale")));
+  assert.equal(await said(), "", "nothing says that the run goes on");
   await page.screenshot({ path: join(pictures, "overview-stale.png") });
   step("and is back");
   await demand("start");

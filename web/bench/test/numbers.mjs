@@ -105,8 +105,19 @@ assert.ok(Math.abs(placed.scale.high - 2.5) < 1e-6, "those that disagree do not 
 const squares = [];
 const context = { set fillStyle(colour) { squares.push([colour]); }, fillRect: (...square) => squares.at(-1).push(square) };
 drawParticles(context, placed, [0, 2], (right, up) => [10 * right, -10 * up], 2);
-assert.deepEqual(squares.map(([, square]) => square), [[-13, -33, 6, 6], [7, 27, 6, 6]]);
-assert.equal(squares[0][0], "rgb(254 232 56)", "the fastest is the lightest");
+const [rims, ...bright] = squares;
+assert.deepEqual(rims, ["#000000", [-15, -35, 10, 10], [5, 25, 10, 10]]);
+assert.deepEqual(bright.map(([, square]) => square), [[-13, -33, 6, 6], [7, 27, 6, 6]]);
+assert.equal(bright[0][0], "rgb(240 249 33)", "the fastest is the lightest");
+
+// Every speed is seen on black, and brighter than slower ones, but for the rounding of single steps: WCAG 2.1,
+// relative luminance.
+const luminance = (rgb) => rgb.map((part) => part / 255)
+  .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4))
+  .reduce((sum, part, c) => sum + [0.2126, 0.7152, 0.0722][c] * part, 0);
+const seen = Array.from({ length: 256 }, (_, n) => luminance(placed.scale.rgb((placed.scale.high * n) / 255)));
+assert.ok((seen[0] + 0.05) / 0.05 >= 3, `${seen[0]}`);
+assert.ok(seen.every((light, n) => n < 4 || light > seen[n - 4]));
 
 // The naive reference of mean and rms.
 const shots = [1, 2, 4, 9].map((size) => field([3, 3, 3], (x) => [size * x, size, -size], { status: (v) => (v === 5 && size === 4 ? 2 : 0) }));

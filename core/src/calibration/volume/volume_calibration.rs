@@ -55,6 +55,17 @@ pub struct VolumeCalibration {
 /// # Errors
 /// [`VolumeError`]: numbers that do not belong together, a card that is not seen, or too little of it.
 pub fn calibrate_volume(input: &VolumeInput<'_>) -> Result<VolumeCalibration, VolumeError> {
+    calibrate_volume_watched(input, || ())
+}
+
+/// As [`calibrate_volume`]; calls `step_ended` after each of the [`VolumeInput::steps`].
+///
+/// # Errors
+/// As [`calibrate_volume`].
+pub fn calibrate_volume_watched(
+    input: &VolumeInput<'_>,
+    mut step_ended: impl FnMut(),
+) -> Result<VolumeCalibration, VolumeError> {
     input.check()?;
     let origins_mm: Vec<Point3<f64>> =
         input.card.position.iter().map(|position| Point3::from(position.origin_mm)).collect();
@@ -68,14 +79,18 @@ pub fn calibrate_volume(input: &VolumeInput<'_>) -> Result<VolumeCalibration, Vo
         deviations: first_deviations(input.optics),
     };
     let mut warnings = Vec::new();
-    let mut sightings = first_pass(input, &bench, &mut warnings)?;
+    let mut sightings = first_pass(input, &bench, &mut warnings, &mut step_ended)?;
     let adjusted = fitted(&mut bench, &mut sightings, None)?;
-    let mut sightings = second_pass(input, &bench, &adjusted);
+    step_ended();
+    let mut sightings = second_pass(input, &bench, &adjusted, &mut step_ended);
     let adjusted = fitted(&mut bench, &mut sightings, Some(&adjusted))?;
+    step_ended();
     let held_out = held_out(&bench, &sightings, &adjusted)?;
+    step_ended();
     let cameras: Vec<CalibratedCamera> = (0..input.poses.len())
         .map(|camera| CalibratedCamera::of(input, &bench, &sightings, &adjusted, camera))
         .collect::<Result<_, _>>()?;
+    step_ended();
     warnings.extend(checks::warnings(input, &sightings, &adjusted, &held_out));
     Ok(VolumeCalibration {
         cameras,
@@ -91,6 +106,7 @@ fn first_pass(
     input: &VolumeInput<'_>,
     bench: &Bench<'_>,
     warnings: &mut Vec<VolumeWarning>,
+    step_ended: &mut impl FnMut(),
 ) -> Result<Vec<Sighting>, VolumeError> {
     let mut sightings = Vec::new();
     for camera in 0..input.poses.len() {
@@ -128,13 +144,19 @@ fn first_pass(
                 most_pixels: PIXELS[0],
             };
             sightings.push(Sighting { camera, position, marks: seen_marks(&search, bench.card) });
+            step_ended();
         }
     }
     Ok(sightings)
 }
 
 /// Looks for marks where the fitted cameras see them.
-fn second_pass(input: &VolumeInput<'_>, bench: &Bench<'_>, adjusted: &Adjusted) -> Vec<Sighting> {
+fn second_pass(
+    input: &VolumeInput<'_>,
+    bench: &Bench<'_>,
+    adjusted: &Adjusted,
+    step_ended: &mut impl FnMut(),
+) -> Vec<Sighting> {
     let mut sightings = Vec::new();
     for (position, lights) in input.light.iter().enumerate() {
         for (camera, light) in lights.iter().enumerate() {
@@ -149,6 +171,7 @@ fn second_pass(input: &VolumeInput<'_>, bench: &Bench<'_>, adjusted: &Adjusted) 
                 most_pixels: PIXELS[1],
             };
             sightings.push(Sighting { camera, position, marks: seen_marks(&search, bench.card) });
+            step_ended();
         }
     }
     sightings

@@ -32,6 +32,11 @@ pub struct VolumeInput<'a> {
 }
 
 impl VolumeInput<'_> {
+    /// Steps of a calibration: marks of each image, twice, two fits, positions left out, maps.
+    pub fn steps(&self) -> usize {
+        2 * self.poses.len() * self.card.position.len() + 4
+    }
+
     /// Whether the parts belong together, and the card can be seen.
     pub(super) fn check(&self) -> Result<(), VolumeError> {
         let (cameras, positions) = (self.poses.len(), self.card.position.len());

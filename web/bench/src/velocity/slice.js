@@ -2,7 +2,7 @@
 // a profile is taken.
 
 import { fitCanvas, h, themeColour } from "../dom.js";
-import { at } from "./field.js";
+import { MASKED, at } from "./field.js";
 import { tickNumber } from "../words.js";
 
 /** The axes in the plane of a slice across x, y and z: to the right, upwards. */
@@ -33,6 +33,9 @@ export function slicePixels(rows, scale) {
   });
   return pixels;
 }
+
+/** Opacity of the tint of what is not flow. */
+const TINT = 0.5;
 
 export class SliceCanvas {
   /** `picked(fraction right, fraction up)` is called where the canvas is pressed. */
@@ -65,6 +68,7 @@ export class SliceCanvas {
     this.area = [x0, y0, w, hgt].map((length) => length / ratio);
 
     this.contour(context, slicePlane(field, values, axis, index), scale, [x0, y0, w, hgt]);
+    this.body(context, slicePlane(field, field.status, axis, index), [x0, y0 + hgt, cell]);
     const ink = themeColour("ink");
     context.strokeStyle = ink;
     context.lineWidth = ratio;
@@ -98,6 +102,16 @@ export class SliceCanvas {
     // Where a value is missing the cell stays empty: smoothing would invent one.
     context.imageSmoothingEnabled = false;
     context.drawImage(this.buffer, x, y, w, hgt);
+  }
+
+  /** Tints what is not flow: an empty cell alone would be a vector that is missing. */
+  body(context, statuses, [x0, y0, cell]) {
+    context.globalAlpha = TINT;
+    context.fillStyle = themeColour("mask");
+    statuses.forEach((line, row) => line.forEach((status, column) => {
+      if (status === MASKED) context.fillRect(x0 + column * cell, y0 - (row + 1) * cell, cell, cell);
+    }));
+    context.globalAlpha = 1;
   }
 
   arrows(context, field, vectors, { axis, index, cell, x0, y0, longest, ratio }) {

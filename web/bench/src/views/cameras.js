@@ -87,7 +87,7 @@ function cameraPanel(name, number_, run, choice, circles) {
     ratio: reading("Light a over b"),
     saturated: reading("Saturated a, b"),
     bright: reading("Lit by particles", { title: "share of the pixels that hold a particle's light" }),
-    seeding: reading("Seeding", { title: "particles per microlens, from the first measured pair" }),
+    seeding: reading("Seeding a, b", { title: "particles per microlens of the volume" }),
     black: reading("Black, noise"),
     diameter: reading("Micro-images fill"),
     fNumber: reading("f-number", { title: "of the main lens, as the micro-images show it" }),
@@ -132,7 +132,7 @@ function cameraPanel(name, number_, run, choice, circles) {
     const saturated = Math.max(a.saturated_share, b.saturated_share);
     readings.saturated.show(both((one) => percent(one.saturated_share, 2)), saturated > 0.001 ? "doubt" : null);
     readings.bright.show(both((one) => percent(one.bright_share)));
-    readings.seeding.show(number(run.status?.model_choice?.scene?.seeding_ppm, 2));
+    readings.seeding.show(both((one) => number(one.seeding_ppm, 2)));
     readings.black.show(`${number(a.offset_counts)}, ${number(a.noise_counts, 2)}`);
     const micro = a.micro_image;
     readings.diameter.show(micro ? percent(micro.diameter_pitches) : "–");

@@ -86,6 +86,8 @@ export function overviewView(run) {
     fit.disparity.show(found?.camera_disparity_mm ? `${number(found.camera_disparity_mm, 2)} mm` : "–");
     showCalibrations(status.configuration);
     const scene = status.model_choice?.scene;
+    // Measured where the model follows the scene; the view Cameras has that of every image.
+    fit.seeding.element.hidden = !scene;
     fit.seeding.show(scene ? `${number(scene.seeding_ppm, 2)} per microlens` : "–");
     const words = found?.causes ?? [];
     if (causes.childElementCount !== words.length || [...causes.children].some((line, n) => line.textContent !== words[n])) {

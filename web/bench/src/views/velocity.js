@@ -62,6 +62,8 @@ export function velocityView(run, results) {
     x: `displacement along ${"xyz"[a]} (voxel)`, y: "vectors", height: 130,
     alt: `Histogram of the displacements along ${"xyz"[a]}`, series: [{ label: "vectors", kind: "bars" }],
   }));
+  const legend = h("p", { class: "hint legend" }, h("span", { class: "swatch", "aria-hidden": "true" }), "Not flow");
+  legend.hidden = true;
   const locking = h("p", { class: "advice" });
   const advice = h("p", { class: "advice" });
 
@@ -73,7 +75,7 @@ export function velocityView(run, results) {
         h("div", { class: "controls" }, vectors.element, surfaces.element, level.element, inSpace.element)),
       panel("Slice",
         h("div", { class: "controls" }, axis.element, place.element, quantity.element),
-        slice.canvas, sliceBar.element)),
+        slice.canvas, sliceBar.element, legend)),
     h("div", { class: "two" },
       panel("Profile", h("div", { class: "controls" }, along.element, h("p", { class: "hint" }, "Press a place in the slice to move the line.")), profile.element),
       panel("Displacements", ...displacements.map((plot) => plot.element), locking, advice)));
@@ -181,6 +183,7 @@ export function velocityView(run, results) {
     readings.valid.show(percent(share, 1), share < 0.7 ? "doubt" : null);
     const flow = inFlow(field);
     readings.replaced.show(percent(replaced / Math.max(1, flow), 1));
+    legend.hidden = flow === field.status.length;
     readings.masked.show(flow < field.status.length ? String(field.status.length - flow) : "none");
     readings.speed.show(`${number(quantile(speeds, WHITE))} m/s`);
     readings.uncertainty.show(`${number(quantile(field.uncertainty, 0.5), 2)} m/s`);

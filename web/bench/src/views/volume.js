@@ -39,7 +39,7 @@ export function volumeView(run) {
     disparity: reading("Cameras apart"),
   };
   const legend = h("p", { class: "hint legend" }, h("span", { class: "swatch", "aria-hidden": "true" }),
-    "Not flow: the deeper the tint, the more of the line of sight. There is light in it, but no vector is measured.");
+    "Not flow: the deeper the tint, the more of the line of sight. There is light in it, but no vector is measured, and no particle is placed in a volume with a mask.");
   const planes = Object.entries(PLANES).map(([name, axes]) => plane(name, axes));
   const element = h("div", { class: "view volume" },
     h("div", { class: "controls" }, shot.element, frame.element, placed.element, problem),
@@ -103,6 +103,7 @@ export function volumeView(run) {
     legend.hidden = !run.mask;
     planes.forEach((one) => one.mask(run.mask));
     const scene = status.model_choice?.scene;
+    readings.particles.element.hidden = readings.perWindow.element.hidden = !scene;
     const cubicMm = voxels.reduce((product, n) => product * n * voxel, 1);
     readings.particles.show(scene ? `${count(Math.round(scene.particles_per_mm3 * cubicMm))}, ${number(scene.particles_per_mm3, 2)} per mm³` : "–");
     readings.perWindow.show(number(scene?.particles_per_window, 2));

@@ -9,7 +9,8 @@ use lfpiv_sim::{SensorSettings, imaging::PlacedCard};
 use super::*;
 use crate::{
     calibration::{
-        CardLight, VolumeCalibration, VolumeError, VolumeInput, WhiteImage, calibrate_volume,
+        CardLight, VolumeCalibration, VolumeError, VolumeInput, WhiteImage,
+        calibrate_volume_watched,
     },
     lightfield::MicroImageGrid,
 };
@@ -140,14 +141,18 @@ impl Trial {
             reference: Vec::new(),
             position: self.positions(),
         };
-        calibrate_volume(&VolumeInput {
+        let input = VolumeInput {
             optics: &optics,
             poses: &poses,
             card: &card,
             light: &lights,
             stage_deviation_mm,
             box_mm: [[0.0; 3], [2.0, 1.5, 1.5]],
-        })
+        };
+        let mut steps = 0;
+        let found = calibrate_volume_watched(&input, || steps += 1);
+        assert!(found.is_err() || steps == input.steps(), "{steps} of {}", input.steps());
+        found
     }
 
     /// Distance of the maps from the traced rays: in the middle and anywhere, across and in depth, in mm;
