@@ -17,7 +17,7 @@ use prometheus_client::{
 };
 
 use super::{
-    ApiError, ApiState,
+    ApiError, ApiState, cluster_metrics,
     status::{RawLogView, ShotCounts},
 };
 use crate::acquisition::Outcome;
@@ -54,6 +54,9 @@ impl Collector for Reader {
         self.encode_ledger(&mut encoder)?;
         self.encode_latency(&mut encoder)?;
         self.encode_bench(&mut encoder)?;
+        if let Some(cluster) = &self.0.cluster {
+            cluster_metrics::encode(&cluster.view(), &mut encoder)?;
+        }
         let uptime = ConstGauge::new(self.0.began.elapsed().as_secs_f64());
         let metric = encoder.encode_descriptor(
             "uptime_seconds",

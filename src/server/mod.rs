@@ -31,6 +31,7 @@
 mod app;
 pub mod binary;
 mod bytes;
+mod cluster_metrics;
 mod configuration;
 mod connection_slots;
 mod control;

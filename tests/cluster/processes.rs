@@ -53,6 +53,11 @@ impl Process {
         fs::read_to_string(&self.stderr).expect("its log")
     }
 
+    /// What it has printed so far.
+    pub fn output(&self) -> String {
+        fs::read_to_string(&self.stdout).expect("its output")
+    }
+
     pub fn kill(mut self) {
         self.child.kill().expect("a child");
         self.child.wait().expect("its end");

@@ -4,8 +4,6 @@
 //! and takes results in. It alone writes the run.
 
 mod distribution;
-mod offers;
-mod result_writer;
 
 use std::{
     net::{Ipv4Addr, SocketAddr},
@@ -20,7 +18,6 @@ use super::{
     broker_args::BrokerArgs,
     process_run::UnfinishedRun,
     recorded_shots::{Finished, ShotProcessor},
-    run_processor::conditions,
 };
 use distribution::{Distribution, Outcome};
 
@@ -91,7 +88,7 @@ pub(super) fn process_cluster(
             let distribution = Distribution {
                 folder,
                 recorded: &run.recorded,
-                conditions: conditions(&run.recorded, &run.index, &run.config)?,
+                config: &run.config,
                 reference: (shot, result),
                 broker: args.broker.broker(url),
                 serve: args.serve,
