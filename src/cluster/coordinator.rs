@@ -271,6 +271,11 @@ impl Coordinator {
         state.tally.open().filter_map(|shot| state.shots.get(&shot)).take(most).cloned().collect()
     }
 
+    /// Whether a shot is still to be measured.
+    pub fn is_open(&self, shot: u64) -> bool {
+        self.state.lock().tally.state(shot) == Some(ShotState::Open)
+    }
+
     /// Waits until every shot is settled.
     ///
     /// # Errors

@@ -65,7 +65,10 @@ impl Offers {
         let missing = queue.missing(&run, &shots, heartbeat_timeout).await?;
         let mut offered = 0;
         for shot in open.iter().filter(|shot| missing.contains(&shot.trigger)) {
-            offered += usize::from(self.offer(queue, shot).await?);
+            // Its job may have gone since, with its result.
+            if self.coordinator.is_open(shot.trigger) {
+                offered += usize::from(self.offer(queue, shot).await?);
+            }
         }
         if offered > 0 {
             tracing::info!("{offered} of {} open shots are offered to workers", shots.len());

@@ -30,8 +30,13 @@ const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=u
 pub(super) async fn metrics(State(state): State<ApiState>) -> Response {
     let mut registry = Registry::with_prefix("lfpiv");
     registry.register_collector(Box::new(Reader(state)));
+    written(&registry)
+}
+
+/// An answer with all metrics of a registry.
+pub(super) fn written(registry: &Registry) -> Response {
     let mut text = String::new();
-    match encode(&mut text, &registry) {
+    match encode(&mut text, registry) {
         Ok(()) => ([(header::CONTENT_TYPE, MEDIA_TYPE)], text).into_response(),
         Err(error) => {
             ApiError::internal(format!("metrics cannot be written: {error}")).into_response()

@@ -9,6 +9,7 @@ use std::{
 };
 
 use anyhow::{Context, anyhow};
+use tokio::net::TcpListener;
 use tokio_util::sync::CancellationToken;
 
 use crate::{
@@ -20,10 +21,12 @@ use crate::{
         result_writer::ResultWriter,
     },
     cluster::{
-        Broker, Coordinator, CoordinatorSetup, Delivery, DeliveryLog, JobQueue, LoggedDeliveries,
-        Report, ServiceSettings, ShotState, Tally, Verdict, WorkService, WorkersAddress,
+        Broker, ClusterProgress, Coordinator, CoordinatorSetup, Delivery, DeliveryLog, JobQueue,
+        LoggedDeliveries, Report, ServiceSettings, ShotState, Tally, Verdict, WorkService,
+        WorkersAddress,
     },
     config::Config,
+    server::serve_cluster,
 };
 
 /// How long the last tasks are waited for.
@@ -40,6 +43,8 @@ pub(super) struct Distribution<'a> {
     pub reference: (RecordedShot, ShotResult),
     pub broker: Broker,
     pub serve: SocketAddr,
+    /// Where workers and backlog are shown, if so.
+    pub status: Option<SocketAddr>,
     pub heartbeat_timeout: Duration,
     pub deadline: Duration,
 }
@@ -124,6 +129,13 @@ impl Distribution<'_> {
         let meanwhile = "no worker gets a shot until it is there";
         let queue = JobQueue::connect(&self.broker, "lfpiv process", meanwhile).await?;
         at.warn(&queue);
+        let progress = Arc::new(ClusterProgress::new(queue.clone()));
+        progress.follow(coordinator.clone());
+        let closing = CancellationToken::new();
+        let shown = self
+            .status_listener()
+            .await?
+            .map(|listener| tokio::spawn(serve_cluster(listener, progress, closing.clone())));
         let settings = ServiceSettings {
             run_name: run_name(self.folder),
             heartbeat_timeout: self.heartbeat_timeout,
@@ -138,7 +150,23 @@ impl Distribution<'_> {
         };
         showing.abort();
         service.end().await;
+        closing.cancel();
+        if let Some(shown) = shown {
+            // A reader may keep its connection open.
+            let _ = tokio::time::timeout(SHUTDOWN_TIMEOUT, shown).await;
+        }
         Ok(settled?)
+    }
+
+    /// Listens where workers and backlog are to be shown, if so.
+    async fn status_listener(&self) -> anyhow::Result<Option<TcpListener>> {
+        let Some(address) = self.status else { return Ok(None) };
+        let listener = TcpListener::bind(address)
+            .await
+            .with_context(|| format!("cannot listen at --status {address}"))?;
+        let address = listener.local_addr().context("no address")?;
+        tracing::info!("workers and backlog are shown at http://{address}/api/v1/status");
+        Ok(Some(listener))
     }
 }
 
