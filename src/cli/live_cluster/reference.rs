@@ -5,7 +5,7 @@ use std::{fmt::Display, sync::Arc};
 use lfpiv_core::{lightfield::ImagePair, model::ModelMode, velocimetry::PairResult};
 use rayon::ThreadPool;
 
-use super::{Publisher, blocking};
+use super::publisher::{Publisher, blocking};
 use crate::{
     acquisition::journal::{RecordedRun, RecordedShot},
     archive::{RawLevel, ShotResult},
