@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo demo-cluster loopback test soak bench bench-peers deb packages network-tools broker components readers page-tools page format lint test-rust test-readers clean
+.PHONY: help demo demo-cluster cluster-scale loopback test soak bench bench-peers deb packages network-tools broker components readers page-tools page format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
@@ -36,6 +36,7 @@ help:
 	@echo "make loopback  the same over real wires: GigE Vision and serial drivers against simulated"
 	@echo "               instruments, for $(LOOPBACK_SHOTS) shots; what crossed the wires is kept"
 	@echo "make demo-cluster  a recorded run of $(CLUSTER_SHOTS) shots measured by three workers, of which one is killed"
+	@echo "make cluster-scale  shots a second of 1 to 64 machines, forecast from what this one measures"
 	@echo "make test    everything that continuous integration checks; what passed with the same inputs is"
 	@echo "             skipped unless CI=1"
 	@echo "make soak    kills, damage, failing disks, floods and malformed files against the program for"
@@ -57,6 +58,12 @@ loopback: packages network-tools
 demo-cluster: packages broker
 	cargo build --release --locked --package lfpiv
 	scripts/demo-cluster.sh target/release/lfpiv $(DEMO_CONFIG) $(CLUSTER_SHOTS)
+
+# A forecast for SCALE_CONFIG; it says so where this machine is too busy for its predictions.
+SCALE_CONFIG := config/bench.toml
+cluster-scale: packages broker
+	cargo build --release --locked --package lfpiv
+	scripts/cluster-scale.sh target/release/lfpiv $(SCALE_CONFIG) 3 results/scale
 
 # The tests are compiled by clippy, which is a compiler with more to say: warnings fail them.
 test: format test-rust test-readers

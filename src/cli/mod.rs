@@ -1,5 +1,5 @@
-//! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | correlate | run |
-//! replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | validate |
+//! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | work | scale | correlate |
+//! run | replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | validate |
 //! peers`.
 //!
 //! Results and tables go to standard output; logs, progress and errors go to standard error. Exit
@@ -51,6 +51,7 @@ mod run;
 mod run_folder;
 mod run_info;
 mod run_processor;
+mod scale;
 mod serve;
 mod service;
 mod shot_range;
@@ -81,6 +82,7 @@ pub use plan::PlanArgs;
 pub use process::ProcessArgs;
 pub use replay::ReplayArgs;
 pub use run::RunArgs;
+pub use scale::ScaleArgs;
 pub use serve::ServeArgs;
 pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
@@ -114,8 +116,10 @@ enum Command {
     Calibrate(CalibrateArgs),
     /// Measure recorded image pairs.
     Process(ProcessArgs),
-    /// Measure shots for `lfpiv process --cluster`, on this machine, until stopped.
+    /// Measure shots on this machine, for `lfpiv run` or `lfpiv process --cluster`, until stopped.
     Work(WorkArgs),
+    /// Forecast how many shots a second machines on a network would measure.
+    Scale(ScaleArgs),
     /// Measure two volumes that are already reconstructed.
     Correlate(CorrelateArgs),
     /// Run the bench: acquire, measure, serve and store.
@@ -170,6 +174,7 @@ pub fn main() -> ExitCode {
         Command::Calibrate(args) => calibrate::calibrate(&args),
         Command::Process(args) => process::process(&args),
         Command::Work(args) => work::work(&args),
+        Command::Scale(args) => scale::scale(&args),
         Command::Correlate(args) => correlate::correlate(&args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay_run(&args),

@@ -10,5 +10,6 @@ mod live;
 mod processes;
 mod proxy;
 mod recorded;
+mod scale;
 mod together;
 mod unfit;
