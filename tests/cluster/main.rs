@@ -5,6 +5,8 @@
 mod bench;
 mod broker;
 mod by_hand;
+#[cfg(target_arch = "x86_64")]
+mod instructions;
 mod killed;
 mod live;
 mod processes;
