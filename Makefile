@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo demo-cluster loopback test soak bench bench-peers deb packages network-tools broker components readers page-tools page format lint test-rust test-readers clean
+.PHONY: help demo demo-cluster cluster-scale loopback test soak bench bench-peers deb packages network-tools broker emulator components readers page-tools page format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
@@ -14,6 +14,8 @@ PAGE_PACKAGES := chromium
 
 # Shots go to other machines by way of a NATS server; its service is not enabled.
 BROKER_PACKAGES := nats-server
+# A worker without this processor's vector instructions measures in an emulator.
+EMULATOR_PACKAGES := qemu-user
 
 DEMO_CONFIG := config/sim.toml
 DEMO_SHOTS := 5
@@ -36,6 +38,7 @@ help:
 	@echo "make loopback  the same over real wires: GigE Vision and serial drivers against simulated"
 	@echo "               instruments, for $(LOOPBACK_SHOTS) shots; what crossed the wires is kept"
 	@echo "make demo-cluster  a recorded run of $(CLUSTER_SHOTS) shots measured by three workers, of which one is killed"
+	@echo "make cluster-scale  shots a second of 1 to 64 machines, forecast from what this one measures"
 	@echo "make test    everything that continuous integration checks; what passed with the same inputs is"
 	@echo "             skipped unless CI=1"
 	@echo "make soak    kills, damage, failing disks, floods and malformed files against the program for"
@@ -58,11 +61,17 @@ demo-cluster: packages broker
 	cargo build --release --locked --package lfpiv
 	scripts/demo-cluster.sh target/release/lfpiv $(DEMO_CONFIG) $(CLUSTER_SHOTS)
 
+# A forecast for SCALE_CONFIG; it says so where this machine is too busy for its predictions.
+SCALE_CONFIG := config/bench.toml
+cluster-scale: packages broker
+	cargo build --release --locked --package lfpiv
+	scripts/cluster-scale.sh target/release/lfpiv $(SCALE_CONFIG) 3 results/scale
+
 # The tests are compiled by clippy, which is a compiler with more to say: warnings fail them.
 test: format test-rust test-readers
 
 # The adversary of `tests/adversary`, of which a minute is part of the tests, and the long cases.
-soak: packages network-tools broker page-tools
+soak: packages network-tools broker emulator page-tools
 	LFPIV_SOAK_SECONDS=$(SECONDS) LFPIV_SOAK_SEED=$(SEED) LFPIV_SOAK_CASE=$(CASE) \
 		cargo test --release --locked --test adversary -- --nocapture the_adversary_finds_nothing
 	cargo test --release --locked --package lfpiv --package lfpiv-core --test recorded_run \
@@ -98,6 +107,9 @@ network-tools:
 broker:
 	@scripts/install-broker.sh $(BROKER_PACKAGES)
 
+emulator:
+	@scripts/install-packages.sh $(EMULATOR_PACKAGES)
+
 # A minimal toolchain lacks these two.
 components:
 	@cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
@@ -122,7 +134,7 @@ lint: packages components
 	cargo clippy --workspace --all-targets --locked -- -D warnings
 
 # Programs that passed with the same inputs are skipped, unless CI is set.
-test-rust: packages network-tools broker components page-tools
+test-rust: packages network-tools broker emulator components page-tools
 	@command -v python3 >/dev/null || scripts/install-packages.sh python3
 	@python3 scripts/run-tests.py
 

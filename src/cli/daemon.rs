@@ -28,6 +28,8 @@ use tokio_util::sync::CancellationToken;
 pub use super::daemon_plan::DaemonPlan;
 use super::{
     ledger_file::write_ledger,
+    live_cluster::{LiveCluster, LiveRun},
+    measuring::Measuring,
     recorded_frames::RecordedFrames,
     recording::{Recording, report_unfinished},
     run_folder::create_run_folder,
@@ -37,7 +39,7 @@ use super::{
 use crate::{
     acquisition::{
         AcquisitionError, AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench,
-        BurstScript, Control, ControlInbox, Heartbeat, HostClock, Ledger, RunClock, ShotReceiver,
+        BurstScript, Control, ControlInbox, Heartbeat, HostClock, Ledger, RunClock,
         SynchroniserThread, acquire, control, panic_message, secure, shot_queue,
     },
     archive::{ResultStore, merge_segments},
@@ -70,6 +72,8 @@ pub struct Daemon {
     folder: PathBuf,
     store: ResultStore,
     recording: Recording,
+    /// Absent if the run measures its shots itself.
+    cluster: Option<LiveCluster>,
     control: Control,
     inbox: ControlInbox,
     script: Option<RunScript>,
@@ -111,6 +115,11 @@ impl Daemon {
             format!("cannot listen on {address}: is another lfpiv running? See server.address")
         })?;
         let address = listener.local_addr().context("the server has no address")?;
+        // A replay measures its shots itself, as it is to show what this program does.
+        let cluster = match config.cluster.as_ref().filter(|_| plan.raw_log.is_some()) {
+            Some(settings) => Some(LiveCluster::prepare(settings).await?),
+            None => None,
+        };
         report_unfinished(&config.output.dir);
         let folder = create_run_folder(&config.output.dir)?;
         let store =
@@ -131,12 +140,17 @@ impl Daemon {
         .with_frames(Arc::new(RecordedFrames::new(board.clone(), &folder)))
         .with_run_loop(run_loop.clone())
         .with_bench(bench_settings(&plan.file));
+        let state = match &cluster {
+            Some(cluster) => state.with_cluster(cluster.progress()),
+            None => state,
+        };
         Ok(Self {
             plan,
             acquisition,
             folder,
             store,
             recording,
+            cluster,
             control,
             inbox,
             script: None,
@@ -217,7 +231,18 @@ impl Daemon {
         let work = async {
             let bench = secure(bench).await?;
             let process = unpanicked(tokio::task::spawn_blocking(processor)).await??;
-            let pool = Pool::new(PoolSettings::default(), process, self.store, observer, links)?;
+            let measuring = match self.cluster {
+                None => {
+                    let settings = PoolSettings::default();
+                    Measuring::Here(Pool::new(settings, process, self.store, observer, links)?)
+                }
+                Some(cluster) => {
+                    let (folder, config) = (self.folder.clone(), self.plan.file.config.clone());
+                    let store = self.store;
+                    let run = LiveRun { folder, config, process, store, observer, links };
+                    Measuring::Elsewhere(Box::new((cluster, run)))
+                }
+            };
             self.state.set_phase(Phase::Running);
             let configured = self.plan.file.config.pipeline.queue;
             let queue = self.script.as_ref().map_or(configured, |script| script.longest_burst);
@@ -237,7 +262,8 @@ impl Daemon {
                 None => links,
             };
             let acquiring = acquire(bench, self.acquisition, links);
-            take_and_process(acquiring, &self.synchroniser, pool, receiver, &self.state).await
+            take_and_process(acquiring, &self.synchroniser, measuring.run(receiver), &self.state)
+                .await
         };
         let worked = service.accompany(work).await;
         let recording = self.recording;
@@ -287,19 +313,14 @@ async fn end_server(mut server: JoinHandle<()>) {
     }
 }
 
-/// Runs acquisition and pool until both have ended.
-async fn take_and_process<P, E>(
+/// Runs acquisition and the measurement of its shots until both have ended.
+async fn take_and_process(
     acquiring: impl Future<Output = Result<AcquisitionReport, AcquisitionError>> + Send + 'static,
     synchroniser: &SynchroniserThread,
-    pool: Pool<P>,
-    queue: ShotReceiver,
+    measuring: impl Future<Output = anyhow::Result<()>> + Send + 'static,
     state: &ApiState,
-) -> anyhow::Result<AcquisitionReport>
-where
-    P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
-    E: Display + 'static,
-{
-    let pool = tokio::spawn(pool.run(queue));
+) -> anyhow::Result<AcquisitionReport> {
+    let pool = tokio::spawn(measuring);
     let acquired = unpanicked(tokio::spawn(acquiring)).await;
     // If the run loop panicked, the laser may not be safe yet.
     let acquired = match (acquired, synchroniser.join().await) {

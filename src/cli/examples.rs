@@ -5,7 +5,7 @@ use clap::Command;
 /// A command line and its explanation.
 type Example = (&'static str, &'static str);
 
-const EXAMPLES: [(&str, &[Example]); 22] = [
+const EXAMPLES: [(&str, &[Example]); 23] = [
     (
         "init",
         &[
@@ -91,6 +91,13 @@ const EXAMPLES: [(&str, &[Example]); 22] = [
                 "with frames from a folder that all machines share",
             ),
         ],
+    ),
+    (
+        "scale",
+        &[(
+            "lfpiv scale results/run-20261121T090000Z --url nats://127.0.0.1:4222 --out scale",
+            "1 to 64 machines, from costs measured here, with a chart",
+        )],
     ),
     (
         "correlate",

@@ -1,5 +1,5 @@
-//! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | correlate | run |
-//! replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | validate |
+//! The command line: `lfpiv init | check | plan | timing | simulate | calibrate | process | work | scale | correlate |
+//! run | replay | serve | compare | statistics | export | merge | sim-bench | devices | doctor | bench | validate |
 //! peers`.
 //!
 //! Results and tables go to standard output; logs, progress and errors go to standard error. Exit
@@ -11,6 +11,7 @@ mod broker_args;
 mod calibrate;
 mod card_file;
 mod check;
+mod cluster_run;
 mod compare;
 mod correlate;
 pub mod daemon;
@@ -26,8 +27,10 @@ mod finding;
 mod init;
 mod instruments;
 mod ledger_file;
+mod live_cluster;
 pub mod logging;
 mod losses;
+mod measuring;
 mod merge;
 mod operator;
 pub mod output;
@@ -43,10 +46,12 @@ mod recorded_frames;
 mod recorded_shots;
 mod recording;
 mod replay;
+mod result_writer;
 mod run;
 mod run_folder;
 mod run_info;
 mod run_processor;
+mod scale;
 mod serve;
 mod service;
 mod shot_range;
@@ -77,6 +82,7 @@ pub use plan::PlanArgs;
 pub use process::ProcessArgs;
 pub use replay::ReplayArgs;
 pub use run::RunArgs;
+pub use scale::ScaleArgs;
 pub use serve::ServeArgs;
 pub use sim_bench::SimBenchArgs;
 pub use simulate::SimulateArgs;
@@ -110,8 +116,10 @@ enum Command {
     Calibrate(CalibrateArgs),
     /// Measure recorded image pairs.
     Process(ProcessArgs),
-    /// Measure shots for `lfpiv process --cluster`, on this machine, until stopped.
+    /// Measure shots on this machine, for `lfpiv run` or `lfpiv process --cluster`, until stopped.
     Work(WorkArgs),
+    /// Forecast how many shots a second machines on a network would measure.
+    Scale(ScaleArgs),
     /// Measure two volumes that are already reconstructed.
     Correlate(CorrelateArgs),
     /// Run the bench: acquire, measure, serve and store.
@@ -166,6 +174,7 @@ pub fn main() -> ExitCode {
         Command::Calibrate(args) => calibrate::calibrate(&args),
         Command::Process(args) => process::process(&args),
         Command::Work(args) => work::work(&args),
+        Command::Scale(args) => scale::scale(&args),
         Command::Correlate(args) => correlate::correlate(&args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay_run(&args),

@@ -119,6 +119,9 @@ async fn run_bench(
     print(&format!("status:  {}/api/v1/status", daemon.url()))?;
     print(&format!("results: {}", daemon.folder().display()))?;
     print(&format!("bench:   {}/", daemon.url()))?;
+    if let Some(cluster) = &config.cluster {
+        print(&format!("workers: lfpiv work --url {}", cluster.url))?;
+    }
 
     let table = Arc::new(Mutex::new(Table::default()));
     let bar = shots.map(|shots| progress_bar(shots.get() as usize, "shots"));

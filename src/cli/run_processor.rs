@@ -71,10 +71,22 @@ pub(super) fn conditions(
         let utc_ns = shot.time.map(|time| time.utc_ns);
         format!("{} {utc_ns:?} {}\n", shot.trigger, shot.dt_us)
     });
+    conditions_of(recorded, sha256(shots.collect::<String>().as_bytes()), config)
+}
+
+/// The same, where something else tells runs apart.
+///
+/// # Errors
+/// The background images cannot be read.
+pub(super) fn conditions_of(
+    recorded: &RecordedRun,
+    shots_sha256: String,
+    config: &Config,
+) -> anyhow::Result<Conditions> {
     Ok(Conditions {
         code_version: env!("CARGO_PKG_VERSION").to_owned(),
         configuration_sha256: sha256(recorded.description().configuration.as_bytes()),
-        shots_sha256: sha256(shots.collect::<String>().as_bytes()),
+        shots_sha256,
         background_crc32: background_crc32(config)?,
     })
 }

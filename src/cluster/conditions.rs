@@ -11,7 +11,8 @@ pub struct Conditions {
     pub code_version: String,
     /// Of the configuration's text, which holds the hashes of calibrations.
     pub configuration_sha256: String,
-    /// Of the run's shots with their times: tells runs of one configuration apart.
+    /// Tells runs of one configuration apart: the hash of a run's shots with their times, where it is over
+    /// (parts), and of its reference with its frames, where it may go on (workers).
     pub shots_sha256: String,
     /// Of the background images, where there are some.
     pub background_crc32: Vec<u32>,

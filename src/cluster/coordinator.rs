@@ -1,26 +1,24 @@
 //! The coordinator's state: it hands records out and takes results in.
 
-use std::{
-    collections::{BTreeMap, BTreeSet},
-    sync::{Arc, mpsc::SyncSender},
-};
+use std::{collections::BTreeMap, sync::Arc, time::Instant};
 
-use lfpiv_core::{
-    model::ModelChoice,
-    velocimetry::{VectorGrid, VelocityField},
-};
+use lfpiv_core::{model::ModelChoice, velocimetry::VectorGrid};
 use lfpiv_rawlog::Position;
 use parking_lot::Mutex;
 use serde::{Deserialize, Serialize};
-use tokio::sync::watch;
+use tokio::sync::{Notify, watch};
 
 use super::{
-    Assignment, Attempt, ClusterError, Delivery, DeliveryLog, Report, ShotState, Tally, Verdict,
+    Assignment, Attempt, ClusterError, Delivery, DeliveryLog, Report, ShotState, ShotsView, Tally,
+    Verdict, WorkerView, crew::Crew, expected::Expected,
 };
 use crate::{
     acquisition::journal::{RecordedRun, RecordedRunError, RecordedShot},
     archive::{ShotResult, sha256},
 };
+
+/// Takes the first result of a shot, and may wait until there is room. False: it cannot be stored.
+pub type ResultTaker = Box<dyn Fn(u64, ShotResult) -> bool + Send + Sync>;
 
 /// What a coordinator starts with.
 pub struct CoordinatorSetup {
@@ -37,7 +35,7 @@ pub struct CoordinatorSetup {
     pub tally: Tally,
     pub log: DeliveryLog,
     /// Where first results go, to the one who writes them.
-    pub sink: SyncSender<(u64, ShotResult)>,
+    pub sink: ResultTaker,
 }
 
 /// Whether a worker is to measure a shot.
@@ -53,21 +51,22 @@ pub enum Begin {
 /// Hands records out and takes results in. Shared by all requests.
 pub struct Coordinator {
     run: RecordedRun,
-    shots: BTreeMap<u64, RecordedShot>,
     assignment: Assignment,
-    model: Arc<ModelChoice>,
-    grid: VectorGrid,
+    expected: Expected,
     state: Mutex<State>,
     /// Number of shots that are still to be measured.
     left: watch::Sender<usize>,
+    /// Told of shots that were added.
+    added: Notify,
 }
 
 struct State {
+    shots: BTreeMap<u64, RecordedShot>,
     tally: Tally,
     /// Both are gone once it is closed.
     log: Option<DeliveryLog>,
-    sink: Option<SyncSender<(u64, ShotResult)>>,
-    workers: BTreeSet<String>,
+    sink: Option<Arc<ResultTaker>>,
+    crew: Crew,
     refused: usize,
     /// Why nothing can be taken in any more.
     failure: Option<String>,
@@ -77,28 +76,51 @@ impl Coordinator {
     /// Ready for requests.
     pub fn open(setup: CoordinatorSetup) -> Self {
         let CoordinatorSetup { run, shots, assignment, model, grid, tally, log, sink } = setup;
-        let (left, _) = watch::channel(tally.open().count());
+        let (left, _) = watch::channel(tally.open().len());
         Self {
             run,
-            shots: shots.into_iter().map(|shot| (shot.trigger, shot)).collect(),
+            expected: Expected {
+                model,
+                model_sha256: assignment.reference.model_sha256.clone(),
+                grid,
+            },
             assignment,
-            model,
-            grid,
             state: Mutex::new(State {
+                shots: shots.into_iter().map(|shot| (shot.trigger, shot)).collect(),
                 tally,
                 log: Some(log),
-                sink: Some(sink),
-                workers: BTreeSet::new(),
+                sink: Some(Arc::new(sink)),
+                crew: Crew::default(),
                 refused: 0,
                 failure: None,
             }),
             left,
+            added: Notify::new(),
         }
     }
 
     /// What workers are told of the run.
     pub fn assignment(&self) -> &Assignment {
         &self.assignment
+    }
+
+    /// The record.
+    pub fn run(&self) -> &RecordedRun {
+        &self.run
+    }
+
+    /// Another shot is to be measured: its record is on disk.
+    pub fn add(&self, shot: RecordedShot) {
+        let mut state = self.state.lock();
+        state.tally.add(shot.trigger);
+        state.shots.insert(shot.trigger, shot);
+        self.left.send_replace(state.tally.open().len());
+        self.added.notify_one();
+    }
+
+    /// Completes when a shot was added since the last call.
+    pub async fn added(&self) {
+        self.added.notified().await;
     }
 
     /// A record as it is on disk; for [`lfpiv_rawlog::unpack`].
@@ -117,7 +139,7 @@ impl Coordinator {
         let report = Report::Begun { attempt, worker: worker.to_owned() };
         let mut state = self.state.lock();
         state.log()?;
-        if state.workers.insert(worker.to_owned()) {
+        if state.crew.see(worker, Instant::now()) {
             tracing::info!("{worker} has joined");
         }
         if state.tally.state(shot) != Some(ShotState::Open) {
@@ -126,7 +148,10 @@ impl Coordinator {
         self.note(&mut state, shot, &report)?;
         // This attempt shows that earlier ones were lost, which may be one too many.
         Ok(match state.tally.state(shot) {
-            Some(ShotState::Open) => Begin::Measure,
+            Some(ShotState::Open) => {
+                state.crew.begin(worker, shot);
+                Begin::Measure
+            }
             _ => Begin::Settled,
         })
     }
@@ -143,14 +168,18 @@ impl Coordinator {
         reason: &str,
     ) -> Result<(), ClusterError> {
         tracing::warn!("{worker} could not measure shot {shot}: {reason}");
-        let damage = self.shots.get(&shot).and_then(|shot| self.run.pair(shot).err());
+        let recorded = self.recorded(shot);
+        let damage = recorded.and_then(|shot| self.run.pair(&shot).err());
         let report = match damage.filter(RecordedRunError::is_damage) {
             Some(damage) => Report::Unreadable { reason: damage.to_string() },
             None => {
                 Report::Failed { attempt, worker: worker.to_owned(), reason: reason.to_owned() }
             }
         };
-        self.note(&mut self.state.lock(), shot, &report).map(|_| ())
+        let mut state = self.state.lock();
+        state.crew.see(worker, Instant::now());
+        state.crew.end(worker, shot);
+        self.note(&mut state, shot, &report).map(|_| ())
     }
 
     /// A shot turns out to be unreadable.
@@ -172,14 +201,20 @@ impl Coordinator {
         })?;
         let (shot, report) = (delivery.shot, delivery.report());
         let mut state = self.state.lock();
+        let (now, worker) = (Instant::now(), &delivery.worker);
         let verdict = state.tally.take(shot, &report);
+        state.crew.see(worker, now);
+        state.crew.end(worker, shot);
+        if verdict == Verdict::First {
+            state.crew.count(worker, now);
+        }
         let logged = match (verdict, state.log()?) {
             (Verdict::Unknown, _) => return Err(not_wanted(shot)),
             (Verdict::First, log) => log.deliver(bytes),
             (_, log) => log.report(shot, &report),
         };
         logged.inspect_err(|error| self.note_failure(&mut state, error))?;
-        let (left, sink) = (state.tally.open().count(), state.sink.clone());
+        let (left, sink) = (state.tally.open().len(), state.sink.clone());
         // Who writes results may be slower than those who deliver them.
         drop(state);
         if verdict == Verdict::Unequal {
@@ -189,7 +224,7 @@ impl Coordinator {
                 delivery.worker
             );
         }
-        let handed_on = |sink: SyncSender<_>| sink.send((shot, delivery.result)).is_ok();
+        let handed_on = |sink: Arc<ResultTaker>| sink(shot, delivery.result);
         if verdict == Verdict::First && !sink.is_some_and(handed_on) {
             let error = ClusterError::Broken("results cannot be stored".into());
             self.note_failure(&mut self.state.lock(), &error);
@@ -201,21 +236,14 @@ impl Coordinator {
 
     /// Decodes and checks a delivered result.
     fn checked(&self, bytes: &[u8]) -> Result<Delivery, ClusterError> {
-        let model_sha256 = &self.assignment.reference.model_sha256;
-        let delivery = Delivery::decode(bytes, &self.model, model_sha256)?;
-        let (shot, field) = (delivery.shot, &delivery.result.measured.field);
-        let refused = |what: &str| ClusterError::Refused(format!("shot {shot}: {what}"));
-        let recorded = self.shots.get(&shot).ok_or_else(|| not_wanted(shot))?;
-        if delivery.result.time != recorded.time || field.dt_s != recorded.dt_us * 1e-6 {
-            return Err(refused("its times are not those of the record"));
-        }
-        if field.grid != self.grid {
-            return Err(refused("its vectors are elsewhere than the reference's"));
-        }
-        match is_finite(field) {
-            true => Ok(delivery),
-            false => Err(refused("it has numbers that are not finite")),
-        }
+        let delivery = self.expected.decode(bytes)?;
+        let shot = delivery.shot;
+        let recorded = self.recorded(shot).ok_or_else(|| not_wanted(shot))?;
+        self.expected.check(delivery, &recorded)
+    }
+
+    fn recorded(&self, shot: u64) -> Option<RecordedShot> {
+        self.state.lock().shots.get(&shot).cloned()
     }
 
     fn note(&self, state: &mut State, shot: u64, report: &Report) -> Result<Verdict, ClusterError> {
@@ -227,7 +255,7 @@ impl Coordinator {
                 tracing::error!("shot {shot} is given up: {}", reasons.join("; "));
             }
         }
-        self.left.send_replace(state.tally.open().count());
+        self.left.send_replace(state.tally.open().len());
         Ok(verdict)
     }
 
@@ -238,9 +266,14 @@ impl Coordinator {
     }
 
     /// The first shots that are still to be measured, at most `most`.
-    pub fn open_shots(&self, most: usize) -> Vec<&RecordedShot> {
+    pub fn open_shots(&self, most: usize) -> Vec<RecordedShot> {
         let state = self.state.lock();
-        state.tally.open().filter_map(|shot| self.shots.get(&shot)).take(most).collect()
+        state.tally.open().filter_map(|shot| state.shots.get(&shot)).take(most).cloned().collect()
+    }
+
+    /// Whether a shot is still to be measured.
+    pub fn is_open(&self, shot: u64) -> bool {
+        self.state.lock().tally.state(shot) == Some(ShotState::Open)
     }
 
     /// Waits until every shot is settled.
@@ -248,12 +281,24 @@ impl Coordinator {
     /// # Errors
     /// Results can no longer be taken in.
     pub async fn settled(&self) -> Result<(), ClusterError> {
+        self.wait(|left| left == 0).await
+    }
+
+    /// Waits for ever, unless it fails.
+    ///
+    /// # Errors
+    /// Results can no longer be taken in.
+    pub async fn failed(&self) -> Result<(), ClusterError> {
+        self.wait(|_| false).await
+    }
+
+    async fn wait(&self, is_over: impl Fn(usize) -> bool) -> Result<(), ClusterError> {
         let mut left = self.left.subscribe();
         loop {
             if let Some(failure) = &self.state.lock().failure {
                 return Err(ClusterError::Broken(failure.clone()));
             }
-            if *left.borrow_and_update() == 0 {
+            if is_over(*left.borrow_and_update()) {
                 return Ok(());
             }
             // The sender lives as long as this.
@@ -268,7 +313,21 @@ impl Coordinator {
 
     /// Number of workers that have begun a shot.
     pub fn workers(&self) -> usize {
-        self.state.lock().workers.len()
+        self.state.lock().crew.len()
+    }
+
+    /// Workers as they are at `now`, and what has become of the shots.
+    pub fn progress(&self, now: Instant) -> (Vec<WorkerView>, ShotsView) {
+        let state = self.state.lock();
+        let shots = ShotsView {
+            backlog: state.tally.open().len() as u64,
+            in_hand: state.crew.in_hand() as u64,
+            given_up: state.tally.dead().len() as u64,
+            attempts: state.tally.attempts() as u64,
+            lost_workers: state.tally.lost() as u64,
+            refused_results: state.refused as u64,
+        };
+        (state.crew.view(now), shots)
     }
 
     /// Takes nothing in any more. The tally, the number of refused results, and the log.
@@ -291,14 +350,6 @@ impl State {
 
 fn not_wanted(shot: u64) -> ClusterError {
     ClusterError::Refused(format!("shot {shot} is not to be measured"))
-}
-
-/// Whether all numbers of a field are.
-fn is_finite(field: &VelocityField) -> bool {
-    let triples = [&field.displacement_vox, &field.uncertainty_vox, &field.vorticity];
-    let numbers = [&field.peak_ratio, &field.divergence];
-    triples.iter().all(|triples| triples.iter().flatten().all(|number| number.is_finite()))
-        && numbers.iter().all(|numbers| numbers.iter().all(|number| number.is_finite()))
 }
 
 /// The hash by which a forward model's choice goes.

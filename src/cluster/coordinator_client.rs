@@ -1,6 +1,6 @@
 //! The worker's end of the interface to the coordinator.
 
-use std::time::Duration;
+use std::{io::Read, time::Duration};
 
 use lfpiv_hw::RawImage;
 use lfpiv_rawlog::{Position, unpack};
@@ -9,7 +9,7 @@ use serde_json::Value;
 use thiserror::Error;
 use ureq::{Agent, Body, http::Response};
 
-use super::{Assignment, Attempt, Begin, Frame, Verdict, routes::AttemptRequest};
+use super::{Assignment, Attempt, Begin, Frame, Tokens, Verdict, routes::AttemptRequest};
 
 /// Longest time for a request: coordinators wait for their disks.
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
@@ -17,6 +17,11 @@ const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 /// Most bytes of an answer: the largest image, stored as it is.
 const MOST_BYTES: u64 = 600 << 20;
+
+/// Connections that may break while a record is read.
+const MOST_READS: u32 = 5;
+/// Status of an answer with a range.
+const PARTIAL_CONTENT: u16 = 206;
 
 /// Why the coordinator was of no help.
 #[derive(Debug, Error)]
@@ -40,22 +45,18 @@ pub enum ClientError {
 pub struct CoordinatorClient {
     agent: Agent,
     address: String,
-    authorization: String,
+    tokens: Tokens,
 }
 
 impl CoordinatorClient {
     /// For the coordinator at `http://ADDRESS`.
-    pub fn new(address: &str, token: &str) -> Self {
+    pub fn new(address: &str, tokens: &Tokens) -> Self {
         let agent = Agent::config_builder()
             .http_status_as_error(false)
             .timeout_connect(Some(CONNECT_TIMEOUT))
             .timeout_global(Some(REQUEST_TIMEOUT))
             .build();
-        Self {
-            agent: agent.into(),
-            address: address.to_owned(),
-            authorization: format!("Bearer {token}"),
-        }
+        Self { agent: agent.into(), address: address.to_owned(), tokens: tokens.clone() }
     }
 
     /// What is to be known of the run.
@@ -71,15 +72,43 @@ impl CoordinatorClient {
     /// # Errors
     /// [`ClientError`].
     pub fn frame(&self, frame: &Frame) -> Result<RawImage, ClientError> {
-        let Position { segment, offset } = frame.position();
-        let mut answer = self.get(&format!("records/{segment}/{offset}"))?;
-        let bytes = answer.body_mut().with_config().limit(MOST_BYTES).read_to_vec();
-        let bytes = bytes.map_err(|error| ClientError::Unreachable(error.to_string()))?;
-        let record = unpack(&bytes).map_err(|what| ClientError::Frame(what.to_owned()))?;
+        let record =
+            unpack(&self.packed(frame)?).map_err(|what| ClientError::Frame(what.to_owned()))?;
         record
             .image
             .filter(|image| image.crc32() == frame.crc32)
             .ok_or_else(|| ClientError::Frame("its image is not that of the job".into()))
+    }
+
+    /// A frame's record as it is on disk; for [`unpack`]. If the connection breaks, another one goes on with the rest.
+    ///
+    /// # Errors
+    /// [`ClientError`].
+    pub fn packed(&self, frame: &Frame) -> Result<Vec<u8>, ClientError> {
+        let Position { segment, offset } = frame.position();
+        let url = self.url(&format!("records/{segment}/{offset}"));
+        let mut bytes = Vec::new();
+        let mut tries = 0;
+        loop {
+            tries += 1;
+            let mut request =
+                self.agent.get(&url).header("Authorization", &bearer(&self.tokens.read));
+            if !bytes.is_empty() {
+                request = request.header("Range", format!("bytes={}-", bytes.len()));
+            }
+            let mut answer = checked(request.call())?;
+            if answer.status() != PARTIAL_CONTENT {
+                bytes.clear();
+            }
+            let body = answer.body_mut().with_config().limit(MOST_BYTES);
+            match body.reader().read_to_end(&mut bytes) {
+                Ok(_) => return Ok(bytes),
+                Err(error) if tries >= MOST_READS => {
+                    return Err(ClientError::Unreachable(error.to_string()));
+                }
+                Err(error) => tracing::debug!("{error}: the rest is asked for"),
+            }
+        }
     }
 
     /// Whether a shot is to be measured.
@@ -113,18 +142,18 @@ impl CoordinatorClient {
     /// [`ClientError`].
     pub fn deliver(&self, bytes: &[u8]) -> Result<Verdict, ClientError> {
         let request = self.agent.post(self.url("results"));
-        let request = request.header("Authorization", &self.authorization);
+        let request = request.header("Authorization", &bearer(&self.tokens.work));
         read(checked(request.send(bytes))?)
     }
 
     fn get(&self, path: &str) -> Result<Response<Body>, ClientError> {
         let request = self.agent.get(self.url(path));
-        checked(request.header("Authorization", &self.authorization).call())
+        checked(request.header("Authorization", &bearer(&self.tokens.read)).call())
     }
 
     fn post(&self, path: &str, body: &impl Serialize) -> Result<Response<Body>, ClientError> {
         let request = self.agent.post(self.url(path));
-        checked(request.header("Authorization", &self.authorization).send_json(body))
+        checked(request.header("Authorization", &bearer(&self.tokens.work)).send_json(body))
     }
 
     fn url(&self, path: &str) -> String {
@@ -132,11 +161,15 @@ impl CoordinatorClient {
     }
 }
 
+fn bearer(token: &str) -> String {
+    format!("Bearer {token}")
+}
+
 /// An answer with what was asked for.
 fn checked(answer: Result<Response<Body>, ureq::Error>) -> Result<Response<Body>, ClientError> {
     let mut answer = answer.map_err(|error| ClientError::Unreachable(error.to_string()))?;
     let status = answer.status().as_u16();
-    if status == 200 {
+    if status == 200 || status == PARTIAL_CONTENT {
         return Ok(answer);
     }
     let body: Option<Value> = answer.body_mut().read_json().ok();
@@ -153,4 +186,47 @@ fn checked(answer: Result<Response<Body>, ureq::Error>) -> Result<Response<Body>
 fn read<T: DeserializeOwned>(mut answer: Response<Body>) -> Result<T, ClientError> {
     let body = answer.body_mut().with_config().limit(MOST_BYTES);
     body.read_json().map_err(|error| ClientError::Unreachable(error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{
+        io::{BufRead, BufReader, Write},
+        net::TcpListener,
+    };
+
+    use super::*;
+
+    /// A coordinator whose connections break in the middle of an answer, twice.
+    #[test]
+    fn a_record_is_read_on_where_the_connection_has_broken() {
+        let record: Vec<u8> = (0..100_000_u32).map(|n| n.wrapping_mul(n) as u8).collect();
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = format!("http://{}", listener.local_addr().unwrap());
+        let served = record.clone();
+        let serving = std::thread::spawn(move || {
+            let mut ranges = Vec::new();
+            for end in [30_000, 70_000, served.len()] {
+                let (stream, _) = listener.accept().unwrap();
+                let head = BufReader::new(&stream).lines().map(Result::unwrap);
+                let head: Vec<String> = head.take_while(|line| !line.is_empty()).collect();
+                let range = head.iter().find_map(|line| {
+                    let line = line.to_ascii_lowercase();
+                    line.strip_prefix("range: bytes=")?.strip_suffix('-')?.parse::<usize>().ok()
+                });
+                ranges.push(range);
+                let first = range.unwrap_or(0);
+                let status = if range.is_some() { "206 Partial Content" } else { "200 OK" };
+                let length = served.len() - first;
+                write!(&stream, "HTTP/1.1 {status}\r\nContent-Length: {length}\r\n\r\n").unwrap();
+                (&stream).write_all(&served[first..end]).unwrap();
+            }
+            ranges
+        });
+        let tokens = Tokens { read: "r".into(), work: "w".into() };
+        let frame = Frame { segment: 0, offset: 0, crc32: 0 };
+        let read = CoordinatorClient::new(&address, &tokens).packed(&frame);
+        assert_eq!(read.unwrap(), record);
+        assert_eq!(serving.join().unwrap(), [None, Some(30_000), Some(70_000)]);
+    }
 }

@@ -17,7 +17,7 @@ use lfpiv_core::model::ModelChoice;
 use lfpiv_rawlog::{RawLog, RawLogReader, RawLogSettings, RawLogWriter, Record, recover};
 use serde::{Deserialize, Serialize};
 
-use super::{ClusterError, Conditions, Delivery, PROTOCOL, Report};
+use super::{Assignment, ClusterError, Conditions, Delivery, PROTOCOL, Report};
 
 /// The folder of logs in the run's folder.
 const FOLDER: &str = "delivered";
@@ -60,15 +60,14 @@ impl DeliveryLog {
     /// A folder cannot be listed or written.
     pub fn open(
         run: &Path,
-        conditions: &Conditions,
+        assignment: &Assignment,
         model: &Arc<ModelChoice>,
-        model_sha256: &str,
     ) -> Result<(Self, LoggedDeliveries), ClusterError> {
         let root = run.join(FOLDER);
         let description = Description {
             protocol: PROTOCOL,
-            conditions: conditions.clone(),
-            model_sha256: model_sha256.to_owned(),
+            conditions: assignment.conditions.clone(),
+            model_sha256: assignment.reference.model_sha256.clone(),
         };
         let mut logged = LoggedDeliveries::default();
         let (folders, next) = earlier(&root)?;
@@ -200,7 +199,7 @@ mod tests {
     use super::*;
     use crate::{
         archive::{RawLevel, ShotResult},
-        cluster::Attempt,
+        cluster::{Attempt, Reference, Shot},
     };
 
     fn conditions() -> Conditions {
@@ -213,7 +212,17 @@ mod tests {
     }
 
     fn open(run: &Path, conditions: &Conditions, model: &str) -> (DeliveryLog, LoggedDeliveries) {
-        DeliveryLog::open(run, conditions, &Arc::default(), model).unwrap()
+        let shot: Shot = serde_json::from_str(
+            r#"{"number": 0, "frames": [], "dt_us_bits": 0, "suspect": [], "time": null}"#,
+        )
+        .unwrap();
+        let (result_sha256, model_sha256) = (String::new(), model.to_owned());
+        let assignment = Assignment {
+            conditions: conditions.clone(),
+            configuration: String::new(),
+            reference: Reference { shot, result_sha256, model_sha256 },
+        };
+        DeliveryLog::open(run, &assignment, &Arc::default()).unwrap()
     }
 
     fn delivery(shot: u64) -> Delivery {

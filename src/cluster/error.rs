@@ -1,6 +1,6 @@
 //! Errors of working with others.
 
-use std::path::PathBuf;
+use std::{net::SocketAddr, path::PathBuf};
 
 use lfpiv_rawlog::RawLogError;
 use thiserror::Error;
@@ -11,6 +11,12 @@ pub enum ClusterError {
     /// The broker's address or its credentials cannot be used.
     #[error("cannot connect to the broker at {url}: {reason}")]
     Connect { url: String, reason: String },
+    /// The system has no random numbers for a token.
+    #[error("the system has no random numbers, which the token of the run needs")]
+    NoRandom,
+    /// The address at which workers are served cannot be used.
+    #[error("workers cannot be served at {address}: {reason}")]
+    Listen { address: SocketAddr, reason: std::io::Error },
     /// The broker does not do what it is asked.
     #[error("the broker does not {what}: {reason}")]
     Broker { what: &'static str, reason: String },

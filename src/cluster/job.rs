@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 use super::Conditions;
 use crate::{
     acquisition::journal::{RecordedRun, RecordedRunError, RecordedShot},
-    archive::ShotTime,
+    archive::{ShotTime, sha256},
 };
 
 /// Version of jobs, of the interface to the coordinator and of delivered results. Both ends must have the same.
-pub const PROTOCOL: u32 = 2;
+pub const PROTOCOL: u32 = 3;
 
 /// A job of the work queue: one shot of a run. Some 500 bytes of JSON.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,12 +31,21 @@ pub struct Job {
     pub model_sha256: String,
     /// Where the coordinator is: `http://ADDRESS`.
     pub address: String,
-    /// Token of scope `work`, for this run and as long as this coordinator lives.
-    pub token: String,
+    /// For this run, and as long as this coordinator lives.
+    pub tokens: Tokens,
     /// Pause between heartbeats while the shot is measured, in ms.
     pub heartbeat_ms: u64,
     /// Time after which these signs stop, in ms, so that another worker gets the shot.
     pub deadline_ms: u64,
+}
+
+/// What the coordinator asks of its clients, by what they may do.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Tokens {
+    /// Read the run's frames and configuration.
+    pub read: String,
+    /// Also deliver results, and report.
+    pub work: String,
 }
 
 /// A recorded shot with the places of its frames.
@@ -90,6 +99,12 @@ impl Shot {
             suspect: shot.suspect.clone(),
             time: shot.time.map(|time| (time.utc_ns, time.uncertainty_ns, time.clock_synchronised)),
         })
+    }
+
+    /// Hash of all of it: tells runs of one configuration apart, as their images differ.
+    pub fn sha256(&self) -> String {
+        // Numbers, texts and lists, whose serialisation cannot fail.
+        sha256(&serde_json::to_vec(self).unwrap_or_default())
     }
 
     /// Time between the light pulses, in µs.
@@ -159,7 +174,7 @@ mod tests {
             },
             model_sha256: sha256,
             address: "http://10.0.0.1:8700".into(),
-            token: "0".repeat(32),
+            tokens: Tokens { read: "0".repeat(32), work: "1".repeat(32) },
             heartbeat_ms: 5000,
             deadline_ms: 600_000,
         };

@@ -3,13 +3,14 @@
 //! One stream holds the jobs of all runs, each under a subject of its own, `lfpiv.jobs.RUN.SHOT`, so that offering a
 //! shot twice leaves one job. A job stays until it is acknowledged; what is not acknowledged or kept alive within
 //! the heartbeat timeout goes to another worker, without limit: the [`super::Tally`] gives shots up. Nothing in the broker
-//! is relied on: [`JobQueue::offer`] makes stream and consumer again when they are gone, and what is absent is
+//! is relied on: [`JobQueue::missing`] makes stream and consumer again when they are gone, and what is absent is
 //! offered again.
 
 use std::{collections::HashSet, error::Error as _, io, path::PathBuf, sync::Arc, time::Duration};
 
 use async_nats::{
-    ConnectError, ConnectErrorKind, ConnectOptions, Event, ServerAddr,
+    Client, ConnectError, ConnectErrorKind, ConnectOptions, Event, ServerAddr,
+    connection::State,
     jetstream::{
         self, AckKind, Context,
         consumer::{AckPolicy, PullConsumer, pull},
@@ -52,6 +53,7 @@ pub struct Broker {
 #[derive(Debug, Clone)]
 pub struct JobQueue {
     jetstream: Context,
+    client: Client,
     connected: Arc<Notify>,
     shown: String,
 }
@@ -64,11 +66,16 @@ pub struct TakenJob {
 }
 
 impl JobQueue {
-    /// Connects. Without an answer it goes on trying in the background, and returns.
+    /// Connects as `name`. Without an answer it goes on trying in the background, and returns; `meanwhile` tells the
+    /// user what happens until then.
     ///
     /// # Errors
     /// The address or a file cannot be used, or the broker does not let us in.
-    pub async fn connect(broker: &Broker, name: &str) -> Result<Self, ClusterError> {
+    pub async fn connect(
+        broker: &Broker,
+        name: &str,
+        meanwhile: &'static str,
+    ) -> Result<Self, ClusterError> {
         let address: ServerAddr = broker.url.parse().map_err(|reason: io::Error| {
             // Not the address itself, which may have a password.
             ClusterError::Connect { url: "this address".into(), reason: reason.to_string() }
@@ -76,7 +83,7 @@ impl JobQueue {
         let shown = format!("{}://{}:{}", address.scheme(), address.host(), address.port());
         let failed = |reason: String| ClusterError::Connect { url: shown.clone(), reason };
         let connected = Arc::new(Notify::new());
-        let mut options = options(name, &shown, &connected);
+        let mut options = options(name, &shown, &connected, meanwhile);
         if let (Some(user), Some(password)) = (address.username(), address.password()) {
             let plain = |text: &str| percent_decode_str(text).decode_utf8_lossy().into_owned();
             options = options.user_and_password(plain(user), plain(password));
@@ -90,13 +97,18 @@ impl JobQueue {
         }
         let client = match options.clone().connect(&address).await {
             Err(error) if may_come(&error) => {
-                tracing::warn!("no broker at {shown} ({error}); it is tried again");
+                tracing::warn!("no broker at {shown} ({error}): it is tried again; {meanwhile}");
                 options.retry_on_initial_connect().connect(&address).await
             }
             tried => tried,
         };
         let client = client.map_err(|error| failed(error.to_string()))?;
-        Ok(Self { jetstream: jetstream::new(client), connected, shown })
+        Ok(Self { jetstream: jetstream::new(client.clone()), client, connected, shown })
+    }
+
+    /// Whether there is a connection now.
+    pub fn is_connected(&self) -> bool {
+        self.client.connection_state() == State::Connected
     }
 
     /// The broker's address, without a password.
@@ -139,17 +151,16 @@ impl JobQueue {
         Ok(stream)
     }
 
-    /// Offers those of `shots` of which the broker has no job, as `job` describes them. Returns their number.
+    /// Those of `shots` of which the broker has no job. Stream and consumer are there afterwards.
     ///
     /// # Errors
-    /// The broker does not answer; the next call goes on.
-    pub async fn offer(
+    /// The broker does not answer.
+    pub async fn missing(
         &self,
         run: &str,
         shots: &[u64],
         heartbeat_timeout: Duration,
-        mut job: impl FnMut(u64) -> Option<Job>,
-    ) -> Result<usize, ClusterError> {
+    ) -> Result<HashSet<u64>, ClusterError> {
         let stream = self.open(heartbeat_timeout).await?;
         let there = stream
             .info_with_subjects(format!("{SUBJECT}.{run}.>"))
@@ -160,22 +171,23 @@ impl JobQueue {
             .try_collect()
             .await
             .map_err(ClusterError::broker("list its jobs"))?;
-        let mut offered = 0;
-        for shot in shots {
-            let subject = subject(run, *shot);
-            let Some(job) = (!there.contains(&subject)).then(|| job(*shot)).flatten() else {
-                continue;
-            };
-            let text = serde_json::to_vec(&job).unwrap_or_default();
-            let published = self
-                .jetstream
-                .publish(subject, text.into())
-                .await
-                .map_err(ClusterError::broker("take a job"))?;
-            published.await.map_err(ClusterError::broker("keep a job"))?;
-            offered += 1;
-        }
-        Ok(offered)
+        let is_missing = |shot: &u64| !there.contains(&subject(run, *shot));
+        Ok(shots.iter().copied().filter(is_missing).collect())
+    }
+
+    /// Adds a job of which the broker has none.
+    ///
+    /// # Errors
+    /// The broker does not answer, or has one.
+    pub async fn publish(&self, job: &Job) -> Result<(), ClusterError> {
+        let text = serde_json::to_vec(job).unwrap_or_default();
+        let published = self
+            .jetstream
+            .publish(subject(&job.run, job.shot.number), text.into())
+            .await
+            .map_err(ClusterError::broker("take a job"))?;
+        published.await.map_err(ClusterError::broker("keep a job"))?;
+        Ok(())
     }
 
     /// Removes all jobs of a run.
@@ -257,7 +269,12 @@ impl TakenJob {
     }
 }
 
-fn options(name: &str, shown: &str, connected: &Arc<Notify>) -> ConnectOptions {
+fn options(
+    name: &str,
+    shown: &str,
+    connected: &Arc<Notify>,
+    meanwhile: &'static str,
+) -> ConnectOptions {
     let (told, shown) = (connected.clone(), shown.to_owned());
     ConnectOptions::new()
         .name(name)
@@ -270,7 +287,9 @@ fn options(name: &str, shown: &str, connected: &Arc<Notify>) -> ConnectOptions {
                     told.notify_one();
                 }
                 Event::Disconnected => {
-                    tracing::warn!("no connection to the broker at {shown}; it is tried again");
+                    tracing::warn!(
+                        "no connection to the broker at {shown}: it is tried again; {meanwhile}"
+                    );
                 }
                 other => tracing::debug!("broker: {other}"),
             }

@@ -1,14 +1,15 @@
-//! The coordinator's HTTP interface. Every request needs `Authorization: Bearer TOKEN` with the run's token of scope `work`.
+//! The coordinator's HTTP interface. Every request needs `Authorization: Bearer TOKEN` with one of the run's [`Tokens`]; that
+//! of scope `work` includes reading.
 //!
-//! | endpoint | |
-//! |---|---|
-//! | `GET /work/v1/run` | [`Assignment`](super::Assignment) |
-//! | `GET /work/v1/records/{segment}/{offset}` | a record as it is on disk |
-//! | `POST /work/v1/shots/{n}/begin` | [`AttemptRequest`]: whether to measure the shot |
-//! | `POST /work/v1/shots/{n}/failure` | [`AttemptRequest`] with a reason |
-//! | `POST /work/v1/results` | bytes of a [`Delivery`](super::Delivery); the [`Verdict`](super::Verdict) |
+//! | endpoint | scope | |
+//! |---|---|---|
+//! | `GET /work/v1/run` | read | [`Assignment`](super::Assignment) |
+//! | `GET /work/v1/records/{segment}/{offset}` | read | a record as it is on disk, or a range of it (`Range: bytes=1000-`) |
+//! | `POST /work/v1/shots/{n}/begin` | work | [`AttemptRequest`]: whether to measure the shot |
+//! | `POST /work/v1/shots/{n}/failure` | work | [`AttemptRequest`] with a reason |
+//! | `POST /work/v1/results` | work | bytes of a [`Delivery`](super::Delivery); the [`Verdict`](super::Verdict) |
 //!
-//! Errors are JSON, `{"error": "..."}`: 401 without the token, 410 for records that cannot be read, 422 for
+//! Errors are JSON, `{"error": "..."}`: 401 without the right token, 410 for records that cannot be read, 422 for
 //! results that are refused, 500 when the coordinator is about to end.
 
 use std::sync::Arc;
@@ -17,18 +18,18 @@ use axum::{
     Json, Router,
     body::Bytes,
     extract::{DefaultBodyLimit, Path, Request, State},
-    http::{StatusCode, header},
+    http::{HeaderMap, StatusCode, header},
     middleware::{self, Next},
     response::{IntoResponse, Response},
     routing::{get, post},
 };
 use lfpiv_rawlog::Position;
-use ring::digest::{SHA256, digest};
+use ring::digest::{Digest, SHA256, digest};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use subtle::ConstantTimeEq;
 
-use super::{Attempt, ClusterError, Coordinator};
+use super::{Attempt, ClusterError, Coordinator, RangeRequest, Tokens, parse_range};
 
 /// Largest result: a field of four million vectors.
 const MOST_BYTES: usize = 256 << 20;
@@ -43,31 +44,39 @@ pub(super) struct AttemptRequest {
 }
 
 /// The routes of a coordinator; see the head of this file.
-pub fn coordinator_routes(coordinator: Arc<Coordinator>, token: &str) -> Router {
-    let expected = digest(&SHA256, token.as_bytes());
-    let allowed = middleware::from_fn(move |request: Request, next: Next| async move {
-        let given = request.headers().get(header::AUTHORIZATION);
-        let given = given.and_then(|value| value.as_bytes().strip_prefix(b"Bearer "));
-        let given = digest(&SHA256, given.unwrap_or_default());
-        // Digests are compared, so that time says nothing of the token.
-        if bool::from(given.as_ref().ct_eq(expected.as_ref())) {
-            next.run(request).await
-        } else {
-            failed(
-                StatusCode::UNAUTHORIZED,
-                "this token is not that of the run, or is of an earlier coordinator",
-            )
-        }
-    });
-    Router::new()
+pub fn coordinator_routes(coordinator: Arc<Coordinator>, tokens: &Tokens) -> Router {
+    let readers = Router::new()
         .route("/work/v1/run", get(run))
-        .route("/work/v1/records/{segment}/{offset}", get(record))
+        .route("/work/v1/records/{segment}/{offset}", get(record));
+    let workers = Router::new()
         .route("/work/v1/shots/{shot}/begin", post(begin))
         .route("/work/v1/shots/{shot}/failure", post(fail))
-        .route("/work/v1/results", post(deliver).layer(DefaultBodyLimit::max(MOST_BYTES)))
-        // Before the body is read.
-        .layer(allowed)
-        .with_state(coordinator)
+        .route("/work/v1/results", post(deliver).layer(DefaultBodyLimit::max(MOST_BYTES)));
+    let readers = guarded(readers, &[&tokens.read, &tokens.work]);
+    readers.merge(guarded(workers, &[&tokens.work])).with_state(coordinator)
+}
+
+/// Lets requests with one of the tokens pass, before their bodies are read.
+fn guarded(routes: Router<Arc<Coordinator>>, tokens: &[&str]) -> Router<Arc<Coordinator>> {
+    let expected: Arc<[_]> = tokens.iter().map(|token| digest(&SHA256, token.as_bytes())).collect();
+    routes.route_layer(middleware::from_fn(move |request: Request, next: Next| {
+        let expected = expected.clone();
+        async move {
+            let given = request.headers().get(header::AUTHORIZATION);
+            let given = given.and_then(|value| value.as_bytes().strip_prefix(b"Bearer "));
+            let given = digest(&SHA256, given.unwrap_or_default());
+            // Digests are compared, all of them, so that time says nothing of the tokens.
+            let equal = |one: &Digest| bool::from(given.as_ref().ct_eq(one.as_ref()));
+            if expected.iter().filter(|one| equal(one)).count() > 0 {
+                next.run(request).await
+            } else {
+                failed(
+                    StatusCode::UNAUTHORIZED,
+                    "this token does not allow that, or is of another run, or of an earlier coordinator",
+                )
+            }
+        }
+    }))
 }
 
 async fn run(State(coordinator): State<Arc<Coordinator>>) -> Response {
@@ -77,12 +86,29 @@ async fn run(State(coordinator): State<Arc<Coordinator>>) -> Response {
 async fn record(
     State(coordinator): State<Arc<Coordinator>>,
     Path((segment, offset)): Path<(u32, u64)>,
+    headers: HeaderMap,
 ) -> Response {
+    let range = headers.get(header::RANGE).and_then(|range| range.to_str().ok()).map(str::to_owned);
     blocking(move || match coordinator.packed(Position { segment, offset }) {
-        Ok(bytes) => bytes.into_response(),
+        Ok(bytes) => ranged(bytes.into(), range.as_deref()),
         Err(error) => failed(StatusCode::GONE, &error.to_string()),
     })
     .await
+}
+
+/// All bytes, or the part that is asked for: a worker goes on where its network has failed.
+fn ranged(bytes: Bytes, range: Option<&str>) -> Response {
+    match range.map_or(RangeRequest::Whole, |range| parse_range(range, bytes.len())) {
+        RangeRequest::Whole => bytes.into_response(),
+        RangeRequest::Part(part) => {
+            let place = format!("bytes {}-{}/{}", part.start, part.end - 1, bytes.len());
+            let place = [(header::CONTENT_RANGE, place)];
+            (StatusCode::PARTIAL_CONTENT, place, bytes.slice(part)).into_response()
+        }
+        RangeRequest::Unsatisfiable => {
+            failed(StatusCode::RANGE_NOT_SATISFIABLE, "the range is outside of the record")
+        }
+    }
 }
 
 async fn begin(

@@ -6,7 +6,7 @@
 #[cfg(test)]
 mod properties;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, btree_map::Entry};
 
 use serde::{Deserialize, Serialize};
 
@@ -69,6 +69,8 @@ pub enum ShotState {
 #[derive(Debug, Clone, Default)]
 pub struct Tally {
     shots: BTreeMap<u64, ShotTally>,
+    /// Those still to be measured: a long run has many that are not.
+    open: BTreeSet<u64>,
 }
 
 #[derive(Debug, Clone, Default)]
@@ -91,26 +93,28 @@ struct Try {
 impl Tally {
     /// Of these shots, of which nothing was reported yet.
     pub fn of(shots: impl IntoIterator<Item = u64>) -> Self {
-        Self { shots: shots.into_iter().map(|shot| (shot, ShotTally::default())).collect() }
+        let mut tally = Self::default();
+        shots.into_iter().for_each(|shot| tally.add(shot));
+        tally
+    }
+
+    /// Another shot is to be measured. What was reported of one that is there already stays.
+    pub fn add(&mut self, shot: u64) {
+        if let Entry::Vacant(place) = self.shots.entry(shot) {
+            place.insert(ShotTally::default());
+            self.open.insert(shot);
+        }
     }
 
     /// Takes a report in.
     pub fn take(&mut self, shot: u64, report: &Report) -> Verdict {
         let Some(tally) = self.shots.get_mut(&shot) else { return Verdict::Unknown };
-        match report {
-            Report::Begun { attempt, worker } => drop(tally.attempt(*attempt, worker)),
-            Report::Failed { attempt, worker, reason } => {
-                tally.attempt(*attempt, worker).failed.get_or_insert_with(|| reason.clone());
-            }
-            Report::Unreadable { reason } => {
-                tally.unreadable.get_or_insert_with(|| reason.clone());
-            }
-            Report::Delivered { attempt, worker, result_sha256 } => {
-                tally.attempt(*attempt, worker).delivered = true;
-                return tally.deliver(result_sha256, worker);
-            }
-        }
-        Verdict::Noted
+        let verdict = tally.take(report);
+        match tally.is_open() {
+            true => self.open.insert(shot),
+            false => self.open.remove(&shot),
+        };
+        verdict
     }
 
     /// Where a shot stands; `None` if it is not to be measured.
@@ -119,8 +123,8 @@ impl Tally {
     }
 
     /// Shots that are still to be measured, in their order.
-    pub fn open(&self) -> impl Iterator<Item = u64> {
-        self.shots.iter().filter(|(_, tally)| tally.is_open()).map(|(shot, _)| *shot)
+    pub fn open(&self) -> impl ExactSizeIterator<Item = u64> {
+        self.open.iter().copied()
     }
 
     /// Shots whose images cannot be read, and why.
@@ -176,6 +180,23 @@ impl Tally {
 }
 
 impl ShotTally {
+    fn take(&mut self, report: &Report) -> Verdict {
+        match report {
+            Report::Begun { attempt, worker } => drop(self.attempt(*attempt, worker)),
+            Report::Failed { attempt, worker, reason } => {
+                self.attempt(*attempt, worker).failed.get_or_insert_with(|| reason.clone());
+            }
+            Report::Unreadable { reason } => {
+                self.unreadable.get_or_insert_with(|| reason.clone());
+            }
+            Report::Delivered { attempt, worker, result_sha256 } => {
+                self.attempt(*attempt, worker).delivered = true;
+                return self.deliver(result_sha256, worker);
+            }
+        }
+        Verdict::Noted
+    }
+
     fn attempt(&mut self, attempt: Attempt, worker: &str) -> &mut Try {
         let new = || Try { worker: worker.to_owned(), ..Try::default() };
         self.attempts.entry(attempt).or_insert_with(new)

@@ -74,6 +74,7 @@ pub(super) fn inconsistencies(config: &Config, purpose: Purpose) -> Vec<Inconsis
     }
     if purpose == Purpose::Bench {
         found.extend(schedule(config));
+        found.extend(frames_for_workers(config));
     }
     found
 }
@@ -150,6 +151,14 @@ fn common_view(config: &Config) -> Option<Inconsistency> {
         ),
     };
     Some(Inconsistency::new(key, format!("{message}; {todo}")))
+}
+
+/// Workers read frames from the record.
+fn frames_for_workers(config: &Config) -> Option<Inconsistency> {
+    (config.cluster.is_some() && !config.raw_log.keep).then(|| {
+        let message = "workers read a shot's frames from the record, and none is kept; keep it, or leave out [cluster]";
+        Inconsistency::new("raw_log.keep", message.to_owned())
+    })
 }
 
 fn same_camera(config: &Config) -> Option<Inconsistency> {

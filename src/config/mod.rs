@@ -32,6 +32,7 @@ use lfpiv_rawlog::RawLogSettings;
 use lfpiv_sim::{BenchGeometry, EmptySpace, Scene, Volume, wire::WireSettings};
 use serde::{Deserialize, Serialize};
 
+use crate::cluster::ClusterSettings;
 pub use calibration::StoredCalibration;
 pub use calibration_file::{
     CalibratedCameraEntry, CalibrationFile, Content as CalibrationContent, GRID as GRID_FORMAT,
@@ -142,6 +143,10 @@ pub struct Config {
     #[serde(default)]
     #[garde(dive)]
     pub server: ServerSettings,
+    /// Workers on other machines; without it, a run measures its shots itself.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[garde(dive)]
+    pub cluster: Option<ClusterSettings>,
     /// Location of the results.
     #[serde(default)]
     #[garde(dive)]

@@ -19,5 +19,8 @@ pub use latency::LatencyQuantiles;
 pub use live_statistics::LiveStatistics;
 pub use monotonic::monotonic;
 pub use pair_times::{HungPair, PairTimes};
-pub use pool::{Pool, PoolError, PoolLinks, PoolSettings, run_after_acquisition};
-pub use writer::{Observer, ResultSink};
+pub use pool::{
+    Pool, PoolError, PoolLinks, PoolSettings, measuring_threads, process_guarded,
+    run_after_acquisition,
+};
+pub use writer::{Finished, Observer, ResultSink, ResultWriter};

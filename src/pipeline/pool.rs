@@ -10,8 +10,10 @@
 use std::{
     fmt::Display,
     panic::{AssertUnwindSafe, catch_unwind},
-    sync::{Arc, mpsc as std_mpsc},
-    thread::JoinHandle,
+    sync::{
+        Arc,
+        mpsc::{SendError, SyncSender},
+    },
     time::Instant,
 };
 
@@ -24,7 +26,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::{
     Board, ShotRecord,
-    writer::{Finished, Observer, ResultSink, Writer},
+    writer::{Finished, Observer, ResultSink, ResultWriter},
 };
 use crate::{
     acquisition::{
@@ -86,8 +88,7 @@ pub struct Pool<P> {
     threads: ThreadPool,
     workers: usize,
     links: PoolLinks,
-    results: std_mpsc::Sender<Finished>,
-    writer: JoinHandle<Result<(), String>>,
+    writer: ResultWriter,
 }
 
 impl<P, E> Pool<P>
@@ -108,19 +109,11 @@ where
         observer: Observer,
         links: PoolLinks,
     ) -> Result<Self, PoolError> {
-        let threads = ThreadPoolBuilder::new()
-            .num_threads(settings.threads)
-            .thread_name(|index| format!("worker {index}"))
-            .start_handler(|_| run_after_acquisition())
-            .build()?;
-        let (results, inbox) = std_mpsc::channel();
-        let writer = Writer::new(sink, observer, links.clone());
-        let writer = std::thread::Builder::new()
-            .name("results".to_owned())
-            .spawn(move || writer.run(inbox))
-            .map_err(PoolError::WriterThread)?;
+        let threads = measuring_threads(settings.threads)?;
         let workers = settings.workers.max(1);
-        Ok(Self { process: Arc::new(process), threads, workers, links, results, writer })
+        // A worker has one shot, so none waits for room.
+        let writer = ResultWriter::start(workers, sink, observer, links.clone())?;
+        Ok(Self { process: Arc::new(process), threads, workers, links, writer })
     }
 
     /// Processes shots until `queue` is closed and empty, then seals the results.
@@ -141,18 +134,12 @@ where
             }
         }
         drop(free.acquire_many_owned(u32::try_from(self.workers).unwrap_or(u32::MAX)).await);
-        drop(self.results);
-        let writer = self.writer;
-        let never = |error: tokio::task::JoinError| Err(Box::new(error.to_string()) as _);
-        match tokio::task::spawn_blocking(|| writer.join()).await.unwrap_or_else(never) {
-            Ok(closed) => closed.map_err(PoolError::Close),
-            Err(panic) => Err(PoolError::WriterPanicked(panic_message(panic.as_ref()))),
-        }
+        self.writer.close().await
     }
 
     fn hand_to(&self, worker: OwnedSemaphorePermit, shot: Shot) {
         let process = self.process.clone();
-        let results = self.results.clone();
+        let results: SyncSender<Finished> = self.writer.inbox();
         let links = self.links.clone();
         links.board.pair_times().begin(shot.trigger, Instant::now());
         self.threads.spawn(move || {
@@ -164,8 +151,8 @@ where
             let result = process_guarded(process.as_ref(), &pair, dt_us, suspect);
             links.board.pair_times().end(trigger, Instant::now(), result.is_ok());
             let result = result.map(|measured| ShotResult { time, ..measured.into() });
-            let finished = Finished { shot: trigger, due, result, worker };
-            if let Err(std_mpsc::SendError(lost)) = results.send(finished) {
+            let finished = Finished { shot: trigger, due, result, worker: Some(worker) };
+            if let Err(SendError(lost)) = results.send(finished) {
                 links.write_failed(lost, "the writer thread has ended");
             }
         });
@@ -203,6 +190,18 @@ impl PoolLinks {
     }
 }
 
+/// Threads that measure, after everything that acquires; 0 for one per core.
+///
+/// # Errors
+/// [`PoolError::Threads`].
+pub fn measuring_threads(threads: usize) -> Result<ThreadPool, PoolError> {
+    let threads = ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .thread_name(|index| format!("worker {index}"))
+        .start_handler(|_| run_after_acquisition());
+    Ok(threads.build()?)
+}
+
 /// Niceness of worker threads relative to the threads that receive, pair and record frames. With five,
 /// `scripts/beside-busy.sh 1 scripts/loopback.sh` takes a third of the time that it takes with ten.
 const WORKERS_NICENESS: i32 = 5;
@@ -222,7 +221,11 @@ fn log_refusal(entry: Result<(), LedgerError>) {
     }
 }
 
-fn process_guarded<E: Display>(
+/// Measures a pair; a panic is a failure.
+///
+/// # Errors
+/// Why there is no result.
+pub fn process_guarded<E: Display>(
     process: &impl Fn(&ImagePair) -> Result<PairResult, E>,
     pair: &ImagePair,
     dt_us: f64,

@@ -1,17 +1,18 @@
-//! The writer thread of the pool: stores results and settles shots.
+//! The thread that stores results and settles shots: the only one that does.
 
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
     sync::{
         Arc,
-        mpsc::{Receiver, RecvTimeoutError},
+        mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel},
     },
+    thread::JoinHandle,
     time::Duration,
 };
 
 use tokio::sync::OwnedSemaphorePermit;
 
-use super::{Board, PoolLinks, ShotRecord};
+use super::{Board, PoolError, PoolLinks, ShotRecord};
 use crate::{
     acquisition::{Outcome, panic_message},
     archive::{ArchiveError, RawLevel, ResultStore, ShotResult},
@@ -55,28 +56,72 @@ impl ResultSink for ResultStore {
 /// Called for every shot that ends in the pool, with its result if there is one.
 pub type Observer = Box<dyn FnMut(&ShotRecord, Option<&ShotResult>) + Send>;
 
-/// A processed shot. Its worker is free again once this is written.
-pub(super) struct Finished {
+/// A processed shot.
+pub struct Finished {
     pub shot: u64,
     /// When its trigger was due.
     pub due: Duration,
     pub result: Result<ShotResult, String>,
-    pub worker: OwnedSemaphorePermit,
+    /// Its worker of the pool, if it has one, which is free again once this is written.
+    pub worker: Option<OwnedSemaphorePermit>,
 }
 
-pub(super) struct Writer<S> {
+/// See the module.
+pub struct ResultWriter {
+    finished: SyncSender<Finished>,
+    thread: JoinHandle<Result<(), String>>,
+}
+
+impl ResultWriter {
+    /// Starts the thread. `waiting` shots may wait for it; `sink` stores results, and `observer` is called for every
+    /// finished shot.
+    ///
+    /// # Errors
+    /// [`PoolError::WriterThread`].
+    pub fn start(
+        waiting: usize,
+        sink: impl ResultSink,
+        observer: Observer,
+        links: PoolLinks,
+    ) -> Result<Self, PoolError> {
+        let (finished, inbox) = sync_channel(waiting);
+        let writer = Writer { sink, observer, links };
+        let thread = std::thread::Builder::new()
+            .name("results".to_owned())
+            .spawn(move || writer.run(inbox))
+            .map_err(PoolError::WriterThread)?;
+        Ok(Self { finished, thread })
+    }
+
+    /// Where processed shots go. A sender waits while too many wait.
+    pub fn inbox(&self) -> SyncSender<Finished> {
+        self.finished.clone()
+    }
+
+    /// Waits until all senders are gone and everything is written, then seals the results.
+    ///
+    /// # Errors
+    /// [`PoolError::WriterPanicked`], [`PoolError::Close`].
+    pub async fn close(self) -> Result<(), PoolError> {
+        let Self { finished, thread } = self;
+        drop(finished);
+        let never = |error: tokio::task::JoinError| Err(Box::new(error.to_string()) as _);
+        match tokio::task::spawn_blocking(|| thread.join()).await.unwrap_or_else(never) {
+            Ok(closed) => closed.map_err(PoolError::Close),
+            Err(panic) => Err(PoolError::WriterPanicked(panic_message(panic.as_ref()))),
+        }
+    }
+}
+
+struct Writer<S> {
     sink: S,
     observer: Observer,
     links: PoolLinks,
 }
 
 impl<S: ResultSink> Writer<S> {
-    pub fn new(sink: S, observer: Observer, links: PoolLinks) -> Self {
-        Self { sink, observer, links }
-    }
-
-    /// Writes until all workers are gone; returns the error of closing.
-    pub fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
+    /// Writes until all senders are gone; returns the error of closing.
+    fn run(mut self, inbox: Receiver<Finished>) -> Result<(), String> {
         let heartbeat = self.links.board.writing().clone();
         loop {
             match inbox.recv_timeout(IDLE_AFTER) {

@@ -17,7 +17,7 @@ use prometheus_client::{
 };
 
 use super::{
-    ApiError, ApiState,
+    ApiError, ApiState, cluster_metrics,
     status::{RawLogView, ShotCounts},
 };
 use crate::acquisition::Outcome;
@@ -30,8 +30,13 @@ const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=u
 pub(super) async fn metrics(State(state): State<ApiState>) -> Response {
     let mut registry = Registry::with_prefix("lfpiv");
     registry.register_collector(Box::new(Reader(state)));
+    written(&registry)
+}
+
+/// An answer with all metrics of a registry.
+pub(super) fn written(registry: &Registry) -> Response {
     let mut text = String::new();
-    match encode(&mut text, &registry) {
+    match encode(&mut text, registry) {
         Ok(()) => ([(header::CONTENT_TYPE, MEDIA_TYPE)], text).into_response(),
         Err(error) => {
             ApiError::internal(format!("metrics cannot be written: {error}")).into_response()
@@ -54,6 +59,9 @@ impl Collector for Reader {
         self.encode_ledger(&mut encoder)?;
         self.encode_latency(&mut encoder)?;
         self.encode_bench(&mut encoder)?;
+        if let Some(cluster) = &self.0.cluster {
+            cluster_metrics::encode(&cluster.view(), &mut encoder)?;
+        }
         let uptime = ConstGauge::new(self.0.began.elapsed().as_secs_f64());
         let metric = encoder.encode_descriptor(
             "uptime_seconds",

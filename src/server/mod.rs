@@ -31,6 +31,8 @@
 mod app;
 pub mod binary;
 mod bytes;
+mod cluster_metrics;
+mod cluster_status;
 mod configuration;
 mod connection_slots;
 mod control;
@@ -66,6 +68,7 @@ use utoipa::OpenApi;
 use utoipa_axum::{router::OpenApiRouter, routes};
 
 use app::App;
+pub use cluster_status::serve_cluster;
 pub use configuration::BenchSettings;
 pub use control::Controls;
 use error::ApiError;

@@ -15,6 +15,7 @@ use super::{
 };
 use crate::{
     acquisition::{Heartbeat, Journal, Ledger},
+    cluster::ClusterProgress,
     pipeline::{Board, EventKind, Watermarks},
 };
 
@@ -133,6 +134,8 @@ pub struct ApiState {
     pub(super) results: Arc<dyn ResultSource>,
     /// The heartbeat of the run loop.
     pub(super) run_loop: Heartbeat,
+    /// Absent if the run measures its shots itself.
+    pub(super) cluster: Option<Arc<ClusterProgress>>,
     /// Absent if no bench is configured.
     pub(super) bench: Option<Arc<BenchSettings>>,
     phase: Arc<Mutex<Phase>>,
@@ -169,6 +172,7 @@ impl ApiState {
             began: Instant::now(),
             control_access: ControlAccess::default(),
             run_loop: Heartbeat::default(),
+            cluster: None,
             bench: None,
             phase,
             last_announced: Arc::default(),
@@ -198,6 +202,12 @@ impl ApiState {
     /// Sets the configuration of the bench.
     pub fn with_bench(mut self, bench: BenchSettings) -> Self {
         self.bench = Some(Arc::new(bench));
+        self
+    }
+
+    /// Shows the workers that measure the run's shots.
+    pub fn with_cluster(mut self, cluster: Arc<ClusterProgress>) -> Self {
+        self.cluster = Some(cluster);
         self
     }
 

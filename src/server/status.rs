@@ -10,6 +10,7 @@ use utoipa::ToSchema;
 use super::{ApiState, ConfigurationSummary, Phase, events::Brief, schemas::ModelFitSchema};
 use crate::{
     acquisition::{Account, ControlState, Mode, Outcome},
+    cluster::ClusterView,
     pipeline::{LatencyQuantiles, Watermarks},
 };
 
@@ -37,6 +38,8 @@ pub(super) struct Status {
     latency: Option<LatencyQuantiles>,
     /// State of the controls; absent if the run cannot be controlled.
     control: Option<ControlState>,
+    /// Workers, their rates and the backlog; absent if the run measures its shots itself.
+    cluster: Option<ClusterView>,
     model: String,
     /// The parts of the model and the reasons for them; absent before the first result.
     #[schema(value_type = Option<Object>)]
@@ -201,6 +204,7 @@ pub(super) async fn status(State(state): State<ApiState>) -> Json<Status> {
         raw_log: RawLogView::of(&state),
         latency: state.board.latency(),
         control: state.control(),
+        cluster: state.cluster.as_ref().map(|cluster| cluster.view()),
         model: info.model.clone(),
         model_fit: state.board.latest().and_then(|(_, result)| result.measured.fit.clone()),
         model_choice: state.board.model().map(|model| (*model).clone()),

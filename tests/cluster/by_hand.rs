@@ -6,7 +6,8 @@ use lfpiv::{
     acquisition::journal::RecordedRun,
     archive::{RawLevel, ShotResult},
     cluster::{
-        Attempt, Begin, Broker, ClientError, CoordinatorClient, Delivery, Job, JobQueue, Verdict,
+        Attempt, Begin, Broker, ClientError, CoordinatorClient, Delivery, Job, JobQueue, Tokens,
+        Verdict,
     },
     config::Config,
 };
@@ -21,7 +22,7 @@ use crate::{
 /// The first job that the broker has.
 async fn first_job(url: &str) -> Job {
     let broker = Broker { url: url.to_owned(), ..Broker::default() };
-    let queue = JobQueue::connect(&broker, "by hand").await.expect("an address");
+    let queue = JobQueue::connect(&broker, "by hand", "").await.expect("an address");
     loop {
         match queue.take().await {
             Ok(Some(taken)) => {
@@ -68,17 +69,33 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
     let runtime = tokio::runtime::Runtime::new().expect("a runtime");
     let job = runtime.block_on(first_job(&nats.url()));
-    let client = CoordinatorClient::new(&job.address, &job.token);
+    let client = CoordinatorClient::new(&job.address, &job.tokens);
     let shot = job.shot.number;
 
-    // Only with the run's token.
+    // Only with the run's tokens, and each for its own.
+    let Tokens { read, .. } = &job.tokens;
+    let reader =
+        CoordinatorClient::new(&job.address, &Tokens { read: read.clone(), work: read.clone() });
+    assert!(reader.frame(&job.shot.frames[0][0]).is_ok());
+    assert!(matches!(reader.deliver(b"anything"), Err(ClientError::Stale(_))));
     for token in ["", "0123456789abcdef0123456789abcdef"] {
-        let stranger = CoordinatorClient::new(&job.address, token);
+        let tokens = Tokens { read: token.into(), work: token.into() };
+        let stranger = CoordinatorClient::new(&job.address, &tokens);
         let refused = stranger.begin(shot, Attempt { issue: 1, delivery: 1 }, "stranger");
         assert!(matches!(refused, Err(ClientError::Stale(_))), "{refused:?}");
         assert!(matches!(stranger.frame(&job.shot.frames[0][0]), Err(ClientError::Stale(_))));
         assert!(matches!(stranger.deliver(b"anything"), Err(ClientError::Stale(_))));
     }
+    let whole = client.packed(&job.shot.frames[0][0]).expect("a record");
+    let place = job.shot.frames[0][0];
+    let url = format!("{}/work/v1/records/{}/{}", job.address, place.segment, place.offset);
+    let mut part = ureq::get(&url)
+        .header("Authorization", format!("Bearer {read}"))
+        .header("Range", "bytes=100-199")
+        .call()
+        .expect("an answer");
+    assert_eq!(part.status(), 206);
+    assert_eq!(part.body_mut().read_to_vec().expect("bytes"), whole[100..200]);
     let mut nowhere = job.shot.frames[0][0];
     nowhere.offset += 1;
     assert!(matches!(client.frame(&nowhere), Err(ClientError::Frame(_))));
@@ -143,7 +160,7 @@ fn a_shot_that_nobody_can_measure_is_given_up_with_reasons() {
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
     let runtime = tokio::runtime::Runtime::new().expect("a runtime");
     let job = runtime.block_on(first_job(&nats.url()));
-    let client = CoordinatorClient::new(&job.address, &job.token);
+    let client = CoordinatorClient::new(&job.address, &job.tokens);
     let shots: Vec<u64> =
         RecordedRun::open(&run).expect("a run").index().shots.into_keys().collect();
     let [failing, deadly] = [shots[2], shots[4]];

@@ -88,8 +88,21 @@ fn a_coordinator_that_is_told_to_stop_goes_on_later() {
     let root = tempfile::tempdir().expect("a folder");
     let run = recorded(root.path());
     let nats = Nats::start(root.path());
-    let alone = coordinator(root.path(), &run, &nats.url(), &[]);
+    let alone = coordinator(root.path(), &run, &nats.url(), &["--status", "127.0.0.1:0"]);
     wait_until("jobs without workers", || alone.log().contains("open shots are offered"));
+    let log = alone.log();
+    let shown = log.split_whitespace().find(|word| word.ends_with("/api/v1/status"));
+    let shown = shown.expect("an address");
+    let status: serde_json::Value =
+        ureq::get(shown).call().expect("an answer").body_mut().read_json().expect("JSON");
+    assert_eq!(status["cluster"]["shots"]["backlog"], SHOTS - 1, "{status}");
+    assert_eq!(status["cluster"]["connected"], true, "{status}");
+    let metrics = shown.replace("/api/v1/status", "/metrics");
+    let mut metrics = ureq::get(metrics).call().expect("an answer");
+    let metrics = metrics.body_mut().read_to_string().expect("text");
+    assert!(metrics.contains(&format!("lfpiv_cluster_backlog_shots {}", SHOTS - 1)), "{metrics}");
+    let elsewhere = ureq::get(shown).header("Host", "example.org").call();
+    assert!(matches!(elsewhere, Err(ureq::Error::StatusCode(421))), "{elsewhere:?}");
     let ended = alone.terminate();
     assert_eq!(ended.code, Some(1), "{ended:?}");
     assert!(ended.stderr.contains("39 shots without a result remain"), "{ended:?}");

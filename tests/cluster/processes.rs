@@ -10,6 +10,10 @@ use std::{
 
 use crate::bench::PATIENCE;
 
+/// A processor of 2008, without AVX and fused multiply-add; all of it is this machine otherwise.
+#[cfg(target_arch = "x86_64")]
+pub const EMULATOR: [&str; 3] = ["qemu-x86_64", "-cpu", "Nehalem"];
+
 /// A running `lfpiv` with its output in files.
 pub struct Process {
     child: Child,
@@ -28,13 +32,24 @@ pub struct Ended {
 impl Process {
     /// Starts `lfpiv` with these arguments; what it says goes to files in `root`.
     pub fn start(root: &Path, arguments: &[&str]) -> Self {
+        Self::run(root, Command::new(env!("CARGO_BIN_EXE_lfpiv")).args(arguments))
+    }
+
+    /// The same in the [`EMULATOR`].
+    #[cfg(target_arch = "x86_64")]
+    pub fn emulated(root: &Path, arguments: &[&str]) -> Self {
+        let [program, more @ ..] = EMULATOR;
+        let lfpiv = env!("CARGO_BIN_EXE_lfpiv");
+        Self::run(root, Command::new(program).args(more).arg(lfpiv).args(arguments))
+    }
+
+    fn run(root: &Path, command: &mut Command) -> Self {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let [stdout, stderr] =
             ["out", "err"].map(|kind| root.join(format!("process_{number}.{kind}")));
         let file = |path: &Path| File::create(path).expect("a file in the test's folder");
-        let child = Command::new(env!("CARGO_BIN_EXE_lfpiv"))
-            .args(arguments)
+        let child = command
             .env_remove("RUST_LOG")
             .stdin(Stdio::null())
             .stdout(file(&stdout))
@@ -51,6 +66,11 @@ impl Process {
     /// What it has logged so far.
     pub fn log(&self) -> String {
         fs::read_to_string(&self.stderr).expect("its log")
+    }
+
+    /// What it has printed so far.
+    pub fn output(&self) -> String {
+        fs::read_to_string(&self.stdout).expect("its output")
     }
 
     pub fn kill(mut self) {

@@ -16,7 +16,7 @@ use crate::{
 
 pub const SHOTS: usize = 40;
 /// A shot decides the forward model.
-const MODEL: &str = "[model]\nmode = \"auto\"";
+pub const MODEL: &str = "[model]\nmode = \"auto\"";
 
 /// The recorded run, and the same measured locally. Made once for all tests.
 struct Fixture {
@@ -61,7 +61,7 @@ pub fn copied(run: &Path, to: &Path) -> PathBuf {
     to.to_owned()
 }
 
-fn remove_results(run: &Path) {
+pub fn remove_results(run: &Path) {
     for entry in fs::read_dir(run).expect("a folder") {
         let entry = entry.expect("an entry");
         let name = entry.file_name().into_string().expect("UTF-8");

@@ -5,7 +5,7 @@ use std::time::Duration;
 use axum::{Json, Router, extract::Path, routing::get as get_of};
 use lfpiv::{
     acquisition::journal::RecordedRun,
-    cluster::{Broker, Conditions, CoordinatorClient, Job, JobQueue, PROTOCOL, Shot},
+    cluster::{Broker, Conditions, CoordinatorClient, Job, JobQueue, PROTOCOL, Shot, Tokens},
 };
 use lfpiv_rawlog::Position;
 
@@ -44,7 +44,7 @@ async fn a_worker_of_another_version_refuses() {
     let root = tempfile::tempdir().expect("a folder");
     let nats = Nats::start(root.path());
     let broker = Broker { url: nats.url(), ..Broker::default() };
-    let queue = JobQueue::connect(&broker, "test").await.expect("an address");
+    let queue = JobQueue::connect(&broker, "test", "").await.expect("an address");
     let shot: Shot = serde_json::from_str(
         r#"{"number": 0, "frames": [], "dt_us_bits": 0, "suspect": [], "time": null}"#,
     )
@@ -63,16 +63,17 @@ async fn a_worker_of_another_version_refuses() {
         },
         model_sha256: String::new(),
         address: "http://127.0.0.1:1".into(),
-        token: String::new(),
+        tokens: Tokens { read: String::new(), work: String::new() },
         heartbeat_ms: 100,
         deadline_ms: 10_000,
     };
     let heartbeat_timeout = Duration::from_secs(30);
-    let offered = queue.offer("other", &[0], heartbeat_timeout, |_| Some(job.clone())).await;
-    assert_eq!(offered.expect("a broker"), 1);
+    let missing = async || queue.missing("other", &[0], heartbeat_timeout).await.expect("a broker");
+    assert_eq!(missing().await.len(), 1);
+    queue.publish(&job).await.expect("a broker");
     // Offered once more, it is one job.
-    let offered = queue.offer("other", &[0], heartbeat_timeout, |_| Some(job.clone())).await;
-    assert_eq!(offered.expect("a broker"), 0);
+    assert_eq!(missing().await.len(), 0);
+    assert!(queue.publish(&job).await.is_err());
 
     let url = nats.url();
     let folder = root.path().to_owned();
@@ -98,7 +99,7 @@ async fn a_worker_that_computes_otherwise_refuses() {
     let nats = Nats::start(root.path());
     let real = coordinator(root.path(), &run, &nats.url(), &[]);
     let broker = Broker { url: nats.url(), ..Broker::default() };
-    let queue = JobQueue::connect(&broker, "test").await.expect("an address");
+    let queue = JobQueue::connect(&broker, "test", "").await.expect("an address");
     let taken = loop {
         match queue.take().await {
             Ok(Some(taken)) => break taken,
@@ -106,8 +107,9 @@ async fn a_worker_that_computes_otherwise_refuses() {
         }
     };
     let mut job = taken.job.clone();
-    let (address, token) = (job.address.clone(), job.token.clone());
-    let get = move || CoordinatorClient::new(&address, &token).assignment().expect("a coordinator");
+    let (address, tokens) = (job.address.clone(), job.tokens.clone());
+    let get =
+        move || CoordinatorClient::new(&address, &tokens).assignment().expect("a coordinator");
     let mut assignment = tokio::task::spawn_blocking(get).await.expect("an assignment");
     // The real coordinator ends, and withdraws its jobs; another one has its place.
     let ended = tokio::task::spawn_blocking(|| real.terminate()).await.expect("its end");
@@ -123,9 +125,8 @@ async fn a_worker_that_computes_otherwise_refuses() {
     let listener = tokio::net::TcpListener::bind("127.0.0.1:0").await.expect("a free port");
     job.address = format!("http://{}", listener.local_addr().expect("an address"));
     tokio::spawn(async { axum::serve(listener, router).await });
-    let shots = [job.shot.number];
-    let offered = queue.offer("other", &shots, Duration::from_secs(30), |_| Some(job.clone()));
-    assert_eq!(offered.await.expect("a broker"), 1);
+    job.run = "other".into();
+    queue.publish(&job).await.expect("a broker");
 
     let (folder, url) = (root.path().to_owned(), nats.url());
     let refuses = move || worker(&folder, &url, "other", &[]).wait();

@@ -1,7 +1,7 @@
 //! Configuration files: shipped ones load; a wrong one is refused with file, line, key, value and
 //! the allowed values.
 
-use lfpiv::config::{Config, ConfigFile};
+use lfpiv::config::{Config, ConfigFile, Purpose};
 use lfpiv_core::{model::ModelMode, reconstruction::Footprint};
 use lfpiv_hw::TimingSettings;
 
@@ -365,6 +365,30 @@ fn all_errors_are_reported_together_in_the_order_of_the_file() {
     assert_eq!(lines.len(), 2, "{message}");
     assert!(lines[0].contains("optics.f_number = nan: allowed 0.5 to 64"), "{message}");
     assert!(lines[1].contains("velocimetry.overlap = 2.0: allowed 0 to 0.9"), "{message}");
+}
+
+/// The configuration is stored with every result, and workers are told the address.
+#[test]
+fn a_broker_is_named_without_a_password_and_workers_get_an_address_that_they_can_use() {
+    let with = |table: &str| format!("[cluster]\n{table}\n\n[output]");
+    let right = with("url = \"tls://10.0.0.1:4222\"\nserve = \"10.0.0.1:8700\"");
+    let changed = Changed::new("[output]", &right);
+    let cluster = Config::parse("run.toml", &changed.text).unwrap().cluster.unwrap();
+    assert_eq!((cluster.heartbeat_timeout_s, cluster.deadline_s), (30.0, 600.0));
+    for (wrong, why) in [
+        ("url = \"nats://me:secret@10.0.0.1:4222\"", "a password"),
+        ("url = \"http://10.0.0.1\"", "allowed: nats://HOST:PORT"),
+        ("url = \"nats://10.0.0.1:4222\"\nserve = \"0.0.0.0:8700\"", "no address that workers"),
+        ("url = \"nats://10.0.0.1:4222\"\ndeadline_s = 0", "cluster.deadline_s"),
+    ] {
+        let words = refusal("[output]", &with(wrong));
+        assert!(words.contains(why), "{words}");
+    }
+    let root = tempfile::tempdir().unwrap();
+    let path = root.path().join("run.toml");
+    std::fs::write(&path, changed.text + "\n[raw_log]\nkeep = false\n").unwrap();
+    let words = ConfigFile::load_for(Purpose::Bench, &path).unwrap_err().to_string();
+    assert!(words.contains("raw_log.keep") && words.contains("leave out [cluster]"), "{words}");
 }
 
 #[test]

@@ -29,9 +29,14 @@ impl FramePlaces {
         &self.run
     }
 
-    /// Positions of frames a and b of each camera of a shot; `None` if the record has no such shot
-    /// (yet) or it was dropped. Continues reading where the last call stopped.
+    /// Positions of frames a and b of each camera of a shot; `None` as for [`Self::shot`].
     pub fn of(&mut self, shot: u64) -> Option<&[[Position; 2]]> {
+        self.shot(shot).map(|shot| shot.frames.as_slice())
+    }
+
+    /// A shot; `None` if the record has no such shot (yet) or it was dropped. Continues reading where the last
+    /// call stopped.
+    pub fn shot(&mut self, shot: u64) -> Option<&RecordedShot> {
         // After a read error, the next call tries again.
         for placed in iter::from_fn(|| self.entries.next()?.ok()) {
             if let Some(Ok(found)) = self.finder.take(placed) {
@@ -41,6 +46,6 @@ impl FramePlaces {
                 }
             }
         }
-        self.shots.get(&shot).map(|shot| shot.frames.as_slice())
+        self.shots.get(&shot)
     }
 }

@@ -2,7 +2,6 @@
 
 use std::{
     collections::BTreeMap,
-    fmt::Write as _,
     net::SocketAddr,
     path::Path,
     sync::{Arc, mpsc::SyncSender},
@@ -10,38 +9,42 @@ use std::{
 };
 
 use anyhow::{Context, anyhow};
-use ring::rand::{SecureRandom, SystemRandom};
 use tokio::net::TcpListener;
 use tokio_util::sync::CancellationToken;
 
-use super::{offers::Offers, result_writer::ResultWriter};
 use crate::{
     acquisition::journal::{RecordedRun, RecordedShot},
     archive::{ResultStore, ShotResult},
-    cli::output::{count, print, progress_bar},
-    cluster::{
-        Assignment, Attempt, Broker, Conditions, Coordinator, CoordinatorSetup, Delivery,
-        DeliveryLog, JobQueue, LoggedDeliveries, Reference, Report, Shot, ShotState, Tally,
-        Verdict, coordinator_routes, model_sha256,
+    cli::{
+        cluster_run::{assignment, print_workers, run_name},
+        output::{count, progress_bar},
+        result_writer::ResultWriter,
     },
+    cluster::{
+        Broker, ClusterProgress, Coordinator, CoordinatorSetup, Delivery, DeliveryLog, JobQueue,
+        LoggedDeliveries, Report, ServiceSettings, ShotState, Tally, Verdict, WorkService,
+        WorkersAddress,
+    },
+    config::Config,
+    server::serve_cluster,
 };
 
-/// How long jobs and connections are waited for at the end.
+/// How long the last tasks are waited for.
 const SHUTDOWN_TIMEOUT: Duration = Duration::from_secs(2);
 /// Pause between lines about the progress in the log.
 const LOG_INTERVAL: Duration = Duration::from_secs(30);
-/// Characters of the hash that identify a run to the broker.
-const RUN_CHARACTERS: usize = 16;
 
 /// What is distributed, and how.
 pub(super) struct Distribution<'a> {
     pub folder: &'a Path,
     pub recorded: &'a RecordedRun,
-    pub conditions: Conditions,
+    pub config: &'a Config,
     /// The shot that decides the forward model, and its result.
     pub reference: (RecordedShot, ShotResult),
     pub broker: Broker,
     pub serve: SocketAddr,
+    /// Where workers and backlog are shown, if so.
+    pub status: Option<SocketAddr>,
     pub heartbeat_timeout: Duration,
     pub deadline: Duration,
 }
@@ -69,21 +72,21 @@ impl Distribution<'_> {
         store: ResultStore,
         stop: &CancellationToken,
     ) -> anyhow::Result<Outcome> {
-        let model = self.reference.1.measured.model.clone();
-        let model_sha256 = model_sha256(&model);
-        let (log, logged) =
-            DeliveryLog::open(self.folder, &self.conditions, &model, &model_sha256)?;
+        let (shot, result) = &self.reference;
+        let model = result.measured.model.clone();
+        let assignment = assignment(self.recorded, self.config, (shot, result))?;
+        let (log, logged) = DeliveryLog::open(self.folder, &assignment, &model)?;
         let (sink, writer) = ResultWriter::start(store).context("cannot start a thread")?;
         let tally = taken_up(&shots, logged, &sink)?;
         let setup = CoordinatorSetup {
             run: self.recorded.clone(),
             shots,
-            assignment: self.assignment(model_sha256)?,
+            assignment,
             model,
-            grid: self.reference.1.measured.field.grid.clone(),
+            grid: result.measured.field.grid.clone(),
             tally,
             log,
-            sink,
+            sink: Box::new(move |shot, result| sink.send((shot, result)).is_ok()),
         };
         let first_issue = setup.tally.last_issue() + 1;
         let coordinator = Arc::new(Coordinator::open(setup));
@@ -92,32 +95,12 @@ impl Distribution<'_> {
         // Whatever has failed: what was delivered is stored.
         writer.join()?;
         served?;
-        report(&tally, refused)?;
+        print_workers(&tally, refused)?;
         let outcome = Outcome::of(&tally);
         if let Some(log) = log.filter(|_| outcome.left == 0) {
             log.remove()?;
         }
         Ok(outcome)
-    }
-
-    fn assignment(&self, model_sha256: String) -> anyhow::Result<Assignment> {
-        let (shot, result) = &self.reference;
-        let measured = Delivery {
-            shot: shot.trigger,
-            attempt: Attempt { issue: 0, delivery: 0 },
-            worker: String::new(),
-            model_sha256: model_sha256.clone(),
-            result: result.clone(),
-        };
-        Ok(Assignment {
-            conditions: self.conditions.clone(),
-            configuration: self.recorded.description().configuration.clone(),
-            reference: Reference {
-                shot: Shot::of(self.recorded, shot)?,
-                result_sha256: measured.result_sha256(),
-                model_sha256,
-            },
-        })
     }
 
     fn serve_until_settled(
@@ -142,49 +125,48 @@ impl Distribution<'_> {
         first_issue: u32,
         stop: &CancellationToken,
     ) -> anyhow::Result<()> {
-        let listener = TcpListener::bind(self.serve)
-            .await
-            .with_context(|| format!("cannot listen at {}", self.serve))?;
-        let address = format!("http://{}", listener.local_addr().context("no address")?);
-        let token = random_token()?;
-        let queue = JobQueue::connect(&self.broker, "lfpiv process").await?;
-        let run = self.conditions.shots_sha256.chars().take(RUN_CHARACTERS).collect::<String>();
-        let name = self.folder.canonicalize().unwrap_or_else(|_| self.folder.to_owned());
-        let offers = Offers {
-            coordinator: coordinator.clone(),
-            recorded: self.recorded.clone(),
-            run: run.clone(),
-            run_name: name.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-            conditions: self.conditions.clone(),
-            model_sha256: coordinator.assignment().reference.model_sha256.clone(),
-            address: address.clone(),
-            token: token.clone(),
+        let at = WorkersAddress::bind(self.serve).await?;
+        let meanwhile = "no worker gets a shot until it is there";
+        let queue = JobQueue::connect(&self.broker, "lfpiv process", meanwhile).await?;
+        at.warn(&queue);
+        let progress = Arc::new(ClusterProgress::new(queue.clone()));
+        progress.follow(coordinator.clone());
+        let closing = CancellationToken::new();
+        let shown = self
+            .status_listener()
+            .await?
+            .map(|listener| tokio::spawn(serve_cluster(listener, progress, closing.clone())));
+        let settings = ServiceSettings {
+            run_name: run_name(self.folder),
             heartbeat_timeout: self.heartbeat_timeout,
             deadline: self.deadline,
-            issues: BTreeMap::new(),
             first_issue,
         };
-        warn_of_addresses(self.serve, &queue);
-        tracing::info!("workers read frames and deliver results at {address}");
-        let closing = CancellationToken::new();
-        let server = axum::serve(listener, coordinator_routes(coordinator.clone(), &token))
-            .with_graceful_shutdown(closing.clone().cancelled_owned());
-        let server = tokio::spawn(async { server.await });
-        let offering = tokio::spawn(offers.keep_up(queue.clone()));
+        let service = WorkService::start(coordinator, at, queue, settings)?;
         let showing = tokio::spawn(show_progress(coordinator.clone()));
         let settled = tokio::select! {
             settled = coordinator.settled() => settled,
             () = stop.cancelled() => Ok(()),
         };
-        offering.abort();
         showing.abort();
-        // Workers do not look at jobs that nobody waits for. Without a broker there are none.
-        let _ =
-            tokio::time::timeout(SHUTDOWN_TIMEOUT, queue.withdraw(&run, self.heartbeat_timeout))
-                .await;
+        service.end().await;
         closing.cancel();
-        let _ = tokio::time::timeout(SHUTDOWN_TIMEOUT, server).await;
+        if let Some(shown) = shown {
+            // A reader may keep its connection open.
+            let _ = tokio::time::timeout(SHUTDOWN_TIMEOUT, shown).await;
+        }
         Ok(settled?)
+    }
+
+    /// Listens where workers and backlog are to be shown, if so.
+    async fn status_listener(&self) -> anyhow::Result<Option<TcpListener>> {
+        let Some(address) = self.status else { return Ok(None) };
+        let listener = TcpListener::bind(address)
+            .await
+            .with_context(|| format!("cannot listen at --status {address}"))?;
+        let address = listener.local_addr().context("no address")?;
+        tracing::info!("workers and backlog are shown at http://{address}/api/v1/status");
+        Ok(Some(listener))
     }
 }
 
@@ -259,43 +241,4 @@ async fn show_progress(coordinator: Arc<Coordinator>) {
             }
         }
     }
-}
-
-/// Says what the chosen addresses mean.
-fn warn_of_addresses(serve: SocketAddr, queue: &JobQueue) {
-    let own = ["127.0.0.1", "localhost", "[::1]"];
-    let is_broker_here = own.iter().any(|host| queue.address().contains(&format!("//{host}:")));
-    match serve.ip().is_loopback() {
-        true if !is_broker_here => tracing::warn!(
-            "only workers on this machine reach the coordinator at {serve}: --serve names an address for others"
-        ),
-        false => tracing::warn!("frames and results at {serve} are not encrypted"),
-        true => {}
-    }
-}
-
-/// Who has measured how much.
-fn report(tally: &Tally, refused: usize) -> anyhow::Result<()> {
-    for (worker, shots) in tally.by_worker() {
-        print(&format!("{worker}: {}", count(shots, "shot")))?;
-    }
-    print(&format!(
-        "{} begun, {} not ended by their workers, {} refused",
-        count(tally.attempts(), "measurement"),
-        tally.lost(),
-        count(refused, "result")
-    ))
-}
-
-/// 128 random bits.
-fn random_token() -> anyhow::Result<String> {
-    let mut bytes = [0u8; 16];
-    SystemRandom::new()
-        .fill(&mut bytes)
-        .map_err(|_| anyhow!("the system has no random numbers"))?;
-    let mut token = String::new();
-    for byte in bytes {
-        let _ = write!(token, "{byte:02x}");
-    }
-    Ok(token)
 }

@@ -4,8 +4,6 @@
 //! and takes results in. It alone writes the run.
 
 mod distribution;
-mod offers;
-mod result_writer;
 
 use std::{
     net::{Ipv4Addr, SocketAddr},
@@ -20,7 +18,6 @@ use super::{
     broker_args::BrokerArgs,
     process_run::UnfinishedRun,
     recorded_shots::{Finished, ShotProcessor},
-    run_processor::conditions,
 };
 use distribution::{Distribution, Outcome};
 
@@ -37,6 +34,10 @@ pub struct ClusterArgs {
     /// Address of this machine at which workers read frames and deliver results.
     #[arg(long, value_name = "ADDRESS", default_value_t = THIS_MACHINE, requires = "cluster")]
     pub serve: SocketAddr,
+    /// Address of this machine at which /api/v1/status and /metrics show workers, rates and backlog to programs on
+    /// this machine, as 127.0.0.1:8641.
+    #[arg(long, value_name = "ADDRESS", requires = "cluster")]
+    pub status: Option<SocketAddr>,
     /// Seconds without a heartbeat of its worker after which a shot goes to another one.
     #[arg(long, value_name = "SECONDS", default_value_t = 30.0, value_parser = seconds, requires = "cluster")]
     pub heartbeat_timeout: f64,
@@ -70,6 +71,11 @@ pub(super) fn process_cluster(
             args.serve
         );
     }
+    if let Some(status) = args.status.filter(|status| !status.ip().is_loopback()) {
+        bail!(
+            "--status {status}: anybody could read it without a token; give an address as 127.0.0.1:8641"
+        )
+    }
     let (run, mut store) = UnfinishedRun::open(folder)?;
     let mut losses = run.losses();
     run.settle_ledger()?;
@@ -91,10 +97,11 @@ pub(super) fn process_cluster(
             let distribution = Distribution {
                 folder,
                 recorded: &run.recorded,
-                conditions: conditions(&run.recorded, &run.index, &run.config)?,
+                config: &run.config,
                 reference: (shot, result),
                 broker: args.broker.broker(url),
                 serve: args.serve,
+                status: args.status,
                 heartbeat_timeout: Duration::from_secs_f64(args.heartbeat_timeout),
                 deadline: Duration::from_secs_f64(args.deadline),
             };

@@ -25,23 +25,23 @@ impl Frames {
     /// # Errors
     /// A frame cannot be read.
     pub fn pair(&self, client: &CoordinatorClient, shot: &Shot) -> Result<ImagePair, ClientError> {
-        let image = |frame: &Frame| match self {
-            Self::Shared(run) => shared_image(run, frame),
-            Self::Coordinator => client.frame(frame),
+        let image = |frame: &Frame| match self.shared_image(frame) {
+            Some(image) => Ok(image),
+            None => client.frame(frame),
         };
         let cameras = shot.frames.iter().map(|[a, b]| Ok([image(a)?, image(b)?]));
         Ok(ImagePair { cameras: cameras.collect::<Result<_, ClientError>>()? })
     }
-}
 
-fn shared_image(run: &RecordedRun, frame: &Frame) -> Result<RawImage, ClientError> {
-    let image =
-        run.image(frame.position()).map_err(|error| ClientError::Frame(error.to_string()))?;
-    match image.crc32() == frame.crc32 {
-        true => Ok(image),
-        false => Err(ClientError::Frame(
-            "the shared folder has another image than the coordinator".into(),
-        )),
+    /// The image in the shared folder, if it is the right one: a copy may be damaged, or late.
+    fn shared_image(&self, frame: &Frame) -> Option<RawImage> {
+        let Self::Shared(run) = self else { return None };
+        match run.image(frame.position()) {
+            Ok(image) if image.crc32() == frame.crc32 => return Some(image),
+            Ok(_) => tracing::warn!("the shared folder has another image than the coordinator"),
+            Err(error) => tracing::debug!("{error}: the frame is read from the coordinator"),
+        }
+        None
     }
 }
 

@@ -61,7 +61,8 @@ async fn serve(args: &WorkArgs) -> anyhow::Result<()> {
     let laser = SynchroniserThread::default();
     let stop = stop_on_signals(&laser, "the shots in hand go to other workers")?;
     let name = args.name.clone().unwrap_or_else(own_name);
-    let queue = JobQueue::connect(&args.broker.broker(&args.url), &name).await?;
+    let broker = args.broker.broker(&args.url);
+    let queue = JobQueue::connect(&broker, &name, "there are no shots until it is there").await?;
     print(&format!("worker {name}: waits for shots from {}", queue.address()))?;
     let worker = Arc::new(Worker::new(name, queue, args.shared.clone()));
     let mut slots = JoinSet::new();

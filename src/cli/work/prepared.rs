@@ -11,7 +11,7 @@ use crate::{
     archive::{ShotResult, sha256},
     cli::{
         recorded_shots::shot_result,
-        run_processor::{background_crc32, conditions, run_processor},
+        run_processor::{background_crc32, run_processor},
     },
     cluster::{Assignment, Attempt, CoordinatorClient, Delivery, Job, Shot, model_sha256},
     config::Config,
@@ -44,7 +44,7 @@ impl Prepared {
         if own != job.conditions.background_crc32 {
             bail!("the background images on this machine are not those of the coordinator");
         }
-        let frames = frames(job, &config, shared)?;
+        let frames = frames(job, &assignment.reference.shot, shared)?;
         let prepared = Self { processor: run_processor(&config)?, frames };
         prepared.reproduce(assignment, client)?;
         Ok(prepared)
@@ -87,7 +87,7 @@ impl Prepared {
 }
 
 /// Frames from the shared folder where the run is there, and is the same.
-fn frames(job: &Job, config: &Config, shared: Option<&Path>) -> anyhow::Result<Frames> {
+fn frames(job: &Job, reference: &Shot, shared: Option<&Path>) -> anyhow::Result<Frames> {
     let Some(shared) = shared else { return Ok(Frames::Coordinator) };
     let Some(folder) = shared_run(shared, &job.run_name) else {
         tracing::warn!(
@@ -98,9 +98,21 @@ fn frames(job: &Job, config: &Config, shared: Option<&Path>) -> anyhow::Result<F
         return Ok(Frames::Coordinator);
     };
     let recorded = RecordedRun::open(&folder)?;
-    let there = conditions(&recorded, &recorded.index(), config)?;
-    if let Some(what) = there.first_difference(&job.conditions) {
-        bail!("the run in {} has another {what} than the coordinator's", folder.display());
+    let there = sha256(recorded.description().configuration.as_bytes());
+    if there != job.conditions.configuration_sha256 {
+        bail!("the run in {} has another configuration than the coordinator's", folder.display());
+    }
+    for frame in reference.frames.iter().flatten() {
+        match recorded.image_crc32(frame.position()) {
+            Ok(crc32) if crc32 != frame.crc32 => bail!(
+                "the run in {} is another one than the coordinator's: shot {} has other images",
+                folder.display(),
+                reference.number
+            ),
+            Ok(_) => {}
+            // A shared folder may show late what a run has just written.
+            Err(error) => tracing::debug!("{error}"),
+        }
     }
     Ok(Frames::Shared(Box::new(recorded)))
 }

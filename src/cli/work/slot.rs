@@ -15,7 +15,7 @@ use tokio_util::sync::CancellationToken;
 use super::prepared::Prepared;
 use crate::cluster::{
     Attempt, Begin, ClientError, CoordinatorClient, Delivery, Job, JobQueue, PROTOCOL, TakenJob,
-    Verdict,
+    Tokens, Verdict,
 };
 
 /// Pause while there is no broker, and before a shot is tried again.
@@ -37,7 +37,7 @@ pub(super) struct Worker {
 }
 
 /// What jobs of one run and coordinator have in common.
-type Common = (String, String, String);
+type Common = (String, String, Tokens);
 
 /// What became of a job.
 enum Ended {
@@ -110,7 +110,7 @@ impl Worker {
         if self.unreachable.lock().get(&job.address).is_some_and(is_recent) {
             return Ok(Ended::Unreachable);
         }
-        let client = CoordinatorClient::new(&job.address, &job.token);
+        let client = CoordinatorClient::new(&job.address, &job.tokens);
         let shot = job.shot.number;
         match self.try_measuring(job, attempt, &client) {
             Ok(verdict) => {
@@ -146,7 +146,7 @@ impl Worker {
     fn tell_failure(&self, job: &Job, attempt: Attempt, reason: &str) -> Ended {
         let shot = job.shot.number;
         tracing::warn!("shot {shot} cannot be measured: {reason}");
-        let client = CoordinatorClient::new(&job.address, &job.token);
+        let client = CoordinatorClient::new(&job.address, &job.tokens);
         if let Err(error) = client.fail(shot, attempt, &self.name, reason) {
             tracing::warn!("shot {shot}: {error}");
         }
@@ -190,7 +190,7 @@ impl Worker {
 
     /// The job's run, ready to be measured. Other slots wait.
     fn prepare(&self, job: &Job, client: &CoordinatorClient) -> anyhow::Result<Arc<Prepared>> {
-        let common = (job.run.clone(), job.address.clone(), job.token.clone());
+        let common = (job.run.clone(), job.address.clone(), job.tokens.clone());
         let mut prepared = self.prepared.lock();
         if let Some((of, prepared)) = prepared.as_ref()
             && *of == common

@@ -1,0 +1,70 @@
+//! Workers, their rates and the backlog in OpenMetrics text.
+
+use std::fmt;
+
+use prometheus_client::{
+    encoding::{DescriptorEncoder, EncodeMetric},
+    metrics::{MetricType, counter::ConstCounter, gauge::ConstGauge},
+};
+
+use crate::cluster::{ClusterView, ShotsView, WorkerView};
+
+/// Writes what `view` shows.
+pub(super) fn encode(view: &ClusterView, encoder: &mut DescriptorEncoder) -> fmt::Result {
+    let up = ConstGauge::new(i64::from(view.connected));
+    let help = "1 while the broker answers, 0 while it does not";
+    let metric = encoder.encode_descriptor("cluster_broker_up", help, None, MetricType::Gauge)?;
+    up.encode(metric)?;
+    encode_shots(&view.shots, encoder)?;
+    encode_workers(&view.workers, encoder)
+}
+
+fn encode_shots(shots: &ShotsView, encoder: &mut DescriptorEncoder) -> fmt::Result {
+    let gauges = [
+        ("cluster_backlog_shots", "Shots that are still to be measured", shots.backlog),
+        ("cluster_in_hand_shots", "Shots that workers have begun", shots.in_hand),
+        ("cluster_given_up_shots", "Shots that were given up", shots.given_up),
+    ];
+    for (name, help, count) in gauges {
+        let metric = encoder.encode_descriptor(name, help, None, MetricType::Gauge)?;
+        ConstGauge::new(count as i64).encode(metric)?;
+    }
+    let counters = [
+        ("cluster_attempts", "Measurements that workers have begun", shots.attempts),
+        ("cluster_lost_workers", "Measurements that workers did not end", shots.lost_workers),
+        ("cluster_refused_results", "Results that were refused", shots.refused_results),
+    ];
+    for (name, help, count) in counters {
+        let metric = encoder.encode_descriptor(name, help, None, MetricType::Counter)?;
+        ConstCounter::new(count).encode(metric)?;
+    }
+    Ok(())
+}
+
+fn encode_workers(workers: &[WorkerView], encoder: &mut DescriptorEncoder) -> fmt::Result {
+    let help = "Shots of which the worker was the first to deliver a result";
+    let name = "cluster_worker_shots";
+    let mut family = encoder.encode_descriptor(name, help, None, MetricType::Counter)?;
+    for worker in workers {
+        let labels = [("worker", worker.worker.as_str())];
+        ConstCounter::new(worker.shots).encode(family.encode_family(&labels)?)?;
+    }
+    type Gauge = (&'static str, &'static str, fn(&WorkerView) -> f64);
+    const GAUGES: [Gauge; 3] = [
+        ("cluster_worker_shots_per_second", "First results a second, over the last minute", |w| {
+            w.shots_per_s
+        }),
+        ("cluster_worker_in_hand_shots", "Shots begun and not ended", |w| w.in_hand as f64),
+        ("cluster_worker_silent_seconds", "Time since the worker was last heard of", |w| {
+            w.silent_s
+        }),
+    ];
+    for (name, help, value) in GAUGES {
+        let mut family = encoder.encode_descriptor(name, help, None, MetricType::Gauge)?;
+        for worker in workers {
+            let labels = [("worker", worker.worker.as_str())];
+            ConstGauge::new(value(worker)).encode(family.encode_family(&labels)?)?;
+        }
+    }
+    Ok(())
+}
