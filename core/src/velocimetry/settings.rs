@@ -35,7 +35,7 @@ pub struct VelocimetrySettings {
     #[garde(skip)]
     pub follow_particles: bool,
     /// Place particles in the images after correlation, and fit the field to those that both frames show:
-    /// rough flows are resolved as far as their particles allow, in five to eight times the time.
+    /// rough flows are resolved as far as their particles allow, in about five times the time.
     #[garde(skip)]
     pub place_particles: bool,
     /// The flow is incompressible: the field through particles is nearly free of divergence, which tells it
