@@ -17,11 +17,11 @@ const STARTING_SHARE: f64 = 0.3;
 /// Least share of the typical light that the residual must have for a proposed particle.
 const LEAST_LIGHT: f64 = 0.1;
 
-/// Chance brings a particle that has no partner so many others as near as partners may be, on average.
+/// Particles of the other frame that lie within the reach of a wider search by chance: their mean number.
 const CHANCE_PARTNERS: f32 = 0.01;
 
-/// Largest distance of partners, in voxels, however few particles there are.
-const FARTHEST_VOX: f32 = 3.0;
+/// Longest reach of a wider search, in voxels, however few particles there are.
+const LONGEST_REACH_VOX: f32 = 3.0;
 
 /// The particles of both frames at mid-pair, and which of them belong together.
 pub struct Partners {
@@ -44,14 +44,15 @@ impl Partners {
         Self { middles, partners }
     }
 
-    /// The same, and those that are left belong together as far away as chance rarely brings two, if they are `seen` in
-    /// their frames: the flow is known less well about them.
-    pub fn widened(mut self, seen: impl Fn(usize, usize) -> bool) -> Self {
-        let alone = [0, 1]
-            .map(|frame| -> Vec<usize> { self.alone(frame).filter(|&n| seen(frame, n)).collect() });
+    /// Pairs the particles that are still alone within a longer reach, where the flow is known less well; the fewer they
+    /// are, the longer it is. `is_eligible` says of a frame and a particle of it whether it may be paired so.
+    pub fn widened(mut self, is_eligible: impl Fn(usize, usize) -> bool) -> Self {
+        let alone = [0, 1].map(|frame| -> Vec<usize> {
+            self.alone(frame).filter(|&n| is_eligible(frame, n)).collect()
+        });
         let places =
             [0, 1].map(|f| alone[f].iter().map(|&n| self.middles[f][n]).collect::<Vec<_>>());
-        let [a, _] = mutual(&places, self.rare_reach(&places));
+        let [a, _] = mutual(&places, self.longer_reach(&places));
         for (n, partner) in a.into_iter().enumerate() {
             if let Some(partner) = partner {
                 let (a, b) = (alone[0][n], alone[1][partner]);
@@ -62,8 +63,8 @@ impl Partners {
         self
     }
 
-    /// How far from one of the places chance rarely brings another, in voxels.
-    fn rare_reach(&self, places: &[Vec<[f32; 3]>; 2]) -> f32 {
+    /// The reach, in voxels, within which there are [`CHANCE_PARTNERS`] of these places on average.
+    fn longer_reach(&self, places: &[Vec<[f32; 3]>; 2]) -> f32 {
         let all = || self.middles.iter().flatten();
         let span = |axis: usize| {
             let (low, high) = all().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), at| {
@@ -74,7 +75,7 @@ impl Partners {
         let volume: f32 = (0..3).map(span).product();
         let most = places.iter().map(Vec::len).max().unwrap_or_default().max(1) as f32;
         let sphere = 4.0 / 3.0 * std::f32::consts::PI;
-        (CHANCE_PARTNERS * volume / (most * sphere)).cbrt().min(FARTHEST_VOX)
+        (CHANCE_PARTNERS * volume / (most * sphere)).cbrt().min(LONGEST_REACH_VOX)
     }
 
     /// Pairs, by their numbers in frame a and in frame b.
@@ -207,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn particles_without_a_partner_look_farther_where_they_are_few() {
+    fn few_particles_that_are_alone_are_paired_over_a_longer_distance() {
         let frames = |others| {
             let [a, b] = apart(others);
             Partners::new([&a, &b], &Still, 0.5, 1.0)
@@ -215,7 +216,7 @@ mod tests {
         assert_eq!(frames(40).partners[0][0], None);
         let widened = frames(40).widened(|_, _| true);
         assert_eq!((widened.partners[0][0], widened.partners[1][0]), (Some(0), Some(0)));
-        assert!(widened.pairs().count() < 3, "chance joins hardly any others");
+        assert!(widened.pairs().count() < 3, "hardly any others are paired by chance");
         assert_eq!(frames(40).widened(|frame, n| frame == 0 || n > 0).partners[0][0], None);
         assert_eq!(frames(4000).widened(|_, _| true).partners[0][0], None);
     }

@@ -263,7 +263,7 @@ impl Placing {
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, LAST_STEPS));
         });
         self.correct(fits, flow);
-        let partners = self.far_partners(fits, flow, PAIR_VOX);
+        let partners = self.wider_partners(fits, flow, PAIR_VOX);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         let covariances = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
@@ -292,7 +292,7 @@ impl Placing {
     /// Corrects the flow by mutual nearest neighbours, and says how near to each other partners that agree are, in
     /// voxels.
     fn correct(&self, fits: &[FrameFit; 2], flow: &mut dyn Flow) -> f64 {
-        let partners = self.far_partners(fits, flow, CORRECT_VOX);
+        let partners = self.wider_partners(fits, flow, CORRECT_VOX);
         let places =
             |pair: [usize; 2]| [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
         let pairs: Vec<[[f64; 3]; 2]> = partners.pairs().map(places).collect();
@@ -315,13 +315,14 @@ impl Placing {
         Partners::new(frames, flow, reach_vox, self.voxel_mm)
     }
 
-    /// The same, and particles that every camera sees as bright as others, if their nearest is farther away.
-    fn far_partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
-        let seen = |frame: usize, n: usize| {
+    /// Partners within `reach_vox`; particles that are then still alone, and bright enough in every camera, are searched
+    /// for within a longer reach.
+    fn wider_partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
+        let is_bright = |frame: usize, n: usize| {
             let light = fits[frame].particles[n].light.iter().zip(&self.priors[frame].typical);
             light.take(self.cameras.len()).all(|(light, typical)| *light >= LEAST_LIGHT * typical)
         };
-        self.partners(fits, flow, reach_vox).widened(seen)
+        self.partners(fits, flow, reach_vox).widened(is_bright)
     }
 
     /// Applies `act` to both frames at once.

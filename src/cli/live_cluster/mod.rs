@@ -80,6 +80,7 @@ impl LiveCluster {
         E: Display + 'static,
     {
         let LiveRun { folder, config, process, store, observer, links } = run;
+        let named = folder.display().to_string();
         let writer = ResultWriter::start(RESULTS_WAITING, store, observer, links.clone())?;
         let backlog = Arc::new(Backlog::new(links.journal.clone()));
         let progress = self.progress.clone();
@@ -94,7 +95,15 @@ impl LiveCluster {
         };
         let board = links.board.clone();
         let draining = drain(queue, &backlog, &progress, &board);
-        let ((), published) = tokio::join!(draining, publisher.publish(self, process));
+        let publishing = async {
+            publisher.publish(self, process).await.inspect_err(|error| {
+                tracing::error!(
+                    "workers get no more shots: {error:#}; the run goes on recording, and `lfpiv process {named}` \
+                     measures them afterwards"
+                );
+            })
+        };
+        let ((), published) = tokio::join!(draining, publishing);
         writer.close().await?;
         // Only now: what was delivered is written.
         for shot in backlog.unsettled() {

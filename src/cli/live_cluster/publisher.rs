@@ -50,6 +50,11 @@ pub(super) struct Ended {
 }
 
 impl Publisher {
+    /// Gives shots to workers until all are settled, or the run is told to stop. `None` if it ends before a shot has
+    /// decided the forward model.
+    ///
+    /// # Errors
+    /// The record cannot be opened, or the coordinator's work cannot go on.
     pub async fn publish<P, E>(
         self,
         cluster: LiveCluster,
@@ -59,28 +64,8 @@ impl Publisher {
         P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
         E: Display + 'static,
     {
-        let published = self.try_publishing(cluster, process).await;
-        if let Err(error) = &published {
-            tracing::error!(
-                "workers get no more shots: {error:#}; the run goes on recording, and `lfpiv process {}` \
-                 measures them afterwards",
-                self.folder.display()
-            );
-        }
-        published
-    }
-
-    async fn try_publishing<P, E>(
-        &self,
-        cluster: LiveCluster,
-        process: P,
-    ) -> anyhow::Result<Option<Ended>>
-    where
-        P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
-        E: Display + 'static,
-    {
         let search = ReferenceSearch::new(&self.config, process)?;
-        let Some((shot, result)) = search.run(self).await? else { return Ok(None) };
+        let Some((shot, result)) = search.run(&self).await? else { return Ok(None) };
         let coordinator = self.coordinator((shot, result)).await?;
         self.progress.follow(coordinator.clone());
         let LiveCluster { settings, at, queue, .. } = cluster;

@@ -36,10 +36,10 @@ const DIVERGENCE_OF_SLACK: f32 = 0.1;
 /// there are any; without it the equations leave fields open that are quadratic along every axis.
 const ANCHOR_VOX: f32 = 3.0;
 
-/// Standard deviation that every sample is given beside its own, over what samples that are left out are typically
-/// missed by. A sample that is known far better than the field between samples says no more by it, but weights that
-/// differ by a million make conjugate gradients slow (docs/decisions.md).
-const RESOLVED: f32 = 0.2;
+/// Standard deviation that is added to every sample's own, over the typical error of the field at left-out samples.
+/// Samples that are known far better than the field between them do not improve it, but weights that differ by a
+/// hundred thousand make conjugate gradients slow (docs/decisions.md).
+const ADDED_DEVIATION: f32 = 0.2;
 
 /// A field that is being fitted to samples.
 pub struct Fit<'a> {
@@ -61,7 +61,7 @@ pub struct Fit<'a> {
     inflation: [Vec<f32>; 3],
     /// Standard deviation that every sample is given beside its own, in voxels.
     slack_vox: f32,
-    /// What samples that are left out are typically missed by, in voxels, per component; 0 before that is known.
+    /// Typical error of the field at left-out samples, in voxels, per component; 0 before that is known.
     missed_vox: [f32; 3],
     incompressible: bool,
 }
@@ -257,8 +257,8 @@ impl<'a> Fit<'a> {
     /// Variance of sample `n` in component `c`, in voxel².
     fn variance(&self, c: usize, n: usize) -> f32 {
         let own = self.excess[c] * self.inflation[c][n] * self.samples[n].variance_vox2[c];
-        let unresolved = RESOLVED * self.missed_vox[c];
-        own + self.slack_vox * self.slack_vox + unresolved * unresolved
+        let added = ADDED_DEVIATION * self.missed_vox[c];
+        own + self.slack_vox * self.slack_vox + added * added
     }
 
     fn equations(&self, weights: [Vec<Lane>; 3]) -> Equations<'_> {

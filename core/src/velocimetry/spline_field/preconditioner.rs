@@ -208,7 +208,7 @@ fn scales(equations: &Equations, c: usize, weight: f64) -> Vec<f32> {
     rough.iter().zip(&own).map(scale).collect()
 }
 
-/// Rows of the matrix that are multiplied at once: each value is then read once for all of them.
+/// Rows of the matrix that are multiplied at once, so that each value is read once for all of them.
 const ROWS: usize = 4;
 
 /// Multiplies every row along the axis of `count` nodes `s` apart by a matrix, stored row by row.
@@ -217,7 +217,7 @@ fn turn(matrix: &[f32], s: usize, count: usize, from: &[Lane], to: &mut [Lane]) 
     for block in 0..from.len() / (s * count) {
         let start = block * s * count;
         for i in (0..count).step_by(ROWS) {
-            // The last rows once more where there are fewer.
+            // Where fewer rows are left, the last one is computed several times.
             let numbers: [usize; ROWS] = std::array::from_fn(|r| (i + r).min(count - 1));
             let rows = numbers.map(|i| &matrix[i * count..][..count]);
             for o in 0..s {
@@ -232,6 +232,41 @@ fn turn(matrix: &[f32], s: usize, count: usize, from: &[Lane], to: &mut [Lane]) 
                 }
                 for (i, sum) in numbers.into_iter().zip(sums) {
                     to[start + i * s + o] = sum;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    #[test]
+    fn rows_are_multiplied_as_one_by_one() {
+        let mut random = Pcg64Mcg::seed_from_u64(5);
+        let nodes = [3, 6, 9];
+        let layout = Layout { nodes };
+        let field: Vec<Lane> = (0..layout.len())
+            .map(|_| std::array::from_fn(|_| random.random_range(-1.0..1.0)))
+            .collect();
+        for axis in 0..3 {
+            let (s, count) = (layout.stride(axis), nodes[axis]);
+            let matrix: Vec<f32> =
+                (0..count * count).map(|_| random.random_range(-1.0..1.0)).collect();
+            let mut found = vec![[0.0; LANES]; field.len()];
+            turn(&matrix, s, count, &field, &mut found);
+            for (n, found) in found.iter().enumerate() {
+                let i = n / s % count;
+                for l in 0..LANES {
+                    let entry = |j: usize| {
+                        f64::from(matrix[i * count + j]) * f64::from(field[n - i * s + j * s][l])
+                    };
+                    let expected: f64 = (0..count).map(entry).sum();
+                    assert!((f64::from(found[l]) - expected).abs() < 1e-5, "{axis} {n} {l}");
                 }
             }
         }
