@@ -253,8 +253,8 @@ mod tests {
         let field: Vec<Lane> = (0..layout.len())
             .map(|_| std::array::from_fn(|_| random.random_range(-1.0..1.0)))
             .collect();
-        for axis in 0..3 {
-            let (s, count) = (layout.stride(axis), nodes[axis]);
+        for (axis, &count) in nodes.iter().enumerate() {
+            let s = layout.stride(axis);
             let matrix: Vec<f32> =
                 (0..count * count).map(|_| random.random_range(-1.0..1.0)).collect();
             let mut found = vec![[0.0; LANES]; field.len()];
