@@ -4,6 +4,7 @@
 use rayon::prelude::*;
 
 use super::{
+    disagreement::Seen,
     image::ParticleImage,
     normal::{LightPrior, Normal, Particle, StepRule},
     order::image_order,
@@ -110,40 +111,26 @@ impl FrameFit {
         })
     }
 
-    /// Covariances of the places of the numbered particles, in mm², from the cameras that see them across
-    /// several microlenses.
+    /// What each camera says of the numbered particles, of those that it sees across several microlenses.
     ///
     /// Near a camera's focal plane all light of a particle is behind one microlens, and its image changes only
     /// where it crosses to the next. The linear covariance does not hold there: that camera is left out.
-    pub fn covariances_mm2(
-        &self,
-        cameras: &[PointCamera],
-        of: &[usize],
-        (prior, voxel_mm): (&LightPrior, f64),
-    ) -> Vec<[[f64; 3]; 3]> {
-        let seen = |camera: &PointCamera, particle: &Particle| {
-            camera.spread_pitches(particle.at_mm) >= LEAST_SPREAD_PITCHES
-        };
-        let sums = |of_gradient: bool| {
-            self.over_cameras(cameras, of, |c, camera, footprint, particle| {
-                let mut normal = Normal::default();
-                if seen(camera, particle) {
+    pub fn seen(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Vec<Seen>> {
+        let by_camera = |(c, camera): (usize, &PointCamera)| {
+            self.in_camera(c, of, |footprint, particle| {
+                let mut seen = Seen::default();
+                if camera.spread_pitches(particle.at_mm) >= LEAST_SPREAD_PITCHES {
                     camera.image_and_derivatives(particle.at_mm, footprint);
-                    let image = &self.images[c];
-                    let equations = if of_gradient {
-                        image.gradient_covariance(camera, footprint)
-                    } else {
-                        image.equations(camera, footprint)
-                    };
-                    normal.add(&equations, &footprint.by_place, particle.light[c], c);
+                    let (image, light) = (&self.images[c], particle.light[c]);
+                    let equations = image.equations(camera, footprint);
+                    let gradient = image.gradient_covariance(camera, footprint);
+                    seen.normal.add(&equations, &footprint.by_place, light, c);
+                    seen.gradient.add(&gradient, &footprint.by_place, light, c);
                 }
-                normal
+                seen
             })
         };
-        let covariance = |((normal, gradient), &n): ((&Normal, &Normal), &usize)| {
-            normal.covariance_mm2(gradient, &self.particles[n], (cameras.len(), prior, voxel_mm))
-        };
-        sums(false).iter().zip(&sums(true)).zip(of).map(covariance).collect()
+        cameras.iter().enumerate().map(by_camera).collect()
     }
 
     /// The normal equations of a particle that is not in the model.

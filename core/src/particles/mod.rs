@@ -10,6 +10,7 @@
 //! cameras' shares of the light (`select`) and pixel noise (`noise`) are estimated from the images.
 
 mod blur;
+mod disagreement;
 mod fit;
 mod flow;
 mod image;

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::{
     blur::fitted_blur,
+    disagreement::{Seen, widening},
     fit::FrameFit,
     flow::Flow,
     image::ParticleImage,
@@ -30,7 +31,8 @@ pub struct FrameStart {
 pub struct ParticlePair {
     /// Its place in frames a and b, in mm.
     pub places_mm: [[f64; 3]; 2],
-    /// Covariance of each, in mm².
+    /// Covariance of each, in mm²: of what differs between the frames. An error of both alike, such as that of a camera's
+    /// pose, is not in it.
     pub covariances_mm2: [[[f64; 3]; 3]; 2],
     /// Its light in each frame and camera, in counts of an open pixel that gets all of it.
     pub light: [[f64; CAMERAS]; 2],
@@ -265,10 +267,21 @@ impl Placing {
         self.correct(fits, flow);
         let partners = self.wider_partners(fits, flow, PAIR_VOX);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
-        let covariances = [0, 1].map(|frame: usize| {
+        let seen = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
-            fits[frame].covariances_mm2(&self.cameras, &of, (&self.priors[frame], self.voxel_mm))
+            fits[frame].seen(&self.cameras, &of)
         });
+        let widening = widening(&seen);
+        let covariances = |n: usize, particles: &[Particle; 2]| {
+            [0, 1].map(|frame| {
+                let mut by_all = Seen::default();
+                seen[frame].iter().for_each(|camera| by_all += &camera[n]);
+                let known = (self.cameras.len(), &self.priors[frame], self.voxel_mm);
+                let Seen { normal, gradient } = by_all;
+                let covariance = normal.covariance_mm2(&gradient, &particles[frame], known);
+                covariance.map(|row| row.map(|entry| widening * entry))
+            })
+        };
         let unpaired = [0, 1].map(|frame: usize| {
             let alone = partners.partners[frame].iter().zip(&fits[frame].particles);
             alone.filter(|(partner, _)| partner.is_none()).map(|(_, particle)| *particle).collect()
@@ -277,7 +290,7 @@ impl Placing {
             let particles = [fits[0].particles[a], fits[1].particles[b]];
             ParticlePair {
                 places_mm: particles.map(|particle| particle.at_mm),
-                covariances_mm2: [covariances[0][n], covariances[1][n]],
+                covariances_mm2: covariances(n, &particles),
                 light: particles.map(|particle| particle.light),
             }
         };
