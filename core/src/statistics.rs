@@ -6,6 +6,9 @@ pub const NORMAL_OF_MEDIAN: f64 = 1.4826;
 /// Median of the square of a normal distribution, in variances.
 pub const MEDIAN_SQUARE: f64 = 0.455;
 
+/// Median of the sum of squares of three standard normal variables: of chi-squared with three degrees of freedom.
+pub const MEDIAN_OF_THREE_SQUARES: f64 = 2.366;
+
 /// The median: the mean of the middle two of an even number; `None` of nothing.
 pub fn median<T: Into<f64>>(values: impl IntoIterator<Item = T>) -> Option<f64> {
     let mut values: Vec<f64> = values.into_iter().map(Into::into).collect();

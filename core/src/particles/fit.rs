@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 
 use super::{
-    disagreement::Seen,
+    disagreement::ParticleEquations,
     image::ParticleImage,
     normal::{LightPrior, Normal, Particle, StepRule},
     order::image_order,
@@ -84,50 +84,43 @@ impl FrameFit {
         in_order
     }
 
-    /// The sum over the cameras of what `act` makes of the numbered particles.
-    fn over_cameras(
-        &self,
-        cameras: &[PointCamera],
-        of: &[usize],
-        act: impl Fn(usize, &PointCamera, &mut PointFootprint, &Particle) -> Normal + Sync,
-    ) -> Vec<Normal> {
+    /// The normal equations of the numbered particles, summed over the cameras.
+    pub fn equations(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
         let mut sums = vec![Normal::default(); of.len()];
         for (c, camera) in cameras.iter().enumerate() {
-            let one =
-                self.in_camera(c, of, |footprint, particle| act(c, camera, footprint, particle));
-            sums.iter_mut().zip(&one).for_each(|(sum, one)| *sum += one);
+            let by_camera = self.in_camera(c, of, |footprint, particle| {
+                let mut normal = Normal::default();
+                camera.image_and_derivatives(particle.at_mm, footprint);
+                let equations = self.images[c].equations(camera, footprint);
+                normal.add(&equations, &footprint.by_place, particle.light[c], c);
+                normal
+            });
+            sums.iter_mut().zip(&by_camera).for_each(|(sum, one)| *sum += one);
         }
         sums
     }
 
-    /// The normal equations of the numbered particles.
-    pub fn equations(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
-        self.over_cameras(cameras, of, |c, camera, footprint, particle| {
-            let mut normal = Normal::default();
-            camera.image_and_derivatives(particle.at_mm, footprint);
-            let equations = self.images[c].equations(camera, footprint);
-            normal.add(&equations, &footprint.by_place, particle.light[c], c);
-            normal
-        })
-    }
-
-    /// What each camera says of the numbered particles, of those that it sees across several microlenses.
+    /// Per camera, the equations of the numbered particles that it sees across several microlenses, for covariances.
     ///
     /// Near a camera's focal plane all light of a particle is behind one microlens, and its image changes only
     /// where it crosses to the next. The linear covariance does not hold there: that camera is left out.
-    pub fn seen(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Vec<Seen>> {
+    pub fn equations_by_camera(
+        &self,
+        cameras: &[PointCamera],
+        of: &[usize],
+    ) -> Vec<Vec<ParticleEquations>> {
         let by_camera = |(c, camera): (usize, &PointCamera)| {
             self.in_camera(c, of, |footprint, particle| {
-                let mut seen = Seen::default();
+                let mut both = ParticleEquations::default();
                 if camera.spread_pitches(particle.at_mm) >= LEAST_SPREAD_PITCHES {
                     camera.image_and_derivatives(particle.at_mm, footprint);
                     let (image, light) = (&self.images[c], particle.light[c]);
                     let equations = image.equations(camera, footprint);
                     let gradient = image.gradient_covariance(camera, footprint);
-                    seen.normal.add(&equations, &footprint.by_place, light, c);
-                    seen.gradient.add(&gradient, &footprint.by_place, light, c);
+                    both.normal.add(&equations, &footprint.by_place, light, c);
+                    both.gradient.add(&gradient, &footprint.by_place, light, c);
                 }
-                seen
+                both
             })
         };
         cameras.iter().enumerate().map(by_camera).collect()

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{
     blur::fitted_blur,
-    disagreement::{Seen, widening},
+    disagreement::{ParticleEquations, variance_factor},
     fit::FrameFit,
     flow::Flow,
     image::ParticleImage,
@@ -31,8 +31,7 @@ pub struct FrameStart {
 pub struct ParticlePair {
     /// Its place in frames a and b, in mm.
     pub places_mm: [[f64; 3]; 2],
-    /// Covariance of each, in mm²: of what differs between the frames. An error of both alike, such as that of a camera's
-    /// pose, is not in it.
+    /// Covariance of each, in mm². It does not contain an error of both frames alike, such as that of a camera's pose.
     pub covariances_mm2: [[[f64; 3]; 3]; 2],
     /// Its light in each frame and camera, in counts of an open pixel that gets all of it.
     pub light: [[f64; CAMERAS]; 2],
@@ -267,19 +266,18 @@ impl Placing {
         self.correct(fits, flow);
         let partners = self.wider_partners(fits, flow, PAIR_VOX);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
-        let seen = [0, 1].map(|frame: usize| {
+        let equations = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
-            fits[frame].seen(&self.cameras, &of)
+            fits[frame].equations_by_camera(&self.cameras, &of)
         });
-        let widening = widening(&seen);
+        let factor = variance_factor(&equations);
         let covariances = |n: usize, particles: &[Particle; 2]| {
             [0, 1].map(|frame| {
-                let mut by_all = Seen::default();
-                seen[frame].iter().for_each(|camera| by_all += &camera[n]);
+                let mut sum = ParticleEquations::default();
+                equations[frame].iter().for_each(|camera| sum += &camera[n]);
                 let known = (self.cameras.len(), &self.priors[frame], self.voxel_mm);
-                let Seen { normal, gradient } = by_all;
-                let covariance = normal.covariance_mm2(&gradient, &particles[frame], known);
-                covariance.map(|row| row.map(|entry| widening * entry))
+                let covariance = sum.normal.covariance_mm2(&sum.gradient, &particles[frame], known);
+                covariance.map(|row| row.map(|entry| factor * entry))
             })
         };
         let unpaired = [0, 1].map(|frame: usize| {

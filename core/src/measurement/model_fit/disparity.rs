@@ -13,7 +13,10 @@ use rayon::prelude::*;
 
 use super::bench_error::{ConfiguredBench, PARAMETERS, Sensitivity};
 use crate::{
-    lightfield::ViewStack, model::PointImager, reconstruction::ProjectedView, statistics::median,
+    lightfield::ViewStack,
+    model::PointImager,
+    reconstruction::ProjectedView,
+    statistics::{MEDIAN_OF_THREE_SQUARES, median},
 };
 
 /// Minimum number of particles to determine a bench error.
@@ -25,9 +28,6 @@ const ROUNDS: usize = 6;
 /// Squared distance, in variances, of half weight in the Cauchy weights: ghost particles and merged
 /// ones are mostly further out.
 const HALF_WEIGHT: f64 = 9.0;
-
-/// Median of the sum of squares of three standard normal variables.
-const MEDIAN_OF_THREE_SQUARES: f64 = 2.366;
 
 /// Prior standard deviation of each parameter, as displacement in mm: matters only for directions
 /// that the images do not determine.
