@@ -4,7 +4,11 @@ use lfpiv_hw::card::Card;
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-use super::{camera_model::CameraModel, card_light::CardLight};
+use super::{
+    camera_model::CameraModel,
+    card_light::CardLight,
+    fiducial::{CardPlace, by_the_fiducial},
+};
 
 /// How far the card is looked for from where the drawing puts it, in mark spacings.
 const REACH_SPACINGS: f64 = 1.6;
@@ -20,9 +24,8 @@ pub(super) struct CoarseShifts {
     pub(super) shifts_mm: Vec<[f64; 2]>,
     /// Correlation coefficient of each image with the card there.
     pub(super) correlations: Vec<f64>,
-    /// How much less images and card correlate at best half a spacing away or more, in the mean over the
-    /// positions: little where the fiducial is not seen.
-    pub(super) margin: f64,
+    /// See [`Rival::clarity`]; that of the strongest rival.
+    pub(super) clarity: f64,
 }
 
 /// Shifts the card over the images of the pupil's middle by whole microlenses, over all positions
@@ -43,27 +46,12 @@ pub(super) fn coarse_shifts(
     let shift = |n: usize| [n as i64 % side - reach, n as i64 / side - reach];
     let mean = |n: usize| all.iter().map(|of| of[n]).sum::<f64>() / all.len() as f64;
     let means: Vec<f64> = (0..(side * side) as usize).map(mean).collect();
-    let common = (0..means.len()).max_by(|&a, &b| means[a].total_cmp(&means[b]))?;
-    let from_common = |n: usize| {
-        let ([i, j], [at_i, at_j]) = (shift(n), shift(common));
-        [i - at_i, j - at_j]
-    };
-    let half_spacing = card.spacing_mm / pitch_mm / 2.0;
-    let next = (0..means.len())
-        .filter(|&n| {
-            let [i, j] = from_common(n);
-            (i as f64).hypot(j as f64) > half_spacing
-        })
-        .map(|n| means[n])
-        .fold(0.0, f64::max);
+    let best = (0..means.len()).max_by(|&a, &b| means[a].total_cmp(&means[b]))?;
+    let (common, clarity) = by_the_fiducial(positions, model, card, shift(best));
     let near: Vec<usize> = (0..means.len())
-        .filter(|&n| from_common(n).iter().all(|apart| apart.abs() <= NEAR))
+        .filter(|&n| (0..2).all(|axis| (shift(n)[axis] - common[axis]).abs() <= NEAR))
         .collect();
-    let mut found = CoarseShifts {
-        shifts_mm: Vec::new(),
-        correlations: Vec::new(),
-        margin: means[common] - next,
-    };
+    let mut found = CoarseShifts { shifts_mm: Vec::new(), correlations: Vec::new(), clarity };
     for (of, (light, _)) in all.iter().zip(positions) {
         let best = near.iter().copied().max_by(|&a, &b| of[a].total_cmp(&of[b]))?;
         let (from, to) = (light.place_mm([0.0; 2]), light.place_mm(shift(best).map(|n| n as f64)));
@@ -83,18 +71,13 @@ fn correlations(
 ) -> Vec<f64> {
     let view = light.middle_view();
     let [columns, rows] = light.microlenses().map(|count| count as i64);
-    let face_mm = card.place_mm(origin_mm, [0.0; 2], &model.axis());
+    let place = CardPlace { light, model, card, origin_mm };
     // The card as it should be seen by each microlens, some beyond the array.
     let width = columns + 2 * reach;
     let expected: Vec<f32> = (0..width * (rows + 2 * reach))
         .map(|n| {
-            let lens = [(n % width - reach) as f64, (n / width - reach) as f64];
-            let met = model.meets(light.place_mm(lens), [0.0; 2], &face_mm, &card.normal());
-            met.map_or(0.0, |met_mm| {
-                let along_mm = met_mm - face_mm;
-                let bright = card.is_bright([along_mm.dot(&card.right), along_mm.dot(&card.up)]);
-                f32::from(u8::from(bright))
-            })
+            let met_mm = place.met_mm([(n % width - reach) as f64, (n / width - reach) as f64]);
+            f32::from(u8::from(met_mm.is_some_and(|along_mm| card.is_bright(along_mm))))
         })
         .collect();
     let side = 2 * reach + 1;

@@ -1,5 +1,6 @@
-//! The cameras' fit to marks whose rays the simulator traced, without images, and with them (`images`).
+//! The cameras' fit to marks whose rays the simulator traced, without images, and with them (`fiducial`, `images`).
 
+mod fiducial;
 mod images;
 
 use lfpiv_hw::{

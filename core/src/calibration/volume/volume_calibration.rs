@@ -9,6 +9,7 @@ use super::{
     adjustment::{Adjusted, Bench, Sighting, first_deviations},
     checks,
     coarse_shift::coarse_shifts,
+    fiducial::LEAST_CLARITY,
     held_out::held_out,
     mark_fit::{MarkSearch, SeenMark},
     parameters::CameraParameters,
@@ -19,9 +20,6 @@ const LEAST_MARKS: usize = 20;
 
 /// A card whose image correlates less with what is expected is not there.
 const LEAST_CORRELATION: f64 = 0.3;
-
-/// A fiducial that is not seen leaves the next place within this of the best one.
-const AMBIGUOUS_WITHIN: f64 = 0.002;
 
 /// Most pixels for one mark, in the first and in the second pass.
 const PIXELS: [usize; 2] = [2_000, 20_000];
@@ -131,7 +129,7 @@ fn first_pass(
                 correlation: found.correlations[worst],
             });
         }
-        if found.margin < AMBIGUOUS_WITHIN {
+        if found.clarity < LEAST_CLARITY {
             warnings.push(VolumeWarning::Ambiguous { camera: name });
         }
         for (position, (light, origin_mm)) in images.iter().enumerate() {

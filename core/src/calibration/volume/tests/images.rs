@@ -19,7 +19,7 @@ use crate::{
 const RAYS: usize = 1 << 12;
 
 /// A third of the bench's sensor along each axis.
-fn small_optics() -> Optics {
+pub(super) fn small_optics() -> Optics {
     let mut optics = test_bench::optics();
     (optics.microlens.columns, optics.microlens.rows) = (65, 49);
     (optics.sensor.columns, optics.sensor.rows) = (1188, 896);
@@ -222,7 +222,7 @@ fn a_card_is_seen_from_both_sides_on_an_uncertain_stage() {
     let half = 0.5f64.sqrt();
     trial.card.up = Vector3::new(0.0, half, half);
     trial.card.two_sided_mm = Some(1.5);
-    trial.card.fiducial_diameter_mm = 0.65;
+
     let found = trial.calibrated(&walls(), STAGE_MM).unwrap();
     let errors = trial.errors(&found);
     println!("{:?} {errors:?} {:?} {:?}", found.held_out, found.stage_mm, found.warnings);
