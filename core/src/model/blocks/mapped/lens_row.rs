@@ -232,18 +232,18 @@ impl LensRow {
         let [along, across] = phases.steps(j);
         if view.has_gap(0, along) && self.find_gaps(view, phases, j) {
             self.zones = zones(&self.gap_centre, &self.gap_reach, view.bits, !0);
-            self.light_within(view, 0.5 * view.voxels[1][1].abs(), lit);
+            self.light_within(view, view.beside_gap[1] * view.voxels[1][1].abs(), lit);
         }
         let follows = j > view.rows[0];
         if follows && view.has_gap(1, across) && self.find_gaps_before(view, phases, j) {
-            let half = 0.5 * view.voxels[0][0].abs();
+            let half = view.beside_gap[0] * view.voxels[0][0].abs();
             for n in 0..LENSES {
                 let gap = range(self.gap_centre[n], self.gap_reach[n], view.lines);
                 [self.first[n], self.last[n]] = ends(gap);
             }
             self.zones = zones(&self.centre_bit, &[half; LENSES], view.bits, !0);
             // The gap's middle is half a row away, and gaps are at most a row wide.
-            let reach = 1.5 * view.voxels[1][1].abs();
+            let reach = (1.0 + view.beside_gap[1]) * view.voxels[1][1].abs();
             let [any, _] = self.lines(view, reach);
             self.light_each(any, lit);
         }
@@ -399,6 +399,7 @@ mod tests {
                 voxels: [[sign[0] * along[0], across[0]], [across[1], sign[1] * along[1]]],
                 middle: [bits as f32, lines as f32 / 2.0],
                 reach,
+                beside_gap: [0.5; 2],
                 parallax: [parallax; 2],
                 first: 1,
                 rows: [0, 30],

@@ -6,8 +6,7 @@
 use rayon::prelude::*;
 
 use super::{
-    CameraTables, MappedModel,
-    arrangement::Layers,
+    MappedModel,
     lens_phases::LensPhases,
     lit_bits::LitBits,
     places::ViewAddresses,
@@ -30,14 +29,23 @@ const MAX_DEVIATION: f64 = 0.04;
 /// Edge of the smallest tile, in voxels.
 const MIN_EDGE: usize = 8;
 
-/// See [`crate::model::BlockModel::lit`].
+/// Most depths that a tile treats as one. The hull's time is inversely proportional to them; the few
+/// more voxels that it keeps are pruned by the first views of the solver.
+pub(super) const MAX_THICKNESS: usize = 8;
+
+/// Largest displacement of a voxel by a tile's thickness in any view, in microlenses. Supports are
+/// widened by the actual displacement.
+const MAX_DISPLACEMENT: f64 = 0.5;
+
+/// See [`crate::model::BlockModel::lit`]; tiles are at most `max_thickness` voxels thick.
 pub(super) fn lit_blocks<const L: usize>(
     model: &MappedModel<L>,
     views: &[ViewStack],
     criteria: &HullCriteria,
+    max_thickness: usize,
 ) -> LitBlocks {
     let verdicts: Vec<CameraResult> = (0..model.cameras.len())
-        .map(|camera| CameraResult::new(model, camera, &views[camera], criteria))
+        .map(|n| CameraResult::new(model, n, &views[n], criteria, max_thickness))
         .collect();
     let mut lit = LitBlocks::default();
     for block in 0..blocks_along(&model.grid).into_iter().product() {
@@ -60,20 +68,20 @@ struct CameraResult {
     seen: Vec<u8>,
 }
 
-/// Voxels `first..first + count` along columns and rows, at one depth.
+/// Voxels `first..first + count` along columns and rows, in one layer of a tile's thickness.
 #[derive(Debug, Clone, Copy)]
 struct Span {
     first: [usize; 2],
     count: [usize; 2],
-    depth: usize,
+    layer: usize,
 }
 
 /// A camera's tiles.
 struct Tiles<'a> {
     grid: &'a VolumeGrid,
     axes: Axes,
-    /// Depths per block that are treated separately.
-    layers: usize,
+    /// Voxels along the depth that a tile treats as one.
+    thickness: usize,
     camera: Camera<'a>,
 }
 
@@ -91,6 +99,7 @@ impl CameraResult {
         number: usize,
         stack: &ViewStack,
         criteria: &HullCriteria,
+        max_thickness: usize,
     ) -> Self {
         let (camera, layout) = (&model.cameras[number], &model.layouts[number]);
         let bits = LitBits::new(layout, stack, criteria, number);
@@ -110,15 +119,13 @@ impl CameraResult {
         };
         let see = |index: [f64; 3]| camera.see(&model.grid, index);
         let support = |depth_mm: [f64; 2]| camera.support(depth_mm);
-        // Two pairs in one tap are at different positions.
-        let is_shared =
-            matches!((camera.layers, &camera.tables), (Layers::One, CameraTables::Pairs(_)));
-        let tiles = Tiles {
+        let mut tiles = Tiles {
             grid: &model.grid,
             axes: camera.axes,
-            layers: if is_shared { 1 } else { 2 },
+            thickness: 1,
             camera: Camera { see: &see, support: &support, pupil_radius: camera.pupil_radius() },
         };
+        tiles.thickness = tiles.largest_thickness(max_thickness);
         let evaluated: Vec<(Span, TileResult)> = tiles
             .spans()
             .into_par_iter()
@@ -134,27 +141,40 @@ impl Tiles<'_> {
     fn spans(&self) -> Vec<Span> {
         let Axes { column, row, depth } = self.axes;
         let most_lenses = LENSES as f64 - self.lenses_beside();
+        let [lenses_per_bit, lenses_per_line] =
+            [column, row].map(|axis| self.lenses_per_voxel(axis)[0]);
         let mut lines = MAX_LINES;
         // If lines also run across the columns, fewer lines leave space for more bits.
-        while lines > MIN_EDGE && lines as f64 * self.lenses_per_voxel(row) > most_lenses / 3.0 {
+        while lines > MIN_EDGE && lines as f64 * lenses_per_line > most_lenses / 3.0 {
             lines /= 2;
         }
-        let room = most_lenses - lines as f64 * self.lenses_per_voxel(row);
-        let bits = room / self.lenses_per_voxel(column).max(1e-3);
+        let room = most_lenses - lines as f64 * lenses_per_line;
+        let bits = room / lenses_per_bit.max(1e-3);
         let bits = even(bits as usize / 2 * 2).clamp(MIN_EDGE, MAX_BITS);
-        let depths = self.layers * self.grid.voxels[depth].div_ceil(2);
+        let layers = self.grid.voxels[depth].div_ceil(self.thickness);
         let columns = parts(self.grid.voxels[column], bits);
         let rows = parts(self.grid.voxels[row], lines);
         let mut spans = Vec::new();
-        for depth in 0..depths {
+        for layer in 0..layers {
             for &(first_row, lines) in &rows {
                 for &(first_column, bits) in &columns {
                     let (first, count) = ([first_column, first_row], [bits, lines]);
-                    spans.push(Span { first, count, depth });
+                    spans.push(Span { first, count, layer });
                 }
             }
         }
         spans
+    }
+
+    /// The largest thickness, of at most `most`, that displaces no voxel too far.
+    fn largest_thickness(&self, most: usize) -> usize {
+        let [along, across] = self.lenses_per_voxel(self.axes.depth);
+        let displacement = |thickness: usize| (thickness as f64 - 1.0) / 2.0 * along.max(across);
+        let mut thickness = most;
+        while thickness > 1 && displacement(thickness) > MAX_DISPLACEMENT {
+            thickness /= 2;
+        }
+        thickness
     }
 
     /// Fractional index of the grid's middle.
@@ -163,14 +183,16 @@ impl Tiles<'_> {
     }
 
     /// Distance between neighbouring voxels along an axis of the grid, in microlenses along the
-    /// array's columns, in the view where it is largest.
-    fn lenses_per_voxel(&self, axis: usize) -> f64 {
+    /// array's columns and rows, in the view where it is largest.
+    fn lenses_per_voxel(&self, axis: usize) -> [f64; 2] {
         let middle = self.middle();
         let mut next = middle;
         next[axis] += 1.0;
         let (here, there) = ((self.camera.see)(middle), (self.camera.see)(next));
-        (there.place[0] - here.place[0]).abs()
-            + (there.parallax[0] - here.parallax[0]).abs() * self.camera.pupil_radius[0]
+        [0, 1].map(|n| {
+            let parallax = (there.parallax[n] - here.parallax[n]).abs();
+            (there.place[n] - here.place[n]).abs() + parallax * self.camera.pupil_radius[n]
+        })
     }
 
     /// Microlenses of a row that a tile's light reaches outside its voxels.
@@ -182,14 +204,15 @@ impl Tiles<'_> {
             let support = (self.camera.support)((self.camera.see)(index).depth_mm);
             2.0 * (support.reach[0] + support.phase[0])
         });
+        let displacement = self.lenses_per_voxel(self.axes.depth)[0] * self.half_thickness();
         // One more for the row's first microlens, which has an arbitrary offset to the tile, and
         // one for the growth of the reach in the grid's corners.
-        beside[0].max(beside[1]) + 2.0
+        beside[0].max(beside[1]) + 2.0 * displacement + 2.0
     }
 
     /// A tile, split if necessary into parts with linear positions.
     fn straight(&self, span: Span) -> Vec<(Span, TilePlace, Support)> {
-        let (place, deviation, depth_mm) = self.place(&span);
+        let (place, deviation, depths_mm) = self.place(&span);
         let longest = usize::from(span.count[1] > span.count[0]);
         if deviation > MAX_DEVIATION && span.count[longest] > MIN_EDGE {
             let halves = parts(span.count[longest], even(span.count[longest].div_ceil(2)));
@@ -201,26 +224,29 @@ impl Tiles<'_> {
             };
             return halves.into_iter().flat_map(|half| self.straight(part(half))).collect();
         }
-        let mut support = (self.camera.support)(depth_mm);
+        let [nearest, farthest] = depths_mm.map(|depth_mm| (self.camera.support)(depth_mm));
+        let mut support = nearest.union(&farthest);
         support.reach.iter_mut().for_each(|reach| *reach += deviation);
         vec![(span, place, support)]
     }
 
-    /// Fractional grid index of a position in a tile.
+    /// Fractional grid index of a position in a tile, in the middle of its thickness.
     fn index(&self, span: &Span, voxel: [f64; 2]) -> [f64; 3] {
         let mut index = [0.0; 3];
         index[self.axes.column] = span.first[0] as f64 + voxel[0];
         index[self.axes.row] = span.first[1] as f64 + voxel[1];
-        index[self.axes.depth] = match self.layers {
-            1 => 2.0 * span.depth as f64 + 0.5,
-            _ => span.depth as f64,
-        };
+        index[self.axes.depth] = (span.layer * self.thickness) as f64 + self.half_thickness();
         index
     }
 
+    /// Distance from the middle of a tile's thickness to its outermost voxels, in voxels.
+    fn half_thickness(&self) -> f64 {
+        (self.thickness as f64 - 1.0) / 2.0
+    }
+
     /// The linear positions of a tile's voxels, the largest deviation of a corner in any view, and
-    /// the depths of the middle.
-    fn place(&self, span: &Span) -> (TilePlace, f64, [f64; 2]) {
+    /// the lowest and highest depths for columns and rows.
+    fn place(&self, span: &Span) -> (TilePlace, f64, [[f64; 2]; 2]) {
         let half = span.count.map(|count| (count as f64 - 1.0) / 2.0);
         let see = |steps: [f64; 2]| {
             (self.camera.see)(self.index(span, [0, 1].map(|n| half[n] * (1.0 + steps[n]))))
@@ -233,8 +259,18 @@ impl Tiles<'_> {
             [0, 1]
                 .map(|n| [0, 1].map(|v| (value(&ends[v][1])[n] - value(&ends[v][0])[n]) / width[v]))
         };
+        let outermost = [-1.0, 1.0].map(|side| {
+            let mut index = self.index(span, half);
+            index[self.axes.depth] += side * self.half_thickness();
+            (self.camera.see)(index)
+        });
+        let to_outermost = |value: &dyn Fn(&SeenPoint) -> [f64; 2]| {
+            [0, 1].map(|n| (value(&outermost[1])[n] - value(&outermost[0])[n]) / 2.0)
+        };
         let place = TilePlace {
             place: middle.place,
+            to_outermost: to_outermost(&|seen| seen.place),
+            parallax_to_outermost: to_outermost(&|seen| seen.parallax),
             by_voxel: slope(&|seen| seen.place),
             parallax: middle.parallax,
             parallax_by_voxel: slope(&|seen| seen.parallax),
@@ -248,7 +284,12 @@ impl Tiles<'_> {
                 self.deviation(&place, &see(steps), [steps[0] * half[0], steps[1] * half[1]])
             })
             .fold(0.0, f64::max);
-        (place, deviation, middle.depth_mm)
+        let depths_mm: Vec<[f64; 2]> =
+            ends.iter().flatten().chain(&outermost).map(|seen| seen.depth_mm).collect();
+        let extreme = |of: fn(f64, f64) -> f64| {
+            [0, 1].map(|n| depths_mm.iter().fold(middle.depth_mm[n], |mm, depth| of(mm, depth[n])))
+        };
+        (place, deviation, [extreme(f64::min), extreme(f64::max)])
     }
 
     /// Deviation of a point from its linear position, in the view where it is largest.
@@ -282,15 +323,16 @@ impl Tiles<'_> {
             let [nx, ny, _] = blocks_along(self.grid);
             [1, nx, nx * ny]
         };
-        let (at_depth, depth_index) = match self.layers {
-            1 => {
-                let far = 2 * span.depth + 1 < self.grid.voxels[depth];
-                (span.depth, 1 | u8::from(far) << (1 << depth))
+        let depths = span.layer * self.thickness..;
+        let depths = depths.take(self.thickness).take_while(|&d| d < self.grid.voxels[depth]);
+        // Of each block in the layer: its index along the depth and its children there.
+        let mut layers: Vec<(usize, u8)> = Vec::new();
+        for d in depths {
+            let children = 1u8 << ((d % 2) << depth);
+            match layers.last_mut() {
+                Some((block, before)) if *block == d / 2 => *before |= children,
+                _ => layers.push((d / 2, children)),
             }
-            _ => (span.depth / 2, 1 << ((span.depth % 2) << depth)),
-        };
-        if self.layers == 2 && span.depth >= self.grid.voxels[depth] {
-            return;
         }
         for (line, &bits) in lines.iter().enumerate() {
             let r = span.first[1] + line;
@@ -298,9 +340,11 @@ impl Tiles<'_> {
             while bits != 0 {
                 let c = span.first[0] + bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let block =
-                    c / 2 * strides[column] + r / 2 * strides[row] + at_depth * strides[depth];
-                children[block] |= depth_index << (((c % 2) << column) + ((r % 2) << row));
+                let block = c / 2 * strides[column] + r / 2 * strides[row];
+                let child = ((c % 2) << column) + ((r % 2) << row);
+                for &(at_depth, of_depth) in &layers {
+                    children[block + at_depth * strides[depth]] |= of_depth << child;
+                }
             }
         }
     }

@@ -86,22 +86,7 @@ pub(super) fn mapped_model(
     parts: &ModelParts,
     known: &[ViewLayout],
 ) -> Result<Option<Box<dyn BlockModel>>, ModelError> {
-    if !(footprint_mm.is_finite() && footprint_mm >= 0.0) {
-        return Err(ModelError::FootprintOutOfRange { footprint_mm });
-    }
-    let drawn = CameraCalibration::default();
-    let seen: Vec<MappedOptics> = poses
-        .iter()
-        .enumerate()
-        .map(|(n, pose)| {
-            let calibration = calibrations.get(n).unwrap_or(&drawn);
-            MappedOptics::new(optics, pose, calibration, grid, CameraName(n))
-        })
-        .collect::<Result<_, _>>()?;
-    let arrangements: Vec<Arrangement> =
-        seen.iter().map(|optics| Arrangement::new(optics, grid, footprint_mm)).collect();
-    let layouts = layouts(&seen, parts, known);
-    let setup = Setup { seen, arrangements, layouts, grid, footprint_mm, parts };
+    let setup = Setup::new(optics, poses, calibrations, grid, footprint_mm, parts, known)?;
     Ok(setup.narrowest())
 }
 
@@ -132,7 +117,34 @@ struct Setup<'a> {
     parts: &'a ModelParts,
 }
 
-impl Setup<'_> {
+impl<'a> Setup<'a> {
+    fn new(
+        optics: &Optics,
+        poses: &[Pose],
+        calibrations: &[CameraCalibration],
+        grid: &'a VolumeGrid,
+        footprint_mm: f64,
+        parts: &'a ModelParts,
+        known: &[ViewLayout],
+    ) -> Result<Self, ModelError> {
+        if !(footprint_mm.is_finite() && footprint_mm >= 0.0) {
+            return Err(ModelError::FootprintOutOfRange { footprint_mm });
+        }
+        let drawn = CameraCalibration::default();
+        let seen: Vec<MappedOptics> = poses
+            .iter()
+            .enumerate()
+            .map(|(n, pose)| {
+                let calibration = calibrations.get(n).unwrap_or(&drawn);
+                MappedOptics::new(optics, pose, calibration, grid, CameraName(n))
+            })
+            .collect::<Result<_, _>>()?;
+        let arrangements =
+            seen.iter().map(|optics| Arrangement::new(optics, grid, footprint_mm)).collect();
+        let layouts = layouts(&seen, parts, known);
+        Ok(Self { seen, arrangements, layouts, grid, footprint_mm, parts })
+    }
+
     fn narrowest(&self) -> Option<Box<dyn BlockModel>> {
         if let Some(model) = self.model::<4>() {
             return Some(Box::new(model));
@@ -302,7 +314,7 @@ impl<const L: usize> BlockModel for MappedModel<L> {
     }
 
     fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks {
-        lit::lit_blocks(self, views, criteria)
+        lit::lit_blocks(self, views, criteria, lit::MAX_THICKNESS)
     }
 
     fn image_len(&self, camera: usize) -> usize {

@@ -65,6 +65,17 @@ impl Support {
         Self { reach, phase: cell.map(|cell| cell / 2.0), lens_width, gaps }
     }
 
+    /// A support that contains both.
+    pub fn union(&self, other: &Self) -> Self {
+        let larger = |of: fn(&Self) -> [f64; 2]| [0, 1].map(|n| of(self)[n].max(of(other)[n]));
+        Self {
+            reach: larger(|support| support.reach),
+            phase: larger(|support| support.phase),
+            lens_width: self.lens_width.min(other.lens_width),
+            gaps: [0, 1].map(|n| self.gaps[n].union(&other.gaps[n])),
+        }
+    }
+
     /// Whether phases can leave gaps that hide too much of a voxel.
     pub fn has_gaps(&self) -> bool {
         self.gaps.iter().any(|zone| zone.least.is_finite())
@@ -73,6 +84,15 @@ impl Support {
 
 impl GapZone {
     const NONE: Self = Self { least: f64::INFINITY, half: 0.0, half_per_gap: 0.0 };
+
+    /// A zone that contains both.
+    fn union(&self, other: &Self) -> Self {
+        Self {
+            least: self.least.min(other.least),
+            half: self.half.max(other.half),
+            half_per_gap: self.half_per_gap.max(other.half_per_gap),
+        }
+    }
 
     /// For voxels with this shadow and gaps of at most `widest` microlenses.
     fn new(shadow: &Trapezoid, pitch_mm: f64, widest: f64) -> Self {

@@ -1,4 +1,4 @@
-//! Photo-hull of a tile: up to 60 × 96 voxels at one depth, for all views of a camera.
+//! Photo-hull of a tile: up to 60 × 96 voxels of one or a few depths, for all views of a camera.
 //!
 //! Relative to the array's columns and rows the voxels of a tile are almost evenly spaced, so a
 //! view maps microlenses onto voxels by an affine function ([`TileView`]). A lit microlens lights a
@@ -36,6 +36,10 @@ pub(super) struct TilePlace {
     /// Parallax of the middle, and its change per bit and per line.
     pub parallax: [f64; 2],
     pub parallax_by_voxel: [[f64; 2]; 2],
+    /// Change of position and parallax from the middle to the outermost of the depths that share
+    /// them.
+    pub to_outermost: [f64; 2],
+    pub parallax_to_outermost: [f64; 2],
     /// Middle of the tile, in voxels from the first.
     pub middle: [f64; 2],
     pub bits: usize,

@@ -19,6 +19,9 @@ pub(super) struct TileView {
     pub middle: [f32; 2],
     /// Reach of a microlens' light, in voxels.
     pub reach: [f32; 2],
+    /// Reach across a gap of the microlenses beside it, in microlenses: half a microlens, and the
+    /// displacement of the outermost depths.
+    pub beside_gap: [f32; 2],
     pub parallax: [f32; 2],
     /// First microlens of a row, and the rows.
     pub first: i32,
@@ -55,12 +58,16 @@ impl TileView {
         }
         let voxels = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
         let place: [f64; 2] = std::array::from_fn(|n| tile.place[n] + tile.parallax[n] * pupil[n]);
+        // Depths that share a position are displaced from it in this view.
+        let displacement: [f64; 2] = std::array::from_fn(|n| {
+            (tile.to_outermost[n] + tile.parallax_to_outermost[n] * pupil[n]).abs()
+        });
+        let lens_reach: [f64; 2] = std::array::from_fn(|n| support.reach[n] + displacement[n]);
         let half = [tile.bits as f64 / 2.0, tile.lines as f64 / 2.0];
         let [first, last]: [[f64; 2]; 2] = [-1.0, 1.0].map(|sign| {
             std::array::from_fn(|n| {
                 let [by_bit, by_line] = by_voxel[n].map(f64::abs);
-                let wide =
-                    by_bit * half[0] + by_line * half[1] + support.reach[n] + support.phase[n];
+                let wide = by_bit * half[0] + by_line * half[1] + lens_reach[n] + support.phase[n];
                 place[n] + sign * wide
             })
         });
@@ -70,7 +77,7 @@ impl TileView {
         let lenses = view.axes.map(|axis| f64::from(axis.lenses));
         let reach = std::array::from_fn(|n| {
             let [by_x, by_y]: [f64; 2] = voxels[n];
-            (by_x.abs() * support.reach[0] + by_y.abs() * support.reach[1]) as f32
+            (by_x.abs() * lens_reach[0] + by_y.abs() * lens_reach[1]) as f32
         });
         // Bits along which the position does not change: a line has all of them or none.
         let by_bit = |n: usize| by_voxel[n][0].abs().max(1e-6).copysign(by_voxel[n][0]);
@@ -79,6 +86,7 @@ impl TileView {
             voxels: voxels.map(|row| row.map(|voxels| voxels as f32)),
             middle: tile.middle.map(|middle| middle as f32),
             reach,
+            beside_gap: displacement.map(|displacement| (0.5 + displacement) as f32),
             parallax: tile.parallax.map(|parallax| parallax as f32),
             first: first[0].ceil() as i32,
             rows: [first[1].ceil() as i32, last[1].floor() as i32 + 1],
@@ -87,10 +95,10 @@ impl TileView {
             inside: (0..2).all(|n| first[n] >= 0.0 && last[n] <= lenses[n] - 1.0),
             lens_width: support.lens_width as f32,
             gap_least: support.gaps.map(|zone| zone.least as f32),
-            gap_half: support.gaps.map(|zone| zone.half as f32),
+            gap_half: std::array::from_fn(|n| (support.gaps[n].half + displacement[n]) as f32),
             gap_growth: support.gaps.map(|zone| zone.half_per_gap as f32),
             gaps: support.has_gaps(),
-            bit_reach: std::array::from_fn(|n| (support.reach[n] / by_bit(n).abs()) as f32),
+            bit_reach: std::array::from_fn(|n| (lens_reach[n] / by_bit(n).abs()) as f32),
             bits_per_line: std::array::from_fn(|n| (by_voxel[n][1] / by_bit(n)) as f32),
             skewed: (0..2).any(|n| voxels[n][1 - n].abs() > SKEWED * voxels[n][n].abs()),
         })
