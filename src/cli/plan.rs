@@ -6,8 +6,9 @@ mod chart;
 use std::{fmt::Write as _, fs, path::PathBuf};
 
 use anyhow::{Context, bail};
+use indicatif::ProgressBar;
 use lfpiv_core::{
-    measurement::{Conditions, ForecastPlace, forecast},
+    measurement::{Conditions, Forecast, ForecastPlace, bound, forecast},
     velocimetry::correlation_error_vox,
 };
 use lfpiv_sim::Scene;
@@ -51,12 +52,20 @@ pub fn plan(args: &PlanArgs) -> anyhow::Result<()> {
         }
         conditions.ppm = ppm;
     }
-    let places = forecast(&config.measurement(), &conditions)
-        .with_context(|| format!("no forecast is possible for {}", args.config.display()))?;
-    print(&report(&config, &conditions, &places))?;
-    print(&improvements(&config, &conditions, &places))?;
+    let measurement = config.measurement();
+    let impossible = || format!("no forecast is possible for {}", args.config.display());
+    let held = bound(&measurement, &conditions).with_context(impossible)?;
+    let changes = changes::changes(&config, &conditions);
+    let bar = progress_bar(1 + changes.len(), "benches");
+    bar.tick();
+    let measured = forecast(&measurement, &conditions).with_context(impossible)?;
+    bar.inc(1);
+    bar.suspend(|| print(&report(&config, &conditions, &measured, &held)))?;
+    let improvements = improvements(changes, &measured.places, &bar);
+    bar.finish_and_clear();
+    print(&improvements)?;
     if let Some(path) = &args.svg {
-        let drawing = chart_svg(&places, metres_per_second_per_voxel(&config));
+        let drawing = chart_svg(&measured.places, metres_per_second_per_voxel(&config));
         fs::write(path, drawing).with_context(|| format!("cannot write {}", path.display()))?;
         print(&format!("chart written to {}", path.display()))?;
     }
@@ -65,15 +74,17 @@ pub fn plan(args: &PlanArgs) -> anyhow::Result<()> {
 
 /// Seeding and light of a scene, for one exposure of an average camera.
 fn conditions(scene: &Scene) -> Conditions {
-    let gain = scene.sensor.gain_counts_per_electron.max(f64::MIN_POSITIVE);
-    // Quantization adds the noise of a uniform distribution.
-    let step = 1.0 / gain / 12f64.sqrt();
+    let sensor = &scene.sensor;
     Conditions {
         ppm: scene.ppm,
         intensity_spread: scene.intensity_spread,
         photoelectrons: scene.particle_photoelectrons,
-        background_electrons: scene.sensor.background_electrons,
-        read_noise_electrons: scene.sensor.read_noise_electrons.hypot(step),
+        background_electrons: sensor.background_electrons,
+        read_noise_electrons: sensor.read_noise_electrons,
+        counts_per_electron: sensor.gain_counts_per_electron,
+        offset_counts: sensor.offset_counts,
+        saturation_counts: sensor.saturation_counts(),
+        diffraction_nm: scene.diffraction.then_some(scene.wavelength_nm),
     }
 }
 
@@ -81,18 +92,27 @@ fn metres_per_second_per_voxel(config: &Config) -> f64 {
     config.volume.voxel_mm * 1e3 / config.shot.dt_us
 }
 
-/// The uncertainty in slabs along each axis, as text.
-fn report(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) -> String {
+/// The uncertainty in slabs along each axis, as text, from what is `measured` in trials; `held` is the bound.
+fn report(
+    config: &Config,
+    conditions: &Conditions,
+    measured: &Forecast,
+    held: &[ForecastPlace],
+) -> String {
     let speed = metres_per_second_per_voxel(config);
-    let [u, v, w] = medians(places);
+    let Forecast { places, valid_share, pairs } = measured;
+    let ([u, v, w], [x, y, z]) = (root_mean_squares(places), medians(held));
     let mut text = format!(
         "Standard uncertainty of a vector to expect at {} particles per microlens: {u:.4}, {v:.4}, {w:.4} \
-         voxel along x, y, z ({:.4}, {:.4}, {:.4} m/s), the median over the volume. It is a bound from optics, \
-         light and seeding alone: measured errors are 1 to 3 times as large, with slow lenses up to 5 times.\n",
+         voxel along x, y, z ({:.4}, {:.4}, {:.4} m/s), and {:.1} % of the vectors valid: root mean square error in \
+         {pairs} trial pairs in a smooth flow. What the flow does between the vectors comes on top.\n\
+         The bound of any measurement that takes the light of other particles for noise is {x:.4}, {y:.4}, {z:.4} \
+         voxel.\n",
         conditions.ppm,
         u * speed,
         v * speed,
-        w * speed
+        w * speed,
+        100.0 * valid_share,
     );
     if !config.velocimetry.follow_particles {
         let window_vox = config.velocimetry.window_mm / config.volume.voxel_mm;
@@ -116,19 +136,17 @@ fn report(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) ->
 }
 
 /// The changes that would reduce the worst component's uncertainty most, best first.
-fn improvements(config: &Config, conditions: &Conditions, places: &[ForecastPlace]) -> String {
-    let before = medians(places);
+fn improvements(changes: Vec<Change>, places: &[ForecastPlace], bar: &ProgressBar) -> String {
+    let before = root_mean_squares(places);
     let worst = (0..3).max_by(|a, b| before[*a].total_cmp(&before[*b])).unwrap_or(0);
     let mut tried: Vec<(f64, Change)> = Vec::new();
-    let changes = changes::changes(config, conditions);
-    let bar = progress_bar(changes.len(), "benches");
     for change in changes {
+        let after = forecast(&change.measurement, &change.conditions);
         bar.inc(1);
         // Skip benches that cannot be built.
-        let Ok(after) = forecast(&change.measurement, &change.conditions) else { continue };
-        tried.push((medians(&after)[worst] / before[worst], change));
+        let Ok(after) = after else { continue };
+        tried.push((root_mean_squares(&after.places)[worst] / before[worst], change));
     }
-    bar.finish_and_clear();
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
     let name = ["x", "y", "z"][worst];
     let mut text = format!("What would change the uncertainty along {name}, the largest, most:\n");
@@ -146,6 +164,17 @@ fn particles_per_mm3(config: &Config, conditions: &Conditions) -> f64 {
     conditions.ppm / config.optics.object_pitch_mm().powi(2) / depth_mm
 }
 
+/// Root of the mean square of each component; infinite where nothing is measured.
+fn root_mean_squares(places: &[ForecastPlace]) -> [f64; 3] {
+    std::array::from_fn(|component| {
+        let squares = places.iter().map(|place| place.uncertainty_vox[component].powi(2));
+        if places.is_empty() {
+            return f64::INFINITY;
+        }
+        (squares.sum::<f64>() / places.len() as f64).sqrt()
+    })
+}
+
 fn medians(places: &[ForecastPlace]) -> [f64; 3] {
     std::array::from_fn(|component| {
         let mut numbers: Vec<f64> =
@@ -155,7 +184,7 @@ fn medians(places: &[ForecastPlace]) -> [f64; 3] {
     })
 }
 
-/// Medians over the points at each position along an axis.
+/// Root mean squares over the vectors at each position along an axis.
 fn slabs(places: &[ForecastPlace], axis: usize) -> Vec<(f64, [f64; 3])> {
     let mut positions: Vec<f64> = places.iter().map(|place| place.position_mm[axis]).collect();
     positions.sort_by(f64::total_cmp);
@@ -163,7 +192,7 @@ fn slabs(places: &[ForecastPlace], axis: usize) -> Vec<(f64, [f64; 3])> {
     let of = |position: &f64| -> Vec<ForecastPlace> {
         places.iter().filter(|place| place.position_mm[axis] == *position).copied().collect()
     };
-    positions.iter().map(|position| (*position, medians(&of(position)))).collect()
+    positions.iter().map(|position| (*position, root_mean_squares(&of(position)))).collect()
 }
 
 #[cfg(test)]
@@ -179,16 +208,23 @@ mod tests {
     fn a_plan_lists_slabs_and_improvements() {
         let mut config = shipped("sim");
         config.camera.truncate(1);
+        config.volume.voxels = [36, 32, 32];
         let conditions = conditions(config.simulation.as_ref().unwrap());
-        let places = forecast(&config.measurement(), &conditions).unwrap();
-        let report = report(&config, &conditions, &places);
-        assert!(report.contains("z (mm)") && report.lines().count() > 20, "{report}");
+        let held = bound(&config.measurement(), &conditions).unwrap();
+        let measured = forecast(&config.measurement(), &conditions).unwrap();
+        let places = &measured.places;
+        let report = report(&config, &conditions, &measured, &held);
+        assert!(report.contains("z (mm)") && report.lines().count() > 15, "{report}");
         // One camera does not resolve depth, so a second one helps most.
-        let improvements = improvements(&config, &conditions, &places);
+        let bar = ProgressBar::hidden();
+        let mut changes = changes::changes(&config, &conditions);
+        changes
+            .retain(|change| ["second camera", "seeding"].iter().any(|w| change.words.contains(w)));
+        let improvements = improvements(changes, places, &bar);
         assert!(improvements.contains("along z, the largest"), "{improvements}");
         let best = improvements.lines().nth(1).unwrap();
         assert!(best.contains("second camera"), "{improvements}");
-        let drawing = chart_svg(&places, 1.0);
+        let drawing = chart_svg(places, 1.0);
         assert!(drawing.starts_with("<svg") && !drawing.contains("NaN"), "{drawing}");
     }
 }

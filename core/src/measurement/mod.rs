@@ -11,6 +11,6 @@ mod plan;
 mod processor;
 mod scene;
 
-pub use forecast::{Conditions, ForecastPlace, forecast};
+pub use forecast::{Conditions, Forecast, ForecastError, ForecastPlace, bound, forecast};
 pub use plan::Plan;
 pub use processor::{Measurement, ProcessError, Processor, SetupError};

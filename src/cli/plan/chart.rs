@@ -22,8 +22,8 @@ pub(super) fn chart_svg(places: &[ForecastPlace], speed: f64) -> String {
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
          font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" \
-         fill=\"white\"/>\n<text x=\"{MARGIN}\" y=\"20\">Expected standard uncertainty, m/s: median over \
-         planes across x, y, z</text>\n"
+         fill=\"white\"/>\n<text x=\"{MARGIN}\" y=\"20\">Expected standard uncertainty, m/s: root mean square \
+         over planes across x, y, z</text>\n"
     );
     for (axis, slabs) in all.iter().enumerate() {
         let left = MARGIN + axis as f64 * (WIDTH + MARGIN);

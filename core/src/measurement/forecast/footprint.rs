@@ -96,10 +96,10 @@ impl<'a> Cameras<'a> {
         let mean = per_pixel * light * self.in_view;
         let brightness = 1.0 + conditions.intensity_spread.powi(2) / 3.0;
         let others = per_pixel * squares * self.in_view.powi(2) * brightness;
-        Ok(mean
-            + others
-            + conditions.background_electrons
-            + conditions.read_noise_electrons.powi(2))
+        // Rounding adds the noise of a uniform distribution.
+        let rounding = (12.0 * conditions.counts_per_electron.powi(2)).recip();
+        let sensor = conditions.background_electrons + conditions.read_noise_electrons.powi(2);
+        Ok(mean + others + sensor + rounding)
     }
 
     /// Fisher's information on the position of a particle at `place_mm`, in 1/mm², whatever its brightness.

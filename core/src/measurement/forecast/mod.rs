@@ -1,28 +1,39 @@
 //! What a bench can be expected to measure, before it is built: the uncertainty of vectors over the volume, from
 //! optics, light and seeding alone (docs/theory.md, section 10).
 //!
-//! A particle is known as exactly as its image changes when it moves: the bound of Cramér and Rao, from the
-//! derivatives of its footprint in each camera. Noise is that of the sensor and of the light, and the light of
-//! the other particles, which lies over it everywhere: a solver that told them apart perfectly would do better.
-//! A vector has what the particles of its part of the lattice know together.
+//! Two answers, neither of which has a constant that was fitted:
+//!
+//! - what the images *hold* ([`bound`]): a particle is known as exactly as its image changes when it moves (Cramér
+//!   and Rao);
+//! - what is *measured* ([`forecast`]): random particles in a `flow` are imaged (`exposure`) and measured as a real
+//!   pair would be (`trial`), and the errors of the vectors are collected (propagation of distributions by Monte
+//!   Carlo, JCGM 101). The reconstruction is no efficient estimator: it divides light between particles that lie over
+//!   each other, is stopped early, and has voxels. What that costs no formula tells.
 
+mod bound;
+mod exposure;
+mod flow;
 mod footprint;
+mod trial;
 
-use nalgebra::{Matrix3, Vector3};
-use rand::{RngExt, SeedableRng};
+use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
-use rayon::prelude::*;
+use thiserror::Error;
 
-use self::footprint::Cameras;
-use super::Measurement;
-use crate::model::ModelError;
+use self::trial::Bench;
+use super::{Measurement, ProcessError, SetupError};
+use crate::{model::ModelError, velocimetry::VectorGrid};
+pub use bound::bound;
 
-/// Places along each axis at which the uncertainty is found.
-const PLACES: usize = 7;
-/// Particles in each place's part of the lattice.
-const PARTICLES: usize = 12;
 /// The same numbers every time: a forecast does not scatter.
 const SEED: u64 = 1;
+
+/// Vectors whose errors are collected, at least: in each of five slabs a root mean square is then known to a tenth,
+/// where an eighth of half-overlapping windows are independent.
+const VECTORS: usize = 2000;
+
+/// Most pairs for it.
+const MOST_PAIRS: usize = 12;
 
 /// What is in front of the cameras.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,8 +48,16 @@ pub struct Conditions {
     pub photoelectrons: f64,
     /// Photo-electrons of stationary light in a pixel.
     pub background_electrons: f64,
-    /// Standard deviation of a pixel's read-out, in electrons.
+    /// Standard deviation of a pixel's read-out, in electrons, without that of rounding.
     pub read_noise_electrons: f64,
+    /// Counts per photo-electron.
+    pub counts_per_electron: f64,
+    /// Black level, in counts.
+    pub offset_counts: f64,
+    /// Largest count.
+    pub saturation_counts: u16,
+    /// Wavelength of the light, in nm, where diffraction is to be counted.
+    pub diffraction_nm: Option<f64>,
 }
 
 /// The uncertainty to expect at a place.
@@ -46,72 +65,82 @@ pub struct Conditions {
 pub struct ForecastPlace {
     /// Where, in mm.
     pub position_mm: [f64; 3],
-    /// Standard uncertainty of the displacement along x, y, z, in voxels; infinite where no camera sees it.
+    /// Standard uncertainty of the displacement along x, y, z, in voxels; infinite where nothing is measured.
     pub uncertainty_vox: [f64; 3],
 }
 
-/// Forecasts the uncertainty of vectors at places all over the volume, faces included.
+/// What trials of a bench gave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forecast {
+    /// Every vector of the lattice that was valid in a pair, or more: the root of its mean square errors.
+    pub places: Vec<ForecastPlace>,
+    /// Share of the vectors that were valid, 0 to 1.
+    pub valid_share: f64,
+    /// Pairs that were imaged and measured.
+    pub pairs: usize,
+}
+
+/// Why there is no forecast.
+#[derive(Debug, Error)]
+pub enum ForecastError {
+    /// The cameras do not see the volume.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// A pair that cannot be measured.
+    #[error(transparent)]
+    Process(#[from] ProcessError),
+}
+
+impl From<ModelError> for ForecastError {
+    fn from(error: ModelError) -> Self {
+        Self::Setup(error.into())
+    }
+}
+
+/// Forecasts the error of vectors all over the volume by trials in a flow that windows can follow.
 ///
-/// That of the flow between the vectors, of outliers and of a bench that is not as drawn comes on top. Fields
-/// without particle tracking are those of correlation, whose windows cost more
-/// ([`correlation_error_vox`](crate::velocimetry::correlation_error_vox)).
+/// What a rougher flow does between the vectors and a bench that is not as drawn come on top; where all particles move
+/// alike, the error is half as large.
 ///
 /// # Errors
 /// A camera does not see the volume, or it reaches too deep for the lens.
 pub fn forecast(
     measurement: &Measurement,
     conditions: &Conditions,
-) -> Result<Vec<ForecastPlace>, ModelError> {
-    let Measurement { optics, volume, velocimetry, .. } = measurement;
-    let size_mm = volume.voxels.map(|voxels| voxels as f64 * volume.voxel_mm);
-    let face = size_mm[0] * size_mm[1] / optics.object_pitch_mm().powi(2);
-    let per_mm3 = conditions.ppm * face / size_mm.iter().product::<f64>();
-    let cameras = Cameras::new(measurement, conditions, per_mm3)?;
-    let imagers = cameras.imagers()?;
-    let spacing_mm = velocimetry.window_mm * (1.0 - velocimetry.overlap);
-    let in_cell = per_mm3 * spacing_mm.powi(3);
-    let half_mm = size_mm.map(|size| size / 2.0);
-    let at = |index: usize| -> [f64; 3] {
-        let step = [index % PLACES, index / PLACES % PLACES, index / PLACES.pow(2)];
-        std::array::from_fn(|axis| {
-            let share = 2.0 * step[axis] as f64 / (PLACES - 1) as f64 - 1.0;
-            // The outermost vectors are on the faces, or nearly so.
-            volume.centre_mm[axis] + share * (half_mm[axis] - spacing_mm / 4.0).max(0.0)
-        })
-    };
-    let place = |index: usize| {
-        let position_mm = at(index);
-        let mut random = generator(index as u64 + (1 << 16));
-        let mut information = Matrix3::zeros();
-        for _ in 0..PARTICLES {
-            let particle: [f64; 3] = std::array::from_fn(|axis| {
-                position_mm[axis] + spacing_mm * (random.random::<f64>() - 0.5)
-            });
-            let inside =
-                (0..3).all(|axis| (particle[axis] - volume.centre_mm[axis]).abs() <= half_mm[axis]);
-            // Beyond the faces there is no light.
-            if inside {
-                information += cameras.information(&imagers, &Vector3::from(particle));
-            }
-        }
-        let uncertainty_mm = uncertainty_mm(&(information * (in_cell / PARTICLES as f64)));
-        ForecastPlace {
-            position_mm,
-            uncertainty_vox: uncertainty_mm.map(|mm| mm / volume.voxel_mm),
-        }
-    };
-    Ok((0..PLACES.pow(3)).into_par_iter().map(place).collect())
+) -> Result<Forecast, ForecastError> {
+    let bench = Bench::new(measurement, conditions)?;
+    let vectors = bench.vector_grid().len().max(1);
+    after_pairs(&bench, VECTORS.div_ceil(vectors).clamp(1, MOST_PAIRS))
 }
 
-/// Of the difference of two positions that are known so well.
-fn uncertainty_mm(information: &Matrix3<f64>) -> [f64; 3] {
-    match information.try_inverse() {
-        Some(covariance) => std::array::from_fn(|axis| {
-            let variance = covariance[(axis, axis)];
-            if variance > 0.0 { (2.0 * variance).sqrt() } else { f64::INFINITY }
-        }),
-        None => [f64::INFINITY; 3],
+/// The forecast from so many pairs.
+fn after_pairs(bench: &Bench<'_>, pairs: usize) -> Result<Forecast, ForecastError> {
+    let grid = bench.vector_grid();
+    let mut sums = vec![([0.0; 3], 0usize); grid.len()];
+    let mut in_flow = 0;
+    for pair in 0..pairs {
+        let errors = bench.errors_vox(pair as u64)?;
+        in_flow += errors.in_flow;
+        for (n, error) in errors.valid {
+            let (squares, count) = &mut sums[n];
+            (0..3).for_each(|c| squares[c] += error[c] * error[c]);
+            *count += 1;
+        }
     }
+    let valid: usize = sums.iter().map(|(_, count)| count).sum();
+    let valid_share = valid as f64 / in_flow.max(1) as f64;
+    Ok(Forecast { places: places(&grid, &sums), valid_share, pairs })
+}
+
+/// The vectors that have errors: their sums of squares along x, y, z, and how many.
+fn places(grid: &VectorGrid, sums: &[([f64; 3], usize)]) -> Vec<ForecastPlace> {
+    let measured = sums.iter().enumerate().filter(|(_, (_, count))| *count > 0);
+    measured
+        .map(|(n, (squares, count))| ForecastPlace {
+            position_mm: grid.position_mm(n),
+            uncertainty_vox: squares.map(|square| (square / *count as f64).sqrt()),
+        })
+        .collect()
 }
 
 /// A seeded generator, so that a forecast is the same every time.

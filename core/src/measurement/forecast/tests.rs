@@ -1,7 +1,10 @@
 use lfpiv_hw::Pose;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
-use super::*;
+use super::{
+    bound::{PLACES, uncertainty_mm},
+    *,
+};
 use crate::{
     lightfield::ImageSettings,
     model::{ModelSettings, VolumeGrid},
@@ -32,6 +35,10 @@ const CONDITIONS: Conditions = Conditions {
     photoelectrons: 100_000.0,
     background_electrons: 10.0,
     read_noise_electrons: 5.0,
+    counts_per_electron: 1.0,
+    offset_counts: 64.0,
+    saturation_counts: 4095,
+    diffraction_nm: None,
 };
 
 fn median(places: &[ForecastPlace], component: usize) -> f64 {
@@ -42,8 +49,8 @@ fn median(places: &[ForecastPlace], component: usize) -> f64 {
 
 #[test]
 fn one_camera_knows_depth_badly_and_two_know_all_three() {
-    let both = forecast(&bench(test_bench::poses()), &CONDITIONS).unwrap();
-    let one = forecast(&bench(test_bench::poses()[..1].to_vec()), &CONDITIONS).unwrap();
+    let both = bound(&bench(test_bench::poses()), &CONDITIONS).unwrap();
+    let one = bound(&bench(test_bench::poses()[..1].to_vec()), &CONDITIONS).unwrap();
     assert_eq!(both.len(), PLACES.pow(3));
     for component in 0..3 {
         assert!(median(&both, component) < median(&one, component));
@@ -55,7 +62,7 @@ fn one_camera_knows_depth_badly_and_two_know_all_three() {
 #[test]
 fn less_light_and_fewer_particles_cost_accuracy() {
     let of =
-        |seeding: &Conditions| median(&forecast(&bench(test_bench::poses()), seeding).unwrap(), 0);
+        |seeding: &Conditions| median(&bound(&bench(test_bench::poses()), seeding).unwrap(), 0);
     let dim = Conditions { photoelectrons: 500.0, ..CONDITIONS };
     assert!(of(&dim) > 3.0 * of(&CONDITIONS), "{} {}", of(&dim), of(&CONDITIONS));
     // Where particles lie over each other more of them do not help: each is known worse.
@@ -66,7 +73,7 @@ fn less_light_and_fewer_particles_cost_accuracy() {
 
 #[test]
 fn places_at_the_faces_are_worse_than_inside() {
-    let places = forecast(&bench(test_bench::poses()), &CONDITIONS).unwrap();
+    let places = bound(&bench(test_bench::poses()), &CONDITIONS).unwrap();
     let mean = |is_edge: bool| {
         let chosen: Vec<f64> = places
             .iter()
@@ -83,8 +90,54 @@ fn places_at_the_faces_are_worse_than_inside() {
 fn a_volume_out_of_view_is_refused() {
     let mut far = bench(test_bench::poses());
     far.volume.centre_mm = [100.0, 0.0, 0.0];
-    assert!(forecast(&far, &CONDITIONS).is_err());
+    assert!(bound(&far, &CONDITIONS).is_err());
     assert_eq!(uncertainty_mm(&Matrix3::zeros()), [f64::INFINITY; 3]);
     let known = Matrix3::from_diagonal(&Vector3::new(4.0, 1.0, 0.25));
     assert_eq!(uncertainty_mm(&known), [0.5, 1.0, 2.0].map(|v: f64| v * 2f64.sqrt()));
+}
+
+/// A bench whose pairs are quick to image and to measure.
+fn small() -> Measurement {
+    let volume = VolumeGrid { voxels: [40, 32, 40], ..bench(Vec::new()).volume };
+    Measurement { volume, ..bench(test_bench::poses()) }
+}
+
+fn root_mean_square(forecast: &Forecast, component: usize) -> f64 {
+    let squares = forecast.places.iter().map(|place| place.uncertainty_vox[component].powi(2));
+    (squares.sum::<f64>() / forecast.places.len() as f64).sqrt()
+}
+
+/// The forecast of the small bench from two pairs.
+fn of_two_pairs(conditions: &Conditions) -> Forecast {
+    after_pairs(&Bench::new(&small(), conditions).unwrap(), 2).unwrap()
+}
+
+#[test]
+fn trials_are_worse_than_the_bound_and_the_same_every_time() {
+    let trials = of_two_pairs(&CONDITIONS);
+    assert_eq!(trials, of_two_pairs(&CONDITIONS));
+    assert!(trials.valid_share > 0.9 && trials.pairs == 2, "{trials:?}");
+    let held = bound(&small(), &CONDITIONS).unwrap();
+    for component in 0..3 {
+        let (expected, least) = (root_mean_square(&trials, component), median(&held, component));
+        assert!(expected > least && expected < 0.1, "{expected} {least}");
+    }
+    let dim = Conditions { photoelectrons: 3000.0, counts_per_electron: 4.0, ..CONDITIONS };
+    let dim = of_two_pairs(&dim);
+    assert!(root_mean_square(&dim, 0) > 1.2 * root_mean_square(&trials, 0));
+}
+
+/// What is lit in a pixel, summed over the image, is the light of its particles.
+#[test]
+fn exposures_have_the_light_of_their_sources() {
+    let (bench, dark) = (small(), Conditions { read_noise_electrons: 0.0, ..CONDITIONS });
+    let exposures = exposure::Exposures::new(&bench, &dark).unwrap();
+    let sum = |sources: &[exposure::Source]| -> f64 {
+        let image = exposures.image(1, sources, 7);
+        image.counts().iter().map(|&count| f64::from(count)).sum()
+    };
+    let source = |x: f64, brightness: f64| exposure::Source { at_mm: [x, 0.4, -0.7], brightness };
+    let light = sum(&[source(0.3, 1.0), source(-0.9, 0.5)]) - sum(&[]);
+    // Both images have the same stationary light and, where there is no particle, the same noise.
+    assert!((light / (1.5 * dark.photoelectrons) - 1.0).abs() < 0.02, "{light}");
 }
