@@ -1,6 +1,12 @@
 //! The coordinator's state: it hands records out and takes results in.
 
-use std::{collections::BTreeMap, sync::Arc, time::Instant};
+mod view;
+
+use std::{
+    collections::BTreeMap,
+    sync::Arc,
+    time::{Duration, Instant},
+};
 
 use lfpiv_core::{model::ModelChoice, velocimetry::VectorGrid};
 use lfpiv_rawlog::Position;
@@ -9,8 +15,8 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::{Notify, watch};
 
 use super::{
-    Assignment, Attempt, ClusterError, Delivery, DeliveryLog, Report, ShotState, ShotsView, Tally,
-    Verdict, WorkerView, crew::Crew, expected::Expected,
+    Assignment, Attempt, ClusterError, Delivery, DeliveryLog, Report, ShotState, Tally, Verdict,
+    crew::Crew, expected::Expected,
 };
 use crate::{
     acquisition::journal::{RecordedRun, RecordedRunError, RecordedShot},
@@ -34,6 +40,8 @@ pub struct CoordinatorSetup {
     /// What earlier coordinators have logged is in the tally already.
     pub tally: Tally,
     pub log: DeliveryLog,
+    /// A worker without a heartbeat for so long is lost.
+    pub heartbeat_timeout: Duration,
     /// Where first results go, to the one who writes them.
     pub sink: ResultTaker,
 }
@@ -75,7 +83,17 @@ struct State {
 impl Coordinator {
     /// Ready for requests.
     pub fn open(setup: CoordinatorSetup) -> Self {
-        let CoordinatorSetup { run, shots, assignment, model, grid, tally, log, sink } = setup;
+        let CoordinatorSetup {
+            run,
+            shots,
+            assignment,
+            model,
+            grid,
+            tally,
+            log,
+            heartbeat_timeout,
+            sink,
+        } = setup;
         let (left, _) = watch::channel(tally.open().len());
         Self {
             run,
@@ -90,7 +108,7 @@ impl Coordinator {
                 tally,
                 log: Some(log),
                 sink: Some(Arc::new(sink)),
-                crew: Crew::default(),
+                crew: Crew::new(heartbeat_timeout),
                 refused: 0,
                 failure: None,
             }),
@@ -139,9 +157,7 @@ impl Coordinator {
         let report = Report::Begun { attempt, worker: worker.to_owned() };
         let mut state = self.state.lock();
         state.log()?;
-        if state.crew.see(worker, Instant::now()) {
-            tracing::info!("{worker} has joined");
-        }
+        state.see(worker, Instant::now());
         if state.tally.state(shot) != Some(ShotState::Open) {
             return Ok(Begin::Settled);
         }
@@ -177,7 +193,7 @@ impl Coordinator {
             }
         };
         let mut state = self.state.lock();
-        state.crew.see(worker, Instant::now());
+        state.see(worker, Instant::now());
         state.crew.end(worker, shot);
         self.note(&mut state, shot, &report).map(|_| ())
     }
@@ -203,7 +219,7 @@ impl Coordinator {
         let mut state = self.state.lock();
         let (now, worker) = (Instant::now(), &delivery.worker);
         let verdict = state.tally.take(shot, &report);
-        state.crew.see(worker, now);
+        state.see(worker, now);
         state.crew.end(worker, shot);
         if verdict == Verdict::First {
             state.crew.count(worker, now);
@@ -311,25 +327,6 @@ impl Coordinator {
         self.left.subscribe()
     }
 
-    /// Number of workers that have begun a shot.
-    pub fn workers(&self) -> usize {
-        self.state.lock().crew.len()
-    }
-
-    /// Workers as they are at `now`, and what has become of the shots.
-    pub fn progress(&self, now: Instant) -> (Vec<WorkerView>, ShotsView) {
-        let state = self.state.lock();
-        let shots = ShotsView {
-            backlog: state.tally.open().len() as u64,
-            in_hand: state.crew.in_hand() as u64,
-            given_up: state.tally.dead().len() as u64,
-            attempts: state.tally.attempts() as u64,
-            lost_workers: state.tally.lost() as u64,
-            refused_results: state.refused as u64,
-        };
-        (state.crew.view(now), shots)
-    }
-
     /// Takes nothing in any more. The tally, the number of refused results, and the log.
     pub fn close(&self) -> (Tally, usize, Option<DeliveryLog>) {
         let mut state = self.state.lock();
@@ -339,6 +336,12 @@ impl Coordinator {
 }
 
 impl State {
+    fn see(&mut self, worker: &str, now: Instant) {
+        if self.crew.see(worker, now) {
+            tracing::info!("{worker} has joined");
+        }
+    }
+
     fn log(&self) -> Result<&DeliveryLog, ClusterError> {
         match (&self.failure, &self.log) {
             (None, Some(log)) => Ok(log),

@@ -1,38 +1,18 @@
 //! A worker that does not do as it should: the coordinator's side of the rules.
 
-use std::time::Duration;
-
 use lfpiv::{
     acquisition::journal::RecordedRun,
     archive::{RawLevel, ShotResult},
-    cluster::{
-        Attempt, Begin, Broker, ClientError, CoordinatorClient, Delivery, Job, JobQueue, Tokens,
-        Verdict,
-    },
+    cluster::{Attempt, Begin, ClientError, CoordinatorClient, Delivery, Job, Tokens, Verdict},
     config::Config,
 };
 use lfpiv_core::measurement::Processor;
 
 use crate::{
-    broker::Nats,
+    broker::{Nats, first_job},
     processes::{coordinator, wait_until, worker},
     recorded::{assert_same, copied, recorded_otherwise},
 };
-
-/// The first job that the broker has.
-async fn first_job(url: &str) -> Job {
-    let broker = Broker { url: url.to_owned(), ..Broker::default() };
-    let queue = JobQueue::connect(&broker, "by hand", "").await.expect("an address");
-    loop {
-        match queue.take().await {
-            Ok(Some(taken)) => {
-                taken.give_back(Duration::ZERO).await.expect("a broker");
-                return taken.job;
-            }
-            _ => tokio::time::sleep(Duration::from_millis(10)).await,
-        }
-    }
-}
 
 /// What a worker makes of the job.
 fn measured(job: &Job, client: &CoordinatorClient) -> Delivery {
@@ -67,8 +47,7 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     assert!(crate::bench::lfpiv(&["process", at_once.to_str().expect("UTF-8")]).status.success());
     let nats = Nats::start(root.path());
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
-    let runtime = tokio::runtime::Runtime::new().expect("a runtime");
-    let job = runtime.block_on(first_job(&nats.url()));
+    let job = first_job(&nats.url());
     let client = CoordinatorClient::new(&job.address, &job.tokens);
     let shot = job.shot.number;
 
@@ -158,8 +137,7 @@ fn a_shot_that_nobody_can_measure_is_given_up_with_reasons() {
     let run = recorded_otherwise(&root.path().join("bench"), ("seed = 1", "seed = 5"), 5);
     let nats = Nats::start(root.path());
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
-    let runtime = tokio::runtime::Runtime::new().expect("a runtime");
-    let job = runtime.block_on(first_job(&nats.url()));
+    let job = first_job(&nats.url());
     let client = CoordinatorClient::new(&job.address, &job.tokens);
     let shots: Vec<u64> =
         RecordedRun::open(&run).expect("a run").index().shots.into_keys().collect();

@@ -86,6 +86,7 @@ impl Distribution<'_> {
             grid: result.measured.field.grid.clone(),
             tally,
             log,
+            heartbeat_timeout: self.heartbeat_timeout,
             sink: Box::new(move |shot, result| sink.send((shot, result)).is_ok()),
         };
         let first_issue = setup.tally.last_issue() + 1;
@@ -129,7 +130,7 @@ impl Distribution<'_> {
         let meanwhile = "no worker gets a shot until it is there";
         let queue = JobQueue::connect(&self.broker, "lfpiv process", meanwhile).await?;
         at.warn(&queue);
-        let progress = Arc::new(ClusterProgress::new(queue.clone()));
+        let progress = Arc::new(ClusterProgress::new(queue.clone(), self.heartbeat_timeout));
         progress.follow(coordinator.clone());
         let closing = CancellationToken::new();
         let shown = self

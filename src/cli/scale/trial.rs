@@ -155,6 +155,7 @@ impl Rig {
             model,
             grid: result.measured.field.grid.clone(),
             log,
+            heartbeat_timeout: HEARTBEAT_TIMEOUT,
             sink: Box::new(|_, _| true),
         })))
     }

@@ -51,6 +51,8 @@ await withBrowser(async (browser) => {
   await until(firstShot, (text) => Number(text) > before + 2, "more shots");
   await until(() => page.locator(".lamp.camera strong").allTextContents(), (words) => words.join() === "delivers,delivers", "both cameras");
 
+  assert.ok(!(await page.locator(".workers").isVisible()), "this run has no workers on other machines");
+
   step("vectors are drawn, and turn");
   await look(page, "velocity");
   const space = page.locator("canvas.space");
