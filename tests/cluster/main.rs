@@ -5,6 +5,7 @@
 mod bench;
 mod broker;
 mod by_hand;
+mod dying;
 #[cfg(target_arch = "x86_64")]
 mod instructions;
 mod killed;
