@@ -3,6 +3,7 @@
 mod view;
 
 use std::{
+    borrow::Cow,
     collections::BTreeMap,
     sync::Arc,
     time::{Duration, Instant},
@@ -42,6 +43,8 @@ pub struct CoordinatorSetup {
     pub log: DeliveryLog,
     /// A worker without a heartbeat for so long is lost.
     pub heartbeat_timeout: Duration,
+    /// Voxels along x, y, z, where the projections of the light are wanted, to look at.
+    pub light: Option<[usize; 3]>,
     /// Where first results go, to the one who writes them.
     pub sink: ResultTaker,
 }
@@ -92,6 +95,7 @@ impl Coordinator {
             tally,
             log,
             heartbeat_timeout,
+            light,
             sink,
         } = setup;
         let (left, _) = watch::channel(tally.open().len());
@@ -101,6 +105,7 @@ impl Coordinator {
                 model,
                 model_sha256: assignment.reference.model_sha256.clone(),
                 grid,
+                light,
             },
             assignment,
             state: Mutex::new(State {
@@ -211,10 +216,12 @@ impl Coordinator {
     /// [`ClusterError::Refused`]: it is damaged or not one of this run. The log, or the one who writes results,
     /// has failed.
     pub fn deliver(&self, bytes: &[u8]) -> Result<Verdict, ClusterError> {
-        let delivery = self.checked(bytes).inspect_err(|error| {
+        let mut delivery = self.checked(bytes).inspect_err(|error| {
             self.state.lock().refused += 1;
             tracing::error!("{error}");
         })?;
+        let light = delivery.take_light();
+        let logged = if light.is_some() { Cow::from(delivery.encode()) } else { bytes.into() };
         let (shot, report) = (delivery.shot, delivery.report());
         let mut state = self.state.lock();
         let (now, worker) = (Instant::now(), &delivery.worker);
@@ -226,7 +233,7 @@ impl Coordinator {
         }
         let logged = match (verdict, state.log()?) {
             (Verdict::Unknown, _) => return Err(not_wanted(shot)),
-            (Verdict::First, log) => log.deliver(bytes),
+            (Verdict::First, log) => log.deliver(&logged),
             (_, log) => log.report(shot, &report),
         };
         logged.inspect_err(|error| self.note_failure(&mut state, error))?;
@@ -240,6 +247,7 @@ impl Coordinator {
                 delivery.worker
             );
         }
+        delivery.result.measured.light = light;
         let handed_on = |sink: Arc<ResultTaker>| sink(shot, delivery.result);
         if verdict == Verdict::First && !sink.is_some_and(handed_on) {
             let error = ClusterError::Broken("results cannot be stored".into());

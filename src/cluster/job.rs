@@ -132,6 +132,8 @@ pub struct Assignment {
     pub configuration: String,
     /// The shot that a worker must measure alike.
     pub reference: Reference,
+    /// Whether results are to have the projections of their light, to look at.
+    pub wants_light: bool,
 }
 
 /// A shot that the coordinator has measured itself. It decides the forward model, and its result shows whether a

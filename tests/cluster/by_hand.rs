@@ -6,7 +6,10 @@ use lfpiv::{
     cluster::{Attempt, Begin, ClientError, CoordinatorClient, Delivery, Job, Tokens, Verdict},
     config::Config,
 };
-use lfpiv_core::measurement::Processor;
+use lfpiv_core::{
+    measurement::Processor,
+    reconstruction::{FrameLight, MaximumProjection},
+};
 
 use crate::{
     broker::{Nats, first_job},
@@ -37,6 +40,12 @@ fn measured(job: &Job, client: &CoordinatorClient) -> Delivery {
         model_sha256: job.model_sha256.clone(),
         result: result.expect("two shots"),
     }
+}
+
+/// Light that nobody has asked for.
+fn dark() -> FrameLight {
+    let plane = || MaximumProjection { size: [8, 8], intensity: vec![0.0; 64] };
+    FrameLight { volume: None, projections: [plane(), plane(), plane()] }
 }
 
 #[test]
@@ -101,6 +110,8 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     refused(&with(&|of| of.model_sha256.push('0')), "another forward model");
     refused(&with(&|of| of.result.measured.field.dt_s *= 2.0), "times");
     refused(&with(&|of| of.result.measured.field.grid.first_mm[0] += 1.0), "elsewhere");
+    let light = |of: &mut Delivery| of.result.measured.light = Some([dark(), dark()]);
+    refused(&with(&light), "its light is not that of the run's volume");
 
     // Delivered twice, by two workers, and once otherwise.
     assert_eq!(client.deliver(&right.encode()).expect("taken"), Verdict::First);
@@ -127,7 +138,7 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     let makers = format!("shot {shot}: by hand (");
     assert!(ended.stderr.contains(&makers) && ended.stderr.contains("otherwise ("), "{ended:?}");
     assert!(ended.stdout.contains("real: 4 shots"), "{ended:?}");
-    assert!(ended.stdout.contains("8 results refused"), "{ended:?}");
+    assert!(ended.stdout.contains("9 results refused"), "{ended:?}");
     assert_same(&at_once, &run);
 }
 

@@ -10,6 +10,7 @@ mod dying;
 mod instructions;
 mod killed;
 mod live;
+mod live_light;
 mod processes;
 mod proxy;
 mod recorded;

@@ -101,7 +101,8 @@ impl Publisher {
         let (backlog, inbox) = (self.backlog.clone(), self.inbox.clone());
         let opened = blocking(move || {
             let run = RecordedRun::open(&folder)?;
-            let assignment = assignment(&run, &config, (&shot, &result))?;
+            let assignment = assignment(&run, &config, (&shot, &result), true)?;
+            let light = Some(config.volume.grid().voxels);
             let model = result.measured.model.clone();
             let (log, _) = DeliveryLog::open(&folder, &assignment, &model)?;
             let grid = result.measured.field.grid.clone();
@@ -120,6 +121,7 @@ impl Publisher {
                 tally,
                 log,
                 heartbeat_timeout,
+                light,
                 sink,
             };
             Ok(Arc::new(Coordinator::open(setup)))

@@ -74,7 +74,7 @@ impl Distribution<'_> {
     ) -> anyhow::Result<Outcome> {
         let (shot, result) = &self.reference;
         let model = result.measured.model.clone();
-        let assignment = assignment(self.recorded, self.config, (shot, result))?;
+        let assignment = assignment(self.recorded, self.config, (shot, result), false)?;
         let (log, logged) = DeliveryLog::open(self.folder, &assignment, &model)?;
         let (sink, writer) = ResultWriter::start(store).context("cannot start a thread")?;
         let tally = taken_up(&shots, logged, &sink)?;
@@ -87,6 +87,7 @@ impl Distribution<'_> {
             tally,
             log,
             heartbeat_timeout: self.heartbeat_timeout,
+            light: None,
             sink: Box::new(move |shot, result| sink.send((shot, result)).is_ok()),
         };
         let first_issue = setup.tally.last_issue() + 1;
