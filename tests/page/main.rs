@@ -21,6 +21,7 @@ mod placed;
 mod processes;
 mod script;
 mod served;
+mod statistics;
 mod workers;
 
 use std::{path::PathBuf, sync::Mutex};

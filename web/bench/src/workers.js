@@ -25,7 +25,7 @@ export function workersPanel(run) {
     refused: reading("Results refused", { title: "damaged, or not of this run" }),
   };
   const words = h("p", { class: "advice" });
-  const list = table("Workers");
+  const list = table("What each has done for this run");
   const more = h("p", { class: "hint" });
   const dead = table("Shots that were given up");
   const course = new Plot({
@@ -34,10 +34,8 @@ export function workersPanel(run) {
   });
   const element = panel("Workers",
     h("dl", { class: "readings" }, ...Object.values(readings).map((one) => one.element)),
-    words,
-    h("div", { class: "two" },
-      h("div", {}, list.element, more, dead.element),
-      h("div", {}, course.element)));
+    words, list.element, more,
+    h("div", { class: "two" }, dead.element, course.element));
   element.classList.add("workers");
   element.hidden = true;
 
@@ -62,7 +60,7 @@ export function workersPanel(run) {
       setAttribute(words, "data-tone", tone);
       showWorkers(workers);
       dead.element.hidden = cluster.given_up.length === 0;
-      dead.show(["Shot", "why"], cluster.given_up.map(({ shot, reasons }) => [String(shot), reasons.join("; ")]),
+      dead.show(["Shot", "why"], cluster.given_up.map(({ shot, reasons }) => [String(shot), counted(reasons)]),
         cluster.given_up.length < shots.given_up ? `The first ${cluster.given_up.length} of ${count(shots.given_up)} shots that were given up` : "");
       const now = run.backlog.at(-1)?.at ?? 0;
       course.show([
@@ -94,6 +92,13 @@ export function workersPanel(run) {
   }
 }
 
+/** Reasons in words, each once. */
+function counted(reasons) {
+  const times = new Map();
+  for (const reason of reasons) times.set(reason, (times.get(reason) ?? 0) + 1);
+  return [...times].map(([reason, n]) => (n > 1 ? `${reason} (${n} times)` : reason)).join("; ");
+}
+
 /** What is to be known of all of it: [tone, text]. */
 function situation({ broker, connected, heartbeat_timeout_s: silence, shots, workers }) {
   if (!connected) {
@@ -108,5 +113,5 @@ function situation({ broker, connected, heartbeat_timeout_s: silence, shots, wor
   }
   const lost = at("lost");
   const gone = lost > 0 ? ` ${count(lost)} ${lost === 1 ? "was" : "were"} not heard of for more than ${duration(silence)}: what ${lost === 1 ? "it" : "they"} had in hand goes to others.` : "";
-  return [null, `${count(at("measuring"))} of ${count(there)} workers measure. The broker at ${broker} answers.${gone}`];
+  return [null, `Measuring: ${count(at("measuring"))} of ${count(there)}. The broker at ${broker} answers.${gone}`];
 }
