@@ -75,17 +75,17 @@ export function workersPanel(run) {
     const order = Object.keys(STATES);
     const sorted = [...workers].sort((a, b) => order.indexOf(a.state) - order.indexOf(b.state));
     list.element.hidden = workers.length === 0;
-    list.show(["Worker", "state", "delivered", "shots/min", "in hand", "begun", "failed", "not ended", "last heard of"],
+    list.show(["Worker", "state", "last heard of", "delivered", "shots/min", "in hand", "begun", "failed", "not ended"],
       sorted.slice(0, ROWS).map((worker) => [
         worker.worker,
         { text: worker.state, tone: STATES[worker.state] },
+        worker.silent_s < NOW_S ? "now" : `${duration(worker.silent_s)} ago`,
         count(worker.shots),
         number(60 * worker.shots_per_s),
         count(worker.in_hand),
         count(worker.attempts),
         { text: count(worker.failures), tone: worker.failures > 0 ? "doubt" : null },
         { text: count(worker.not_ended), tone: worker.not_ended > 0 ? "doubt" : null },
-        worker.silent_s < NOW_S ? "now" : `${duration(worker.silent_s)} ago`,
       ]));
     more.hidden = workers.length <= ROWS;
     setText(more, `and ${count(workers.length - ROWS)} more: GET /api/v1/status lists all of them`);
