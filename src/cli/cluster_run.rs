@@ -13,7 +13,8 @@ use crate::{
     config::Config,
 };
 
-/// What workers are told of a run, with the shot that they must measure alike, and its result.
+/// What workers are told of a run, with the shot that they must measure alike, and its result. `wants_light`: somebody
+/// looks at the light of its shots.
 ///
 /// # Errors
 /// A record or a background image cannot be read.
@@ -21,6 +22,7 @@ pub(super) fn assignment(
     recorded: &RecordedRun,
     config: &Config,
     (shot, result): (&RecordedShot, &ShotResult),
+    wants_light: bool,
 ) -> anyhow::Result<Assignment> {
     let shot = Shot::of(recorded, shot)?;
     let measured = Delivery {
@@ -38,6 +40,7 @@ pub(super) fn assignment(
             model_sha256: measured.model_sha256,
             shot,
         },
+        wants_light,
     })
 }
 

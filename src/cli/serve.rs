@@ -1,6 +1,7 @@
 //! `lfpiv serve`: shows a finished run on the same page and interface as a running one.
 
 mod stored_results;
+mod stored_statistics;
 
 use std::{net::SocketAddr, path::PathBuf, sync::Arc};
 
@@ -77,7 +78,7 @@ async fn show(args: &ServeArgs) -> anyhow::Result<()> {
         let note = json!({ "command": "note", "text": text });
         board.events().publish(EventKind::Control, &note);
     }
-    let shots = stored.len();
+    let (shots, shown) = (stored.len(), board.clone());
     let frames = RecordedFrames::new(board.clone(), &args.run).with_last(stored.last());
     let state = ApiState::new(
         run_info(&plan, &args.run),
@@ -95,6 +96,9 @@ async fn show(args: &ServeArgs) -> anyhow::Result<()> {
     let address = listener.local_addr().context("the server has no address")?;
     print(&format!("{}: {} with a result", args.run.display(), count(shots, "shot")))?;
     print(&format!("bench:   {}/", settings.url(address)))?;
+    let (folder, stopped) = (args.run.clone(), stop.clone());
+    // It ends with the server: the runtime waits for it.
+    tokio::task::spawn_blocking(move || stored_statistics::gather(&folder, &shown, &stopped));
     serve(listener, state, protection, stop).await;
     Ok(())
 }

@@ -1,6 +1,13 @@
 //! The coordinator's state: it hands records out and takes results in.
 
-use std::{collections::BTreeMap, sync::Arc, time::Instant};
+mod view;
+
+use std::{
+    borrow::Cow,
+    collections::BTreeMap,
+    sync::Arc,
+    time::{Duration, Instant},
+};
 
 use lfpiv_core::{model::ModelChoice, velocimetry::VectorGrid};
 use lfpiv_rawlog::Position;
@@ -9,8 +16,8 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::{Notify, watch};
 
 use super::{
-    Assignment, Attempt, ClusterError, Delivery, DeliveryLog, Report, ShotState, ShotsView, Tally,
-    Verdict, WorkerView, crew::Crew, expected::Expected,
+    Assignment, Attempt, ClusterError, Delivery, DeliveryLog, Report, ShotState, Tally, Verdict,
+    crew::Crew, expected::Expected,
 };
 use crate::{
     acquisition::journal::{RecordedRun, RecordedRunError, RecordedShot},
@@ -34,6 +41,10 @@ pub struct CoordinatorSetup {
     /// What earlier coordinators have logged is in the tally already.
     pub tally: Tally,
     pub log: DeliveryLog,
+    /// A worker without a heartbeat for so long is lost.
+    pub heartbeat_timeout: Duration,
+    /// Voxels along x, y, z, where the projections of the light are wanted, to look at.
+    pub light: Option<[usize; 3]>,
     /// Where first results go, to the one who writes them.
     pub sink: ResultTaker,
 }
@@ -75,7 +86,18 @@ struct State {
 impl Coordinator {
     /// Ready for requests.
     pub fn open(setup: CoordinatorSetup) -> Self {
-        let CoordinatorSetup { run, shots, assignment, model, grid, tally, log, sink } = setup;
+        let CoordinatorSetup {
+            run,
+            shots,
+            assignment,
+            model,
+            grid,
+            tally,
+            log,
+            heartbeat_timeout,
+            light,
+            sink,
+        } = setup;
         let (left, _) = watch::channel(tally.open().len());
         Self {
             run,
@@ -83,6 +105,7 @@ impl Coordinator {
                 model,
                 model_sha256: assignment.reference.model_sha256.clone(),
                 grid,
+                light,
             },
             assignment,
             state: Mutex::new(State {
@@ -90,7 +113,7 @@ impl Coordinator {
                 tally,
                 log: Some(log),
                 sink: Some(Arc::new(sink)),
-                crew: Crew::default(),
+                crew: Crew::new(heartbeat_timeout),
                 refused: 0,
                 failure: None,
             }),
@@ -139,9 +162,7 @@ impl Coordinator {
         let report = Report::Begun { attempt, worker: worker.to_owned() };
         let mut state = self.state.lock();
         state.log()?;
-        if state.crew.see(worker, Instant::now()) {
-            tracing::info!("{worker} has joined");
-        }
+        state.see(worker, Instant::now());
         if state.tally.state(shot) != Some(ShotState::Open) {
             return Ok(Begin::Settled);
         }
@@ -177,7 +198,7 @@ impl Coordinator {
             }
         };
         let mut state = self.state.lock();
-        state.crew.see(worker, Instant::now());
+        state.see(worker, Instant::now());
         state.crew.end(worker, shot);
         self.note(&mut state, shot, &report).map(|_| ())
     }
@@ -195,22 +216,24 @@ impl Coordinator {
     /// [`ClusterError::Refused`]: it is damaged or not one of this run. The log, or the one who writes results,
     /// has failed.
     pub fn deliver(&self, bytes: &[u8]) -> Result<Verdict, ClusterError> {
-        let delivery = self.checked(bytes).inspect_err(|error| {
+        let mut delivery = self.checked(bytes).inspect_err(|error| {
             self.state.lock().refused += 1;
             tracing::error!("{error}");
         })?;
+        let light = delivery.take_light();
+        let logged = if light.is_some() { Cow::from(delivery.encode()) } else { bytes.into() };
         let (shot, report) = (delivery.shot, delivery.report());
         let mut state = self.state.lock();
         let (now, worker) = (Instant::now(), &delivery.worker);
         let verdict = state.tally.take(shot, &report);
-        state.crew.see(worker, now);
+        state.see(worker, now);
         state.crew.end(worker, shot);
         if verdict == Verdict::First {
             state.crew.count(worker, now);
         }
         let logged = match (verdict, state.log()?) {
             (Verdict::Unknown, _) => return Err(not_wanted(shot)),
-            (Verdict::First, log) => log.deliver(bytes),
+            (Verdict::First, log) => log.deliver(&logged),
             (_, log) => log.report(shot, &report),
         };
         logged.inspect_err(|error| self.note_failure(&mut state, error))?;
@@ -224,6 +247,7 @@ impl Coordinator {
                 delivery.worker
             );
         }
+        delivery.result.measured.light = light;
         let handed_on = |sink: Arc<ResultTaker>| sink(shot, delivery.result);
         if verdict == Verdict::First && !sink.is_some_and(handed_on) {
             let error = ClusterError::Broken("results cannot be stored".into());
@@ -311,25 +335,6 @@ impl Coordinator {
         self.left.subscribe()
     }
 
-    /// Number of workers that have begun a shot.
-    pub fn workers(&self) -> usize {
-        self.state.lock().crew.len()
-    }
-
-    /// Workers as they are at `now`, and what has become of the shots.
-    pub fn progress(&self, now: Instant) -> (Vec<WorkerView>, ShotsView) {
-        let state = self.state.lock();
-        let shots = ShotsView {
-            backlog: state.tally.open().len() as u64,
-            in_hand: state.crew.in_hand() as u64,
-            given_up: state.tally.dead().len() as u64,
-            attempts: state.tally.attempts() as u64,
-            lost_workers: state.tally.lost() as u64,
-            refused_results: state.refused as u64,
-        };
-        (state.crew.view(now), shots)
-    }
-
     /// Takes nothing in any more. The tally, the number of refused results, and the log.
     pub fn close(&self) -> (Tally, usize, Option<DeliveryLog>) {
         let mut state = self.state.lock();
@@ -339,6 +344,12 @@ impl Coordinator {
 }
 
 impl State {
+    fn see(&mut self, worker: &str, now: Instant) {
+        if self.crew.see(worker, now) {
+            tracing::info!("{worker} has joined");
+        }
+    }
+
     fn log(&self) -> Result<&DeliveryLog, ClusterError> {
         match (&self.failure, &self.log) {
             (None, Some(log)) => Ok(log),

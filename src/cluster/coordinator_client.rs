@@ -9,7 +9,10 @@ use serde_json::Value;
 use thiserror::Error;
 use ureq::{Agent, Body, http::Response};
 
-use super::{Assignment, Attempt, Begin, Frame, Tokens, Verdict, routes::AttemptRequest};
+use super::{
+    Assignment, Attempt, Begin, Frame, Tokens, Verdict,
+    routes::{AttemptRequest, SignOfLife},
+};
 
 /// Longest time for a request: coordinators wait for their disks.
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
@@ -134,6 +137,15 @@ impl CoordinatorClient {
         let request =
             AttemptRequest { attempt, worker: worker.to_owned(), reason: reason.to_owned() };
         self.post(&format!("shots/{shot}/failure"), &request).map(|_| ())
+    }
+
+    /// Says that a worker is there, or that it ends.
+    ///
+    /// # Errors
+    /// [`ClientError`].
+    pub fn tell_of(&self, worker: &str, is_ending: bool) -> Result<(), ClientError> {
+        let sign = SignOfLife { worker: worker.to_owned(), is_ending };
+        self.post("workers", &sign).map(|_| ())
     }
 
     /// Delivers a result, as [`super::Delivery::encode`] made it.

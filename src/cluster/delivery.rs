@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use lfpiv_core::model::ModelChoice;
+use lfpiv_core::{model::ModelChoice, reconstruction::FrameLight};
 
 use super::{Attempt, ClusterError, Report, delivery_bytes as bytes};
 use crate::archive::{ShotResult, sha256};
 
 /// The result of a shot, and who made it. In bytes it is complete and exact, except that the forward model's choice
-/// goes by its hash: coordinator and worker have made the same.
+/// goes by its hash: coordinator and worker have made the same. Of the light, which is only looked at, it has the
+/// projections.
 #[derive(Debug, Clone)]
 pub struct Delivery {
     pub shot: u64,
@@ -47,6 +48,11 @@ impl Delivery {
         Ok(delivery)
     }
 
+    /// Takes the light out, which is for now only, and not for the log.
+    pub fn take_light(&mut self) -> Option<[FrameLight; 2]> {
+        self.result.measured.light.take()
+    }
+
     /// What a [`super::Tally`] takes in.
     pub fn report(&self) -> Report {
         Report::Delivered {
@@ -65,7 +71,7 @@ impl Delivery {
 #[cfg(test)]
 mod tests {
     use lfpiv_core::{
-        reconstruction::{CameraFit, FitVerdict, ModelFit},
+        reconstruction::{CameraFit, FitVerdict, MaximumProjection, ModelFit},
         velocimetry::{
             MeasuredParticle, PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField,
         },
@@ -83,6 +89,17 @@ mod tests {
         })
     }
 
+    /// The projections of a frame of 2 × 1 × 1 voxels.
+    fn light() -> impl Strategy<Value = FrameLight> {
+        any::<[u32; 5]>().prop_map(|bits| {
+            let [a, b, c, d, e] = bits.map(f32::from_bits);
+            let plane = |size, intensity| MaximumProjection { size, intensity };
+            let projections =
+                [plane([2, 1], vec![a, b]), plane([2, 1], vec![c, d]), plane([1, 1], vec![e])];
+            FrameLight { volume: None, projections }
+        })
+    }
+
     /// Any result of 3 × 2 × 1 vectors.
     fn delivery() -> impl Strategy<Value = Delivery> {
         let numbers = || any::<[u32; 6]>().prop_map(|bits| bits.map(f32::from_bits));
@@ -91,74 +108,78 @@ mod tests {
                 .prop_map(|(x, y, z)| (0..6).map(|n| [x[n], y[n], z[n]]).collect::<Vec<_>>())
         };
         let fit = proptest::option::of((any::<[f64; 3]>(), any::<Option<f64>>(), ".{0,9}"));
-        let fit = (fit, proptest::option::of(proptest::collection::vec(particle(), 0..4)));
+        let light = proptest::option::of([light(), light()]);
+        let fit = (fit, proptest::option::of(proptest::collection::vec(particle(), 0..4)), light);
         let arrays = (triples(), triples(), triples(), numbers(), numbers(), any::<[u8; 6]>());
         let scalars = (any::<[f64; 10]>(), proptest::option::of(any::<(i64, u64, bool)>()));
         let names = (any::<u64>(), any::<[u32; 2]>(), ".{0,9}", ".{0,9}");
-        (arrays, scalars, fit, names).prop_map(|(arrays, (f, time), (fit, particles), names)| {
-            let (displacement_vox, uncertainty_vox, vorticity, peaks, divergence, states) = arrays;
-            let cycle = [
-                VectorStatus::Valid,
-                VectorStatus::Replaced,
-                VectorStatus::Invalid,
-                VectorStatus::Masked,
-            ];
-            let field = VelocityField {
-                grid: VectorGrid {
-                    vectors: [3, 2, 1],
-                    first_mm: [f[0], f[1], f[2]],
-                    spacing_mm: f[3],
-                },
-                displacement_vox,
-                uncertainty_vox,
-                status: states.iter().map(|n| cycle[usize::from(*n) % 4]).collect(),
-                peak_ratio: peaks.to_vec(),
-                vorticity,
-                divergence: divergence.to_vec(),
-                has_gradient: states.iter().map(|n| n & 64 != 0).collect(),
-                voxel_mm: f[4],
-                dt_s: f[5],
-            };
-            let seconds = StageSeconds {
-                decode_s: f[6],
-                reconstruct_s: f[7],
-                correlate_s: f[8],
-                judge_s: f[9],
-            };
-            let fit = fit.map(|(numbers, unknown, cause)| ModelFit {
-                verdict: FitVerdict::Doubtful,
-                cameras: vec![CameraFit {
-                    unexplained: numbers[0],
-                    micro_image_offset_px: unknown,
-                }],
-                camera_agreement: unknown,
-                camera_disparity_mm: Some(numbers[1]),
-                valid_share: numbers[2],
-                causes: vec![cause],
-            });
-            let (shot, [issue, delivery], worker, warning) = names;
-            let time = time.map(|(utc_ns, uncertainty_ns, clock_synchronised)| ShotTime {
-                utc_ns,
-                uncertainty_ns,
-                clock_synchronised,
-            });
-            let measured = PairResult {
-                field,
-                seconds,
-                warnings: vec![warning],
-                model: Default::default(),
-                fit,
-                light: None,
-                particles,
-            };
-            Delivery {
-                shot,
-                attempt: Attempt { issue, delivery },
-                worker,
-                model_sha256: "model".into(),
-                result: ShotResult { measured, time, raw: RawLevel::Synced },
-            }
-        })
+        (arrays, scalars, fit, names).prop_map(
+            |(arrays, (f, time), (fit, particles, light), names)| {
+                let (displacement_vox, uncertainty_vox, vorticity, peaks, divergence, states) =
+                    arrays;
+                let cycle = [
+                    VectorStatus::Valid,
+                    VectorStatus::Replaced,
+                    VectorStatus::Invalid,
+                    VectorStatus::Masked,
+                ];
+                let field = VelocityField {
+                    grid: VectorGrid {
+                        vectors: [3, 2, 1],
+                        first_mm: [f[0], f[1], f[2]],
+                        spacing_mm: f[3],
+                    },
+                    displacement_vox,
+                    uncertainty_vox,
+                    status: states.iter().map(|n| cycle[usize::from(*n) % 4]).collect(),
+                    peak_ratio: peaks.to_vec(),
+                    vorticity,
+                    divergence: divergence.to_vec(),
+                    has_gradient: states.iter().map(|n| n & 64 != 0).collect(),
+                    voxel_mm: f[4],
+                    dt_s: f[5],
+                };
+                let seconds = StageSeconds {
+                    decode_s: f[6],
+                    reconstruct_s: f[7],
+                    correlate_s: f[8],
+                    judge_s: f[9],
+                };
+                let fit = fit.map(|(numbers, unknown, cause)| ModelFit {
+                    verdict: FitVerdict::Doubtful,
+                    cameras: vec![CameraFit {
+                        unexplained: numbers[0],
+                        micro_image_offset_px: unknown,
+                    }],
+                    camera_agreement: unknown,
+                    camera_disparity_mm: Some(numbers[1]),
+                    valid_share: numbers[2],
+                    causes: vec![cause],
+                });
+                let (shot, [issue, delivery], worker, warning) = names;
+                let time = time.map(|(utc_ns, uncertainty_ns, clock_synchronised)| ShotTime {
+                    utc_ns,
+                    uncertainty_ns,
+                    clock_synchronised,
+                });
+                let measured = PairResult {
+                    field,
+                    seconds,
+                    warnings: vec![warning],
+                    model: Default::default(),
+                    fit,
+                    light,
+                    particles,
+                };
+                Delivery {
+                    shot,
+                    attempt: Attempt { issue, delivery },
+                    worker,
+                    model_sha256: "model".into(),
+                    result: ShotResult { measured, time, raw: RawLevel::Synced },
+                }
+            },
+        )
     }
 
     proptest! {
@@ -190,6 +211,7 @@ mod tests {
             other.worker.push('x');
             other.attempt.delivery = other.attempt.delivery.wrapping_add(1);
             other.result.measured.seconds.judge_s = 1.5;
+            other.take_light();
             prop_assert_eq!(other.result_sha256(), delivery.result_sha256());
             let number = &mut other.result.measured.field.displacement_vox[2][1];
             *number = f32::from_bits(number.to_bits() ^ 1);

@@ -6,12 +6,13 @@
 //! | 4 | version: [`PROTOCOL`] |
 //! | | issue and delivery of the attempt (4 each), name of the worker, seconds of the four stages |
 //! | | the result: what [`super::Delivery::result_sha256`] covers |
+//! | | the light's largest intensities along z, y and x in frames a and b, where the page is to show them |
 //! | 32 | SHA-256 of all bytes before it |
 //!
 //! A text or a list is its length in 4 bytes and its items; what may be absent has a byte 0 or 1 before it.
 
 use lfpiv_core::{
-    reconstruction::{CameraFit, FitVerdict, ModelFit},
+    reconstruction::{CameraFit, FitVerdict, FrameLight, MaximumProjection, ModelFit},
     velocimetry::{
         MeasuredParticle, PairResult, StageSeconds, VectorGrid, VectorStatus, VelocityField,
     },
@@ -38,6 +39,12 @@ pub(super) fn encode(delivery: &Delivery) -> Vec<u8> {
         delivery.result.measured.seconds;
     [decode_s, reconstruct_s, correlate_s, judge_s].into_iter().for_each(|seconds| to.f64(seconds));
     to.0.extend(result_bytes(delivery));
+    to.optional(delivery.result.measured.light.as_ref(), |to, frames| {
+        for plane in frames.iter().flat_map(|frame| &frame.projections) {
+            plane.size.iter().for_each(|pixels| to.u32(*pixels as u32));
+            to.list(&plane.intensity, |to, light| to.f32(*light));
+        }
+    });
     let checksum = digest(&SHA256, &to.0);
     to.0.extend(checksum.as_ref());
     to.0
@@ -158,15 +165,9 @@ fn take_delivery(from: &mut Source<'_>) -> Option<Delivery> {
     let fit = from.optional(take_fit)?;
     let field = take_field(from)?;
     let particles = from.optional(|from| from.list(take_particle))?;
-    let measured = PairResult {
-        field,
-        seconds,
-        warnings,
-        model: Default::default(),
-        fit,
-        light: None,
-        particles,
-    };
+    let light = from.optional(|from| Some([take_light(from)?, take_light(from)?]))?;
+    let measured =
+        PairResult { field, seconds, warnings, model: Default::default(), fit, light, particles };
     let result = ShotResult { measured, time, raw };
     Some(Delivery { shot, attempt, worker, model_sha256, result })
 }
@@ -205,6 +206,19 @@ fn take_field(from: &mut Source<'_>) -> Option<VelocityField> {
         voxel_mm,
         dt_s,
     })
+}
+
+/// The projections of a frame's light, each with all of its pixels.
+fn take_light(from: &mut Source<'_>) -> Option<FrameLight> {
+    let projections = [take_plane(from)?, take_plane(from)?, take_plane(from)?];
+    Some(FrameLight { volume: None, projections })
+}
+
+fn take_plane(from: &mut Source<'_>) -> Option<MaximumProjection> {
+    let size = [from.u32()? as usize, from.u32()? as usize];
+    let intensity = from.list(Source::f32)?;
+    (size[0].checked_mul(size[1]) == Some(intensity.len()))
+        .then_some(MaximumProjection { size, intensity })
 }
 
 fn take_particle(from: &mut Source<'_>) -> Option<MeasuredParticle> {

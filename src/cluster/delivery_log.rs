@@ -221,6 +221,7 @@ mod tests {
             conditions: conditions.clone(),
             configuration: String::new(),
             reference: Reference { shot, result_sha256, model_sha256 },
+            wants_light: false,
         };
         DeliveryLog::open(run, &assignment, &Arc::default()).unwrap()
     }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use lfpiv_core::{
     model::ModelChoice,
+    reconstruction::FrameLight,
     velocimetry::{VectorGrid, VelocityField},
 };
 
@@ -15,6 +16,8 @@ pub(super) struct Expected {
     pub model: Arc<ModelChoice>,
     pub model_sha256: String,
     pub grid: VectorGrid,
+    /// Voxels along x, y, z, where the light is shown; `None` where it is not.
+    pub light: Option<[usize; 3]>,
 }
 
 impl Expected {
@@ -43,11 +46,25 @@ impl Expected {
         if field.grid != self.grid {
             return Err(refused("its vectors are elsewhere than the reference's"));
         }
+        if let Some(light) = &delivery.result.measured.light
+            && !self.light.is_some_and(|voxels| is_seen(light, voxels))
+        {
+            return Err(refused("its light is not that of the run's volume"));
+        }
         match is_finite(field) {
             true => Ok(delivery),
             false => Err(refused("it has numbers that are not finite")),
         }
     }
+}
+
+/// Whether these are projections of so many voxels, and all of their numbers finite.
+fn is_seen(light: &[FrameLight; 2], [nx, ny, nz]: [usize; 3]) -> bool {
+    light.iter().all(|frame| {
+        let sizes = frame.projections.each_ref().map(|plane| plane.size);
+        let mut numbers = frame.projections.iter().flat_map(|plane| &plane.intensity);
+        sizes == [[nx, ny], [nx, nz], [ny, nz]] && numbers.all(|light| light.is_finite())
+    })
 }
 
 /// Whether all numbers of a field are.

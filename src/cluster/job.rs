@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// Version of jobs, of the interface to the coordinator and of delivered results. Both ends must have the same.
-pub const PROTOCOL: u32 = 3;
+pub const PROTOCOL: u32 = 4;
 
 /// A job of the work queue: one shot of a run. Some 500 bytes of JSON.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -132,6 +132,8 @@ pub struct Assignment {
     pub configuration: String,
     /// The shot that a worker must measure alike.
     pub reference: Reference,
+    /// Whether results are to have the projections of their light, to look at.
+    pub wants_light: bool,
 }
 
 /// A shot that the coordinator has measured itself. It decides the forward model, and its result shows whether a

@@ -7,6 +7,7 @@
 //! | `GET /work/v1/records/{segment}/{offset}` | read | a record as it is on disk, or a range of it (`Range: bytes=1000-`) |
 //! | `POST /work/v1/shots/{n}/begin` | work | [`AttemptRequest`]: whether to measure the shot |
 //! | `POST /work/v1/shots/{n}/failure` | work | [`AttemptRequest`] with a reason |
+//! | `POST /work/v1/workers` | work | [`SignOfLife`]: a worker is there, or ends |
 //! | `POST /work/v1/results` | work | bytes of a [`Delivery`](super::Delivery); the [`Verdict`](super::Verdict) |
 //!
 //! Errors are JSON, `{"error": "..."}`: 401 without the right token, 410 for records that cannot be read, 422 for
@@ -43,6 +44,13 @@ pub(super) struct AttemptRequest {
     pub reason: String,
 }
 
+/// A worker is there, or ends.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct SignOfLife {
+    pub worker: String,
+    pub is_ending: bool,
+}
+
 /// The routes of a coordinator; see the head of this file.
 pub fn coordinator_routes(coordinator: Arc<Coordinator>, tokens: &Tokens) -> Router {
     let readers = Router::new()
@@ -51,6 +59,7 @@ pub fn coordinator_routes(coordinator: Arc<Coordinator>, tokens: &Tokens) -> Rou
     let workers = Router::new()
         .route("/work/v1/shots/{shot}/begin", post(begin))
         .route("/work/v1/shots/{shot}/failure", post(fail))
+        .route("/work/v1/workers", post(hear))
         .route("/work/v1/results", post(deliver).layer(DefaultBodyLimit::max(MOST_BYTES)));
     let readers = guarded(readers, &[&tokens.read, &tokens.work]);
     readers.merge(guarded(workers, &[&tokens.work])).with_state(coordinator)
@@ -125,6 +134,17 @@ async fn fail(
     Json(AttemptRequest { attempt, worker, reason }): Json<AttemptRequest>,
 ) -> Response {
     blocking(move || answer(coordinator.fail(shot, attempt, &worker, &reason))).await
+}
+
+async fn hear(
+    State(coordinator): State<Arc<Coordinator>>,
+    Json(SignOfLife { worker, is_ending }): Json<SignOfLife>,
+) -> Response {
+    blocking(move || {
+        coordinator.hear(&worker, is_ending);
+        Json(()).into_response()
+    })
+    .await
 }
 
 async fn deliver(State(coordinator): State<Arc<Coordinator>>, bytes: Bytes) -> Response {

@@ -65,6 +65,16 @@ pub enum ShotState {
     Dead(Vec<String>),
 }
 
+/// How often a worker has tried to measure a shot.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Tries {
+    pub begun: u64,
+    /// Of them: it has reported that it could not.
+    pub failed: u64,
+    /// Of them: the broker has handed the shot to another one since.
+    pub not_ended: u64,
+}
+
 /// All shots to be measured and what was reported of them.
 #[derive(Debug, Clone, Default)]
 pub struct Tally {
@@ -158,6 +168,22 @@ impl Tally {
         let mut found = BTreeMap::new();
         for (_, worker) in self.shots.values().filter_map(|tally| tally.first.as_ref()) {
             *found.entry(worker.clone()).or_default() += 1;
+        }
+        found
+    }
+
+    /// What each worker has tried.
+    pub fn tries_by_worker(&self) -> BTreeMap<&str, Tries> {
+        let mut found: BTreeMap<&str, Tries> = BTreeMap::new();
+        for tally in self.shots.values() {
+            for of in tally.attempts.values() {
+                let tries = found.entry(&of.worker).or_default();
+                tries.begun += 1;
+                tries.failed += u64::from(of.failed.is_some() && !of.delivered);
+            }
+            for of in tally.lost() {
+                found.entry(&of.worker).or_default().not_ended += 1;
+            }
         }
         found
     }

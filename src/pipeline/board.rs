@@ -216,7 +216,7 @@ impl Board {
 
     /// Records that a shot was measured and written.
     pub fn done(&self, shot: u64, result: Arc<ShotResult>) -> ShotRecord {
-        self.statistics.add(shot, &result.measured.field);
+        self.statistics.add_field(shot, &result.measured.field);
         self.finish(ShotRecord::of_result(shot, Stage::Done, None, &result), Some(result))
     }
 

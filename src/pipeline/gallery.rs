@@ -54,7 +54,9 @@ impl Gallery {
         let projection_bytes = light.iter().map(FrameLight::projection_bytes).sum();
         let [a, b] = light;
         let mut stored = self.stored.lock();
-        stored.volumes.put(shot, volume_bytes, Arc::new([a.volume, b.volume]));
+        if let (Some(a), Some(b)) = (a.volume, b.volume) {
+            stored.volumes.put(shot, volume_bytes, Arc::new([a, b]));
+        }
         stored.projections.put(shot, projection_bytes, Arc::new([a.projections, b.projections]));
     }
 
@@ -167,5 +169,10 @@ mod tests {
         assert_eq!(gallery.volumes(5).unwrap()[1].intensity, [2.0]);
         assert_eq!(gallery.projections(5).unwrap()[0][0].intensity, [0.0, 1.0]);
         assert!(gallery.volumes(4).is_none() && gallery.projections(4).is_none());
+        // As another machine delivers it.
+        let projected = [3.0, 4.0].map(|number| FrameLight { volume: None, ..light(number) });
+        gallery.show_light(6, projected);
+        assert_eq!(gallery.projections(6).unwrap()[1][0].intensity, [0.0, 4.0]);
+        assert!(gallery.volumes(6).is_none() && gallery.volumes(5).is_some());
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use lfpiv_core::{
     ensemble::{Ensemble, Snapshot},
-    velocimetry::VelocityField,
+    velocimetry::{VectorGrid, VelocityField},
 };
 use parking_lot::Mutex;
 
@@ -13,14 +13,18 @@ use parking_lot::Mutex;
 pub struct LiveStatistics(Mutex<Option<Arc<Ensemble>>>);
 
 impl LiveStatistics {
-    /// Adds the valid vectors of a shot; each shot once. All shots of a run have vectors at the same places.
-    pub fn add(&self, shot: u64, field: &VelocityField) {
-        let snapshot = Snapshot::of_field(shot, field);
+    /// Adds the valid vectors of a shot; each shot once.
+    pub fn add_field(&self, shot: u64, field: &VelocityField) {
+        self.add(&field.grid, &Snapshot::of_field(shot, field));
+    }
+
+    /// Adds a shot on `grid`; each shot once. All shots of a run have vectors at the same places.
+    pub fn add(&self, grid: &VectorGrid, snapshot: &Snapshot) {
         let mut state = self.0.lock();
-        let ensemble = state.get_or_insert_with(|| Ensemble::new(field.grid.clone()).into());
-        if *ensemble.grid() == field.grid {
+        let ensemble = state.get_or_insert_with(|| Ensemble::new(grid.clone()).into());
+        if ensemble.grid() == grid {
             // Copied only while somebody reads.
-            Arc::make_mut(ensemble).add(&snapshot);
+            Arc::make_mut(ensemble).add(snapshot);
         }
     }
 

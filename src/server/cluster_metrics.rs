@@ -7,7 +7,7 @@ use prometheus_client::{
     metrics::{MetricType, counter::ConstCounter, gauge::ConstGauge},
 };
 
-use crate::cluster::{ClusterView, ShotsView, WorkerView};
+use crate::cluster::{ClusterView, ShotsView, WorkerState, WorkerView};
 
 /// Writes what `view` shows.
 pub(super) fn encode(view: &ClusterView, encoder: &mut DescriptorEncoder) -> fmt::Result {
@@ -22,7 +22,7 @@ pub(super) fn encode(view: &ClusterView, encoder: &mut DescriptorEncoder) -> fmt
 fn encode_shots(shots: &ShotsView, encoder: &mut DescriptorEncoder) -> fmt::Result {
     let gauges = [
         ("cluster_backlog_shots", "Shots that are still to be measured", shots.backlog),
-        ("cluster_in_hand_shots", "Shots that workers have begun", shots.in_hand),
+        ("cluster_in_hand_shots", "Shots that workers are measuring", shots.in_hand),
         ("cluster_given_up_shots", "Shots that were given up", shots.given_up),
     ];
     for (name, help, count) in gauges {
@@ -42,15 +42,29 @@ fn encode_shots(shots: &ShotsView, encoder: &mut DescriptorEncoder) -> fmt::Resu
 }
 
 fn encode_workers(workers: &[WorkerView], encoder: &mut DescriptorEncoder) -> fmt::Result {
-    let help = "Shots of which the worker was the first to deliver a result";
-    let name = "cluster_worker_shots";
-    let mut family = encoder.encode_descriptor(name, help, None, MetricType::Counter)?;
-    for worker in workers {
-        let labels = [("worker", worker.worker.as_str())];
-        ConstCounter::new(worker.shots).encode(family.encode_family(&labels)?)?;
+    type Counter = (&'static str, &'static str, fn(&WorkerView) -> u64);
+    const COUNTERS: [Counter; 4] = [
+        (
+            "cluster_worker_shots",
+            "Shots of which the worker was the first to deliver a result",
+            |w| w.shots,
+        ),
+        ("cluster_worker_attempts", "Measurements that the worker has begun", |w| w.attempts),
+        ("cluster_worker_failures", "Those of which it has reported a failure", |w| w.failures),
+        ("cluster_worker_not_ended", "Those that it did not end", |w| w.not_ended),
+    ];
+    for (name, help, value) in COUNTERS {
+        let mut family = encoder.encode_descriptor(name, help, None, MetricType::Counter)?;
+        for worker in workers {
+            let labels = [("worker", worker.worker.as_str())];
+            ConstCounter::new(value(worker)).encode(family.encode_family(&labels)?)?;
+        }
     }
     type Gauge = (&'static str, &'static str, fn(&WorkerView) -> f64);
-    const GAUGES: [Gauge; 3] = [
+    const GAUGES: [Gauge; 4] = [
+        ("cluster_worker_lost", "1 if the worker was silent for too long, otherwise 0", |w| {
+            f64::from(u8::from(w.state == WorkerState::Lost))
+        }),
         ("cluster_worker_shots_per_second", "First results a second, over the last minute", |w| {
             w.shots_per_s
         }),

@@ -114,7 +114,16 @@ fn upright(projection: &MaximumProjection) -> Grey {
 
 /// The error for light that is not in memory, or for a shot without a result.
 fn gone(app: &App, shot: u64, what: &str, memory_bytes: usize) -> ApiError {
-    match app.run.board.result(shot) {
+    let board = &app.run.board;
+    match board.result(shot) {
+        Lookup::Here(_)
+            if app.run.cluster.is_some() && board.gallery().projections(shot).is_some() =>
+        {
+            ApiError::gone(format!(
+                "the {what} of shot {shot} are not here: a worker on another machine, which measured it, delivers \
+                 projections only; process its raw data again and request volumes"
+            ))
+        }
         Lookup::Here(_) | Lookup::OnDisk => ApiError::gone(format!(
             "the {what} of shot {shot} are not in memory, which keeps those of the last shots in \
              {} MB: process its raw data again and request volumes",

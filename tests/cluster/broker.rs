@@ -8,6 +8,8 @@ use std::{
     time::{Duration, Instant},
 };
 
+use lfpiv::cluster::{Broker, Job, JobQueue};
+
 use crate::bench::PATIENCE;
 
 /// Debian has it where only root looks.
@@ -100,4 +102,22 @@ impl Drop for Nats {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
+}
+
+/// The first job that the broker at `url` has; it stays there.
+pub fn first_job(url: &str) -> Job {
+    let broker = Broker { url: url.to_owned(), ..Broker::default() };
+    let runtime = tokio::runtime::Runtime::new().expect("a runtime");
+    runtime.block_on(async {
+        let queue = JobQueue::connect(&broker, "by hand", "").await.expect("an address");
+        loop {
+            match queue.take().await {
+                Ok(Some(taken)) => {
+                    taken.give_back(Duration::ZERO).await.expect("a broker");
+                    return taken.job;
+                }
+                _ => tokio::time::sleep(Duration::from_millis(10)).await,
+            }
+        }
+    })
 }

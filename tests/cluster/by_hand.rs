@@ -1,38 +1,21 @@
 //! A worker that does not do as it should: the coordinator's side of the rules.
 
-use std::time::Duration;
-
 use lfpiv::{
     acquisition::journal::RecordedRun,
     archive::{RawLevel, ShotResult},
-    cluster::{
-        Attempt, Begin, Broker, ClientError, CoordinatorClient, Delivery, Job, JobQueue, Tokens,
-        Verdict,
-    },
+    cluster::{Attempt, Begin, ClientError, CoordinatorClient, Delivery, Job, Tokens, Verdict},
     config::Config,
 };
-use lfpiv_core::measurement::Processor;
+use lfpiv_core::{
+    measurement::Processor,
+    reconstruction::{FrameLight, MaximumProjection},
+};
 
 use crate::{
-    broker::Nats,
+    broker::{Nats, first_job},
     processes::{coordinator, wait_until, worker},
     recorded::{assert_same, copied, recorded_otherwise},
 };
-
-/// The first job that the broker has.
-async fn first_job(url: &str) -> Job {
-    let broker = Broker { url: url.to_owned(), ..Broker::default() };
-    let queue = JobQueue::connect(&broker, "by hand", "").await.expect("an address");
-    loop {
-        match queue.take().await {
-            Ok(Some(taken)) => {
-                taken.give_back(Duration::ZERO).await.expect("a broker");
-                return taken.job;
-            }
-            _ => tokio::time::sleep(Duration::from_millis(10)).await,
-        }
-    }
-}
 
 /// What a worker makes of the job.
 fn measured(job: &Job, client: &CoordinatorClient) -> Delivery {
@@ -59,6 +42,12 @@ fn measured(job: &Job, client: &CoordinatorClient) -> Delivery {
     }
 }
 
+/// Light that nobody has asked for.
+fn dark() -> FrameLight {
+    let plane = || MaximumProjection { size: [8, 8], intensity: vec![0.0; 64] };
+    FrameLight { volume: None, projections: [plane(), plane(), plane()] }
+}
+
 #[test]
 fn every_delivery_is_checked_and_the_first_one_counts() {
     let root = tempfile::tempdir().expect("a folder");
@@ -67,8 +56,7 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     assert!(crate::bench::lfpiv(&["process", at_once.to_str().expect("UTF-8")]).status.success());
     let nats = Nats::start(root.path());
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
-    let runtime = tokio::runtime::Runtime::new().expect("a runtime");
-    let job = runtime.block_on(first_job(&nats.url()));
+    let job = first_job(&nats.url());
     let client = CoordinatorClient::new(&job.address, &job.tokens);
     let shot = job.shot.number;
 
@@ -122,6 +110,8 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     refused(&with(&|of| of.model_sha256.push('0')), "another forward model");
     refused(&with(&|of| of.result.measured.field.dt_s *= 2.0), "times");
     refused(&with(&|of| of.result.measured.field.grid.first_mm[0] += 1.0), "elsewhere");
+    let light = |of: &mut Delivery| of.result.measured.light = Some([dark(), dark()]);
+    refused(&with(&light), "its light is not that of the run's volume");
 
     // Delivered twice, by two workers, and once otherwise.
     assert_eq!(client.deliver(&right.encode()).expect("taken"), Verdict::First);
@@ -148,7 +138,7 @@ fn every_delivery_is_checked_and_the_first_one_counts() {
     let makers = format!("shot {shot}: by hand (");
     assert!(ended.stderr.contains(&makers) && ended.stderr.contains("otherwise ("), "{ended:?}");
     assert!(ended.stdout.contains("real: 4 shots"), "{ended:?}");
-    assert!(ended.stdout.contains("8 results refused"), "{ended:?}");
+    assert!(ended.stdout.contains("9 results refused"), "{ended:?}");
     assert_same(&at_once, &run);
 }
 
@@ -158,8 +148,7 @@ fn a_shot_that_nobody_can_measure_is_given_up_with_reasons() {
     let run = recorded_otherwise(&root.path().join("bench"), ("seed = 1", "seed = 5"), 5);
     let nats = Nats::start(root.path());
     let coordinator = coordinator(root.path(), &run, &nats.url(), &[]);
-    let runtime = tokio::runtime::Runtime::new().expect("a runtime");
-    let job = runtime.block_on(first_job(&nats.url()));
+    let job = first_job(&nats.url());
     let client = CoordinatorClient::new(&job.address, &job.tokens);
     let shots: Vec<u64> =
         RecordedRun::open(&run).expect("a run").index().shots.into_keys().collect();

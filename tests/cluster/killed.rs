@@ -2,17 +2,15 @@
 
 use std::{fs, path::Path, time::Duration};
 
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
-
 use crate::{
     broker::Nats,
-    processes::{Process, coordinator, wait_until, worker},
+    dying::DyingWorkers,
+    processes::{coordinator, wait_until, worker},
     proxy::Proxy,
     recorded::{SHOTS, assert_as_on_one_machine, recorded, recorded_otherwise, stored_so_far},
 };
 
-const KILLS: usize = 20;
+pub const KILLS: usize = 20;
 /// A lost worker's shot goes to another one soon.
 const SOON: [&str; 2] = ["--heartbeat-timeout", "1"];
 
@@ -32,24 +30,18 @@ fn no_shot_is_lost(seed: u64) {
     let root = tempfile::tempdir().expect("a folder");
     let run = recorded(root.path());
     let mut nats = Nats::start(root.path());
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let mut names = (0..).map(|number| format!("worker {number}"));
     let url = nats.url();
-    let mut another = || worker(root.path(), &url, &names.next().expect("a name"), &[]);
-    let mut workers: Vec<Process> = (0..3).map(|_| another()).collect();
+    let mut workers = DyingWorkers::start(root.path(), &url, seed);
     let mut coordinator = coordinator(root.path(), &run, &nats.url(), &SOON);
     for kill in 0..KILLS {
         // Progress between the kills, at any speed: or the same shot could die ten times.
         wait_until("another result", || {
             !coordinator.is_running() || stored_so_far(&run) > kill.min(SHOTS - 1)
         });
-        std::thread::sleep(Duration::from_millis(random.random_range(0..100)));
-        let victim = random.random_range(0..workers.len());
-        workers.swap_remove(victim).kill();
-        workers.push(another());
+        workers.kill_one();
         if kill == KILLS / 2 {
             nats.kill_and_forget();
-            std::thread::sleep(Duration::from_millis(random.random_range(0..300)));
+            workers.pause(300);
             nats.start_again();
         }
     }

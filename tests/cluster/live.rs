@@ -3,6 +3,7 @@
 use std::{
     fs,
     path::{Path, PathBuf},
+    time::Duration,
 };
 
 use serde_json::Value;
@@ -10,11 +11,16 @@ use serde_json::Value;
 use crate::{
     bench::{configuration, lfpiv, text},
     broker::Nats,
+    dying::DyingWorkers,
+    killed::KILLS,
     processes::{Process, coordinator, path, wait_until, worker},
+    proxy::Proxy,
     recorded::{MODEL, assert_same, copied, remove_results, stored_so_far},
 };
 
 const SHOTS: u64 = 40;
+/// How long the network is cut after that was noticed.
+const CUT: Duration = Duration::from_secs(3);
 
 /// A running `lfpiv run` with a broker.
 struct Run {
@@ -45,6 +51,14 @@ impl Run {
             .body_mut()
             .read_json()
             .expect("JSON")
+    }
+
+    /// Whether a worker has a shot in hand.
+    fn has_in_hand(&self, worker: &str) -> bool {
+        let status = self.status();
+        let workers = status["cluster"]["workers"].as_array().expect("workers");
+        let of = workers.iter().find(|of| of["worker"] == worker);
+        of.is_some_and(|of| of["in_hand"].as_u64() >= Some(1))
     }
 
     fn metrics(&self) -> String {
@@ -114,6 +128,50 @@ fn a_run_goes_on_without_a_broker_and_every_shot_is_measured_once() {
     for worker in workers {
         assert_eq!(worker.terminate().code, Some(0));
     }
+}
+
+/// Workers die at random moments, and the network between all of them and the broker is cut for some seconds.
+#[test]
+fn no_shot_of_a_run_that_goes_on_is_lost_with_workers_or_the_network() {
+    let root = tempfile::tempdir().expect("a folder");
+    let nats = Nats::start(root.path());
+    let network = Proxy::to(nats.port());
+    let url = network.url();
+    let run = Run::start(root.path(), &url, &["--shots", &SHOTS.to_string()]);
+    let mut workers = DyingWorkers::start(root.path(), &url, 21);
+    for kill in 0..KILLS {
+        // Progress between the kills, at any speed: or the same shot could die ten times.
+        run.has(kill + 1);
+        match kill {
+            // One at least dies over a shot, at any speed.
+            0 => workers.kill_one_over_a_shot(|name| run.has_in_hand(name)),
+            _ => workers.kill_one(),
+        }
+        if kill == KILLS / 2 {
+            network.cut();
+            wait_until("the cut is noticed", || run.status()["cluster"]["connected"] == false);
+            workers.kill_one();
+            std::thread::sleep(CUT);
+            network.mend();
+        }
+    }
+    let folder = run.folder.clone();
+    let ended = run.process.wait();
+    assert_eq!(ended.code, Some(0), "{ended:?}");
+    assert!(ended.stdout.contains("0 results refused"), "{ended:?}");
+    // Handed out again, and so reported.
+    let reported = ended.stdout.lines().find(|line| line.contains(" measurements begun, "));
+    let numbers = reported.expect("a report").split(' ').filter_map(|word| word.parse().ok());
+    let numbers: Vec<u64> = numbers.collect();
+    println!("{}", reported.expect("a report"));
+    let [begun, not_ended, ..] = numbers[..] else { panic!("{ended:?}") };
+    assert!(not_ended >= 1 && begun >= SHOTS - 1 + not_ended, "{ended:?}");
+    let ledger = fs::read_to_string(folder.join("ledger.json")).expect("a ledger");
+    let ledger: Value = serde_json::from_str(&ledger).expect("JSON");
+    for camera in ledger["cameras"].as_array().expect("cameras") {
+        assert_eq!(camera["outcomes"]["complete"], SHOTS, "{ledger}");
+    }
+    assert_same(&measured_alone(&folder, &root.path().join("alone")), &folder);
 }
 
 /// The daemon is killed in the middle of an endless run.

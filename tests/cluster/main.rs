@@ -5,10 +5,12 @@
 mod bench;
 mod broker;
 mod by_hand;
+mod dying;
 #[cfg(target_arch = "x86_64")]
 mod instructions;
 mod killed;
 mod live;
+mod live_light;
 mod processes;
 mod proxy;
 mod recorded;

@@ -25,6 +25,8 @@ pub enum Scene {
     Body,
     /// Flow alone, whose particles are placed in the images.
     Placed,
+    /// Flow alone.
+    Flow,
 }
 
 pub struct Daemon {
@@ -35,7 +37,11 @@ pub struct Daemon {
 impl Daemon {
     /// A run without end; port 0 takes any.
     pub fn start(folder: &Path, port: u16, scene: Scene) -> Self {
-        let configuration = configuration(folder, port, scene);
+        Self::run(&configuration(folder, port, scene))
+    }
+
+    /// The same of any configuration.
+    pub fn run(configuration: &Path) -> Self {
         Self::of(lfpiv(&["run", "--remote-arming", "--config"]).arg(configuration))
     }
 
@@ -136,6 +142,7 @@ pub fn configuration(folder: &Path, port: u16, scene: Scene) -> PathBuf {
                 "centre_mm = [0.0, 0.0, 0.0]\nmask = { leave_out = [{ stl = \"body.stl\" }] }",
             ),
             Scene::Placed => ("[velocimetry]", "[velocimetry]\nplace_particles = true"),
+            Scene::Flow => ("[velocimetry]", "[velocimetry]"),
         },
         // A flow with something to see in it.
         ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),

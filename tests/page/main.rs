@@ -4,14 +4,25 @@
 // All of this crate is test; clippy's exception covers only the functions marked as such.
 #![allow(clippy::unwrap_used)]
 
+#[path = "../recorded_run/bench.rs"]
+#[allow(dead_code, reason = "not every program needs all of it")]
+mod bench;
 #[path = "../support/body.rs"]
 mod body;
+#[path = "../cluster/broker.rs"]
+#[allow(dead_code, reason = "not every program needs all of it")]
+mod broker;
 mod built;
 mod daemon;
 mod fed;
 mod placed;
+#[path = "../cluster/processes.rs"]
+#[allow(dead_code, reason = "not every program needs all of it")]
+mod processes;
 mod script;
 mod served;
+mod statistics;
+mod workers;
 
 use std::{path::PathBuf, sync::Mutex};
 

@@ -21,7 +21,7 @@ const END_S: f64 = 20.0;
 fn a_finished_run_is_shown_and_cannot_be_controlled() {
     let _browser = BROWSER.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let folder = tempfile::tempdir().unwrap();
-    let run = finished_run(folder.path());
+    let run = finished_run(folder.path(), Scene::Body, SHOTS);
     // What a run was measured with is in the run.
     fs::remove_file(folder.path().join(BODY)).unwrap();
     let before = contents(&run);
@@ -65,9 +65,9 @@ fn a_finished_run_is_shown_and_cannot_be_controlled() {
 }
 
 /// Takes shots to the end, and gives the run's folder.
-fn finished_run(folder: &Path) -> PathBuf {
-    let mut command = lfpiv(&["run", "--shots", &SHOTS.to_string(), "--config"]);
-    let output = command.arg(configuration(folder, 0, Scene::Body)).output().unwrap();
+pub fn finished_run(folder: &Path, scene: Scene, shots: u64) -> PathBuf {
+    let mut command = lfpiv(&["run", "--shots", &shots.to_string(), "--config"]);
+    let output = command.arg(configuration(folder, 0, scene)).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     only_run(folder)
 }

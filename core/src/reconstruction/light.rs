@@ -26,8 +26,8 @@ impl MaximumProjection {
 /// The light of one frame on the configured grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrameLight {
-    /// Its lit voxels.
-    pub volume: SparseVolume,
+    /// Its lit voxels; `None` where only the projections are kept.
+    pub volume: Option<SparseVolume>,
     /// Maxima along z, y and x: the planes xy, xz and yz.
     pub projections: [MaximumProjection; 3],
 }
@@ -42,12 +42,13 @@ impl FrameLight {
         let (voxels, intensity) = lit.map(|(voxel, &light)| (voxel as u32, light)).unzip();
         let volume = SparseVolume { grid: grid.clone(), voxels, intensity };
         let projections = projections(&volume);
-        Self { volume, projections }
+        Self { volume: Some(volume), projections }
     }
 
     /// Memory of the volume in bytes.
     pub fn volume_bytes(&self) -> usize {
-        self.volume.voxels.len() * (size_of::<u32>() + size_of::<f32>())
+        let voxels = self.volume.as_ref().map_or(0, |volume| volume.voxels.len());
+        voxels * (size_of::<u32>() + size_of::<f32>())
     }
 
     /// Memory of the projections in bytes.
@@ -82,9 +83,10 @@ mod tests {
         let volume = SparseVolume { grid: fine, voxels, intensity: vec![9.0, 1.0, 2.0, 2.5] };
         let light = FrameLight::new(&volume, &grid);
         let expected = [grid.linear([1, 2, 0]) as u32, grid.linear([1, 2, 1]) as u32];
-        assert_eq!(light.volume.voxels, expected);
-        assert_eq!(light.volume.intensity, [3.0, 2.5]);
         assert_eq!(light.volume_bytes(), 16);
+        let volume = light.volume.as_ref().unwrap();
+        assert_eq!(volume.voxels, expected);
+        assert_eq!(volume.intensity, [3.0, 2.5]);
         let [xy, xz, yz] = &light.projections;
         assert_eq!((xy.size, xz.size, yz.size), ([4, 3], [4, 2], [3, 2]));
         let lit = |plane: &MaximumProjection| {

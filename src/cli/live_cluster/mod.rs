@@ -61,7 +61,7 @@ impl LiveCluster {
         let at = WorkersAddress::bind(settings.serve).await?;
         let queue = JobQueue::connect(&settings.broker(), "lfpiv run", MEANWHILE).await?;
         at.warn(&queue);
-        let progress = Arc::new(ClusterProgress::new(queue.clone()));
+        let progress = Arc::new(ClusterProgress::new(queue.clone(), settings.heartbeat_timeout()));
         Ok(Self { settings: settings.clone(), at, queue, progress })
     }
 

@@ -66,9 +66,9 @@ impl Publisher {
     {
         let search = ReferenceSearch::new(&self.config, process)?;
         let Some((shot, result)) = search.run(&self).await? else { return Ok(None) };
-        let coordinator = self.coordinator((shot, result)).await?;
-        self.progress.follow(coordinator.clone());
         let LiveCluster { settings, at, queue, .. } = cluster;
+        let coordinator = self.coordinator((shot, result), settings.heartbeat_timeout()).await?;
+        self.progress.follow(coordinator.clone());
         let service = ServiceSettings {
             run_name: run_name(&self.folder),
             heartbeat_timeout: settings.heartbeat_timeout(),
@@ -95,12 +95,14 @@ impl Publisher {
     async fn coordinator(
         &self,
         (shot, result): (RecordedShot, ShotResult),
+        heartbeat_timeout: Duration,
     ) -> anyhow::Result<Arc<Coordinator>> {
         let (folder, config) = (self.folder.clone(), self.config.clone());
         let (backlog, inbox) = (self.backlog.clone(), self.inbox.clone());
         let opened = blocking(move || {
             let run = RecordedRun::open(&folder)?;
-            let assignment = assignment(&run, &config, (&shot, &result))?;
+            let assignment = assignment(&run, &config, (&shot, &result), true)?;
+            let light = Some(config.volume.grid().voxels);
             let model = result.measured.model.clone();
             let (log, _) = DeliveryLog::open(&folder, &assignment, &model)?;
             let grid = result.measured.field.grid.clone();
@@ -110,7 +112,18 @@ impl Publisher {
                 inbox.send(finished).is_ok()
             };
             let (shots, tally, sink) = (Vec::new(), Tally::default(), Box::new(sink));
-            let setup = CoordinatorSetup { run, shots, assignment, model, grid, tally, log, sink };
+            let setup = CoordinatorSetup {
+                run,
+                shots,
+                assignment,
+                model,
+                grid,
+                tally,
+                log,
+                heartbeat_timeout,
+                light,
+                sink,
+            };
             Ok(Arc::new(Coordinator::open(setup)))
         });
         opened.await

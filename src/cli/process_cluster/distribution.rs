@@ -74,7 +74,7 @@ impl Distribution<'_> {
     ) -> anyhow::Result<Outcome> {
         let (shot, result) = &self.reference;
         let model = result.measured.model.clone();
-        let assignment = assignment(self.recorded, self.config, (shot, result))?;
+        let assignment = assignment(self.recorded, self.config, (shot, result), false)?;
         let (log, logged) = DeliveryLog::open(self.folder, &assignment, &model)?;
         let (sink, writer) = ResultWriter::start(store).context("cannot start a thread")?;
         let tally = taken_up(&shots, logged, &sink)?;
@@ -86,6 +86,8 @@ impl Distribution<'_> {
             grid: result.measured.field.grid.clone(),
             tally,
             log,
+            heartbeat_timeout: self.heartbeat_timeout,
+            light: None,
             sink: Box::new(move |shot, result| sink.send((shot, result)).is_ok()),
         };
         let first_issue = setup.tally.last_issue() + 1;
@@ -129,7 +131,7 @@ impl Distribution<'_> {
         let meanwhile = "no worker gets a shot until it is there";
         let queue = JobQueue::connect(&self.broker, "lfpiv process", meanwhile).await?;
         at.warn(&queue);
-        let progress = Arc::new(ClusterProgress::new(queue.clone()));
+        let progress = Arc::new(ClusterProgress::new(queue.clone(), self.heartbeat_timeout));
         progress.follow(coordinator.clone());
         let closing = CancellationToken::new();
         let shown = self

@@ -139,7 +139,7 @@ impl Rig {
     /// The shots of the run again and again, under new numbers.
     fn coordinator(&self, trial: Trial) -> anyhow::Result<Arc<Coordinator>> {
         let (shot, result) = &self.reference;
-        let assignment = assignment(&self.recorded, &self.config, (shot, result))?;
+        let assignment = assignment(&self.recorded, &self.config, (shot, result), false)?;
         let model = result.measured.model.clone();
         fs::create_dir_all(&self.scratch)
             .with_context(|| format!("cannot create {}", self.scratch.display()))?;
@@ -155,6 +155,8 @@ impl Rig {
             model,
             grid: result.measured.field.grid.clone(),
             log,
+            heartbeat_timeout: HEARTBEAT_TIMEOUT,
+            light: None,
             sink: Box::new(|_, _| true),
         })))
     }

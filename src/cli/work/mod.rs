@@ -5,6 +5,7 @@
 
 mod frames;
 mod prepared;
+mod signs;
 mod slot;
 
 use std::{path::PathBuf, sync::Arc, time::Duration};
@@ -14,6 +15,7 @@ use tokio::task::JoinSet;
 
 use super::{broker_args::BrokerArgs, output::print, stop::stop_on_signals};
 use crate::{acquisition::SynchroniserThread, cluster::JobQueue, pipeline::run_after_acquisition};
+use signs::Signs;
 use slot::Worker;
 
 /// How long measurements that nobody waits for are waited for at the end.
@@ -69,6 +71,7 @@ async fn serve(args: &WorkArgs) -> anyhow::Result<()> {
     for _ in 0..args.slots {
         slots.spawn(worker.clone().serve_slot(stop.clone()));
     }
+    let telling = tokio::spawn(tell_for_ever(worker.signs()));
     let mut refused = Ok(());
     while let Some(ended) = slots.join_next().await {
         let ended = ended.context("a slot has failed")?;
@@ -77,7 +80,22 @@ async fn serve(args: &WorkArgs) -> anyhow::Result<()> {
         }
         refused = refused.and(ended);
     }
+    telling.abort();
+    let signs = worker.signs();
+    let farewell = tokio::task::spawn_blocking(move || signs.end());
+    let _ = tokio::time::timeout(SHUTDOWN_TIMEOUT, farewell).await;
     refused
+}
+
+/// Gives signs of life until it is aborted.
+async fn tell_for_ever(signs: Arc<Signs>) {
+    loop {
+        tokio::time::sleep(signs::LOOK).await;
+        let now = signs.clone();
+        if tokio::task::spawn_blocking(move || now.tell()).await.is_err() {
+            return;
+        }
+    }
 }
 
 /// The machine's name and the number of this process.

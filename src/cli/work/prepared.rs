@@ -21,6 +21,7 @@ use crate::{
 pub(super) struct Prepared {
     processor: Processor,
     frames: Frames,
+    wants_light: bool,
 }
 
 impl Prepared {
@@ -45,7 +46,8 @@ impl Prepared {
             bail!("the background images on this machine are not those of the coordinator");
         }
         let frames = frames(job, &assignment.reference.shot, shared)?;
-        let prepared = Self { processor: run_processor(&config)?, frames };
+        let processor = run_processor(&config)?;
+        let prepared = Self { processor, frames, wants_light: assignment.wants_light };
         prepared.reproduce(assignment, client)?;
         Ok(prepared)
     }
@@ -56,7 +58,10 @@ impl Prepared {
     /// A frame cannot be read, or the shot cannot be measured.
     pub fn measure(&self, client: &CoordinatorClient, shot: &Shot) -> anyhow::Result<ShotResult> {
         let pair = self.frames.pair(client, shot)?;
-        let measured = self.processor.process(pair)?;
+        let measured = match self.wants_light {
+            true => self.processor.process_with_light(pair)?,
+            false => self.processor.process(pair)?,
+        };
         Ok(shot_result(measured, shot.dt_us(), &shot.suspect, shot.time()))
     }
 

@@ -12,7 +12,7 @@ use parking_lot::Mutex;
 use tokio::task::JoinHandle;
 use tokio_util::sync::CancellationToken;
 
-use super::prepared::Prepared;
+use super::{prepared::Prepared, signs::Signs};
 use crate::cluster::{
     Attempt, Begin, ClientError, CoordinatorClient, Delivery, Job, JobQueue, PROTOCOL, TakenJob,
     Tokens, Verdict,
@@ -34,6 +34,7 @@ pub(super) struct Worker {
     prepared: Mutex<Option<(Common, Arc<Prepared>)>>,
     /// Coordinators that did not answer, and when.
     unreachable: Mutex<HashMap<String, Instant>>,
+    signs: Arc<Signs>,
 }
 
 /// What jobs of one run and coordinator have in common.
@@ -51,7 +52,14 @@ enum Ended {
 
 impl Worker {
     pub fn new(name: String, queue: JobQueue, shared: Option<PathBuf>) -> Self {
-        Self { name, queue, shared, prepared: Mutex::new(None), unreachable: Mutex::default() }
+        let signs = Arc::new(Signs::of(&name));
+        let (prepared, unreachable) = (Mutex::new(None), Mutex::default());
+        Self { name, queue, shared, prepared, unreachable, signs }
+    }
+
+    /// What its coordinators are told of it.
+    pub fn signs(&self) -> Arc<Signs> {
+        self.signs.clone()
     }
 
     /// Takes and does jobs until `stop` is cancelled.
@@ -166,6 +174,7 @@ impl Worker {
             return Ok(None);
         }
         self.unreachable.lock().remove(&job.address);
+        self.signs.know(job);
         let result = prepared.measure(client, shot)?;
         let delivery = Delivery {
             shot: shot.number,
@@ -207,6 +216,7 @@ impl Worker {
         if assignment.conditions != job.conditions {
             return Err(ClientError::Stale("the job is of another run".into()).into());
         }
+        self.signs.know(job);
         tracing::info!("makes ready for {}", job.run_name);
         let shared = self.shared.as_deref();
         let fresh = Arc::new(Prepared::new(job, &assignment, client, shared).map_err(unfit)?);

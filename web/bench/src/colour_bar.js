@@ -11,11 +11,12 @@ export function colourBar() {
   let painted = null;
   return {
     element,
-    show(scale, label) {
+    /** Numbers are written by `words`. */
+    show(scale, label, words = number) {
       setText(title, label);
-      setText(low, number(scale.low));
-      setText(middle, number((scale.low + scale.high) / 2));
-      setText(high, number(scale.high));
+      setText(low, words(scale.low));
+      setText(middle, words((scale.low + scale.high) / 2));
+      setText(high, words(scale.high));
       if (painted !== scale.colours) scale.paint(canvas);
       painted = scale.colours;
     },

@@ -7,24 +7,28 @@ import { Desk } from "./desk.js";
 import { h, setAttribute } from "./dom.js";
 import { RunState } from "./run_state.js";
 import { safetyBar } from "./safety_bar.js";
+import { Statistics } from "./statistics.js";
 import { themeButton } from "./theme.js";
 import { Results } from "./velocity/results.js";
 import { camerasView } from "./views/cameras.js";
 import { overviewView } from "./views/overview.js";
 import { runView } from "./views/run.js";
+import { statisticsView } from "./views/statistics.js";
 import { velocityView } from "./views/velocity.js";
 import { volumeView } from "./views/volume.js";
 
 const run = new RunState();
 const desk = new Desk(run);
 const results = new Results(run);
+const statistics = new Statistics(run);
 const bar = safetyBar(run, desk);
 
 const VIEWS = {
   overview: ["Overview", () => overviewView(run)],
   cameras: ["Cameras", () => camerasView(run)],
   volume: ["Volume", () => volumeView(run)],
-  velocity: ["Velocity", () => velocityView(run, results)],
+  velocity: ["Velocity", () => velocityView(run, results, statistics)],
+  statistics: ["Statistics", () => statisticsView(run, statistics)],
   run: ["Run", () => runView(run, desk)],
 };
 /** Made when they are first looked at. */

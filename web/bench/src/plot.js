@@ -76,6 +76,13 @@ export class Plot {
     this.resize();
   }
 
+  /** Names what is upwards, where it is not always the same. */
+  label(y) {
+    if (this.options.y === y) return;
+    this.options.y = y;
+    if (this.plot) this.restyle();
+  }
+
   /** Shows numbers: those along x, then those of each series; `null` is a gap. */
   show(data) {
     this.data = data;

@@ -14,6 +14,8 @@ const SHOTS = 200;
 const LINES = 200;
 /** Events of before this page that are asked for, for the log. */
 const HISTORY = 400;
+/** Numbers of the backlog remembered: half an hour. */
+const BACKLOG = 900;
 /** How often the status is asked for: what events do not tell. */
 const ASK_MS = 2000;
 /** Views are told this often at most. */
@@ -48,6 +50,8 @@ export class RunState {
     this.latestResult = null;
     this.finished = [];
     this.frames = [];
+    /** Shots that workers on other machines have still to measure, as they were at some times. */
+    this.backlog = [];
     /** Which voxels are flow; `null` where all are, or as long as it is not known. */
     this.mask = null;
   }
@@ -182,6 +186,12 @@ export class RunState {
     });
   }
 
+  noteBacklog(cluster) {
+    if (!cluster) return;
+    this.backlog.push({ at: performance.now(), backlog: cluster.shots.backlog, inHand: cluster.shots.in_hand });
+    if (this.backlog.length > BACKLOG) this.backlog.shift();
+  }
+
   shotEnded(record, isPast) {
     const { shot } = record;
     const known = this.shots.get(shot) ?? { shot, cameras: [] };
@@ -216,6 +226,7 @@ export class RunState {
         getJson("/api/v1/shots?limit=60", { signal }),
       ]);
       this.status = status;
+      this.noteBacklog(status.cluster);
       this.permissions = control;
       this.control = control.state;
       if (!this.brief) this.noteFrames(status.cameras);

@@ -1,6 +1,8 @@
 // Debian's Chromium without a screen, WebGL by software, driven by playwright-core.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
 import { chromium } from "playwright-core";
 
 const CHROMIUM = process.env.LFPIV_CHROMIUM ?? "/usr/bin/chromium";
@@ -73,6 +75,19 @@ export async function until(read, reached, what, patienceMs = PATIENCE_MS) {
   }
 }
 
+/** What the daemon answers to who asks without the page. */
+export async function ask(url, token, path) {
+  const get = () => fetch(url + path, { headers: { Authorization: `Bearer ${token}` } });
+  // The daemon may just have closed a connection that was idle.
+  const answer = await get().catch(get);
+  return answer.json();
+}
+
+/** The text of a reading in a part of the page, by its label. */
+export function readingOf(part, label) {
+  return part.locator(".reading", { has: part.page().locator(`dt:text-is("${label}")`) }).locator("dd").textContent();
+}
+
 /** Goes to a view. */
 export async function look(page, view) {
   await page.click(`nav a[data-view="${view}"]`);
@@ -84,6 +99,16 @@ export async function settle(page, { quietMs = 250, mostMs = 2500 } = {}) {
   const began = Date.now();
   while (Math.min(page.quietFor(), Date.now() - began) < quietMs && Date.now() - began < mostMs) await page.waitForTimeout(30);
   await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+}
+
+/** What axe finds serious on a page, each with `where`. */
+export async function axeFinds(page, where) {
+  if (!(await page.evaluate(() => "axe" in window))) {
+    await page.evaluate(await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8"));
+  }
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
+  return violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
+    .map(({ id, nodes }) => `${where}: ${id}: ${nodes.map((node) => `${node.target} ${node.any[0]?.message ?? ""}`).slice(0, 4).join(" | ")}`);
 }
 
 /** Enters a token. */

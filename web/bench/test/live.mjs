@@ -1,15 +1,14 @@
 // The page before a run that takes shots: live.mjs URL READ_TOKEN CONTROL_TOKEN PICTURES
 
-import { mkdir, readFile } from "node:fs/promises";
+import { mkdir } from "node:fs/promises";
 import { join } from "node:path";
-import { createRequire } from "node:module";
 import {
-  Pictures, assert, assertQuiet, demand, enterToken, laserWord, look, openBench, settle, until,
+  Pictures, ask, assert, assertQuiet, axeFinds, demand, enterToken, laserWord, look, openBench, readingOf, settle, until,
   withBrowser,
 } from "./browser.mjs";
 
 const [url, readToken, controlToken, pictures] = process.argv.slice(2);
-const VIEWS = ["overview", "cameras", "volume", "velocity", "run"];
+const VIEWS = ["overview", "cameras", "volume", "velocity", "statistics", "run"];
 const HOSTILE = `<img src=x onerror="window.taken=1"><script>window.taken=2</script>&lt;b&gt;`;
 /** The browser's own lines on refused requests, and on those that nobody answered while the daemon was away. */
 const EXPECTED = /Failed to load resource: (the server responded with a status of (401|403|404|409|410|503)|net::ERR_(CONNECTION|INCOMPLETE|EMPTY|FAILED))/;
@@ -51,6 +50,8 @@ await withBrowser(async (browser) => {
   await until(firstShot, (text) => Number(text) > before + 2, "more shots");
   await until(() => page.locator(".lamp.camera strong").allTextContents(), (words) => words.join() === "delivers,delivers", "both cameras");
 
+  assert.ok(!(await page.locator(".workers").isVisible()), "this run has no workers on other machines");
+
   step("vectors are drawn, and turn");
   await look(page, "velocity");
   const space = page.locator("canvas.space");
@@ -82,6 +83,15 @@ await withBrowser(async (browser) => {
     assert.equal(await eye.differing(await eye.take(page, { clip })), 0, `something is cut at ${JSON.stringify(clip)}`);
   }
   await page.click(".velocity .shot-choice button:text('Follow')");
+
+  step("the mean is that of the run, not of the shots that the page has fetched");
+  const { done } = (await ask(url, readToken, "/api/v1/status")).shots;
+  const velocity = page.locator(".velocity");
+  await velocity.getByLabel("Show", { exact: true }).selectOption("mean");
+  const inMean = () => readingOf(velocity, "Shots in mean and rms");
+  await until(inMean, (text) => Number(text) >= done, "the mean of the run");
+  await velocity.getByLabel("Show", { exact: true }).selectOption("shot");
+  await until(() => velocity.locator(".reading:visible dt", { hasText: "Shots in mean and rms" }).count(), (shown) => shown === 0, "a shot alone");
 
   step("what is not flow is tinted, and no vector is there");
   await until(() => page.locator(".velocity .readings dd").nth(2).textContent(), (text) => Number(text) > 0, "masked vectors");
@@ -148,8 +158,6 @@ await withBrowser(async (browser) => {
   await until(() => laserWord(page), (word) => word === "firing", "shots");
 
   step("pictures, and what axe finds");
-  const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-  await page.evaluate(axe);
   const serious = [];
   for (const theme of ["light", "dark"]) {
     await page.emulateMedia({ colorScheme: theme, reducedMotion: "reduce" });
@@ -157,9 +165,7 @@ await withBrowser(async (browser) => {
       await look(page, view);
       await settle(page);
       await page.screenshot({ path: join(pictures, `${view}-${theme}.png`), fullPage: true });
-      const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
-      serious.push(...violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
-        .map(({ id, nodes }) => `${view}, ${theme}: ${id}: ${nodes.map((node) => `${node.target} ${node.any[0]?.message ?? ""}`).slice(0, 4).join(" | ")}`));
+      serious.push(...(await axeFinds(page, `${view}, ${theme}`)));
     }
   }
   assert.deepEqual(serious, []);

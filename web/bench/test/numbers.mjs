@@ -6,7 +6,7 @@ import { dtAdvice, histogram, locking } from "../src/velocity/displacement.js";
 import { decodeMask, faces, projected } from "../src/mask.js";
 import { decodeParticles, drawParticles } from "../src/particles.js";
 import { decode, inFlow, magnitudes, quantile, validShare, vorticity } from "../src/velocity/field.js";
-import { Running } from "../src/velocity/running.js";
+import { decodeStatistics, halfWidthAt, uncertaintyAt, vectorsOf } from "../src/statistics.js";
 import { surface } from "../src/velocity/surface.js";
 
 /** A field as the daemon sends it, with displacements by a function of the place in mm. */
@@ -119,20 +119,22 @@ const seen = Array.from({ length: 256 }, (_, n) => luminance(placed.scale.rgb((p
 assert.ok((seen[0] + 0.05) / 0.05 >= 3, `${seen[0]}`);
 assert.ok(seen.every((light, n) => n < 4 || light > seen[n - 4]));
 
-// The naive reference of mean and rms.
-const shots = [1, 2, 4, 9].map((size) => field([3, 3, 3], (x) => [size * x, size, -size], { status: (v) => (v === 5 && size === 4 ? 2 : 0) }));
-const running = new Running();
-shots.forEach((shot) => running.add(shot));
-const [mean, rms] = [running.mean(), running.rms()];
-for (let c = 0; c < mean.length; c += 1) {
-  const values = shots.map((shot) => shot.u[c]).filter((value) => !Number.isNaN(value));
-  const average = values.reduce((sum, value) => sum + value, 0) / values.length;
-  const square = values.reduce((sum, value) => sum + (value - average) ** 2, 0) / (values.length - 1);
-  assert.ok(Math.abs(mean[c] - average) < 1e-5);
-  assert.ok(Math.abs(rms[c] - Math.sqrt(square)) < 1e-5);
-}
-running.add(field([4, 3, 3], () => [1, 1, 1]));
-assert.equal(running.shots, 1, "another grid begins anew");
+// Statistics as the daemon sends them: the second of three points has too few shots.
+const statistics = decodeStatistics({
+  shots: 7,
+  samples: [7, 0, 6],
+  grid: { vectors_xyz: [3, 1, 1], first_mm: [1, 2, 3], spacing_mm: 0.4 },
+  maps: ["u_mean", "v_mean", "w_mean"].map((quantity, c) => ({
+    quantity, unit: "m/s", value: [1, null, 3 + c], low: [0, null, 2], high: [2, null, 5], flow_uncertainty: [0.3, null, 0], measurement_uncertainty: [0.4, null, 0.1],
+  })),
+  convergence: [],
+  correlations: [],
+});
+assert.deepEqual([statistics.n, statistics.first, statistics.spacing, [...statistics.samples]], [[3, 1, 1], [1, 2, 3], 0.4, [7, 0, 6]]);
+assert.deepEqual([...vectorsOf(statistics, ["u_mean", "v_mean", "w_mean"])], [1, 1, 1, NaN, NaN, NaN, 3, 4, 5]);
+assert.ok(Math.abs(uncertaintyAt(statistics.maps.u_mean, 0) - 0.5) < 1e-6);
+assert.equal(halfWidthAt(statistics.maps.v_mean, 2), 1.5);
+assert.ok(Number.isNaN(halfWidthAt(statistics.maps.v_mean, 1)));
 
 // A sphere.
 const n = [21, 21, 21];

@@ -43,9 +43,13 @@ export function decode(buffer) {
   };
 }
 
+/** Far less than any spacing of vectors, in mm. */
+const SAME_MM = 1e-6;
+
 /** Whether two fields have their vectors at the same places. */
 export function sameGrid(a, b) {
-  return Boolean(a && b) && a.spacing === b.spacing && a.n.every((m, k) => m === b.n[k] && a.first[k] === b.first[k]);
+  const near = (one, other) => Math.abs(one - other) < SAME_MM;
+  return Boolean(a && b) && near(a.spacing, b.spacing) && a.n.every((m, k) => m === b.n[k] && near(a.first[k], b.first[k]));
 }
 
 /** Index of vector (i, j, k). */

@@ -1,17 +1,15 @@
 // The fields of the run: the latest as it comes, as fast as they can be fetched and no faster than they can be
-// looked at; those before it for the running mean.
+// looked at.
 
 import { ApiError, getBytes } from "../api.js";
 import { decode } from "./field.js";
-import { Running } from "./running.js";
 
-/** Fields are fetched this far apart at least: what comes between is left out of mean and rms. */
+/** Fields are fetched this far apart at least. */
 const LEAST_MS = 250;
 
 export class Results {
   constructor(run) {
     this.run = run;
-    this.running = new Running();
     this.field = null;
     this.held = null;
     this.error = null;
@@ -32,7 +30,6 @@ export class Results {
 
   isReady(shot) {
     if (shot === null) {
-      this.running.clear();
       this.field = this.held = this.wanted = null;
       this.tell();
       return;
@@ -69,7 +66,6 @@ export class Results {
     this.lastFetch = performance.now();
     try {
       const field = decode(await getBytes(`/api/v1/results/${shot}?format=binary`));
-      this.running.add(field);
       if (this.held === null) this.field = field;
       this.error = null;
       this.tell();

@@ -42,6 +42,11 @@ export class SliceCanvas {
   constructor(picked) {
     this.canvas = h("canvas", { class: "slice", role: "img", "aria-label": "Slice through the field" });
     this.buffer = document.createElement("canvas");
+    this.drawn = null;
+    const again = () => this.drawn && this.draw(...this.drawn);
+    new ResizeObserver(again).observe(this.canvas);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
+    document.addEventListener("themechange", again);
     this.canvas.addEventListener("pointerdown", (event) => {
       if (!this.area) return;
       const box = this.canvas.getBoundingClientRect();
@@ -53,7 +58,9 @@ export class SliceCanvas {
   }
 
   /** Paints a slice of `values` with arrows of `vectors`; `line` is { along: 0 or 1, index }. */
-  draw(field, values, vectors, { axis, index, scale, longest, line }) {
+  draw(field, values, vectors, chosen) {
+    this.drawn = [field, values, vectors, chosen];
+    const { axis, index, scale, longest, line } = chosen;
     const { width, height, ratio } = fitCanvas(this.canvas);
     const context = this.canvas.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);

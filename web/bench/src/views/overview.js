@@ -2,6 +2,8 @@
 
 import { h, panel, reading, setAttribute, setText } from "../dom.js";
 import { Plot } from "../plot.js";
+import { table } from "../table.js";
+import { workersPanel } from "../workers.js";
 import { bytes, clockTime, count, duration, number, outcome, percent, runState, shotState } from "../words.js";
 
 const OUTCOMES = ["complete", "missing_packets", "underrun", "missed_trigger", "late", "unpaired", "shed", "write_failed", "not_fired"];
@@ -33,10 +35,12 @@ export function overviewView(run) {
   const waiting = h("p", { class: "hint" });
   const quiet = h("p", { class: "hint" }, "Nothing yet that is worth a line.");
   const log = h("ol", { class: "log" });
+  const workers = workersPanel(run);
   const times = new Plot({ x: "shot", y: "seconds", alt: "Time that the last shots took to measure", height: 150, series: [{ label: "time to measure" }] });
 
   const element = h("div", { class: "view overview" },
     h("dl", { class: "readings" }, ...Object.values(state).map((one) => one.element)),
+    workers.element,
     h("div", { class: "two" },
       h("div", {},
         panel("Shots", waiting, shots.element),
@@ -60,10 +64,13 @@ export function overviewView(run) {
     const { configuration, latency, disk } = status;
     state.dt.show(`${number(run.control?.dt_us ?? configuration.dt_us)} µs`);
     state.asked.show(`${number(configuration.rate_hz)} Hz${configuration.shots ? `, ${count(configuration.shots)} shots` : ""}`);
+    // With workers on other machines nothing waits there: they have a panel of their own.
+    state.queue.element.hidden = Boolean(status.cluster);
     state.queue.show(`${brief.shots.queued} of ${configuration.queue}`, brief.shots.queued >= configuration.queue ? "doubt" : null);
     state.latency.show(latency ? `${duration(latency.p50_s)}, ${duration(latency.p95_s)}` : "–");
     showDisk(disk);
     state.uptime.show(duration(status.uptime_s));
+    workers.show(status.cluster);
     showFit(status);
     showLedger(status);
   }
@@ -153,27 +160,4 @@ function describe(shot) {
   const lost = (shot.cameras ?? []).filter((camera) => camera.outcome && camera.outcome !== "complete");
   const more = shot.message ?? shot.suspect?.[0] ?? (shot.state === "lost" ? lost.map((camera) => `${camera.camera} ${outcome(camera.outcome)}`).join(", ") : null);
   return more ? `${shotState(shot.state)}: ${more}` : shotState(shot.state);
-}
-
-/** A table whose cells are kept and filled anew. */
-function table(caption) {
-  const head = h("thead");
-  const body = h("tbody");
-  const words = h("caption", {}, caption);
-  const element = h("div", { class: "table", tabindex: "0", role: "region", "aria-label": caption }, h("table", {}, words, head, body));
-  function row(into, n, tag, cells) {
-    const line = into.children[n] ?? into.appendChild(h("tr"));
-    while (line.childElementCount < cells.length) line.append(h(tag, tag === "th" ? { scope: "col" } : {}));
-    while (line.childElementCount > cells.length) line.lastChild.remove();
-    cells.forEach((cell, at) => setText(line.children[at], cell));
-  }
-  return {
-    element,
-    show(columns, rows, remark = "") {
-      row(head, 0, "th", columns);
-      rows.forEach((cells, n) => row(body, n, "td", cells));
-      while (body.childElementCount > rows.length) body.lastChild.remove();
-      setText(words, remark || caption);
-    },
-  };
 }

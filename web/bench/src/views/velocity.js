@@ -5,14 +5,15 @@ import { ColourScale } from "../colour_scale.js";
 import { h, panel, reading, select, setText, slider, tick } from "../dom.js";
 import { Plot } from "../plot.js";
 import { shotChoice } from "../shot_choice.js";
+import { VECTORS, uncertaintyAt, vectorsOf } from "../statistics.js";
 import { dtAdvice, histogram, lockingWords, validDisplacements } from "../velocity/displacement.js";
-import { component, inFlow, magnitudes, quantile, validShare, vorticity } from "../velocity/field.js";
+import { component, inFlow, magnitudes, quantile, sameGrid, validShare, vorticity } from "../velocity/field.js";
 import { FieldScene } from "../velocity/scene.js";
 import { PLANE, SliceCanvas, slicePixels, slicePlane } from "../velocity/slice.js";
 import { surface } from "../velocity/surface.js";
-import { number, percent } from "../words.js";
+import { count, number, percent } from "../words.js";
 
-const SHOWN = { shot: "this shot", mean: "mean over shots", rms: "rms over shots" };
+const SHOWN = { shot: "this shot", mean: "mean of the run", rms: "rms of the run" };
 const QUANTITIES = {
   speed: "speed",
   u: "u along x",
@@ -28,7 +29,7 @@ const AXES = { 0: "x", 1: "y", 2: "z" };
 /** Scales reach to this share of the values: a few outliers must not darken all others. */
 const WHITE = 0.99;
 
-export function velocityView(run, results) {
+export function velocityView(run, results, statistics) {
   const chosen = { shown: "shot", quantity: "speed", axis: 2, index: null, along: 0, line: null, level: 60 };
   const scene = new FieldScene();
   const bar = colourBar();
@@ -42,7 +43,7 @@ export function velocityView(run, results) {
     masked: reading("Masked", { title: "vectors whose place is not flow, as [volume.mask] says; no share counts them" }),
     speed: reading("Largest speed", { title: "99th percentile" }),
     uncertainty: reading("Uncertainty", { title: "median standard uncertainty of a component" }),
-    shots: reading("Shots in mean and rms"),
+    shots: reading("Shots in mean and rms", { title: "all shots of the run so far, their valid vectors" }),
   };
   const vectors = tick("Vectors", true, () => redraw());
   const surfaces = tick("Vorticity surface", true, () => redraw());
@@ -81,6 +82,7 @@ export function velocityView(run, results) {
       panel("Displacements", ...displacements.map((plot) => plot.element), locking, advice)));
 
   results.watch(() => redraw());
+  statistics.watch(() => chosen.shown !== "shot" && redraw());
 
   function redraw(change = {}) {
     Object.assign(chosen, change);
@@ -98,16 +100,17 @@ export function velocityView(run, results) {
     redraw({ line: Math.min(n - 1, Math.floor(share * n)) });
   }
 
-  /** The vectors that are chosen. */
-  function chosenVectors(field) {
-    if (chosen.shown === "shot" || results.running.shots === 0) return field.u;
-    return chosen.shown === "mean" ? results.running.mean() : results.running.rms();
+  /** The statistics of the run, where they are chosen and there, at the places of this shot's vectors. */
+  function ofTheRun(field) {
+    if (chosen.shown === "shot") return null;
+    statistics.want(VECTORS[chosen.shown]);
+    return statistics.has(VECTORS[chosen.shown]) && sameGrid(field, statistics.now) ? statistics.now : null;
   }
 
-  function chosenValues(field, u, rotation) {
+  function chosenValues({ u, uncertainty }, rotation) {
     const name = chosen.quantity;
     if (name === "speed") return [magnitudes(u), "speed (m/s)", false];
-    if (name === "uncertainty") return [magnitudes(field.uncertainty).map((size) => size / Math.sqrt(3)), "standard uncertainty of a component (m/s)", false];
+    if (name === "uncertainty") return [magnitudes(uncertainty).map((size) => size / Math.sqrt(3)), "standard uncertainty of a component (m/s)", false];
     if (name === "vorticity") return [magnitudes(rotation), "|vorticity| (1/s)", false];
     const axisOf = { u: 0, v: 1, w: 2, vorticity_x: 0, vorticity_y: 1, vorticity_z: 2 }[name];
     return name.startsWith("vorticity")
@@ -117,35 +120,42 @@ export function velocityView(run, results) {
 
   function draw() {
     const { field } = results;
-    setText(none, field ? results.error ?? "" : results.error ?? "No result yet: the first shot that is measured appears here.");
+    const whole = field && ofTheRun(field);
+    const isMissing = field && chosen.shown !== "shot" && !whole;
+    setText(none, !field ? results.error ?? "No result yet: the first shot that is measured appears here."
+      : isMissing ? statistics.error ?? `The ${SHOWN[chosen.shown]} is asked for: this is shot ${field.shot}.` : results.error ?? "");
     element.classList.toggle("without", !field);
     if (!field) return;
-    const u = chosenVectors(field);
+    const names = VECTORS[chosen.shown];
+    const drawn = whole ? { u: vectorsOf(whole, names), uncertainty: vectorsOf(whole, names, uncertaintyAt) } : field;
+    const { u } = drawn;
     const rotation = vorticity(field, u);
     const speeds = magnitudes(u);
     const speedScale = new ColourScale(0, quantile(speeds, WHITE));
     scene.frame(field);
     scene.showVectors(field, u, speedScale, vectors.input.checked);
     scene.showBodies(field, run.mask);
-    bar.show(speedScale, chosen.shown === "rms" ? "fluctuation (m/s)" : "speed (m/s)");
+    bar.show(speedScale, whole && chosen.shown === "rms" ? "fluctuation (m/s)" : "speed (m/s)");
 
     const spin = magnitudes(rotation);
     const surfaceLevel = (quantile(spin, 0.995) * chosen.level) / 100;
     setText(level.shown, `${number(surfaceLevel)} 1/s`);
     scene.showSurface(field, surfaces.input.checked && surfaceLevel > 0 ? surface(spin, field.n, surfaceLevel) : null);
-    drawSlice(field, u, rotation, speedScale);
+    drawSlice(field, drawn, rotation, speedScale);
     drawProfile(field, u);
-    drawWords(field, speeds);
+    drawWords(field, drawn, speeds);
+    readings.shots.element.hidden = !whole;
+    readings.shots.show(whole ? count(whole.shots) : "–");
     scene.draw();
   }
 
-  function drawSlice(field, u, rotation, speedScale) {
+  function drawSlice(field, drawn, rotation, speedScale) {
     const n = field.n[chosen.axis];
     chosen.index = Math.min(n - 1, chosen.index ?? Math.floor(n / 2));
     place.input.max = n - 1;
     place.input.value = chosen.index;
     setText(place.shown, `${"xyz"[chosen.axis]} = ${number(field.first[chosen.axis] + chosen.index * field.spacing, 2)} mm`);
-    const [values, label, signed] = chosenValues(field, u, rotation);
+    const [values, label, signed] = chosenValues(drawn, rotation);
     const high = quantile(values.map(Math.abs), WHITE);
     const scale = new ColourScale(signed ? -high : 0, high, signed);
     if (chosen.along === chosen.axis) chosen.along = PLANE[chosen.axis][0];
@@ -155,7 +165,7 @@ export function velocityView(run, results) {
     const lines = field.n[isAlongRight ? up : right];
     chosen.line = Math.min(lines - 1, chosen.line ?? Math.floor(lines / 2));
     const line = { along: isAlongRight ? 0 : 1, index: chosen.line };
-    slice.draw(field, values, u, { axis: chosen.axis, index: chosen.index, scale, longest: speedScale.high, line });
+    slice.draw(field, values, drawn.u, { axis: chosen.axis, index: chosen.index, scale, longest: speedScale.high, line });
     sliceBar.show(scale, label);
     const rows = slicePlane(field, values, chosen.axis, chosen.index);
     const pixels = inSpace.input.checked ? slicePixels(rows, scale) : null;
@@ -177,7 +187,7 @@ export function velocityView(run, results) {
     profile.show([positions, ...lines]);
   }
 
-  function drawWords(field, speeds) {
+  function drawWords(field, drawn, speeds) {
     const replaced = field.status.reduce((sum, status) => sum + (status === 1), 0);
     const share = validShare(field);
     readings.valid.show(percent(share, 1), share < 0.7 ? "doubt" : null);
@@ -186,8 +196,7 @@ export function velocityView(run, results) {
     legend.hidden = flow === field.status.length;
     readings.masked.show(flow < field.status.length ? String(field.status.length - flow) : "none");
     readings.speed.show(`${number(quantile(speeds, WHITE))} m/s`);
-    readings.uncertainty.show(`${number(quantile(field.uncertainty, 0.5), 2)} m/s`);
-    readings.shots.show(String(results.running.shots));
+    readings.uncertainty.show(`${number(quantile(drawn.uncertainty, 0.5), 2)} m/s`);
     displacements.forEach((plot, a) => {
       const values = validDisplacements(field, a);
       const bins = histogram(values, Math.min(48, Math.max(8, Math.round(1.5 * Math.sqrt(values.length)))));
@@ -212,6 +221,7 @@ export function velocityView(run, results) {
       drawnMask = run.mask;
       redraw();
     }
+    if (chosen.shown !== "shot") statistics.want(VECTORS[chosen.shown]);
   }
 
   return { element, update, show: () => draw() };
