@@ -11,6 +11,9 @@ use crate::{
 /// times the cost.
 const DIAGONALS: i32 = 3;
 
+/// For arbitrarily oriented cameras, every fourth diagonal (docs/decisions.md).
+const DIAGONALS_ON_GRID: i32 = 4;
+
 /// With fewer views than this per camera, all are used.
 const MIN_VIEWS_FOR_SELECTION: usize = 120;
 
@@ -23,9 +26,10 @@ const NOISE_SHARE: f64 = 0.03;
 pub(super) fn some_views(layouts: &[ViewLayout], dark_below: Vec<f32>) -> HullCriteria {
     let selected = layouts.iter().map(|layout| {
         let all = layout.views.len();
+        let diagonals = if layout.grid.is_some() { DIAGONALS_ON_GRID } else { DIAGONALS };
         let is_asked = |&n: &usize| {
             let view = &layout.views[n];
-            all < MIN_VIEWS_FOR_SELECTION || (view.k + view.l).rem_euclid(DIAGONALS) == 0
+            all < MIN_VIEWS_FOR_SELECTION || (view.k + view.l).rem_euclid(diagonals) == 0
         };
         (0..all).filter(is_asked).collect()
     });

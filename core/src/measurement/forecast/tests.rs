@@ -122,9 +122,10 @@ fn trials_are_worse_than_the_bound_and_the_same_every_time() {
         let (expected, least) = (root_mean_square(&trials, component), median(&held, component));
         assert!(expected > least && expected < 0.1, "{expected} {least}");
     }
-    let dim = Conditions { photoelectrons: 3000.0, counts_per_electron: 4.0, ..CONDITIONS };
-    let dim = of_two_pairs(&dim);
-    assert!(root_mean_square(&dim, 0) > 1.2 * root_mean_square(&trials, 0));
+    // A few electrons in a pixel are below the noise: hardly a vector is valid.
+    let dark = Conditions { photoelectrons: 3000.0, counts_per_electron: 4.0, ..CONDITIONS };
+    let dark = of_two_pairs(&dark);
+    assert!(dark.valid_share < 0.1, "{dark:?}");
 }
 
 /// What is lit in a pixel, summed over the image, is the light of its particles.

@@ -35,7 +35,7 @@ pub(super) const MAX_THICKNESS: usize = 8;
 
 /// Largest displacement of a voxel by a tile's thickness in any view, in microlenses. Supports are
 /// widened by the actual displacement.
-const MAX_DISPLACEMENT: f64 = 0.5;
+const MAX_DISPLACEMENT: f64 = 0.25;
 
 /// See [`crate::model::BlockModel::lit`]; tiles are at most `max_thickness` voxels thick.
 pub(super) fn lit_blocks<const L: usize>(
