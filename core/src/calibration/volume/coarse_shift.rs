@@ -24,7 +24,8 @@ pub(super) struct CoarseShifts {
     pub(super) shifts_mm: Vec<[f64; 2]>,
     /// Correlation coefficient of each image with the card there.
     pub(super) correlations: Vec<f64>,
-    /// See [`Rival::clarity`]; that of the strongest rival.
+    /// How clearly the fiducial tells this place from the one that is hardest to tell from it, in standard
+    /// errors.
     pub(super) clarity: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Photo-hull of a tile: up to 60 × 96 voxels of one or a few depths, for all views of a camera.
+//! Photo-hull of a tile: up to 60 × 96 voxels of up to eight depths, for all views of a camera.
 //!
 //! Relative to the array's columns and rows the voxels of a tile are almost evenly spaced, so a
 //! view maps microlenses onto voxels by an affine function ([`TileView`]). A lit microlens lights a
