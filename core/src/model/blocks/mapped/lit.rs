@@ -224,8 +224,8 @@ impl Tiles<'_> {
             };
             return halves.into_iter().flat_map(|half| self.straight(part(half))).collect();
         }
-        let [nearest, farthest] = depths_mm.map(|depth_mm| (self.camera.support)(depth_mm));
-        let mut support = nearest.union(&farthest);
+        let [one, other] = depths_mm.map(|depth_mm| (self.camera.support)(depth_mm));
+        let mut support = one.union(&other);
         support.reach.iter_mut().for_each(|reach| *reach += deviation);
         vec![(span, place, support)]
     }
@@ -245,7 +245,7 @@ impl Tiles<'_> {
     }
 
     /// The linear positions of a tile's voxels, the largest deviation of a corner in any view, and
-    /// the lowest and highest depths for columns and rows.
+    /// the depths of its outermost voxels in thickness, for columns and rows.
     fn place(&self, span: &Span) -> (TilePlace, f64, [[f64; 2]; 2]) {
         let half = span.count.map(|count| (count as f64 - 1.0) / 2.0);
         let see = |steps: [f64; 2]| {
@@ -284,12 +284,7 @@ impl Tiles<'_> {
                 self.deviation(&place, &see(steps), [steps[0] * half[0], steps[1] * half[1]])
             })
             .fold(0.0, f64::max);
-        let depths_mm: Vec<[f64; 2]> =
-            ends.iter().flatten().chain(&outermost).map(|seen| seen.depth_mm).collect();
-        let extreme = |of: fn(f64, f64) -> f64| {
-            [0, 1].map(|n| depths_mm.iter().fold(middle.depth_mm[n], |mm, depth| of(mm, depth[n])))
-        };
-        (place, deviation, [extreme(f64::min), extreme(f64::max)])
+        (place, deviation, outermost.map(|seen| seen.depth_mm))
     }
 
     /// Deviation of a point from its linear position, in the view where it is largest.

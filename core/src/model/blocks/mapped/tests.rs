@@ -410,7 +410,7 @@ fn the_hull_is_that_of_voxels_one_by_one() {
                 thick.len()
             );
             let ratio = thin.len() as f64 / expected as f64;
-            wrong |= expected < 100 || !(0.93..1.45).contains(&ratio);
+            wrong |= expected < 100 || !(0.93..1.35).contains(&ratio);
             wrong |= missing as f64 > 0.01 * thin.len() as f64;
         }
     }
