@@ -31,16 +31,10 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
     let before = cameras[c].blur;
     let pixel_mm = before.plane_mm / before.sensor_px;
     let asked: Vec<usize> = of.iter().copied().step_by(EVERY).collect();
-    let misfit = |log_width: f64| {
-        let mut camera = cameras[c].clone();
+    let (mut camera, mut image) = (cameras[c].clone(), fit.images[c].clone());
+    let mut misfit = |log_width: f64| {
         camera.blur = blur_of_width(log_width.exp(), pixel_mm);
-        let mut image = fit.images[c].clone();
-        image.clear();
-        let mut footprint = PointFootprint::default();
-        for particle in &fit.particles {
-            camera.image(particle.at_mm, &mut footprint);
-            image.add(&camera, &footprint, particle.light[c] as f32);
-        }
+        fit.render_in(&mut image, &camera, c);
         // The same pixels and weights for every width: those of the width before.
         let left = |footprint: &mut PointFootprint, &n: &usize| {
             cameras[c].image(fit.particles[n].at_mm, footprint);

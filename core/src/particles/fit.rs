@@ -24,6 +24,8 @@ pub struct FrameFit {
     pub particles: Vec<Particle>,
     /// Length of each particle's last step, in mm.
     pub steps_mm: Vec<f64>,
+    /// Where each particle was left when it was last started again, in mm.
+    pub restarted_mm: Vec<Option<[f64; 3]>>,
     /// Per camera, the particles of the model in the order of their images.
     orders: Vec<Vec<u32>>,
 }
@@ -31,13 +33,31 @@ pub struct FrameFit {
 impl FrameFit {
     /// A frame without particles.
     pub fn new(images: Vec<ParticleImage>) -> Self {
-        Self { images, particles: Vec::new(), steps_mm: Vec::new(), orders: Vec::new() }
+        Self {
+            images,
+            particles: Vec::new(),
+            steps_mm: Vec::new(),
+            restarted_mm: Vec::new(),
+            orders: Vec::new(),
+        }
     }
 
     /// Adds particles; the model does not hold them before [`Self::render`].
     pub fn extend(&mut self, particles: impl IntoIterator<Item = Particle>) {
         self.particles.extend(particles);
         self.steps_mm.resize(self.particles.len(), f64::INFINITY);
+        self.restarted_mm.resize(self.particles.len(), None);
+    }
+
+    /// Removes particles; the model holds them until [`Self::render`].
+    pub fn remove(&mut self, gone: &[bool]) {
+        fn retain<T>(all: &mut Vec<T>, gone: &[bool]) {
+            let mut gone = gone.iter();
+            all.retain(|_| gone.next().is_none_or(|gone| !gone));
+        }
+        retain(&mut self.particles, gone);
+        retain(&mut self.steps_mm, gone);
+        retain(&mut self.restarted_mm, gone);
     }
 
     /// Sets the relative error of the model, which bounds the weight of bright pixels.
@@ -47,19 +67,24 @@ impl FrameFit {
 
     /// Renders the model of all particles from scratch.
     pub fn render(&mut self, cameras: &[PointCamera]) {
-        let particles = &self.particles;
-        self.orders.resize(cameras.len(), Vec::new());
-        let images = self.images.par_iter_mut().zip(&mut self.orders).zip(cameras).enumerate();
-        images.for_each(|(c, ((image, order), camera))| {
-            *order = image_order(camera, particles);
-            image.clear();
-            let mut footprint = PointFootprint::default();
-            for &n in order.iter() {
-                let particle = &particles[n as usize];
-                camera.image(particle.at_mm, &mut footprint);
-                image.add(camera, &footprint, particle.light[c] as f32);
-            }
-        });
+        let order = |camera| image_order(camera, &self.particles);
+        self.orders = cameras.par_iter().map(order).collect();
+        let mut images = std::mem::take(&mut self.images);
+        let each = images.par_iter_mut().zip(cameras).enumerate();
+        each.for_each(|(c, (image, camera))| self.render_in(image, camera, c));
+        self.images = images;
+    }
+
+    /// Makes `image` the model of all particles as `camera`, which is number `c`, images them. They are taken in the
+    /// order of their images.
+    pub fn render_in(&self, image: &mut ParticleImage, camera: &PointCamera, c: usize) {
+        image.clear();
+        let mut footprint = PointFootprint::default();
+        for &n in &self.orders[c] {
+            let particle = &self.particles[n as usize];
+            camera.image(particle.at_mm, &mut footprint);
+            image.add(camera, &footprint, particle.light[c] as f32);
+        }
     }
 
     /// What `act` makes of the numbered particles in camera number `c`, in their order. They are taken in the

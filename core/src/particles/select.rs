@@ -128,10 +128,7 @@ impl FrameFit {
             }
             gone[n] = lights[n] < least_light;
         }
-        let mut kept = gone.iter().map(|gone| !gone);
-        self.particles.retain(|_| kept.next().unwrap_or(true));
-        let mut kept = gone.iter().map(|gone| !gone);
-        self.steps_mm.retain(|_| kept.next().unwrap_or(true));
+        self.remove(&gone);
         if self.particles.len() < count {
             self.render(cameras);
         }

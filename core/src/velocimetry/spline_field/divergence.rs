@@ -8,11 +8,11 @@ use super::{
         b_spline::{HALFWAY, HALFWAY_SLOPES},
         differences::Layout,
     },
-    lanes::{LANES, Lane, Vectors, zeros},
+    lanes::{LANES, Lane, Vectors},
     noise::Noise,
 };
 
-/// The penalty Σ μ (∇·c)² over half-node points.
+/// The penalty Σ μ (∇·c)² over half-node points, of a field that has a vector for each component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Divergence {
     /// From one node to the next, in voxels.
@@ -31,7 +31,7 @@ impl Divergence {
         sign: f32,
         sums: &mut Vectors,
     ) {
-        let mut parts = zeros(0);
+        let mut parts: [Vec<Lane>; 3] = Default::default();
         parts.par_iter_mut().enumerate().for_each(|(c, part)| {
             *part = field[c].clone();
             for axis in 0..3 {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::{
     super::differences::Layout,
     divergence::Divergence,
-    lanes::{LANES, Lane, Vectors, zeros},
+    lanes::{LANES, Lane, Vectors},
     nodes::{Nodes, Taps},
     noise::Noise,
 };
@@ -23,15 +23,13 @@ use super::{
 pub struct Equations<'a> {
     /// Where the coefficients are.
     pub nodes: &'a Nodes,
-    /// What makes a field at each sample.
+    /// What makes a field at each sample. The samples are in the order of the coefficients.
     pub taps: &'a [Taps],
-    /// Per component and sample: w.
-    pub weights: [Vec<Lane>; 3],
-    /// Per component: λ of all lanes,
-    pub stiffness: [f32; 3],
-    /// times a factor for each.
-    pub factors: Lane,
-    /// Divergence, where it costs anything.
+    /// Per vector and sample: w.
+    pub weights: Vec<Vec<Lane>>,
+    /// Per vector: λ.
+    pub stiffness: Vec<Lane>,
+    /// Divergence, where it costs anything; only where each component has a vector.
     pub divergence: Option<Divergence>,
     /// κ, greater than zero: samples and third differences alone leave some fields open.
     pub anchor: f32,
@@ -39,11 +37,11 @@ pub struct Equations<'a> {
 
 /// What a field is compared with.
 pub struct Targets<'a> {
-    /// Per component and sample: y.
-    pub samples: &'a [Vec<Lane>; 3],
-    /// Per component and coefficient: b.
-    pub before: &'a [Vec<f32>; 3],
-    /// t √λ, s √μ, and what b √κ is in all lanes but the first.
+    /// Per vector and sample: y.
+    pub samples: &'a [Vec<Lane>],
+    /// Per vector and coefficient: b.
+    pub before: &'a [Vec<Lane>],
+    /// t √λ, s √μ, and what b √κ is in all lanes but the first; only where each component has a vector.
     pub noise: Option<&'a Noise>,
 }
 
@@ -60,29 +58,54 @@ impl Equations<'_> {
 
     fn forces(&self, field: &Vectors, targets: Option<&Targets>, sign: f32) -> Vectors {
         let layout = self.nodes.layout;
-        let of_component = |c: usize| -> Vec<Lane> {
-            let mut sum = vec![[0.0; LANES]; layout.len()];
+        let of_vector = |c: usize| -> Vec<Lane> {
             let values = targets.map(|targets| targets.samples[c].as_slice());
-            add_samples(layout, self.taps, &self.weights[c], &field[c], values, sign, &mut sum);
-            let stiffness = self.lanes_of_stiffness(c);
+            let mut sum = self.forces_of_samples(c, &field[c], values, sign);
             for axis in 0..3 {
                 let noise = targets.and_then(|t| t.noise).map(|noise| (noise, c));
-                add_differences(layout, axis, stiffness, &field[c], noise, sign, &mut sum);
+                add_differences(layout, axis, self.stiffness[c], &field[c], noise, sign, &mut sum);
             }
             self.add_anchors(c, &field[c], targets, sign, &mut sum);
             sum
         };
-        let mut sums: Vectors = zeros(0);
-        sums.par_iter_mut().enumerate().for_each(|(c, sum)| *sum = of_component(c));
+        let mut sums: Vectors = (0..field.len()).into_par_iter().map(of_vector).collect();
         if let Some(divergence) = &self.divergence {
             divergence.add_forces(layout, field, targets.and_then(|t| t.noise), sign, &mut sums);
         }
         sums
     }
 
-    /// λ of component `c`, lane by lane.
-    pub fn lanes_of_stiffness(&self, c: usize) -> Lane {
-        self.factors.map(|factor| factor * self.stiffness[c])
+    /// sign · Bᵀ w (y − B c) of vector `c`. Parts of the samples at once, each in coefficients of its own: the sum does
+    /// not depend on the number of threads.
+    fn forces_of_samples(
+        &self,
+        c: usize,
+        field: &[Lane],
+        values: Option<&[Lane]>,
+        sign: f32,
+    ) -> Vec<Lane> {
+        let layout = self.nodes.layout;
+        let weights = &self.weights[c];
+        let of_part = |(number, taps): (usize, &[Taps])| {
+            let samples = number * PART..number * PART + taps.len();
+            let (weights, values) = (&weights[samples.clone()], values.map(|all| &all[samples]));
+            let [first, last] = [taps[0].first, taps[taps.len() - 1].first];
+            let touched = first..last + Taps::span(layout);
+            let mut sum = vec![[0.0; LANES]; touched.len()];
+            add_samples(layout, taps, weights, field, values, (sign, first), &mut sum);
+            (first, sum)
+        };
+        let parts: Vec<(usize, Vec<Lane>)> =
+            self.taps.par_chunks(PART).enumerate().map(of_part).collect();
+        let mut sum = vec![[0.0; LANES]; layout.len()];
+        for (first, part) in parts {
+            for (sum, part) in sum[first..].iter_mut().zip(part) {
+                for l in 0..LANES {
+                    sum[l] += part[l];
+                }
+            }
+        }
+        sum
     }
 
     /// Adds sign · κ (b − c).
@@ -99,10 +122,10 @@ impl Equations<'_> {
             let before = targets.map_or([0.0; LANES], |targets| match targets.noise {
                 Some(noise) => {
                     let mut drawn = noise.of_anchor(c, n).map(|sign| sign / root);
-                    drawn[0] = targets.before[c][n];
+                    drawn[0] = targets.before[c][n][0];
                     drawn
                 }
-                None => [targets.before[c][n]; LANES],
+                None => targets.before[c][n],
             });
             for l in 0..LANES {
                 sum[l] += sign * self.anchor * (before[l] - field[l]);
@@ -111,7 +134,10 @@ impl Equations<'_> {
     }
 }
 
-/// Adds sign · Bᵀ w (y − B c).
+/// Samples whose forces are added up at once.
+const PART: usize = 2048;
+
+/// Adds sign · Bᵀ w (y − B c) to the coefficients from number `first` on.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn add_samples(
     layout: Layout,
@@ -119,7 +145,7 @@ fn add_samples(
     weights: &[Lane],
     field: &[Lane],
     values: Option<&[Lane]>,
-    sign: f32,
+    (sign, first): (f32, usize),
     sum: &mut [Lane],
 ) {
     for (n, taps) in taps.iter().enumerate() {
@@ -132,7 +158,7 @@ fn add_samples(
         for (left, weight) in left.iter_mut().zip(weights[n]) {
             *left *= sign * weight;
         }
-        taps.scatter(layout, left, sum);
+        taps.scatter(layout, left, &mut sum[taps.first - first..]);
     }
 }
 

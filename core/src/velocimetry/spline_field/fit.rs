@@ -8,11 +8,12 @@ use super::{
     divergence::Divergence,
     equations::{Equations, Targets, values_at},
     field::SplineField,
-    lanes::{LANES, Lane, Vectors, zeros},
+    lanes::{LANES, Lane, Vectors, packed, zeros},
+    modes::Modes,
     nodes::{Nodes, Taps},
     noise::Noise,
     nugget,
-    preconditioner::{Modes, Preconditioner},
+    preconditioner::Preconditioner,
     scatter::inflation,
     solve::improve,
     stiffness::Ladder,
@@ -47,10 +48,10 @@ pub struct Fit<'a> {
     modes: Modes,
     samples: &'a [Sample],
     taps: Vec<Taps>,
-    /// Lane 0 is the field, the others are draws from its error.
+    /// Per component: lane 0 is the field, the others are draws from its error.
     coefficients: Vectors,
-    /// Per component: coefficients of the field that the fit began with.
-    before: [Vec<f32>; 3],
+    /// Per component, in all lanes: coefficients of the field that the fit began with.
+    before: Vectors,
     /// Per component and sample: inverse variance, less for one that is far off the field.
     weights: [Vec<f32>; 3],
     /// Penalty of third differences, per component.
@@ -67,7 +68,7 @@ pub struct Fit<'a> {
 }
 
 impl<'a> Fit<'a> {
-    /// Begins with the field `start` on `nodes`.
+    /// Begins with the field `start` on `nodes`. The samples are in the order of [`Nodes::order`].
     pub fn new(
         nodes: Nodes,
         samples: &'a [Sample],
@@ -75,15 +76,14 @@ impl<'a> Fit<'a> {
         incompressible: bool,
     ) -> Self {
         let (layout, count) = (nodes.layout, nodes.layout.len());
-        let mut coefficients = zeros(count);
+        let mut coefficients = zeros(3, count);
         for n in 0..count {
             let value = start(nodes.place_vox(n));
             for (lanes, value) in coefficients.iter_mut().zip(value) {
                 lanes[n][0] = value;
             }
         }
-        let before =
-            std::array::from_fn(|c| coefficients[c].iter().map(|lanes| lanes[0]).collect());
+        let before = first_in_all_lanes(&coefficients);
         let taps = samples.par_iter().map(|sample| nodes.taps(sample.middle_vox)).collect();
         Self {
             nodes,
@@ -137,10 +137,11 @@ impl<'a> Fit<'a> {
                 },
             );
         let mut equations = self.equations(weights);
-        equations.factors = ladder.factors();
-        let mut field: Vectors =
-            std::array::from_fn(|c| self.before[c].iter().map(|&b| [b; LANES]).collect());
-        self.solve(&equations, self.values_of_samples(), &mut field, until);
+        for stiffness in &mut equations.stiffness {
+            stiffness.iter_mut().zip(ladder.factors()).for_each(|(s, factor)| *s *= factor);
+        }
+        let mut field = self.before.clone();
+        self.solve_for_samples(&equations, &mut field, until);
         for (c, field) in field.iter().enumerate() {
             let values = self.values(field);
             let mut scores = [0.0f64; LANES];
@@ -161,23 +162,51 @@ impl<'a> Fit<'a> {
         }
     }
 
+    /// Moves the field towards the samples, whether it is free of divergence or not, and leaves the draws from its error
+    /// as they are.
+    pub fn approach(&mut self, until: Until) {
+        let samples = |of: &dyn Fn(usize, usize) -> f32| {
+            vec![(0..self.samples.len()).map(|n| packed(|c| of(c, n))).collect::<Vec<Lane>>()]
+        };
+        let coefficients = |of: &Vectors| -> Vectors {
+            let count = self.nodes.layout.len();
+            vec![(0..count).map(|n| packed(|c| of[c][n][0])).collect()]
+        };
+        let equations = Equations {
+            weights: samples(&|c, n| self.weights[c][n]),
+            stiffness: vec![packed(|c| self.stiffness[c])],
+            ..self.equations(Vec::new())
+        };
+        let mut field = coefficients(&self.coefficients);
+        let targets = Targets {
+            samples: &samples(&|c, n| self.samples[n].displacement_vox[c]),
+            before: &coefficients(&self.before),
+            noise: None,
+        };
+        self.solve(&equations, &targets, &mut field, until);
+        for (c, coefficients) in self.coefficients.iter_mut().enumerate() {
+            for (lanes, found) in coefficients.iter_mut().zip(&field[0]) {
+                lanes[0] = found[c];
+            }
+        }
+    }
+
     /// Moves the field towards the samples, and draws from its error.
     pub fn improve(&mut self, until: Until) {
         let weights = self.lanes_of_weights(|_, weight| [weight; LANES]);
         let equations = self.equations(weights);
-        let targets = std::array::from_fn(|c| {
+        let of_component = |c: usize| -> Vec<Lane> {
             let target = |(n, (sample, weight)): (usize, (&Sample, &f32))| {
                 let mut target = Noise.of_sample(c, n).map(|sign| sign / weight.sqrt());
                 target[0] = sample.displacement_vox[c];
                 target
             };
             self.samples.iter().zip(&self.weights[c]).enumerate().map(target).collect()
-        });
-        let targets = Targets { samples: &targets, before: &self.before, noise: Some(&Noise) };
+        };
+        let samples: Vec<Vec<Lane>> = (0..3).map(of_component).collect();
+        let targets = Targets { samples: &samples, before: &self.before, noise: Some(&Noise) };
         let mut field = self.coefficients.clone();
-        let residual = equations.residual(&field, &targets);
-        let preconditioner = Preconditioner::new(&self.modes, &equations);
-        improve(&equations, &preconditioner, residual, &mut field, until);
+        self.solve(&equations, &targets, &mut field, until);
         self.coefficients = field;
     }
 
@@ -188,10 +217,8 @@ impl<'a> Fit<'a> {
             weights[n % LANES] = 0.0;
             weights
         });
-        let mut field: Vectors = std::array::from_fn(|c| {
-            self.coefficients[c].iter().map(|lanes| [lanes[0]; LANES]).collect()
-        });
-        self.solve(&self.equations(weights), self.values_of_samples(), &mut field, until);
+        let mut field = first_in_all_lanes(&self.coefficients);
+        self.solve_for_samples(&self.equations(weights), &mut field, until);
         let values: [Vec<Lane>; 3] = std::array::from_fn(|c| self.values(&field[c]));
         let missed = |(n, sample): (usize, &Sample)| {
             std::array::from_fn(|c| sample.displacement_vox[c] - values[c][n][n % LANES])
@@ -225,15 +252,15 @@ impl<'a> Fit<'a> {
     }
 
     /// Solves for the fields of all lanes, none of which is a draw.
-    fn solve(
-        &self,
-        equations: &Equations,
-        samples: [Vec<Lane>; 3],
-        field: &mut Vectors,
-        until: Until,
-    ) {
+    fn solve_for_samples(&self, equations: &Equations, field: &mut Vectors, until: Until) {
+        let of = |c: usize| self.samples.iter().map(|s| [s.displacement_vox[c]; LANES]).collect();
+        let samples: Vec<Vec<Lane>> = (0..3).map(of).collect();
         let targets = Targets { samples: &samples, before: &self.before, noise: None };
-        let residual = equations.residual(field, &targets);
+        self.solve(equations, &targets, field, until);
+    }
+
+    fn solve(&self, equations: &Equations, targets: &Targets, field: &mut Vectors, until: Until) {
+        let residual = equations.residual(field, targets);
         let preconditioner = Preconditioner::new(&self.modes, equations);
         improve(equations, &preconditioner, residual, field, until);
     }
@@ -242,16 +269,11 @@ impl<'a> Fit<'a> {
         values_at(self.nodes.layout, &self.taps, field)
     }
 
-    fn values_of_samples(&self) -> [Vec<Lane>; 3] {
-        let of = |c: usize| self.samples.iter().map(|s| [s.displacement_vox[c]; LANES]).collect();
-        [of(0), of(1), of(2)]
-    }
-
-    fn lanes_of_weights(&self, lanes: impl Fn(usize, f32) -> Lane) -> [Vec<Lane>; 3] {
-        let of = |weights: &Vec<f32>| {
+    fn lanes_of_weights(&self, lanes: impl Fn(usize, f32) -> Lane) -> Vec<Vec<Lane>> {
+        let of = |weights: &Vec<f32>| -> Vec<Lane> {
             weights.iter().enumerate().map(|(n, &weight)| lanes(n, weight)).collect()
         };
-        self.weights.each_ref().map(of)
+        self.weights.iter().map(of).collect()
     }
 
     /// Variance of sample `n` in component `c`, in voxel².
@@ -261,7 +283,8 @@ impl<'a> Fit<'a> {
         own + self.slack_vox * self.slack_vox + added * added
     }
 
-    fn equations(&self, weights: [Vec<Lane>; 3]) -> Equations<'_> {
+    /// Equations with a vector for each component.
+    fn equations(&self, weights: Vec<Vec<Lane>>) -> Equations<'_> {
         let divergence = DIVERGENCE.hypot(DIVERGENCE_OF_SLACK * self.slack_vox);
         let divergence = Divergence {
             step_vox: self.nodes.step_vox,
@@ -271,12 +294,18 @@ impl<'a> Fit<'a> {
             nodes: &self.nodes,
             taps: &self.taps,
             weights,
-            stiffness: self.stiffness,
-            factors: [1.0; LANES],
+            stiffness: self.stiffness.map(|stiffness| [stiffness; LANES]).to_vec(),
             divergence: self.incompressible.then_some(divergence),
             anchor: 1.0 / (ANCHOR_VOX * ANCHOR_VOX),
         }
     }
+}
+
+/// The field of lane 0 in all lanes.
+fn first_in_all_lanes(field: &Vectors) -> Vectors {
+    let of_vector =
+        |of: &Vec<Lane>| -> Vec<Lane> { of.iter().map(|lanes| [lanes[0]; LANES]).collect() };
+    field.iter().map(of_vector).collect()
 }
 
 /// Square of what the field leaves of a sample, its own error's variance included, from the field's and the

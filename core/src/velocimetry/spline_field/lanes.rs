@@ -9,13 +9,18 @@ pub const LANES: usize = 8;
 /// A coefficient, or a sample's value, of all of them.
 pub type Lane = [f32; LANES];
 
-/// Coefficients of the three components.
-pub type Vectors = [Vec<Lane>; 3];
+/// Coefficients: a vector for each component, or one whose lanes are the components.
+pub type Vectors = Vec<Vec<Lane>>;
 
-/// Sums over all coefficients of all components of the products of two fields, lane by lane.
+/// What each of the three components has, as the first lanes of one vector.
+pub fn packed(of: impl Fn(usize) -> f32) -> Lane {
+    std::array::from_fn(|l| if l < 3 { of(l) } else { 0.0 })
+}
+
+/// Sums over all coefficients of all vectors of the products of two fields, lane by lane.
 pub fn dot(a: &Vectors, b: &Vectors) -> [f64; LANES] {
     // Blocks of fixed length: the order of the sum does not depend on the number of threads.
-    let of_component = |c: usize| {
+    let of_vector = |c: usize| {
         let mut sum = [0.0f64; LANES];
         for (a, b) in a[c].chunks(256).zip(b[c].chunks(256)) {
             let mut part = [0.0f32; LANES];
@@ -30,7 +35,7 @@ pub fn dot(a: &Vectors, b: &Vectors) -> [f64; LANES] {
         }
         sum
     };
-    let parts: Vec<[f64; LANES]> = (0..3usize).into_par_iter().map(of_component).collect();
+    let parts: Vec<[f64; LANES]> = (0..a.len()).into_par_iter().map(of_vector).collect();
     std::array::from_fn(|l| parts.iter().map(|part| part[l]).sum())
 }
 
@@ -56,7 +61,7 @@ pub fn turn(to: &mut Vectors, factors: Lane, values: &Vectors) {
     });
 }
 
-/// No field anywhere.
-pub fn zeros(count: usize) -> Vectors {
-    std::array::from_fn(|_| vec![[0.0; LANES]; count])
+/// No field anywhere, in so many vectors.
+pub fn zeros(vectors: usize, count: usize) -> Vectors {
+    vec![vec![[0.0; LANES]; count]; vectors]
 }

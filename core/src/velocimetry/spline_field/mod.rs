@@ -22,6 +22,7 @@ mod equations;
 mod field;
 mod fit;
 mod lanes;
+mod modes;
 mod nodes;
 mod noise;
 mod nugget;
@@ -86,9 +87,9 @@ const SLACK: [f32; 2] = [0.5, 0.1];
 const ROUNDS: usize = 3;
 
 /// To try penalties, to follow samples, and to solve without the samples that are left out.
-const TRYING: Until = Until { steps: 30, tolerance: 1e-3 };
-const FOLLOWING: Until = Until { steps: 30, tolerance: 3e-3 };
-const LEAVING_OUT: Until = Until { steps: 100, tolerance: 1e-3 };
+const TRYING: Until = Until { steps: 25, tolerance: 1e-3 };
+const FOLLOWING: Until = Until { steps: 25, tolerance: 3e-3 };
+const LEAVING_OUT: Until = Until { steps: 50, tolerance: 1e-3 };
 
 /// The same for a field that is not the last.
 const TRYING_QUICKLY: Until = Until { steps: 12, tolerance: 1e-3 };
@@ -113,8 +114,12 @@ pub fn through(
     guess: &Guess<'_>,
     incompressible: bool,
 ) -> (SplineField, Vec<[f32; 3]>) {
-    let mut fit = Fit::new(extent.nodes_for(samples.len()), samples, guess.at, incompressible);
-    follow(&mut fit, guess, TRYING, FOLLOWING);
+    let nodes = extent.nodes_for(samples.len());
+    let order = nodes.order(samples);
+    let samples: Vec<Sample> = order.iter().map(|&n| samples[n]).collect();
+    let mut fit = Fit::new(nodes, &samples, guess.at, incompressible);
+    // How uncertain the field is counts in the samples' weights from the first.
+    follow(&mut fit, guess, TRYING, |fit| fit.improve(FOLLOWING));
     for round in 0..ROUNDS {
         fit.weigh(0.0);
         if round == 0 {
@@ -123,18 +128,22 @@ pub fn through(
         fit.improve(FOLLOWING);
     }
     let missed = fit.left_out(LEAVING_OUT);
-    (fit.calibrated(&missed), missed)
+    let mut in_order = vec![[0.0; 3]; missed.len()];
+    order.into_iter().zip(&missed).for_each(|(n, missed)| in_order[n] = *missed);
+    (fit.calibrated(&missed), in_order)
 }
 
 /// The field near `samples`, whose stated errors are not relied on.
 pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineField {
-    let mut fit = Fit::new(extent.nodes_for(samples.len()), samples, guess.at, false);
-    follow(&mut fit, guess, TRYING_QUICKLY, FOLLOWING_QUICKLY);
+    let nodes = extent.nodes_for(samples.len());
+    let samples: Vec<Sample> = nodes.order(samples).into_iter().map(|n| samples[n]).collect();
+    let mut fit = Fit::new(nodes, &samples, guess.at, false);
+    follow(&mut fit, guess, TRYING_QUICKLY, |fit| fit.approach(FOLLOWING_QUICKLY));
     fit.field()
 }
 
 /// Moves the field from a guess towards samples, with less and less slack.
-fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, following: Until) {
+fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, towards: impl Fn(&mut Fit<'_>)) {
     fit.weigh(SLACK[0] * guess.error_vox);
     match guess.stiffness {
         Some(stiffness) => fit.stiffness = stiffness,
@@ -143,9 +152,9 @@ fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, following: Until)
             fit.choose_stiffness(&ladder, 0, trying);
         }
     }
-    fit.improve(following);
+    towards(fit);
     fit.weigh(SLACK[1] * guess.error_vox);
-    fit.improve(following);
+    towards(fit);
 }
 
 #[cfg(test)]

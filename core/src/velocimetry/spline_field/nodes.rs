@@ -1,6 +1,9 @@
 //! Where the coefficients of a cubic B-spline field stand, and which of them make it at a place.
 
-use super::super::{b_spline, differences::Layout};
+use super::{
+    super::{b_spline, differences::Layout},
+    Sample,
+};
 
 /// The coefficients' places: one on every node of a lattice and one beyond each of its ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +60,15 @@ impl Nodes {
         })
     }
 
+    /// Numbers of samples, in the order of the coefficients that make the field there: those that are worked on one
+    /// after the other are near to each other.
+    pub fn order(&self, samples: &[Sample]) -> Vec<usize> {
+        let firsts: Vec<usize> = samples.iter().map(|s| self.taps(s.middle_vox).first).collect();
+        let mut order: Vec<usize> = (0..samples.len()).collect();
+        order.sort_by_key(|&n| firsts[n]);
+        order
+    }
+
     /// Place of coefficient `n`, in voxels.
     pub fn place_vox(&self, n: usize) -> [f32; 3] {
         let place = self.layout.place(n);
@@ -101,7 +113,7 @@ impl Taps {
         for (k, wz) in wz.into_iter().enumerate() {
             for (j, wy) in wy.into_iter().enumerate() {
                 let weight = wz * wy;
-                let row = &from[self.row(layout, j, k)..][..4];
+                let row = &from[self.first + row_of(layout, j, k)..][..4];
                 for (i, wx) in wx.into_iter().enumerate() {
                     let weight = weight * wx;
                     for (sum, value) in sum.iter_mut().zip(row[i]) {
@@ -113,14 +125,20 @@ impl Taps {
         sum
     }
 
-    /// Adds `values` times the weights: the transpose of [`Self::gather`].
+    /// Coefficients in memory from the first to the last of them.
+    pub fn span(layout: Layout) -> usize {
+        3 * (0..3).map(|axis| layout.stride(axis)).sum::<usize>() + 1
+    }
+
+    /// Adds `values` times the weights to the coefficients from the first of them on: the transpose of
+    /// [`Self::gather`].
     #[inline(always)]
     pub fn scatter<const N: usize>(&self, layout: Layout, values: [f32; N], to: &mut [[f32; N]]) {
         let [wx, wy, wz] = self.weights;
         for (k, wz) in wz.into_iter().enumerate() {
             for (j, wy) in wy.into_iter().enumerate() {
                 let weight = wz * wy;
-                let row = &mut to[self.row(layout, j, k)..][..4];
+                let row = &mut to[row_of(layout, j, k)..][..4];
                 for (i, wx) in wx.into_iter().enumerate() {
                     let weight = weight * wx;
                     for (to, value) in row[i].iter_mut().zip(values) {
@@ -131,22 +149,14 @@ impl Taps {
         }
     }
 
-    /// Adds `value` times the squares of the weights.
-    pub fn scatter_squares(&self, layout: Layout, value: f32, to: &mut [f32]) {
-        let [wx, wy, wz] = self.weights.map(|w| w.map(|w| w * w));
-        for (k, wz) in wz.into_iter().enumerate() {
-            for (j, wy) in wy.into_iter().enumerate() {
-                let weight = value * wz * wy;
-                let row = &mut to[self.row(layout, j, k)..][..4];
-                for (to, wx) in row.iter_mut().zip(wx) {
-                    *to += weight * wx;
-                }
-            }
-        }
+    /// The squares of the weights, on the same coefficients.
+    pub fn squared(&self) -> Self {
+        Self { first: self.first, weights: self.weights.map(|w| w.map(|w| w * w)) }
     }
+}
 
-    #[inline(always)]
-    fn row(&self, layout: Layout, j: usize, k: usize) -> usize {
-        self.first + j * layout.stride(1) + k * layout.stride(2)
-    }
+/// Coefficients from the first tap to the first one of row (j, k).
+#[inline(always)]
+fn row_of(layout: Layout, j: usize, k: usize) -> usize {
+    j * layout.stride(1) + k * layout.stride(2)
 }

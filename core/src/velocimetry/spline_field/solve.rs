@@ -3,7 +3,7 @@
 use super::{
     super::conjugate_gradients::Until,
     equations::Equations,
-    lanes::{Lane, Vectors, add, dot, turn},
+    lanes::{Lane, Vectors, add, dot, turn, zeros},
     preconditioner::Preconditioner,
 };
 
@@ -17,7 +17,9 @@ pub fn improve(
     field: &mut Vectors,
     Until { steps, tolerance }: Until,
 ) {
-    let mut step = preconditioner.applied(&residual);
+    let count = equations.nodes.layout.len();
+    let [mut step, mut next, mut room] = [(); 3].map(|()| zeros(field.len(), count));
+    preconditioner.apply(&residual, &mut step, &mut room);
     let mut square = dot(&residual, &step);
     let enough = square.map(|square| square * tolerance * tolerance);
     for _ in 0..steps {
@@ -29,7 +31,7 @@ pub fn improve(
         let length: Lane = std::array::from_fn(|l| ratio(square[l], curvature[l]));
         add(field, length, &step);
         add(&mut residual, length.map(|length| -length), &applied);
-        let next = preconditioner.applied(&residual);
+        preconditioner.apply(&residual, &mut next, &mut room);
         let next_square = dot(&residual, &next);
         let keep: Lane = std::array::from_fn(|l| ratio(next_square[l], square[l]));
         turn(&mut step, keep, &next);

@@ -7,8 +7,9 @@ use super::{
     divergence::Divergence,
     equations::{Equations, Targets},
     lanes::{LANES, Lane, Vectors, zeros},
+    modes::Modes,
     noise::Noise,
-    preconditioner::{Modes, Preconditioner},
+    preconditioner::Preconditioner,
     solve::improve,
     *,
 };
@@ -54,29 +55,29 @@ const FACTORS: Lane = [1.0, 2.0, 0.5, 3.0, 1.0, 0.3, 1.0, 1.0];
 struct Problem {
     nodes: Nodes,
     taps: Vec<nodes::Taps>,
-    weights: [Vec<Lane>; 3],
+    weights: Vec<Vec<Lane>>,
     stiffness: [f32; 3],
-    values: [Vec<Lane>; 3],
-    before: [Vec<f32>; 3],
+    values: Vec<Vec<Lane>>,
+    before: Vectors,
 }
 
 impl Problem {
     fn new() -> Self {
         let mut random = random();
         let nodes = Nodes::covering([0.0; 3], [12.0, 12.0, 8.0], 4.0);
-        let taps: Vec<_> = (0..60)
+        let mut taps: Vec<_> = (0..60)
             .map(|_| nodes.taps([12.0, 12.0, 8.0].map(|high| high * random.random::<f32>())))
             .collect();
-        let mut lanes = |low: f32, high: f32| -> [Vec<Lane>; 3] {
-            std::array::from_fn(|_| {
-                (0..60).map(|_| [(); LANES].map(|()| random.random_range(low..high))).collect()
-            })
+        taps.sort_by_key(|taps| taps.first);
+        let mut lanes = |low: f32, high: f32| -> Vec<Vec<Lane>> {
+            let mut lane = || [(); LANES].map(|()| random.random_range(low..high));
+            (0..3).map(|_| (0..60).map(|_| lane()).collect()).collect()
         };
         let (weights, values) = (lanes(0.5, 2.0), lanes(-1.0, 1.0));
         let stiffness = [3.7, 2.1, 1.3];
-        let before = std::array::from_fn(|c| {
-            (0..nodes.layout.len()).map(|n| 0.01 * ((c + n) % 7) as f32).collect()
-        });
+        let coefficient = |c: usize, n: usize| [0.01 * ((c + n) % 7) as f32; LANES];
+        let before: Vectors =
+            (0..3).map(|c| (0..nodes.layout.len()).map(|n| coefficient(c, n)).collect()).collect();
         Self { nodes, taps, weights, stiffness, values, before }
     }
 
@@ -85,8 +86,7 @@ impl Problem {
             nodes: &self.nodes,
             taps: &self.taps,
             weights: self.weights.clone(),
-            stiffness: self.stiffness,
-            factors: FACTORS,
+            stiffness: self.stiffness.map(|s| FACTORS.map(|factor| factor * s)).to_vec(),
             divergence: Some(Divergence { step_vox: 4.0, stiffness: 5.0 }),
             anchor: 0.1,
         }
@@ -101,7 +101,7 @@ impl Problem {
         for c in 0..3 {
             for (n, taps) in self.taps.iter().enumerate() {
                 let mut row = vec![[0.0f32]; count];
-                taps.scatter(layout, [1.0], &mut row);
+                taps.scatter(layout, [1.0], &mut row[taps.first..]);
                 let root = f64::from(self.weights[c][n][l]).sqrt();
                 let mut whole = vec![0.0; 3 * count];
                 for (to, from) in whole[c * count..].iter_mut().zip(&row) {
@@ -127,7 +127,7 @@ impl Problem {
                 let drawn = f64::from(Noise.of_anchor(c, n)[l]);
                 rows.push((
                     whole,
-                    if l == 0 { root * f64::from(self.before[c][n]) } else { drawn },
+                    if l == 0 { root * f64::from(self.before[c][n][0]) } else { drawn },
                 ));
             }
         }
@@ -140,7 +140,8 @@ impl Problem {
             let mut whole = vec![0.0; 3 * count];
             for c in 0..3 {
                 let mut row = vec![[0.0f32]; count];
-                self.nodes.derivative_taps(middle, c).scatter(layout, [1.0], &mut row);
+                let taps = self.nodes.derivative_taps(middle, c);
+                taps.scatter(layout, [1.0], &mut row[taps.first..]);
                 for (to, from) in whole[c * count..].iter_mut().zip(&row) {
                     *to = root * f64::from(from[0]);
                 }
@@ -164,7 +165,7 @@ fn the_equations_are_those_of_a_dense_matrix() {
     let problem = Problem::new();
     let equations = problem.equations();
     let mut random = random();
-    let mut field = zeros(problem.nodes.layout.len());
+    let mut field = zeros(3, problem.nodes.layout.len());
     field.iter_mut().flatten().for_each(|lanes| *lanes = [(); LANES].map(|()| random.random()));
     let applied = equations.applied(&field);
     let targets =
@@ -183,7 +184,7 @@ fn the_equations_are_those_of_a_dense_matrix() {
 fn conjugate_gradients_come_to_the_solution_of_the_dense_matrix() {
     let problem = Problem::new();
     let equations = problem.equations();
-    let mut field = zeros(problem.nodes.layout.len());
+    let mut field = zeros(3, problem.nodes.layout.len());
     let targets =
         Targets { samples: &problem.values, before: &problem.before, noise: Some(&Noise) };
     let residual = equations.residual(&field, &targets);
