@@ -75,7 +75,7 @@ const NODES_PER_PARTICLE: f32 = 0.9;
 const FINEST_VOX: f32 = 2.0;
 
 /// Largest third difference of neighbouring coefficients that is tried, in voxels.
-const LARGEST_DIFFERENCE_VOX: f32 = 1.0;
+const LARGEST_DIFFERENCE_VOX: f32 = 3.0;
 
 /// From one third difference that is tried to the next: at first, and once samples are weighted by their real errors.
 const RATIOS: [f32; 2] = [2.5, 1.5];
@@ -87,9 +87,9 @@ const SLACK: [f32; 2] = [0.5, 0.1];
 const ROUNDS: usize = 3;
 
 /// To try penalties, to follow samples, and to solve without the samples that are left out.
-const TRYING: Until = Until { steps: 25, tolerance: 1e-3 };
+const TRYING: Until = Until { steps: 60, tolerance: 1e-3 };
 const FOLLOWING: Until = Until { steps: 25, tolerance: 3e-3 };
-const LEAVING_OUT: Until = Until { steps: 50, tolerance: 1e-3 };
+const LEAVING_OUT: Until = Until { steps: 60, tolerance: 1e-3 };
 
 /// The same for a field that is not the last.
 const TRYING_QUICKLY: Until = Until { steps: 12, tolerance: 1e-3 };
