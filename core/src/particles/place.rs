@@ -112,10 +112,6 @@ const RIVAL_VOX: f64 = 1.0;
 /// Largest distance of partners in the result, in voxels.
 const PAIR_VOX: f64 = 0.5;
 
-/// A particle that has stayed so near to where it was left when it was last started again is not started again, in
-/// voxels.
-const STAYED_VOX: f64 = 0.02;
-
 /// Starts beside a particle's place, along each axis.
 const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 
@@ -229,20 +225,13 @@ impl Placing {
                 .collect()
         });
         let reach = STARTS_REACH_VOX * self.voxel_mm;
-        let stayed = |fit: &FrameFit, n: usize| {
-            let own = fit.particles[n].at_mm;
-            fit.restarted_mm[n].is_some_and(|left_mm| {
-                let square: f64 = (0..3).map(|axis| (own[axis] - left_mm[axis]).powi(2)).sum();
-                square.sqrt() < STAYED_VOX * self.voxel_mm
-            })
-        };
         let restart = |frame: usize, fit: &mut FrameFit| {
             let places: Vec<[f32; 3]> =
                 proposals[frame].iter().map(|at| at.map(|mm| mm as f32)).collect();
             let near = Neighbours::new(&places, reach as f32);
             let mut footprint = PointFootprint::default();
             for n in 0..fit.particles.len() {
-                if partners.partners[frame][n].is_some() || stayed(fit, n) {
+                if partners.partners[frame][n].is_some() {
                     continue;
                 }
                 let own = fit.particles[n].at_mm;

@@ -73,7 +73,6 @@ impl FrameFit {
             },
         );
         self.particles[n] = best.particle;
-        self.restarted_mm[n] = Some(best.particle.at_mm);
         self.put(cameras, &best.particle, 1.0, footprint);
     }
 

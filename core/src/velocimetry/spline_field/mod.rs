@@ -75,10 +75,10 @@ const NODES_PER_PARTICLE: f32 = 0.9;
 const FINEST_VOX: f32 = 2.0;
 
 /// Largest third difference of neighbouring coefficients that is tried, in voxels.
-const LARGEST_DIFFERENCE_VOX: f32 = 3.0;
+const LARGEST_DIFFERENCE_VOX: f32 = 2.0;
 
 /// From one third difference that is tried to the next: at first, and once samples are weighted by their real errors.
-const RATIOS: [f32; 2] = [2.5, 1.5];
+const RATIOS: [f32; 2] = [2.5, 1.7];
 
 /// Slack of samples at first, over what the field before errs by, and in the second round.
 const SLACK: [f32; 2] = [0.5, 0.1];
