@@ -4,7 +4,7 @@
 A mutant is tried against the tests of its own crate first, then against those of the crates above, until
 one fails. What became of it is a line of tests/mutants.csv, so a list can be stopped and resumed. Works
 in the tree it is started in, which must have no changes: use a worktree of its own.
-Usage: scripts/mutants.py [--each 15] [--seed 1], after `cargo install cargo-mutants`
+Usage: scripts/mutants.py [--each 15] [--seed 1] [--part rawlog/src/], after `cargo install cargo-mutants`
 """
 
 import argparse
@@ -34,17 +34,17 @@ PARTS = {
 }
 
 
-def mutants(seed):
-    """The mutants of every part in a random order, the same for the same code and seed."""
+def mutants(seed, parts):
+    """The mutants of these parts in a random order, the same for the same code and seed."""
     listed = subprocess.run(
         ["cargo", "mutants", "--list", "--json", "--workspace"],
         cwd=ROOT, stdout=subprocess.PIPE, check=True,
     )
     everything = sorted(json.loads(listed.stdout), key=lambda mutant: mutant["name"])
-    for part, stages in PARTS.items():
+    for part in parts:
         inside = [mutant for mutant in everything if mutant["file"].startswith(part)]
         random.Random(f"{seed} {part}").shuffle(inside)
-        yield inside, stages
+        yield inside, PARTS[part]
 
 
 def mutated(text, mutant):
@@ -90,6 +90,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("--each", type=int, default=15, help="mutants of every part")
     arguments.add_argument("--seed", type=int, default=1)
+    arguments.add_argument("--part", action="append", choices=list(PARTS), help="all when absent")
     chosen = arguments.parse_args()
     changes = ["git", "status", "--porcelain", "--", "*.rs"]
     if subprocess.run(changes, cwd=ROOT, stdout=subprocess.PIPE, check=True).stdout:
@@ -97,7 +98,7 @@ def main():
     known = {}
     if RECORD.is_file():
         known = dict(csv.reader(RECORD.open()))
-    for inside, stages in mutants(chosen.seed):
+    for inside, stages in mutants(chosen.seed, chosen.part or PARTS):
         tried = 0
         for mutant in inside:
             if tried == chosen.each:
