@@ -137,6 +137,7 @@ impl Run {
             if !self.is_aborted && !self.all_connected() {
                 self.abort_burst().await?;
             }
+            self.note_switching_off().await?;
             let all_ruled = self.pairing.open_triggers() == 0;
             let scripted = self.bursts.as_ref().is_some_and(|script| script.burst_is_over());
             let over = self.time >= planned_end
@@ -163,6 +164,17 @@ impl Run {
             return Err(AcquisitionError::NoTriggers { shots });
         }
         self.check_silence().await
+    }
+
+    /// If the laser was switched off during the burst, now or in the record, marks the shots that may
+    /// lack light.
+    pub(super) async fn note_switching_off(&mut self) -> Result<(), AcquisitionError> {
+        let is_scripted = self.bursts.as_ref().is_some_and(|script| script.take_switching_off());
+        if std::mem::take(&mut self.is_switching_off) || is_scripted {
+            self.pairing.laser_switched_off();
+            self.record(Entry::SwitchingOff { at_ns: self.at_ns() }).await?;
+        }
+        Ok(())
     }
 
     /// Advances time while no event arrives. Events that are waiting must come first: they are checked

@@ -173,6 +173,8 @@ pub(super) struct Run {
     pub(super) is_armed: bool,
     /// The current burst was ended early.
     pub(super) is_aborted: bool,
+    /// The unit was made safe during a burst, and pairing has not been told yet.
+    pub(super) is_switching_off: bool,
     /// When the last burst should be over.
     pub(super) burst_ends: Duration,
     /// Connection state of each camera.
@@ -248,6 +250,7 @@ impl Run {
             is_burst_accepted: false,
             is_armed: false,
             is_aborted: false,
+            is_switching_off: false,
             burst_ends: Duration::ZERO,
             presence: vec![Presence::default(); count],
             waiting,
@@ -323,6 +326,7 @@ impl Run {
     ) -> Result<AcquisitionReport, AcquisitionError> {
         self.control.state.lock().mode = Mode::Stopping;
         let safe = self.make_safe().await;
+        let noted = self.note_switching_off().await;
         self.stop_cameras.cancel();
         drop(self.event_sender.take());
         // The channel closes with the camera threads; frames in transit still count.
@@ -347,7 +351,7 @@ impl Run {
         let recorded = self.record(Entry::Ended { at_ns: self.at_ns(), error }).await;
         let left = self.synchroniser_thread.join().await;
         self.heartbeat.rest();
-        safe.and(left).and(settled).and(recorded.map(|_| ()))?;
+        safe.and(left).and(noted).and(settled).and(recorded.map(|_| ()))?;
         Ok(AcquisitionReport {
             synchroniser: self.identity,
             triggers: self.fired,
@@ -358,6 +362,9 @@ impl Run {
     /// Makes the unit safe and reads it back. The schedule must be programmed again after this.
     pub(super) async fn make_safe(&mut self) -> Result<(), AcquisitionError> {
         (self.is_programmed, self.is_armed) = (false, false);
+        // In a replay the record says when the laser was switched off.
+        let is_live = self.bursts.is_none();
+        self.is_switching_off |= is_live && self.is_burst_open && self.is_burst_accepted;
         self.synchroniser.make_safe().await
     }
 }

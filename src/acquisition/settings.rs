@@ -75,6 +75,8 @@ pub trait BurstScript: Send + Sync {
     fn next(&self) -> ScriptedBurst;
     /// How the last burst began in the record; `None` if it does not say.
     fn burst_start(&self) -> Option<BurstStart>;
+    /// Whether the laser was switched off at this place of the record; true once.
+    fn take_switching_off(&self) -> bool;
     /// Whether the record shows the current burst as over by now.
     fn burst_is_over(&self) -> bool;
 }

@@ -19,7 +19,7 @@ pub struct Shot {
     pub due: Duration,
     /// Time between the light pulses, in µs.
     pub dt_us: f64,
-    /// Evidence against the pairing; empty for a normal shot. A suspect shot is kept and marked, and
+    /// Evidence against the pairing or the light; empty for a normal shot. A suspect shot is kept and marked, and
     /// the mark is shown with its result.
     pub suspect: Vec<String>,
     /// Deviation of the timestamp of each camera's frame a from its fitted clock, in ns: of the first

@@ -206,7 +206,7 @@ pub(super) fn shot_result(
     time: Option<ShotTime>,
 ) -> ShotResult {
     measured.field.dt_s = dt_us * 1e-6;
-    let words = suspect.iter().map(|words| format!("suspect pairing: {words}"));
+    let words = suspect.iter().map(|words| format!("suspect: {words}"));
     measured.warnings.extend(words);
     ShotResult { measured, time, raw: RawLevel::Synced }
 }

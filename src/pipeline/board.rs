@@ -45,7 +45,7 @@ pub struct ShotRecord {
     pub stage: Stage,
     /// Why there is no result, or no file.
     pub message: Option<String>,
-    /// Warnings for readers of the result, including suspect pairing.
+    /// Warnings for readers of the result, including why a shot is suspect.
     pub warnings: Vec<String>,
     /// Whether the images match the configured bench; absent without a result.
     pub fit: Option<ModelFit>,

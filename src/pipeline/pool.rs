@@ -237,7 +237,7 @@ pub fn process_guarded<E: Display>(
         .map_err(|error| error.to_string())?;
     // The operator may have changed it since the start.
     result.field.dt_s = dt_us * 1e-6;
-    result.warnings.extend(suspect.into_iter().map(|words| format!("suspect pairing: {words}")));
+    result.warnings.extend(suspect.into_iter().map(|words| format!("suspect: {words}")));
     Ok(result)
 }
 

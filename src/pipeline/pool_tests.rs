@@ -196,7 +196,7 @@ async fn suspect_shots_are_processed_and_marked() {
     drop(sender);
     rig.pool(1, |_| Ok(result())).run(receiver).await.unwrap();
     let warnings = rig.links.board.record(0).unwrap().warnings;
-    assert_eq!(warnings, ["suspect pairing: camera 1: frame b came late"]);
+    assert_eq!(warnings, ["suspect: camera 1: frame b came late"]);
 }
 
 #[test]

@@ -39,7 +39,7 @@ const REPLY_TIMEOUT_MS: u64 = 5000;
 /// Slow enough that a process that does not wait would exit between the commands.
 const PACING_MS: u64 = 10;
 /// Outputs in the order in which they are switched off; 0 is T0.
-const OUTPUTS: [u8; 9] = [2, 4, 1, 3, 5, 6, 7, 8, 0];
+const OUTPUTS: [u8; 9] = [2, 4, 1, 3, 0, 5, 6, 7, 8];
 const CAMERAS: usize = 2;
 /// Capacity of the shot queue.
 pub const QUEUE: usize = 2;

@@ -42,6 +42,8 @@ fn lost_packets_cost_shots_and_never_pixels() {
 #[test]
 fn a_run_waits_for_a_lost_camera() {
     const SHOTS: u64 = 60;
+    // Triggers while a busy machine takes a second for the commands of the safe state.
+    const SWITCHING_OFF: u64 = 10;
     in_private_network("faults::a_run_waits_for_a_lost_camera", || {
         let folder = tempfile::tempdir().unwrap();
         let wire = wire(folder.path());
@@ -75,7 +77,11 @@ fn a_run_waits_for_a_lost_camera() {
         assert_eq!(last.trigger, SHOTS - 1);
         // At most a burst is lost, and there are intact shots on both sides of the gap.
         assert!((11..SHOTS).contains(&first), "{first}");
-        assert_eq!(instruments.report().q_switches, [SHOTS; 2]);
+        // Q-switches go off before the cameras' triggers when the burst is ended.
+        for pulses in instruments.report().q_switches {
+            assert!((SHOTS - SWITCHING_OFF..=SHOTS).contains(&pulses), "{pulses}");
+        }
+        assert!(taken.dark_shots() <= SWITCHING_OFF, "{}", taken.dark_shots());
     });
 }
 

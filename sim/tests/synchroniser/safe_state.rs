@@ -1,12 +1,12 @@
 //! The safe state is reached in the right order, from anywhere, and read back.
 
-use lfpiv_hw::device::SynchroniserState;
+use lfpiv_hw::{device::SynchroniserState, synchroniser::SynchroniserSettings};
 use lfpiv_sim::wire::pulse_generator::PulseGeneratorOptions;
 
-use crate::bench::{Bench, message, schedule, wait_until};
+use crate::bench::{Bench, message, schedule, timing, wait_until};
 
 #[test]
-fn q_switches_go_off_first_then_lamps_then_cameras_and_all_is_read_back() {
+fn q_switches_go_off_first_then_lamps_then_t0_and_all_is_read_back() {
     let bench = Bench::usual();
     let (mut unit, transcript) = bench.connect();
     unit.program(&schedule()).unwrap();
@@ -15,7 +15,7 @@ fn q_switches_go_off_first_then_lamps_then_cameras_and_all_is_read_back() {
     let before = transcript.sent_lines().len();
     unit.make_safe().unwrap();
     let sent = transcript.sent_lines().split_off(before);
-    let outputs = [2, 4, 1, 3, 5, 6, 7, 8, 0];
+    let outputs = [2, 4, 1, 3, 0, 5, 6, 7, 8];
     let orders = outputs.map(|n| format!(":PULSE{n}:STATE OFF"));
     let questions = outputs.map(|n| format!(":PULSE{n}:STATE?"));
     assert_eq!(sent[..9], orders);
@@ -24,6 +24,23 @@ fn q_switches_go_off_first_then_lamps_then_cameras_and_all_is_read_back() {
     assert_eq!(unit.state().unwrap(), SynchroniserState::Safe);
     unit.make_safe().unwrap();
     assert_eq!(unit.state().unwrap(), SynchroniserState::Safe);
+}
+
+/// Between the commands of the safe state the unit goes on. Cameras may see a trigger without light,
+/// but the unit counts none that they did not see.
+#[test]
+fn the_unit_counts_the_triggers_of_the_cameras_when_a_burst_is_ended() {
+    let bench = Bench::usual();
+    let settings = SynchroniserSettings { pacing_ms: 30, ..bench.settings() };
+    let mut unit = bench.try_connect(&settings, &timing()).0.unwrap();
+    unit.program(&schedule()).unwrap();
+    unit.fire(400).unwrap();
+    wait_until("pulses", || bench.q_switch_pulses()[0] > 2);
+    unit.make_safe().unwrap();
+    let seen = bench.served.unit().pulses(5);
+    // The commands are 30 ms apart and the period is 10 ms, so some were not lit.
+    assert!(seen >= bench.q_switch_pulses()[0], "{seen}");
+    assert_eq!(unit.trigger_count().unwrap(), Some(seen));
 }
 
 #[test]

@@ -11,8 +11,8 @@ use crate::acquisition::{BurstStart, Outcome};
 
 /// Version of the entries; a reader refuses a later one. Version 2 added [`Entry::BurstStarted`],
 /// version 3 [`Entry::Given`] and [`Outcome::NotFired`], version 4 [`Entry::BurstLost`],
-/// [`Entry::SynchroniserLost`] and [`Entry::SynchroniserBack`].
-pub const JOURNAL_VERSION: u32 = 4;
+/// [`Entry::SynchroniserLost`] and [`Entry::SynchroniserBack`], version 5 [`Entry::SwitchingOff`].
+pub const JOURNAL_VERSION: u32 = 5;
 
 /// The raw log's description, which a reader needs before the first entry.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,6 +39,8 @@ pub enum Entry {
     Fired { at_ns: u64, first: u64, shots: u64 },
     /// The unit has accepted the burst that begins with trigger `first`.
     BurstStarted { first: u64, start: BurstStart },
+    /// The laser was switched off during a burst: shots that were incomplete may lack light.
+    SwitchingOff { at_ns: u64 },
     /// The unit has stopped firing; `given` is the number of triggers since the run began.
     BurstEnded { at_ns: u64, given: u64 },
     /// The unit was lost during a burst; `given` is the number of triggers that count since the run
@@ -90,6 +92,7 @@ impl Entry {
         match self {
             Self::Programmed { at_ns, .. }
             | Self::Fired { at_ns, .. }
+            | Self::SwitchingOff { at_ns }
             | Self::BurstEnded { at_ns, .. }
             | Self::BurstLost { at_ns, .. }
             | Self::SynchroniserLost { at_ns, .. }

@@ -109,6 +109,8 @@ pub struct ExtraTriggers {
 struct OpenTrigger {
     due: Duration,
     given_up: bool,
+    /// The laser was being switched off before its frames had arrived.
+    may_be_dark: bool,
     slots: Vec<Slot>,
 }
 
@@ -192,7 +194,8 @@ impl Pairing {
         for trigger in first..self.burst.end {
             let due = now + period * u32::try_from(trigger - first).unwrap_or(u32::MAX);
             let slots = (0..self.settings.cameras).map(|_| Slot::default()).collect();
-            self.open.insert(trigger, OpenTrigger { due, given_up: false, slots });
+            let open = OpenTrigger { due, given_up: false, may_be_dark: false, slots };
+            self.open.insert(trigger, open);
         }
         first
     }
@@ -246,6 +249,14 @@ impl Pairing {
     pub fn due_by(&self, now: Duration) -> u64 {
         let due = self.open.iter().rev().find(|(_, open)| open.due <= now);
         due.map_or(0, |(trigger, _)| trigger + 1).max(self.announced_given).max(self.burst.first)
+    }
+
+    /// The laser has been switched off during the burst. Its Q-switches go off before the cameras'
+    /// triggers, so a shot whose frames have not arrived may lack one pulse or both: it is suspect.
+    pub fn laser_switched_off(&mut self) {
+        for open in self.open.values_mut() {
+            open.may_be_dark = true;
+        }
     }
 
     /// The burst is over, and the synchroniser has counted `counted` triggers since it was programmed.

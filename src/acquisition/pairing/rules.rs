@@ -6,6 +6,9 @@ use lfpiv_hw::{CameraName, device::Frame};
 
 use super::{Decision, OpenTrigger, Outcome, Pairing, Shot, Slot};
 
+/// Why a shot is suspect whose frames came while the laser was being switched off.
+const MAY_BE_DARK: &str = "the laser was being switched off and may not have lit both exposures";
+
 impl Pairing {
     /// Keeps a frame; `false` when it is a duplicate or belongs to no open trigger.
     pub(super) fn store(
@@ -141,6 +144,7 @@ impl Pairing {
         let place = (trigger, self.burst, self.grid);
         let compared = self.clocks.compare(place, &timestamps_ns, suspect.is_empty(), self.now);
         suspect.extend(compared.suspect);
+        suspect.extend(open.may_be_dark.then(|| MAY_BE_DARK.to_owned()));
         let cameras: Vec<[Frame; 2]> =
             open.slots.into_iter().filter_map(|slot| both(slot.frames)).collect();
         suspect.extend(self.check_intervals(&cameras));

@@ -214,6 +214,28 @@ fn a_lost_synchroniser_keeps_trigger_numbers_and_accounts_consistent() {
 }
 
 #[test]
+fn a_shot_that_was_not_complete_when_the_laser_was_switched_off_is_suspect() {
+    let mut rig = Rig::new(1);
+    rig.fire(4);
+    let deliver = |rig: &mut Rig, id: u64| {
+        let at_ns = PERIOD_NS * (id / 2) + INTERVAL_NS * (id % 2);
+        let decisions = rig.pairing.frame(0, frame(id, at_ns, id / 2), Duration::ZERO);
+        rig.apply(decisions);
+    };
+    (0..3).for_each(|id| deliver(&mut rig, id));
+    rig.pairing.laser_switched_off();
+    (3..6).for_each(|id| deliver(&mut rig, id));
+    assert_eq!(suspects(&rig), [1, 2], "shot 0 was complete before");
+    assert!(rig.shots[1].suspect[0].contains("switched off"), "{:?}", rig.shots[1].suspect);
+    // The next burst is lit again.
+    let decisions = rig.pairing.burst_ended(3).unwrap();
+    rig.apply(decisions);
+    rig.fire(1);
+    (6..8).for_each(|id| deliver(&mut rig, id));
+    assert_eq!(suspects(&rig), [1, 2]);
+}
+
+#[test]
 fn a_wrong_interval_makes_a_shot_suspect_and_keeps_it() {
     let mut rig = Rig::new(1);
     rig.fire(1);

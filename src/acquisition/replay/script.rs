@@ -290,6 +290,18 @@ impl BurstScript for Script {
         self.state.lock().start
     }
 
+    fn take_switching_off(&self) -> bool {
+        let mut state = self.state.lock();
+        match self.steps.get(state.next) {
+            Some(step @ Step::SwitchingOff { at_ns }) if self.is_due(step) => {
+                self.clock.advance(*at_ns);
+                self.advance(&mut state);
+                true
+            }
+            _ => false,
+        }
+    }
+
     fn burst_is_over(&self) -> bool {
         let state = self.state.lock();
         match self.steps.get(state.next) {

@@ -39,6 +39,10 @@ pub(super) enum Step {
         /// The unit was lost, and its count unknown.
         lost: bool,
     },
+    /// During a burst.
+    SwitchingOff {
+        at_ns: u64,
+    },
     Stopping {
         at_ns: u64,
     },
@@ -51,6 +55,7 @@ impl Step {
             | Self::Stream { at_ns, .. }
             | Self::Fired { at_ns, .. }
             | Self::BurstEnded { at_ns, .. }
+            | Self::SwitchingOff { at_ns }
             | Self::Stopping { at_ns } => *at_ns,
         }
     }
@@ -118,6 +123,9 @@ impl Steps {
                     self.away.push((camera, statistics));
                 }
                 self.steps.push(Step::Stream { at_ns, camera, connected, statistics });
+            }
+            Entry::SwitchingOff { at_ns } if self.is_burst_open => {
+                self.steps.push(Step::SwitchingOff { at_ns });
             }
             Entry::Stopping { at_ns } => self.steps.push(Step::Stopping { at_ns }),
             _ => {}
@@ -213,6 +221,7 @@ mod tests {
             Step::Fired { shots, .. } => format!("{shots} fired"),
             Step::BurstEnded { given, lost: false, .. } => format!("{given} given"),
             Step::BurstEnded { given, .. } => format!("lost after {given}"),
+            Step::SwitchingOff { .. } => "switching off".into(),
             Step::Stopping { .. } => "stopping".into(),
         });
         named.collect()
@@ -252,6 +261,13 @@ mod tests {
         let entries = vec![fired(0, 3), frame(), Some(unit), Some(lost), fired(2, 1), ended(3)];
         let wanted = ["3 fired", "frame", "lost after 2", "1 fired", "3 given"];
         assert_eq!(steps(entries), wanted);
+    }
+
+    #[test]
+    fn a_laser_is_switched_off_only_during_a_burst() {
+        let off = || Some(Entry::SwitchingOff { at_ns: 0 });
+        let entries = vec![off(), fired(0, 3), frame(), off(), ended(2), off()];
+        assert_eq!(steps(entries), ["3 fired", "frame", "switching off", "2 given"]);
     }
 
     #[test]

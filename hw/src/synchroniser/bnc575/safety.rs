@@ -14,8 +14,9 @@ use crate::{
 const ROUNDS: usize = 2;
 
 impl Bnc575 {
-    /// Switches off Q-switches, lamps, cameras, all other channels and T0, in this order, and reads
-    /// each one back. Can be called at any time: late replies are skipped.
+    /// Switches off Q-switches, lamps, T0, cameras and all other channels, in this order, and reads
+    /// each one back. T0 precedes the cameras, so that every T0 counted by the unit has triggered
+    /// them. Can be called at any time: late replies are skipped.
     pub(super) fn reach_safe_state(&mut self) -> Result<(), DeviceError> {
         self.forget();
         let outputs = self.most_dangerous_first();
@@ -38,11 +39,14 @@ impl Bnc575 {
     }
 
     fn most_dangerous_first(&self) -> Vec<Parameter> {
-        let in_use: Vec<u8> = self.channels.all().into_iter().map(|name| name.number()).collect();
-        let others = (1..=self.unit.channels).filter(|number| !in_use.contains(number));
-        let channels = in_use.iter().copied().chain(others);
-        let states = channels.map(|n| Parameter::Of(Channel(n), ChannelParameter::State));
-        states.chain([Parameter::Running]).collect()
+        let state = |number| Parameter::Of(Channel(number), ChannelParameter::State);
+        let lasers = self.channels.q_switches().into_iter().chain(self.channels.lamps());
+        let lasers: Vec<u8> = lasers.map(|name| name.number()).collect();
+        let cameras: Vec<u8> = self.channels.cameras.iter().map(|name| name.number()).collect();
+        let is_other = |number: &u8| !lasers.contains(number) && !cameras.contains(number);
+        let others = (1..=self.unit.channels).filter(is_other);
+        let after_t0 = cameras.iter().copied().chain(others).map(state);
+        lasers.iter().copied().map(state).chain([Parameter::Running]).chain(after_t0).collect()
     }
 
     /// Sends all commands, whatever happens to each. Once the unit is silent they are sent without
