@@ -1,12 +1,12 @@
-//! Replay of a run with every kind of camera fault: every trigger ends as in the run, although
-//! frames arrive at other times.
+//! Replay of a run with every kind of camera fault, or with a burst that was stopped: every trigger
+//! ends as in the run, although frames arrive at other times.
 
 use std::{num::NonZeroU64, path::Path, sync::Arc, time::Duration};
 
 use lfpiv::{
     acquisition::{
-        AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Journal, Ledger, Outcome,
-        OverloadPolicy, acquire,
+        AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Command, Control, Journal,
+        Ledger, Mode, Outcome, OverloadPolicy, acquire, control,
         journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
         replay::{Replay, Speed, replay},
         shot_queue,
@@ -26,6 +26,8 @@ use crate::{
 
 const SHOTS: u64 = 40;
 const PATIENCE: Duration = Duration::from_millis(700);
+/// Number of shots after which a run is stopped and started again.
+const STOPPED_AFTER: usize = 12;
 
 fn faulty_bench(faults: &FaultSettings) -> Bench {
     let (mut bench, _) = bench(&configuration(Path::new("unused")), &[]);
@@ -36,21 +38,29 @@ fn faulty_bench(faults: &FaultSettings) -> Bench {
     bench
 }
 
-/// Takes shots; the pool needs the given time for each.
+/// Takes shots; the pool needs the given time for each. With a control, the run is stopped and
+/// started again.
 async fn take(
     bench: Bench,
     settings: AcquisitionSettings,
     queue: usize,
     pool: Duration,
+    control: Option<Control>,
     equip: impl FnOnce(AcquisitionLinks) -> AcquisitionLinks,
 ) -> (AcquisitionReport, Ledger) {
     let ledger = Arc::new(Mutex::new(Ledger::new(2)));
     let (sender, mut receiver) = shot_queue(queue);
     let links = equip(AcquisitionLinks::new(ledger.clone(), sender, CancellationToken::new()));
     let acquiring = tokio::spawn(acquire(bench, settings, links));
+    let mut received = 0;
     while let Some(shot) = receiver.recv().await {
         tokio::time::sleep(pool).await;
         ledger.lock().settle_all(shot.trigger, Outcome::Complete).unwrap();
+        received += 1;
+        if let Some(control) = control.as_ref().filter(|_| received == STOPPED_AFTER) {
+            control.request(Command::Stop).await.unwrap();
+            control.request(Command::Start).await.unwrap();
+        }
     }
     let report = acquiring.await.unwrap().unwrap();
     let ledger = ledger.lock().clone();
@@ -66,7 +76,15 @@ fn times(ledger: &Ledger) -> Vec<(u64, Option<ShotTime>)> {
     ledger.entries().map(|entry| (entry.trigger, entry.time)).collect()
 }
 
-async fn record(run: &Path, faults: &FaultSettings) -> (AcquisitionReport, Ledger) {
+fn suspects(ledger: &Ledger) -> Vec<(u64, Vec<String>)> {
+    ledger.entries().map(|entry| (entry.trigger, entry.suspect.clone())).collect()
+}
+
+async fn record(
+    run: &Path,
+    faults: &FaultSettings,
+    is_stopped: bool,
+) -> (AcquisitionReport, Ledger) {
     let description = Description {
         journal_version: JOURNAL_VERSION,
         code_version: String::new(),
@@ -80,8 +98,11 @@ async fn record(run: &Path, faults: &FaultSettings) -> (AcquisitionReport, Ledge
     let settings =
         AcquisitionSettings { patience: PATIENCE, ..settings(SHOTS, OverloadPolicy::Shed) };
     let journal = Journal::new(log);
-    let taken = take(faulty_bench(faults), settings, SHOTS as usize, Duration::ZERO, |links| {
-        AcquisitionLinks { journal, ..links }
+    let fixed = Box::new(|_| Err("the schedule is fixed".to_owned()));
+    let (control, inbox) = control(Mode::Firing, 100.0, fixed);
+    let (bench, control) = (faulty_bench(faults), is_stopped.then_some(control));
+    let taken = take(bench, settings, SHOTS as usize, Duration::ZERO, control, |links| {
+        AcquisitionLinks { journal, control: inbox, ..links }
     })
     .await;
     tokio::task::spawn_blocking(|| writer.close()).await.unwrap().unwrap();
@@ -97,7 +118,7 @@ async fn play(run: &Path, pool: Duration) -> (AcquisitionReport, Ledger) {
         shots: None::<NonZeroU64>,
         ..settings(1, OverloadPolicy::Wait)
     };
-    take(bench, settings, longest_burst as usize, pool, |links| AcquisitionLinks {
+    take(bench, settings, longest_burst as usize, pool, None, |links| AcquisitionLinks {
         clock,
         bursts: Some(bursts),
         stop,
@@ -122,7 +143,7 @@ async fn every_trigger_ends_as_in_the_run() {
     for seed in [3, 4] {
         let faults = FaultSettings { seed, camera: camera.clone(), ..FaultSettings::default() };
         let root = tempfile::tempdir().unwrap();
-        let (report, ledger) = record(root.path(), &faults).await;
+        let (report, ledger) = record(root.path(), &faults, false).await;
         assert!(times(&ledger).iter().all(|(_, time)| time.is_some()));
         // With a slow and a fast pool, which must not affect the replay's clock.
         for pool in [Duration::ZERO, Duration::from_millis(60)] {
@@ -135,4 +156,23 @@ async fn every_trigger_ends_as_in_the_run() {
         late += accounts.map(|account| account.outcomes.of(Outcome::Late)).sum::<u64>();
     }
     assert!(late > 0, "no frame was late: the test says nothing about time");
+}
+
+/// Shots whose frames come after the laser was switched off are suspect, in the run as in its replay.
+#[tokio::test]
+async fn a_stopped_burst_marks_the_same_shots_as_in_the_run() {
+    // The simulated cameras are triggered at once, and many frames arrive later.
+    let shares = FrameShares { late: 0.5, ..FrameShares::default() };
+    let camera = CameraFaults { shares, late_ms: 400, ..CameraFaults::default() };
+    let faults = FaultSettings { seed: 5, camera, ..FaultSettings::default() };
+    let root = tempfile::tempdir().unwrap();
+    let (report, ledger) = record(root.path(), &faults, true).await;
+    let marked = suspects(&ledger);
+    let switched_off = |reasons: &[String]| reasons.iter().any(|words| words.contains("switched"));
+    let count = marked.iter().filter(|(_, reasons)| switched_off(reasons)).count();
+    assert!((1..SHOTS as usize).contains(&count), "{marked:?}");
+    let (again, replayed) = play(root.path(), Duration::ZERO).await;
+    assert_eq!(suspects(&replayed), marked);
+    assert_eq!(outcomes(&replayed), outcomes(&ledger));
+    assert_eq!((again.triggers, again.frames), (report.triggers, report.frames));
 }
