@@ -11,8 +11,20 @@ const SHARED: f32 = 30.0;
 /// A sample farther off than so many standard deviations counts as so far off: it may be wrong itself.
 const FARTHEST: f32 = 4.0;
 
+/// The field's variance over that of its draws where the flow has no third differences. Draws err by the samples'
+/// noise and by what the penalty takes the flow to have; in three dimensions, with a penalty of third differences,
+/// each is half: ∫ω²(1 + ω⁶)⁻² dω over ∫ω²(1 + ω⁶)⁻¹ dω (spectrum of a smoothing spline: Wahba, J. R. Stat. Soc. B
+/// 45, 1983).
+const STEADY: f32 = 0.5;
+
+/// That, and that samples' variances are as stated, count as so many samples that were left out.
+const EXPECTED: f32 = 100.0;
+
 /// Least and most that a variance is changed by.
 const LIMITS: [f32; 2] = [0.01, 100.0];
+
+/// Steps of Fisher's scoring for all samples, and about each place.
+const STEPS: [usize; 2] = [20, 6];
 
 /// What a sample was missed by, and by what that is explained.
 struct Missed {
@@ -22,9 +34,21 @@ struct Missed {
     field_variance: f32,
 }
 
+/// Factors on the variances that explain what samples were missed by.
+#[derive(Debug, Clone, Copy)]
+struct Factors {
+    own: f32,
+    field: f32,
+}
+
 impl Missed {
-    fn deviation(&self) -> f32 {
-        (self.own_variance + self.field_variance).sqrt()
+    /// The field's share of the variance, and the square over that variance, less 1: 0 on average. Their product
+    /// is the derivative of twice the log-likelihood with respect to the logarithm of the field's factor.
+    fn share_and_surplus(&self, factors: Factors) -> (f32, f32) {
+        let field = factors.field * self.field_variance;
+        let variance = factors.own * self.own_variance + field;
+        let square = (self.off * self.off / variance).min(FARTHEST * FARTHEST);
+        (field / variance, square - 1.0)
     }
 }
 
@@ -53,47 +77,61 @@ pub fn widening(
     factors
 }
 
+/// What samples are missed by is their own error and that of the field. Where the field's is much the smaller it says
+/// nothing about the field, and the factor of all samples holds.
 fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
-    let scale = common_scale(missed);
-    let mut sums: [Vec<f32>; 4] = std::array::from_fn(|_| vec![0.0; nodes.layout.len()]);
-    for one in missed {
-        let deviation = one.deviation();
-        let values = [
-            (one.off / deviation).min(FARTHEST * scale).powi(2),
-            1.0,
-            one.own_variance,
-            one.field_variance,
-        ];
-        for (sums, value) in sums.iter_mut().zip(values) {
-            sums[one.node] += value;
+    let shared = of_all(missed);
+    let mut factors = vec![shared.field; nodes.layout.len()];
+    for _ in 0..STEPS[1] {
+        let mut gradient = vec![0.0; nodes.layout.len()];
+        let mut information = vec![0.0; nodes.layout.len()];
+        for one in missed {
+            let here = Factors { field: factors[one.node], ..shared };
+            let (share, surplus) = one.share_and_surplus(here);
+            gradient[one.node] += share * surplus;
+            information[one.node] += share * share;
+        }
+        sums_within(nodes.layout, REACH, &mut gradient);
+        sums_within(nodes.layout, REACH, &mut information);
+        for ((factor, gradient), information) in factors.iter_mut().zip(gradient).zip(information) {
+            let gradient = gradient - SHARED * (*factor / shared.field).ln();
+            let step = bounded_step(gradient / (information + SHARED));
+            *factor = (*factor * step).clamp(LIMITS[0], LIMITS[1]);
         }
     }
-    sums.iter_mut().for_each(|sums| sums_within(nodes.layout, REACH, sums));
-    let [off, numbers, own, field] = &sums;
-    (0..nodes.layout.len())
-        .map(|n| {
-            let square = (off[n] + SHARED * scale * scale) / (numbers[n] + SHARED);
-            if square < 1.0 {
-                // Samples know more than they state, and the field with them.
-                return square.max(LIMITS[0]);
-            }
-            // (own + field) square = own + factor · field
-            let share = if field[n] > 0.0 { own[n] / field[n] } else { 0.0 };
-            (square * (1.0 + share) - share).min(LIMITS[1])
-        })
-        .collect()
+    factors
 }
 
-/// What all samples are missed by over what explains it, root mean square; the farthest are cut off where it
-/// says.
-fn common_scale(missed: &[Missed]) -> f32 {
-    let mut scale = 1.0f32;
-    for _ in 0..4 {
-        let square = |one: &Missed| (one.off / one.deviation()).min(FARTHEST * scale).powi(2);
-        let mean = missed.iter().map(square).sum::<f32>() / missed.len().max(1) as f32;
-        scale = if mean > 0.0 { mean.sqrt() } else { 1.0 };
+/// The likeliest factors for all samples, by Fisher's scoring of their logarithms.
+fn of_all(missed: &[Missed]) -> Factors {
+    let mut factors = Factors { own: 1.0, field: STEADY };
+    for _ in 0..STEPS[0] {
+        // Sums over many samples: of the gradient, own and field, and of the information, own, both and field.
+        let mut gradient =
+            [factors.own, factors.field / STEADY].map(|factor| f64::from(-EXPECTED * factor.ln()));
+        let mut information = [f64::from(EXPECTED), 0.0, f64::from(EXPECTED)];
+        for one in missed {
+            let (share, surplus) = one.share_and_surplus(factors);
+            let (share, surplus) = (f64::from(share), f64::from(surplus));
+            gradient[0] += (1.0 - share) * surplus;
+            gradient[1] += share * surplus;
+            information[0] += (1.0 - share) * (1.0 - share);
+            information[1] += share * (1.0 - share);
+            information[2] += share * share;
+        }
+        let [own, both, field] = information;
+        let determinant = own * field - both * both;
+        let own_step = (field * gradient[0] - both * gradient[1]) / determinant;
+        let field_step = (own * gradient[1] - both * gradient[0]) / determinant;
+        factors.own *= bounded_step(own_step as f32);
+        factors.field *= bounded_step(field_step as f32);
     }
-    scale
+    factors
+}
+
+/// The factor of a step in a logarithm, at most e.
+fn bounded_step(step: f32) -> f32 {
+    step.clamp(-1.0, 1.0).exp()
 }
 
 /// Every value replaced by the sum of those within `reach` nodes along each axis.
@@ -110,5 +148,78 @@ fn sums_within(layout: Layout, reach: usize, values: &mut [f32]) {
                 values[start + i * s] = row[low..=high].iter().sum();
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_distr::{Distribution, StandardNormal};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    const LARGEST_VOX: f32 = 40.0;
+
+    fn nodes() -> Nodes {
+        Nodes::covering([0.0; 3], [LARGEST_VOX; 3], 4.0)
+    }
+
+    /// Samples at random places that are missed by what these factors make of the variances.
+    fn missed(
+        nodes: &Nodes,
+        own_variance: f32,
+        field_variance: f32,
+        factors: impl Fn([f32; 3]) -> Factors,
+    ) -> Vec<Missed> {
+        let mut random = Pcg64Mcg::seed_from_u64(7);
+        let one = |_| {
+            let place = std::array::from_fn(|_| random.random_range(0.0..LARGEST_VOX));
+            let spread = random.random_range(-2.3..2.3f32).exp();
+            let Factors { own, field } = factors(place);
+            let (own_variance, field_variance) = (own_variance * spread, field_variance / spread);
+            let deviation = (own * own_variance + field * field_variance).sqrt();
+            let normal: f32 = StandardNormal.sample(&mut random);
+            let off = (deviation * normal).abs();
+            Missed { node: nodes.nearest(place), off, own_variance, field_variance }
+        };
+        (0..4000).map(one).collect()
+    }
+
+    fn near(found: f32, expected: f32) -> bool {
+        (found / expected).ln().abs() < 0.2
+    }
+
+    #[test]
+    fn factors_of_samples_and_field_are_told_apart() {
+        let truth = Factors { own: 0.4, field: 3.0 };
+        let found = of_all(&missed(&nodes(), 1e-4, 1e-4, |_| truth));
+        assert!(near(found.own, truth.own) && near(found.field, truth.field), "{found:?}");
+    }
+
+    #[test]
+    fn samples_that_err_more_than_the_field_say_nothing_about_it() {
+        let truth = Factors { own: 2.0, field: STEADY };
+        let nodes = nodes();
+        let missed = missed(&nodes, 1e-4, 1e-6, |_| truth);
+        assert!(near(of_all(&missed).own, 2.0));
+        let factors = of_component(&nodes, &missed);
+        assert!(factors.iter().all(|factor| near(*factor, STEADY)), "{factors:?}");
+    }
+
+    #[test]
+    fn the_error_is_wide_where_samples_are_missed() {
+        let nodes = nodes();
+        let rough = |place: [f32; 3]| place[0] > LARGEST_VOX / 2.0;
+        let truth = |place| Factors { own: 1.0, field: if rough(place) { 4.0 } else { 0.1 } };
+        let factors = of_component(&nodes, &missed(&nodes, 1e-6, 1e-4, truth));
+        // Beyond the reach of samples of the other half.
+        let of = |from: f32, to: f32| {
+            let inside = |n: &usize| (from..to).contains(&nodes.place_vox(*n)[0]);
+            let found: Vec<f32> = (0..factors.len()).filter(inside).map(|n| factors[n]).collect();
+            found.iter().map(|factor| factor.ln()).sum::<f32>() / found.len() as f32
+        };
+        let [smooth, rough] = [of(2.0, 10.0), of(30.0, 38.0)];
+        assert!(smooth < 0.3f32.ln() && rough > 2.0f32.ln(), "{smooth} {rough}");
     }
 }
