@@ -10,7 +10,6 @@ Usage: scripts/mutants.py [--each 15] [--seed 1] [--part rawlog/src/], after `ca
 import argparse
 import csv
 import json
-import os
 import random
 import subprocess
 import sys
@@ -18,19 +17,18 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 RECORD = ROOT / "tests" / "mutants.csv"
-# As `scripts/run-tests.py` builds, so that nothing is compiled twice.
-ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
-CARGO = ["cargo", "test", "--workspace", "--locked"]
+# A stage names its crate: `--workspace` would test all of them.
+CARGO = ["cargo", "test", "--locked"]
 LONGEST_S = 1800
 # What becomes of a replacement that the compiler refuses.
 NO_MUTANT = "does not compile"
 
 # Parts of the code, and the tests that should notice: the quickest first.
 PARTS = {
-    "core/src/": ["-p lfpiv-core --lib", "-p lfpiv-core --test capabilities", "--test claims", "--test commands"],
-    "rawlog/src/": ["-p lfpiv-rawlog", "-p lfpiv --lib", "--test recorded_run", "--test adversary"],
-    "hw/src/timing": ["-p lfpiv-hw --lib", "--test synchroniser", "-p lfpiv --lib", "--test commands", "--test laser"],
-    "src/acquisition/": ["-p lfpiv --lib", "--test recorded_run", "--test laser", "--test daemon", "--test loopback"],
+    "core/src/": ["-p lfpiv-core --lib", "-p lfpiv-core --test capabilities", "-p lfpiv --test claims", "-p lfpiv --test commands"],
+    "rawlog/src/": ["-p lfpiv-rawlog", "-p lfpiv --lib", "-p lfpiv --test recorded_run", "-p lfpiv --test adversary"],
+    "hw/src/timing": ["-p lfpiv-hw --lib", "-p lfpiv-sim --test synchroniser", "-p lfpiv --lib", "-p lfpiv --test commands", "-p lfpiv --test laser"],
+    "src/acquisition/": ["-p lfpiv --lib", "-p lfpiv --test recorded_run", "-p lfpiv --test laser", "-p lfpiv --test daemon", "-p lfpiv --test loopback"],
 }
 
 
@@ -63,7 +61,7 @@ def cargo(arguments):
     command = [*CARGO, *arguments.split()]
     try:
         done = subprocess.run(
-            command, cwd=ROOT, env=ENVIRONMENT, timeout=LONGEST_S,
+            command, cwd=ROOT, timeout=LONGEST_S,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
         )
     except subprocess.TimeoutExpired:
