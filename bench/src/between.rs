@@ -3,6 +3,8 @@
 use lfpiv_core::velocimetry::{VectorStatus, VelocityField};
 use lfpiv_sim::{Flow, flow::PlaneWave};
 
+use crate::score::KnownFlow;
+
 /// Places that the error between the vectors is a mean over.
 const PLACES: usize = 4000;
 
@@ -11,7 +13,7 @@ const GAIN_INSIDE_VOX: f64 = 12.0;
 
 /// Mean |error| along x, y, z at places spread evenly between the vectors, in voxels: those of which every
 /// vector about has a value. `None` where there is none.
-pub fn error_between_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]> {
+pub fn error_between_vox(field: &VelocityField, truth: KnownFlow<'_>) -> Option<[f64; 3]> {
     let (mut sums, mut count) = ([0.0; 3], 0usize);
     for n in 0..PLACES {
         let share = spread(n);
@@ -21,7 +23,7 @@ pub fn error_between_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]>
         let place_mm = std::array::from_fn(|axis| {
             field.grid.first_mm[axis] + at[axis] * field.grid.spacing_mm
         });
-        let moved_mm = flow.displacement_mm(place_mm, field.dt_s);
+        let moved_mm = truth.displacement_mm(place_mm, field.dt_s);
         for axis in 0..3 {
             sums[axis] += (found[axis] - moved_mm[axis] / field.voxel_mm).abs();
         }
@@ -182,13 +184,15 @@ mod tests {
     fn errors_between_vectors_are_those_of_the_interpolation_and_of_the_field() {
         let long = wave(4.8);
         let flow = Flow::PlaneWave(long.clone());
-        let [x, y, z] = error_between_vox(&field(&long, 1.0), &flow).unwrap();
+        let [x, y, z] =
+            error_between_vox(&field(&long, 1.0), KnownFlow::InTheMiddle(&flow)).unwrap();
         assert!(x == 0.0 && y == 0.0 && z > 0.0 && z < 0.01, "{x} {y} {z}");
-        let [_, _, missed] = error_between_vox(&field(&long, 0.0), &flow).unwrap();
+        let [_, _, missed] =
+            error_between_vox(&field(&long, 0.0), KnownFlow::InTheMiddle(&flow)).unwrap();
         assert!((missed - 2.0 / std::f64::consts::PI).abs() < 0.05, "{missed}");
         let mut holes = field(&long, 1.0);
         holes.status.fill(VectorStatus::Invalid);
-        assert_eq!(error_between_vox(&holes, &flow), None);
+        assert_eq!(error_between_vox(&holes, KnownFlow::InTheMiddle(&flow)), None);
     }
 
     #[test]

@@ -9,6 +9,25 @@ const WITHIN_VOX: f64 = 0.3;
 /// Points of a cumulative distribution.
 const CDF_POINTS: usize = 100;
 
+/// The known flow, and whose displacement a vector is taken for.
+#[derive(Debug, Clone, Copy)]
+pub enum KnownFlow<'a> {
+    /// That of the particle that is at the vector's place in the middle of the pair: windows.
+    InTheMiddle(&'a Flow),
+    /// That of the particle whose two positions average to the place: a field through placed particles.
+    OnAverage(&'a Flow),
+}
+
+impl KnownFlow<'_> {
+    /// The displacement that a vector at `at_mm` should have, in mm.
+    pub fn displacement_mm(&self, at_mm: [f64; 3], dt_s: f64) -> [f64; 3] {
+        match self {
+            Self::InTheMiddle(flow) => flow.displacement_mm(at_mm, dt_s),
+            Self::OnAverage(flow) => flow.displacement_about_mm(at_mm, dt_s),
+        }
+    }
+}
+
 /// The error of a field.
 #[derive(Debug, Clone)]
 pub struct Score {
@@ -25,8 +44,8 @@ pub struct Score {
 
 impl Score {
     /// Compares a field with the analytic solution.
-    pub fn of(field: &VelocityField, flow: &Flow) -> Self {
-        let truth = true_field(field, flow);
+    pub fn of(field: &VelocityField, truth: KnownFlow<'_>) -> Self {
+        let truth = true_field(field, truth);
         let count = field.grid.len().max(1) as f64;
         let mut score = Self {
             mean_vox: [0.0; 3],
@@ -82,10 +101,10 @@ fn covered(field: &VelocityField, truth: &VelocityField, widths: f64) -> f64 {
 }
 
 /// The analytic solution at a field's places.
-pub fn true_field(field: &VelocityField, flow: &Flow) -> VelocityField {
+pub fn true_field(field: &VelocityField, truth: KnownFlow<'_>) -> VelocityField {
     let displacement_vox: Vec<[f32; 3]> = (0..field.grid.len())
         .map(|n| {
-            let moved_mm = flow.displacement_mm(field.grid.position_mm(n), field.dt_s);
+            let moved_mm = truth.displacement_mm(field.grid.position_mm(n), field.dt_s);
             moved_mm.map(|mm| (mm / field.voxel_mm) as f32)
         })
         .collect();

@@ -29,6 +29,9 @@ const STEPS_PER_HALF: usize = 16;
 /// The same in a flow of random waves that are long beside a displacement: a step of a 1 mm pair is 0.13 mm.
 const STEPS_PER_HALF_OF_LONG_WAVES: usize = 4;
 
+/// Steps by which the particle is found whose two positions average to a place: each leaves a hundredth.
+const MEAN_STEPS: usize = 5;
+
 /// A steady velocity field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
@@ -99,6 +102,19 @@ impl Flow {
         std::array::from_fn(|axis| after[axis] - before[axis])
     }
 
+    /// The same of the particle whose two positions average to `mean_mm`: on a curved path it is beside that
+    /// place in the middle of the pair, by (d·∇)d/8.
+    pub fn displacement_about_mm(&self, mean_mm: [f64; 3], dt_s: f64) -> [f64; 3] {
+        let mut middle_mm = mean_mm;
+        for _ in 0..MEAN_STEPS {
+            let ends = [-0.5, 0.5].map(|part| self.advect_mm(middle_mm, part * dt_s));
+            middle_mm = std::array::from_fn(|axis| {
+                middle_mm[axis] + mean_mm[axis] - (ends[0][axis] + ends[1][axis]) / 2.0
+            });
+        }
+        self.displacement_mm(middle_mm, dt_s)
+    }
+
     /// One step of length `step`, in mm per (m/s).
     fn runge_kutta_step(&self, at: [f64; 3], step: f64) -> [f64; 3] {
         let ahead = |slope: [f64; 3], by: f64| -> [f64; 3] {
@@ -161,6 +177,17 @@ mod tests {
         assert!((moved[0] + 2.0 * angle.sin() * y).abs() < 1e-7, "{moved:?}");
         assert!((moved[1] - 2.0 * angle.sin() * x).abs() < 1e-7, "{moved:?}");
         assert_eq!(moved[2], 0.0);
+    }
+
+    #[test]
+    fn a_chord_has_its_own_middle() {
+        let flow = Flow::SolidRotation(SolidRotation { rate_rad_s: 2000.0 });
+        let angle = 0.5_f64;
+        let (x, y) = (3.0_f64, -2.0_f64);
+        let moved = flow.displacement_about_mm([x, y, 1.0], 500e-6);
+        // The middle of the chord is nearer to the axis than the arc by cos(angle).
+        assert!((moved[0] + 2.0 * angle.tan() * y).abs() < 1e-4, "{moved:?}");
+        assert!((moved[1] - 2.0 * angle.tan() * x).abs() < 1e-4, "{moved:?}");
     }
 
     #[test]

@@ -14,7 +14,7 @@ use crate::{
     BenchmarkError, Calibration, Curve, Figure, MeasuredField, Method, Row,
     between::{error_between_vox, gain},
     case::Setting,
-    score::{Score, true_field},
+    score::{KnownFlow, Score, true_field},
     true_calibration::true_calibrations,
     truth::true_cloud,
 };
@@ -97,12 +97,14 @@ pub(super) fn measured(
     let [a, b] =
         [FrameOfPair::A, FrameOfPair::B].map(|frame| true_cloud(&shot.truth, frame, windows));
     let dt_s = shot.truth.dt_s;
-    let by_windows = Score::of(&windows.measure_by_windows(&a, &b, dt_s), flow);
+    let by_windows =
+        Score::of(&windows.measure_by_windows(&a, &b, dt_s), KnownFlow::InTheMiddle(flow));
     let result = processor.process(&shot.pair)?;
-    let score = Score::of(&result.field, flow);
+    let truth = truth_of(setting);
+    let score = Score::of(&result.field, truth);
     let mut row = setting.row(method, shot.seed);
     fill(&mut row, &result, &score);
-    if let Some(errors_vox) = error_between_vox(&result.field, flow) {
+    if let Some(errors_vox) = error_between_vox(&result.field, truth) {
         row.set_unseen(errors_vox);
     }
     let volume = &setting.bench.volume;
@@ -111,10 +113,18 @@ pub(super) fn measured(
         .and_then(|wave| gain(&result.field, wave, volume.centre_mm, volume.extents_mm()));
     row.set_true_windows(by_windows.mean_vox);
     if setting.config.velocimetry.follow_particles {
-        let followed = Score::of(&windows.measure(&a, &b, dt_s), flow);
+        let followed = Score::of(&windows.measure(&a, &b, dt_s), KnownFlow::InTheMiddle(flow));
         row.set_true_followed(followed.mean_vox);
     }
     Ok(Measured { row, field: result.field, score })
+}
+
+/// What a setting's vectors stand for.
+fn truth_of<'a>(setting: &'a Setting<'_>) -> KnownFlow<'a> {
+    match setting.config.velocimetry.place_particles {
+        true => KnownFlow::OnAverage(&setting.scene.flow),
+        false => KnownFlow::InTheMiddle(&setting.scene.flow),
+    }
 }
 
 /// Adds the row and the distributions of its errors.
@@ -141,7 +151,7 @@ fn keep_field(setting: &Setting, measured: &Measured, findings: &mut Findings) {
         field,
     };
     if !findings.fields.iter().any(|field| field.case == row.case && field.ppm == row.ppm) {
-        findings.fields.push(kept(None, true_field(&measured.field, &setting.scene.flow)));
+        findings.fields.push(kept(None, true_field(&measured.field, truth_of(setting))));
     }
     findings.fields.push(kept(Some(row.method.clone()), measured.field.clone()));
 }
