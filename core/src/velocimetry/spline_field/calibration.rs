@@ -201,7 +201,7 @@ mod tests {
     fn samples_that_err_more_than_the_field_say_nothing_about_it() {
         let truth = Factors { own: 2.0, field: STEADY };
         let nodes = nodes();
-        let missed = missed(&nodes, 1e-4, 1e-6, |_| truth);
+        let missed = missed(&nodes, 1e-4, 1e-8, |_| truth);
         assert!(near(of_all(&missed).own, 2.0));
         let factors = of_component(&nodes, &missed);
         assert!(factors.iter().all(|factor| near(*factor, STEADY)), "{factors:?}");
