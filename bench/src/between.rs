@@ -184,15 +184,14 @@ mod tests {
     fn errors_between_vectors_are_those_of_the_interpolation_and_of_the_field() {
         let long = wave(4.8);
         let flow = Flow::PlaneWave(long.clone());
-        let [x, y, z] =
-            error_between_vox(&field(&long, 1.0), KnownFlow::InTheMiddle(&flow)).unwrap();
+        let truth = KnownFlow::InTheMiddle(&flow);
+        let [x, y, z] = error_between_vox(&field(&long, 1.0), truth).unwrap();
         assert!(x == 0.0 && y == 0.0 && z > 0.0 && z < 0.01, "{x} {y} {z}");
-        let [_, _, missed] =
-            error_between_vox(&field(&long, 0.0), KnownFlow::InTheMiddle(&flow)).unwrap();
+        let [_, _, missed] = error_between_vox(&field(&long, 0.0), truth).unwrap();
         assert!((missed - 2.0 / std::f64::consts::PI).abs() < 0.05, "{missed}");
         let mut holes = field(&long, 1.0);
         holes.status.fill(VectorStatus::Invalid);
-        assert_eq!(error_between_vox(&holes, KnownFlow::InTheMiddle(&flow)), None);
+        assert_eq!(error_between_vox(&holes, truth), None);
     }
 
     #[test]

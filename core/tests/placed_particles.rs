@@ -125,7 +125,7 @@ fn error_of_field(place_particles: bool) -> (f64, f64) {
         (0..field.grid.len()).filter(|&n| field.status[n] == VectorStatus::Valid).collect();
     let error = |&n: &usize| -> f64 {
         let at_mm = field.grid.position_mm(n);
-        // See `KnownFlow` of the benchmarks.
+        // What a vector stands for depends on that (docs/theory.md).
         let moved_mm = match place_particles {
             true => scene.flow.displacement_about_mm(at_mm, field.dt_s),
             false => scene.flow.displacement_mm(at_mm, field.dt_s),

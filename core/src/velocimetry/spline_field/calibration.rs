@@ -11,14 +11,14 @@ const SHARED: f32 = 30.0;
 /// A sample farther off than so many standard deviations counts as so far off: it may be wrong itself.
 const FARTHEST: f32 = 4.0;
 
-/// The field's variance over that of its draws where the flow has no third differences. Draws err by the samples'
-/// noise and by what the penalty takes the flow to have; in three dimensions, with a penalty of third differences,
-/// each is half: ∫ω²(1 + ω⁶)⁻² dω over ∫ω²(1 + ω⁶)⁻¹ dω (spectrum of a smoothing spline: Wahba, J. R. Stat. Soc. B
-/// 45, 1983).
-const STEADY: f32 = 0.5;
+/// The samples' noise in the variance of the field's draws. The rest is what the penalty allows the flow to have in
+/// third differences, and no error where it has none. In three dimensions each is half:
+/// ∫ω²(1 + ω⁶)⁻² dω over ∫ω²(1 + ω⁶)⁻¹ dω (spectrum of a smoothing spline: Wahba, J. R. Stat. Soc. B 45, 1983).
+const NOISE_SHARE: f32 = 0.5;
 
-/// That, and that samples' variances are as stated, count as so many samples that were left out.
-const EXPECTED: f32 = 300.0;
+/// Factors are expected to be [`NOISE_SHARE`] for the field and 1 for samples: as if so many left-out samples had said
+/// so (docs/decisions.md).
+const PRIOR_SAMPLES: f32 = 300.0;
 
 /// Least and most that a variance is changed by.
 const LIMITS: [f32; 2] = [0.01, 100.0];
@@ -95,8 +95,8 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
         sums_within(nodes.layout, REACH, &mut information);
         for ((factor, gradient), information) in factors.iter_mut().zip(gradient).zip(information) {
             let gradient = gradient - SHARED * (*factor / shared.field).ln();
-            let step = bounded_step(gradient / (information + SHARED));
-            *factor = (*factor * step).clamp(LIMITS[0], LIMITS[1]);
+            let step = gradient / (information + SHARED);
+            *factor = (*factor * bounded_factor(step)).clamp(LIMITS[0], LIMITS[1]);
         }
     }
     factors
@@ -104,12 +104,12 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
 
 /// The likeliest factors for all samples, by Fisher's scoring of their logarithms.
 fn of_all(missed: &[Missed]) -> Factors {
-    let mut factors = Factors { own: 1.0, field: STEADY };
+    let mut factors = Factors { own: 1.0, field: NOISE_SHARE };
     for _ in 0..STEPS[0] {
         // Sums over many samples: of the gradient, own and field, and of the information, own, both and field.
-        let mut gradient =
-            [factors.own, factors.field / STEADY].map(|factor| f64::from(-EXPECTED * factor.ln()));
-        let mut information = [f64::from(EXPECTED), 0.0, f64::from(EXPECTED)];
+        let mut gradient = [factors.own, factors.field / NOISE_SHARE]
+            .map(|factor| f64::from(-PRIOR_SAMPLES * factor.ln()));
+        let mut information = [f64::from(PRIOR_SAMPLES), 0.0, f64::from(PRIOR_SAMPLES)];
         for one in missed {
             let (share, surplus) = one.share_and_surplus(factors);
             let (share, surplus) = (f64::from(share), f64::from(surplus));
@@ -123,14 +123,14 @@ fn of_all(missed: &[Missed]) -> Factors {
         let determinant = own * field - both * both;
         let own_step = (field * gradient[0] - both * gradient[1]) / determinant;
         let field_step = (own * gradient[1] - both * gradient[0]) / determinant;
-        factors.own *= bounded_step(own_step as f32);
-        factors.field *= bounded_step(field_step as f32);
+        factors.own *= bounded_factor(own_step as f32);
+        factors.field *= bounded_factor(field_step as f32);
     }
     factors
 }
 
-/// The factor of a step in a logarithm, at most e.
-fn bounded_step(step: f32) -> f32 {
+/// What a step of its logarithm multiplies a factor by: e at most.
+fn bounded_factor(step: f32) -> f32 {
     step.clamp(-1.0, 1.0).exp()
 }
 
@@ -199,12 +199,12 @@ mod tests {
 
     #[test]
     fn samples_that_err_more_than_the_field_say_nothing_about_it() {
-        let truth = Factors { own: 2.0, field: STEADY };
+        let truth = Factors { own: 2.0, field: NOISE_SHARE };
         let nodes = nodes();
         let missed = missed(&nodes, 1e-4, 1e-8, |_| truth);
         assert!(near(of_all(&missed).own, 2.0));
         let factors = of_component(&nodes, &missed);
-        assert!(factors.iter().all(|factor| near(*factor, STEADY)), "{factors:?}");
+        assert!(factors.iter().all(|factor| near(*factor, NOISE_SHARE)), "{factors:?}");
     }
 
     #[test]
