@@ -162,21 +162,56 @@ impl Card {
             4.0 * (x * x + y * y) <= diameter_mm * diameter_mm
         };
         let fiducial =
-            self.fiducials_mm().iter().any(|&dot| within(dot, self.fiducial_diameter_mm));
+            || self.fiducials_mm().iter().any(|&dot| within(dot, self.fiducial_diameter_mm));
         let [u, v] = along_mm.map(|place| place / self.spacing_mm);
         let half = self.marks.map(|count| (count as f64 - 1.0) / 2.0);
         match self.pattern {
             Pattern::Dots => {
-                let nearest = [u.round(), v.round()];
+                let nearest = [u, v].map(nearest_whole);
                 let exists = nearest[0].abs() <= half[0] && nearest[1].abs() <= half[1];
                 let centre = nearest.map(|n| n * self.spacing_mm);
-                fiducial || exists && within(centre, self.dot_diameter_mm)
+                exists && within(centre, self.dot_diameter_mm) || fiducial()
             }
             Pattern::Checkerboard => {
                 let inside = u.abs() <= half[0] + 1.0 && v.abs() <= half[1] + 1.0;
                 let bright = (u.floor() + v.floor()).rem_euclid(2.0) == 0.0;
-                inside && bright != fiducial
+                inside && bright != fiducial()
             }
+        }
+    }
+
+    /// How many of these points, moved by `moved_mm`, are bright: [`Self::is_bright`] for each, without branches,
+    /// so that compilers turn the loop into vector instructions. All x come first, then all y.
+    #[inline]
+    pub fn count_bright<const N: usize>(
+        &self,
+        along_mm: &[[f64; N]; 2],
+        moved_mm: [f64; 2],
+    ) -> usize {
+        let circle = |x: f64, y: f64, [a, b]: [f64; 2], diameter_mm: f64| {
+            4.0 * ((x - a) * (x - a) + (y - b) * (y - b)) <= diameter_mm * diameter_mm
+        };
+        let fiducials = self.fiducials_mm();
+        let fiducial = |x: f64, y: f64| {
+            let within = |n: usize| circle(x, y, fiducials[n], self.fiducial_diameter_mm);
+            within(0) | within(1) | within(2)
+        };
+        let per_mm = 1.0 / self.spacing_mm;
+        let half = self.marks.map(|count| (count as f64 - 1.0) / 2.0);
+        match self.pattern {
+            Pattern::Dots => count_where(along_mm, moved_mm, |x, y| {
+                let [u, v] = [x, y].map(|place| nearest_whole(place * per_mm));
+                let exists = (u.abs() <= half[0]) & (v.abs() <= half[1]);
+                let centre = [u, v].map(|n| n * self.spacing_mm);
+                exists & circle(x, y, centre, self.dot_diameter_mm) | fiducial(x, y)
+            }),
+            Pattern::Checkerboard => count_where(along_mm, moved_mm, |x, y| {
+                let [u, v] = [x, y].map(|place| place * per_mm);
+                let inside = (u.abs() <= half[0] + 1.0) & (v.abs() <= half[1] + 1.0);
+                let field = nearest_whole(u - 0.5) + nearest_whole(v - 0.5);
+                let bright = 2.0 * nearest_whole(field / 2.0) == field;
+                inside & (bright != fiducial(x, y))
+            }),
         }
     }
 
@@ -192,11 +227,12 @@ impl Card {
         let fiducial = fiducials.iter().map(|&dot| from_circle(dot, self.fiducial_diameter_mm));
         let mark = match self.pattern {
             Pattern::Dots => {
-                let centre = [u.round(), v.round()].map(|n| n * self.spacing_mm);
+                let centre = [u, v].map(|place| nearest_whole(place) * self.spacing_mm);
                 from_circle(centre, self.dot_diameter_mm)
             }
             Pattern::Checkerboard => {
-                (u - u.round()).abs().min((v - v.round()).abs()) * self.spacing_mm
+                let off = [u, v].map(|place| (place - nearest_whole(place)).abs());
+                off[0].min(off[1]) * self.spacing_mm
             }
         };
         fiducial.fold(mark, f64::min)
@@ -230,8 +266,28 @@ impl Card {
     }
 }
 
+/// How many of these points, moved by `moved_mm`, `is` true of.
+#[inline(always)]
+fn count_where<const N: usize>(
+    [x, y]: &[[f64; N]; 2],
+    moved_mm: [f64; 2],
+    is: impl Fn(f64, f64) -> bool,
+) -> usize {
+    (0..N).map(|n| usize::from(is(x[n] + moved_mm[0], y[n] + moved_mm[1]))).sum()
+}
+
+/// The nearest whole number to one below 2⁵¹; half way between two of them, the even one. Adding
+/// 1.5 · 2⁵² leaves no bits for a fraction. `f64::round` is a call into the mathematics library.
+#[inline]
+fn nearest_whole(number: f64) -> f64 {
+    const NO_FRACTION: f64 = 1.5 * (1u64 << 52) as f64;
+    number + NO_FRACTION - NO_FRACTION
+}
+
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn card(pattern: Pattern) -> Card {
@@ -296,5 +352,27 @@ mod tests {
         assert!(
             Card { spacing_mm: 0.5, ..card(Pattern::Dots) }.fault().unwrap().contains("touches")
         );
+    }
+
+    #[test]
+    fn whole_numbers_are_the_nearest() {
+        for n in -4000..4000 {
+            let number = f64::from(n) * 0.013;
+            assert_eq!(nearest_whole(number), number.round_ties_even(), "{number}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn bright_points_are_counted_as_one_by_one(
+            x in prop::array::uniform16(-9.0..9.0), y in prop::array::uniform16(-9.0..9.0),
+            right in -1.0..1.0f64, up in -1.0..1.0f64,
+        ) {
+            for pattern in [Pattern::Dots, Pattern::Checkerboard] {
+                let card = card(pattern);
+                let one_by_one = (0..16).filter(|&n| card.is_bright([x[n] + right, y[n] + up])).count();
+                prop_assert_eq!(card.count_bright(&[x, y], [right, up]), one_by_one);
+            }
+        }
     }
 }

@@ -69,7 +69,8 @@ struct Sampled {
     /// No ray meets the card farther from the middle one, in mm.
     reach_mm: f64,
     middle_mm: [f64; 2],
-    rays_mm: [[f64; 2]; RAYS],
+    /// All x, then all y.
+    rays_mm: [[f64; RAYS]; 2],
     /// How far these places move per mm on the microlens plane along x and along y. Within a mark that is
     /// the same to a few thousandths.
     per_mm: [[f64; 2]; 2],
@@ -184,7 +185,7 @@ impl MarkSearch<'_> {
         let centre_mm = self.light.place_mm(pixel.lens);
         let start = fractions_of(pixel.number);
         let from_mm = |place_mm: [f64; 2]| [0, 1].map(|axis| place_mm[axis] - self.shift_mm[axis]);
-        let rays_mm = std::array::from_fn(|ray| {
+        let met_mm: [[f64; 2]; RAYS] = std::array::from_fn(|ray| {
             let [x, y, right, up] = rank_one(start, ray);
             let place_mm = self.light.place_mm([pixel.lens[0] + x, pixel.lens[1] + y]);
             let off_mm = std::array::from_fn(|axis| place_mm[axis] - centre_mm[axis]);
@@ -207,7 +208,7 @@ impl MarkSearch<'_> {
             pupil_mm,
             reach_mm,
             middle_mm: map.along_mm(from_mm(centre_mm), pupil_mm),
-            rays_mm,
+            rays_mm: [0, 1].map(|along| met_mm.map(|met_mm| met_mm[along])),
             per_mm,
         }
     }
@@ -215,13 +216,11 @@ impl MarkSearch<'_> {
     /// Share of a pixel's rays that meet something bright, with the card moved.
     fn bright(&self, pixel: &Sampled, beside_mm: [f64; 2], slopes: [f64; 2]) -> f64 {
         let moved_mm = pixel.moved_mm(beside_mm, slopes);
-        let at_mm = |[right, up]: [f64; 2]| [right + moved_mm[0], up + moved_mm[1]];
-        let middle_mm = at_mm(pixel.middle_mm);
+        let middle_mm = [0, 1].map(|along| pixel.middle_mm[along] + moved_mm[along]);
         if self.card.edge_distance_mm(middle_mm) > pixel.reach_mm {
             return f64::from(u8::from(self.card.is_bright(middle_mm)));
         }
-        let bright = pixel.rays_mm.iter().filter(|&&met_mm| self.card.is_bright(at_mm(met_mm)));
-        bright.count() as f64 / RAYS as f64
+        self.card.count_bright(&pixel.rays_mm, moved_mm) as f64 / RAYS as f64
     }
 
     /// Light and its change with the mark's place along both axes, per mm.
