@@ -31,17 +31,23 @@ pub(super) enum Limit {
 }
 
 impl Costs {
+    /// Shots a second of one slot, of two, and so on.
+    fn rates(&self) -> impl Iterator<Item = f64> {
+        let Self { apart_s, network_s, coordinator_s } = *self;
+        // Rounding may pass it by a hair.
+        let most = self.most_shots_per_s();
+        (1u32..).scan([0.0; 2], move |queues, slots| {
+            let demands = [network_s, coordinator_s];
+            let times: [f64; 2] = std::array::from_fn(|k| demands[k] * (1.0 + queues[k]));
+            let rate = f64::from(slots) / (apart_s + times[0] + times[1]);
+            *queues = times.map(|time| rate * time);
+            Some(rate.min(most))
+        })
+    }
+
     /// Shots a second of `slots` slots.
     pub fn shots_per_s(&self, slots: usize) -> f64 {
-        let demands = [self.network_s, self.coordinator_s];
-        let (mut queues, mut rate) = ([0.0; 2], 0.0);
-        for slot in 1..=slots {
-            let times = [0, 1].map(|k| demands[k] * (1.0 + queues[k]));
-            rate = slot as f64 / (self.apart_s + times[0] + times[1]);
-            queues = times.map(|time| rate * time);
-        }
-        // Rounding may pass it by a hair.
-        rate.min(self.most_shots_per_s())
+        self.rates().take(slots).last().unwrap_or(0.0)
     }
 
     /// Shots a second that no number of machines exceeds.
@@ -64,7 +70,7 @@ impl Costs {
 
     /// The least number of slots that reach a rate; `None` if none of at most `most` does.
     pub fn slots_for(&self, shots_per_s: f64, most: usize) -> Option<usize> {
-        (1..=most).find(|slots| self.shots_per_s(*slots) >= shots_per_s)
+        self.rates().take(most).position(|rate| rate >= shots_per_s).map(|before| before + 1)
     }
 }
 
