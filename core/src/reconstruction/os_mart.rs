@@ -25,9 +25,9 @@ pub struct OsMart {
 impl Update for OsMart {
     const NEEDS_SUMS: bool = false;
 
-    fn correction(&self, camera: usize, measured: f32, projected: f32, _: f32) -> f32 {
+    fn correction(&self, camera: usize) -> impl Fn(f32, f32, f32) -> f32 {
         let noise = self.noise_counts[camera];
-        (measured.max(0.0) + noise) / (projected + noise) - 1.0
+        move |measured, projected, _| (measured.max(0.0) + noise) / (projected + noise) - 1.0
     }
 
     fn update(&self, light: f32, back_projected: f32, _: f32, views: usize) -> f32 {

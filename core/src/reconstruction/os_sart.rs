@@ -26,11 +26,10 @@ pub struct OsSart {
 impl Update for OsSart {
     const NEEDS_SUMS: bool = true;
 
-    fn correction(&self, camera: usize, measured: f32, projected: f32, row_sum: f32) -> f32 {
-        if row_sum >= MIN_SUM {
-            (measured - projected) / (row_sum + self.noise_share[camera])
-        } else {
-            0.0
+    fn correction(&self, camera: usize) -> impl Fn(f32, f32, f32) -> f32 {
+        let noise_share = self.noise_share[camera];
+        move |measured, projected, row_sum| {
+            if row_sum >= MIN_SUM { (measured - projected) / (row_sum + noise_share) } else { 0.0 }
         }
     }
 
