@@ -266,14 +266,14 @@ impl Card {
     }
 }
 
-/// How many of these points, moved by `moved_mm`, `is` true of.
+/// The number of points that satisfy `is_met` once they are moved by `moved_mm`.
 #[inline(always)]
 fn count_where<const N: usize>(
     [x, y]: &[[f64; N]; 2],
     moved_mm: [f64; 2],
-    is: impl Fn(f64, f64) -> bool,
+    is_met: impl Fn(f64, f64) -> bool,
 ) -> usize {
-    (0..N).map(|n| usize::from(is(x[n] + moved_mm[0], y[n] + moved_mm[1]))).sum()
+    (0..N).map(|n| usize::from(is_met(x[n] + moved_mm[0], y[n] + moved_mm[1]))).sum()
 }
 
 /// The nearest whole number to one below 2⁵¹; half way between two of them, the even one. Adding
