@@ -169,8 +169,15 @@ impl Run {
     /// If the laser was switched off during the burst, now or in the record, marks the shots that may
     /// lack light.
     pub(super) async fn note_switching_off(&mut self) -> Result<(), AcquisitionError> {
-        let is_scripted = self.bursts.as_ref().is_some_and(|script| script.take_switching_off());
-        if std::mem::take(&mut self.is_switching_off) || is_scripted {
+        if let Some(script) = &self.bursts
+            && script.switching_off_is_due()
+            // Frames recorded before it are in the channel by now, and come first.
+            && self.events.is_empty()
+        {
+            script.pass_switching_off();
+            self.is_switching_off = true;
+        }
+        if std::mem::take(&mut self.is_switching_off) {
             self.pairing.laser_switched_off();
             self.record(Entry::SwitchingOff { at_ns: self.at_ns() }).await?;
         }

@@ -290,15 +290,17 @@ impl BurstScript for Script {
         self.state.lock().start
     }
 
-    fn take_switching_off(&self) -> bool {
+    fn switching_off_is_due(&self) -> bool {
+        let state = self.state.lock();
+        let step = self.steps.get(state.next);
+        step.is_some_and(|step| matches!(step, Step::SwitchingOff { .. }) && self.is_due(step))
+    }
+
+    fn pass_switching_off(&self) {
         let mut state = self.state.lock();
-        match self.steps.get(state.next) {
-            Some(step @ Step::SwitchingOff { at_ns }) if self.is_due(step) => {
-                self.clock.advance(*at_ns);
-                self.advance(&mut state);
-                true
-            }
-            _ => false,
+        if let Some(Step::SwitchingOff { at_ns }) = self.steps.get(state.next) {
+            self.clock.advance(*at_ns);
+            self.advance(&mut state);
         }
     }
 

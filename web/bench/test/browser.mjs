@@ -63,14 +63,21 @@ export function assertQuiet(complaints, expected = /^$/) {
   assert.deepEqual(rest, [], "the page complains");
 }
 
-/** Waits until `read` gives something that is `reached`, and gives that. */
+/**
+ * Waits until `read` gives something that is `reached`, and gives that. Patience ends when what is
+ * read has not changed for so long, or in any case after ten times as long: work that goes on takes
+ * as long as the machine needs.
+ */
 export async function until(read, reached, what, patienceMs = PATIENCE_MS) {
   const began = Date.now();
-  let seen;
+  let [seen, since] = [undefined, began];
   for (;;) {
+    const before = JSON.stringify(seen);
     seen = await read();
     if (reached(seen)) return seen;
-    if (Date.now() - began > patienceMs) throw new Error(`${what} did not come; last seen: ${JSON.stringify(seen)}`);
+    if (JSON.stringify(seen) !== before) since = Date.now();
+    const now = Date.now();
+    if (now - since > patienceMs || now - began > 10 * patienceMs) throw new Error(`${what} did not come; last seen: ${JSON.stringify(seen)}`);
     await new Promise((wake) => setTimeout(wake, 150));
   }
 }
