@@ -2,7 +2,7 @@
 
 use std::{
     fmt,
-    io::{self, BufReader, Read, Seek, Write},
+    io::{self, BufRead, BufReader, Read, Seek, Write},
     path::Path,
 };
 
@@ -80,8 +80,12 @@ pub fn read_grey_tiff_of_any_size(path: &Path) -> Result<RawImage, ArchiveError>
 
 fn read(path: &Path, expected: Option<ImageSize>) -> Result<RawImage, ArchiveError> {
     let file = open_regular(path).map_err(ArchiveError::io("open the image", path))?;
+    let mut reader = BufReader::new(file);
+    if let Some(found) = other_format(&mut reader) {
+        return Err(ArchiveError::NotGrey { path: path.into(), found });
+    }
     let failure = |source| describe_failure(path, source);
-    let mut decoder = Decoder::new(BufReader::new(file)).map_err(failure)?;
+    let mut decoder = Decoder::new(reader).map_err(failure)?;
     let size = check(&mut decoder, path, expected)?;
     let decoded = decoder.read_image().map_err(failure)?;
     if has_second_page(&mut decoder) {
@@ -99,6 +103,13 @@ fn read(path: &Path, expected: Option<ImageSize>) -> Result<RawImage, ArchiveErr
         path: path.into(),
         reason: error.to_string(),
     })
+}
+
+/// What the file is by its first bytes, if that is an image of another format.
+fn other_format(reader: &mut impl BufRead) -> Option<String> {
+    let format = image::guess_format(reader.fill_buf().ok()?).ok()?;
+    let name = format.extensions_str().first()?.to_uppercase();
+    (format != ImageFormat::Tiff).then(|| format!("a {name} image"))
 }
 
 /// Checks pixel type, tiles and size, and returns the size.
@@ -242,6 +253,15 @@ mod tests {
             assert!(message.contains("cam1_a.tif"), "{message}");
             assert!(message.contains("truncated"), "{message}");
         }
+    }
+
+    #[test]
+    fn an_image_of_another_format_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cam1_a.tif");
+        DynamicImage::new_luma16(3, 2).save_with_format(&path, ImageFormat::Png).unwrap();
+        let message = refusal(&path, [3, 2]);
+        assert!(message.contains("cam1_a.tif is a PNG image: save it as grey TIFF"), "{message}");
     }
 
     #[test]
