@@ -10,7 +10,7 @@ use std::{
 };
 
 /// Only a hang takes this long.
-const PATIENCE: Duration = Duration::from_secs(180);
+const PATIENCE: Duration = Duration::from_secs(900);
 
 /// Number of characters of the output's end in reports.
 const LAST_WORDS: usize = 600;

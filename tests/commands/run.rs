@@ -12,8 +12,8 @@ use serde_json::Value;
 
 use crate::support::{changed_configuration, lfpiv};
 
-/// Longest time to wait for anything.
-const PATIENCE: Duration = Duration::from_secs(300);
+/// Only a hang takes this long.
+const PATIENCE: Duration = Duration::from_secs(900);
 
 /// `lfpiv run` without end, after it has printed its status address.
 struct Running {

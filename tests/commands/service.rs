@@ -11,7 +11,8 @@ use std::{
 
 use crate::support::changed_configuration;
 
-const PATIENCE: Duration = Duration::from_secs(300);
+/// Only a hang takes this long.
+const PATIENCE: Duration = Duration::from_secs(900);
 /// The daemon's watchdog limit.
 const WATCHDOG: Duration = Duration::from_secs(4);
 

@@ -8,8 +8,8 @@ use tokio::{
     net::TcpStream,
 };
 
-/// Longest time for any response.
-const PATIENCE: Duration = Duration::from_secs(120);
+/// Only a hang takes this long.
+const PATIENCE: Duration = Duration::from_secs(900);
 
 /// A request being built.
 #[derive(Debug, Clone)]

@@ -21,7 +21,8 @@ use crate::{
     server::{CONTROL, with_tokens},
 };
 
-const PATIENCE: Duration = Duration::from_secs(120);
+/// Only a hang takes this long.
+const PATIENCE: Duration = Duration::from_secs(900);
 
 async fn post(address: std::net::SocketAddr, path: &str, body: &str) -> Value {
     let ask = Ask::post(path).token(CONTROL);

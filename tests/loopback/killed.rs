@@ -1,7 +1,7 @@
 //! A killed daemon: the current burst is the last one.
 
 use std::{
-    fs,
+    fs::{self, File},
     io::{BufRead, BufReader},
     path::{Path, PathBuf},
     process::{Child, Command, Stdio},
@@ -68,9 +68,15 @@ impl Drop for Daemon {
     }
 }
 
+/// What the last daemon with this configuration says.
+fn log_of(config: &Path) -> PathBuf {
+    config.with_extension("log")
+}
+
 fn daemon(config: &Path, shots: Option<u64>) -> Daemon {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lfpiv"));
-    command.args(["run", "--config"]).arg(config).stdout(Stdio::piped()).stderr(Stdio::null());
+    let log = File::create(log_of(config)).expect("a log");
+    command.args(["run", "--config"]).arg(config).stdout(Stdio::piped()).stderr(log);
     if let Some(shots) = shots {
         command.args(["--shots", &shots.to_string()]);
     }
@@ -190,7 +196,7 @@ fn a_killed_daemon_leaves_no_more_than_one_burst() {
         assert_eq!(q_switch_pulses(&instruments), after);
 
         let status = daemon(&config, Some(2)).0.wait().unwrap();
-        assert!(status.success(), "{status}");
+        assert!(status.success(), "{status}: {}", fs::read_to_string(log_of(&config)).unwrap());
         assert_eq!(q_switch_pulses(&instruments), after + 2);
     });
 }

@@ -13,8 +13,8 @@ use lfpiv::acquisition::journal::RecordedRun;
 use lfpiv_hw::RawImage;
 use serde_json::Value;
 
-/// Timeout of every wait.
-pub const PATIENCE: Duration = Duration::from_secs(300);
+/// Timeout of every wait: only a hang takes this long.
+pub const PATIENCE: Duration = Duration::from_secs(900);
 
 /// Writes a configuration with results below `root`, with `more` appended.
 pub fn configuration(root: &Path, more: &str) -> PathBuf {

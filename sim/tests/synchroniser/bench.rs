@@ -31,7 +31,7 @@ pub fn open(
 }
 
 /// Longest wait for anything that is sure to come, on a loaded machine.
-pub const PATIENCE: Duration = Duration::from_secs(120);
+pub const PATIENCE: Duration = Duration::from_secs(300);
 
 pub struct Bench {
     pub served: Served<PulseGenerator>,
