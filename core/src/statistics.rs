@@ -4,7 +4,7 @@
 pub const NORMAL_OF_MEDIAN: f64 = 1.4826;
 
 /// Median of the square of a normal distribution, in variances.
-pub const MEDIAN_SQUARE: f64 = 0.455;
+pub const MEDIAN_SQUARE: f64 = 0.454_936;
 
 /// Median of the sum of squares of three standard normal variables: of chi-squared with three degrees of freedom.
 pub const MEDIAN_OF_THREE_SQUARES: f64 = 2.366;

@@ -1,7 +1,7 @@
 //! The noise of pixels, from what the particles leave of an image.
 
 use super::image::PixelNoise;
-use crate::statistics::median;
+use crate::statistics::{MEDIAN_SQUARE, median};
 
 /// One pixel in so many is looked at: a number that shares no factor with the images' rows.
 const EVERY: usize = 7;
@@ -12,9 +12,6 @@ const FIRST_LEVEL_COUNTS: f32 = 4.0;
 
 /// Fewer pixels of a level say nothing.
 const LEAST_PIXELS: usize = 200;
-
-/// Median of the square of a standard normal variable.
-const MEDIAN_SQUARE: f64 = 0.4549;
 
 /// The noise that pixels with this model and residual have, of which `dark` is known. Medians: where a
 /// particle is missing or in the wrong place, pixels say nothing of noise.

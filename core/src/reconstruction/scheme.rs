@@ -71,8 +71,7 @@ pub(super) struct Scheme {
 
 /// A stage whose threshold rises over one pass. The coarse grid only has to locate the light, for
 /// which a part of the views suffices: OS-MART's fine stage does no better after 0.3 of them than
-/// after 0.2. a part of the views is enough: OS-MART's fine one has no more to do after 0.2 of them
-/// than after 0.3.
+/// after 0.2.
 const fn stage(
     passes: usize,
     share_of_views: f64,

@@ -100,7 +100,7 @@ pub struct ReconstructionSettings {
 }
 
 /// Default passes of SART over the whole volume. The paper uses 400 and more; this shows the method
-/// at an acceptable cost. cost.
+/// at an acceptable cost.
 const SART_PASSES: usize = 20;
 
 impl ReconstructionSettings {

@@ -17,6 +17,7 @@ mod kernel;
 mod lags;
 mod lattice;
 mod multipass;
+mod nodes;
 mod peak;
 mod placed;
 mod raster;

@@ -1,6 +1,10 @@
 //! How wide the field's error is, over that of its draws, from samples that were left out.
 
-use super::{super::differences::Layout, Sample, field::SplineField, nodes::Nodes};
+use super::{
+    super::{differences::Layout, nodes::Nodes},
+    Sample,
+    field::SplineField,
+};
 
 /// Nodes on either side whose samples tell how wide the error is about a place.
 const REACH: usize = 2;

@@ -5,10 +5,12 @@ use multiversion::multiversion;
 use rayon::prelude::*;
 
 use super::{
-    super::differences::Layout,
+    super::{
+        differences::Layout,
+        nodes::{Nodes, Taps},
+    },
     divergence::Divergence,
     lanes::{LANES, Lane, Vectors},
-    nodes::{Nodes, Taps},
     noise::Noise,
 };
 

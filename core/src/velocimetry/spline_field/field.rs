@@ -1,8 +1,8 @@
 //! A fitted field: values, derivatives, uncertainty.
 
 use super::{
+    super::nodes::Nodes,
     lanes::{LANES, Vectors},
-    nodes::Nodes,
 };
 
 /// A displacement field as a sum of cubic B-splines, with its standard uncertainty, in voxels.

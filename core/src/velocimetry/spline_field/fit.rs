@@ -3,14 +3,16 @@
 use rayon::prelude::*;
 
 use super::{
-    super::conjugate_gradients::Until,
+    super::{
+        conjugate_gradients::Until,
+        nodes::{Nodes, Taps},
+    },
     Sample, calibration,
     divergence::Divergence,
     equations::{Equations, Targets, values_at},
     field::SplineField,
     lanes::{LANES, Lane, Vectors, packed, zeros},
     modes::Modes,
-    nodes::{Nodes, Taps},
     noise::Noise,
     nugget,
     preconditioner::Preconditioner,

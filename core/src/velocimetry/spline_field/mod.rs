@@ -23,7 +23,6 @@ mod field;
 mod fit;
 mod lanes;
 mod modes;
-mod nodes;
 mod noise;
 mod nugget;
 mod preconditioner;
@@ -31,10 +30,9 @@ mod scatter;
 mod solve;
 mod stiffness;
 
-use super::conjugate_gradients::Until;
+use super::{conjugate_gradients::Until, nodes::Nodes};
 pub use field::SplineField;
 use fit::Fit;
-use nodes::Nodes;
 use stiffness::Ladder;
 
 /// The displacement of a particle, or of anything else that is known at a place.
@@ -115,7 +113,7 @@ pub fn through(
     incompressible: bool,
 ) -> (SplineField, Vec<[f32; 3]>) {
     let nodes = extent.nodes_for(samples.len());
-    let order = nodes.order(samples);
+    let order = nodes.order(samples.iter().map(|sample| sample.middle_vox));
     let samples: Vec<Sample> = order.iter().map(|&n| samples[n]).collect();
     let mut fit = Fit::new(nodes, &samples, guess.at, incompressible);
     // How uncertain the field is counts in the samples' weights from the first.
@@ -136,7 +134,11 @@ pub fn through(
 /// The field near `samples`, whose stated errors are not relied on.
 pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineField {
     let nodes = extent.nodes_for(samples.len());
-    let samples: Vec<Sample> = nodes.order(samples).into_iter().map(|n| samples[n]).collect();
+    let samples: Vec<Sample> = nodes
+        .order(samples.iter().map(|sample| sample.middle_vox))
+        .into_iter()
+        .map(|n| samples[n])
+        .collect();
     let mut fit = Fit::new(nodes, &samples, guess.at, false);
     follow(&mut fit, guess, TRYING_QUICKLY, |fit| fit.approach(FOLLOWING_QUICKLY));
     fit.field()

@@ -47,7 +47,7 @@ impl<'a> Preconditioner<'a> {
 impl Part {
     fn new(modes: &Modes, equations: &Equations, c: usize) -> Self {
         let layout = equations.nodes.layout;
-        let cells: f64 = (0..3).map(|axis| equations.nodes.cells(axis) as f64).product();
+        let cells = equations.nodes.all_cells() as f64;
         let typical = typical(&equations.weights[c]).map(|weight| weight / cells);
         let stiffness = equations.stiffness[c].map(f64::from);
         let [x, y, z] = &modes.axes;
@@ -106,7 +106,7 @@ fn scales(equations: &Equations, c: usize) -> Vec<Lane> {
         (0..LANES).for_each(|l| sums[l] += f64::from(weights[l]));
     }
     // Mean square of a B-spline over its four cells, along three axes.
-    let cells: f64 = (0..3).map(|axis| equations.nodes.cells(axis) as f64).product();
+    let cells = equations.nodes.all_cells() as f64;
     let mean = sums.map(|sum| (sum / cells * (151.0f64 / 315.0).powi(3)) as f32);
     let scale = |(own, rough): (&Lane, &f32)| {
         std::array::from_fn(|l| {

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{Sample, nodes::Nodes};
+use super::{super::nodes::Nodes, Sample};
 use crate::statistics::{MEDIAN_SQUARE, median};
 
 /// Nodes on either side whose particles tell how they scatter about a place.

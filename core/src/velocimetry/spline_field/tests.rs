@@ -3,7 +3,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{
-    super::differences::Layout,
+    super::{differences::Layout, nodes::Taps},
     divergence::Divergence,
     equations::{Equations, Targets},
     lanes::{LANES, Lane, Vectors, zeros},
@@ -54,7 +54,7 @@ const FACTORS: Lane = [1.0, 2.0, 0.5, 3.0, 1.0, 0.3, 1.0, 1.0];
 /// A small problem with all its parts, of random weights.
 struct Problem {
     nodes: Nodes,
-    taps: Vec<nodes::Taps>,
+    taps: Vec<Taps>,
     weights: Vec<Vec<Lane>>,
     stiffness: [f32; 3],
     values: Vec<Vec<Lane>>,

@@ -21,10 +21,11 @@ use super::{
         differences::{Layout, Penalty},
         flow_nodes::FlowNodes,
         lattice::Lattice,
+        nodes::Taps,
     },
     divergence::Divergence,
     samples::{Samples, add_diagonal, add_transposed, cells_at, values_at},
-    spline::{Spline, Taps},
+    spline::Spline,
     variance::{Waves, near_faces},
 };
 

@@ -162,8 +162,9 @@ impl<'a> Stage<'a> {
         flow: Option<&'a FlowNodes>,
     ) -> Self {
         let spline = Spline::through(&nodes, flow);
-        let fit = Fit::new(&nodes, uncertainty_vox, spline.layout, window_step_vox, incompressible)
-            .with_flow(flow);
+        let fit =
+            Fit::new(&nodes, uncertainty_vox, spline.nodes.layout, window_step_vox, incompressible)
+                .with_flow(flow);
         Self { nodes, spline, fit }
     }
 

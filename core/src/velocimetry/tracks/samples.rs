@@ -3,9 +3,9 @@
 use multiversion::multiversion;
 
 use super::{
-    super::differences::Layout,
+    super::{differences::Layout, nodes::Taps},
     pairs::Pair,
-    spline::{Spline, Taps},
+    spline::Spline,
 };
 use crate::statistics::{lower_quartile, median};
 
@@ -64,7 +64,7 @@ impl<'a> Samples<'a> {
         let layout = Layout { nodes };
         let mut nearest_node = Vec::with_capacity(pairs.len());
         for (number, pair) in (0u32..).zip(pairs) {
-            let at = spline.node_coordinates(pair.middle_vox);
+            let at = spline.nodes.coordinates(pair.middle_vox);
             let among = |count: usize, t: f32| (t.max(0.0) as usize).min(count - 1);
             let nearest = std::array::from_fn(|axis| among(nodes[axis], at[axis] + 0.5));
             nearest_node.push(layout.number(nearest));
@@ -210,14 +210,14 @@ fn variance_inflation(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
 /// Values of a spline at all `taps`: B c.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn values_at(layout: Layout, taps: &[Taps], coefficients: &[f64]) -> Vec<f64> {
-    taps.iter().map(|taps| taps.gather(layout, coefficients)).collect()
+    taps.iter().map(|taps| taps.gather_one(layout, coefficients)).collect()
 }
 
 /// Adds Bᵀ of `values` at all `taps` to the coefficients `sum`.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn add_transposed(layout: Layout, taps: &[Taps], values: &[f64], sum: &mut [f64]) {
     for (taps, value) in taps.iter().zip(values) {
-        taps.scatter(layout, *value, sum);
+        taps.scatter_one(layout, *value, sum);
     }
 }
 
@@ -225,6 +225,6 @@ pub fn add_transposed(layout: Layout, taps: &[Taps], values: &[f64], sum: &mut [
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn add_diagonal(layout: Layout, taps: &[Taps], weights: &[f64], sum: &mut [f64]) {
     for (taps, weight) in taps.iter().zip(weights) {
-        taps.squared().scatter(layout, *weight, sum);
+        taps.squared().scatter_one(layout, *weight, sum);
     }
 }

@@ -1,27 +1,20 @@
 //! A vector field as a sum of cubic B-splines, with two continuous derivatives and an error of fourth
 //! order in the distance of its nodes.
 
-use super::super::{b_spline, differences::Layout, flow_nodes::FlowNodes, lattice::Lattice};
+use super::super::{
+    differences::Layout,
+    flow_nodes::FlowNodes,
+    lattice::Lattice,
+    nodes::{Nodes, Taps},
+};
 
 /// A vector field on a lattice, which has a coefficient on every node and one beyond each end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
-    /// The coefficients' places in memory.
-    pub layout: Layout,
-    /// Node (0, 0, 0) of the lattice, which is coefficient (1, 1, 1), in voxels.
-    first_vox: [f32; 3],
-    step_vox: f32,
+    /// The coefficients' places; node (0, 0, 0) of the lattice is coefficient (1, 1, 1).
+    pub nodes: Nodes,
     /// Per component of the vector.
     pub coefficients: [Vec<f64>; 3],
-}
-
-/// The 4 × 4 × 4 coefficients that make the field at a place.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Taps {
-    /// Index of the first of them.
-    first: usize,
-    /// Weights along x, y, z.
-    weights: [[f32; 4]; 3],
 }
 
 impl Spline {
@@ -42,45 +35,32 @@ impl Spline {
             }
             values
         });
-        Self { layout, first_vox: field.first_vox, step_vox: field.step_vox, coefficients }
+        let nodes = Nodes { layout, first_vox: field.first_vox, step_vox: field.step_vox };
+        Self { nodes, coefficients }
     }
 
     /// The field's values on the nodes of the lattice `like` that it was made through.
     pub fn on_nodes(&self, like: &Lattice) -> Lattice {
         let values = (0..like.values.len())
-            .map(|n| self.of(&Taps::of_node(self.layout, like.nodes, n)).map(|v| v as f32))
+            .map(|n| self.of(&Taps::of_node(self.nodes.layout, like.nodes, n)).map(|v| v as f32))
             .collect();
         Lattice { values, ..*like }
     }
 
-    /// Place among the nodes of the lattice, 0 the first, from a place in voxels.
-    pub fn node_coordinates(&self, at_vox: [f32; 3]) -> [f32; 3] {
-        std::array::from_fn(|axis| (at_vox[axis] - self.first_vox[axis]) / self.step_vox)
-    }
-
     /// Whether a place lies between the nodes.
     pub fn contains(&self, at_vox: [f32; 3]) -> bool {
-        let at = self.node_coordinates(at_vox);
-        (0..3).all(|axis| (0.0..=(self.layout.nodes[axis] - 3) as f32).contains(&at[axis]))
+        let at = self.nodes.coordinates(at_vox);
+        (0..3).all(|axis| (0.0..=self.nodes.cells(axis) as f32).contains(&at[axis]))
     }
 
     /// What makes the field at a place, or at the nearest one between the nodes.
     pub fn taps(&self, at_vox: [f32; 3]) -> Taps {
-        let at = self.node_coordinates(at_vox);
-        let (mut first, mut weights) = (0, [[0.0; 4]; 3]);
-        for axis in 0..3 {
-            let last = self.layout.nodes[axis] - 3;
-            let t = at[axis].clamp(0.0, last as f32);
-            let cell = (t as usize).min(last - 1);
-            first += cell * self.layout.stride(axis);
-            weights[axis] = b_spline::weights(t - cell as f32);
-        }
-        Taps { first, weights }
+        self.nodes.taps(at_vox)
     }
 
     /// The vector of some taps, in voxels.
     pub fn of(&self, taps: &Taps) -> [f64; 3] {
-        std::array::from_fn(|c| taps.gather(self.layout, &self.coefficients[c]))
+        std::array::from_fn(|c| taps.gather_one(self.nodes.layout, &self.coefficients[c]))
     }
 
     /// Where light that is at `at_vox` in its own frame is in the middle of the pair: half the
@@ -92,70 +72,6 @@ impl Spline {
         };
         let start = self.of(&self.taps(at_vox));
         ahead(self.of(&self.taps(ahead(start, 0.25))), 0.5)
-    }
-}
-
-impl Taps {
-    /// Taps of node `n` of a lattice of `nodes` whose spline's coefficients lie in `layout`.
-    pub fn of_node(layout: Layout, nodes: [usize; 3], n: usize) -> Self {
-        let centre = index_within(layout, nodes, n);
-        let first = centre - (0..3).map(|axis| layout.stride(axis)).sum::<usize>();
-        // The last cell's end has its four taps one node before, so that they stay inside.
-        let place = Layout { nodes }.place(n);
-        let (mut start, mut weights) = (first, [b_spline::weights(0.0); 3]);
-        for axis in 0..3 {
-            if place[axis] + 1 == nodes[axis] {
-                start -= layout.stride(axis);
-                weights[axis] = b_spline::weights(1.0);
-            }
-        }
-        Self { first: start, weights }
-    }
-
-    /// The weighted sum of coefficients.
-    #[inline(always)]
-    pub fn gather(&self, layout: Layout, from: &[f64]) -> f64 {
-        let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
-        // Summed along x last: four lanes that never meet until the end.
-        let mut lanes = [0.0; 4];
-        for (k, wz) in wz.into_iter().enumerate() {
-            for (j, wy) in wy.into_iter().enumerate() {
-                let weight = wz * wy;
-                let row = &from[self.row(layout, j, k)..][..4];
-                for (lane, value) in lanes.iter_mut().zip(row) {
-                    *lane += weight * value;
-                }
-            }
-        }
-        let [a, b, c, d] = std::array::from_fn(|i| wx[i] * lanes[i]);
-        (a + b) + (c + d)
-    }
-
-    /// Adds `value` times the weights: the transpose of [`Self::gather`].
-    #[inline(always)]
-    pub fn scatter(&self, layout: Layout, value: f64, to: &mut [f64]) {
-        let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
-        let along = wx.map(|wx| value * wx);
-        for (k, wz) in wz.into_iter().enumerate() {
-            for (j, wy) in wy.into_iter().enumerate() {
-                let weight = wz * wy;
-                let row = &mut to[self.row(layout, j, k)..][..4];
-                for (to, along) in row.iter_mut().zip(along) {
-                    *to += weight * along;
-                }
-            }
-        }
-    }
-
-    /// The squares of the weights, on the same coefficients.
-    #[inline(always)]
-    pub fn squared(&self) -> Self {
-        Self { first: self.first, weights: self.weights.map(|w| w.map(|w| w * w)) }
-    }
-
-    #[inline(always)]
-    fn row(&self, layout: Layout, j: usize, k: usize) -> usize {
-        self.first + j * layout.stride(1) + k * layout.stride(2)
     }
 }
 

@@ -3,11 +3,13 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{
-    super::differences::{Layout, Penalty},
+    super::{
+        differences::{Layout, Penalty},
+        nodes::Taps,
+    },
     pairs::Pair,
     particles::Particle,
     samples::{add_transposed, values_at},
-    spline::Taps,
     variance::{Waves, near_faces},
     *,
 };
@@ -97,7 +99,7 @@ fn a_place_on_a_node_has_the_nodes_own_taps() {
     let spline = Spline::through(&lattice(flow), None);
     for n in 0..NODES.iter().product() {
         let place = Layout { nodes: NODES }.place(n).map(|i| 3.0 + STEP * i as f32);
-        let [a, b] = [spline.taps(place), Taps::of_node(spline.layout, NODES, n)]
+        let [a, b] = [spline.taps(place), Taps::of_node(spline.nodes.layout, NODES, n)]
             .map(|taps| spline.of(&taps));
         assert!((0..3).all(|c| (a[c] - b[c]).abs() < 1e-6), "{n}: {a:?} {b:?}");
     }
@@ -111,11 +113,11 @@ fn scattering_is_the_transpose_of_gathering() {
     let taps: Vec<Taps> = places(&mut random, 300).into_iter().map(|at| spline.taps(at)).collect();
     let mut numbers =
         |count: usize| -> Vec<f64> { (0..count).map(|_| f64::from(unit(&mut random))).collect() };
-    let (coefficients, values) = (numbers(spline.layout.len()), numbers(taps.len()));
+    let (coefficients, values) = (numbers(spline.nodes.layout.len()), numbers(taps.len()));
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut transposed = vec![0.0; coefficients.len()];
-    add_transposed(spline.layout, &taps, &values, &mut transposed);
-    let gathered = dot(&values_at(spline.layout, &taps, &coefficients), &values);
+    add_transposed(spline.nodes.layout, &taps, &values, &mut transposed);
+    let gathered = dot(&values_at(spline.nodes.layout, &taps, &coefficients), &values);
     let scattered = dot(&coefficients, &transposed);
     assert!((gathered / scattered - 1.0).abs() < 1e-9, "{gathered} {scattered}");
 }
@@ -272,7 +274,7 @@ fn particles_measure_where_they_move_together_and_nowhere_else() {
 fn the_variance_is_the_inverse_matrix_s() {
     let mut random = random();
     let spline = Spline::through(&lattice(flow), None);
-    let (layout, count) = (spline.layout, spline.layout.len());
+    let (layout, count) = (spline.nodes.layout, spline.nodes.layout.len());
     for (per_cell, stiffness) in [(20.0, 2.0), (20.0, 0.1), (60.0, 0.5)] {
         let cells: usize = NODES.iter().map(|n| n - 1).product();
         let taps: Vec<Taps> = places(&mut random, per_cell as usize * cells)
@@ -308,7 +310,7 @@ fn the_variance_is_the_inverse_matrix_s() {
         for place in [[3, 3, 2], [1, 3, 2], [3, 4, 2], [1, 1, 2], [0, 3, 2]] {
             let number = Layout { nodes: NODES }.number(place);
             let mut node = vec![0.0; count];
-            Taps::of_node(layout, NODES, number).scatter(layout, 1.0, &mut node);
+            Taps::of_node(layout, NODES, number).scatter_one(layout, 1.0, &mut node);
             let node = DVector::from_vec(node);
             let expected = node.dot(&inverse.solve(&node)).sqrt();
             let variance = Waves::new().variance(per_cell, 1.0, [stiffness; 3]);

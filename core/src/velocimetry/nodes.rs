@@ -1,9 +1,6 @@
 //! Where the coefficients of a cubic B-spline field stand, and which of them make it at a place.
 
-use super::{
-    super::{b_spline, differences::Layout},
-    Sample,
-};
+use super::{b_spline, differences::Layout};
 
 /// The coefficients' places: one on every node of a lattice and one beyond each of its ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +41,11 @@ impl Nodes {
         self.layout.nodes[axis] - 3
     }
 
+    /// Cells between all nodes.
+    pub fn all_cells(&self) -> usize {
+        (0..3).map(|axis| self.cells(axis)).product()
+    }
+
     /// What makes a field at a place, or at the nearest one between the nodes.
     pub fn taps(&self, at_vox: [f32; 3]) -> Taps {
         self.taps_by(at_vox, |_, t| b_spline::weights(t))
@@ -60,11 +62,11 @@ impl Nodes {
         })
     }
 
-    /// Numbers of samples, in the order of the coefficients that make the field there: those that are worked on one
+    /// Numbers of places, in the order of the coefficients that make the field there: those that are worked on one
     /// after the other are near to each other.
-    pub fn order(&self, samples: &[Sample]) -> Vec<usize> {
-        let firsts: Vec<usize> = samples.iter().map(|s| self.taps(s.middle_vox).first).collect();
-        let mut order: Vec<usize> = (0..samples.len()).collect();
+    pub fn order(&self, places_vox: impl Iterator<Item = [f32; 3]>) -> Vec<usize> {
+        let firsts: Vec<usize> = places_vox.map(|at_vox| self.taps(at_vox).first).collect();
+        let mut order: Vec<usize> = (0..firsts.len()).collect();
         order.sort_by_key(|&n| firsts[n]);
         order
     }
@@ -86,7 +88,7 @@ impl Nodes {
     }
 
     /// Place in node distances from coefficient (1, 1, 1).
-    fn coordinates(&self, at_vox: [f32; 3]) -> [f32; 3] {
+    pub fn coordinates(&self, at_vox: [f32; 3]) -> [f32; 3] {
         std::array::from_fn(|axis| (at_vox[axis] - self.first_vox[axis]) / self.step_vox)
     }
 
@@ -105,6 +107,22 @@ impl Nodes {
 }
 
 impl Taps {
+    /// Those of node `n` of a lattice of `nodes` whose spline's coefficients lie in `layout`.
+    pub fn of_node(layout: Layout, nodes: [usize; 3], n: usize) -> Self {
+        let centre = layout.number(Layout { nodes }.place(n).map(|along| along + 1));
+        let first = centre - (0..3).map(|axis| layout.stride(axis)).sum::<usize>();
+        // The last cell's end has its four taps one node before, so that they stay inside.
+        let place = Layout { nodes }.place(n);
+        let (mut start, mut weights) = (first, [b_spline::weights(0.0); 3]);
+        for axis in 0..3 {
+            if place[axis] + 1 == nodes[axis] {
+                start -= layout.stride(axis);
+                weights[axis] = b_spline::weights(1.0);
+            }
+        }
+        Self { first: start, weights }
+    }
+
     /// The field of interleaved coefficients.
     #[inline(always)]
     pub fn gather<const N: usize>(&self, layout: Layout, from: &[[f32; N]]) -> [f32; N] {
@@ -123,6 +141,41 @@ impl Taps {
             }
         }
         sum
+    }
+
+    /// The field of one component's coefficients, in double precision.
+    #[inline(always)]
+    pub fn gather_one(&self, layout: Layout, from: &[f64]) -> f64 {
+        let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
+        // Summed along x last: four lanes that never meet until the end.
+        let mut lanes = [0.0; 4];
+        for (k, wz) in wz.into_iter().enumerate() {
+            for (j, wy) in wy.into_iter().enumerate() {
+                let weight = wz * wy;
+                let row = &from[self.first + row_of(layout, j, k)..][..4];
+                for (lane, value) in lanes.iter_mut().zip(row) {
+                    *lane += weight * value;
+                }
+            }
+        }
+        let [a, b, c, d] = std::array::from_fn(|i| wx[i] * lanes[i]);
+        (a + b) + (c + d)
+    }
+
+    /// Adds `value` times the weights to all coefficients of a component: the transpose of [`Self::gather_one`].
+    #[inline(always)]
+    pub fn scatter_one(&self, layout: Layout, value: f64, to: &mut [f64]) {
+        let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
+        let along = wx.map(|wx| value * wx);
+        for (k, wz) in wz.into_iter().enumerate() {
+            for (j, wy) in wy.into_iter().enumerate() {
+                let weight = wz * wy;
+                let row = &mut to[self.first + row_of(layout, j, k)..][..4];
+                for (to, along) in row.iter_mut().zip(along) {
+                    *to += weight * along;
+                }
+            }
+        }
     }
 
     /// Coefficients in memory from the first to the last of them.
@@ -150,6 +203,7 @@ impl Taps {
     }
 
     /// The squares of the weights, on the same coefficients.
+    #[inline(always)]
     pub fn squared(&self) -> Self {
         Self { first: self.first, weights: self.weights.map(|w| w.map(|w| w * w)) }
     }
