@@ -288,7 +288,7 @@ fn the_variance_is_the_inverse_matrix_s() {
         let mut samples = DMatrix::zeros(taps.len(), count);
         for (row, taps) in taps.iter().enumerate() {
             let mut of_row = vec![0.0; count];
-            taps.scatter(layout, 1.0, &mut of_row);
+            taps.scatter_one(layout, 1.0, &mut of_row);
             samples.set_row(row, &DVector::from_vec(of_row).transpose());
         }
         let mut matrix = samples.transpose() * &samples;
