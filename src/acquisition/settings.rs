@@ -75,9 +75,9 @@ pub trait BurstScript: Send + Sync {
     fn next(&self) -> ScriptedBurst;
     /// How the last burst began in the record; `None` if it does not say.
     fn burst_start(&self) -> Option<BurstStart>;
-    /// Whether the laser was switched off at this place of the record.
+    /// Whether the next step of the record is that the laser was switched off.
     fn switching_off_is_due(&self) -> bool;
-    /// Takes this place as done; call it once the frames before it were handled.
+    /// Goes on after that step. Call it once the frames recorded before it are handled.
     fn pass_switching_off(&self);
     /// Whether the record shows the current burst as over by now.
     fn burst_is_over(&self) -> bool;

@@ -113,7 +113,7 @@ pub enum ArchiveError {
         /// The decoder's error.
         reason: String,
     },
-    /// The image is not 8- or 16-bit grey.
+    /// The file is an image, but not an 8- or 16-bit grey TIFF.
     #[error(
         "{} is {found}: save it as grey TIFF of 8 or 16 bit without colour or transparency",
         path.display()
@@ -121,7 +121,7 @@ pub enum ArchiveError {
     NotGrey {
         /// The file.
         path: PathBuf,
-        /// The pixel type found.
+        /// What it is instead: its format or its pixel type.
         found: String,
     },
     /// The file contains several images.

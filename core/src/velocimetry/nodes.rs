@@ -109,18 +109,17 @@ impl Nodes {
 impl Taps {
     /// Those of node `n` of a lattice of `nodes` whose spline's coefficients lie in `layout`.
     pub fn of_node(layout: Layout, nodes: [usize; 3], n: usize) -> Self {
-        let centre = layout.number(Layout { nodes }.place(n).map(|along| along + 1));
-        let first = centre - (0..3).map(|axis| layout.stride(axis)).sum::<usize>();
-        // The last cell's end has its four taps one node before, so that they stay inside.
         let place = Layout { nodes }.place(n);
-        let (mut start, mut weights) = (first, [b_spline::weights(0.0); 3]);
+        // The node's own coefficient is one further along every axis, the second of the taps.
+        let (mut first, mut weights) = (layout.number(place), [b_spline::weights(0.0); 3]);
         for axis in 0..3 {
+            // At the last cell's end the four taps begin one node before, so that they stay inside.
             if place[axis] + 1 == nodes[axis] {
-                start -= layout.stride(axis);
+                first -= layout.stride(axis);
                 weights[axis] = b_spline::weights(1.0);
             }
         }
-        Self { first: start, weights }
+        Self { first, weights }
     }
 
     /// The field of interleaved coefficients.
@@ -145,7 +144,7 @@ impl Taps {
 
     /// The field of one component's coefficients, in double precision.
     #[inline(always)]
-    pub fn gather_one(&self, layout: Layout, from: &[f64]) -> f64 {
+    pub fn gather_component(&self, layout: Layout, from: &[f64]) -> f64 {
         let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
         // Summed along x last: four lanes that never meet until the end.
         let mut lanes = [0.0; 4];
@@ -162,9 +161,9 @@ impl Taps {
         (a + b) + (c + d)
     }
 
-    /// Adds `value` times the weights to all coefficients of a component: the transpose of [`Self::gather_one`].
+    /// Adds `value` times the weights to all coefficients of a component: the transpose of [`Self::gather_component`].
     #[inline(always)]
-    pub fn scatter_one(&self, layout: Layout, value: f64, to: &mut [f64]) {
+    pub fn scatter_component(&self, layout: Layout, value: f64, to: &mut [f64]) {
         let [wx, wy, wz] = self.weights.map(|w| w.map(f64::from));
         let along = wx.map(|wx| value * wx);
         for (k, wz) in wz.into_iter().enumerate() {

@@ -113,7 +113,7 @@ pub fn through(
     incompressible: bool,
 ) -> (SplineField, Vec<[f32; 3]>) {
     let nodes = extent.nodes_for(samples.len());
-    let order = nodes.order(samples.iter().map(|sample| sample.middle_vox));
+    let order = order_of(&nodes, samples);
     let samples: Vec<Sample> = order.iter().map(|&n| samples[n]).collect();
     let mut fit = Fit::new(nodes, &samples, guess.at, incompressible);
     // How uncertain the field is counts in the samples' weights from the first.
@@ -131,14 +131,15 @@ pub fn through(
     (fit.calibrated(&missed), in_order)
 }
 
+/// Numbers of the samples, those near to each other one after the other.
+fn order_of(nodes: &Nodes, samples: &[Sample]) -> Vec<usize> {
+    nodes.order(samples.iter().map(|sample| sample.middle_vox))
+}
+
 /// The field near `samples`, whose stated errors are not relied on.
 pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineField {
     let nodes = extent.nodes_for(samples.len());
-    let samples: Vec<Sample> = nodes
-        .order(samples.iter().map(|sample| sample.middle_vox))
-        .into_iter()
-        .map(|n| samples[n])
-        .collect();
+    let samples: Vec<Sample> = order_of(&nodes, samples).into_iter().map(|n| samples[n]).collect();
     let mut fit = Fit::new(nodes, &samples, guess.at, false);
     follow(&mut fit, guess, TRYING_QUICKLY, |fit| fit.approach(FOLLOWING_QUICKLY));
     fit.field()

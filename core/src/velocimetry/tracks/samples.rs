@@ -210,14 +210,14 @@ fn variance_inflation(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
 /// Values of a spline at all `taps`: B c.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn values_at(layout: Layout, taps: &[Taps], coefficients: &[f64]) -> Vec<f64> {
-    taps.iter().map(|taps| taps.gather_one(layout, coefficients)).collect()
+    taps.iter().map(|taps| taps.gather_component(layout, coefficients)).collect()
 }
 
 /// Adds Bᵀ of `values` at all `taps` to the coefficients `sum`.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn add_transposed(layout: Layout, taps: &[Taps], values: &[f64], sum: &mut [f64]) {
     for (taps, value) in taps.iter().zip(values) {
-        taps.scatter_one(layout, *value, sum);
+        taps.scatter_component(layout, *value, sum);
     }
 }
 
@@ -225,6 +225,6 @@ pub fn add_transposed(layout: Layout, taps: &[Taps], values: &[f64], sum: &mut [
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn add_diagonal(layout: Layout, taps: &[Taps], weights: &[f64], sum: &mut [f64]) {
     for (taps, weight) in taps.iter().zip(weights) {
-        taps.squared().scatter_one(layout, *weight, sum);
+        taps.squared().scatter_component(layout, *weight, sum);
     }
 }

@@ -60,7 +60,7 @@ impl Spline {
 
     /// The vector of some taps, in voxels.
     pub fn of(&self, taps: &Taps) -> [f64; 3] {
-        std::array::from_fn(|c| taps.gather_one(self.nodes.layout, &self.coefficients[c]))
+        std::array::from_fn(|c| taps.gather_component(self.nodes.layout, &self.coefficients[c]))
     }
 
     /// Where light that is at `at_vox` in its own frame is in the middle of the pair: half the

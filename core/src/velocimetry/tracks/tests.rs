@@ -288,7 +288,7 @@ fn the_variance_is_the_inverse_matrix_s() {
         let mut samples = DMatrix::zeros(taps.len(), count);
         for (row, taps) in taps.iter().enumerate() {
             let mut of_row = vec![0.0; count];
-            taps.scatter_one(layout, 1.0, &mut of_row);
+            taps.scatter_component(layout, 1.0, &mut of_row);
             samples.set_row(row, &DVector::from_vec(of_row).transpose());
         }
         let mut matrix = samples.transpose() * &samples;
@@ -310,7 +310,7 @@ fn the_variance_is_the_inverse_matrix_s() {
         for place in [[3, 3, 2], [1, 3, 2], [3, 4, 2], [1, 1, 2], [0, 3, 2]] {
             let number = Layout { nodes: NODES }.number(place);
             let mut node = vec![0.0; count];
-            Taps::of_node(layout, NODES, number).scatter_one(layout, 1.0, &mut node);
+            Taps::of_node(layout, NODES, number).scatter_component(layout, 1.0, &mut node);
             let node = DVector::from_vec(node);
             let expected = node.dot(&inverse.solve(&node)).sqrt();
             let variance = Waves::new().variance(per_cell, 1.0, [stiffness; 3]);
