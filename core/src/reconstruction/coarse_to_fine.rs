@@ -60,7 +60,7 @@ impl CoarseToFine<'_> {
         note: &mut dyn FnMut(&PassReport),
     ) -> (SparseVolume, Vec<ProjectedView>) {
         let coarsest = models[0].as_ref();
-        let lit = coarsest.lit(views, &some_views(coarsest.layouts(), dark_below(levels)));
+        let lit = coarsest.lit(views, &some_views(coarsest.layouts(), views, dark_below(levels)));
         let mut volume = BlockVolume::with_uniform_light(coarsest.grid(), lit);
         scale_to_measured(coarsest, views, self.order[0], &mut volume);
         let mut done = 0;

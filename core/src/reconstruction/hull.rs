@@ -11,8 +11,16 @@ use crate::{
 /// times the cost.
 const DIAGONALS: i32 = 3;
 
-/// For arbitrarily oriented cameras, every fourth diagonal (docs/decisions.md).
-const DIAGONALS_ON_GRID: i32 = 4;
+/// For arbitrarily oriented cameras with few lit pixels, every fourth diagonal, and depths that are
+/// displaced by up to a quarter of a microlens are evaluated as one. There the hull's time counts: it
+/// does not depend on the number of particles. In images with more lit pixels the solver's time
+/// counts, and voxels that the hull keeps without need cost accuracy (docs/decisions.md).
+const FAST_DIAGONALS: i32 = 4;
+const FAST_DISPLACEMENT: f64 = 0.25;
+const DISPLACEMENT: f64 = 0.0625;
+
+/// Share of lit pixels above which images count as dense.
+const DENSE: f64 = 0.35;
 
 /// With fewer views than this per camera, all are used.
 const MIN_VIEWS_FOR_SELECTION: usize = 120;
@@ -23,29 +31,54 @@ const NOISE_SHARE: f64 = 0.03;
 
 /// The hull for iterative solvers, which later separate lit from dark voxels: uses a subset of the
 /// views. `dark_below` is, per camera, the count below which a pixel is dark.
-pub(super) fn some_views(layouts: &[ViewLayout], dark_below: Vec<f32>) -> HullCriteria {
-    let selected = layouts.iter().map(|layout| {
-        let all = layout.views.len();
-        let diagonals = if layout.grid.is_some() { DIAGONALS_ON_GRID } else { DIAGONALS };
-        let is_asked = |&n: &usize| {
-            let view = &layout.views[n];
-            all < MIN_VIEWS_FOR_SELECTION || (view.k + view.l).rem_euclid(diagonals) == 0
-        };
-        (0..all).filter(is_asked).collect()
-    });
-    criteria(selected.collect(), dark_below)
+pub(super) fn some_views(
+    layouts: &[ViewLayout],
+    views: &[ViewStack],
+    dark_below: Vec<f32>,
+) -> HullCriteria {
+    let (mut selected, mut displacement) = (Vec::new(), Vec::new());
+    for (layout, (stack, &dark_below)) in layouts.iter().zip(views.iter().zip(&dark_below)) {
+        let is_fast = layout.grid.is_some() && lit_share(stack, dark_below) < DENSE;
+        let diagonals = if is_fast { FAST_DIAGONALS } else { DIAGONALS };
+        selected.push(views_on(layout, diagonals));
+        displacement.push(if is_fast { FAST_DISPLACEMENT } else { DISPLACEMENT });
+    }
+    criteria(selected, dark_below, displacement)
+}
+
+/// The views on every so many diagonals of the pupil.
+fn views_on(layout: &ViewLayout, diagonals: i32) -> Vec<usize> {
+    let all = layout.views.len();
+    let is_selected = |&n: &usize| {
+        let view = &layout.views[n];
+        all < MIN_VIEWS_FOR_SELECTION || (view.k + view.l).rem_euclid(diagonals) == 0
+    };
+    (0..all).filter(is_selected).collect()
+}
+
+/// Share of a camera's pixels, in all views, that are not dark.
+fn lit_share(views: &ViewStack, dark_below: f32) -> f64 {
+    let pixels = views.values();
+    let lit = pixels.iter().filter(|&&value| value >= dark_below).count();
+    lit as f64 / pixels.len().max(1) as f64
 }
 
 /// The hull as final result: uses all views.
 fn all_views(layouts: &[ViewLayout], dark_below: Vec<f32>) -> HullCriteria {
-    criteria(layouts.iter().map(|layout| (0..layout.views.len()).collect()).collect(), dark_below)
+    let selected = layouts.iter().map(|layout| (0..layout.views.len()).collect()).collect();
+    criteria(selected, dark_below, vec![0.0; layouts.len()])
 }
 
-fn criteria(selected: Vec<Vec<usize>>, dark_below: Vec<f32>) -> HullCriteria {
+fn criteria(
+    selected: Vec<Vec<usize>>,
+    dark_below: Vec<f32>,
+    displacement: Vec<f64>,
+) -> HullCriteria {
     let tolerated = |selected: &Vec<usize>| {
         (TOLERATED_DARK_VIEWS + NOISE_SHARE * selected.len() as f64) as usize
     };
-    HullCriteria { tolerated: selected.iter().map(tolerated).collect(), selected, dark_below }
+    let tolerated = selected.iter().map(tolerated).collect();
+    HullCriteria { tolerated, selected, dark_below, displacement }
 }
 
 /// The voxels of the model's grid that may contain light, each with the largest light that its dimmest

@@ -59,6 +59,9 @@ pub struct HullCriteria {
     pub dark_below: Vec<f32>,
     /// Per camera, the number of selected views that may find a lit voxel dark.
     pub tolerated: Vec<usize>,
+    /// Per camera, the largest distance by which a model may displace voxels in any view to evaluate
+    /// several as one, in microlenses. It widens their supports by the actual displacement.
+    pub displacement: Vec<f64>,
 }
 
 /// A linear map from voxel intensities to pixels as [`super::ForwardModel`] defines it, block by block.

@@ -164,6 +164,7 @@ fn finds_the_same_voxels_lit_as_the_voxelwise_model() {
                 selected: fast.layouts().iter().map(selected).collect(),
                 dark_below: vec![5.0; 2],
                 tolerated: vec![tolerated; 2],
+                displacement: vec![0.0; 2],
             };
             let (a, b) = (fast.lit(&views, &criteria), slow.lit(&views, &criteria));
             let count =

@@ -85,6 +85,7 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
             selected: model.layouts.iter().map(selected).collect(),
             dark_below: vec![5.0; 2],
             tolerated: vec![tolerated; 2],
+            displacement: vec![0.0; 2],
         };
         let by_camera: Vec<Vec<[bool; 2]>> =
             (0..2).map(|camera| verdicts(&model, camera, &stacks[camera], &criteria)).collect();

@@ -11,16 +11,16 @@ use multiversion::multiversion;
 use super::{
     lens_phases::LensPhases,
     rounding::{nearest, whole},
-    tile::{LENSES, MAX_LINES},
+    tile::{LENSES, MAX_LINES, MAX_THICKNESS},
     tile_view::TileView,
 };
 
-/// The lit voxels of every line.
-pub(super) struct Lit(pub [u64; MAX_LINES]);
+/// The lit voxels of every layer's lines.
+pub(super) struct Lit(pub [[u64; MAX_LINES]; MAX_THICKNESS]);
 
 impl Default for Lit {
     fn default() -> Self {
-        Self([0; MAX_LINES])
+        Self([[0; MAX_LINES]; MAX_THICKNESS])
     }
 }
 
@@ -129,9 +129,12 @@ impl LensRow {
         let reach = [view.reach[0]; LENSES];
         self.zones = zones(&self.centre_bit, &reach, view.bits, lenses);
         if view.skewed {
-            self.fill_lines(view, view.reach[1]);
-            let [any, _] = self.lines(view, view.reach[1]);
-            self.light_skewed(view, any, lit);
+            for (layer, lit) in lit.0.iter_mut().enumerate().take(view.layers) {
+                let shift = view.shift_of(layer);
+                self.fill_lines(view, view.reach[1], shift[1]);
+                let [any, _] = self.lines(view, view.reach[1], shift[1]);
+                self.light_skewed(view, any, shift, lit);
+            }
         } else {
             self.light_within(view, view.reach[1], lit);
         }
@@ -140,30 +143,34 @@ impl LensRow {
     /// Lights the zones in the lines within `reach` of their microlenses.
     #[inline(always)]
     fn light_within(&mut self, view: &TileView, reach: f32, lit: &mut Lit) {
-        let [any, all] = self.lines(view, reach);
-        if all.is_empty() {
-            self.fill_lines(view, reach);
-            self.light_each(any, lit);
-            return;
-        }
         let zone = self.zones.iter().fold(0, |zone, of_lens| zone | of_lens);
-        for lit in &mut lit.0[all.clone()] {
-            *lit |= zone;
-        }
-        if any != all {
-            self.fill_lines(view, reach);
-            self.light_each(any.start..all.start, lit);
-            self.light_each(all.end..any.end, lit);
+        for (layer, lit) in lit.0.iter_mut().enumerate().take(view.layers) {
+            let [_, shift] = view.shift_of(layer);
+            let [any, all] = self.lines(view, reach, shift);
+            if all.is_empty() {
+                self.fill_lines(view, reach, shift);
+                self.light_each(any, lit);
+                continue;
+            }
+            for lit in &mut lit[all.clone()] {
+                *lit |= zone;
+            }
+            if any != all {
+                self.fill_lines(view, reach, shift);
+                self.light_each(any.start..all.start, lit);
+                self.light_each(all.end..any.end, lit);
+            }
         }
     }
 
-    /// The lines within `reach` of any microlens, and those within `reach` of all.
+    /// The lines within `reach` of any microlens in a layer of this shift, and those within `reach`
+    /// of all.
     #[inline(always)]
-    fn lines(&self, view: &TileView, reach: f32) -> [Range<usize>; 2] {
+    fn lines(&self, view: &TileView, reach: f32, shift: f32) -> [Range<usize>; 2] {
         let ends = [self.line, self.line + view.voxels[1][0] * (LENSES - 1) as f32];
         let first = ends[0].min(ends[1]) + self.phase_lines[0];
         let last = ends[0].max(ends[1]) + self.phase_lines[1];
-        let (centre, half) = ((first + last) / 2.0, (last - first) / 2.0);
+        let (centre, half) = ((first + last) / 2.0 + shift, (last - first) / 2.0);
         // Slightly more than any and fewer than all, so that rounding does not matter.
         const LESS: f32 = 1e-3;
         [reach + half + LESS, reach - half - LESS].map(|reach| {
@@ -172,11 +179,11 @@ impl LensRow {
         })
     }
 
-    /// Computes the lines within `reach` of each microlens.
+    /// Computes the lines within `reach` of each microlens in a layer of this shift.
     #[inline(always)]
-    fn fill_lines(&mut self, view: &TileView, reach: f32) {
+    fn fill_lines(&mut self, view: &TileView, reach: f32, shift: f32) {
         for n in 0..LENSES {
-            let lines = ends(range(self.centre_line[n], reach, view.lines));
+            let lines = ends(range(self.centre_line[n] + shift, reach, view.lines));
             [self.first[n], self.last[n]] = lines;
         }
     }
@@ -191,35 +198,41 @@ impl LensRow {
 
     /// Lights the zones line by line.
     #[inline(always)]
-    fn light_each(&self, lines: Range<usize>, lit: &mut Lit) {
+    fn light_each(&self, lines: Range<usize>, lit: &mut [u64; MAX_LINES]) {
         for line in lines {
             let mut zone = 0;
             for n in 0..LENSES {
                 zone |= self.zones[n] & self.has(line as i32, n);
             }
-            lit.0[line] |= zone;
+            lit[line] |= zone;
         }
     }
 
     /// Lights the voxels of the zones line by line: those within reach along both columns and rows.
     #[inline(always)]
-    fn light_skewed(&self, view: &TileView, lines: Range<usize>, lit: &mut Lit) {
+    fn light_skewed(
+        &self,
+        view: &TileView,
+        lines: Range<usize>,
+        shift: [f32; 2],
+        lit: &mut [u64; MAX_LINES],
+    ) {
         for line in lines {
             let mut zone = 0;
             for n in 0..LENSES {
-                zone |= self.skewed(view, line as i32, n);
+                zone |= self.skewed(view, line as i32, shift, n);
             }
-            lit.0[line] |= zone;
+            lit[line] |= zone;
         }
     }
 
-    /// The voxels of a line that a microlens lights in a skewed tile.
+    /// The voxels of a line that a microlens lights in a skewed tile, in a layer of this shift.
     #[inline(always)]
-    fn skewed(&self, view: &TileView, line: i32, n: usize) -> u64 {
-        let beside = line as f32 - self.centre_line[n];
+    fn skewed(&self, view: &TileView, line: i32, shift: [f32; 2], n: usize) -> u64 {
+        let beside = line as f32 - (self.centre_line[n] + shift[1]);
         let mut zone = self.zones[n] & self.has(line, n);
         for axis in 0..2 {
-            let middle = self.centre_bit[n] - view.bits_per_line[axis] * beside;
+            let middle = self.centre_bit[n] + shift[0] - view.bits_per_line[axis] * beside;
             zone &= mask(range(middle, view.bit_reach[axis], view.bits));
         }
         zone
@@ -237,15 +250,18 @@ impl LensRow {
         let follows = j > view.rows[0];
         if follows && view.has_gap(1, across) && self.find_gaps_before(view, phases, j) {
             let half = view.beside_gap[0] * view.voxels[0][0].abs();
-            for n in 0..LENSES {
-                let gap = range(self.gap_centre[n], self.gap_reach[n], view.lines);
-                [self.first[n], self.last[n]] = ends(gap);
-            }
             self.zones = zones(&self.centre_bit, &[half; LENSES], view.bits, !0);
             // The gap's middle is half a row away, and gaps are at most a row wide.
             let reach = (1.0 + view.beside_gap[1]) * view.voxels[1][1].abs();
-            let [any, _] = self.lines(view, reach);
-            self.light_each(any, lit);
+            for (layer, lit) in lit.0.iter_mut().enumerate().take(view.layers) {
+                let [_, shift] = view.shift_of(layer);
+                for n in 0..LENSES {
+                    let gap = range(self.gap_centre[n] + shift, self.gap_reach[n], view.lines);
+                    [self.first[n], self.last[n]] = ends(gap);
+                }
+                let [any, _] = self.lines(view, reach, shift);
+                self.light_each(any, lit);
+            }
         }
     }
 
@@ -356,9 +372,11 @@ mod tests {
         view: &TileView,
         phase: impl Fn(i32, i32) -> [f32; 2],
         rows: impl Fn(i32) -> u32,
+        layer: usize,
         more: f32,
     ) -> Vec<u64> {
         let mut lit = vec![0u64; MAX_LINES];
+        let layer_shift = view.shift_of(layer)[1];
         for j in view.rows[0]..view.rows[1] {
             for n in (0..LENSES as i32).filter(|n| rows(j) >> n & 1 == 1) {
                 let i = view.first + n;
@@ -370,7 +388,7 @@ mod tests {
                 for (line, lit) in lit.iter_mut().enumerate().take(view.lines as usize) {
                     for bit in 0..view.bits as usize {
                         let within = (bit as f32 - at[0]).abs() <= view.reach[0] + more
-                            && (line as f32 - at[1]).abs() <= view.reach[1] + more;
+                            && (line as f32 - at[1] - layer_shift).abs() <= view.reach[1] + more;
                         *lit |= u64::from(within) << bit;
                     }
                 }
@@ -393,12 +411,17 @@ mod tests {
             lines in 1usize..=96,
             lenses in prop::collection::vec(any::<u32>(), 30),
             level in any::<bool>(),
+            layers in 1..=MAX_THICKNESS,
+            shift in [-2.0..2.0f32, -1.0..1.0f32],
         ) {
             let view = TileView {
                 place,
                 voxels: [[sign[0] * along[0], across[0]], [across[1], sign[1] * along[1]]],
                 middle: [bits as f32, lines as f32 / 2.0],
                 reach,
+                layers,
+                first_shift: [0.0, shift[0]],
+                shift: [0.0, shift[1]],
                 beside_gap: [0.5; 2],
                 parallax: [parallax; 2],
                 first: 1,
@@ -423,10 +446,13 @@ mod tests {
             let phases = LensPhases::with(40, 30, phase);
             let mut lit = Lit::default();
             light(&view, &phases, rows, &mut LensRow::default(), &mut lit);
-            let (least, most) = (naive(&view, phase, rows, -2e-3), naive(&view, phase, rows, 2e-3));
-            for (line, &lit) in lit.0.iter().enumerate() {
-                prop_assert_eq!(least[line] & !lit, 0, "missing in line {}", line);
-                prop_assert_eq!(lit & !most[line], 0, "too many in line {}", line);
+            for (layer, lit) in lit.0[..layers].iter().enumerate() {
+                let [least, most] =
+                    [-2e-3, 2e-3].map(|more| naive(&view, phase, rows, layer, more));
+                for (line, &lit) in lit.iter().enumerate() {
+                    prop_assert_eq!(least[line] & !lit, 0, "missing in line {}", line);
+                    prop_assert_eq!(lit & !most[line], 0, "too many in line {}", line);
+                }
             }
         }
     }

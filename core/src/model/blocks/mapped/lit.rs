@@ -11,7 +11,7 @@ use super::{
     lit_bits::LitBits,
     places::ViewAddresses,
     support::Support,
-    tile::{LENSES, MAX_BITS, MAX_LINES, TilePlace, TileResult, Views},
+    tile::{LENSES, MAX_BITS, MAX_LINES, MAX_THICKNESS, TilePlace, TileResult, Views},
 };
 use crate::{
     lightfield::ViewStack,
@@ -29,23 +29,14 @@ const MAX_DEVIATION: f64 = 0.04;
 /// Edge of the smallest tile, in voxels.
 const MIN_EDGE: usize = 8;
 
-/// Most depths that a tile treats as one. The hull's time is inversely proportional to them; the few
-/// more voxels that it keeps are pruned by the first views of the solver.
-pub(super) const MAX_THICKNESS: usize = 8;
-
-/// Largest displacement of a voxel by a tile's thickness in any view, in microlenses. Supports are
-/// widened by the actual displacement.
-const MAX_DISPLACEMENT: f64 = 0.25;
-
-/// See [`crate::model::BlockModel::lit`]; tiles are at most `max_thickness` voxels thick.
+/// See [`crate::model::BlockModel::lit`].
 pub(super) fn lit_blocks<const L: usize>(
     model: &MappedModel<L>,
     views: &[ViewStack],
     criteria: &HullCriteria,
-    max_thickness: usize,
 ) -> LitBlocks {
     let verdicts: Vec<CameraResult> = (0..model.cameras.len())
-        .map(|n| CameraResult::new(model, n, &views[n], criteria, max_thickness))
+        .map(|n| CameraResult::new(model, n, &views[n], criteria))
         .collect();
     let mut lit = LitBlocks::default();
     for block in 0..blocks_along(&model.grid).into_iter().product() {
@@ -68,20 +59,21 @@ struct CameraResult {
     seen: Vec<u8>,
 }
 
-/// Voxels `first..first + count` along columns and rows, in one layer of a tile's thickness.
+/// Voxels `first..first + count` along columns and rows, in one slab of a tile's thickness.
 #[derive(Debug, Clone, Copy)]
 struct Span {
     first: [usize; 2],
     count: [usize; 2],
-    layer: usize,
+    slab: usize,
 }
 
 /// A camera's tiles.
 struct Tiles<'a> {
     grid: &'a VolumeGrid,
     axes: Axes,
-    /// Voxels along the depth that a tile treats as one.
+    /// Voxels of a tile along the depth, and those that are evaluated as one.
     thickness: usize,
+    layer_thickness: usize,
     camera: Camera<'a>,
 }
 
@@ -99,7 +91,6 @@ impl CameraResult {
         number: usize,
         stack: &ViewStack,
         criteria: &HullCriteria,
-        max_thickness: usize,
     ) -> Self {
         let (camera, layout) = (&model.cameras[number], &model.layouts[number]);
         let bits = LitBits::new(layout, stack, criteria, number);
@@ -123,9 +114,13 @@ impl CameraResult {
             grid: &model.grid,
             axes: camera.axes,
             thickness: 1,
+            layer_thickness: 1,
             camera: Camera { see: &see, support: &support, pupil_radius: camera.pupil_radius() },
         };
-        tiles.thickness = tiles.largest_thickness(max_thickness);
+        let most = criteria.displacement[number];
+        // Layers share the bits, so they differ little along the columns.
+        tiles.thickness = tiles.largest_thickness(MAX_THICKNESS, 0, most);
+        tiles.layer_thickness = tiles.largest_thickness(tiles.thickness, 1, most);
         let evaluated: Vec<(Span, TileResult)> = tiles
             .spans()
             .into_par_iter()
@@ -151,27 +146,27 @@ impl Tiles<'_> {
         let room = most_lenses - lines as f64 * lenses_per_line;
         let bits = room / lenses_per_bit.max(1e-3);
         let bits = even(bits as usize / 2 * 2).clamp(MIN_EDGE, MAX_BITS);
-        let layers = self.grid.voxels[depth].div_ceil(self.thickness);
+        let slabs = self.grid.voxels[depth].div_ceil(self.thickness);
         let columns = parts(self.grid.voxels[column], bits);
         let rows = parts(self.grid.voxels[row], lines);
         let mut spans = Vec::new();
-        for layer in 0..layers {
+        for slab in 0..slabs {
             for &(first_row, lines) in &rows {
                 for &(first_column, bits) in &columns {
                     let (first, count) = ([first_column, first_row], [bits, lines]);
-                    spans.push(Span { first, count, layer });
+                    spans.push(Span { first, count, slab });
                 }
             }
         }
         spans
     }
 
-    /// The largest thickness, of at most `most`, that displaces no voxel too far.
-    fn largest_thickness(&self, most: usize) -> usize {
-        let [along, across] = self.lenses_per_voxel(self.axes.depth);
-        let displacement = |thickness: usize| (thickness as f64 - 1.0) / 2.0 * along.max(across);
-        let mut thickness = most;
-        while thickness > 1 && displacement(thickness) > MAX_DISPLACEMENT {
+    /// The largest thickness, of at most `thickness`, that displaces no voxel by more than `most`
+    /// microlenses along columns (0) or rows (1).
+    fn largest_thickness(&self, mut thickness: usize, along: usize, most: f64) -> usize {
+        let per_voxel = self.lenses_per_voxel(self.axes.depth)[along];
+        let displacement = |thickness: usize| (thickness as f64 - 1.0) / 2.0 * per_voxel;
+        while thickness > 1 && displacement(thickness) > most {
             thickness /= 2;
         }
         thickness
@@ -235,7 +230,7 @@ impl Tiles<'_> {
         let mut index = [0.0; 3];
         index[self.axes.column] = span.first[0] as f64 + voxel[0];
         index[self.axes.row] = span.first[1] as f64 + voxel[1];
-        index[self.axes.depth] = (span.layer * self.thickness) as f64 + self.half_thickness();
+        index[self.axes.depth] = (span.slab * self.thickness) as f64 + self.half_thickness();
         index
     }
 
@@ -271,6 +266,9 @@ impl Tiles<'_> {
             place: middle.place,
             to_outermost: to_outermost(&|seen| seen.place),
             parallax_to_outermost: to_outermost(&|seen| seen.parallax),
+            layers: self.thickness / self.layer_thickness,
+            layer_thickness: (self.layer_thickness as f64 - 1.0)
+                / (self.thickness as f64 - 1.0).max(1.0),
             by_voxel: slope(&|seen| seen.place),
             parallax: middle.parallax,
             parallax_by_voxel: slope(&|seen| seen.parallax),
@@ -313,13 +311,20 @@ impl Tiles<'_> {
 
     /// Adds a tile's voxels to the blocks' children.
     fn add(&self, span: &Span, lines: &[u64], children: &mut [u8]) {
+        for (layer, lines) in lines.chunks_exact(span.count[1]).enumerate() {
+            let first = span.slab * self.thickness + layer * self.layer_thickness;
+            self.add_layer(span, first, lines, children);
+        }
+    }
+
+    /// Adds the voxels of a layer whose first depth is `first`.
+    fn add_layer(&self, span: &Span, first: usize, lines: &[u64], children: &mut [u8]) {
         let Axes { column, row, depth } = self.axes;
         let strides = {
             let [nx, ny, _] = blocks_along(self.grid);
             [1, nx, nx * ny]
         };
-        let depths = span.layer * self.thickness..;
-        let depths = depths.take(self.thickness).take_while(|&d| d < self.grid.voxels[depth]);
+        let depths = first..(first + self.layer_thickness).min(self.grid.voxels[depth]);
         // Of each block in the layer: its index along the depth and its children there.
         let mut layers: Vec<(usize, u8)> = Vec::new();
         for d in depths {

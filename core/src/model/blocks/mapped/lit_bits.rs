@@ -78,8 +78,12 @@ mod tests {
         layout.views = vec![View { k: 0, l: 0, coverage: None }];
         let lit = |n: usize| n * n % 7 < 3;
         let values = (0..77 * 3).map(|n| if lit(n) { 10.0 } else { 0.0 }).collect();
-        let criteria =
-            HullCriteria { selected: vec![vec![0]], dark_below: vec![5.0], tolerated: vec![0] };
+        let criteria = HullCriteria {
+            selected: vec![vec![0]],
+            dark_below: vec![5.0],
+            tolerated: vec![0],
+            displacement: vec![0.0],
+        };
         let bits = LitBits::new(&layout, &ViewStack::new(77 * 3, values), &criteria, 0);
         for (row, first) in (-1..4).flat_map(|row| (-80..160).map(move |first| (row, first))) {
             let found = bits.row(0, row, first);

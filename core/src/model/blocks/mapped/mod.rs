@@ -314,7 +314,7 @@ impl<const L: usize> BlockModel for MappedModel<L> {
     }
 
     fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks {
-        lit::lit_blocks(self, views, criteria, lit::MAX_THICKNESS)
+        lit::lit_blocks(self, views, criteria)
     }
 
     fn image_len(&self, camera: usize) -> usize {

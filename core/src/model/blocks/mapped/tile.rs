@@ -1,4 +1,6 @@
 //! Photo-hull of a tile: up to 60 × 96 voxels of up to eight depths, for all views of a camera.
+//! Depths that a view displaces little are evaluated as one, as a layer of the tile. Its layers share
+//! the bits that a microlens lights and differ in the lines.
 //!
 //! Relative to the array's columns and rows the voxels of a tile are almost evenly spaced, so a
 //! view maps microlenses onto voxels by an affine function ([`TileView`]). A lit microlens lights a
@@ -22,6 +24,9 @@ pub(super) const MAX_BITS: usize = 60;
 /// Lines of voxels across the rows.
 pub(super) const MAX_LINES: usize = 96;
 
+/// Depths of a tile, and so the most of its layers.
+pub(super) const MAX_THICKNESS: usize = 8;
+
 /// Microlenses along a row of the array that are processed together.
 pub(super) const LENSES: usize = 32;
 
@@ -36,10 +41,13 @@ pub(super) struct TilePlace {
     /// Parallax of the middle, and its change per bit and per line.
     pub parallax: [f64; 2],
     pub parallax_by_voxel: [[f64; 2]; 2],
-    /// Change of position and parallax from the middle to the outermost of the depths that share
-    /// them.
+    /// Change of position and parallax from the middle to the outermost depth.
     pub to_outermost: [f64; 2],
     pub parallax_to_outermost: [f64; 2],
+    /// Layers of equal thickness, and a layer's thickness relative to the tile's, both measured
+    /// between their outermost depths.
+    pub layers: usize,
+    pub layer_thickness: f64,
     /// Middle of the tile, in voxels from the first.
     pub middle: [f64; 2],
     pub bits: usize,
@@ -62,7 +70,8 @@ pub(super) struct Views<'a> {
 /// Result for a tile.
 #[derive(Debug, Clone)]
 pub(super) struct TileResult {
-    /// Per line, the voxels that no more views than tolerated find dark, and those that any view sees.
+    /// Per layer and line, the voxels that no more views than tolerated find dark, and those of them that any
+    /// view sees; `seen` may contain others.
     pub possible: Vec<u64>,
     pub seen: Vec<u64>,
 }
@@ -72,30 +81,48 @@ impl TilePlace {
         (1 << self.bits) - 1
     }
 
+    /// Position of a layer's middle, from −1 at the first depth to 1 at the last.
+    pub fn layer_middle(&self, layer: usize) -> f64 {
+        let first = self.layer_thickness - 1.0;
+        let between = -2.0 * first / (self.layers as f64 - 1.0).max(1.0);
+        first + between * layer as f64
+    }
+
+    /// Zeroes the voxels of its lines.
+    fn clear(&self, lit: &mut Lit) {
+        lit.0[..self.layers].iter_mut().for_each(|lit| lit[..self.lines].fill(0));
+    }
+
+    /// The voxels of its layers, line by line.
+    fn lines_of<'a>(&self, lit: &'a Lit) -> impl Iterator<Item = &'a u64> {
+        let lines = self.lines;
+        lit.0[..self.layers].iter().flat_map(move |lit| &lit[..lines])
+    }
+
     /// Evaluates all views.
     pub fn evaluate(&self, views: &Views, support: &Support) -> TileResult {
         let Views { selected, others, bits, phases, tolerated } = *views;
         let full = self.full_line();
-        let mut dark = DarkCounts::<1>::new(self.lines, [full], tolerated);
+        let lines = self.layers * self.lines;
+        let mut dark = DarkCounts::<1>::new(lines, [full], tolerated);
         let mut row = LensRow::default();
         let mut lit = Lit::default();
-        let mut seen = vec![0; self.lines];
         for (image, addresses) in selected.iter().enumerate() {
             let Some(view) = TileView::new(self, addresses, support) else { continue };
             let rows = |j| bits.row(image, j, view.first) as u32;
-            lit.0[..self.lines].fill(0);
+            self.clear(&mut lit);
             light(&view, phases, rows, &mut row, &mut lit);
-            for (line, lit) in lit.0[..self.lines].iter().enumerate() {
+            for (line, lit) in self.lines_of(&lit).enumerate() {
                 dark.count(line, &[[full & !lit]]);
             }
-            self.see(&view, addresses, phases, &mut row, &mut seen);
-            if image % 8 == 7 && (0..self.lines).all(|line| !dark.is_open(line)) {
+            if image % 8 == 7 && (0..lines).all(|line| !dark.is_open(line)) {
                 break;
             }
         }
         let possible: Vec<u64> = dark.within().into_iter().map(|[line]| line & full).collect();
+        let mut seen = vec![0; lines];
         let unseen = |seen: &[u64]| possible.iter().zip(seen).any(|(line, seen)| line & !seen != 0);
-        for addresses in others {
+        for addresses in selected.iter().chain(others) {
             if !unseen(&seen) {
                 break;
             }
@@ -116,9 +143,6 @@ impl TilePlace {
         seen: &mut [u64],
     ) {
         let full = self.full_line();
-        if seen.iter().all(|&line| line == full) {
-            return;
-        }
         let mut beyond = Lit::default();
         if !view.inside {
             let [columns, rows] = addresses.axes.map(|axis| axis.lenses as i32);
@@ -133,7 +157,7 @@ impl TilePlace {
             };
             light(view, phases, outside, row, &mut beyond);
         }
-        for (seen, beyond) in seen.iter_mut().zip(&beyond.0) {
+        for (seen, beyond) in seen.iter_mut().zip(self.lines_of(&beyond)) {
             *seen |= full & !beyond;
         }
     }

@@ -17,10 +17,14 @@ pub(super) struct TileView {
     /// Voxels per microlens.
     pub voxels: [[f32; 2]; 2],
     pub middle: [f32; 2],
-    /// Reach of a microlens' light, in voxels.
+    /// Reach of a microlens' light, in voxels: along bits in any layer, along lines in its own.
     pub reach: [f32; 2],
+    /// Layers, the first one's shift along bits and lines, and the shift from one to the next.
+    pub layers: usize,
+    pub first_shift: [f32; 2],
+    pub shift: [f32; 2],
     /// Reach across a gap of the microlenses beside it, in microlenses: half a microlens, and the
-    /// displacement of the outermost depths.
+    /// displacement of the outermost depths: along bits in any layer, along lines in its own.
     pub beside_gap: [f32; 2],
     pub parallax: [f32; 2],
     /// First microlens of a row, and the rows.
@@ -58,11 +62,21 @@ impl TileView {
         }
         let voxels = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
         let place: [f64; 2] = std::array::from_fn(|n| tile.place[n] + tile.parallax[n] * pupil[n]);
-        // Depths that share a position are displaced from it in this view.
-        let displacement: [f64; 2] = std::array::from_fn(|n| {
-            (tile.to_outermost[n] + tile.parallax_to_outermost[n] * pupil[n]).abs()
+        let to_outermost: [f64; 2] = std::array::from_fn(|n| {
+            tile.to_outermost[n] + tile.parallax_to_outermost[n] * pupil[n]
         });
-        let lens_reach: [f64; 2] = std::array::from_fn(|n| support.reach[n] + displacement[n]);
+        // Depths are displaced in this view from the middle of the tile, and of their layer.
+        let displacement = to_outermost.map(f64::abs);
+        let in_layer = displacement.map(|displacement| displacement * tile.layer_thickness);
+        let [lens_reach, layer_reach]: [[f64; 2]; 2] = [displacement, in_layer]
+            .map(|displacement| std::array::from_fn(|n| support.reach[n] + displacement[n]));
+        let shift_at = |layer: usize| -> [f32; 2] {
+            let at = tile.layer_middle(layer);
+            voxels.map(|[by_x, by_y]| {
+                -(at * (by_x * to_outermost[0] + by_y * to_outermost[1])) as f32
+            })
+        };
+        let (first_shift, next_shift) = (shift_at(0), shift_at(1));
         let half = [tile.bits as f64 / 2.0, tile.lines as f64 / 2.0];
         let [first, last]: [[f64; 2]; 2] = [-1.0, 1.0].map(|sign| {
             std::array::from_fn(|n| {
@@ -76,9 +90,11 @@ impl TileView {
         }
         let lenses = view.axes.map(|axis| f64::from(axis.lenses));
         let reach = std::array::from_fn(|n| {
-            let [by_x, by_y]: [f64; 2] = voxels[n];
-            (by_x.abs() * lens_reach[0] + by_y.abs() * lens_reach[1]) as f32
+            let ([by_x, by_y], reach) = (voxels[n], [lens_reach, layer_reach][n]);
+            (by_x.abs() * reach[0] + by_y.abs() * reach[1]) as f32
         });
+        let bits_by_rows = (voxels[0][1] / voxels[0][0]).abs().min(1.0);
+        let beside = [displacement[0] + bits_by_rows * displacement[1], in_layer[1]];
         // Bits along which the position does not change: a line has all of them or none.
         let by_bit = |n: usize| by_voxel[n][0].abs().max(1e-6).copysign(by_voxel[n][0]);
         Some(Self {
@@ -86,7 +102,10 @@ impl TileView {
             voxels: voxels.map(|row| row.map(|voxels| voxels as f32)),
             middle: tile.middle.map(|middle| middle as f32),
             reach,
-            beside_gap: displacement.map(|displacement| (0.5 + displacement) as f32),
+            layers: tile.layers,
+            first_shift,
+            shift: std::array::from_fn(|v| next_shift[v] - first_shift[v]),
+            beside_gap: beside.map(|displacement| (0.5 + displacement) as f32),
             parallax: tile.parallax.map(|parallax| parallax as f32),
             first: first[0].ceil() as i32,
             rows: [first[1].ceil() as i32, last[1].floor() as i32 + 1],
@@ -95,13 +114,19 @@ impl TileView {
             inside: (0..2).all(|n| first[n] >= 0.0 && last[n] <= lenses[n] - 1.0),
             lens_width: support.lens_width as f32,
             gap_least: support.gaps.map(|zone| zone.least as f32),
-            gap_half: std::array::from_fn(|n| (support.gaps[n].half + displacement[n]) as f32),
+            gap_half: std::array::from_fn(|n| (support.gaps[n].half + beside[n]) as f32),
             gap_growth: support.gaps.map(|zone| zone.half_per_gap as f32),
             gaps: support.has_gaps(),
-            bit_reach: std::array::from_fn(|n| (lens_reach[n] / by_bit(n).abs()) as f32),
+            bit_reach: std::array::from_fn(|n| (layer_reach[n] / by_bit(n).abs()) as f32),
             bits_per_line: std::array::from_fn(|n| (by_voxel[n][1] / by_bit(n)) as f32),
             skewed: (0..2).any(|n| voxels[n][1 - n].abs() > SKEWED * voxels[n][n].abs()),
         })
+    }
+
+    /// Shift of a layer's microlenses along bits and lines.
+    #[inline(always)]
+    pub fn shift_of(&self, layer: usize) -> [f32; 2] {
+        [0, 1].map(|v| self.first_shift[v] + self.shift[v] * layer as f32)
     }
 
     /// Position of the first microlens of row `j` across the lines, without its phase.
