@@ -95,15 +95,16 @@ impl CameraResult {
         let (camera, layout) = (&model.cameras[number], &model.layouts[number]);
         let bits = LitBits::new(layout, stack, criteria, number);
         let addresses = |view: usize| camera.view(&layout.views[view]);
-        let is_asked = |view: &usize| criteria.selected[number].binary_search(view).is_ok();
         let selected: Vec<ViewAddresses> =
             criteria.selected[number].iter().copied().map(addresses).collect();
-        let others: Vec<ViewAddresses> =
-            (0..layout.views.len()).filter(|view| !is_asked(view)).map(addresses).collect();
+        // A view through the pupil's middle sees nearly all voxels that any view sees.
+        let from_middle = |view: &ViewAddresses| view.pupil[0].hypot(view.pupil[1]);
+        let mut all: Vec<ViewAddresses> = (0..layout.views.len()).map(addresses).collect();
+        all.sort_by(|a, b| from_middle(a).total_cmp(&from_middle(b)));
         let phases = LensPhases::new(&addresses(0), &camera.optics.window);
         let views = Views {
             selected: &selected,
-            others: &others,
+            all: &all,
             bits: &bits,
             phases: &phases,
             tolerated: criteria.tolerated[number],

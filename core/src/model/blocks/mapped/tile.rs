@@ -59,8 +59,8 @@ pub(super) struct TilePlace {
 pub(super) struct Views<'a> {
     /// The selected views with images, in the order of `bits`.
     pub selected: &'a [ViewAddresses],
-    /// Other views, which may see voxels that the selected ones do not.
-    pub others: &'a [ViewAddresses],
+    /// All views, those first that see the most.
+    pub all: &'a [ViewAddresses],
     pub bits: &'a LitBits,
     pub phases: &'a LensPhases,
     /// Number of views that may find a lit voxel dark.
@@ -101,7 +101,7 @@ impl TilePlace {
 
     /// Evaluates all views.
     pub fn evaluate(&self, views: &Views, support: &Support) -> TileResult {
-        let Views { selected, others, bits, phases, tolerated } = *views;
+        let Views { selected, all, bits, phases, tolerated } = *views;
         let full = self.full_line();
         let lines = self.layers * self.lines;
         let mut dark = DarkCounts::<1>::new(lines, [full], tolerated);
@@ -122,7 +122,7 @@ impl TilePlace {
         let possible: Vec<u64> = dark.within().into_iter().map(|[line]| line & full).collect();
         let mut seen = vec![0; lines];
         let unseen = |seen: &[u64]| possible.iter().zip(seen).any(|(line, seen)| line & !seen != 0);
-        for addresses in selected.iter().chain(others) {
+        for addresses in all {
             if !unseen(&seen) {
                 break;
             }
