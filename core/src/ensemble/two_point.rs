@@ -129,7 +129,8 @@ impl LinePairs {
                 if weight > 0.0 {
                     covariance[lag][c] = together / weight;
                 }
-                if apart > 0.0 {
+                // At separation 0 the covariance is the variance of the flow.
+                if apart > 0.0 && covariance[0][c] > noise[c] {
                     coefficient[lag][c] = Some(together / apart);
                 }
             }
@@ -156,13 +157,14 @@ pub struct Correlation {
     pub separation_mm: Vec<f64>,
     /// Covariance of u, v, w with itself; the measurement's variance is taken out at separation 0.
     pub covariance_m2_s2: Vec<[f64; 3]>,
-    /// The same over the standard deviations at both places; absent where nothing fluctuates.
+    /// The same over the standard deviations at both places; absent where the flow fluctuates less than the
+    /// measurement errs: windows that overlap share errors, which would be taken for the flow's.
     pub coefficient: Vec<[Option<f64>; 3]>,
 }
 
 impl Correlation {
     /// Integral scale of each component, in mm: the coefficient's integral up to its first zero (trapezoids),
-    /// or as far as the volume reaches. Absent where nothing fluctuates.
+    /// or as far as the volume reaches. Absent without coefficients.
     pub fn integral_scale_mm(&self) -> [Option<f64>; 3] {
         std::array::from_fn(|c| {
             let mut sum = 0.0;

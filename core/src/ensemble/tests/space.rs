@@ -115,6 +115,30 @@ fn a_wave_is_found_where_it_is() {
     assert!((scale - 1.0 / wavenumber).abs() < 0.1 / wavenumber, "{scale}");
 }
 
+/// A steady flow, and errors that neighbours share: without a limit the coefficient is far above 1.
+#[test]
+fn errors_that_neighbours_share_are_not_taken_for_the_flow() {
+    let grid = grid([12, 1, 1]);
+    for (fluctuation, is_flow) in [(0.05, false), (0.5, true)] {
+        let mut random = Pcg64Mcg::seed_from_u64(23);
+        let mut ensemble = Ensemble::new(grid.clone());
+        for shot in 0..200 {
+            let all = fluctuation * normal(&mut random);
+            let errors: Vec<f64> = (0..=grid.len()).map(|_| normal(&mut random)).collect();
+            let samples = errors.windows(2).map(|pair| {
+                let velocity_m_s = [5.0 + all + 0.2 * (pair[0] + pair[1]) / 2f64.sqrt(); 3];
+                Some(Sample { velocity_m_s, uncertainty_m_s: [0.2; 3] })
+            });
+            ensemble.add(&Snapshot { shot, samples: samples.collect() });
+        }
+        let correlation = &ensemble.correlations()[0];
+        let coefficients = || correlation.coefficient.iter().map(|lag| lag[0]);
+        assert_eq!(coefficients().all(|c| c.is_some()), is_flow, "{correlation:?}");
+        assert!(coefficients().flatten().all(|c| (0.5..1.2).contains(&c)), "{correlation:?}");
+        assert_eq!(correlation.integral_scale_mm()[0].is_some(), is_flow);
+    }
+}
+
 /// A turbulent flow without quiet times, whose covariance is known.
 #[test]
 fn correlations_of_a_turbulent_flow_are_its_own() {
