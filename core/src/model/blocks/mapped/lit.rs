@@ -268,7 +268,7 @@ impl Tiles<'_> {
             to_outermost: to_outermost(&|seen| seen.place),
             parallax_to_outermost: to_outermost(&|seen| seen.parallax),
             layers: self.thickness / self.layer_thickness,
-            layer_thickness: (self.layer_thickness as f64 - 1.0)
+            layer_share: (self.layer_thickness as f64 - 1.0)
                 / (self.thickness as f64 - 1.0).max(1.0),
             by_voxel: slope(&|seen| seen.place),
             parallax: middle.parallax,

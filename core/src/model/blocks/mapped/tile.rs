@@ -47,7 +47,7 @@ pub(super) struct TilePlace {
     /// Layers of equal thickness, and a layer's thickness relative to the tile's, both measured
     /// between their outermost depths.
     pub layers: usize,
-    pub layer_thickness: f64,
+    pub layer_share: f64,
     /// Middle of the tile, in voxels from the first.
     pub middle: [f64; 2],
     pub bits: usize,
@@ -83,7 +83,7 @@ impl TilePlace {
 
     /// Position of a layer's middle, from −1 at the first depth to 1 at the last.
     pub fn layer_middle(&self, layer: usize) -> f64 {
-        let first = self.layer_thickness - 1.0;
+        let first = self.layer_share - 1.0;
         let between = -2.0 * first / (self.layers as f64 - 1.0).max(1.0);
         first + between * layer as f64
     }

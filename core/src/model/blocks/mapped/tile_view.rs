@@ -67,7 +67,7 @@ impl TileView {
         });
         // Depths are displaced in this view from the middle of the tile, and of their layer.
         let displacement = to_outermost.map(f64::abs);
-        let in_layer = displacement.map(|displacement| displacement * tile.layer_thickness);
+        let in_layer = displacement.map(|displacement| displacement * tile.layer_share);
         let [lens_reach, layer_reach]: [[f64; 2]; 2] = [displacement, in_layer]
             .map(|displacement| std::array::from_fn(|n| support.reach[n] + displacement[n]));
         let shift_at = |layer: usize| -> [f32; 2] {
