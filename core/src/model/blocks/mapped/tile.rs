@@ -44,9 +44,9 @@ pub(super) struct TilePlace {
     /// Change of position and parallax from the middle to the outermost depth.
     pub to_outermost: [f64; 2],
     pub parallax_to_outermost: [f64; 2],
-    /// Layers of equal thickness, and a layer's thickness relative to the tile's, both measured
-    /// between their outermost depths.
+    /// Number of layers, which are equally thick.
     pub layers: usize,
+    /// Distance between the outermost depths of a layer, over that of the tile.
     pub layer_share: f64,
     /// Middle of the tile, in voxels from the first.
     pub middle: [f64; 2],
@@ -70,9 +70,9 @@ pub(super) struct Views<'a> {
 /// Result for a tile.
 #[derive(Debug, Clone)]
 pub(super) struct TileResult {
-    /// Per layer and line, the voxels that no more views than tolerated find dark, and those of them that any
-    /// view sees; `seen` may contain others.
+    /// Per layer and line, the voxels that no more views than tolerated find dark.
     pub possible: Vec<u64>,
+    /// Those of them that any view sees; it may contain others.
     pub seen: Vec<u64>,
 }
 

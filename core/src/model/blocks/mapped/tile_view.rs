@@ -93,6 +93,7 @@ impl TileView {
             let ([by_x, by_y], reach) = (voxels[n], [lens_reach, layer_reach][n]);
             (by_x.abs() * reach[0] + by_y.abs() * reach[1]) as f32
         });
+        // Where lines are inclined, a displacement across the rows moves the bits, too.
         let bits_by_rows = (voxels[0][1] / voxels[0][0]).abs().min(1.0);
         let beside = [displacement[0] + bits_by_rows * displacement[1], in_layer[1]];
         // Bits along which the position does not change: a line has all of them or none.
