@@ -40,6 +40,11 @@ export function reading(label, { wide = false, title } = {}) {
   };
 }
 
+/** Attributes of what may scroll: keys alone reach it too, and readers of the screen say its `label`. */
+export function scrollable(label) {
+  return { tabindex: "0", role: "region", "aria-label": label };
+}
+
 /** A titled part of a view. */
 export function panel(title, ...children) {
   return h("section", { class: "panel" }, h("h2", {}, title), ...children);

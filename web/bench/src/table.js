@@ -1,13 +1,13 @@
 // Tables whose cells are kept and filled anew: who reads the screen hears what is new.
 
-import { h, setAttribute, setText } from "./dom.js";
+import { h, scrollable, setAttribute, setText } from "./dom.js";
 
 /** A table with a caption. A cell is a text, or { text, tone }. */
 export function table(caption) {
   const head = h("thead");
   const body = h("tbody");
   const words = h("caption", {}, caption);
-  const element = h("div", { class: "table", tabindex: "0", role: "region", "aria-label": caption }, h("table", {}, words, head, body));
+  const element = h("div", { class: "table", ...scrollable(caption) }, h("table", {}, words, head, body));
   function row(into, n, tag, cells) {
     const line = into.children[n] ?? into.appendChild(h("tr"));
     while (line.childElementCount < cells.length) line.append(h(tag, tag === "th" ? { scope: "col" } : {}));

@@ -1,6 +1,6 @@
 // When lamps, Q-switches and cameras fire in one period: the part around the light pulses, to scale.
 
-import { h } from "./dom.js";
+import { h, scrollable } from "./dom.js";
 import { number, tickNumber } from "./words.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -14,7 +14,7 @@ function s(tag, attributes, ...children) {
 }
 
 export function timingDiagram() {
-  const element = h("div", { class: "timing" });
+  const element = h("div", { class: "timing", ...scrollable("Timing") });
   let timing = null;
 
   function draw() {

@@ -108,14 +108,29 @@ export async function settle(page, { quietMs = 250, mostMs = 2500 } = {}) {
   await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
 }
 
-/** What axe finds serious on a page, each with `where`. */
+/** What axe finds serious on a page, and what no key reaches, each with `where`. */
 export async function axeFinds(page, where) {
   if (!(await page.evaluate(() => "axe" in window))) {
     await page.evaluate(await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8"));
   }
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
   return violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
-    .map(({ id, nodes }) => `${where}: ${id}: ${nodes.map((node) => `${node.target} ${node.any[0]?.message ?? ""}`).slice(0, 4).join(" | ")}`);
+    .map(({ id, nodes }) => `${where}: ${id}: ${nodes.map((node) => `${node.target} ${node.any[0]?.message ?? ""}`).slice(0, 4).join(" | ")}`)
+    .concat((await outOfReach(page)).map((element) => `${where}: ${element} may scroll, and no key reaches it`));
+}
+
+/**
+ * Visible parts of a page that scroll once they hold enough, and that no key reaches. Axe sees only
+ * those that hold enough now, which depends on how long a run has gone on.
+ */
+function outOfReach(page) {
+  return page.evaluate(() => [...document.querySelectorAll("body *")]
+    .filter((element) => {
+      const { overflowX, overflowY } = getComputedStyle(element);
+      const scrolls = [overflowX, overflowY].some((overflow) => ["auto", "scroll"].includes(overflow));
+      return scrolls && element.checkVisibility() && element.tabIndex < 0;
+    })
+    .map((element) => `${element.localName}.${element.className}`));
 }
 
 /** Enters a token. */

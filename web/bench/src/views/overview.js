@@ -1,6 +1,6 @@
 // Overview: how the run goes, in numbers and in words.
 
-import { h, panel, reading, setAttribute, setText } from "../dom.js";
+import { h, panel, reading, scrollable, setAttribute, setText } from "../dom.js";
 import { Plot } from "../plot.js";
 import { table } from "../table.js";
 import { workersPanel } from "../workers.js";
@@ -34,7 +34,7 @@ export function overviewView(run) {
   const shots = table("Latest shots, newest first");
   const waiting = h("p", { class: "hint" });
   const quiet = h("p", { class: "hint" }, "Nothing yet that is worth a line.");
-  const log = h("ol", { class: "log" });
+  const log = h("ol");
   const workers = workersPanel(run);
   const times = new Plot({ x: "shot", y: "seconds", alt: "Time that the last shots took to measure", height: 150, series: [{ label: "time to measure" }] });
 
@@ -46,7 +46,7 @@ export function overviewView(run) {
         panel("Shots", waiting, shots.element),
         panel("Model fit", h("dl", { class: "readings" }, ...Object.values(fit).map((one) => one.element)), causes, calibrations.element)),
       h("div", {},
-        panel("What happened", quiet, log),
+        panel("What happened", quiet, h("div", { class: "log", ...scrollable("What happened") }, log)),
         panel("Ledger", ledger.element, marks.element),
         panel("Time to measure a shot", times.element))));
 

@@ -1,7 +1,7 @@
 // Run: what is set, when the pulses fire, and the controls.
 
 import { ApiError, getJson } from "../api.js";
-import { h, panel, reading, setAttribute, setText } from "../dom.js";
+import { h, panel, reading, scrollable, setAttribute, setText } from "../dom.js";
 import { laserState } from "../laser.js";
 import { timingDiagram } from "../timing_diagram.js";
 import { number } from "../words.js";
@@ -43,15 +43,15 @@ export function runView(run, desk) {
   const noteForm = h("form", { onsubmit: (event) => addNote(event) },
     h("label", { for: "note" }, "Words for the run's record"), note,
     h("div", { class: "row" }, h("button", { type: "submit" }, "Add the note")));
-  const notes = h("ol", { class: "log" });
+  const notes = h("ol");
   const file = h("p", { class: "hint" });
-  const settings = h("pre", { class: "settings", tabindex: "0", role: "region", "aria-label": "Configuration" });
+  const settings = h("pre", { class: "settings", ...scrollable("Configuration") });
 
   const element = h("div", { class: "view run" },
     h("div", { class: "two" },
       panel("Controls", h("dl", { class: "readings" }, mode.element, held.element, ...Object.values(permissions).map((one) => one.element)),
         h("div", { class: "controls large" }, arm, start), why),
-      panel("Notes", noteForm, notes)),
+      panel("Notes", noteForm, h("div", { class: "log", ...scrollable("Notes") }, notes))),
     panel("Timing", dtForm, timingProblem, diagram.element),
     panel("Settings", file, settings),
     confirm);
