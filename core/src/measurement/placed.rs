@@ -115,6 +115,11 @@ pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> 
     pairs.iter().map(sample).collect()
 }
 
+/// Where the particles without a partner are, in voxels of `grid`.
+pub(super) fn alone(placed: &PlacedParticles, grid: &VolumeGrid) -> [Vec<[f32; 3]>; 2] {
+    placed.unpaired.each_ref().map(|of| of.iter().map(|one| at_vox(grid, one.at_mm)).collect())
+}
+
 /// The particles behind `samples`, and whether they agree with those about them.
 pub(super) fn measured_particles(
     pairs: &[ParticlePair],

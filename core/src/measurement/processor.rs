@@ -15,7 +15,7 @@ use crate::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
-        placed::{Found, measured_particles, point_cameras, samples},
+        placed::{Found, alone, measured_particles, point_cameras, samples},
         plan::Plan,
     },
     model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid, VolumeMask},
@@ -309,7 +309,10 @@ impl Processor {
             let mut corrected = self.interrogation.to_correct(&everywhere);
             let found = self.place(pair.borrow(), &volumes, &mut corrected)?;
             let samples = samples(&found.pairs, &grid);
-            let (through, agrees) = self.interrogation.through_placed(&field, &corrected, &samples);
+            let alone = alone(&found, &grid);
+            let alone = alone.each_ref().map(Vec::as_slice);
+            let (through, agrees) =
+                self.interrogation.through_placed(&field, &corrected, &samples, alone);
             field = through;
             particles = Some(measured_particles(&found.pairs, &samples, &agrees));
             placed = Some(found);

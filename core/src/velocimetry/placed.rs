@@ -5,11 +5,12 @@
 //! (`spline_field`). Where there are too few of them the field is that of the windows.
 
 use super::{
-    DisplacementField, Interrogation, VectorStatus, VelocityField,
+    DisplacementField, Interrogation, VectorStatus, VelocimetrySettings, VelocityField,
     judge::{Vector, field_of},
     spline_field::{self, Extent, Guess, Sample, SplineField},
 };
 use crate::{
+    model::VolumeGrid,
     particles::Neighbours,
     statistics::{NORMAL_OF_MEDIAN, median},
 };
@@ -33,9 +34,9 @@ const PARTICLES_ABOUT: f32 = 20.0;
 /// Particles about a vector that are enough to accept it,
 const LEAST_PARTICLES: usize = 6;
 
-/// if the median of what they are missed by when left out is smaller, in voxels: those that were paired by
-/// chance within half a voxel have a median of 0.17.
-const LARGEST_MISSED_VOX: f64 = 0.12;
+/// if no fewer of the particles there have a partner than this share. How far they are off each other says nothing of
+/// that: in a rough flow those about them do not predict them (docs/decisions.md).
+const LEAST_PAIRED: f32 = 1.0 / 3.0;
 
 /// A particle agrees with those about it if they miss its displacement by no more standard deviations.
 const AGREE_DEVIATIONS: f32 = 4.0;
@@ -94,42 +95,35 @@ impl Interrogation {
         }
     }
 
-    /// The field through placed particles, `samples` in voxels of [`Self::cloud_grid`], near `known`; it takes the
-    /// place of the vectors `before` where there are enough of them. And whether each particle agrees with those
-    /// about it.
+    /// The field through placed particles, `samples`, near `known`; it takes the place of the vectors `before` where
+    /// there are enough of them, and not too many without a partner: `alone` are the places of those in frames a
+    /// and b. All in voxels of [`Self::cloud_grid`]. And whether each sample agrees with those about it.
     pub fn through_placed(
         &self,
         before: &VelocityField,
         known: &CorrectedField<'_>,
         samples: &[Sample],
+        alone: [&[[f32; 3]]; 2],
     ) -> (VelocityField, Vec<bool>) {
         let grid = self.cloud_grid();
         let at = |at_vox| known.at(at_vox);
         let error_vox =
             if known.correction.is_some() { CORRECTED_ERROR_VOX } else { FIRST_ERROR_VOX };
         let guess = Guess { at: &at, error_vox, stiffness: None };
-        let incompressible = self.settings().incompressible;
+        let VelocimetrySettings { incompressible, largest_uncertainty_vox, .. } = *self.settings();
         let (field, missed) = spline_field::through(&known.extent, samples, &guess, incompressible);
-        let places: Vec<[f32; 3]> = samples.iter().map(|sample| sample.middle_vox).collect();
-        let sphere = 4.0 / 3.0 * std::f32::consts::PI;
-        let density = samples.len() as f32 / grid.voxels.iter().product::<usize>() as f32;
-        let near = Neighbours::new(&places, (PARTICLES_ABOUT / (sphere * density)).cbrt());
-        let is_measured = |at_vox: [f32; 3]| {
-            let mut about = Vec::new();
-            near.visit(at_vox, |n, _| about.push(n));
-            let agree = |c: usize| {
-                median(about.iter().map(|&n| f64::from(missed[n][c].abs())))
-                    .is_some_and(|missed| missed <= LARGEST_MISSED_VOX)
-            };
-            about.len() >= LEAST_PARTICLES && (0..3).all(agree)
-        };
+        let paired: Vec<[f32; 3]> = samples.iter().map(|sample| sample.middle_vox).collect();
+        let support = Support::new(&grid, &paired, alone);
         let vector = |n: usize| {
             let at_mm = before.grid.position_mm(n);
             let at_vox = std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32);
-            if before.status[n] != VectorStatus::Masked && is_measured(at_vox) {
+            let uncertainty_vox = field.uncertainty_vox(at_vox);
+            let is_known =
+                uncertainty_vox.iter().all(|&vox| f64::from(vox) <= largest_uncertainty_vox);
+            if before.status[n] != VectorStatus::Masked && is_known && support.is_enough(at_vox) {
                 Vector {
                     displacement_vox: field.value(at_vox),
-                    uncertainty_vox: field.uncertainty_vox(at_vox),
+                    uncertainty_vox,
                     status: VectorStatus::Valid,
                 }
             } else {
@@ -146,6 +140,36 @@ impl Interrogation {
         let field =
             field_of(before.grid.clone(), &grid, before.dt_s, (&vectors, &before.peak_ratio), flow);
         (field, agrees)
+    }
+}
+
+/// The particles about a vector, with a partner and without.
+struct Support<'a> {
+    paired: Neighbours<'a>,
+    alone: [Neighbours<'a>; 2],
+}
+
+impl<'a> Support<'a> {
+    /// Of places in voxels of `grid`. Spheres about vectors hold [`PARTICLES_ABOUT`] pairs on average.
+    fn new(grid: &VolumeGrid, paired: &'a [[f32; 3]], alone: [&'a [[f32; 3]]; 2]) -> Self {
+        let sphere = 4.0 / 3.0 * std::f32::consts::PI;
+        let density = paired.len().max(1) as f32 / grid.voxels.iter().product::<usize>() as f32;
+        let reach = (PARTICLES_ABOUT / (sphere * density)).cbrt();
+        let near = |places: &'a [[f32; 3]]| Neighbours::new(places, reach);
+        Self { paired: near(paired), alone: alone.map(near) }
+    }
+
+    fn is_enough(&self, at_vox: [f32; 3]) -> bool {
+        let about = |near: &Neighbours<'_>| {
+            let mut count = 0;
+            near.visit(at_vox, |_, _| count += 1);
+            count
+        };
+        let paired = about(&self.paired);
+        let alone: usize = self.alone.iter().map(about).sum();
+        // A particle without a partner is in one frame, a pair in both.
+        let share = paired as f32 / (paired as f32 + alone as f32 / 2.0).max(1.0);
+        paired >= LEAST_PARTICLES && share >= LEAST_PAIRED
     }
 }
 
@@ -168,4 +192,41 @@ fn agreeing(
         })
     };
     samples.iter().zip(missed).map(agrees).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    const EDGE_VOX: usize = 40;
+
+    /// Share of places in the volume that so many pairs, and so many particles of each frame without a partner, are
+    /// enough for.
+    fn measured_share(pairs: usize, alone: usize) -> f64 {
+        let mut random = Pcg64Mcg::seed_from_u64(11);
+        let mut places = |count: usize| -> Vec<[f32; 3]> {
+            let place = |_| [0; 3].map(|_: i32| random.random_range(0.0..EDGE_VOX as f32));
+            (0..count).map(place).collect()
+        };
+        let [paired, a, b, asked] = [pairs, alone, alone, 500].map(&mut places);
+        let grid = VolumeGrid { voxels: [EDGE_VOX; 3], voxel_mm: 0.1, centre_mm: [0.0; 3] };
+        let support = Support::new(&grid, &paired, [&a, &b]);
+        asked.iter().filter(|&&at| support.is_enough(at)).count() as f64 / asked.len() as f64
+    }
+
+    #[test]
+    fn vectors_are_measured_where_most_particles_have_a_partner() {
+        assert!(measured_share(1000, 200) > 0.97);
+        assert!(measured_share(1000, 700) > 0.9);
+    }
+
+    #[test]
+    fn pairs_by_chance_measure_nothing() {
+        assert_eq!(measured_share(80, 1000), 0.0);
+        assert_eq!(measured_share(0, 1000), 0.0);
+        assert_eq!(measured_share(0, 0), 0.0);
+    }
 }
