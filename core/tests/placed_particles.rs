@@ -108,13 +108,14 @@ fn blur_and_lights_are_found_in_the_images() {
     assert!(found.found > 0.65 && found.wrong < 0.08 && found.median_vox < 0.01);
 }
 
-/// Mean |error| along x, y, z over valid vectors, and the share of vectors that are valid.
-fn error_of_field(place_particles: bool, change: impl Fn(&mut Scene)) -> (f64, f64) {
+/// Mean |error| along x, y, z over valid vectors, and the share of vectors that are valid, in a cube of so many
+/// voxels along an edge.
+fn error_of_field(place_particles: bool, edge: usize, change: impl Fn(&mut Scene)) -> (f64, f64) {
     let mut config = Bench::shipped("bench");
-    config.volume.voxels = [30; 3];
+    config.volume.voxels = [edge; 3];
     config.velocimetry.place_particles = place_particles;
     let scene = config.simulation.as_mut().unwrap();
-    scene.ppm = 12.5 * 3.0 * 0.01;
+    scene.ppm = 12.5 * edge as f64 * 0.001;
     change(scene);
     let scene = scene.clone();
     let shot = scene.shot(&config.geometry(), 5, 0);
@@ -142,7 +143,8 @@ fn error_of_field(place_particles: bool, change: impl Fn(&mut Scene)) -> (f64, f
 
 #[test]
 fn the_field_through_placed_particles_is_closer_to_the_flow() {
-    let [(windows, _), (placed, valid)] = [false, true].map(|place| error_of_field(place, |_| {}));
+    let [(windows, _), (placed, valid)] =
+        [false, true].map(|place| error_of_field(place, 30, |_| {}));
     println!("{windows:.4} voxel by correlation, {placed:.4} through placed particles");
     assert!(placed < 0.9 * windows && valid > 0.95, "{windows} {placed} {valid}");
 }
@@ -154,8 +156,9 @@ fn waves_of_ten_voxels_are_measured_by_placed_particles() {
         let flow = "kind = \"turbulence\"\nwavelengths_mm = [1.0, 10.0]\nrms_m_s = 1.5\nseed = 1";
         scene.flow = toml::from_str(flow).unwrap();
     };
-    let [(windows, _), (placed, valid)] = [false, true].map(|place| error_of_field(place, rough));
+    let [(windows, _), (placed, valid)] =
+        [false, true].map(|place| error_of_field(place, 50, rough));
     println!("{windows:.3} voxel by correlation, {placed:.3} through placed particles");
     println!("{:.1} % of these are valid", 100.0 * valid);
-    assert!(placed < 0.7 * windows && valid > 0.9, "{windows} {placed} {valid}");
+    assert!(placed < 0.6 * windows && valid > 0.95, "{windows} {placed} {valid}");
 }

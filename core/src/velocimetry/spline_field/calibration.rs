@@ -98,7 +98,7 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
         sums_within(nodes.layout, REACH, &mut gradient);
         sums_within(nodes.layout, REACH, &mut information);
         for ((factor, gradient), information) in factors.iter_mut().zip(gradient).zip(information) {
-            let gradient = gradient - SHARED * (*factor / shared.field).ln();
+            let gradient = gradient - SHARED * libm::logf(*factor / shared.field);
             let step = gradient / (information + SHARED);
             *factor = (*factor * bounded_factor(step)).clamp(LIMITS[0], LIMITS[1]);
         }
@@ -112,7 +112,7 @@ fn of_all(missed: &[Missed]) -> Factors {
     for _ in 0..STEPS[0] {
         // Sums over many samples: of the gradient, own and field, and of the information, own, both and field.
         let mut gradient = [factors.own, factors.field / NOISE_SHARE]
-            .map(|factor| f64::from(-PRIOR_SAMPLES * factor.ln()));
+            .map(|factor| f64::from(-PRIOR_SAMPLES * libm::logf(factor)));
         let mut information = [f64::from(PRIOR_SAMPLES), 0.0, f64::from(PRIOR_SAMPLES)];
         for one in missed {
             let (share, surplus) = one.share_and_surplus(factors);
@@ -135,7 +135,7 @@ fn of_all(missed: &[Missed]) -> Factors {
 
 /// What a step of its logarithm multiplies a factor by: e at most.
 fn bounded_factor(step: f32) -> f32 {
-    step.clamp(-1.0, 1.0).exp()
+    libm::expf(step.clamp(-1.0, 1.0))
 }
 
 /// Every value replaced by the sum of those within `reach` nodes along each axis.

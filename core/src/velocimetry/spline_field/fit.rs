@@ -153,7 +153,7 @@ impl<'a> Fit<'a> {
                 for l in 0..LANES {
                     let left = f64::from(self.samples[n].displacement_vox[c] - values[n][l]);
                     // Minus the logarithm of Student's density.
-                    scores[l] += (left * left / variance).ln_1p();
+                    scores[l] += libm::log1p(left * left / variance);
                     missed[l].push(left.abs());
                 }
             }

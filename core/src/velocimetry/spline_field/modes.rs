@@ -64,19 +64,20 @@ impl AxisModes {
         let penalty = banded(count, &[-1.0, 3.0, -3.0, 1.0]);
         let folds = folds(count);
         // A little of M tells quadratic fields, which P does not know, from each other.
-        let folded = folds.transpose() * (&penalty + 1e-4 * &data) * &folds;
+        let folded =
+            matrix_product(&matrix_product(&folds.transpose(), &(&penalty + 1e-4 * &data)), &folds);
         let even = count.div_ceil(2);
         let sizes = [even, count - even];
         let mut vectors = DMatrix::<f64>::zeros(count, count);
         for (first, size) in [0, even].into_iter().zip(sizes) {
             let block = folded.view((first, first), (size, size)).into_owned();
             let SymmetricEigen { eigenvectors, .. } = block.symmetric_eigen();
-            let unfolded = folds.columns(first, size) * eigenvectors;
+            let unfolded = matrix_product(&folds.columns(first, size).into_owned(), &eigenvectors);
             vectors.columns_mut(first, size).copy_from(&unfolded);
         }
         let diagonal = |matrix: &DMatrix<f64>| -> Vec<f64> {
-            let product = vectors.transpose() * matrix * &vectors;
-            (0..count).map(|k| product[(k, k)].max(0.0)).collect()
+            let turned = matrix_product(&matrix_product(&vectors.transpose(), matrix), &vectors);
+            (0..count).map(|k| turned[(k, k)].max(0.0)).collect()
         };
         let block = |first: usize, size: usize| {
             // An odd mode's folded coefficient stands where the second of the two was.
@@ -108,7 +109,14 @@ fn banded(count: usize, weights: &[f64]) -> DMatrix<f64> {
             matrix[(row, row + place)] = *weight;
         }
     }
-    matrix.transpose() * matrix
+    matrix_product(&matrix.transpose(), &matrix)
+}
+
+/// a b with sums in order. nalgebra's own products are fused on processors that can, and the field would then depend
+/// on the processor.
+fn matrix_product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let entry = |row, column| (0..a.ncols()).map(|n| a[(row, n)] * b[(n, column)]).sum();
+    DMatrix::from_fn(a.nrows(), b.ncols(), entry)
 }
 
 /// Columns that are even about the middle, then odd ones: an orthonormal basis.

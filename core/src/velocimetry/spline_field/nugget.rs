@@ -46,6 +46,6 @@ pub fn excess(samples: &[Sample], field: &SplineField) -> [f32; 3] {
         let found = median(squares).unwrap_or_default() / MEDIAN_SQUARE;
         // By the logarithm: what is stated may be off by a factor either way.
         let found = found.clamp(LIMITS[0], LIMITS[1]);
-        (found.ln() * count / (STATED + count)).exp() as f32
+        libm::exp(libm::log(found) * count / (STATED + count)) as f32
     })
 }

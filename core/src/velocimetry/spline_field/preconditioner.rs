@@ -80,10 +80,10 @@ fn typical(weights: &[Lane]) -> [f64; LANES] {
     for weights in weights {
         for l in (0..LANES).filter(|&l| weights[l] > 0.0) {
             counts[l] += 1.0;
-            logarithms[l] += f64::from(weights[l].ln());
+            logarithms[l] += f64::from(libm::logf(weights[l]));
         }
     }
-    std::array::from_fn(|l| counts[l] * (logarithms[l] / counts[l].max(1.0)).exp())
+    std::array::from_fn(|l| counts[l] * libm::exp(logarithms[l] / counts[l].max(1.0)))
 }
 
 /// Root of the diagonal that constant weights would give over the coefficients' own.

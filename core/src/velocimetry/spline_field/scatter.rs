@@ -41,7 +41,7 @@ pub fn inflation(nodes: &Nodes, samples: &[Sample], left: &[f32]) -> Vec<f32> {
             let own = (middle.unwrap_or(MEDIAN_SQUARE) / MEDIAN_SQUARE).clamp(1.0, LARGEST);
             // By the logarithm, as the variance of all particles.
             let count = near.len() as f64;
-            (own.ln() * count / (count + STATED)).exp() as f32
+            libm::exp(libm::log(own) * count / (count + STATED)) as f32
         })
         .collect();
     nearest.iter().map(|&node| of_node[node]).collect()

@@ -22,7 +22,7 @@ impl Ladder {
     /// About the present penalty.
     pub fn about(ratio: f32) -> Self {
         let ratio = ratio * ratio;
-        Self { first: ratio.powf(-0.5 * (LANES - 1) as f32), ratio }
+        Self { first: libm::powf(ratio, -0.5 * (LANES - 1) as f32), ratio }
     }
 
     /// What the present penalty is multiplied by in each lane.
@@ -42,7 +42,7 @@ impl Ladder {
                 rung += (0.5 * (below - above) / curvature) as f32;
             }
         }
-        (self.first * self.ratio.powf(rung), least)
+        (self.first * libm::powf(self.ratio, rung), least)
     }
 }
 
