@@ -28,14 +28,14 @@ const CORRECTED_ERROR_VOX: f32 = 0.05;
 /// that are shorter than they are, and cubic B-splines need some three nodes for one.
 const NODES_PER_WINDOW: f32 = 3.0;
 
-/// A sphere about a vector holds so many particles on average.
+/// A sphere about a vector holds so many pairs on average.
 const PARTICLES_ABOUT: f32 = 20.0;
 
-/// Particles about a vector that are enough to accept it,
+/// A vector is accepted if at least so many pairs are about it,
 const LEAST_PARTICLES: usize = 6;
 
-/// if no fewer of the particles there have a partner than this share. How far they are off each other says nothing of
-/// that: in a rough flow those about them do not predict them (docs/decisions.md).
+/// and if at least this share of the particles there has a partner. By chance 7 to 15 % have one. How well pairs
+/// predict each other is no criterion: in a rough flow correct ones do not (docs/decisions.md).
 const LEAST_PAIRED: f32 = 1.0 / 3.0;
 
 /// A particle agrees with those about it if they miss its displacement by no more standard deviations.

@@ -112,8 +112,8 @@ fn banded(count: usize, weights: &[f64]) -> DMatrix<f64> {
     matrix_product(&matrix.transpose(), &matrix)
 }
 
-/// a b with sums in order. nalgebra's own products are fused on processors that can, and the field would then depend
-/// on the processor.
+/// The product a b, each sum in order. nalgebra's own product uses fused multiply-add where the processor has it, so
+/// that its last bits depend on the processor.
 fn matrix_product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     let entry = |row, column| (0..a.ncols()).map(|n| a[(row, n)] * b[(n, column)]).sum();
     DMatrix::from_fn(a.nrows(), b.ncols(), entry)
