@@ -7,7 +7,7 @@ use lfpiv_core::{
     lightfield::ImagePair,
     measurement::{Measurement, Processor},
     particles::PlacedParticles,
-    velocimetry::VectorStatus,
+    velocimetry::{PairResult, Placing, VectorStatus},
 };
 use lfpiv_sim::{Scene, Truth};
 
@@ -110,10 +110,10 @@ fn blur_and_lights_are_found_in_the_images() {
 
 /// Mean |error| along x, y, z over valid vectors, and the share of vectors that are valid, in a cube of so many
 /// voxels along an edge.
-fn error_of_field(place_particles: bool, edge: usize, change: impl Fn(&mut Scene)) -> (f64, f64) {
+fn error_of_field(placing: Placing, edge: usize, change: impl Fn(&mut Scene)) -> (f64, f64) {
     let mut config = Bench::shipped("bench");
     config.volume.voxels = [edge; 3];
-    config.velocimetry.place_particles = place_particles;
+    config.velocimetry.place_particles = placing;
     let scene = config.simulation.as_mut().unwrap();
     scene.ppm = 12.5 * edge as f64 * 0.001;
     change(scene);
@@ -122,15 +122,15 @@ fn error_of_field(place_particles: bool, edge: usize, change: impl Fn(&mut Scene
     let pair = ImagePair { cameras: shot.images };
     let processor =
         Processor::new(Measurement { spacing_mm: Some(0.4), ..config.measurement() }).unwrap();
-    let field = processor.process(&pair).unwrap().field;
+    let PairResult { field, particles, .. } = processor.process(&pair).unwrap();
     let valid: Vec<usize> =
         (0..field.grid.len()).filter(|&n| field.status[n] == VectorStatus::Valid).collect();
     let error = |&n: &usize| -> f64 {
         let at_mm = field.grid.position_mm(n);
         // What a vector stands for depends on that (docs/theory.md).
-        let moved_mm = match place_particles {
-            true => scene.flow.displacement_about_mm(at_mm, field.dt_s),
-            false => scene.flow.displacement_mm(at_mm, field.dt_s),
+        let moved_mm = match particles {
+            Some(_) => scene.flow.displacement_about_mm(at_mm, field.dt_s),
+            None => scene.flow.displacement_mm(at_mm, field.dt_s),
         };
         (0..3)
             .map(|c| (f64::from(field.displacement_vox[n][c]) - moved_mm[c] / field.voxel_mm).abs())
@@ -144,7 +144,7 @@ fn error_of_field(place_particles: bool, edge: usize, change: impl Fn(&mut Scene
 #[test]
 fn the_field_through_placed_particles_is_closer_to_the_flow() {
     let [(windows, _), (placed, valid)] =
-        [false, true].map(|place| error_of_field(place, 30, |_| {}));
+        [Placing::Never, Placing::Always].map(|placing| error_of_field(placing, 30, |_| {}));
     println!("{windows:.4} voxel by correlation, {placed:.4} through placed particles");
     assert!(placed < 0.9 * windows && valid > 0.95, "{windows} {placed} {valid}");
 }
@@ -157,7 +157,7 @@ fn waves_of_ten_voxels_are_measured_by_placed_particles() {
         scene.flow = toml::from_str(flow).unwrap();
     };
     let [(windows, _), (placed, valid)] =
-        [false, true].map(|place| error_of_field(place, 50, rough));
+        [Placing::Never, Placing::Auto].map(|placing| error_of_field(placing, 50, rough));
     println!("{windows:.3} voxel by correlation, {placed:.3} through placed particles");
     println!("{:.1} % of these are valid", 100.0 * valid);
     assert!(placed < 0.6 * windows && valid > 0.95, "{windows} {placed} {valid}");

@@ -56,7 +56,7 @@ pub(super) fn run_info(plan: &DaemonPlan, folder: &Path) -> RunInfo {
             centre_mm: config.volume.centre_mm,
             max_displacement_vox: config.velocimetry.max_displacement_vox,
             window_mm: config.velocimetry.window_mm,
-            place_particles: config.velocimetry.place_particles,
+            place_particles: config.velocimetry.may_place(config.mask.is_some()),
             dt_us: config.shot.dt_us,
             rate_hz: config.shot.rate_hz,
             shots: plan.shots.map(|shots| shots.get()),

@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use lfpiv_core::{
     model::{Sight, VolumeGrid, degrees_apart},
     reconstruction::{Domain, ReconstructionSettings, Solver},
+    velocimetry::Placing,
 };
 use lfpiv_hw::{
     CameraName,
@@ -54,7 +55,8 @@ impl Inconsistency {
 
 /// The field through placed particles is one field of the whole volume.
 fn placing(config: &Config) -> Option<Inconsistency> {
-    let asked = config.velocimetry.place_particles && config.mask.is_some();
+    let always = config.velocimetry.place_particles == Placing::Always;
+    let asked = always && config.mask.is_some();
     asked.then(|| {
         let message = "the field through placed particles does not know the volume's mask and would mix the flows on \
                        both sides of a body; leave out one of the two";

@@ -1,6 +1,10 @@
 //! `/api/v1/results/{shot}/particles`: the particles placed in a shot's images.
 
-use axum::{extract::State, http::HeaderMap, response::Response};
+use axum::{
+    extract::State,
+    http::{HeaderMap, StatusCode},
+    response::{IntoResponse, Response},
+};
 use serde::Serialize;
 use utoipa::ToSchema;
 
@@ -77,9 +81,10 @@ impl ParticlesView {
     responses(
         (status = 200, description = "The particles", content(
             (ParticlesView = "application/json"), (Vec<u8> = "application/octet-stream"))),
+        (status = 204, description = "The shot has a result, but its vectors are by correlation alone"),
         (status = 206, description = "The requested range of bytes"),
         (status = 304, description = "The client already has them (`If-None-Match`)"),
-        (status = 404, description = "No such shot, or it has no result or no particles", body = super::error::ErrorBody),
+        (status = 404, description = "No such shot, or it has no result", body = super::error::ErrorBody),
         (status = 410, description = "The result is on disk only", body = super::error::ErrorBody),
         (status = 416, description = "The range is outside of the result", body = super::error::ErrorBody)))]
 pub(super) async fn particles(
@@ -92,10 +97,7 @@ pub(super) async fn particles(
     let shot = resolved(&app.run, &shot)?;
     let result = looked_up(&app, shot).await?;
     let Some(count) = result.measured.particles.as_ref().map(Vec::len) else {
-        return Err(ApiError::not_found(format!(
-            "shot {shot} has no particles: they are placed where [velocimetry] place_particles = true \
-             and the bench explains the images"
-        )));
+        return Ok(StatusCode::NO_CONTENT.into_response());
     };
     let run = app.run.board.events().run();
     let (name, media_type, bytes) = match format {

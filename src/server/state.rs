@@ -72,7 +72,7 @@ pub struct ConfigurationSummary {
     pub voxel_mm: f64,
     /// Edge of an interrogation window.
     pub window_mm: f64,
-    /// Whether particles are placed in the images.
+    /// Whether particles are placed in the images, of all shots or of those that need it.
     pub place_particles: bool,
     /// Centre of the volume in the world frame.
     pub centre_mm: [f64; 3],

@@ -142,7 +142,7 @@ pub fn configuration(folder: &Path, port: u16, scene: Scene) -> PathBuf {
                 "centre_mm = [0.0, 0.0, 0.0]\nmask = { leave_out = [{ stl = \"body.stl\" }] }",
             ),
             Scene::Placed => ("[velocimetry]", "[velocimetry]\nplace_particles = true"),
-            Scene::Flow => ("[velocimetry]", "[velocimetry]"),
+            Scene::Flow => ("[velocimetry]", "[velocimetry]\nplace_particles = false"),
         },
         // A flow with something to see in it.
         ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),

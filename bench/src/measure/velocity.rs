@@ -27,9 +27,11 @@ pub(super) struct Shot {
 }
 
 /// What a method made of a shot.
-pub(super) struct Measured {
+pub(super) struct Measured<'a> {
     pub row: Row,
     pub field: VelocityField,
+    /// What its vectors stand for.
+    truth: KnownFlow<'a>,
     score: Score,
 }
 
@@ -87,12 +89,12 @@ pub(super) fn simulated(setting: &Setting, seed: u64) -> Shot {
 }
 
 /// Measures a shot, and its true particles by the same windows.
-pub(super) fn measured(
-    setting: &Setting,
+pub(super) fn measured<'a>(
+    setting: &'a Setting,
     method: Option<&Method>,
     processor: &Processor,
     shot: &Shot,
-) -> Result<Measured, BenchmarkError> {
+) -> Result<Measured<'a>, BenchmarkError> {
     let (windows, flow) = (processor.interrogation(), &setting.scene.flow);
     let [a, b] =
         [FrameOfPair::A, FrameOfPair::B].map(|frame| true_cloud(&shot.truth, frame, windows));
@@ -100,7 +102,7 @@ pub(super) fn measured(
     let by_windows =
         Score::of(&windows.measure_by_windows(&a, &b, dt_s), KnownFlow::InTheMiddle(flow));
     let result = processor.process(&shot.pair)?;
-    let truth = truth_of(setting);
+    let truth = truth_of(setting, &result);
     let score = Score::of(&result.field, truth);
     let mut row = setting.row(method, shot.seed);
     fill(&mut row, &result, &score);
@@ -116,14 +118,14 @@ pub(super) fn measured(
         let followed = Score::of(&windows.measure(&a, &b, dt_s), KnownFlow::InTheMiddle(flow));
         row.set_true_followed(followed.mean_vox);
     }
-    Ok(Measured { row, field: result.field, score })
+    Ok(Measured { row, field: result.field, truth, score })
 }
 
-/// What a setting's vectors stand for.
-fn truth_of<'a>(setting: &'a Setting<'_>) -> KnownFlow<'a> {
-    match setting.config.velocimetry.place_particles {
-        true => KnownFlow::OnAverage(&setting.scene.flow),
-        false => KnownFlow::InTheMiddle(&setting.scene.flow),
+/// What a result's vectors stand for.
+fn truth_of<'a>(setting: &'a Setting<'_>, result: &PairResult) -> KnownFlow<'a> {
+    match result.particles {
+        Some(_) => KnownFlow::OnAverage(&setting.scene.flow),
+        None => KnownFlow::InTheMiddle(&setting.scene.flow),
     }
 }
 
@@ -151,7 +153,7 @@ fn keep_field(setting: &Setting, measured: &Measured, findings: &mut Findings) {
         field,
     };
     if !findings.fields.iter().any(|field| field.case == row.case && field.ppm == row.ppm) {
-        findings.fields.push(kept(None, true_field(&measured.field, truth_of(setting))));
+        findings.fields.push(kept(None, true_field(&measured.field, measured.truth)));
     }
     findings.fields.push(kept(Some(row.method.clone()), measured.field.clone()));
 }

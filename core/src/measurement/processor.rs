@@ -24,8 +24,8 @@ use crate::{
         DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
     },
     velocimetry::{
-        CorrectedField, DisplacementField, Interrogation, PairResult, PointCloud, StageSeconds,
-        VelocimetrySettings,
+        CorrectedField, DisplacementField, Interrogation, PairResult, Placing, PointCloud,
+        StageSeconds, VelocimetrySettings, VelocityField,
     },
 };
 
@@ -250,6 +250,19 @@ impl Processor {
         Ok(found.place(pair, field))
     }
 
+    /// Whether particles are placed in a pair's images once `field` was found by correlation, with the field
+    /// `everywhere` behind it.
+    fn is_to_place(&self, field: &VelocityField, everywhere: &DisplacementField) -> bool {
+        if self.measurement.velocimetry.place_particles == Placing::Always {
+            return true;
+        }
+        let unresolved = self.interrogation.unresolved(field, everywhere);
+        if let Some(unresolved) = unresolved {
+            tracing::debug!("particles are placed in the images: {unresolved}");
+        }
+        unresolved.is_some()
+    }
+
     fn correction(&self) -> Correction<'_> {
         Correction {
             image: &self.measurement.image,
@@ -272,7 +285,8 @@ impl Processor {
         let micro_images = model_fit::micro_images(&self.measurement, pair);
         let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
         let found_s = seconds_since(self.clock, started);
-        let kept = self.measurement.velocimetry.place_particles.then_some(handed);
+        let Measurement { velocimetry, mask, .. } = &self.measurement;
+        let kept = velocimetry.may_place(mask.is_some()).then_some(handed);
 
         let started = (self.clock)();
         let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
@@ -304,7 +318,7 @@ impl Processor {
         let (mut placed, mut particles) = (None, None);
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
             field.invalidate(self.measurement.velocimetry.max_displacement_vox);
-        } else if let Some(pair) = kept {
+        } else if let Some(pair) = kept.filter(|_| self.is_to_place(&field, &everywhere)) {
             let started = (self.clock)();
             let mut corrected = self.interrogation.to_correct(&everywhere);
             let found = self.place(pair.borrow(), &volumes, &mut corrected)?;

@@ -142,6 +142,11 @@ impl Interrogation {
         self.grid.padded(self.margin)
     }
 
+    /// The volume's first voxel, and the one after its last, in voxels of [`Self::cloud_grid`].
+    pub(super) fn volume_vox(&self) -> [[usize; 3]; 2] {
+        [[self.margin; 3], self.grid.voxels.map(|count| self.margin + count)]
+    }
+
     /// Where the vectors will be.
     pub fn vector_grid(&self) -> VectorGrid {
         let first = (self.windows.edge as f64 - 1.0) / 2.0;

@@ -26,7 +26,7 @@ const CORRECTED_ERROR_VOX: f32 = 0.05;
 
 /// Nodes along a window, where particles are so far apart that there would be fewer. Windows do not show waves
 /// that are shorter than they are, and cubic B-splines need some three nodes for one.
-const NODES_PER_WINDOW: f32 = 3.0;
+pub const NODES_PER_WINDOW: f32 = 3.0;
 
 /// A sphere about a vector holds so many pairs on average.
 const PARTICLES_ABOUT: f32 = 20.0;

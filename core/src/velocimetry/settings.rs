@@ -3,6 +3,7 @@
 use garde::Validate;
 use serde::{Deserialize, Serialize};
 
+use super::Placing;
 use crate::model::VolumeGrid;
 
 /// Displacements are looked for, and believed, up to this many times the largest expected.
@@ -35,9 +36,10 @@ pub struct VelocimetrySettings {
     #[garde(skip)]
     pub follow_particles: bool,
     /// Place particles in the images after correlation, and fit the field to those that both frames show:
-    /// rough flows are resolved as far as their particles allow, in about five times the time.
+    /// rough flows are resolved as far as their particles allow, in about five times the time. With
+    /// [`Placing::Auto`] of pairs that need it, and nowhere if single particles are not followed.
     #[garde(skip)]
-    pub place_particles: bool,
+    pub place_particles: Placing,
     /// The flow is incompressible: the field through particles is nearly free of divergence, which tells it
     /// more than the particles alone. Not for a plane of a flow, nor for gases at speed.
     #[garde(skip)]
@@ -92,6 +94,18 @@ impl VelocimetrySettings {
     }
 }
 
+impl VelocimetrySettings {
+    /// Whether particles may have to be placed in the images of a volume with or without a mask, whose flows on
+    /// both sides of a body the field through placed particles would mix.
+    pub fn may_place(&self, has_mask: bool) -> bool {
+        match self.place_particles {
+            Placing::Never => false,
+            Placing::Auto => self.follow_particles && !has_mask,
+            Placing::Always => true,
+        }
+    }
+}
+
 impl Default for VelocimetrySettings {
     fn default() -> Self {
         Self {
@@ -101,7 +115,7 @@ impl Default for VelocimetrySettings {
             max_displacement_vox: 6.0,
             first_window_mm: None,
             follow_particles: true,
-            place_particles: false,
+            place_particles: Placing::Auto,
             incompressible: false,
             median_threshold: 2.0,
             median_epsilon_vox: 0.1,

@@ -13,9 +13,10 @@ const MANY = 3000;
 /** Width of the dark rim that sets a bright square off from bright light. */
 const RIM = 1;
 
-/** The particles of a shot. */
+/** The particles of a shot; `null` if none were placed. */
 export async function fetchParticles(shot) {
-  return decodeParticles(await getBytes(`/api/v1/results/${shot}/particles?format=binary`));
+  const bytes = await getBytes(`/api/v1/results/${shot}/particles?format=binary`);
+  return bytes.byteLength > 0 ? decodeParticles(bytes) : null;
 }
 
 /**

@@ -20,9 +20,9 @@ const FARTHEST: f32 = 4.0;
 /// ∫ω²(1 + ω⁶)⁻² dω over ∫ω²(1 + ω⁶)⁻¹ dω (spectrum of a smoothing spline: Wahba, J. R. Stat. Soc. B 45, 1983).
 const NOISE_SHARE: f32 = 0.5;
 
-/// Factors are expected to be [`NOISE_SHARE`] for the field and 1 for samples: as if so many left-out samples had said
-/// so (docs/decisions.md).
-const PRIOR_SAMPLES: f32 = 300.0;
+/// Factors are expected to be [`NOISE_SHARE`] for the field and 1 for samples: of n samples, as if so many times √n had
+/// said so (docs/decisions.md). The pull of that falls with n as their own standard error does.
+const PRIOR_ROOTS: f32 = 4.0;
 
 /// Least and most that a variance is changed by.
 const LIMITS: [f32; 2] = [0.01, 100.0];
@@ -109,11 +109,12 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
 /// The likeliest factors for all samples, by Fisher's scoring of their logarithms.
 fn of_all(missed: &[Missed]) -> Factors {
     let mut factors = Factors { own: 1.0, field: NOISE_SHARE };
+    let prior = PRIOR_ROOTS * (missed.len().max(1) as f32).sqrt();
     for _ in 0..STEPS[0] {
         // Sums over many samples: of the gradient, own and field, and of the information, own, both and field.
         let mut gradient = [factors.own, factors.field / NOISE_SHARE]
-            .map(|factor| f64::from(-PRIOR_SAMPLES * libm::logf(factor)));
-        let mut information = [f64::from(PRIOR_SAMPLES), 0.0, f64::from(PRIOR_SAMPLES)];
+            .map(|factor| f64::from(-prior * libm::logf(factor)));
+        let mut information = [f64::from(prior), 0.0, f64::from(prior)];
         for one in missed {
             let (share, surplus) = one.share_and_surplus(factors);
             let (share, surplus) = (f64::from(share), f64::from(surplus));

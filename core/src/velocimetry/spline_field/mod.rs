@@ -70,7 +70,7 @@ pub struct Guess<'a> {
 const NODES_PER_PARTICLE: f32 = 0.9;
 
 /// Finest nodes, in voxels.
-const FINEST_VOX: f32 = 2.0;
+pub const FINEST_VOX: f32 = 2.0;
 
 /// Largest third difference of neighbouring coefficients that is tried, in voxels.
 const LARGEST_DIFFERENCE_VOX: f32 = 2.0;
@@ -99,7 +99,7 @@ impl Extent {
         let [low, high] = self.corners_vox;
         let volume: f32 = (0..3).map(|axis| (high[axis] - low[axis]).max(1.0)).product();
         let between = (volume / particles.max(1) as f32).cbrt();
-        let step_vox = (NODES_PER_PARTICLE * between).clamp(FINEST_VOX, self.coarsest_vox);
+        let step_vox = (NODES_PER_PARTICLE * between).min(self.coarsest_vox).max(FINEST_VOX);
         Nodes::covering(low, high, step_vox)
     }
 }
