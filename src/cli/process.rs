@@ -361,11 +361,14 @@ fn read(config: &Config, folder: &Path) -> anyhow::Result<ImagePair> {
 
 fn report(bar: &ProgressBar, job: &Job, result: &PairResult) -> anyhow::Result<()> {
     let seconds = &result.seconds;
+    let through =
+        |placed: &Vec<_>| format!(" through {} in the images", count(placed.len(), "particle"));
     let line = format!(
-        "{}: {}, {:.1} % valid{}; decoded in {:.2} s, reconstructed in {:.2} s, correlated in \
+        "{}: {}{}, {:.1} % valid{}; decoded in {:.2} s, reconstructed in {:.2} s, correlated in \
          {:.2} s, judged in {:.2} s -> {}",
         job.name,
         count(result.field.grid.len(), "vector"),
+        result.particles.as_ref().map_or(String::new(), through),
         100.0 * result.field.valid_share(),
         result.fit.as_ref().map_or(String::new(), |fit| format!(", model fit {}", fit.verdict)),
         seconds.decode_s,
