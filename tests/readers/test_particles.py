@@ -51,8 +51,10 @@ def particles_of(run):
 def placed(configuration, measured):
     root = configuration.parent
     pair = measured.pairs / "shot_0000"
-    lfpiv("process", "--config", configuration, "--out", root / "results", pair)
+    said = lfpiv("process", "--config", configuration, "--out", root / "results", pair)
     [file] = (root / "results").rglob("particles.nc")
+    with xarray.open_dataset(file) as dataset:
+        assert f"through {dataset.sizes['particle']} particles in the images" in said
     return file
 
 
