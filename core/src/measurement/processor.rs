@@ -186,8 +186,8 @@ impl Processor {
         Ok(())
     }
 
-    /// Measures one pair. A pair that is handed over is dropped as soon as it is decoded: on large
-    /// sensors the images are the largest part of the memory.
+    /// Measures one pair. A pair that is handed over is dropped as soon as it is decoded, unless particles may
+    /// be placed in its images: on large sensors these are the largest part of the memory.
     pub fn process(&self, pair: impl Borrow<ImagePair>) -> Result<PairResult, ProcessError> {
         self.measure(pair).map(|measured| measured.result)
     }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 pub enum Placing {
     /// Never.
     Never,
-    /// Of pairs whose vectors by correlation leave the flow open, see [`super::Unresolved`].
+    /// Of pairs whose flow correlation does not resolve, see [`super::Unresolved`].
     #[default]
     Auto,
     /// Of all pairs.

@@ -1,9 +1,9 @@
-//! Whether vectors by correlation leave the flow open.
+//! Whether correlation resolves the flow.
 //!
-//! Windows do not show waves that are shorter than they are, and single particles that are followed near the
-//! windows' field show hardly more. What is missing leaves two traces: vectors that are not valid, because
-//! particles do not agree on one displacement, and a field that still changes much from one quarter of a window
-//! to the next, for a flow with waves as short as the windows resolve has shorter ones as well.
+//! Windows do not show waves shorter than they are, and particles that are followed near the windows' field show
+//! hardly more. An unresolved flow leaves two traces. Vectors are not valid, because the particles of a window do not
+//! agree on one displacement. And the field has waves about as short as a window: a flow with such waves has shorter
+//! ones, too.
 
 use std::fmt;
 
@@ -12,25 +12,25 @@ use super::{
     spline_field::FINEST_VOX, tracks::Spline,
 };
 
-/// At least this share of the vectors is valid where correlation measures the flow.
+/// At least this share of the vectors is valid where correlation resolves the flow.
 const LEAST_VALID: f64 = 0.95;
 
-/// Points along a window at which the field is compared. The third difference of four neighbouring ones is largest
-/// for waves of a half to one window.
+/// Points along a window at which the field is compared. The third difference of four neighbouring ones is largest for
+/// waves of half a window to a window.
 const POINTS_PER_WINDOW: usize = 4;
 
-/// Root mean square of such waves, from which on the flow is rough, in voxels: some times a vector's error.
+/// The flow is rough where such waves are larger, in voxels: several times the error of a vector in a smooth flow.
 const ROUGH_VOX: f64 = 0.05;
 
 /// Sum of the squares of a third difference's weights, 1, 3, 3 and 1.
 const SQUARED_WEIGHTS: f64 = 20.0;
 
-/// A flow is left open if it is rough in more than this share of the volume. Of the flow of `bench` none is, of a
-/// ring vortex and of a jet's thin shear layer a twentieth, of turbulence with waves from one window on a third to
-/// a half (docs/decisions.md).
+/// A flow that is rough in a larger share of the volume is not resolved. The flow of `bench` is rough nowhere, a ring
+/// vortex or a thin shear layer in a twentieth, turbulence with waves from one window on in about half of the volume
+/// (docs/decisions.md).
 const MOST_ROUGH: f64 = 0.1;
 
-/// Why vectors by correlation leave a flow open.
+/// Why correlation does not resolve a flow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unresolved {
     /// Only this share of the vectors is valid.
@@ -42,7 +42,9 @@ pub enum Unresolved {
 impl fmt::Display for Unresolved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::FewValid(share) => write!(f, "{:.1} % of the vectors are valid", 100.0 * share),
+            Self::FewValid(share) => {
+                write!(f, "only {:.1} % of the vectors are valid", 100.0 * share)
+            }
             Self::Rough(share) => {
                 write!(f, "the flow is rough in {:.1} % of the volume", 100.0 * share)
             }
@@ -51,9 +53,9 @@ impl fmt::Display for Unresolved {
 }
 
 impl Interrogation {
-    /// Whether the vectors of `field`, and the field `everywhere` behind them, leave the flow open. Windows alone do
-    /// not tell: between their vectors a field is too rough itself. Windows as small as the finest nodes of a field
-    /// through placed particles leave nothing open.
+    /// Why the vectors of `field`, with the field `everywhere` behind them, do not resolve the flow; `None` where they
+    /// do. `None` as well where a field through placed particles could not show more, because its nodes would be as
+    /// far apart as the windows, and where particles were not followed: a field between windows is rough itself.
     pub fn unresolved(
         &self,
         field: &VelocityField,
@@ -159,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn waves_of_a_window_leave_a_flow_open() {
+    fn a_flow_with_waves_of_a_window_is_not_resolved() {
         let found = interrogation().unresolved(&vectors(100), &waves(16.0, 1.0));
         // Each component changes along one axis of three.
         assert!(
@@ -169,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn long_or_faint_waves_do_not() {
+    fn long_and_faint_waves_are() {
         for (length_vox, amplitude_vox) in [(100.0, 2.0), (16.0, 0.05)] {
             let field = waves(length_vox, amplitude_vox);
             assert_eq!(interrogation().unresolved(&vectors(97), &field), None);
@@ -177,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn vectors_that_are_not_valid_leave_a_flow_open() {
+    fn vectors_that_are_not_valid_do_not_resolve_a_flow() {
         let found = interrogation().unresolved(&vectors(80), &waves(100.0, 2.0));
         assert!(
             matches!(found, Some(Unresolved::FewValid(share)) if (share - 0.8).abs() < 0.05),
