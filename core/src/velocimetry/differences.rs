@@ -74,7 +74,7 @@ impl Layout {
 
     /// Third differences along `axis` that start at the nodes; where none fits, one that runs on
     /// into other rows and means nothing, and none for the last nodes.
-    fn third_differences(self, axis: usize, value: &[f64]) -> Vec<f64> {
+    pub fn third_differences(self, axis: usize, value: &[f64]) -> Vec<f64> {
         let later = |steps: usize| value.iter().skip(steps * self.stride(axis));
         let four = value.iter().zip(later(1)).zip(later(2)).zip(later(3));
         four.map(|(((first, second), third), last)| last - first + 3.0 * (second - third)).collect()

@@ -8,7 +8,7 @@
 use std::fmt;
 
 use super::{
-    DisplacementField, Interrogation, VectorStatus, VelocityField, placed::NODES_PER_WINDOW,
+    DisplacementField, Interrogation, VelocityField, differences::Layout, placed::NODES_PER_WINDOW,
     spline_field::FINEST_VOX, tracks::Spline,
 };
 
@@ -66,9 +66,7 @@ impl Interrogation {
         if (window_vox as f32) < NODES_PER_WINDOW * FINEST_VOX {
             return None;
         }
-        let count = |status| field.status.iter().filter(|&&own| own == status).count();
-        let in_flow = field.status.len() - count(VectorStatus::Masked);
-        let valid = count(VectorStatus::Valid) as f64 / in_flow.max(1) as f64;
+        let valid = field.valid_share();
         if valid < LEAST_VALID {
             return Some(Unresolved::FewValid(valid));
         }
@@ -81,26 +79,23 @@ impl Interrogation {
         let [_, window] = self.windows_vox();
         let step = (window / POINTS_PER_WINDOW).max(1);
         let [from, to] = self.volume_vox();
-        let points: [usize; 3] = std::array::from_fn(|axis| (to[axis] - from[axis]) / step);
-        let at = |place: [usize; 3]| -> [f64; 3] {
+        let nodes = std::array::from_fn(|axis| (to[axis] - from[axis]) / step);
+        let points = Layout { nodes };
+        let at = |n: usize| -> [f64; 3] {
+            let place = points.place(n);
             let at_vox = std::array::from_fn(|axis| (from[axis] + step * place[axis]) as f32);
             field.of(&field.taps(at_vox))
         };
-        let [nx, ny, nz] = points;
-        let places = (0..nx * ny * nz).map(|n| [n % nx, n / nx % ny, n / (nx * ny)]);
-        let values: Vec<[f64; 3]> = places.clone().map(at).collect();
-        let squares = |n: usize, stride: usize| -> [f64; 3] {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k| values[n + k * stride]);
-            let difference = |along: usize| d[along] - a[along] - 3.0 * (c[along] - b[along]);
-            std::array::from_fn(|along| difference(along).powi(2) / SQUARED_WEIGHTS)
-        };
+        let values: Vec<[f64; 3]> = (0..points.len()).map(at).collect();
         let (mut rough, mut all) = (0, 0);
-        for (n, place) in places.enumerate() {
-            for (axis, stride) in [1, nx, nx * ny].into_iter().enumerate() {
-                if place[axis] + 3 < points[axis] {
-                    let found = squares(n, stride);
-                    rough += found.iter().filter(|&&s| s > ROUGH_VOX * ROUGH_VOX).count();
-                    all += found.len();
+        for c in 0..3 {
+            let component: Vec<f64> = values.iter().map(|value| value[c]).collect();
+            for axis in 0..3 {
+                let differences = points.third_differences(axis, &component);
+                for n in (0..points.len()).filter(|&n| points.starts(axis, n)) {
+                    let square = differences[n] * differences[n] / SQUARED_WEIGHTS;
+                    rough += usize::from(square > ROUGH_VOX * ROUGH_VOX);
+                    all += 1;
                 }
             }
         }
@@ -116,7 +111,7 @@ mod tests {
     use crate::{
         model::VolumeGrid,
         velocimetry::{
-            VelocimetrySettings,
+            VectorStatus, VelocimetrySettings,
             judge::{Vector, field_of},
             lattice::Lattice,
         },

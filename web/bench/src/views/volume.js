@@ -33,7 +33,7 @@ export function volumeView(run) {
     flow: reading("Flow", { title: FLOW }),
     particles: reading("Particles", { title: "from the statistics of the first measured pair's views" }),
     perWindow: reading("Particles per window"),
-    placed: reading("Particles placed", { title: "seen in the images of both frames; valid: they agree with those about them, and are drawn" }),
+    placed: reading("Particles placed", { title: "seen in the images of both frames; valid: they agree with those about them, and are drawn; none where correlation resolves the flow" }),
     unexplained: reading("Light unexplained", { title: "per camera; 0: everything is explained" }),
     agreement: reading("Cameras agree", { title: "correlation of the cameras' light along the direction that both see" }),
     disparity: reading("Cameras apart"),
