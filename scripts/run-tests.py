@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the Rust tests and runs their programs, as many at once as there are cores and one more.
+"""Builds the Rust tests and runs their programs, twice as many at once as there are cores.
 
 Many tests wait for instruments that keep time, so programs side by side take a third of the time of
 one after the other. A program that passed before with the same inputs is skipped, unless the
@@ -27,8 +27,8 @@ ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 
 # By their titles, the longest first: the last to begin should be short.
 LONGEST = [
-    "cluster", "page", "capabilities", "recorded_run", "lfpiv-core, unit tests", "lfpiv, unit tests",
-    "commands", "loopback", "daemon", "adversary", "laser", "claims",
+    "cluster", "page", "recorded_run", "capabilities", "loopback", "lfpiv-core, unit tests", "laser",
+    "daemon", "lfpiv, unit tests", "adversary", "commands", "validation", "synchroniser", "gige", "claims",
 ]
 # Their input is the source text, which no compiled program shows.
 READ_SOURCES = {"rooms"}
@@ -208,6 +208,7 @@ def run(program):
 
 
 def run_all(programs, stamps):
+    """What became of each program, and of the examples in the documentation."""
     order = {title: place for place, title in enumerate(LONGEST)}
     programs = sorted(programs, key=lambda program: order.get(program.title, len(order)))
     progress = Progress(len(programs))
@@ -219,12 +220,13 @@ def run_all(programs, stamps):
         progress.end(outcome)
         return outcome
 
-    with ThreadPoolExecutor((os.cpu_count() or 1) + 1) as lanes:
+    with ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as lanes:
         waiting = [lanes.submit(one, program) for program in programs]
-        while progress.live and not all(future.done() for future in waiting):
+        examples = lanes.submit(documented_examples)
+        while progress.live and not all(future.done() for future in [*waiting, examples]):
             progress.show()
             time.sleep(0.5)
-        return [future.result() for future in waiting]
+        return [future.result() for future in waiting], examples.result()
 
 
 def documented_examples():
@@ -250,8 +252,7 @@ def main():
     skipped = [program.title for program in tests if program not in due]
     if skipped:
         print(f"Unchanged since they passed: {', '.join(skipped)}. CI=1 runs them too.", flush=True)
-    outcomes = run_all(due, stamps)
-    passed, failed = documented_examples()
+    outcomes, (passed, failed) = run_all(due, stamps)
     passed += sum(outcome.passed for outcome in outcomes)
     failed += sum(max(outcome.failed, int(not outcome.ok)) for outcome in outcomes)
     used = os.times()

@@ -28,7 +28,7 @@ fn results_do_not_depend_on_the_vector_instructions() {
     assert!(String::from_utf8_lossy(&told.stdout).contains("avx: false"), "{told:?}");
 
     let root = tempfile::tempdir().expect("a folder");
-    let placed = ("[velocimetry]", "[velocimetry]\nplace_particles = true");
+    let placed = ("place_particles = false", "place_particles = true");
     let run = recorded_otherwise(&root.path().join("bench"), placed, 2);
     let here = copied(&run, &root.path().join("here"));
     assert!(lfpiv(&["process", path(&here)]).status.success());

@@ -85,7 +85,7 @@ fn only_what_has_no_result_is_measured_and_damaged_shots_are_lost_as_on_one_mach
 #[test]
 fn placed_particles_come_with_their_shots() {
     let root = tempfile::tempdir().expect("a folder");
-    let placed = ("[velocimetry]", "[velocimetry]\nplace_particles = true");
+    let placed = ("place_particles = false", "place_particles = true");
     let run = recorded_otherwise(&root.path().join("bench"), placed, 4);
     let at_once = copied(&run, &root.path().join("at_once"));
     let output = lfpiv(&["process", path(&at_once)]);

@@ -84,8 +84,7 @@ impl Bench {
     fn imaged() -> Self {
         let bench = Self { root: tempfile::tempdir().unwrap() };
         let text = fs::read_to_string(small_configuration()).unwrap();
-        let scene =
-            "seed = 1\nrays_per_particle = 1024\ncamera_shift_mm = [[0, 0, 0], [0.12, 0.16, 0]]\n";
+        let scene = "seed = 1\ncamera_shift_mm = [[0, 0, 0], [0.12, 0.16, 0]]\n";
         let text = text.replacen("seed = 1\n", scene, 1) + FLAWS;
         fs::write(bench.at("drawn.toml"), text).unwrap();
         let positions: String = (-2..=2)

@@ -74,7 +74,7 @@ fn a_recorded_pair_is_never_overwritten() {
 #[test]
 fn white_and_dark_images_come_with_the_true_grid() {
     let root = tempfile::tempdir().unwrap();
-    let turned = "[simulation]\nrays_per_particle = 1024\n\
+    let turned = "[simulation]\n\
                   camera = [{}, { array_rotation_deg = 0.5, gain = 0.8 }]\n";
     let config = changed_configuration(root.path(), "[simulation]\n", turned);
     let out = root.path().join("out");

@@ -131,24 +131,24 @@ pub fn configuration(folder: &Path, port: u16, scene: Scene) -> PathBuf {
     let server = format!(
         "address = \"127.0.0.1:{port}\"\ntokens = {tokens:?}\nremote_arming = true\nrequests_per_s = 500.0"
     );
+    let shown = match scene {
+        Scene::Body => Some((
+            "centre_mm = [0.0, 0.0, 0.0]",
+            "centre_mm = [0.0, 0.0, 0.0]\nmask = { leave_out = [{ stl = \"body.stl\" }] }",
+        )),
+        Scene::Placed => Some(("place_particles = false", "place_particles = true")),
+        Scene::Flow => None,
+    };
     let changes = [
         ("address = \"127.0.0.1:0\"", server.as_str()),
         ("dir = \"results\"", &format!("dir = {:?}", folder.join("results"))),
         // More would be shed, and take the browser's processors.
         ("rate_hz = 10.0", "rate_hz = 2.0"),
-        match scene {
-            Scene::Body => (
-                "centre_mm = [0.0, 0.0, 0.0]",
-                "centre_mm = [0.0, 0.0, 0.0]\nmask = { leave_out = [{ stl = \"body.stl\" }] }",
-            ),
-            Scene::Placed => ("[velocimetry]", "[velocimetry]\nplace_particles = true"),
-            Scene::Flow => ("[velocimetry]", "[velocimetry]\nplace_particles = false"),
-        },
         // A flow with something to see in it.
         ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),
         ("velocity_m_s = [1.0, -0.5, 0.25]", ""),
     ];
-    let text = changes.iter().fold(text, |text, (from, to)| {
+    let text = changes.iter().chain(&shown).fold(text, |text, (from, to)| {
         assert!(text.contains(from), "{from}");
         text.replacen(from, to, 1)
     });

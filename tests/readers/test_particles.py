@@ -19,7 +19,7 @@ def configuration(tmp_path_factory):
     root = tmp_path_factory.mktemp("placed")
     text = CONFIG.read_text()
     for old, new in [
-        ("[velocimetry]\n", "[velocimetry]\nplace_particles = true\n"),
+        ("place_particles = false", "place_particles = true"),
         ('dir = "results"', f'dir = "{root / "runs"}"'),
         # Placing takes longer than the time between shots: none shall be shed.
         ("rate_hz = 10.0", "rate_hz = 1.0"),

@@ -7,7 +7,7 @@ use lfpiv_core::{
     measurement::Measurement,
     model::{ModelSettings, VolumeGrid, mode_or_table},
     reconstruction::ReconstructionSettings,
-    velocimetry::VelocimetrySettings,
+    velocimetry::{Placing, VelocimetrySettings},
 };
 use lfpiv_hw::{Optics, Pose};
 use lfpiv_sim::{BenchGeometry, Scene, Volume};
@@ -43,9 +43,16 @@ impl Bench {
         Self::read(&format!("config/{name}.toml"))
     }
 
-    /// A bench that is quick to simulate and to measure.
+    /// A bench that is quick to simulate and to measure. The tests of the programs have fewer rays,
+    /// less background and no placed particles, to be quicker; accuracy is tested with all of them.
     pub fn small() -> Self {
-        Self::read("tests/data/small.toml")
+        let mut bench = Self::read("tests/data/small.toml");
+        bench.velocimetry.place_particles = Placing::default();
+        if let Some(scene) = &mut bench.simulation {
+            scene.rays_per_particle = Scene::default().rays_per_particle;
+            scene.sensor.background_electrons = 10.0;
+        }
+        bench
     }
 
     fn read(path: &str) -> Self {
