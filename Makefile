@@ -68,7 +68,8 @@ cluster-scale: packages broker
 	scripts/cluster-scale.sh target/release/lfpiv $(SCALE_CONFIG) 3 results/scale
 
 # The tests are compiled by clippy, which is a compiler with more to say: warnings fail them.
-test: format test-rust test-readers
+test: BESIDE := --readers
+test: format readers test-rust
 
 # The adversary of `tests/adversary`, of which a minute is part of the tests, and the long cases.
 soak: packages network-tools broker emulator page-tools
@@ -136,7 +137,7 @@ lint: packages components
 # Programs that passed with the same inputs are skipped, unless CI is set.
 test-rust: packages network-tools broker emulator components page-tools
 	@command -v python3 >/dev/null || scripts/install-packages.sh python3
-	@python3 scripts/run-tests.py
+	@python3 scripts/run-tests.py $(BESIDE)
 
 # Reads what the binary of the Rust tests writes: built as they build it, or all would be built anew.
 test-readers: packages readers

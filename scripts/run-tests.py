@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Builds the Rust tests and runs their programs, twice as many at once as there are cores.
+"""Builds the tests in Rust and runs their programs, twice as many at once as there are cores.
+
+With --readers, also those of the readers, in Python; with --build, builds only.
 
 Many tests wait for instruments that keep time, so programs side by side take a third of the time of
 one after the other. A program that passed before with the same inputs is skipped, unless the
@@ -27,25 +29,28 @@ ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 
 # By their titles, the longest first: the last to begin should be short.
 LONGEST = [
-    "cluster", "page", "recorded_run", "capabilities", "loopback", "lfpiv-core, unit tests", "laser",
+    "cluster", "page", "recorded_run", "capabilities", "loopback", "readers", "lfpiv-core, unit tests", "laser",
     "daemon", "lfpiv, unit tests", "adversary", "commands", "validation", "synchroniser", "gige", "claims",
 ]
 # Their input is the source text, which no compiled program shows.
 READ_SOURCES = {"rooms"}
-# What the tests of these crates start, or read in the documents.
+# Tests of these crates start programs, but for those by this name, and read documents.
 WHOLE_PROGRAM = {"lfpiv", "lfpiv-bench"}
+START_NO_PROGRAM = {"claims"}
 
 RESULT = re.compile(r"^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored", re.MULTILINE)
+READERS_RESULT = re.compile(r"^(?:(\d+) failed, )?(\d+) passed", re.MULTILINE)
 
 
 @dataclass
 class Program:
-    """A compiled test program."""
+    """A test program: a compiled one, or Python with the tests of the readers."""
 
     crate: str
     name: str
     path: Path
     folder: Path
+    arguments: tuple = ()
 
     @property
     def title(self):
@@ -61,6 +66,11 @@ class Outcome:
     processor_s: float
     output: str
     ok: bool
+
+
+READERS = Program(
+    "tests", "readers", ROOT / ".venv/bin/python", ROOT, ("-m", "pytest", "--quiet", "tests/readers")
+)
 
 
 def build():
@@ -107,7 +117,8 @@ def digest_of(paths):
 
 
 def inputs(programs):
-    """Digests of what programs read beside themselves: by numerics, and by the whole program."""
+    """Digests of what tests read beside themselves: files of data, documents, the programs they
+    start, and the tests of the readers. None where the files cannot be listed."""
     listed = subprocess.run(
         ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
         cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False,
@@ -117,21 +128,27 @@ def inputs(programs):
     files = [ROOT / name for name in sorted(set(listed.stdout.splitlines()))]
     data = [file for file in files if file.is_file() and file.suffix not in (".rs", ".py", ".md")]
     documents = [file for file in files if file.is_file() and file.suffix == ".md"]
-    numerics = digest_of(data)
-    return numerics, numerics + digest_of([*documents, *programs])
+    readers = [file for file in files if file.is_file() and file.suffix == ".py"]
+    return tuple(digest_of(paths) for paths in (data, documents, programs, readers))
 
 
 class Stamps:
     """Which programs passed with which inputs."""
 
     def __init__(self, programs):
-        found = None if os.environ.get("CI") else inputs(programs)
-        self.numerics, self.whole = found or (None, None)
+        self.inputs = None if os.environ.get("CI") else inputs(programs)
 
     def of(self, program):
-        beside = self.whole if program.crate in WHOLE_PROGRAM else self.numerics
-        if beside is None or program.name in READ_SOURCES:
+        if self.inputs is None or program.name in READ_SOURCES:
             return None
+        data, documents, started, readers = self.inputs
+        if program is READERS:
+            return "\n".join(self.inputs)
+        beside = data
+        if program.crate in WHOLE_PROGRAM:
+            beside += documents
+        if program.crate in WHOLE_PROGRAM and program.name not in START_NO_PROGRAM:
+            beside += started
         return digest_of([program.path]) + beside
 
     def file(self, program):
@@ -182,8 +199,11 @@ class Progress:
             print(f"\r\033[K{self.left} to go; running {running}"[:160], end="", flush=True)
 
 
-def counted(output):
+def counted(program, output):
     """Tests passed and failed. Programs that start themselves print results of their own between."""
+    if program is READERS:
+        failed, passed = (READERS_RESULT.findall(output) or [("1", "0")])[-1]
+        return int(passed), int(failed or 0)
     results = RESULT.findall(output)
     last = results[-1] if results else ("0", "1", "0")
     return int(last[0]), int(last[1])
@@ -191,17 +211,21 @@ def counted(output):
 
 def run(program):
     began = time.monotonic()
-    environment = {**os.environ, "CARGO_MANIFEST_DIR": str(program.folder)}
+    environment = {
+        **os.environ,
+        "CARGO_MANIFEST_DIR": str(program.folder),
+        "LFPIV": str(ROOT / "target/debug/lfpiv"),
+    }
     with tempfile.TemporaryFile() as captured:
         process = subprocess.Popen(
-            [program.path], cwd=program.folder, env=environment,
+            [program.path, *program.arguments], cwd=program.folder, env=environment,
             stdin=subprocess.DEVNULL, stdout=captured, stderr=subprocess.STDOUT,
         )
         _, status, used = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         captured.seek(0)
         output = captured.read().decode(errors="replace")
-    passed, failed = counted(output)
+    passed, failed = counted(program, output)
     seconds, processor_s = time.monotonic() - began, used.ru_utime + used.ru_stime
     ok = process.returncode == 0 and failed == 0
     return Outcome(program, passed, failed, seconds, processor_s, output, ok)
@@ -247,6 +271,8 @@ def main():
     tests, programs = build()
     if "--build" in sys.argv:
         return
+    if "--readers" in sys.argv:
+        tests.append(READERS)
     stamps = Stamps(programs)
     due = [program for program in tests if not stamps.passed_before(program)]
     skipped = [program.title for program in tests if program not in due]
