@@ -7,14 +7,15 @@
 
 use std::time::{Duration, Instant};
 
-use tokio::sync::oneshot::{self, error::TryRecvError};
+use tokio::sync::oneshot::error::TryRecvError;
 
 use super::{
     AcquisitionError, Mode,
     burst::TICK,
     controller::Run,
     journal::Entry,
-    synchroniser::{Reopen, UnsafeState, thread_ended},
+    loss::Loss,
+    synchroniser::{UnsafeState, thread_ended},
 };
 
 /// Interval between search attempts at first: a plug may just have slipped.
@@ -24,35 +25,6 @@ const LATE_INTERVAL: Duration = Duration::from_secs(10);
 const EARLY_PHASE: Duration = Duration::from_secs(60);
 /// Poll interval of the run loop while it waits for the unit only.
 const POLL_INTERVAL: Duration = Duration::from_millis(100);
-
-/// How a lost synchroniser is reopened.
-pub struct Reconnection {
-    /// Opens it.
-    pub open: Reopen,
-    /// How long to search; without limit when absent.
-    pub patience: Option<Duration>,
-    /// Whether an operator must permit firing again.
-    pub waits_for_operator: bool,
-}
-
-/// The part of [`Reconnection`] that the run loop needs.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct SearchPolicy {
-    pub patience: Option<Duration>,
-    pub waits_for_operator: bool,
-}
-
-/// A lost unit.
-#[derive(Debug)]
-pub(super) struct Loss {
-    since: Instant,
-    /// The mode in which the run continues once the unit is back.
-    pub resume_mode: Mode,
-    /// The last message, so that it is not repeated.
-    last_message: String,
-    next_attempt: Instant,
-    attempt: Option<oneshot::Receiver<Result<String, UnsafeState>>>,
-}
 
 impl Run {
     /// Whether the run survives this error.

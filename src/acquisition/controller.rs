@@ -2,10 +2,7 @@
 
 use std::{sync::Arc, thread::JoinHandle, time::Duration};
 
-use lfpiv_hw::{
-    device::{Camera, Synchroniser},
-    synchroniser::line,
-};
+use lfpiv_hw::{device::Camera, synchroniser::line};
 use parking_lot::Mutex;
 use tokio::sync::mpsc;
 use tokio_util::sync::{CancellationToken, DropGuard};
@@ -13,34 +10,16 @@ use tokio_util::sync::{CancellationToken, DropGuard};
 use super::{
     AcquisitionError, AcquisitionSettings, BurstScript, ControlInbox, Heartbeat, HostClock,
     Journal, Ledger, Mode, RunClock, ShotSender, SynchroniserThread,
-    bench_loss::{Loss, Reconnection, SearchPolicy},
+    bench::{Bench, Reconnection, SearchPolicy},
     control::control,
     devices::{CameraEvent, join, spawn_camera},
     journal::Entry,
+    loss::Loss,
     pairing::{FrameCounters, Pairing, PairingSettings},
     presence::Presence,
     synchroniser::SynchroniserCalls,
     trigger_times::TriggerTimes,
 };
-
-/// The instruments, opened and idle.
-pub struct Bench {
-    /// In the order of the configuration.
-    pub cameras: Vec<Box<dyn Camera>>,
-    /// Triggers the cameras.
-    pub synchroniser: Box<dyn Synchroniser>,
-    /// Bytes on the synchroniser's line, to be recorded.
-    pub transcript: Option<mpsc::UnboundedReceiver<line::TranscriptEntry>>,
-    /// How a lost synchroniser is reopened; without this a loss ends the run.
-    pub reconnection: Option<Reconnection>,
-}
-
-impl Bench {
-    /// A bench without transcript and reconnection.
-    pub fn new(cameras: Vec<Box<dyn Camera>>, synchroniser: Box<dyn Synchroniser>) -> Self {
-        Self { cameras, synchroniser, transcript: None, reconnection: None }
-    }
-}
 
 /// What acquisition shares with the rest of the daemon.
 pub struct AcquisitionLinks {

@@ -9,6 +9,7 @@
 //! owned outside the run loop's task ([`SynchroniserThread`]), which waits for it.
 
 mod absence;
+mod bench;
 mod bench_loss;
 mod burst;
 mod clock;
@@ -22,6 +23,7 @@ mod heartbeat;
 pub mod journal;
 mod kernel_clock;
 mod ledger;
+mod loss;
 mod outcome;
 pub mod pairing;
 mod presence;
@@ -34,10 +36,10 @@ mod shot;
 mod synchroniser;
 mod trigger_times;
 
-pub use bench_loss::Reconnection;
+pub use bench::{Bench, Reconnection, Reopen};
 pub use clock::{HostClock, RunClock};
 pub use control::{Command, Control, ControlInbox, ControlState, Mode, Planner, Refusal, control};
-pub use controller::{AcquisitionLinks, AcquisitionReport, Bench, acquire};
+pub use controller::{AcquisitionLinks, AcquisitionReport, acquire};
 pub use devices::panic_message;
 pub use error::AcquisitionError;
 pub use heartbeat::Heartbeat;
@@ -50,5 +52,5 @@ pub use settings::{
     AcquisitionSettings, AfterBenchLoss, BurstScript, MAX_BURST, OverloadPolicy, ScriptedBurst,
 };
 pub use shot::Shot;
-pub use synchroniser::{Reopen, SynchroniserThread, secure};
+pub use synchroniser::{SynchroniserThread, secure};
 pub use trigger_times::{BurstStart, ClockPair};

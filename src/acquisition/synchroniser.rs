@@ -23,16 +23,16 @@ use tokio::sync::{Notify, oneshot};
 
 use self::unit::{FinalState, is_loss};
 pub(super) use self::unit::{Unit, UnsafeState};
-use super::{AcquisitionError, Bench};
+use super::{
+    AcquisitionError,
+    bench::{Bench, Reopen},
+};
 
 /// Poll interval of the thread for its end.
 const TICK: Duration = Duration::from_millis(50);
 const THREAD_ENDED: &str = "its thread has ended";
 /// Device name in messages, and the thread's name.
 const SYNCHRONISER: &str = "synchroniser";
-
-/// Reopens a lost synchroniser; as at the first opening, disabling comes before anything else.
-pub type Reopen = Box<dyn FnMut() -> Result<Box<dyn Synchroniser>, DeviceError> + Send>;
 
 /// Owns the synchroniser's thread. Clones share it; dropping the last one joins the thread.
 #[derive(Clone, Default)]

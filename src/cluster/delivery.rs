@@ -1,10 +1,12 @@
 //! A measured shot on its way to the coordinator.
 
+mod bytes;
+
 use std::sync::Arc;
 
 use lfpiv_core::{model::ModelChoice, reconstruction::FrameLight};
 
-use super::{Attempt, ClusterError, Report, delivery_bytes as bytes};
+use super::{Attempt, ClusterError, Report};
 use crate::archive::{ShotResult, sha256};
 
 /// The result of a shot, and who made it. In bytes it is complete and exact, except that the forward model's choice

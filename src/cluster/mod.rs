@@ -24,7 +24,6 @@ mod coordinator;
 mod coordinator_client;
 mod crew;
 mod delivery;
-mod delivery_bytes;
 mod delivery_log;
 mod error;
 mod expected;

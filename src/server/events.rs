@@ -15,21 +15,13 @@ use axum::{
     },
 };
 use futures_util::{Stream, stream};
-use serde::Serialize;
 use tokio::{
     sync::{OwnedSemaphorePermit, watch},
     time::{Interval, MissedTickBehavior},
 };
 
-use super::{
-    ApiError, ApiState,
-    app::App,
-    status::{CameraView, ShotCounts},
-};
-use crate::{
-    acquisition::ControlState,
-    pipeline::{EventKind, Watermarks},
-};
+use super::{ApiError, ApiState, app::App};
+use crate::pipeline::EventKind;
 
 /// Events read from the log at a time.
 const BATCH: usize = 64;
@@ -42,18 +34,6 @@ const HEARTBEAT: Duration = Duration::from_millis(500);
 const RUN_LOOP_PATIENCE: Duration = Duration::from_secs(5);
 /// Interval at which the run's state is checked for changes.
 const STATUS_INTERVAL: Duration = Duration::from_millis(250);
-
-/// Summary of the run: the data of the event `status`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct Brief {
-    pub state: &'static str,
-    pub error: Option<String>,
-    pub stage: String,
-    pub shots: ShotCounts,
-    pub watermarks: Option<Watermarks>,
-    pub control: Option<ControlState>,
-    pub cameras: Vec<CameraView>,
-}
 
 /// Publishes changes of the run's state, a few times per second at most, until it is dropped.
 pub(super) async fn announce_changes(run: ApiState) {

@@ -16,10 +16,7 @@ use prometheus_client::{
     registry::Registry,
 };
 
-use super::{
-    ApiError, ApiState, cluster_metrics,
-    status::{RawLogView, ShotCounts},
-};
+use super::{ApiError, ApiState, brief::ShotCounts, cluster_metrics, status::RawLogView};
 use crate::acquisition::Outcome;
 
 const MEDIA_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";

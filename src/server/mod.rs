@@ -30,6 +30,7 @@
 
 mod app;
 pub mod binary;
+mod brief;
 mod bytes;
 mod cluster_metrics;
 mod cluster_status;
@@ -50,6 +51,7 @@ mod page;
 mod particles;
 mod preview;
 mod protection;
+mod result_source;
 mod results;
 mod schemas;
 mod seeding;
@@ -74,7 +76,7 @@ pub use control::Controls;
 use error::ApiError;
 pub use frames::FrameSource;
 pub use protection::{Protection, ProtectionError, open_files_needed, raise_open_files};
-pub use results::ResultSource;
+pub use result_source::ResultSource;
 pub use seeding::VolumeViews;
 pub use state::{
     ApiState, CalibrationSummary, ConfigurationSummary, MaskFileSummary, MaskSummary, Phase,

@@ -25,22 +25,8 @@ use super::{
 };
 use crate::{
     archive::{ShotResult, ShotTime},
-    pipeline::{Board, Lookup, RESULTS_IN_MEMORY},
+    pipeline::{Lookup, RESULTS_IN_MEMORY},
 };
-
-/// Source of results.
-pub trait ResultSource: Send + Sync + 'static {
-    /// The result of a shot, or why there is none. May read from disk, so it is not called on the
-    /// runtime's threads.
-    fn result(&self, shot: u64) -> Lookup;
-}
-
-/// The results in memory.
-impl ResultSource for Board {
-    fn result(&self, shot: u64) -> Lookup {
-        self.result(shot)
-    }
-}
 
 /// Upper bound for the JSON size of a vector.
 const JSON_VECTOR_BYTES: usize = 512;

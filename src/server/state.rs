@@ -7,11 +7,11 @@ use serde::Serialize;
 use utoipa::ToSchema;
 
 use super::{
+    brief::Brief,
     configuration::BenchSettings,
     control::{ControlAccess, Controls},
-    events::Brief,
     frames::FrameSource,
-    results::ResultSource,
+    result_source::ResultSource,
 };
 use crate::{
     acquisition::{Heartbeat, Journal, Ledger},

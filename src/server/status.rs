@@ -7,7 +7,11 @@ use lfpiv_core::{model::ModelChoice, reconstruction::ModelFit};
 use serde::Serialize;
 use utoipa::ToSchema;
 
-use super::{ApiState, ConfigurationSummary, Phase, events::Brief, schemas::ModelFitSchema};
+use super::{
+    ApiState, ConfigurationSummary, Phase,
+    brief::{Brief, CameraView, ShotCounts},
+    schemas::ModelFitSchema,
+};
 use crate::{
     acquisition::{Account, ControlState, Mode, Outcome},
     cluster::ClusterView,
@@ -51,21 +55,6 @@ pub(super) struct Status {
     solver: String,
     configuration: ConfigurationSummary,
     results_dir: String,
-}
-
-/// Number of shots by state; `triggered` is the sum of the others.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, ToSchema)]
-pub(super) struct ShotCounts {
-    pub triggered: u64,
-    pub awaiting_frames: u64,
-    pub queued: u64,
-    pub processing: u64,
-    pub done: u64,
-    pub failed: u64,
-    pub write_failed: u64,
-    pub shed: u64,
-    pub not_fired: u64,
-    pub lost: u64,
 }
 
 impl ShotCounts {
@@ -118,16 +107,6 @@ impl RawLogView {
             segments: marks.segments,
         })
     }
-}
-
-/// State of a camera by its driver.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
-pub(super) struct CameraView {
-    camera: String,
-    /// Whether the camera answers, as far as known.
-    connected: bool,
-    /// Completely received frames.
-    frames: u64,
 }
 
 impl CameraView {

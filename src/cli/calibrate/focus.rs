@@ -103,7 +103,9 @@ pub fn focus(args: &FocusArgs) -> anyhow::Result<()> {
     }
     let config = ConfigFile::load_for(Purpose::Optics, &args.config)?.config;
     let device = match args.camera {
-        Some(number) => Some(LiveCamera::configured(args, &config, number)?),
+        Some(number) => {
+            Some(LiveCamera::configured(&args.config, &config, number, args.exposure_us)?)
+        }
         None => None,
     };
     let optics = config.optics;

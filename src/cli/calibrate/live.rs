@@ -2,6 +2,7 @@
 
 use std::{
     panic::resume_unwind,
+    path::Path,
     thread,
     time::{Duration, Instant},
 };
@@ -15,7 +16,6 @@ use lfpiv_hw::{
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
-use super::FocusArgs;
 use crate::{
     acquisition::SynchroniserThread,
     cli::{output::count, stop::stop_on_signals},
@@ -37,12 +37,17 @@ pub(super) struct LiveCamera {
 }
 
 impl LiveCamera {
-    /// The camera of this number, from 1.
+    /// The camera of this number, from 1, of a configuration from `path`; with another exposure, if one is given.
     ///
     /// # Errors
     /// The configuration has no instruments, or no camera of this number.
-    pub fn configured(args: &FocusArgs, config: &Config, number: u8) -> anyhow::Result<Self> {
-        let path = args.config.display();
+    pub fn configured(
+        path: &Path,
+        config: &Config,
+        number: u8,
+        exposure_us: Option<f64>,
+    ) -> anyhow::Result<Self> {
+        let path = path.display();
         let Some(instruments) = &config.instruments else {
             bail!(
                 "{path} has no [instruments] with the address of a camera (config/loopback.toml \
@@ -54,7 +59,7 @@ impl LiveCamera {
             bail!("{path} has {}: give --camera 1 to {cameras}", count(cameras, "camera"));
         };
         let settings = CameraSettings {
-            exposure_us: args.exposure_us.or(settings.exposure_us),
+            exposure_us: exposure_us.or(settings.exposure_us),
             // Whoever adjusts a camera should know at once that another program controls it.
             control_patience_s: 0.0,
             ..settings.clone()

@@ -7,7 +7,6 @@ use thiserror::Error;
 use super::{
     command::{Command, Parameter, Value, count_of, switch},
     reply::{Refusal, Reply},
-    source::Reading,
     unit::is_identity,
 };
 use crate::{
@@ -20,6 +19,14 @@ use crate::{
 
 /// Attempts per query.
 const ATTEMPTS: usize = 3;
+
+/// A trigger count. The unit read it at some time between query and reply.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Reading {
+    pub asked: Instant,
+    pub answered: Instant,
+    pub count: u64,
+}
 
 /// Why a command failed.
 #[derive(Debug, Error)]

@@ -11,7 +11,7 @@ use std::{
 use super::{
     Bnc575,
     command::{Parameter, Value},
-    link::LinkError,
+    link::{LinkError, Reading},
 };
 use crate::device::DeviceError;
 
@@ -21,14 +21,6 @@ const CONFIRMATION: Duration = Duration::from_secs(3);
 const WINDOW: Duration = Duration::from_secs(3);
 /// Tolerance for the rate difference of the host's and the source's clocks.
 const TOLERANCE: f64 = 1.01;
-
-/// A trigger count. The unit read it at some time between query and reply.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Reading {
-    pub asked: Instant,
-    pub answered: Instant,
-    pub count: u64,
-}
 
 /// Triggers within a time interval.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -19,8 +19,11 @@ use lfpiv_core::{
 };
 use ring::digest::{SHA256, SHA256_OUTPUT_LEN, digest};
 
-use super::{Attempt, Delivery, PROTOCOL};
-use crate::archive::{RawLevel, ShotResult, ShotTime};
+use super::{Attempt, Delivery};
+use crate::{
+    archive::{RawLevel, ShotResult, ShotTime},
+    cluster::PROTOCOL,
+};
 
 const MAGIC: [u8; 8] = *b"LFPIVRES";
 const STATUS: [VectorStatus; 4] =
