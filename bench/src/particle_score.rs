@@ -2,7 +2,10 @@
 
 use std::collections::HashMap;
 
-use lfpiv_core::particles::{ParticlePair, PlacedParticles};
+use lfpiv_core::{
+    particles::{ParticlePair, PlacedParticles},
+    statistics::median,
+};
 use lfpiv_sim::{Tracer, Truth};
 use nalgebra::Point3;
 
@@ -77,9 +80,8 @@ impl ParticleScore {
                 }
             }
         }
-        errors.sort_by(f64::total_cmp);
         let count = errors.len().max(1) as f64;
-        let median = errors.get(errors.len() / 2).copied().unwrap_or_default();
+        let median = median(errors.iter().copied()).unwrap_or_default();
         Self {
             found: [
                 share(&|_| true),
@@ -95,9 +97,8 @@ impl ParticleScore {
 
 /// The particles bright enough that the light sheet holds in both frames.
 fn lit_in_both(truth: &Truth) -> Vec<&Tracer> {
-    let mut brightness: Vec<f64> = truth.particles.iter().map(|p| p.intensity).collect();
-    brightness.sort_by(f64::total_cmp);
-    let least = LEAST_BRIGHTNESS * brightness.get(brightness.len() / 2).copied().unwrap_or(0.0);
+    let usual = median(truth.particles.iter().map(|p| p.intensity)).unwrap_or(0.0);
+    let least = LEAST_BRIGHTNESS * usual;
     let lit = |p: &&Tracer| p.visible_a && p.visible_b && p.intensity >= least;
     truth.particles.iter().filter(lit).collect()
 }

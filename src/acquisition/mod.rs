@@ -49,7 +49,7 @@ pub use ledger::{Ledger, LedgerError, TriggerEntry};
 pub use outcome::{Account, Outcome, OutcomeCounts};
 pub use queue::{Closed, ShotReceiver, ShotSender, shot_queue};
 pub use settings::{
-    AcquisitionSettings, AfterBenchLoss, BurstScript, MAX_BURST, OverloadPolicy, ScriptedBurst,
+    AcquisitionSettings, AfterBenchLoss, BurstScript, OverloadPolicy, ScriptedBurst,
 };
 pub use shot::Shot;
 pub use synchroniser::{SynchroniserThread, secure};

@@ -2,7 +2,7 @@
 
 use std::{num::NonZeroU64, sync::Arc, time::Duration};
 
-use lfpiv_hw::timing::PulseSchedule;
+use lfpiv_hw::{synchroniser::LONGEST_BURST_S, timing::PulseSchedule};
 use serde::{Deserialize, Serialize};
 
 use super::BurstStart;
@@ -59,15 +59,12 @@ impl AcquisitionSettings {
         Duration::from_secs_f64((frame_b_us - frame_a_us).max(0.0) * 1e-6)
     }
 
-    /// Shots in the longest burst: what fits in [`MAX_BURST`], and at least one.
+    /// Shots in the longest burst: what fits in [`LONGEST_BURST_S`], and at least one.
     pub fn max_burst(&self) -> u64 {
-        let shots = MAX_BURST.as_secs_f64() / self.period().as_secs_f64();
+        let shots = LONGEST_BURST_S / self.period().as_secs_f64();
         (shots as u64).max(1)
     }
 }
-
-/// Longest burst. If the host dies or the line is lost, firing ends within this time.
-pub const MAX_BURST: Duration = Duration::from_secs(5);
 
 /// Decides the bursts in place of the run loop, for a replay.
 pub trait BurstScript: Send + Sync {

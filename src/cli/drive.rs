@@ -13,10 +13,11 @@ use lfpiv_sim::{
     wire::{Delivery, Pictures, WireSettings, bench::WireBench},
 };
 use parking_lot::Mutex;
-use rustix::time::{ClockId, clock_gettime};
 use tokio_util::sync::CancellationToken;
 
-use super::{daemon_plan::frame_bytes, instruments::open, streamed::Streamed};
+use super::{
+    daemon_plan::frame_bytes, instruments::open, processor_time::processor_s, streamed::Streamed,
+};
 use crate::{
     acquisition::{
         AcquisitionLinks, AcquisitionSettings, AfterBenchLoss, Bench, Ledger, Outcome,
@@ -61,7 +62,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     };
     let ledger = Arc::new(Mutex::new(Ledger::new(config.camera.len())));
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
-    let (began, busy) = (Instant::now(), processor_seconds());
+    let (began, busy) = (Instant::now(), processor_s());
     runtime.block_on(take_all(bench, settings, &ledger))?;
     let seconds = began.elapsed().as_secs_f64();
     let ledger = ledger.lock();
@@ -71,7 +72,7 @@ pub fn drive(config: &Config, shots: NonZeroU64) -> anyhow::Result<Streamed> {
     Ok(Streamed {
         whole_shots: ledger.accounts()[0].outcomes.of(Outcome::Complete),
         seconds,
-        processor_seconds: processor_seconds() - busy,
+        processor_seconds: processor_s() - busy,
         frames_per_s,
         mb_per_s: frames_per_s * frame_mb,
         copies_per_frame: COPIES_PER_FRAME,
@@ -116,10 +117,4 @@ async fn take_all(
     }
     acquiring.await??;
     Ok(())
-}
-
-/// User and system time used by this process, in s.
-fn processor_seconds() -> f64 {
-    let time = clock_gettime(ClockId::ProcessCPUTime);
-    time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9
 }

@@ -41,6 +41,7 @@ mod process_jobs;
 mod process_parts;
 mod process_run;
 #[cfg(feature = "aravis")]
+mod processor_time;
 mod recorded_bench;
 mod recorded_frames;
 mod recorded_shots;

@@ -9,6 +9,7 @@ use anyhow::{Context, bail};
 use indicatif::ProgressBar;
 use lfpiv_core::{
     measurement::{Conditions, Forecast, ForecastPlace, bound, forecast},
+    statistics::median,
     velocimetry::correlation_error_vox,
 };
 use lfpiv_sim::Scene;
@@ -177,10 +178,7 @@ fn root_mean_squares(places: &[ForecastPlace]) -> [f64; 3] {
 
 fn medians(places: &[ForecastPlace]) -> [f64; 3] {
     std::array::from_fn(|component| {
-        let mut numbers: Vec<f64> =
-            places.iter().map(|place| place.uncertainty_vox[component]).collect();
-        numbers.sort_by(f64::total_cmp);
-        numbers.get(numbers.len() / 2).copied().unwrap_or(f64::INFINITY)
+        median(places.iter().map(|place| place.uncertainty_vox[component])).unwrap_or(f64::INFINITY)
     })
 }
 

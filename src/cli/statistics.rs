@@ -7,7 +7,10 @@ use std::{
 };
 
 use anyhow::bail;
-use lfpiv_core::ensemble::{Ensemble, Estimate, Estimates, Quantity, Snapshot};
+use lfpiv_core::{
+    ensemble::{Ensemble, Estimate, Estimates, Quantity, Snapshot},
+    statistics::median,
+};
 
 use super::{
     output::{count, print, progress_bar},
@@ -79,12 +82,12 @@ fn add(ensemble: &mut Ensemble, shot: &StoredShot) -> anyhow::Result<()> {
 /// Medians over the points, and properties of the run as a whole, as a table.
 fn summary(ensemble: &Ensemble) -> String {
     let estimates = ensemble.estimates();
-    let mut counts: Vec<f64> = estimates.counts.iter().map(|count| *count as f64).collect();
+    let counts: Vec<f64> = estimates.counts.iter().map(|count| *count as f64).collect();
     let mut lines = vec![format!(
         "{}, {}, {:.0} valid vectors at the median point",
         count(ensemble.shots() as usize, "shot"),
         count(counts.len(), "point"),
-        median(&mut counts).unwrap_or_default()
+        median(counts.iter().copied()).unwrap_or_default()
     )];
     lines.push(format!("{:34}{:>12}{:>12}{:>12}", "median over the points, m/s", "u", "v", "w"));
     let mut row = |name: &str, of: &dyn Fn(usize) -> Option<f64>| {
@@ -111,11 +114,5 @@ fn summary(ensemble: &Ensemble) -> String {
 }
 
 fn middle(estimates: &Estimates, quantity: Quantity, part: fn(&Estimate) -> f64) -> Option<f64> {
-    let mut known: Vec<f64> = estimates.of(quantity).iter().flatten().map(part).collect();
-    median(&mut known)
-}
-
-fn median(numbers: &mut [f64]) -> Option<f64> {
-    numbers.sort_by(f64::total_cmp);
-    numbers.get(numbers.len() / 2).copied()
+    median(estimates.of(quantity).iter().flatten().map(part))
 }

@@ -3,8 +3,7 @@
 use std::time::Instant;
 
 use anyhow::Context;
-use lfpiv_core::measurement::Processor;
-use rustix::time::{ClockId, clock_gettime};
+use lfpiv_core::{measurement::Processor, statistics::median};
 
 use super::{
     model::Costs,
@@ -12,6 +11,7 @@ use super::{
 };
 use crate::{
     acquisition::journal::{RecordedRun, RecordedShot},
+    cli::processor_time::processor_s,
     cluster::Delivery,
 };
 
@@ -94,15 +94,4 @@ impl Measured {
         let bytes_per_s = LINK_SHARE * gbit_per_s * 1e9 / 8.0;
         self.costs(shot_s, Some(bytes_per_s))
     }
-}
-
-/// Processor time of this program so far.
-fn processor_s() -> f64 {
-    let time = clock_gettime(ClockId::ProcessCPUTime);
-    time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9
-}
-
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_unstable_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
 }
