@@ -8,7 +8,6 @@ use super::{
     rim_model::{RimModel, RimPoint},
     rim_points::RimSearch,
     second_aperture::Field,
-    start::Start,
 };
 
 /// At most this many lenses, all over the field, decide on the circles.
@@ -31,11 +30,10 @@ pub(super) struct Arcs {
     pub centres: Vec<LensCentre>,
 }
 
-/// Fits common circles to the rims of these lenses, and then each lens' own centre.
-pub(super) fn fit(image: &WhiteImage, start: &Start, lenses: &[[usize; 2]]) -> Option<Arcs> {
+/// Fits common circles, from a first guess of them, to the rims of these lenses, and then each lens'
+/// own centre.
+pub(super) fn fit(image: &WhiteImage, circles: RimModel, lenses: &[[usize; 2]]) -> Option<Arcs> {
     let field = Field::of(image.columns(), image.rows());
-    let circles =
-        RimModel { grid: start.grid.clone(), radius_px: start.radius_px, second: start.second };
     // A stride without a common divisor with the rows of lenses does not pick columns.
     let stride = lenses.len().div_ceil(MOST_LENSES).max(1) | 1;
     let some: Vec<[usize; 2]> = lenses.iter().copied().step_by(stride).collect();

@@ -135,7 +135,7 @@ pub fn calibrate_grid_watched(
         rendered_discs::fit(image, &start, &light, &lenses, round_ended).ok_or(too_few(0))?;
     steps_done(GRID_STEPS - 1);
     let fit = affine_fit::fit(&discs.grid, &discs.centres).ok_or(too_few(discs.centres.len()))?;
-    let agreement = edge_arcs::fit(image, &start, &lenses)
+    let agreement = edge_arcs::fit(image, start.circles(), &lenses)
         .and_then(|arcs| affine_fit::fit(&arcs.circles.grid, &arcs.centres))
         .map(|arcs| Agreement::of(&fit.grid, &arcs.grid, &lenses));
     steps_done(GRID_STEPS);

@@ -44,7 +44,6 @@ pub use second_aperture::SecondAperture;
 pub use volume::{
     CalibratedCamera, CardLight, HeldOut, MarkResidual, PARAMETERS, ParameterEstimate,
     VolumeCalibration, VolumeError, VolumeInput, VolumeWarning, calibrate_volume,
-    calibrate_volume_watched,
 };
 pub use warnings::GridWarning;
 pub use white_image::WhiteImage;

@@ -57,6 +57,11 @@ pub(super) fn find(image: &WhiteImage) -> Result<Start, CalibrationError> {
 }
 
 impl Start {
+    /// As a model of the rims.
+    pub fn circles(&self) -> RimModel {
+        RimModel { grid: self.grid.clone(), radius_px: self.radius_px, second: self.second }
+    }
+
     /// Grid, radius and second aperture from the rims of some lenses: first a common radius in the middle,
     /// then arcs as the first estimator fits them to all.
     fn measure_rims(&mut self, image: &WhiteImage) {

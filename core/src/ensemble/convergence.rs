@@ -2,7 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{moments::Moments, places::GROUPS};
+use super::moments::Moments;
+
+/// Groups of shots: shot n is in group n modulo this, so that the order in which shots come does not matter. A
+/// prime number: shots that are some other number apart fill all groups.
+pub(super) const GROUPS: usize = 23;
 
 /// Statistics of a part of the shots beside those of all, over the places. Velocities in m/s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

@@ -3,14 +3,13 @@
 use rayon::prelude::*;
 
 use super::{
-    Convergence, Correlation, Estimates, Quantity, Sample, Snapshot, convergence,
-    estimate::estimates, moments::Moments, two_point::LinePairs,
+    Convergence, Correlation, Estimates, Quantity, Snapshot,
+    convergence::{self, GROUPS},
+    estimate::estimates,
+    moments::Moments,
+    two_point::LinePairs,
 };
 use crate::velocimetry::VectorGrid;
-
-/// Groups of shots: shot n is in group n modulo this, so that the order in which shots come does not matter. A
-/// prime number: shots that are some other number apart fill all groups.
-pub(super) const GROUPS: usize = 23;
 
 /// Places that a thread takes at a time.
 const PLACES_AT_ONCE: usize = 256;
@@ -54,27 +53,6 @@ impl Ensemble {
             }
         }
         self.lines.par_iter_mut().for_each(|lines| lines.add(&snapshot.samples));
-    }
-
-    /// Adds a shot's particles, given with their positions in mm: each is a sample of the place that it is
-    /// nearest to. Those further than half a spacing outside are left out. For pairs of places, the particles
-    /// of a place are one sample, their mean.
-    pub fn add_particles(
-        &mut self,
-        shot: u64,
-        particles: impl Iterator<Item = ([f64; 3], Sample)>,
-    ) {
-        let group = self.begin(shot);
-        let mut means = vec![Moments::default(); self.grid.len()];
-        for (position_mm, sample) in particles {
-            let Some(place) = self.place_of(position_mm).filter(|_| sample.is_finite()) else {
-                continue;
-            };
-            self.moments[place * GROUPS + group].merge(&Moments::of(&sample));
-            means[place].merge(&Moments::of(&sample));
-        }
-        let samples: Vec<Option<Sample>> = means.iter().map(mean_sample).collect();
-        self.lines.par_iter_mut().for_each(|lines| lines.add(&samples));
     }
 
     /// Puts the shots of `other` to these; `false`, and nothing done, where its places are others.
@@ -128,23 +106,4 @@ impl Ensemble {
         self.shots[group] += 1;
         group
     }
-
-    fn place_of(&self, position_mm: [f64; 3]) -> Option<usize> {
-        let mut place = 0;
-        for axis in (0..3).rev() {
-            let steps = (position_mm[axis] - self.grid.first_mm[axis]) / self.grid.spacing_mm;
-            let nearest = steps.round();
-            let inside = nearest >= 0.0 && nearest < self.grid.vectors[axis] as f64;
-            place = place * self.grid.vectors[axis] + inside.then_some(nearest as usize)?;
-        }
-        Some(place)
-    }
-}
-
-/// The mean of a place's particles as one sample.
-fn mean_sample(moments: &Moments) -> Option<Sample> {
-    (moments.count > 0).then(|| Sample {
-        velocity_m_s: moments.mean,
-        uncertainty_m_s: moments.noise.map(|noise| (noise / moments.count as f64).sqrt()),
-    })
 }

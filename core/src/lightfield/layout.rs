@@ -9,7 +9,7 @@ use std::{ops::Range, sync::Arc};
 use lfpiv_hw::{Optics, RawImage};
 use rayon::prelude::*;
 
-use super::{GridSampling, photometry::LightLevels, sampling::AxisSampling};
+use super::{GridSampling, LightLevels, sampling::AxisSampling};
 
 /// Views with a smaller mean coverage carry too little light to be worth their cost.
 const MIN_MEAN_COVERAGE: f64 = 0.3;

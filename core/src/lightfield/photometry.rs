@@ -8,7 +8,7 @@
 use lfpiv_hw::{Optics, RawImage};
 use rayon::prelude::*;
 
-use super::{GridSampling, ImageSettings, ViewLayout, sampling::AxisSampling};
+use super::{GridSampling, ImageSettings, LightLevels, ViewLayout, sampling::AxisSampling};
 
 /// Corner pixels count as dark if the nearest point of their pupil cell is at least this many pupil
 /// radii from the centre: diffraction at the microlens extends about one pixel beyond the edge.
@@ -29,25 +29,6 @@ const BRIGHT_NOISE_WIDTHS: f64 = 6.0;
 
 /// Noise of an ideal sensor: rounding to integers.
 const ROUNDING_NOISE_COUNTS: f64 = 0.289;
-
-/// Light levels estimated from a raw image.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LightLevels {
-    /// Black level, in counts.
-    pub offset_counts: f64,
-    /// Uniform light above the black level, in counts; 0 if below the noise.
-    pub background_counts: f64,
-    /// Standard deviation of a dark pixel, in counts.
-    pub noise_counts: f64,
-    /// Count from which pixels are saturated, if any are.
-    pub saturation_counts: Option<u16>,
-    /// Share of saturated pixels, 0 to 1.
-    pub saturated_share: f64,
-    /// Mean of the lit pixels above black level and background, in counts.
-    pub mean_signal_counts: f64,
-    /// Share of lit pixels that are too bright for noise, 0 to 1: particles.
-    pub bright_share: f64,
-}
 
 /// The parts of a micro-image used for photometry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

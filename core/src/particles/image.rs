@@ -4,33 +4,12 @@ use lfpiv_hw::RawImage;
 
 use super::{
     kernels::{self, Equations},
-    noise::noise_of,
+    noise::{PixelNoise, noise_of},
 };
 use crate::{
     lightfield::LightLevels,
     model::{LANES, PointCamera, PointFootprint},
 };
-
-/// What is known of the noise of a pixel that should hold m counts: its variance is
-/// `dark` + `gain` m + (`misfit` m)², in counts².
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PixelNoise {
-    /// Of a pixel that no particle lights.
-    pub dark: f32,
-    /// Counts per photo-electron: shot noise.
-    pub gain: f32,
-    /// Relative error of the footprint, and of what is taken for particles.
-    pub misfit: f32,
-}
-
-impl PixelNoise {
-    /// Variance of a pixel that should hold `model` counts above black, in counts².
-    #[inline(always)]
-    pub fn variance(&self, model: f32) -> f32 {
-        let lit = model.max(0.0);
-        self.dark + lit * (self.gain + self.misfit * self.misfit * lit)
-    }
-}
 
 /// A raw image and the model of it.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use multiversion::multiversion;
 
-use super::image::PixelNoise;
+use super::noise::PixelNoise;
 use crate::model::{LANES, PointFootprint};
 
 type Lanes = [f32; LANES];

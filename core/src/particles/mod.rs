@@ -26,8 +26,9 @@ mod select;
 
 pub use blur::{FIRST_WIDTH_PX, blur_of_width};
 pub use flow::Flow;
-pub use image::{ParticleImage, PixelNoise};
+pub use image::ParticleImage;
 pub use neighbours::Neighbours;
+pub use noise::PixelNoise;
 pub use normal::{CAMERAS, Particle};
 pub use place::{FrameStart, ParticlePair, PlacedParticles, place_pairs};
 pub use select::Candidate;

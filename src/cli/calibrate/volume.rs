@@ -7,9 +7,7 @@ use std::{
 
 use anyhow::{Context, bail};
 use lfpiv_core::{
-    calibration::{
-        CardLight, VolumeCalibration, VolumeInput, WhiteImage, calibrate_volume_watched,
-    },
+    calibration::{CardLight, VolumeCalibration, VolumeInput, WhiteImage, calibrate_volume},
     lightfield::MicroImageGrid,
 };
 use lfpiv_hw::{CameraName, card::CalibrationCard};
@@ -100,7 +98,7 @@ pub fn volume(args: &VolumeArgs) -> anyhow::Result<()> {
         box_mm: box_mm(config),
     };
     let bar = progress_bar(input.steps(), "steps");
-    let found = calibrate_volume_watched(&input, || bar.inc(1))
+    let found = calibrate_volume(&input, || bar.inc(1))
         .with_context(|| format!("no calibration from {}", args.card.display()))?;
     bar.finish_and_clear();
     let written = VolumeFile::new(config, &args.serial, &card, &grids, &found, images.inputs)?;

@@ -32,6 +32,6 @@ pub use card_light::CardLight;
 pub use error::VolumeError;
 pub use held_out::HeldOut;
 pub use parameters::{PARAMETERS, ParameterEstimate};
-pub use volume_calibration::{VolumeCalibration, calibrate_volume, calibrate_volume_watched};
+pub use volume_calibration::{VolumeCalibration, calibrate_volume};
 pub use volume_input::VolumeInput;
 pub use warnings::VolumeWarning;

@@ -48,19 +48,11 @@ pub struct VolumeCalibration {
     pub warnings: Vec<VolumeWarning>,
 }
 
-/// Fits both cameras to images of a card.
+/// Fits both cameras to images of a card; calls `step_ended` after each of the [`VolumeInput::steps`].
 ///
 /// # Errors
 /// [`VolumeError`]: numbers that do not belong together, a card that is not seen, or too little of it.
-pub fn calibrate_volume(input: &VolumeInput<'_>) -> Result<VolumeCalibration, VolumeError> {
-    calibrate_volume_watched(input, || ())
-}
-
-/// As [`calibrate_volume`]; calls `step_ended` after each of the [`VolumeInput::steps`].
-///
-/// # Errors
-/// As [`calibrate_volume`].
-pub fn calibrate_volume_watched(
+pub fn calibrate_volume(
     input: &VolumeInput<'_>,
     mut step_ended: impl FnMut(),
 ) -> Result<VolumeCalibration, VolumeError> {

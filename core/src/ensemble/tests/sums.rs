@@ -98,26 +98,6 @@ fn replaced_and_invalid_vectors_do_not_enter() {
 }
 
 #[test]
-fn particles_are_samples_of_the_nearest_place() {
-    let sample = |u: f64| Sample { velocity_m_s: [u, 0.0, 0.0], uncertainty_m_s: [0.0; 3] };
-    let mut ensemble = Ensemble::new(grid([3, 2, 1]));
-    // Places along x at −1, −0.5, 0; along y at 0, 0.5; z at 2.
-    let near = |x: f64, y: f64, u: f64| ([x, y, 2.1], sample(u));
-    let particles = [
-        near(-0.9, 0.1, 1.0),
-        near(-1.1, -0.1, 3.0),
-        near(-0.1, 0.4, 5.0),
-        near(0.3, 0.0, 100.0),
-        ([0.0, 0.0, 2.4], sample(100.0)),
-    ];
-    ensemble.add_particles(0, particles.into_iter());
-    ensemble.add_particles(1, [near(-1.0, 0.0, 2.0)].into_iter());
-    assert_eq!(ensemble.counts(), [3, 0, 0, 0, 0, 1]);
-    let mean = ensemble.estimates().of(Quantity::Mean(0))[0].unwrap();
-    assert_near(mean.value, 2.0, 1e-12, "mean of particles");
-}
-
-#[test]
 fn convergence_ends_with_all_shots_and_no_difference() {
     let snapshots = snapshots([3, 3, 3], 100, 3);
     let steps = ensemble([3, 3, 3], &snapshots).convergence();

@@ -134,19 +134,6 @@ impl Feed {
         Ok(())
     }
 
-    /// Waits until no exposure is held; `false` if the acquisition ended first.
-    pub(super) fn drain(&self) -> bool {
-        let mut state = self.lock();
-        while !state.waiting.is_empty() {
-            if state.ignore_reason().is_some() {
-                state.drop_waiting();
-                return false;
-            }
-            state = self.wait(state);
-        }
-        true
-    }
-
     /// Ends sending: held exposures are lost, and waiting callers return.
     pub(super) fn switch_off(&self) {
         let mut state = self.lock();

@@ -242,12 +242,6 @@ impl FakeGigeCamera {
         Exposed::No(Ignored::Unplugged)
     }
 
-    /// Waits until every exposure has been handed to the network; `false` if the acquisition ended
-    /// first.
-    pub fn wait_until_sent(&self) -> bool {
-        self.feed().is_none_or(|feed| feed.drain())
-    }
-
     /// Number of exposures by fate since the camera was created.
     pub fn counts(&self) -> FrameCounts {
         let state = self.lock();

@@ -9,8 +9,7 @@ use lfpiv_sim::{SensorSettings, imaging::PlacedCard};
 use super::*;
 use crate::{
     calibration::{
-        CardLight, VolumeCalibration, VolumeError, VolumeInput, WhiteImage,
-        calibrate_volume_watched,
+        CardLight, VolumeCalibration, VolumeError, VolumeInput, WhiteImage, calibrate_volume,
     },
     lightfield::MicroImageGrid,
 };
@@ -150,7 +149,7 @@ impl Trial {
             box_mm: [[0.0; 3], [2.0, 1.5, 1.5]],
         };
         let mut steps = 0;
-        let found = calibrate_volume_watched(&input, || steps += 1);
+        let found = calibrate_volume(&input, || steps += 1);
         assert!(found.is_err() || steps == input.steps(), "{steps} of {}", input.steps());
         found
     }

@@ -1,8 +1,11 @@
 //! Phase of each microlens: its pixel's offset from the ideal position, because pixels are not
 //! aligned with all microlenses.
 
-use super::{places::ViewAddresses, tile::LENSES};
-use crate::lightfield::{MicrolensWindow, TIE_PX};
+use super::{
+    places::{ViewAddresses, phase_px},
+    tile_place::LENSES,
+};
+use crate::lightfield::MicrolensWindow;
 
 /// Microlenses around the window that also have phases. Beyond them there are no pixels.
 const MARGIN: i32 = LENSES as i32 + 1;
@@ -98,14 +101,6 @@ fn steps([along, across]: &[Vec<f32>; 2], width: usize) -> Vec<[[f32; 2]; 2]> {
             [extent(next), extent(from_before)]
         })
         .collect()
-}
-
-/// Offset of a micro-image's centre from the centre of its pixel, to the right and upwards, in
-/// pixels. Halfway between two pixels it is rounded as in decoding.
-#[inline(always)]
-pub(super) fn phase_px(column: f32, row: f32) -> [f32; 2] {
-    const HALF: f32 = 0.5 + TIE_PX as f32;
-    [column - (column + HALF).floor(), (row + HALF).floor() - row]
 }
 
 #[cfg(test)]

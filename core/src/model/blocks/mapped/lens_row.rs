@@ -11,7 +11,7 @@ use multiversion::multiversion;
 use super::{
     lens_phases::LensPhases,
     rounding::{nearest, whole},
-    tile::{LENSES, MAX_LINES, MAX_THICKNESS},
+    tile_place::{LENSES, MAX_LINES, MAX_THICKNESS},
     tile_view::TileView,
 };
 

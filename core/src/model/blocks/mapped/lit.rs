@@ -11,7 +11,8 @@ use super::{
     lit_bits::LitBits,
     places::ViewAddresses,
     support::Support,
-    tile::{LENSES, MAX_BITS, MAX_LINES, MAX_THICKNESS, TilePlace, TileResult, Views},
+    tile::{TileResult, Views},
+    tile_place::{LENSES, MAX_BITS, MAX_LINES, MAX_THICKNESS, TilePlace},
 };
 use crate::{
     lightfield::ViewStack,

@@ -18,6 +18,7 @@ mod support;
 #[cfg(test)]
 mod tests;
 mod tile;
+mod tile_place;
 mod tile_view;
 
 use lfpiv_hw::{CameraName, Optics, Pose};

@@ -1,11 +1,13 @@
 //! Positions of blocks relative to the microlenses, and the resulting table addresses in a view.
 
 use super::{
-    lens_phases::phase_px,
     rounding::{nearest, whole},
     share_table::{PHASE_CLASSES, SLOPE_CLASSES, TableLayout},
 };
-use crate::model::{blocks::kernels::BATCH, mapped_optics::SeenPoint};
+use crate::{
+    lightfield::TIE_PX,
+    model::{blocks::kernels::BATCH, mapped_optics::SeenPoint},
+};
 
 /// Positions are clamped to this distance from the window, in microlenses. Nothing is lit so far
 /// outside, and pixel numbers stay small.
@@ -109,6 +111,14 @@ fn batch<T: Copy + Default>(values: &[T], start: usize) -> [T; BATCH] {
 #[inline(never)]
 fn last_batch<T: Copy + Default>(values: &[T], start: usize) -> [T; BATCH] {
     std::array::from_fn(|n| values.get(start + n).copied().unwrap_or_default())
+}
+
+/// Offset of a micro-image's centre from the centre of its pixel, to the right and upwards, in
+/// pixels. Halfway between two pixels it is rounded as in decoding.
+#[inline(always)]
+pub(super) fn phase_px(column: f32, row: f32) -> [f32; 2] {
+    const HALF: f32 = 0.5 + TIE_PX as f32;
+    [column - (column + HALF).floor(), (row + HALF).floor() - row]
 }
 
 /// The addresses of up to [`BATCH`] blocks starting with block `start`. Written as separate loops

@@ -3,7 +3,7 @@
 use super::{
     places::ViewAddresses,
     support::Support,
-    tile::{LENSES, TilePlace},
+    tile_place::{LENSES, TilePlace},
 };
 
 /// Slope of a tile's axes relative to the array's above which it counts as skewed.
