@@ -3,7 +3,7 @@
 use lfpiv_hw::Optics;
 use serde::{Deserialize, Serialize};
 
-use super::{camera::CameraView, footprint::RayMap};
+use super::footprint::RayMap;
 use crate::lightfield::{ApertureEdge, GridSampling, MicrolensWindow, ViewLayout};
 
 /// Which parts a forward model has. The default is what every scene can be measured with.
@@ -95,9 +95,9 @@ impl ModelParts {
         self.diffraction_nm.map_or_else(Blur::default, |nm| Blur::of_diffraction(optics, nm))
     }
 
-    /// How this model cuts a camera's raw image into views.
-    pub(super) fn layout(&self, optics: &Optics, view: &CameraView) -> ViewLayout {
-        ViewLayout::with_edge(optics, view.window.clone(), self.edge(optics))
+    /// How this model cuts a camera's raw image into views, for the microlenses of `window`.
+    pub(super) fn layout(&self, optics: &Optics, window: &MicrolensWindow) -> ViewLayout {
+        ViewLayout::with_edge(optics, window.clone(), self.edge(optics))
     }
 
     /// How this model cuts the raw image of a camera whose array stands as `sampling` says.
@@ -117,20 +117,20 @@ impl ModelParts {
         }
     }
 
-    /// The layouts of all cameras. Those whose microlens windows are the same are computed once, and
+    /// The layouts of all cameras, for their `windows` of microlenses. Those whose windows are the same are computed once, and
     /// not at all where they are among the `known` ones of a model with the same optics and parts.
-    pub(super) fn layouts(
+    pub(super) fn layouts<'a>(
         &self,
         optics: &Optics,
-        views: &[CameraView],
+        windows: impl Iterator<Item = &'a MicrolensWindow>,
         known: &[ViewLayout],
     ) -> Vec<ViewLayout> {
-        let mut layouts: Vec<ViewLayout> = Vec::with_capacity(views.len());
-        for view in views {
+        let mut layouts: Vec<ViewLayout> = Vec::new();
+        for window in windows {
             let mut before = known.iter().chain(&layouts);
-            let layout = match before.find(|layout| layout.window == view.window) {
+            let layout = match before.find(|layout| layout.window == *window) {
                 Some(layout) => layout.clone(),
-                None => self.layout(optics, view),
+                None => self.layout(optics, window),
             };
             layouts.push(layout);
         }

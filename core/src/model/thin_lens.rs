@@ -132,7 +132,7 @@ impl<const W: usize> ThinLensModel<W> {
         footprint_mm: f64,
         parts: &ModelParts,
     ) -> Self {
-        let layouts: Vec<_> = views.iter().map(|view| parts.layout(optics, view)).collect();
+        let layouts: Vec<_> = views.iter().map(|view| parts.layout(optics, &view.window)).collect();
         let cameras = views
             .into_iter()
             .zip(&layouts)

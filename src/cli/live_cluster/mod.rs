@@ -18,7 +18,11 @@ use std::{fmt::Display, path::PathBuf, sync::Arc};
 
 use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
 
-use self::{backlog::Backlog, publisher::Publisher};
+use self::{
+    backlog::Backlog,
+    publisher::{Ended, Publisher},
+    reference::ReferenceSearch,
+};
 use crate::{
     acquisition::{Outcome, ShotReceiver},
     archive::ResultStore,
@@ -96,7 +100,7 @@ impl LiveCluster {
         let board = links.board.clone();
         let draining = drain(queue, &backlog, &progress, &board);
         let publishing = async {
-            publisher.publish(self, process).await.inspect_err(|error| {
+            published(publisher, self, process).await.inspect_err(|error| {
                 tracing::error!(
                     "workers get no more shots: {error:#}; the run goes on recording, and `lfpiv process {named}` \
                      measures them afterwards"
@@ -115,6 +119,27 @@ impl LiveCluster {
             Some(ended) => ended.conclude(board.counts().write_failed == 0),
             None => Ok(()),
         }
+    }
+}
+
+/// Measures shots here until one decides the forward model, and has workers measure those after it. `None` if the
+/// run ends before.
+///
+/// # Errors
+/// The record cannot be opened, or the coordinator's work cannot go on.
+async fn published<P, E>(
+    publisher: Publisher,
+    cluster: LiveCluster,
+    process: P,
+) -> anyhow::Result<Option<Ended>>
+where
+    P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
+    E: Display + 'static,
+{
+    let search = ReferenceSearch::new(&publisher.config, process)?;
+    match search.run(&publisher).await? {
+        Some(reference) => publisher.publish(cluster, reference).await.map(Some),
+        None => Ok(None),
     }
 }
 

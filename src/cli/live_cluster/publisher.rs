@@ -1,20 +1,17 @@
 //! Gives the shots of a run to a coordinator.
 
 use std::{
-    fmt::Display,
     path::{Path, PathBuf},
     sync::{Arc, mpsc::SyncSender},
     time::Duration,
 };
 
 use anyhow::{Context, anyhow, bail};
-use lfpiv_core::{lightfield::ImagePair, velocimetry::PairResult};
 use parking_lot::Mutex;
 
 use super::{
     LiveCluster,
     backlog::{Backlog, Recorded},
-    reference::ReferenceSearch,
 };
 use crate::{
     acquisition::journal::{FramePlaces, RecordedRun, RecordedShot},
@@ -50,24 +47,18 @@ pub(super) struct Ended {
 }
 
 impl Publisher {
-    /// Gives shots to workers until all are settled, or the run is told to stop. `None` if it ends before a shot has
-    /// decided the forward model.
+    /// Gives the shots after the `reference`, which has decided the forward model, to workers until all are settled,
+    /// or the run is told to stop.
     ///
     /// # Errors
     /// The record cannot be opened, or the coordinator's work cannot go on.
-    pub async fn publish<P, E>(
+    pub async fn publish(
         self,
         cluster: LiveCluster,
-        process: P,
-    ) -> anyhow::Result<Option<Ended>>
-    where
-        P: Fn(&ImagePair) -> Result<PairResult, E> + Send + Sync + 'static,
-        E: Display + 'static,
-    {
-        let search = ReferenceSearch::new(&self.config, process)?;
-        let Some((shot, result)) = search.run(&self).await? else { return Ok(None) };
+        reference: (RecordedShot, ShotResult),
+    ) -> anyhow::Result<Ended> {
         let LiveCluster { settings, at, queue, .. } = cluster;
-        let coordinator = self.coordinator((shot, result), settings.heartbeat_timeout()).await?;
+        let coordinator = self.coordinator(reference, settings.heartbeat_timeout()).await?;
         self.progress.follow(coordinator.clone());
         let service = ServiceSettings {
             run_name: run_name(&self.folder),
@@ -88,7 +79,7 @@ impl Publisher {
         for (shot, reasons) in tally.dead() {
             self.give_up(shot, reasons.join("; ")).await;
         }
-        served.map(|()| Some(Ended { tally, refused, log }))
+        served.map(|()| Ended { tally, refused, log })
     }
 
     /// The coordinator of a run of which nothing but the reference is measured yet.

@@ -135,7 +135,7 @@ pub fn block_model_beside(
     if calibrations.iter().all(CameraCalibration::is_drawn)
         && let Some(views) = aligned_views(optics, poses, grid, footprint_mm)?
     {
-        let layouts = parts.layouts(optics, &views, known);
+        let layouts = parts.layouts(optics, views.iter().map(|view| &view.window), known);
         let model = match DepthsPerBlock::needed(optics, grid, footprint_mm) {
             DepthsPerBlock::One => aligned::<1>(optics, &views, layouts, grid, footprint_mm, parts),
             DepthsPerBlock::Two => aligned::<2>(optics, &views, layouts, grid, footprint_mm, parts),

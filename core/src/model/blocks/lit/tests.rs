@@ -65,7 +65,7 @@ fn compare<const D: usize>(voxels: [usize; 3], seed: u64) {
     let grid = VolumeGrid { voxels, voxel_mm: 0.03, centre_mm: [1.3, -1.0, 2.6] };
     let views = aligned_views(&optics, &bench_poses(), &grid, grid.voxel_mm).unwrap().unwrap();
     let parts = ModelParts::default();
-    let layouts = parts.layouts(&optics, &views, &[]);
+    let layouts = parts.layouts(&optics, views.iter().map(|view| &view.window), &[]);
     let model =
         AlignedModel::<4, D>::new(&optics, &views, layouts, &grid, grid.voxel_mm, &parts).unwrap();
     let mut random = Pcg64Mcg::seed_from_u64(seed);
