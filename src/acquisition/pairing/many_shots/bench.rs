@@ -7,17 +7,15 @@ use lfpiv_hw::{
     RawImage,
     device::{Frame, FrameStatus},
 };
-use rand::{Rng, RngExt, SeedableRng};
+use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::camera::{FrameTruth, ModelCamera};
+use super::camera::{FrameTruth, INTERVAL_NS, ModelCamera, PERIOD};
 use crate::acquisition::{
     Ledger, Outcome, Shot,
     pairing::{Decision, Pairing, PairingSettings},
 };
 
-pub const PERIOD: Duration = Duration::from_millis(100);
-pub const INTERVAL_NS: u64 = 202_000;
 const PATIENCE: Duration = Duration::from_millis(400);
 /// Time step of the run loop.
 const TICK: Duration = Duration::from_millis(20);
@@ -261,10 +259,4 @@ impl ModelBench {
         assert_eq!(counted.received, self.delivered);
         assert_eq!(counted.received, placed + self.pairing.held_frames());
     }
-}
-
-/// A random number with magnitude `least` to `most` and random sign.
-pub fn either_way(random: &mut impl Rng, least: i128, most: i128) -> i128 {
-    let size = random.random_range(least..most);
-    if random.random_bool(0.5) { size } else { -size }
 }

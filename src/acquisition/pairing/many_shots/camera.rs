@@ -5,7 +5,8 @@ use std::time::Duration;
 use lfpiv_hw::gige::FrameIds;
 use rand::{Rng, RngExt};
 
-use super::bench::{INTERVAL_NS, PERIOD, either_way};
+pub const PERIOD: Duration = Duration::from_millis(100);
+pub const INTERVAL_NS: u64 = 202_000;
 
 /// The true identity of a frame, encoded in its only pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -99,4 +100,10 @@ impl ModelCamera {
         self.ids.resume(2);
         self.gone_at = None;
     }
+}
+
+/// A random number with magnitude `least` to `most` and random sign.
+pub fn either_way(random: &mut impl Rng, least: i128, most: i128) -> i128 {
+    let size = random.random_range(least..most);
+    if random.random_bool(0.5) { size } else { -size }
 }
