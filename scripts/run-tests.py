@@ -33,7 +33,7 @@ LONGEST = [
     "daemon", "lfpiv, unit tests", "adversary", "commands", "validation", "synchroniser", "gige", "claims",
 ]
 # Their input is the source text, which no compiled program shows.
-READ_SOURCES = {"rooms"}
+READ_SOURCES = {"module_order"}
 # Tests of these crates start programs, but for those by this name, and read documents.
 WHOLE_PROGRAM = {"lfpiv", "lfpiv-bench"}
 START_NO_PROGRAM = {"claims"}

@@ -1,4 +1,4 @@
-//! lfpiv: light field -> volume -> velocity. See ARCHITECTURE.md for the rooms.
+//! lfpiv: light field -> volume -> velocity. See ARCHITECTURE.md for the modules.
 
 pub mod acquisition;
 pub mod archive;

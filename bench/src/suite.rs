@@ -163,7 +163,7 @@ pub struct Claim {
     pub error_vox: [f64; 3],
     /// The same of the true particles, windows only.
     pub true_windows_vox: [f64; 3],
-    /// The same of the true particles, followed.
+    /// The same of the true particles, tracked.
     pub true_followed_vox: [f64; 3],
 }
 

@@ -64,7 +64,7 @@ fn check_claim(case: &str, ppm: f64, least_within: f64) {
     assert_claimed(&name("images"), &images, claim.error_vox);
     let (windows, followed) = (deviation(&least.by_windows), deviation(&least.followed));
     assert_claimed(&name("true particles, windows only"), &windows, claim.true_windows_vox);
-    assert_claimed(&name("true particles, followed"), &followed, claim.true_followed_vox);
+    assert_claimed(&name("true particles, tracked"), &followed, claim.true_followed_vox);
     assert!(images.within >= least_within, "{}", images.within);
 }
 

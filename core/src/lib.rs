@@ -1,6 +1,6 @@
 //! Light-field images to velocity: no files, no devices and no clock.
 //!
-//! The rooms, lowest floor first: [`lightfield`] decodes images into views, [`model`] says which pixel
+//! The modules, the lowest first: [`lightfield`] decodes images into views, [`model`] says which pixel
 //! sees which voxel, [`reconstruction`] finds the volume behind the views, [`particles`] places
 //! particles in the images, [`velocimetry`] finds the displacement between two volumes, [`ensemble`]
 //! what many shots say together, [`calibration`] how a camera sees the volume, [`measurement`] does

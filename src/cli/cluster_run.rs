@@ -59,7 +59,7 @@ pub(super) fn print_workers(tally: &Tally, refused: usize) -> anyhow::Result<()>
         print(&format!("{worker}: {}", count(shots, "shot")))?;
     }
     print(&format!(
-        "{} begun, {} not ended by their workers, {} refused",
+        "{} started, {} lost with their workers, {} refused",
         count(tally.attempts(), "measurement"),
         tally.lost(),
         count(refused, "result")

@@ -79,7 +79,7 @@ fn mean_error_vox(field: &VelocityField, flow: &Flow) -> Option<[f64; 3]> {
 
 /// Explanation of the numbers.
 const NOTE: &str = "Errors are those of valid vectors against the simulated flow. Seconds are \
-wall-clock, while\nthe same cores render the next shots: `lfpiv process` times processing alone.";
+wall-clock, while\nthe same cores render the next shots: `lfpiv process` times processing alone. fit: the check of\nthe images against the model.";
 
 /// Largest number of rows: a run may have a million shots.
 const ROWS: usize = 100;
@@ -132,7 +132,7 @@ fn table(rows: &VecDeque<Row>) -> String {
     let _ = write!(
         text,
         "{:>4}  {:>7}  {:>8}  {:>6} {:>6} {:>6}  {:>7} {:>12} {:>10} {:>6}",
-        "shot", "vectors", "valid", "x", "y", "z", "decode", "reconstruct", "correlate", "judge"
+        "shot", "vectors", "valid", "x", "y", "z", "decode", "reconstruct", "correlate", "fit"
     );
     for row in sorted {
         let _ = write!(text, "\n{}", row.line());
@@ -226,7 +226,7 @@ mod tests {
         assert_eq!(lines.len(), 6);
         assert!(lines[2].contains("50.0 %") && lines[2].contains("1.500  0.000  0.250"), "{text}");
         assert!(lines[3].ends_with("1  no result: camera 2 is dark"), "{text}");
-        let columns = lines[1].find("judge").map(|at| at + "judge".len());
+        let columns = lines[1].find("fit").map(|at| at + "fit".len());
         assert_eq!(Some(lines[2].len()), columns, "{text}");
     }
     #[test]

@@ -106,8 +106,8 @@ fn report(
     let mut text = format!(
         "Standard uncertainty of a vector to expect at {} particles per microlens: {u:.4}, {v:.4}, {w:.4} \
          voxel along x, y, z ({:.4}, {:.4}, {:.4} m/s), and {:.1} % of the vectors valid: root mean square error in \
-         {pairs} trial pairs in a smooth flow. What the flow does between the vectors comes on top.\n\
-         The bound of any measurement that takes the light of other particles for noise is {x:.4}, {y:.4}, {z:.4} \
+         {pairs} trial pairs in a smooth flow. Flow structures smaller than the vector spacing add to this.\n\
+         Lower (Cramér-Rao) bound, with the light of other particles treated as noise: {x:.4}, {y:.4}, {z:.4} \
          voxel.\n",
         conditions.ppm,
         u * speed,
@@ -150,9 +150,11 @@ fn improvements(changes: Vec<Change>, places: &[ForecastPlace], bar: &ProgressBa
     }
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
     let name = ["x", "y", "z"][worst];
-    let mut text = format!("What would change the uncertainty along {name}, the largest, most:\n");
+    let mut text = format!(
+        "Changes that reduce the uncertainty along {name}, the largest, most, and the factor on it:\n"
+    );
     for (factor, change) in &tried {
-        let _ = writeln!(text, "{factor:>7.2} times  {}", change.words);
+        let _ = writeln!(text, "{factor:>7.2} x  {}", change.words);
     }
     if tried.first().is_none_or(|(factor, _)| *factor > 0.9) {
         text.push_str("None of these improves it by more than a tenth.\n");

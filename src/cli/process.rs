@@ -63,8 +63,8 @@ pub struct ProcessArgs {
     /// OUT; the run is only read. For several machines.
     #[arg(long, value_name = "K/N", requires = "out", conflicts_with = "merge")]
     pub part: Option<Part>,
-    /// Make the results of all parts those of the recorded run, once each shot is there once: folders of
-    /// the parts, RUN/parts/* without any.
+    /// Merge the results of all parts into the recorded run, after checking that each shot is in exactly
+    /// one part. Arguments: the folders of the parts; default: RUN/parts/*.
     #[arg(long, value_name = "PART", num_args = 0..)]
     pub merge: Option<Vec<PathBuf>>,
     #[command(flatten)]

@@ -1,5 +1,5 @@
 //! The configuration: one TOML file describes bench, volume, method and, for simulated runs, the
-//! scene. Each room defines the settings of its own table; this room combines them and reports
+//! scene. Most modules define the settings of their own tables; this module combines them and reports
 //! errors with line and key.
 
 mod calibration;

@@ -120,7 +120,7 @@ fn gone(app: &App, shot: u64, what: &str, memory_bytes: usize) -> ApiError {
             if app.run.cluster.is_some() && board.gallery().projections(shot).is_some() =>
         {
             ApiError::gone(format!(
-                "the {what} of shot {shot} are not here: a worker on another machine, which measured it, delivers \
+                "the {what} of shot {shot} are not available: the worker that measured it delivers \
                  projections only; process its raw data again and request volumes"
             ))
         }

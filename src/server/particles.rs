@@ -39,7 +39,7 @@ pub(super) struct ParticlesView {
     velocity_uncertainty_m_s: Vec<[f64; 3]>,
     /// Counts of an open pixel that gets all of a particle's light in a camera, mean of both frames.
     light: Vec<Vec<f32>>,
-    /// Whether the particles about it say the same of the flow.
+    /// Whether its displacement agrees with that of the particles about it.
     valid: Vec<bool>,
 }
 

@@ -1,4 +1,4 @@
-//! JSON schemas of types from other rooms, for the OpenAPI document. `tests/daemon` checks real
+//! JSON schemas of types from other modules, for the OpenAPI document. `tests/daemon` checks real
 //! responses against it. Types of other crates are represented by a type here, which fields name as
 //! `#[schema(value_type = …)]`.
 

@@ -87,7 +87,7 @@ fn a_run_goes_on_without_a_broker_and_every_shot_is_measured_once() {
     nats.kill_and_forget();
     let run = Run::start(root.path(), &nats.url(), &["--shots", &SHOTS.to_string()]);
     wait_until("all shots are recorded", || run.status()["watermarks"]["fsynced"] == SHOTS);
-    assert!(run.process.log().contains("the run goes on recording"), "{}", run.process.log());
+    assert!(run.process.log().contains("recording continues"), "{}", run.process.log());
     // The daemon has measured the shot that decides the forward model.
     wait_until("the others wait", || run.status()["cluster"]["shots"]["backlog"] == SHOTS - 1);
     assert_eq!(run.status()["cluster"]["connected"], false);

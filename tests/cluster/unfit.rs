@@ -132,5 +132,5 @@ async fn a_worker_that_computes_otherwise_refuses() {
     let refuses = move || worker(&folder, &url, "other", &[]).wait();
     let ended = tokio::task::spawn_blocking(refuses).await.expect("its end");
     assert_eq!(ended.code, Some(1), "{ended:?}");
-    assert!(ended.stderr.contains("measures shot 0 otherwise than the coordinator"), "{ended:?}");
+    assert!(ended.stderr.contains("result for shot 0 differs from the coordinator's"), "{ended:?}");
 }

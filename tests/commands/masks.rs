@@ -43,7 +43,11 @@ fn check_says_how_much_is_flow() {
     assert!(done.stdout.contains("no vector will be measured"), "{}", done.stdout);
     let thin = "{ leave_out = [{ low_mm = [-0.4, -9, -9], high_mm = [-0.1, 9, 9] }] }";
     let done = check(folder.path(), thin);
-    assert!(done.stdout.contains("beside what is thinner than a window"), "{}", done.stdout);
+    assert!(
+        done.stdout.contains("next to a body that is thinner than a window"),
+        "{}",
+        done.stdout
+    );
 }
 
 #[test]

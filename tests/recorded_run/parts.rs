@@ -173,7 +173,7 @@ fn merged_parts_are_the_run_processed_at_once() {
 
     let said = refusal(&run, &folders);
     assert!(
-        said.contains("shot 0 is there twice: part 1/3 in") && said.contains("the run"),
+        said.contains("shot 0 is in more than one place: part 1/3 in") && said.contains("the run"),
         "{said}"
     );
 }
@@ -208,7 +208,7 @@ fn parts_that_are_not_the_run_are_refused_by_name() {
     let again = root.path().join("again");
     measure(&run, "1/2", &again);
     let said = refusal(&run, &[one.clone(), two.clone(), again]);
-    assert!(said.contains("part 1/2 in") && said.contains("is there twice"), "{said}");
+    assert!(said.contains("part 1/2 in") && said.contains("is given twice"), "{said}");
 
     let third = root.path().join("third");
     measure(&run, "1/3", &third);
@@ -219,7 +219,7 @@ fn parts_that_are_not_the_run_are_refused_by_name() {
     let doubled = copied(two, &root.path().join("doubled"));
     fs::copy(doubled.join("velocity_000001.nc"), doubled.join("velocity_000001_2.nc")).unwrap();
     let said = refusal(&run, &[one.clone(), doubled.clone()]);
-    assert!(said.contains("shot 1 is there twice: part 2/2 in"), "{said}");
+    assert!(said.contains("shot 1 is in more than one place: part 2/2 in"), "{said}");
     for name in ["velocity_000001.nc", "velocity_000001_2.nc"] {
         fs::remove_file(doubled.join(name)).unwrap();
     }
@@ -413,7 +413,7 @@ fn a_merge_survives_kills_at_any_moment() {
         }
         let (success, said) = merge(&run, &folders);
         // One that was over before it was killed is not made again.
-        assert!(success || said.contains("is there twice"), "{said}");
+        assert!(success || said.contains("is given twice"), "{said}");
         assert_same(&at_once, &run);
     }
     println!("{cut_off} of 16 merges were cut off while they copied");

@@ -23,7 +23,7 @@ pub const COLUMNS: [Column; 22] = [
     ("Q", |_, row| value(row.q)),
     ("error x, y, z / voxel", |_, row| three(row.error_vox())),
     ("true particles, windows only", |_, row| three(row.true_windows_vox())),
-    ("true particles, followed", |_, row| three(row.true_followed_vox())),
+    ("true particles, tracked", |_, row| three(row.true_followed_vox())),
     ("valid / %", |_, row| value(row.valid_share.map(|share| 100.0 * share))),
     ("particles found, false / %", |_, row| two(row.particles_found, row.particles_false, 100.0)),
     ("particles: median, mean error / voxel", |_, row| {

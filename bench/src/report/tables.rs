@@ -95,7 +95,7 @@ pub fn mean_true_windows(row: &Row) -> Option<f64> {
     row.true_windows_vox().map(|error| error.iter().sum::<f64>() / 3.0)
 }
 
-/// The same of the true particles, followed.
+/// The same of the true particles, tracked.
 pub fn mean_true_followed(row: &Row) -> Option<f64> {
     row.true_followed_vox().map(|error| error.iter().sum::<f64>() / 3.0)
 }

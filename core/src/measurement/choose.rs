@@ -10,6 +10,7 @@ use crate::{
     velocimetry::correlation_error_vox,
 };
 
+use super::combination::Combination;
 use super::part_errors::{cost, errors_without};
 
 /// The parts left out may add this share of the correlation's error: 12 % in the sum of squares.
@@ -17,17 +18,6 @@ const SHARE_OF_CORRELATION: f64 = 0.5;
 
 /// Models that differ in time by less than this share are equally cheap: it could not be measured.
 const EQUALLY_CHEAP: f64 = 0.05;
-
-/// One combination of parts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Combination {
-    pub pupil_blur: bool,
-    pub aperture_coverage: bool,
-    pub diffraction: bool,
-    pub noise_weighting: bool,
-    /// Voxels along the edge of a voxel of the volume.
-    pub refinement: usize,
-}
 
 /// What the configuration leaves open.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,7 @@
 //! From the images of a pair to vectors: what is measured with which model, and how well it fits.
 
 mod choose;
+mod combination;
 mod fitted;
 mod forecast;
 mod frame;
@@ -10,7 +11,9 @@ mod placed;
 mod plan;
 mod processor;
 mod scene;
+mod setup;
 
 pub use forecast::{Conditions, Forecast, ForecastError, ForecastPlace, bound, forecast};
 pub use plan::Plan;
-pub use processor::{Measurement, ProcessError, Processor, SetupError};
+pub use processor::{ProcessError, Processor};
+pub use setup::{Measurement, SetupError};

@@ -6,7 +6,7 @@
 //! diffraction; the error of a part is √(e² − e₀²), from the mean |error| without and with it. A
 //! figure of a few thousandths of a voxel is known to about its half.
 
-use super::choose::Combination;
+use super::combination::Combination;
 use crate::model::{Part, SceneMeasure};
 
 /// Displacement of one particle by a blur of the pupil that is not modelled, over the standard

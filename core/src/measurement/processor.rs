@@ -1,80 +1,30 @@
 //! One image pair to one velocity field.
 
-use std::{borrow::Borrow, sync::Arc};
+use std::borrow::Borrow;
 
-use lfpiv_hw::{CameraName, Optics, Pose, RawImage};
+use lfpiv_hw::{CameraName, RawImage};
 use thiserror::Error;
 
 use crate::{
     Clock,
     clock::{seconds_since, untimed},
-    lightfield::{
-        Background, Condensation, ImagePair, ImageSettings, PhotometricZones, StationaryLight,
-    },
+    lightfield::{Background, Condensation, ImagePair, PhotometricZones, StationaryLight},
     measurement::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
         placed::{Found, alone, measured_particles, point_cameras, samples},
         plan::Plan,
+        setup::{Measurement, SetupError},
     },
-    model::{CameraCalibration, ModelError, ModelSettings, VolumeGrid, VolumeMask},
+    model::ModelError,
     particles::PlacedParticles,
-    reconstruction::{
-        DenseVolume, FitVerdict, FrameLight, ModelFit, ReconstructionSettings, SparseVolume,
-    },
+    reconstruction::{DenseVolume, FitVerdict, FrameLight, ModelFit, SparseVolume},
     velocimetry::{
         CorrectedField, DisplacementField, Interrogation, PairResult, Placing, PointCloud,
-        StageSeconds, VelocimetrySettings, VelocityField,
+        StageSeconds, VelocityField,
     },
 };
-
-/// Everything that turns image pairs into vectors.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Measurement {
-    /// The optics that all cameras share.
-    pub optics: Optics,
-    /// Where the cameras stand.
-    pub cameras: Vec<Pose>,
-    /// What calibration found of the cameras, in their order; those beyond its end are as drawn.
-    pub calibrations: Vec<CameraCalibration>,
-    /// The measurement volume.
-    pub volume: VolumeGrid,
-    /// Where flow is in it; everywhere if absent.
-    ///
-    /// All of the volume is reconstructed: light that is seen beside a body has to come from somewhere, and
-    /// voxels without a right to it would leave it to those in the flow. What is not flow is left out where
-    /// displacements are found.
-    pub mask: Option<Arc<VolumeMask>>,
-    /// What is known about the images.
-    pub image: ImageSettings,
-    /// Which parts the forward model has, or who decides.
-    pub model: ModelSettings,
-    /// How volumes are reconstructed.
-    pub reconstruction: ReconstructionSettings,
-    /// How volumes are correlated.
-    pub velocimetry: VelocimetrySettings,
-    /// Distance of the vectors, in mm; that of the windows where absent.
-    pub spacing_mm: Option<f64>,
-    /// Time between the frames, in s.
-    pub dt_s: f64,
-}
-
-impl Measurement {
-    /// Whether no camera has a calibration: what compares images with the drawing then says something
-    /// of the bench.
-    pub fn is_drawn(&self) -> bool {
-        self.calibrations.iter().all(CameraCalibration::is_drawn)
-    }
-}
-
-/// Why a measurement cannot be set up.
-#[derive(Debug, Error)]
-pub enum SetupError {
-    /// The optics cannot see the volume.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-}
 
 /// Why a pair gave no result.
 #[derive(Debug, Error, PartialEq)]

@@ -3,7 +3,7 @@
 use crate::lightfield::ViewStack;
 
 /// A pixel is dark below this many standard deviations of the noise plus this share of a particle's
-/// light (docs/decisions.md, "Constants that were fitted") ...
+/// light (docs/decisions.md, "Fitted constants") ...
 const DARK_NOISE_WIDTHS: f64 = 3.0;
 const DARK_PARTICLE_SHARE: f64 = 0.06;
 

@@ -30,7 +30,7 @@ const SUBSETS_PER_CAMERA: usize = 12;
 
 /// Particles are assumed to be on voxel centres if points there leave at most this share of the
 /// views' light energy unexplained; for particles elsewhere nearly all of it is unexplained
-/// (docs/decisions.md, "Constants that were fitted").
+/// (docs/decisions.md, "Fitted constants").
 const ON_GRID_UNEXPLAINED: f64 = 0.35;
 
 /// A reconstructed frame and its history.

@@ -15,9 +15,9 @@
 use rayon::prelude::*;
 
 use super::{
-    differences::Layout,
     kernel::{box_sums, product_columns, window_sums},
     lags::Lags,
+    layout::Layout,
     raster::Raster,
     windows::{LANES, Windows},
 };

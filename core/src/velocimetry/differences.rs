@@ -1,13 +1,6 @@
 //! Third differences along the axes of a lattice, and what they cost a field.
 
-use super::flow_nodes::FlowNodes;
-
-/// A lattice's nodes in memory.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Layout {
-    /// Nodes along x, y, z; stored z, y, x.
-    pub nodes: [usize; 3],
-}
+use super::{flow_nodes::FlowNodes, layout::Layout};
 
 /// The penalty Σ p (Δ³d)² on a field d: how dear every third difference is.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,27 +12,6 @@ pub struct Penalty {
 }
 
 impl Layout {
-    /// Nodes in all.
-    pub fn len(self) -> usize {
-        self.nodes.iter().product()
-    }
-
-    /// Place of node `n` along x, y, z.
-    pub fn place(self, n: usize) -> [usize; 3] {
-        let [nx, ny, _] = self.nodes;
-        [n % nx, n / nx % ny, n / (nx * ny)]
-    }
-
-    /// Number of the node at a place: the inverse of [`Self::place`].
-    pub fn number(self, [x, y, z]: [usize; 3]) -> usize {
-        (z * self.nodes[1] + y) * self.nodes[0] + x
-    }
-
-    /// Nodes in memory from one to the next along `axis`.
-    pub fn stride(self, axis: usize) -> usize {
-        self.nodes[..axis].iter().product()
-    }
-
     /// Axes with third differences.
     fn long_axes(self) -> impl Iterator<Item = usize> {
         (0..3).filter(move |&axis| self.nodes[axis] > 3)

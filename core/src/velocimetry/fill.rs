@@ -1,6 +1,6 @@
 //! Values for the nodes of a lattice that have none.
 
-use super::{differences::Layout, flow_nodes::FlowNodes, lattice::Lattice};
+use super::{flow_nodes::FlowNodes, lattice::Lattice, layout::Layout};
 
 impl Lattice {
     /// The field with values on the nodes that are not `known`, node after node outwards: between known

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use super::{
-    VectorGrid, cloud::PointCloud, differences::Layout, flow_nodes::FlowNodes, kernel::box_sums,
-    lattice::Lattice, peak::Peak, windows::Windows,
+    VectorGrid, cloud::PointCloud, flow_nodes::FlowNodes, kernel::box_sums, lattice::Lattice,
+    layout::Layout, peak::Peak, windows::Windows,
 };
 use crate::model::{VolumeGrid, VolumeMask};
 

@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::differences::Layout;
+use super::layout::Layout;
 use crate::model::VolumeMask;
 
 /// Nodes of a lattice and the flow between them.

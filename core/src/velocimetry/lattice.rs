@@ -1,6 +1,6 @@
 //! A vector field on the nodes of a regular lattice, and its value anywhere.
 
-use super::{differences::Layout, peak::Peak};
+use super::{layout::Layout, peak::Peak};
 
 /// Vectors on a regular lattice in voxel coordinates, stored z, y, x.
 #[derive(Debug, Clone, PartialEq)]

@@ -16,6 +16,7 @@ mod judge;
 mod kernel;
 mod lags;
 mod lattice;
+mod layout;
 mod multipass;
 mod nodes;
 mod peak;

@@ -1,6 +1,6 @@
 //! Where the coefficients of a cubic B-spline field stand, and which of them make it at a place.
 
-use super::{b_spline, differences::Layout};
+use super::{b_spline, layout::Layout};
 
 /// The coefficients' places: one on every node of a lattice and one beyond each of its ends.
 #[derive(Debug, Clone, Copy, PartialEq)]

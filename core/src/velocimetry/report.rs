@@ -1,8 +1,8 @@
 //! What becomes of a measured field: vectors at the places that are asked for.
 
 use super::{
-    VectorStatus, differences::Layout, flow_geometry::FlowGeometry, judge::Vector,
-    lattice::Lattice, peak::Peak, tracks::Refined,
+    VectorStatus, flow_geometry::FlowGeometry, judge::Vector, lattice::Lattice, layout::Layout,
+    peak::Peak, tracks::Refined,
 };
 
 /// What was measured.

@@ -62,6 +62,6 @@ pub struct MeasuredParticle {
     pub uncertainty_vox: [f32; 3],
     /// Its light in each camera, mean of both frames, in counts of an open pixel that gets all of it.
     pub light: [f32; CAMERAS],
-    /// Whether the particles about it say the same of the flow.
+    /// Whether its displacement agrees with that of the particles about it.
     pub agrees: bool,
 }

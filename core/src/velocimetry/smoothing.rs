@@ -20,9 +20,10 @@ use rayon::prelude::*;
 
 use super::{
     conjugate_gradients::{Until, solve},
-    differences::{Layout, Penalty},
+    differences::Penalty,
     flow_nodes::FlowNodes,
     lattice::Lattice,
+    layout::Layout,
 };
 
 /// Variance of the third difference of vectors of variance 1 from windows that overlap by half:
@@ -33,7 +34,7 @@ const NOISE_GAIN: f64 = 5.0;
 /// window as long as the shortest wave on the lattice does not see that wave, so the spread of its
 /// particles knows nothing of it. Error of the true particles in windows of 24 voxels on a wave of
 /// 100: 0.08 voxel without, 0.03 with 0.1 or 0.17, 0.06 with 0.3; the bench and the ring vortex are
-/// best between 0.05 and 0.15 (docs/decisions.md, "Constants that were fitted").
+/// best between 0.05 and 0.15 (docs/decisions.md, "Fitted constants").
 const UNSEEN: f64 = 0.1;
 
 /// A third difference of a regular flow that is not told from zero, in voxels.

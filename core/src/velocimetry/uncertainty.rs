@@ -18,13 +18,13 @@ pub use cells::Cutouts;
 use cells::{COMMON, Cells};
 
 /// Share of the last pass's residual displacement that is taken for unanswered (docs/decisions.md,
-/// "Constants that were fitted"). A window of length
+/// "Fitted constants"). A window of length
 /// L answers a wave of length 4 L along one axis to sin(π/4)/(π/4) = 0.90, along two to 0.81.
 const UNANSWERED: f32 = 0.19;
 
 /// A vector's error over the spread of its particles: intervals of that spread alone hold 46 to 49 %
 /// and 73 to 79 % of reconstructed vectors instead of 68 % and 95 %, alike from 0.3 to 1 ppm, under
-/// noise and with a dim camera (docs/decisions.md, "Constants that were fitted").
+/// noise and with a dim camera (docs/decisions.md, "Fitted constants").
 const SHARED: f32 = 1.6;
 
 /// Below this many particles their spread says little, and a displacement counts as known to a

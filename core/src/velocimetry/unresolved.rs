@@ -8,7 +8,7 @@
 use std::fmt;
 
 use super::{
-    DisplacementField, Interrogation, VelocityField, differences::Layout, placed::NODES_PER_WINDOW,
+    DisplacementField, Interrogation, VelocityField, layout::Layout, placed::NODES_PER_WINDOW,
     spline_field::FINEST_VOX, tracks::Spline,
 };
 

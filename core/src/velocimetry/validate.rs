@@ -5,8 +5,8 @@ mod lanes;
 use rayon::prelude::*;
 
 use super::{
-    differences::Layout,
     flow_nodes::{FlowNodes, cube_index},
+    layout::Layout,
 };
 use crate::statistics::median;
 

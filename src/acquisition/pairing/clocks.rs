@@ -150,8 +150,7 @@ impl CameraClocks {
     ) {
         comparison.residuals_ns.resize(1 + others_ns.len(), 0);
         if burst.end - burst.first > 1 {
-            let words =
-                "the cameras' clocks have not been has_differences again since one of them jumped";
+            let words = "the cameras' clocks have not been compared again since one of them jumped";
             comparison.suspect.push(words.into());
         } else if in_order {
             self.discard_differences();
@@ -187,8 +186,8 @@ impl Comparison {
             let first = CameraName(0).to_string();
             let against = if camera == 0 { "the triggers" } else { &first };
             self.suspect.push(format!(
-                "{name}: timestamp is {} us off its clock's line against {against}, up to \
-                 {:.0} us are usual",
+                "{name}: timestamp deviates by {} us from the clock fit against {against}; the \
+                 outlier limit is {:.0} us",
                 residual.ns / 1000,
                 residual.limit_ns / 1000.0
             ));

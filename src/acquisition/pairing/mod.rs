@@ -13,7 +13,7 @@
 //! of a clock it is discarded and learnt again; until then shots are suspect. A jump by a whole number
 //! of periods cannot be distinguished from missed triggers.
 //!
-//! CameraClocks are fitted ([`clocks`]). Every shot carries each camera's timestamp residual, and is
+//! Camera clocks are fitted ([`clocks`]). Every shot carries each camera's timestamp residual, and is
 //! suspect when one is an outlier. An outlier exceeds eight standard deviations of recent shots and
 //! the assumed timestamp precision of cameras (`frame_interval_tolerance_ns`), or an eighth of a
 //! period.

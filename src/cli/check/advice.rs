@@ -185,8 +185,8 @@ pub fn mask(config: &Config, plan: &Plan) -> Option<Finding> {
         Finding::problem(CHECK, found, todo)
     } else if flow.around_bodies > 0 {
         let todo = format!(
-            "{} windows lie beside what is thinner than a window, and mix the flow on both sides of it: use \
-             windows of at most that thickness (velocimetry.window_mm)",
+            "{} windows are next to a body that is thinner than a window and mix the flow on both of its sides: use \
+             windows no larger than the body is thick (velocimetry.window_mm)",
             flow.around_bodies
         );
         Finding::advice(CHECK, found, todo)

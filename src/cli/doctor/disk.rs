@@ -24,8 +24,8 @@ const LEAST_SAMPLE_BYTES: u64 = 8 << 20;
 /// too.
 const SPEED_MARGIN: f64 = 2.0;
 /// Hours of shots for which space should be free (advice below), and must be free (problem below).
-const ROOM_HOURS: f64 = 1.0;
-const LEAST_ROOM_HOURS: f64 = 10.0 / 60.0;
+const FREE_SPACE_HOURS: f64 = 1.0;
+const MIN_FREE_SPACE_HOURS: f64 = 10.0 / 60.0;
 
 /// Checks writing, its speed, and free space.
 pub fn examine(output: &Path, need: Option<&Need>) -> Vec<Finding> {
@@ -169,9 +169,9 @@ fn free_space(folder: &Path, free_bytes: u64, need: Option<&Need>) -> Finding {
             };
             let found = format!("{found}, {lasts} of shots");
             let more = "remove old runs or set output.dir to a larger disk";
-            if hours < LEAST_ROOM_HOURS {
+            if hours < MIN_FREE_SPACE_HOURS {
                 Finding::problem(CHECK, found, more)
-            } else if hours < ROOM_HOURS {
+            } else if hours < FREE_SPACE_HOURS {
                 Finding::advice(CHECK, found, more)
             } else {
                 Finding::ok(CHECK, found)

@@ -35,7 +35,7 @@ use crate::{
 const RESULTS_WAITING: usize = 16;
 /// What a missing broker means for a run.
 const MEANWHILE: &str =
-    "the run goes on recording, and its shots are offered to workers as soon as it is there";
+    "recording continues; shots are offered to workers as soon as it is available";
 
 /// The ends at which workers find a run, before it begins.
 pub(super) struct LiveCluster {

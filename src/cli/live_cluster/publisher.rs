@@ -165,7 +165,7 @@ impl Publisher {
         // The writer may wait for a disk.
         let handed = blocking(move || inbox.send(finished).map_err(|_| anyhow!("it has ended")));
         if let Err(error) = handed.await {
-            tracing::error!(shot, "the writer of results cannot be told: {error:#}");
+            tracing::error!(shot, "the result could not be passed to the result writer: {error:#}");
         }
     }
 }

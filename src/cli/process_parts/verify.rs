@@ -136,7 +136,7 @@ impl Run<'_> {
                 problems.push(format!("{} is one of {of}, unlike {}", part.name(), first.name()));
             } else if let Some(other) = by_part.insert(part.file.part, part) {
                 let (part, other) = (part.name(), other.folder.display());
-                problems.push(format!("{part} is there twice: it is in {other}, too"));
+                problems.push(format!("{part} is given twice: also in {other}"));
             }
         }
         if problems.is_empty() {
@@ -161,7 +161,7 @@ impl Run<'_> {
             let left = shots.iter().filter(has_none).count();
             (left > 0 || !finished).then(|| {
                 format!(
-                    "{} was cut off, with {left} of {} left: {} goes on",
+                    "{} was cut off: {left} of {} not measured; {} goes on",
                     part.name(),
                     count(shots.len(), "shot"),
                     self.call(*number, part.folder.display())
@@ -187,7 +187,9 @@ impl Run<'_> {
         let mut problems: Vec<String> = twice
             .clone()
             .take(NAMED)
-            .map(|(shot, places)| format!("shot {shot} is there twice: {}", places.join(", ")))
+            .map(|(shot, places)| {
+                format!("shot {shot} is in more than one place: {}", places.join(", "))
+            })
             .collect();
         if let Some(more) = twice.count().checked_sub(NAMED + 1) {
             problems.push(format!("and {} more", count(more + 1, "shot")));
@@ -196,8 +198,8 @@ impl Run<'_> {
             self.missing.iter().copied().filter(|shot| !found.contains_key(shot)).collect();
         if let Some(first) = nowhere.first() {
             problems.push(format!(
-                "{} without a result are in no part, shot {first} the first: the run had results \
-                 of them when the parts were begun; remove the parts, and measure them anew",
+                "{} have no result and are in no part (the first is shot {first}): the run had \
+                 results of them when the parts were started; remove the parts and measure again",
                 count(nowhere.len(), "shot")
             ));
         }

@@ -31,8 +31,8 @@ pub(super) struct Machine {
 pub(super) fn costs_text(measured: &Measured) -> String {
     let Measured { shot, alone, crowd } = measured;
     format!(
-        "a shot: {:.3} s of a core ({:.3} s on this machine), {:.3} MB of frames, {:.1} kB of result\n\
-         broker: {:.2} ms to hand out a job and to take its end\n\
+        "per shot: {:.3} s of core time ({:.3} s on this machine), {:.3} MB of frames, {:.1} kB of result\n\
+         broker: {:.2} ms to fetch and acknowledge a job\n\
          coordinator: {:.2} ms for one worker; at most {:.0} shots a second ({} workers that do not measure)\n",
         shot.core_s,
         shot.wall_s,
@@ -72,7 +72,7 @@ pub(super) fn forecast_text(measured: &Measured, machine: Machine) -> String {
         };
         let _ = writeln!(
             text,
-            "{network} Gbit/s: {what} carries {:.1} shots a second, which some {:.0} machines reach; {}",
+            "{network} Gbit/s: {what} limits the rate to {:.1} shots a second, reached with about {:.0} machines; {}",
             costs.most_shots_per_s(),
             (costs.knee() / slots as f64).ceil(),
             RATES.map(|rate| needed(measured, machine, network, rate)).join("; ")
@@ -82,8 +82,8 @@ pub(super) fn forecast_text(measured: &Measured, machine: Machine) -> String {
         let Needs { cores, gbit_per_s, coordinators } = needs(measured, rate);
         let _ = writeln!(
             text,
-            "{rate} Hz take {cores:.1} cores for measuring, {gbit_per_s:.2} Gbit/s at the coordinator unless workers share \
-             its folder, and {coordinators:.2} of what this machine does as a coordinator"
+            "{rate} Hz need {cores:.1} cores for measuring, {gbit_per_s:.2} Gbit/s at the coordinator unless workers share \
+             its folder, and {coordinators:.2} times this machine's capacity as a coordinator"
         );
     }
     text
@@ -108,7 +108,7 @@ fn needs(measured: &Measured, rate: f64) -> Needs {
 fn needed(measured: &Measured, machine: Machine, network: f64, rate: f64) -> String {
     match machines_for(measured, machine, network, rate) {
         Some(machines) => format!("{rate} Hz need {machines} machines"),
-        None => format!("{rate} Hz are out of reach"),
+        None => format!("{rate} Hz cannot be reached"),
     }
 }
 
@@ -192,7 +192,7 @@ mod tests {
         assert!(text.contains("1 Gbit/s: the coordinator's network carries 5.9 shots"), "{text}");
         assert!(text.contains("25 Gbit/s: the coordinator carries 50.0 shots"), "{text}");
         assert!(text.contains("10 Hz take 20.0 cores for measuring, 1.70 Gbit/s"), "{text}");
-        assert!(text.contains("100 Hz are out of reach"), "{text}");
+        assert!(text.contains("100 Hz cannot be reached"), "{text}");
         let machines = machines_for(&MEASURED, MACHINE, 10.0, 10.0).unwrap();
         // Five by their cores alone.
         assert!((5..8).contains(&machines), "{machines}");

@@ -61,10 +61,10 @@ pub fn work(args: &WorkArgs) -> anyhow::Result<()> {
 async fn serve(args: &WorkArgs) -> anyhow::Result<()> {
     // There is no laser to wait for.
     let laser = SynchroniserThread::default();
-    let stop = stop_on_signals(&laser, "the shots in hand go to other workers")?;
+    let stop = stop_on_signals(&laser, "its current shots go to other workers")?;
     let name = args.name.clone().unwrap_or_else(own_name);
     let broker = args.broker.broker(&args.url);
-    let queue = JobQueue::connect(&broker, &name, "there are no shots until it is there").await?;
+    let queue = JobQueue::connect(&broker, &name, "no shots can be fetched until then").await?;
     print(&format!("worker {name}: waits for shots from {}", queue.address()))?;
     let worker = Arc::new(Worker::new(name, queue, args.shared.clone()));
     let mut slots = JoinSet::new();

@@ -82,8 +82,8 @@ impl Prepared {
             && measured.result_sha256() == reference.result_sha256;
         if !alike {
             bail!(
-                "this machine measures shot {} otherwise than the coordinator: its processor has other \
-                 vector instructions, perhaps; use machines of one kind",
+                "this machine's result for shot {} differs from the coordinator's, perhaps because its \
+                 processor has other vector instructions; use machines of one kind",
                 reference.shot.number
             );
         }

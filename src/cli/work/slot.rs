@@ -217,7 +217,7 @@ impl Worker {
             return Err(ClientError::Stale("the job is of another run".into()).into());
         }
         self.signs.know(job);
-        tracing::info!("makes ready for {}", job.run_name);
+        tracing::info!("preparing run {}", job.run_name);
         let shared = self.shared.as_deref();
         let fresh = Arc::new(Prepared::new(job, &assignment, client, shared).map_err(unfit)?);
         *prepared = Some((common, fresh.clone()));

@@ -21,7 +21,7 @@ type FigureOf = fn(&Row) -> Option<[f64; 3]>;
 /// What is drawn beside the images: a name for the legend, and the figures along x, y, z.
 const TRUE_PARTICLES: [(&str, FigureOf); 2] = [
     ("true particles, windows only", Row::true_windows_vox),
-    ("true particles, followed", Row::true_followed_vox),
+    ("true particles, tracked", Row::true_followed_vox),
 ];
 
 /// Mean error of v and w against seeding density.

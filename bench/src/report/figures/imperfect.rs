@@ -68,7 +68,7 @@ fn line(rows: &[&Row], drawn: &[&Row]) -> Option<Compared> {
     let row = rows.first()?;
     let percent = |share: Option<f64>| Some(number(100.0 * share?));
     let ours = format!(
-        "{} voxel along x, y, z (× {}; true particles, followed: {} in the mean), {} % valid, {} \
+        "{} voxel along x, y, z (× {}; true particles, tracked: {} in the mean), {} % valid, {} \
          and {} % covered",
         mean_of_components(rows, Row::error_vox)?.map(number).join(", "),
         number(mean(rows, mean_error)? / mean(drawn, mean_error)?),

@@ -19,7 +19,7 @@ type FigureOf = fn(&Row) -> Option<f64>;
 /// What is drawn beside the methods: a name for the legend, and the figure.
 const TRUE_PARTICLES: [(&str, FigureOf); 2] = [
     ("true particles, windows only", mean_true_windows),
-    ("true particles, followed", mean_true_followed),
+    ("true particles, tracked", mean_true_followed),
 ];
 
 /// Displacement error against the seconds of a pair.

@@ -47,7 +47,7 @@ fn line(rows: &[&Row]) -> Option<Compared> {
     let percent = |share: Option<f64>| Some(number(100.0 * share?));
     let three = |errors: [f64; 3]| errors.map(number).join(", ");
     let ours = format!(
-        "{} voxel along x, y, z at the vectors, {} between them (true particles, followed: {} in the \
+        "{} voxel along x, y, z at the vectors, {} between them (true particles, tracked: {} in the \
          mean), {} % valid, {} and {} % covered",
         three(mean_of_components(rows, Row::error_vox)?),
         mean_of_components(rows, Row::unseen_vox).map_or_else(|| "–".to_owned(), three),

@@ -2,7 +2,7 @@
 //!
 //! Thresholds are in natural units: pixels of a micro-image, standard deviations of the light,
 //! microlens pitches in the volume. `docs/model-fit.md` lists them with the values of correct and
-//! wrong benches; for how they were fitted see docs/decisions.md, "Constants that were fitted".
+//! wrong benches; for how they were fitted see docs/decisions.md, "Fitted constants".
 
 use lfpiv_hw::CameraName;
 

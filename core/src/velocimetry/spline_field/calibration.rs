@@ -1,7 +1,7 @@
 //! How wide the field's error is, over that of its draws, from samples that were left out.
 
 use super::{
-    super::{differences::Layout, nodes::Nodes},
+    super::{layout::Layout, nodes::Nodes},
     Sample,
     field::SplineField,
 };

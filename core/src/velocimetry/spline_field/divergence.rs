@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::{
     super::{
         b_spline::{HALFWAY, HALFWAY_SLOPES},
-        differences::Layout,
+        layout::Layout,
     },
     lanes::{LANES, Lane, Vectors},
     noise::Noise,

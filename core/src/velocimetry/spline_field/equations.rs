@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::{
     super::{
-        differences::Layout,
+        layout::Layout,
         nodes::{Nodes, Taps},
     },
     divergence::Divergence,

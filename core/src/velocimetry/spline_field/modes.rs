@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::{
     super::{
         b_spline::{self, HALFWAY, HALFWAY_SLOPES},
-        differences::Layout,
+        layout::Layout,
     },
     lanes::{LANES, Lane},
 };

@@ -3,7 +3,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{
-    super::{differences::Layout, nodes::Taps},
+    super::{layout::Layout, nodes::Taps},
     divergence::Divergence,
     equations::{Equations, Targets},
     lanes::{LANES, Lane, Vectors, zeros},

@@ -4,8 +4,8 @@
 
 use super::super::{
     b_spline::{HALFWAY, HALFWAY_SLOPES},
-    differences::Layout,
     flow_nodes::FlowNodes,
+    layout::Layout,
 };
 
 /// Standard deviation of the divergence that an incompressible flow may show, in voxel per voxel: the

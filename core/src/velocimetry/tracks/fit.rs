@@ -18,9 +18,10 @@ use rayon::prelude::*;
 use super::{
     super::{
         conjugate_gradients::{Until, solve},
-        differences::{Layout, Penalty},
+        differences::Penalty,
         flow_nodes::FlowNodes,
         lattice::Lattice,
+        layout::Layout,
         nodes::Taps,
     },
     divergence::Divergence,
@@ -44,7 +45,7 @@ const RESOLUTION_VOX: f64 = 3e-3;
 const CORRELATION_DISCOUNT: f64 = 25.0;
 
 /// Standard error of the field over what independent errors of its particles would give: errors of the
-/// reconstruction are correlated between neighbours (docs/decisions.md, "Constants that were fitted").
+/// reconstruction are correlated between neighbours (docs/decisions.md, "Fitted constants").
 const COMMON_ERROR_FACTOR: f64 = 1.15;
 
 /// Error that all particles around a place have in common where light is blurred, in voxels per unit of

@@ -22,8 +22,8 @@ use self::{
     samples::Samples,
 };
 use super::{
-    cloud::PointCloud, differences::Layout, flow_geometry::FlowGeometry, flow_nodes::FlowNodes,
-    lattice::Lattice,
+    cloud::PointCloud, flow_geometry::FlowGeometry, flow_nodes::FlowNodes, lattice::Lattice,
+    layout::Layout,
 };
 
 /// Particles are at last looked for so near to where the field expects them, in voxels: some standard

@@ -6,7 +6,7 @@ use super::super::cloud::PointCloud;
 use crate::{particles::Neighbours, statistics::median};
 
 /// Light nearer than this to the brightest place of a knot belongs to it, in voxels. This and the two
-/// below: docs/decisions.md, "Constants that were fitted".
+/// below: docs/decisions.md, "Fitted constants".
 const REACH_VOX: f32 = 0.8;
 
 /// Standard deviation of the Gaussian that brightness about a point is summed under, in voxels:

@@ -3,7 +3,7 @@
 use multiversion::multiversion;
 
 use super::{
-    super::{differences::Layout, nodes::Taps},
+    super::{layout::Layout, nodes::Taps},
     pairs::Pair,
     spline::Spline,
 };
@@ -20,7 +20,7 @@ const SMALLEST_DEVIATION_VOX: f64 = 2e-3;
 const PRIOR_PARTICLES: f64 = 10.0;
 
 /// Largest standard deviation of a single particle's light along any axis, in voxels. Two particles that
-/// overlap are wider. This and the two below: docs/decisions.md, "Constants that were fitted".
+/// overlap are wider. This and the two below: docs/decisions.md, "Fitted constants".
 const SINGLE_SPREAD_VOX: f64 = 0.15;
 
 /// Standard deviation of light along an axis from which on it does not tell a particle's place, in voxels.

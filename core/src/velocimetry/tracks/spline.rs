@@ -2,9 +2,9 @@
 //! order in the distance of its nodes.
 
 use super::super::{
-    differences::Layout,
     flow_nodes::FlowNodes,
     lattice::Lattice,
+    layout::Layout,
     nodes::{Nodes, Taps},
 };
 

@@ -3,10 +3,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{
-    super::{
-        differences::{Layout, Penalty},
-        nodes::Taps,
-    },
+    super::{differences::Penalty, layout::Layout, nodes::Taps},
     pairs::Pair,
     particles::Particle,
     samples::{add_transposed, values_at},

@@ -25,11 +25,11 @@ use std::sync::Arc;
 
 use super::{
     VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
-    differences::Layout,
     flow_nodes::FlowNodes,
     judge::{Judge, Vector, field_of, move_to, settled},
     lags::Lags,
     lattice::Lattice,
+    layout::Layout,
     peak::Peak,
 };
 use crate::{
@@ -74,7 +74,7 @@ const NEAREST: Lags = Lags { reach: 1 };
 const BESIDE: Lags = Lags { reach: 3 };
 
 /// Standard uncertainty of vectors found on coarse cells, in cells, as far as a predictor needs it
-/// (docs/decisions.md, "Constants that were fitted").
+/// (docs/decisions.md, "Fitted constants").
 const COARSE_UNCERTAINTY: f32 = 0.05;
 
 /// What is left of a vector's uncertainty once its neighbours have had their say: intervals then hold 70

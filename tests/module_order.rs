@@ -1,9 +1,9 @@
-//! The house rule: a crate and a room import only from floors below.
+//! Crates and modules import only from lower ones, and files beside each other not from each other.
 #![allow(clippy::unwrap_used)]
 
-use std::{fs, path::Path};
+use std::{collections::BTreeMap, fs, path::Path};
 
-/// The crates and their rooms, lowest floor first, as ARCHITECTURE.md lists them. What a crate may
+/// The crates and their modules, the lowest first, as ARCHITECTURE.md lists them. What a crate may
 /// depend on stands in its `Cargo.toml`, and cargo allows no circles.
 const CRATES: [(&str, &[&str]); 2] = [
     (
@@ -42,19 +42,29 @@ fn sources(folder: &Path, found: &mut Vec<(String, String)>) {
     }
 }
 
-/// The rooms that a source names after `crate::`, in plain paths and in import lists.
-fn imports(text: &str, rooms: &[&'static str]) -> Vec<&'static str> {
-    let names = |from: &str| -> Vec<&'static str> {
-        rooms.iter().copied().filter(|room| from.starts_with(&format!("{room}::"))).collect()
+/// The modules that a source names after `root`, in plain paths and in import lists.
+fn imports<'a>(text: &str, root: &str, modules: &[&'a str]) -> Vec<&'a str> {
+    let named = |item: &str| -> Vec<&'a str> {
+        let of = |module: &&&str| {
+            let rest = item.strip_prefix(**module);
+            rest.is_some_and(|rest| {
+                rest.is_empty() || rest.starts_with("::") || rest.starts_with(';')
+            })
+        };
+        modules.iter().filter(of).copied().collect()
     };
     let mut found = Vec::new();
-    for (at, _) in text.match_indices("crate::") {
-        let rest = &text[at + "crate::".len()..];
+    for (at, _) in text.match_indices(root) {
+        // `super::super::` is another module's.
+        if text[..at].ends_with("::") {
+            continue;
+        }
+        let rest = &text[at + root.len()..];
         match rest.strip_prefix('{') {
-            None => found.extend(names(rest)),
+            None => found.extend(named(rest.split_whitespace().next().unwrap_or_default())),
             Some(list) => {
                 let list = &list[..list.find("};").unwrap_or(list.len())];
-                found.extend(list.split([',', '{', '\n']).flat_map(|item| names(item.trim())));
+                found.extend(list.split([',', '{', '\n']).flat_map(|item| named(item.trim())));
             }
         }
     }
@@ -62,23 +72,23 @@ fn imports(text: &str, rooms: &[&'static str]) -> Vec<&'static str> {
 }
 
 #[test]
-fn rooms_import_only_from_floors_below() {
+fn modules_import_only_from_lower_ones() {
     let mut wrong = Vec::new();
     let mut seen = 0;
-    for (of, rooms) in CRATES {
+    for (of, modules) in CRATES {
         let source_folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(of).join("src");
-        for (floor, room) in rooms.iter().enumerate() {
+        for (height, module) in modules.iter().enumerate() {
             let mut files = Vec::new();
-            let folder = source_folder.join(room);
-            assert!(folder.is_dir(), "{room} is gone: correct this list and ARCHITECTURE.md");
+            let folder = source_folder.join(module);
+            assert!(folder.is_dir(), "{module} is gone: correct this list and ARCHITECTURE.md");
             sources(&folder, &mut files);
             for (file, text) in files {
-                let imported = imports(&text, rooms);
+                let imported = imports(&text, "crate::", modules);
                 seen += imported.len();
                 wrong.extend(
                     imported
                         .into_iter()
-                        .filter(|other| rooms.iter().position(|r| r == other) > Some(floor))
+                        .filter(|other| modules.iter().position(|m| m == other) > Some(height))
                         .map(|other| format!("{file} imports from {other}")),
                 );
             }
@@ -86,6 +96,51 @@ fn rooms_import_only_from_floors_below() {
     }
     assert!(seen > 20, "the search for imports finds almost none");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Without its tests.
+fn program(path: &Path) -> String {
+    let text = fs::read_to_string(path).unwrap();
+    text.split("#[cfg(test)]").next().unwrap_or_default().to_owned()
+}
+
+/// Modules beside each other that import each other, in this folder and below.
+fn mutual_imports(folder: &Path, seen: &mut usize, found: &mut Vec<String>) {
+    let mut beside = BTreeMap::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
+        if path.is_dir() {
+            mutual_imports(&path, seen, found);
+            let module = path.join("mod.rs");
+            if module.is_file() {
+                beside.insert(name, program(&module));
+            }
+        } else if path.extension().is_some_and(|e| e == "rs") && name != "mod" {
+            beside.insert(name, program(&path));
+        }
+    }
+    let names: Vec<&str> = beside.keys().map(String::as_str).collect();
+    let imported: BTreeMap<&str, Vec<&str>> = beside
+        .iter()
+        .map(|(name, text)| (name.as_str(), imports(text, "super::", &names)))
+        .collect();
+    for (name, others) in &imported {
+        *seen += others.len();
+        let mutual = others.iter().filter(|other| *other > name && imported[*other].contains(name));
+        found.extend(mutual.map(|other| format!("{}: {name} and {other}", folder.display())));
+    }
+}
+
+#[test]
+fn files_beside_each_other_do_not_import_each_other() {
+    let (mut seen, mut found) = (0, Vec::new());
+    for of in ["hw", "core", "rawlog", "sim", ".", "bench"] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(of).join("src");
+        mutual_imports(&folder, &mut seen, &mut found);
+    }
+    assert!(seen > 500, "the search for imports finds almost none: {seen}");
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 /// Results do not depend on when they are made: who wants times of the stages hands in a clock.
