@@ -223,7 +223,7 @@ mod tests {
         assert_eq!((shots.ended(), shots.measured()), (2, 1));
         let text = shots.text();
         let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(lines.len(), 6);
+        assert_eq!(lines.len(), 7);
         assert!(lines[2].contains("50.0 %") && lines[2].contains("1.500  0.000  0.250"), "{text}");
         assert!(lines[3].ends_with("1  no result: camera 2 is dark"), "{text}");
         let columns = lines[1].find("fit").map(|at| at + "fit".len());

@@ -160,7 +160,7 @@ fn no_shot_of_a_run_that_goes_on_is_lost_with_workers_or_the_network() {
     assert_eq!(ended.code, Some(0), "{ended:?}");
     assert!(ended.stdout.contains("0 results refused"), "{ended:?}");
     // Handed out again, and so reported.
-    let reported = ended.stdout.lines().find(|line| line.contains(" measurements begun, "));
+    let reported = ended.stdout.lines().find(|line| line.contains(" measurements started, "));
     let numbers = reported.expect("a report").split(' ').filter_map(|word| word.parse().ok());
     let numbers: Vec<u64> = numbers.collect();
     println!("{}", reported.expect("a report"));
@@ -201,7 +201,7 @@ fn a_run_that_is_told_to_stop_leaves_the_backlog_on_disk() {
     let ended = run.process.terminate();
     assert_eq!(ended.code, Some(0), "{ended:?}");
     assert!(ended.stdout.contains("shots were not measured yet: lfpiv process"), "{ended:?}");
-    assert!(ended.stdout.contains("0 measurements begun"), "{ended:?}");
+    assert!(ended.stdout.contains("0 measurements started"), "{ended:?}");
 
     let _worker = worker(root.path(), &nats.url(), "one", &[]);
     let ended = coordinator(root.path(), &folder, &nats.url(), &[]).wait();

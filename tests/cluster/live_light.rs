@@ -61,5 +61,5 @@ fn the_projections_of_a_workers_shots_are_those_of_one_machine() {
     let volume = format!("/api/v1/results/{}/volumes/a", shot - 1);
     let (status, words) = image(&shared, &volume).expect_err("no volume");
     assert_eq!(status, 410, "{words}");
-    assert!(words.contains("a worker on another machine"), "{words}");
+    assert!(words.contains("the worker that measured it"), "{words}");
 }

@@ -224,7 +224,7 @@ fn parts_that_are_not_the_run_are_refused_by_name() {
         fs::remove_file(doubled.join(name)).unwrap();
     }
     let said = refusal(&run, &[one.clone(), doubled.clone()]);
-    assert!(said.contains("part 2/2 in") && said.contains("with 3 of 3 shots left"), "{said}");
+    assert!(said.contains("part 2/2 in") && said.contains("3 of 3 shots not measured"), "{said}");
     fs::copy(one.join("velocity_000000.nc"), doubled.join("velocity_000000.nc")).unwrap();
     let said = refusal(&run, &[one.clone(), doubled]);
     assert!(said.contains("holds shot 0, which is not of this part"), "{said}");
@@ -379,7 +379,7 @@ fn a_merge_that_is_cut_off_goes_on() {
     let name = "velocity_000000.nc";
     fs::copy(folders[0].join(name), run.join(name)).unwrap();
     let said = refusal(&run, &folders);
-    assert!(said.contains("shot 0 is there twice"), "{said}");
+    assert!(said.contains("shot 0 is in more than one place"), "{said}");
     let merging: String = folders
         .iter()
         .map(|folder| format!("{}\n", folder.canonicalize().unwrap().display()))

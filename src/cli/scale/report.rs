@@ -189,9 +189,15 @@ mod tests {
     fn a_forecast_names_limits_and_needs() {
         let text = forecast_text(&MEASURED, MACHINE);
         // 0.94 Gbit/s are 5.875 of these shots, and 50 are less than 23.5 Gbit/s.
-        assert!(text.contains("1 Gbit/s: the coordinator's network carries 5.9 shots"), "{text}");
-        assert!(text.contains("25 Gbit/s: the coordinator carries 50.0 shots"), "{text}");
-        assert!(text.contains("10 Hz take 20.0 cores for measuring, 1.70 Gbit/s"), "{text}");
+        assert!(
+            text.contains("1 Gbit/s: the coordinator's network limits the rate to 5.9 shots"),
+            "{text}"
+        );
+        assert!(
+            text.contains("25 Gbit/s: the coordinator limits the rate to 50.0 shots"),
+            "{text}"
+        );
+        assert!(text.contains("10 Hz need 20.0 cores for measuring, 1.70 Gbit/s"), "{text}");
         assert!(text.contains("100 Hz cannot be reached"), "{text}");
         let machines = machines_for(&MEASURED, MACHINE, 10.0, 10.0).unwrap();
         // Five by their cores alone.
