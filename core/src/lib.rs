@@ -51,7 +51,7 @@
 //! let processor = Processor::new(Measurement {
 //!     optics,
 //!     cameras,
-//!     calibrations: Vec::new(), // As drawn.
+//!     calibrations: Vec::new(), // Uncalibrated cameras.
 //!     volume,
 //!     mask: None, // All of the volume is flow.
 //!     image: ImageSettings::default(),

@@ -27,8 +27,9 @@ fn apart(pose: &Pose, camera: usize, place_mm: [f64; 3], diffraction_nm: Option<
     // Gaussians of 0.42 wavelengths times f/8, and of as much on the sensor.
     let sigma_mm = diffraction_nm.map_or(0.0, |nm| 0.42 * nm * 1e-6 * 8.0);
     let blur = PointBlur { plane_mm: sigma_mm, sensor_px: sigma_mm / optics.pixel_pitch_mm() };
-    let drawn = CameraCalibration::default();
-    let model = PointCamera::new(&optics, pose, &drawn, &volume, CameraName(camera), blur).unwrap();
+    let uncalibrated = CameraCalibration::default();
+    let model =
+        PointCamera::new(&optics, pose, &uncalibrated, &volume, CameraName(camera), blur).unwrap();
     let settings = RaySettings { rays_per_particle: RAYS, diffraction_nm };
     let source = PointSource { id: 0, position_mm: place_mm, electrons: ELECTRONS };
     let traced = RayTracer::new(&optics, pose, &settings).trace(&[source], &[3]);

@@ -206,7 +206,7 @@ fn with_it_the_flow_is_measured(bench: &Bench) {
     let stored = Config::parse("stored", &text("configuration")).unwrap();
     let again = ConfigFile::load(&config).unwrap().config;
     assert_eq!(stored.measurement().calibrations, again.measurement().calibrations);
-    assert!(again.calibration.len() == 2 && !again.measurement().is_drawn());
+    assert!(again.calibration.len() == 2 && !again.measurement().is_nominal());
 }
 
 fn the_grid_alone_is_warned_of(bench: &Bench) {

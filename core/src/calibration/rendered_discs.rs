@@ -12,7 +12,7 @@ use super::{
     WhiteImage,
     affine_fit::LensCentre,
     cell_light::CellLight,
-    rendering::{Eliminated, Model, Rendering, SHARED, Shared},
+    rendering::{Eliminated, Model, Rendering, SHARED_PARAMETERS, Shared},
     second_aperture::{Field, SecondAperture},
     start::Start,
 };
@@ -89,7 +89,7 @@ impl Model {
         let sums: Vec<Eliminated> =
             lenses.par_iter().filter_map(|&lens| view.eliminated(lens)).collect();
         let typical = super::median(sums.iter().map(|sum| sum.misfit));
-        let mut normal = SMatrix::<f64, SHARED, SHARED>::zeros();
+        let mut normal = SMatrix::<f64, SHARED_PARAMETERS, SHARED_PARAMETERS>::zeros();
         let mut right = Shared::zeros();
         for sum in &sums {
             // Lenses that fit badly have dust, or none of the light that was expected.
@@ -97,8 +97,8 @@ impl Model {
             normal += weight * sum.normal;
             right += weight * sum.right;
         }
-        let used = if self.second.is_some() { SHARED } else { 8 };
-        for n in 0..SHARED {
+        let used = if self.second.is_some() { SHARED_PARAMETERS } else { 8 };
+        for n in 0..SHARED_PARAMETERS {
             if n < used {
                 normal[(n, n)] *= 1.0 + 1e-6;
             } else {

@@ -22,13 +22,13 @@ const SLOPES: [usize; 2] = [2, 3];
 const SLOPE_PRIOR: f64 = 0.4;
 
 /// What all lenses share: six of the grid, radius, blur, and four of the second aperture.
-pub(super) const SHARED: usize = 12;
+pub(super) const SHARED_PARAMETERS: usize = 12;
 
 /// A disc is as dark as its surroundings this many blurs outside of its rim.
 const RIM_BLURS: f64 = 4.0;
 
 type Own = SVector<f64, OWN>;
-pub(super) type Shared = SVector<f64, SHARED>;
+pub(super) type Shared = SVector<f64, SHARED_PARAMETERS>;
 
 /// What all lenses share.
 #[derive(Debug, Clone)]
@@ -48,7 +48,7 @@ impl Model {
 
 /// Sums of one lens, its own unknowns eliminated.
 pub(super) struct Eliminated {
-    pub normal: SMatrix<f64, SHARED, SHARED>,
+    pub normal: SMatrix<f64, SHARED_PARAMETERS, SHARED_PARAMETERS>,
     pub right: Shared,
     pub misfit: f64,
 }
@@ -227,8 +227,8 @@ impl<'a> Rendering<'a> {
         let pixels = self.pixels(lens)?;
         let (inverse, own, misfit) = self.own(&pixels)?;
         let scale = self.model.scale();
-        let mut normal = SMatrix::<f64, SHARED, SHARED>::zeros();
-        let mut crossed = SMatrix::<f64, SHARED, OWN>::zeros();
+        let mut normal = SMatrix::<f64, SHARED_PARAMETERS, SHARED_PARAMETERS>::zeros();
+        let mut crossed = SMatrix::<f64, SHARED_PARAMETERS, OWN>::zeros();
         let mut right = Shared::zeros();
         for pixel in &pixels {
             if pixel.discs.is_empty() {

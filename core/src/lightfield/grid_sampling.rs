@@ -137,18 +137,18 @@ mod tests {
     /// Excluded are the central lens, whose pixels lie halfway between two view indices, and view
     /// indices of 9, whose pixels some microlenses share.
     #[test]
-    fn the_drawn_array_is_sampled_as_along_its_axes() {
+    fn the_nominal_array_is_sampled_as_along_its_axes() {
         let optics = test_bench::optics();
-        let sampling = GridSampling::new(&optics, &MicroImageGrid::drawn(&optics));
+        let sampling = GridSampling::new(&optics, &MicroImageGrid::nominal(&optics));
         let (columns, rows) = (AxisSampling::columns(&optics), AxisSampling::rows(&optics));
         for (i, j) in [(0, 0), (3, 50), (57, 41), (101, 20), (128, 96)] {
             for (k, l) in (-8..=8).flat_map(|k| (-8..=8).map(move |l| (k, l))) {
                 let along_axes = columns.sample(k, i).zip(rows.sample(l, j));
                 let pixel = sampling.pixel((k, l), i, j);
-                let drawn = along_axes.map(|(column, row)| [column.pixel, row.pixel]);
+                let nominal = along_axes.map(|(column, row)| [column.pixel, row.pixel]);
                 assert_eq!(
                     pixel.map(|of| of.map(|place| place as u32)),
-                    drawn,
+                    nominal,
                     "{k}, {l}: {i}, {j}"
                 );
                 let Some((column, row)) = along_axes else { continue };
@@ -162,13 +162,13 @@ mod tests {
     #[test]
     fn every_pixel_of_a_turned_array_belongs_to_one_microlens_and_view() {
         let optics = test_bench::optics();
-        let drawn = MicroImageGrid::drawn(&optics);
+        let nominal = MicroImageGrid::nominal(&optics);
         let (sine, cosine) = 1.0f64.to_radians().sin_cos();
-        let pitch = drawn.column_px[1];
+        let pitch = nominal.column_px[1];
         let grid = MicroImageGrid {
             column_px: [40.2, pitch * cosine, -pitch * sine],
             row_px: [1700.7, -pitch * sine, -pitch * cosine],
-            ..drawn
+            ..nominal
         };
         let sampling = GridSampling::new(&optics, &grid);
         let mut seen = std::collections::HashMap::new();

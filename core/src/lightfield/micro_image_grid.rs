@@ -25,7 +25,7 @@ const SQUARE_WITHIN_DEG: f64 = 10.0;
 
 impl MicroImageGrid {
     /// The ideal grid: centred on the sensor, along its axes.
-    pub fn drawn(optics: &Optics) -> Self {
+    pub fn nominal(optics: &Optics) -> Self {
         let (lenses, sensor) = (&optics.microlens, &optics.sensor);
         let pitch_px = optics.micro_image_pitch_mm() / optics.pixel_pitch_mm();
         let first = |pixels: usize, lenses: usize, pitch_px: f64| {
@@ -77,9 +77,9 @@ mod tests {
     use crate::test_bench;
 
     #[test]
-    fn the_drawn_grid_is_centred_and_counts_upwards() {
+    fn the_nominal_grid_is_centred_and_counts_upwards() {
         let optics = test_bench::optics();
-        let grid = MicroImageGrid::drawn(&optics);
+        let grid = MicroImageGrid::nominal(&optics);
         let [column, row] = grid.centre_px(64.0, 48.0);
         assert!((column - 1175.5).abs() < 1e-9 && (row - 883.5).abs() < 1e-9);
         let [_, above] = grid.centre_px(64.0, 49.0);

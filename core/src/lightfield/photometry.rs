@@ -283,9 +283,9 @@ mod tests {
     /// Both descriptions of an ideal array give the same zones, except for pixels shared by
     /// micro-images.
     #[test]
-    fn zones_of_a_drawn_array_do_not_depend_on_how_it_is_described() {
+    fn zones_of_a_nominal_array_do_not_depend_on_how_it_is_described() {
         let optics = test_bench::optics();
-        let sampling = GridSampling::new(&optics, &MicroImageGrid::drawn(&optics));
+        let sampling = GridSampling::new(&optics, &MicroImageGrid::nominal(&optics));
         let on_grid = PhotometricZones::on_grid(&optics, &sampling);
         let image = image(|_| 200.0, 64.0, 0.0);
         let [along_axes, on_grid] = [zones(), on_grid].map(|zones| zones.histograms(&image));

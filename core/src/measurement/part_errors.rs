@@ -11,29 +11,29 @@ use crate::model::{Part, SceneMeasure};
 
 /// Displacement of one particle by a blur of the pupil that is not modelled, over the standard
 /// deviation of that blur. A window of N particles averages it in both frames: √(2/N).
-const OF_PUPIL_BLUR: f64 = 0.5;
+const PUPIL_BLUR_ERROR: f64 = 0.5;
 
 /// The same for diffraction. Rays scattered by 1.8 µm on microlenses and sensor changed no error by
 /// more than this.
-const OF_DIFFRACTION: f64 = 0.15;
+const DIFFRACTION_ERROR: f64 = 0.15;
 
 /// Displacement of one particle that the complete model leaves, in voxels, times the parallax
 /// across the aperture in voxels, over the root of the seeding in particles per microlens:
 /// particles in each other's line of sight are told apart by parallax.
-const OF_OVERLAP: f64 = 0.37;
+const OVERLAP_ERROR: f64 = 0.37;
 
 /// Error by the views that the aperture cuts, in voxels over noise per particle: in noise their
 /// light is missed. It is zero within what can be told where noise is low.
-const OF_NOISE_WITHOUT_EDGE: f64 = 0.07;
+const EDGE_VIEWS_ERROR: f64 = 0.07;
 
 /// Error without noise weighting, in voxels, over the root of noise per particle. It is the same
 /// in all windows and does not average.
-const OF_NOISE: f64 = 0.036;
+const NOISE_WEIGHTING_ERROR: f64 = 0.036;
 
 /// Error by voxels as large as the volume's own, in voxels, and the power of the edge that it falls
 /// with. Both frames are rounded to the same grid: it does not average either.
-const OF_VOXELS: f64 = 0.09;
-const OF_VOXELS_POWER: f64 = 1.8;
+const COARSE_VOXEL_ERROR: f64 = 0.09;
+const COARSE_VOXEL_POWER: f64 = 1.8;
 
 /// Time of a reconstruction by refinement, over one on the volume's own voxels. By two is no
 /// faster than by four, which starts from voxels twice as large and a single pass.
@@ -58,16 +58,16 @@ pub(super) fn errors_without(scene: &SceneMeasure, refinement: usize, finest: us
     // With a share f of the light gone, the rest tells less by 1 − f: the square of the complete
     // model's error grows by f/(1 − f) of itself.
     let gone = scene.partly_open_light;
-    let overlap_vox = OF_OVERLAP * scene.seeding_ppm.sqrt() / scene.parallax_vox.max(1e-3);
-    let rounding = |n: usize| (OF_VOXELS * (n as f64).powf(-OF_VOXELS_POWER)).powi(2);
+    let overlap_vox = OVERLAP_ERROR * scene.seeding_ppm.sqrt() / scene.parallax_vox.max(1e-3);
+    let rounding = |n: usize| (COARSE_VOXEL_ERROR * (n as f64).powf(-COARSE_VOXEL_POWER)).powi(2);
     let mut errors = [0.0; 5];
-    errors[Part::PupilBlur as usize] = OF_PUPIL_BLUR * blur(scene.pupil_blur_vox);
+    errors[Part::PupilBlur as usize] = PUPIL_BLUR_ERROR * blur(scene.pupil_blur_vox);
     errors[Part::ApertureCoverage as usize] =
         averaged(overlap_vox * (gone / (1.0 - gone).max(1e-6)).sqrt())
-            .hypot(OF_NOISE_WITHOUT_EDGE * scene.noise_per_particle);
+            .hypot(EDGE_VIEWS_ERROR * scene.noise_per_particle);
     errors[Part::Diffraction as usize] =
-        OF_DIFFRACTION * blur(scene.diffraction_vox.unwrap_or(0.0));
-    errors[Part::NoiseWeighting as usize] = OF_NOISE * scene.noise_per_particle.sqrt();
+        DIFFRACTION_ERROR * blur(scene.diffraction_vox.unwrap_or(0.0));
+    errors[Part::NoiseWeighting as usize] = NOISE_WEIGHTING_ERROR * scene.noise_per_particle.sqrt();
     errors[Part::FineVoxels as usize] = (rounding(refinement) - rounding(finest)).max(0.0).sqrt();
     Errors(errors)
 }

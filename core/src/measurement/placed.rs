@@ -23,10 +23,10 @@ pub(super) fn point_cameras(
     volume: &VolumeGrid,
 ) -> Result<Vec<PointCamera>, ModelError> {
     let Measurement { optics, cameras, calibrations, .. } = measurement;
-    let drawn = CameraCalibration::default();
+    let uncalibrated = CameraCalibration::default();
     let blur = blur_of_width(FIRST_WIDTH_PX, optics.pixel_pitch_mm());
     let camera = |(n, pose)| {
-        let calibration = calibrations.get(n).unwrap_or(&drawn);
+        let calibration = calibrations.get(n).unwrap_or(&uncalibrated);
         PointCamera::new(optics, pose, calibration, volume, CameraName(n), blur)
     };
     cameras.iter().enumerate().map(camera).collect()
@@ -36,7 +36,7 @@ pub(super) fn point_cameras(
 const LEAST_DEVIATION_VOX: f32 = 1e-3;
 
 /// A pair after correlation, before its particles are placed.
-pub(super) struct Found<'a> {
+pub(super) struct PairForPlacing<'a> {
     pub cameras: &'a [PointCamera],
     pub correction: &'a Correction<'a>,
     /// The light of frames a and b.
@@ -74,7 +74,7 @@ fn at_vox(grid: &VolumeGrid, at_mm: [f64; 3]) -> [f32; 3] {
     std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32)
 }
 
-impl Found<'_> {
+impl PairForPlacing<'_> {
     /// The particles: candidates are the local maxima of light in the volumes. They correct `field`.
     pub fn place(&self, pair: &ImagePair, field: &mut CorrectedField<'_>) -> PlacedParticles {
         let starts = [0, 1].map(|frame| self.start(pair, frame));
@@ -91,11 +91,11 @@ impl Found<'_> {
         };
         let grid = self.grid;
         let cloud = PointCloud::from_volume(self.volumes[frame], grid);
-        let candidates = particles(&cloud).into_iter().map(|knot| Candidate {
+        let candidates = particles(&cloud).into_iter().map(|peak| Candidate {
             at_mm: std::array::from_fn(|axis| {
-                grid.coordinate_mm(axis, f64::from(knot.at_vox[axis]))
+                grid.coordinate_mm(axis, f64::from(peak.at_vox[axis]))
             }),
-            light: f64::from(knot.light),
+            light: f64::from(peak.light),
         });
         FrameStart {
             images: (0..self.cameras.len()).map(image).collect(),

@@ -13,7 +13,7 @@ use crate::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
-        placed::{Found, alone, measured_particles, point_cameras, samples},
+        placed::{PairForPlacing, alone, measured_particles, point_cameras, samples},
         plan::Plan,
         setup::{Measurement, SetupError},
     },
@@ -191,7 +191,7 @@ impl Processor {
         field: &mut CorrectedField<'_>,
     ) -> Result<PlacedParticles, ProcessError> {
         let grid = self.interrogation.cloud_grid();
-        let found = Found {
+        let found = PairForPlacing {
             cameras: &point_cameras(&self.measurement, &grid)?,
             correction: &self.correction(),
             volumes: volumes.each_ref(),

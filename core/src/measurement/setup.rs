@@ -45,8 +45,8 @@ pub struct Measurement {
 impl Measurement {
     /// Whether no camera is calibrated: only then does a comparison with nominal positions assess the
     /// bench.
-    pub fn is_drawn(&self) -> bool {
-        self.calibrations.iter().all(CameraCalibration::is_drawn)
+    pub fn is_nominal(&self) -> bool {
+        self.calibrations.iter().all(CameraCalibration::is_nominal)
     }
 }
 

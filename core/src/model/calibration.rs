@@ -18,7 +18,7 @@ pub struct CameraCalibration {
 
 impl CameraCalibration {
     /// Whether nothing is known that the drawing does not say.
-    pub fn is_drawn(&self) -> bool {
+    pub fn is_nominal(&self) -> bool {
         self.grid.is_none() && self.map.is_none()
     }
 }

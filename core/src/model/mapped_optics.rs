@@ -56,8 +56,8 @@ impl MappedOptics {
         volume: &VolumeGrid,
         camera: CameraName,
     ) -> Result<Self, ModelError> {
-        let drawn = || MicroImageGrid::drawn(optics);
-        let grid = calibration.grid.clone().unwrap_or_else(drawn);
+        let nominal = || MicroImageGrid::nominal(optics);
+        let grid = calibration.grid.clone().unwrap_or_else(nominal);
         if !grid.is_square() {
             return Err(ModelError::NotSquare { camera });
         }

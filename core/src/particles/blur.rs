@@ -6,18 +6,18 @@ use super::fit::FrameFit;
 use crate::model::{PointBlur, PointCamera, PointFootprint};
 
 /// Widths that are tried, as factors of the one before.
-const FACTOR: f64 = 1.4;
+const WIDTH_STEP: f64 = 1.4;
 
 /// Bounds, as standard deviations in pixels.
 const WIDTHS_PX: [f64; 2] = [0.08, 1.2];
 
 /// Most moves to a wider or a narrower one.
-const MOVES: usize = 6;
+const MAX_MOVES: usize = 6;
 
-/// One particle in so many is asked.
-const EVERY: usize = 3;
+/// One particle in so many is sampled.
+const SUBSAMPLING: usize = 3;
 
-/// Width of points before the images were asked, in pixels.
+/// Width of points before the images were sampled, in pixels.
 pub const FIRST_WIDTH_PX: f64 = 0.25;
 
 /// The same width on the sensor and, seen from there, on the microlenses: microlenses have the f-number
@@ -30,7 +30,7 @@ pub fn blur_of_width(width_px: f64, pixel_mm: f64) -> PointBlur {
 pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usize]) -> PointBlur {
     let before = cameras[c].blur;
     let pixel_mm = before.plane_mm / before.sensor_px;
-    let asked: Vec<usize> = of.iter().copied().step_by(EVERY).collect();
+    let sampled: Vec<usize> = of.iter().copied().step_by(SUBSAMPLING).collect();
     let (mut camera, mut image) = (cameras[c].clone(), fit.images[c].clone());
     let mut misfit = |log_width: f64| {
         camera.blur = blur_of_width(log_width.exp(), pixel_mm);
@@ -40,14 +40,14 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
             cameras[c].image(fit.particles[n].at_mm, footprint);
             image.weighted_residual(&fit.images[c], &cameras[c], footprint)
         };
-        let left: Vec<f64> = asked.par_iter().map_init(PointFootprint::default, left).collect();
+        let left: Vec<f64> = sampled.par_iter().map_init(PointFootprint::default, left).collect();
         left.iter().sum::<f64>()
     };
-    let step = FACTOR.ln();
+    let step = WIDTH_STEP.ln();
     let [low, high] = WIDTHS_PX.map(f64::ln);
     let mut middle = before.sensor_px.ln().clamp(low + step, high - step);
     let mut at = [-step, 0.0, step].map(|further| misfit(middle + further));
-    for _ in 0..MOVES {
+    for _ in 0..MAX_MOVES {
         if at[0] < at[1] && middle - 2.0 * step >= low {
             middle -= step;
             at = [misfit(middle - step), at[0], at[1]];

@@ -293,9 +293,10 @@ mod tests {
         let volume = VolumeGrid { voxels: [40; 3], voxel_mm: 0.1, centre_mm: [0.0; 3] };
         let (optics, poses) = (test_bench::optics(), test_bench::poses());
         let blur = PointBlur { plane_mm: 2e-3, sensor_px: 0.3 };
-        let drawn = CameraCalibration::default();
+        let uncalibrated = CameraCalibration::default();
         let camera =
-            PointCamera::new(&optics, &poses[1], &drawn, &volume, CameraName(1), blur).unwrap();
+            PointCamera::new(&optics, &poses[1], &uncalibrated, &volume, CameraName(1), blur)
+                .unwrap();
         let [width, height] = camera.sensor_px();
         let pixels = width * height + LANES;
         let counts: Vec<u16> = (0..pixels).map(|_| random.random_range(50..300)).collect();

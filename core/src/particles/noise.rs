@@ -24,7 +24,7 @@ impl PixelNoise {
 }
 
 /// One pixel in so many is looked at: a number that shares no factor with the images' rows.
-const EVERY: usize = 7;
+const SUBSAMPLING: usize = 7;
 
 /// Levels of light, each twice as bright as the one before; the first ends at this many counts.
 const LEVELS: usize = 12;
@@ -38,7 +38,7 @@ const LEAST_PIXELS: usize = 200;
 pub fn noise_of(pixels: impl Iterator<Item = (f32, f32)>, dark: f32) -> PixelNoise {
     let mut squares: Vec<Vec<f32>> = vec![Vec::new(); LEVELS];
     let mut levels = vec![0.0f64; LEVELS];
-    for (model, residual) in pixels.step_by(EVERY) {
+    for (model, residual) in pixels.step_by(SUBSAMPLING) {
         if model < 1.0 {
             continue;
         }

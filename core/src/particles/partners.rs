@@ -15,7 +15,7 @@ use crate::model::{PointCamera, PointFootprint};
 const STARTING_SHARE: f64 = 0.3;
 
 /// Least share of the typical light that the residual must have for a proposed particle.
-const LEAST_LIGHT: f64 = 0.1;
+const LEAST_PROPOSAL_LIGHT: f64 = 0.1;
 
 /// Particles of the other frame that lie within the reach of a wider search by chance: their mean number.
 const CHANCE_PARTNERS: f32 = 0.01;
@@ -147,7 +147,7 @@ pub fn exchange(
         let has_light = |footprint: &mut PointFootprint, proposal: Proposal| {
             let (lit, _) = fits[frame].light_at(cameras, proposal.at_mm, footprint);
             let share = priors[frame].mean_relative(&lit, cameras.len());
-            (proposal.rival.is_some() || share >= LEAST_LIGHT).then_some(proposal)
+            (proposal.rival.is_some() || share >= LEAST_PROPOSAL_LIGHT).then_some(proposal)
         };
         let numbers: Vec<usize> = partners.alone(other).collect();
         numbers

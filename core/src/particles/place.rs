@@ -90,10 +90,10 @@ const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.2, 0.15, 0.15];
 const LEAST_MODEL_ERROR: f32 = 0.02;
 
 /// Least share of the typical light of a particle.
-const LEAST_LIGHT: f64 = 0.25;
+const LEAST_PARTICLE_LIGHT: f64 = 0.25;
 
 /// Particles nearer to each other than this are merged, in voxels.
-const ONE_VOX: f64 = 0.35;
+const MERGE_DISTANCE_VOX: f64 = 0.35;
 
 /// A particle whose step is shorter has converged, in voxels.
 const CONVERGED_VOX: f64 = 0.01;
@@ -104,13 +104,13 @@ const AGREE_VOX: [f64; 2] = [0.15, 0.5];
 const AGREE_DEVIATIONS: f64 = 3.0;
 
 /// Largest distance of partners from which the flow is corrected, in voxels.
-const CORRECT_VOX: f64 = 1.0;
+const MAX_CORRECTION_DISTANCE_VOX: f64 = 1.0;
 
 /// A proposal this near to a particle without a partner competes with it, in voxels.
 const RIVAL_VOX: f64 = 1.0;
 
 /// Largest distance of partners in the result, in voxels.
-const PAIR_VOX: f64 = 0.5;
+const MAX_PAIR_DISTANCE_VOX: f64 = 0.5;
 
 /// Starts beside a particle's place, along each axis.
 const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
@@ -119,10 +119,10 @@ const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 const STARTS_REACH_VOX: f64 = 1.5;
 
 /// How a particle is stepped.
-const RULE: StepRule = StepRule { relaxation: 0.8, damping: 0.01, longest_mm: 0.0 };
+const STEP_RULE: StepRule = StepRule { relaxation: 0.8, damping: 0.01, longest_mm: 0.0 };
 
 /// Longest step, in voxels.
-const LONGEST_VOX: f64 = 0.2;
+const MAX_STEP_VOX: f64 = 0.2;
 
 /// Places particles in the images of both frames.
 ///
@@ -134,10 +134,10 @@ pub fn place_pairs(
     starts: [FrameStart; 2],
     flow: &mut dyn Flow,
 ) -> PlacedParticles {
-    let mut placing = Placing {
+    let mut placement = Placement {
         cameras: cameras.to_vec(),
         voxel_mm,
-        rule: StepRule { longest_mm: LONGEST_VOX * voxel_mm, ..RULE },
+        rule: StepRule { longest_mm: MAX_STEP_VOX * voxel_mm, ..STEP_RULE },
         priors: starts.each_ref().map(|start| LightPrior::of_candidates(&start.candidates)),
     };
     let mut fits = starts.map(|start| {
@@ -145,21 +145,21 @@ pub fn place_pairs(
         fit.propose(&start.candidates);
         fit
     });
-    placing.begin(&mut fits);
+    placement.begin(&mut fits);
     for round in 0..EXCHANGES {
-        placing.support(&mut fits, flow, round);
+        placement.support(&mut fits, flow, round);
     }
-    placing.finish(&mut fits, flow)
+    placement.finish(&mut fits, flow)
 }
 
-struct Placing {
+struct Placement {
     cameras: Vec<PointCamera>,
     voxel_mm: f64,
     rule: StepRule,
     priors: [LightPrior; 2],
 }
 
-impl Placing {
+impl Placement {
     /// First steps of all candidates, and removal of those without light.
     fn begin(&self, fits: &mut [FrameFit; 2]) {
         let converged_mm = CONVERGED_VOX * self.voxel_mm;
@@ -168,7 +168,11 @@ impl Placing {
             fit.render(&self.cameras);
             let [before, after] = FIRST_STEPS;
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, before));
-            fit.prune(&self.cameras, prior, (LEAST_LIGHT, ONE_VOX * self.voxel_mm));
+            fit.prune(
+                &self.cameras,
+                prior,
+                (LEAST_PARTICLE_LIGHT, MERGE_DISTANCE_VOX * self.voxel_mm),
+            );
             fit.reactivate();
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, after));
         });
@@ -188,7 +192,11 @@ impl Placing {
             fit.render(&self.cameras);
             let [before, after] = EXCHANGE_STEPS;
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, before));
-            fit.prune(&self.cameras, prior, (LEAST_LIGHT, ONE_VOX * self.voxel_mm));
+            fit.prune(
+                &self.cameras,
+                prior,
+                (LEAST_PARTICLE_LIGHT, MERGE_DISTANCE_VOX * self.voxel_mm),
+            );
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, after));
         });
         self.restart(fits, flow, agree_vox);
@@ -264,7 +272,7 @@ impl Placing {
             fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, LAST_STEPS));
         });
         self.correct(fits, flow);
-        let partners = self.wider_partners(fits, flow, PAIR_VOX);
+        let partners = self.wider_partners(fits, flow, MAX_PAIR_DISTANCE_VOX);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         let equations = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
@@ -303,7 +311,7 @@ impl Placing {
     /// Corrects the flow by mutual nearest neighbours, and says how near to each other partners that agree are, in
     /// voxels.
     fn correct(&self, fits: &[FrameFit; 2], flow: &mut dyn Flow) -> f64 {
-        let partners = self.wider_partners(fits, flow, CORRECT_VOX);
+        let partners = self.wider_partners(fits, flow, MAX_CORRECTION_DISTANCE_VOX);
         let places =
             |pair: [usize; 2]| [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
         let pairs: Vec<[[f64; 3]; 2]> = partners.pairs().map(places).collect();
@@ -331,7 +339,9 @@ impl Placing {
     fn wider_partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
         let is_bright = |frame: usize, n: usize| {
             let light = fits[frame].particles[n].light.iter().zip(&self.priors[frame].typical);
-            light.take(self.cameras.len()).all(|(light, typical)| *light >= LEAST_LIGHT * typical)
+            light
+                .take(self.cameras.len())
+                .all(|(light, typical)| *light >= LEAST_PARTICLE_LIGHT * typical)
         };
         self.partners(fits, flow, reach_vox).widened(is_bright)
     }

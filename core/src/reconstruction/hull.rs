@@ -27,7 +27,7 @@ const MIN_VIEWS_FOR_SELECTION: usize = 120;
 
 /// Number of views per camera that may find a lit voxel dark, besides the share explained by noise.
 const TOLERATED_DARK_VIEWS: f64 = 1.0;
-const NOISE_SHARE: f64 = 0.03;
+const NOISY_VIEW_SHARE: f64 = 0.03;
 
 /// The hull for iterative solvers, which later separate lit from dark voxels: uses a subset of the
 /// views. `dark_below` is, per camera, the count below which a pixel is dark.
@@ -75,7 +75,7 @@ fn criteria(
     displacement: Vec<f64>,
 ) -> HullCriteria {
     let tolerated = |selected: &Vec<usize>| {
-        (TOLERATED_DARK_VIEWS + NOISE_SHARE * selected.len() as f64) as usize
+        (TOLERATED_DARK_VIEWS + NOISY_VIEW_SHARE * selected.len() as f64) as usize
     };
     let tolerated = selected.iter().map(tolerated).collect();
     HullCriteria { tolerated, selected, dark_below, displacement }

@@ -129,7 +129,7 @@ impl Reconstructor {
                 )?);
             }
             Models::Blocks(models)
-        } else if let Some(n) = calibrations.iter().position(|known| !known.is_drawn()) {
+        } else if let Some(n) = calibrations.iter().position(|known| !known.is_nominal()) {
             return Err(ModelError::CalibratedWholeVolume { camera: CameraName(n) });
         } else {
             Models::Voxels {

@@ -1,11 +1,11 @@
-//! Third differences along the axes of a lattice, and what they cost a field.
+//! Third differences along the axes of a lattice, and their penalty.
 
 use super::{flow_nodes::FlowNodes, layout::Layout};
 
-/// The penalty Σ p (Δ³d)² on a field d: how dear every third difference is.
+/// The penalty Σ p (Δ³d)² on a field d, with a weight p for each third difference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Penalty {
-    /// Where the values lie.
+    /// Nodes of the values.
     pub layout: Layout,
     /// Per axis: p of the third difference that starts at each node; 0 where none does.
     pub stiffness: [Vec<f64>; 3],
@@ -22,15 +22,13 @@ impl Layout {
         n / self.stride(axis) % self.nodes[axis] + 3 < self.nodes[axis]
     }
 
-    /// How many of the four nodes of the third difference along `axis` that starts at node `n` are not
-    /// `known`.
+    /// Number of unknown nodes among the four of the third difference along `axis` that starts at node `n`.
     fn gaps(self, axis: usize, n: usize, known: &[bool]) -> usize {
         let s = self.stride(axis);
         (0..4).filter(|k| !known[n + k * s]).count()
     }
 
-    /// Nodes at which a third difference along `axis` starts that touches `known` nodes only, all of them of
-    /// one flow.
+    /// Nodes at which a third difference along `axis` starts whose nodes are all `known` and of the same flow.
     pub fn within<'a>(
         self,
         axis: usize,
@@ -44,8 +42,8 @@ impl Layout {
         })
     }
 
-    /// Third differences along `axis` that start at the nodes; where none fits, one that runs on
-    /// into other rows and means nothing, and none for the last nodes.
+    /// Third differences along `axis` that start at the nodes. Where a row ends, the value spans two rows and is
+    /// meaningless; the last nodes have none.
     pub fn third_differences(self, axis: usize, value: &[f64]) -> Vec<f64> {
         let later = |steps: usize| value.iter().skip(steps * self.stride(axis));
         let four = value.iter().zip(later(1)).zip(later(2)).zip(later(3));
@@ -69,9 +67,9 @@ impl Layout {
         }
     }
 
-    /// Mean square of the third difference along `axis` about each node, with the whole lattice's
-    /// as one more of those around: how rough the field is there, from `known` values of one flow only. 0
-    /// where none starts.
+    /// Local roughness: mean square of the third differences along `axis` around each node, with the mean over the
+    /// lattice as one more of them. Only differences of `known` values of the same flow count. 0 where none
+    /// starts.
     pub fn roughness(
         self,
         axis: usize,
@@ -95,12 +93,10 @@ impl Layout {
 }
 
 impl Penalty {
-    /// Lets every third difference go that touches more than one node which is not `known`.
-    ///
-    /// Unknown nodes would otherwise tie the known ones to how smoothly the field could go on beyond them,
-    /// which nobody has measured. A difference with one unknown node bridges a hole; where nothing lies
-    /// beyond, it says what the node would be and nothing of the others.
-    pub fn release(&mut self, known: &[bool]) {
+    /// Removes the third differences over more than one unknown node. They would constrain known nodes by the
+    /// smoothness of an unmeasured region. A difference with one unknown node bridges a gap; at the edge of the
+    /// known nodes it determines the unknown one and does not constrain the others.
+    pub fn drop_unknown(&mut self, known: &[bool]) {
         let layout = self.layout;
         for (axis, stiffness) in self.stiffness.iter_mut().enumerate() {
             for (n, stiffness) in stiffness.iter_mut().enumerate() {
@@ -111,9 +107,8 @@ impl Penalty {
         }
     }
 
-    /// Lets every third difference go that ties flows to each other which a body parts: together they are no
-    /// smoother than each by itself.
-    pub fn part(&mut self, flow: &FlowNodes) {
+    /// Removes the third differences across bodies, whose nodes belong to different flows.
+    pub fn drop_across_bodies(&mut self, flow: &FlowNodes) {
         for (axis, stiffness) in self.stiffness.iter_mut().enumerate() {
             for (n, stiffness) in stiffness.iter_mut().enumerate() {
                 if self.layout.starts(axis, n) && flow.ties_flows(axis, n) {

@@ -1,17 +1,16 @@
-//! Values for the nodes of a lattice that have none.
+//! Interpolation and extrapolation to the nodes of a lattice without values.
 
 use super::{flow_nodes::FlowNodes, lattice::Lattice, layout::Layout};
 
 impl Lattice {
-    /// The field with values on the nodes that are not `known`, node after node outwards: between known
-    /// ones their mean, beyond them the straight line through the last two, as [`Self::at`] goes on
-    /// outside. No further outside the range of the known ones than that is wide. All zero where none is
-    /// known.
+    /// The field with values on nodes that are not `known`, filled outwards from the known ones: the mean between
+    /// two known nodes, linear extrapolation from the last two beyond them, as in [`Self::at`]. Extrapolated
+    /// values exceed the range of the known ones by at most its width. All zero where no node is known.
     ///
-    /// Nodes in the `flow` take their values from those they see as far as these reach, nodes in bodies from the
-    /// flow that is nearest along an axis, and what is left from any.
+    /// Nodes in the `flow` are filled first from nodes of the same flow, then nodes in bodies from the flow that
+    /// is nearest along an axis, then the remaining nodes from any.
     ///
-    /// It is where light is looked for, and no measurement.
+    /// The result is a search position, not a measurement.
     pub fn filled(mut self, known: &[bool], flow: Option<&FlowNodes>) -> Self {
         let limits: [[f32; 2]; 3] = std::array::from_fn(|c| self.limits(c, known));
         let mut filled = known.to_vec();
@@ -26,8 +25,7 @@ impl Lattice {
         self
     }
 
-    /// Fills node after node outwards, from a node to the next one along an axis where `is_open`, until there is no
-    /// more to fill.
+    /// Fills nodes outwards, from a node to its neighbour along an axis where `is_open`, until none changes.
     fn fill(
         &mut self,
         filled: &mut [bool],

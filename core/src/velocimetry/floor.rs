@@ -4,11 +4,11 @@
 const WINDOW_VOX: f64 = 16.0;
 
 /// Error of a full window in the reference flow, in voxels: what it cannot resolve.
-const RESOLUTION_VOX: f64 = 0.009;
+const FULL_WINDOW_ERROR_VOX: f64 = 0.009;
 
 /// How that grows with the window's edge: the vectors are drawn towards fields without third
 /// differences.
-const RESOLUTION_POWER: f64 = 3.0;
+const FULL_WINDOW_ERROR_POWER: f64 = 3.0;
 
 /// What one particle adds, in voxels, and how that grows with the window's edge: it stands for the
 /// flow at its own place, off the window's centre. As all of these: docs/decisions.md, "Constants
@@ -25,7 +25,7 @@ const PER_PARTICLE_POWER: f64 = 1.4;
 /// before it is measured: a smoother one has a smaller error, a rougher one a larger.
 pub fn correlation_error_vox(window_vox: f64, particles_per_window: f64) -> f64 {
     let edge = window_vox / WINDOW_VOX;
-    let resolution = RESOLUTION_VOX * edge.powf(RESOLUTION_POWER);
+    let resolution = FULL_WINDOW_ERROR_VOX * edge.powf(FULL_WINDOW_ERROR_POWER);
     let particle = PER_PARTICLE_VOX * edge.powf(PER_PARTICLE_POWER);
     resolution.hypot(particle / particles_per_window.max(1.0).sqrt())
 }

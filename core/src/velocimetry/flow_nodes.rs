@@ -1,7 +1,7 @@
-//! Which nodes of a lattice lie in the flow, and which of their neighbours they see through it.
+//! Which nodes of a lattice lie in the flow, and which neighbours belong to the same flow.
 //!
-//! What a vector is compared with, replaced by, smoothed with or differentiated against must be of the same
-//! flow: two nodes on either side of a body are neighbours on the lattice and strangers in the flow.
+//! A vector is compared with, replaced by, smoothed with or differentiated against vectors of the same flow
+//! only. Neighbouring nodes on opposite sides of a body belong to different flows.
 
 use rayon::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The displacement that a correlation volume shows.
+//! Displacement peaks of a correlation volume.
 
 use std::ops::Range;
 
@@ -15,10 +15,9 @@ pub struct Peak {
     pub ratio: f32,
 }
 
-/// The top of the Gaussian through the nearest lags (reach 1), at most a lag away from none along each
-/// axis: of a peak that has been centred but for a rest. `None` where they do not fall away from a
-/// top. With no other to be compared
-/// with, its ratio is [`ALONE`].
+/// The peak near zero lag after the previous passes: the vertex of the Gaussian through the lags of reach 1, at
+/// most one lag from zero along each axis. `None` where these lags have no maximum. They contain no secondary
+/// peak, so its ratio is [`MAX_RATIO`].
 pub fn nearest_peak(correlation: &[f32]) -> Option<Peak> {
     const MIDDLE: usize = 13;
     let mut shift = [0.0; 3];
@@ -28,29 +27,28 @@ pub fn nearest_peak(correlation: &[f32]) -> Option<Peak> {
         let curvature = log_curvature(below, height, above)?;
         *shift = ((above.ln() - below.ln()) / (2.0 * curvature)).clamp(-1.0, 1.0) as f32;
     }
-    Some(Peak { shift, lag: [0; 3], ratio: ALONE })
+    Some(Peak { shift, lag: [0; 3], ratio: MAX_RATIO })
 }
 
-/// Curvature of the logarithm of a peak through three equidistant samples, downwards; `None` where one
-/// of them has no logarithm, or they make no peak.
+/// Negative second difference of the logarithm of three equidistant samples; `None` where a sample is not
+/// positive, or the samples have no peak.
 pub fn log_curvature(below: f64, at: f64, above: f64) -> Option<f64> {
     let positive = [below, at, above].iter().all(|&value| value > 0.0);
     let curvature = positive.then(|| 2.0 * at.ln() - below.ln() - above.ln())?;
     (curvature > LEAST_CURVATURE).then_some(curvature)
 }
 
-/// A correlation flatter than this about its peak has none.
+/// Least curvature of a peak.
 const LEAST_CURVATURE: f64 = 1e-3;
 
-/// Ratio of a peak beside which there is no other, and of any that is higher still.
-const ALONE: f32 = 1e3;
+/// Upper limit of the peak ratio; also the ratio of a peak without a secondary one.
+const MAX_RATIO: f32 = 1e3;
 
-/// Cells around the highest peak that belong to it.
+/// Radius in cells within which values belong to the highest peak.
 const PEAK_RADIUS: i64 = 2;
 
-/// Finds the highest peak of a correlation, among the lags that have neighbours on all sides.
-/// `None` when nothing correlates, or more at the border of the lags than inside: something higher
-/// may lie beyond it.
+/// Finds the highest peak of a correlation among the lags with neighbours on all sides. `None` where no value is
+/// positive, or the correlation is higher at the border of the lags: the maximum may lie beyond it.
 pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
     let edge = lags.edge();
     let mut best: Option<(usize, f32)> = None;
@@ -77,9 +75,9 @@ pub fn highest_peak(lags: Lags, correlation: &[f32]) -> Option<Peak> {
     Some(Peak { shift, lag, ratio: over(height, next_highest(lags, correlation, lag)) })
 }
 
-/// Height of the peak at most a lag away from none over the highest beside it: less than 1 where another
-/// is higher, 0 where nothing correlates there.
-pub fn ratio_at_rest(lags: Lags, correlation: &[f32]) -> f32 {
+/// Ratio of the highest value within one lag of zero to the highest value outside that peak: less than 1 where
+/// another peak is higher, 0 where no value near zero lag is positive.
+pub fn ratio_at_zero_lag(lags: Lags, correlation: &[f32]) -> f32 {
     let own = Line::all(lags).filter(|line| line.within([0; 3], 1)).fold(0.0, |most, line| {
         let middle = line.first + lags.reach;
         highest(&correlation[middle - 1..=middle + 1], most)
@@ -87,12 +85,12 @@ pub fn ratio_at_rest(lags: Lags, correlation: &[f32]) -> f32 {
     over(own, next_highest(lags, correlation, [0; 3]))
 }
 
-/// How many times as high a peak is as the next one; at most [`ALONE`].
+/// Ratio of a peak to the next highest; at most [`MAX_RATIO`].
 fn over(height: f32, next: f32) -> f32 {
-    if height > 0.0 { (height / next.max(height / ALONE)).min(ALONE) } else { 0.0 }
+    if height > 0.0 { (height / next.max(height / MAX_RATIO)).min(MAX_RATIO) } else { 0.0 }
 }
 
-/// The highest value that does not belong to the peak at `lag`; 0 where all are negative.
+/// The highest value outside the peak at `lag`; 0 where all are negative.
 fn next_highest(lags: Lags, correlation: &[f32], lag: [i64; 3]) -> f32 {
     Line::all(lags).fold(0.0, |highest_yet, line| {
         let values = &correlation[line.range()];
@@ -137,8 +135,8 @@ fn highest(values: &[f32], least: f32) -> f32 {
     values.iter().fold(least, |most, &value| if value > most { value } else { most })
 }
 
-/// Offset of the top of a Gaussian through three equidistant samples, −0.5 to 0.5. A parabola
-/// stands in where a neighbour is not positive and has no logarithm.
+/// Offset of the vertex of a Gaussian through three equidistant samples, −0.5 to 0.5; of a parabola where a
+/// neighbour is not positive.
 pub fn three_point_gaussian(below: f32, at: f32, above: f32) -> f32 {
     let (l, m, r) = if below > 0.0 && above > 0.0 {
         (below.ln(), at.ln(), above.ln())
@@ -200,7 +198,7 @@ mod tests {
                 if let Some(peak) = highest_peak(lags, &correlation) {
                     let (lag, ratio) = by_definition(lags, &correlation).unwrap();
                     assert_eq!(peak.lag, lag);
-                    assert!((peak.ratio / ratio.min(ALONE) - 1.0).abs() < 1e-5);
+                    assert!((peak.ratio / ratio.min(MAX_RATIO) - 1.0).abs() < 1e-5);
                     found += 1;
                 }
             }
@@ -209,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_peak_at_rest_is_compared_with_those_beside_it() {
+    fn a_peak_at_zero_lag_is_compared_with_secondary_peaks() {
         let lags = Lags { reach: 3 };
         let mut correlation = vec![0.1; lags.count()];
         let place =
@@ -217,10 +215,10 @@ mod tests {
         correlation[place([1, 0, -1])] = 0.6;
         correlation[place([0, 2, 0])] = 0.5;
         correlation[place([-3, 0, 1])] = 0.2;
-        assert!((ratio_at_rest(lags, &correlation) - 3.0).abs() < 1e-6);
+        assert!((ratio_at_zero_lag(lags, &correlation) - 3.0).abs() < 1e-6);
         correlation[place([0, 3, 3])] = 1.2;
-        assert!((ratio_at_rest(lags, &correlation) - 0.5).abs() < 1e-6);
-        assert_eq!(ratio_at_rest(lags, &vec![-1.0; lags.count()]), 0.0);
+        assert!((ratio_at_zero_lag(lags, &correlation) - 0.5).abs() < 1e-6);
+        assert_eq!(ratio_at_zero_lag(lags, &vec![-1.0; lags.count()]), 0.0);
     }
 
     #[test]

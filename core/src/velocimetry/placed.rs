@@ -29,17 +29,17 @@ const CORRECTED_ERROR_VOX: f32 = 0.05;
 pub const NODES_PER_WINDOW: f32 = 3.0;
 
 /// A sphere about a vector holds so many pairs on average.
-const PARTICLES_ABOUT: f32 = 20.0;
+const PAIRS_PER_SPHERE: f32 = 20.0;
 
 /// A vector is accepted if at least so many pairs are about it,
-const LEAST_PARTICLES: usize = 6;
+const LEAST_PAIRS: usize = 6;
 
 /// and if at least this share of the particles there has a partner. By chance 7 to 15 % have one. How well pairs
 /// predict each other is no criterion: in a rough flow correct ones do not (docs/decisions.md).
-const LEAST_PAIRED: f32 = 1.0 / 3.0;
+const LEAST_PAIRED_SHARE: f32 = 1.0 / 3.0;
 
 /// A particle agrees with those about it if they miss its displacement by no more standard deviations.
-const AGREE_DEVIATIONS: f32 = 4.0;
+const AGREEMENT_SIGMA: f32 = 4.0;
 
 /// The displacement in the volume while particles are placed, in voxels of [`Interrogation::cloud_grid`].
 pub struct CorrectedField<'a> {
@@ -150,11 +150,11 @@ struct Support<'a> {
 }
 
 impl<'a> Support<'a> {
-    /// Of places in voxels of `grid`. Spheres about vectors hold [`PARTICLES_ABOUT`] pairs on average.
+    /// Of places in voxels of `grid`. Spheres about vectors hold [`PAIRS_PER_SPHERE`] pairs on average.
     fn new(grid: &VolumeGrid, paired: &'a [[f32; 3]], alone: [&'a [[f32; 3]]; 2]) -> Self {
         let sphere = 4.0 / 3.0 * std::f32::consts::PI;
         let density = paired.len().max(1) as f32 / grid.voxels.iter().product::<usize>() as f32;
-        let reach = (PARTICLES_ABOUT / (sphere * density)).cbrt();
+        let reach = (PAIRS_PER_SPHERE / (sphere * density)).cbrt();
         let near = |places: &'a [[f32; 3]]| Neighbours::new(places, reach);
         Self { paired: near(paired), alone: alone.map(near) }
     }
@@ -169,7 +169,7 @@ impl<'a> Support<'a> {
         let alone: usize = self.alone.iter().map(about).sum();
         // A particle without a partner is in one frame, a pair in both.
         let share = paired as f32 / (paired as f32 + alone as f32 / 2.0).max(1.0);
-        paired >= LEAST_PARTICLES && share >= LEAST_PAIRED
+        paired >= LEAST_PAIRS && share >= LEAST_PAIRED_SHARE
     }
 }
 
@@ -188,7 +188,7 @@ fn agreeing(
         let field = field_vox(sample.middle_vox);
         (0..3).all(|c| {
             let variance = sample.variance_vox2[c] + typical[c].powi(2) + field[c].powi(2);
-            missed[c] * missed[c] <= AGREE_DEVIATIONS * AGREE_DEVIATIONS * variance
+            missed[c] * missed[c] <= AGREEMENT_SIGMA * AGREEMENT_SIGMA * variance
         })
     };
     samples.iter().zip(missed).map(agrees).collect()

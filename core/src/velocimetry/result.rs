@@ -62,6 +62,6 @@ pub struct MeasuredParticle {
     pub uncertainty_vox: [f32; 3],
     /// Its light in each camera, mean of both frames, in counts of an open pixel that gets all of it.
     pub light: [f32; CAMERAS],
-    /// Whether its displacement agrees with that of the particles about it.
+    /// Whether its displacement agrees with that of the neighbouring particles.
     pub agrees: bool,
 }

@@ -1,4 +1,4 @@
-//! The likeliest field behind uncertain vectors.
+//! The most probable field, given uncertain vectors.
 //!
 //! Of all fields on the lattice, the one that minimises
 //!
@@ -9,12 +9,12 @@
 //! for every component: close to each measured vector y within its uncertainty σ, and with third
 //! differences Δ³ along the axes no larger than the flow's own, τ. This is the penalised least
 //! squares of Whittaker (1923) and Eilers (Anal. Chem. 75, 2003), used on PIV fields by Garcia (Exp.
-//! Fluids 50, 2011), with two changes: weights are measured uncertainties, and τ is taken from the
-//! vectors about each place, so that a vortex core is smoothed less than the water around it. Fields
-//! up to second order pass unchanged, at the faces of the volume as inside.
+//! Fluids 50, 2011), with two changes: weights are measured uncertainties, and τ is estimated locally, so that
+//! a vortex core is smoothed less than the surrounding flow. Fields up to second order are reproduced exactly,
+//! also at the faces of the volume.
 //!
-//! A node without a vector has no certainty, and what lies beyond the last vectors says nothing of
-//! them ([`Penalty::release`]): they come out as if the volume ended there.
+//! A node without a vector has zero weight. Nodes beyond the outermost vectors do not influence them
+//! ([`Penalty::drop_unknown`]): the result is the same as if the volume ended there.
 
 use rayon::prelude::*;
 
@@ -30,44 +30,42 @@ use super::{
 /// 1 + 9 + 9 + 1, less 2 · (3 + 9 + 3) times their correlation of 1/2.
 const NOISE_GAIN: f64 = 5.0;
 
-/// Standard deviation that is added to every vector, as a share of the flow's third differences: a
-/// window as long as the shortest wave on the lattice does not see that wave, so the spread of its
-/// particles knows nothing of it. Error of the true particles in windows of 24 voxels on a wave of
-/// 100: 0.08 voxel without, 0.03 with 0.1 or 0.17, 0.06 with 0.3; the bench and the ring vortex are
-/// best between 0.05 and 0.15 (docs/decisions.md, "Fitted constants").
-const UNSEEN: f64 = 0.1;
+/// Standard deviation added to every vector, as a share of the flow's third differences: a window does not
+/// respond to a wave as long as itself, and the spread of its particles does not contain that error. Error of
+/// the true particles in windows of 24 voxels on a wave of 100: 0.08 voxel without, 0.03 with 0.1 or 0.17, 0.06
+/// with 0.3; the bench and the ring vortex are best between 0.05 and 0.15 (docs/decisions.md, "Fitted
+/// constants").
+const UNRESOLVED_SHARE: f64 = 0.1;
 
-/// A third difference of a regular flow that is not told from zero, in voxels.
-const RESOLUTION_VOX: f64 = 1e-3;
+/// Third differences of a regular flow below this value count as zero, in voxels.
+const LEAST_DIFFERENCE_VOX: f64 = 1e-3;
 
-/// The equations are solved to this part of their first residual, or as far as this many steps go.
+/// Stopping criterion: residual relative to the first one, and number of steps.
 const UNTIL: Until = Until { tolerance: 1e-3, steps: 20 };
 
-/// What tells how rough the flow is.
+/// Data from which the roughness of the flow is estimated.
 #[derive(Debug, Clone, Copy)]
 struct Known<'a> {
     /// Nodes whose vectors were measured.
     measured: &'a [bool],
-    /// Which of them are of one flow; all of them where absent.
+    /// Which nodes belong to the same flow; all of them if absent.
     flow: Option<&'a FlowNodes>,
 }
 
 /// One component's equations (S + Σ Δᵀ P Δ) d = S y.
 struct Equations {
-    /// 1/σ² of each node, with what windows cannot see; 0 where there is no vector.
+    /// 1/σ² of each node, with the unresolved part in σ²; 0 where there is no vector.
     certainty: Vec<f64>,
     /// 1/τ² of every third difference.
     penalty: Penalty,
 }
 
 impl Lattice {
-    /// The likeliest field, if the standard uncertainty of each vector is `uncertainty_vox` (greater
-    /// than zero), `None` where nothing was measured. There the field follows from the vectors about, or
-    /// where these do not say, stays as it is.
+    /// The most probable field, given vectors with standard uncertainty `uncertainty_vox` (> 0); `None` where
+    /// nothing was measured: there the field is interpolated from its neighbours, or unchanged if it has none.
     ///
-    /// Only vectors that were `measured` tell how rough the flow and how large the noise is: what stands in
-    /// for others is as smooth or as far off as it happens to be. Nodes that are not of one `flow` say
-    /// nothing of each other.
+    /// Roughness and noise are estimated from `measured` vectors only, because replaced ones have arbitrary
+    /// smoothness and error. Nodes of different flows (`flow`) are not coupled.
     pub fn likeliest(
         &self,
         uncertainty_vox: &[Option<[f32; 3]>],
@@ -101,15 +99,16 @@ impl Equations {
         });
         let (sum, count) =
             of_measured.fold((0.0, 0usize), |(sum, count), square| (sum + square, count + 1));
-        let unseen = UNSEEN * UNSEEN * sum / count.max(1) as f64;
+        let unresolved = UNRESOLVED_SHARE * UNRESOLVED_SHARE * sum / count.max(1) as f64;
         let stiffness = squares
             .map(|of_axis| of_axis.iter().map(|&t| if t > 0.0 { 1.0 / t } else { 0.0 }).collect());
-        let certainty = variance.iter().map(|v| v.map_or(0.0, |v| 1.0 / (v + unseen))).collect();
+        let certainty =
+            variance.iter().map(|v| v.map_or(0.0, |v| 1.0 / (v + unresolved))).collect();
         let mut penalty = Penalty { layout, stiffness };
         let has_vector: Vec<bool> = variance.iter().map(Option::is_some).collect();
-        penalty.release(&has_vector);
+        penalty.drop_unknown(&has_vector);
         if let Some(flow) = known.flow {
-            penalty.part(flow);
+            penalty.drop_across_bodies(flow);
         }
         Self { certainty, penalty }
     }
@@ -134,12 +133,11 @@ impl Equations {
     }
 }
 
-/// Mean square τ² of the third difference along `axis` to expect from each node, in voxel²; 0 where
-/// none starts, and where it touches no vector.
+/// Expected mean square τ² of the third difference along `axis` that starts at each node, in voxel²; 0 where
+/// none starts, and where it contains no vector.
 ///
-/// The roughness around, and what the vectors' uncertainty alone would give: the differences of
-/// vectors that are smoothed already say too little, and a flow may be as rough as its vectors are
-/// uncertain.
+/// It is the sum of the local roughness and the value due to the vectors' uncertainty: third differences of
+/// smoothed vectors are too small, and the flow may be as rough as its vectors are uncertain.
 fn expected_squares(
     layout: Layout,
     axis: usize,
@@ -155,7 +153,7 @@ fn expected_squares(
         if count == 0.0 {
             squares[n] = 0.0;
         } else {
-            squares[n] += NOISE_GAIN * sum / count + RESOLUTION_VOX.powi(2);
+            squares[n] += NOISE_GAIN * sum / count + LEAST_DIFFERENCE_VOX.powi(2);
         }
     }
     squares

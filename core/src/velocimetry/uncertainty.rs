@@ -8,8 +8,8 @@
 //! three-point Gaussian fit follows to first order from the asymmetry.
 //!
 //! What all of a window's particles have in common is not in their spread: the solver's errors reach
-//! over several particles ([`SHARED`]), and the window answers a residual displacement that varies
-//! inside it only in part. [`UNANSWERED`] of the residual is added for it.
+//! over several particles ([`SOLVER_ERROR_FACTOR`]), and the window answers a residual displacement that varies
+//! inside it only in part. [`UNCORRECTED_SHARE`] of the residual is added for it.
 
 mod cells;
 
@@ -20,12 +20,12 @@ use cells::{COMMON, Cells};
 /// Share of the last pass's residual displacement that is taken for unanswered (docs/decisions.md,
 /// "Fitted constants"). A window of length
 /// L answers a wave of length 4 L along one axis to sin(π/4)/(π/4) = 0.90, along two to 0.81.
-const UNANSWERED: f32 = 0.19;
+const UNCORRECTED_SHARE: f32 = 0.19;
 
 /// A vector's error over the spread of its particles: intervals of that spread alone hold 46 to 49 %
 /// and 73 to 79 % of reconstructed vectors instead of 68 % and 95 %, alike from 0.3 to 1 ppm, under
 /// noise and with a dim camera (docs/decisions.md, "Fitted constants").
-const SHARED: f32 = 1.6;
+const SOLVER_ERROR_FACTOR: f32 = 1.6;
 
 /// Below this many particles their spread says little, and a displacement counts as known to a
 /// voxel at best: variance 1/12 (GUM 4.3.7).
@@ -33,7 +33,7 @@ const FEW_PARTICLES: f32 = 4.0;
 const VOXEL_VARIANCE: f32 = 1.0 / 12.0;
 
 /// What single precision and the three-point fit resolve, in voxels.
-const RESOLUTION_VOX: f32 = 1e-3;
+const NUMERICAL_FLOOR_VOX: f32 = 1e-3;
 
 /// One particle cannot confirm itself: with fewer than two nothing is known.
 const LEAST_PARTICLES: f32 = 2.0;
@@ -63,9 +63,12 @@ impl PeakStatistics {
         let few = self.particles < FEW_PARTICLES;
         let n = self.particles.max(FEW_PARTICLES);
         Some(std::array::from_fn(|axis| {
-            let random = SHARED * SHARED * self.variance_vox2[axis] * n / (n - 3.0);
+            let random = SOLVER_ERROR_FACTOR * SOLVER_ERROR_FACTOR * self.variance_vox2[axis] * n
+                / (n - 3.0);
             let random = if few { random.max(VOXEL_VARIANCE) } else { random };
-            (random + (UNANSWERED * residual_vox[axis]).powi(2)).sqrt().max(RESOLUTION_VOX)
+            (random + (UNCORRECTED_SHARE * residual_vox[axis]).powi(2))
+                .sqrt()
+                .max(NUMERICAL_FLOOR_VOX)
         }))
     }
 

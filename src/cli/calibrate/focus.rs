@@ -161,7 +161,7 @@ fn grid(
     found: Option<GridCalibration>,
 ) -> anyhow::Result<MicroImageGrid> {
     let Some(path) = &args.grid else {
-        return Ok(found.map_or_else(|| MicroImageGrid::drawn(optics), |found| found.grid));
+        return Ok(found.map_or_else(|| MicroImageGrid::nominal(optics), |found| found.grid));
     };
     match read_calibration(path) {
         Ok((CalibrationContent::Grid(content), _)) => {

@@ -35,14 +35,14 @@ impl<'a> Exposures<'a> {
     /// A camera does not see the volume, or it reaches too deep for the lens.
     pub fn new(measurement: &Measurement, conditions: &'a Conditions) -> Result<Self, ModelError> {
         let Measurement { optics, cameras, calibrations, volume, .. } = measurement;
-        let (drawn, pixel_mm) = (CameraCalibration::default(), optics.pixel_pitch_mm());
+        let (uncalibrated, pixel_mm) = (CameraCalibration::default(), optics.pixel_pitch_mm());
         // Microlenses have the f-number that the main lens works at: both blur alike.
         let f_number = optics.microlens.focal_length_mm / optics.microlens.pitch_mm;
         let plane_mm =
             conditions.diffraction_nm.map_or(0.0, |nm| AIRY_DEVIATION * nm * 1e-6 * f_number);
         let blur = PointBlur { plane_mm, sensor_px: plane_mm / pixel_mm };
         let camera = |(n, pose)| {
-            let calibration = calibrations.get(n).unwrap_or(&drawn);
+            let calibration = calibrations.get(n).unwrap_or(&uncalibrated);
             PointCamera::new(optics, pose, calibration, volume, CameraName(n), blur)
         };
         let cameras = cameras.iter().enumerate().map(camera).collect::<Result<_, _>>()?;

@@ -65,7 +65,7 @@ pub(super) fn micro_images(
     measurement: &Measurement,
     pair: &ImagePair,
 ) -> Vec<Option<MicroImages>> {
-    if !measurement.is_drawn() {
+    if !measurement.is_nominal() {
         return vec![None; pair.cameras.len()];
     }
     pair.cameras.par_iter().map(|[a, _]| MicroImages::find(&measurement.optics, a)).collect()
@@ -155,7 +155,7 @@ impl FitInputs<'_> {
 
     /// The lower value of both frames.
     fn agreement(&self) -> Option<Agreement> {
-        if !self.measurement.is_drawn() {
+        if !self.measurement.is_nominal() {
             return None;
         }
         let Measurement { optics, cameras, volume, .. } = self.measurement;
@@ -181,7 +181,7 @@ impl FitInputs<'_> {
 
     /// For frame a.
     fn disparity(&self) -> Option<Disparity> {
-        if !self.measurement.is_drawn() {
+        if !self.measurement.is_nominal() {
             return None;
         }
         let Measurement { optics, cameras, volume, .. } = self.measurement;

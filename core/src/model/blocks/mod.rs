@@ -132,7 +132,7 @@ pub fn block_model_beside(
     parts: &ModelParts,
     known: &[ViewLayout],
 ) -> Result<Box<dyn BlockModel>, ModelError> {
-    if calibrations.iter().all(CameraCalibration::is_drawn)
+    if calibrations.iter().all(CameraCalibration::is_nominal)
         && let Some(views) = aligned_views(optics, poses, grid, footprint_mm)?
     {
         let layouts = parts.layouts(optics, views.iter().map(|view| &view.window), known);
@@ -148,7 +148,7 @@ pub fn block_model_beside(
     if let Some(model) = model {
         return Ok(model);
     }
-    if let Some(n) = calibrations.iter().position(|known| !known.is_drawn()) {
+    if let Some(n) = calibrations.iter().position(|known| !known.is_nominal()) {
         return Err(ModelError::CalibratedTooWide { camera: CameraName(n), footprint_mm });
     }
     let model = thin_lens_model_of(optics, poses, grid, footprint_mm, parts)?;

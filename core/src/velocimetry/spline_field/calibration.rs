@@ -10,10 +10,10 @@ use super::{
 const REACH: usize = 2;
 
 /// All samples count about each place as so many more.
-const SHARED: f32 = 30.0;
+const GLOBAL_WEIGHT: f32 = 30.0;
 
 /// A sample farther off than so many standard deviations counts as so far off: it may be wrong itself.
-const FARTHEST: f32 = 4.0;
+const CLIP_SIGMA: f32 = 4.0;
 
 /// The samples' noise in the variance of the field's draws. The rest is what the penalty allows the flow to have in
 /// third differences, and no error where it has none. In three dimensions each is half:
@@ -22,7 +22,7 @@ const NOISE_SHARE: f32 = 0.5;
 
 /// Factors are expected to be [`NOISE_SHARE`] for the field and 1 for samples: of n samples, as if so many times √n had
 /// said so (docs/decisions.md). The pull of that falls with n as their own standard error does.
-const PRIOR_ROOTS: f32 = 4.0;
+const PRIOR_WEIGHT_ROOTS: f32 = 4.0;
 
 /// Least and most that a variance is changed by.
 const LIMITS: [f32; 2] = [0.01, 100.0];
@@ -51,7 +51,7 @@ impl Missed {
     fn share_and_surplus(&self, factors: Factors) -> (f32, f32) {
         let field = factors.field * self.field_variance;
         let variance = factors.own * self.own_variance + field;
-        let square = (self.off * self.off / variance).min(FARTHEST * FARTHEST);
+        let square = (self.off * self.off / variance).min(CLIP_SIGMA * CLIP_SIGMA);
         (field / variance, square - 1.0)
     }
 }
@@ -98,8 +98,8 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
         sums_within(nodes.layout, REACH, &mut gradient);
         sums_within(nodes.layout, REACH, &mut information);
         for ((factor, gradient), information) in factors.iter_mut().zip(gradient).zip(information) {
-            let gradient = gradient - SHARED * libm::logf(*factor / shared.field);
-            let step = gradient / (information + SHARED);
+            let gradient = gradient - GLOBAL_WEIGHT * libm::logf(*factor / shared.field);
+            let step = gradient / (information + GLOBAL_WEIGHT);
             *factor = (*factor * bounded_factor(step)).clamp(LIMITS[0], LIMITS[1]);
         }
     }
@@ -109,7 +109,7 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
 /// The likeliest factors for all samples, by Fisher's scoring of their logarithms.
 fn of_all(missed: &[Missed]) -> Factors {
     let mut factors = Factors { own: 1.0, field: NOISE_SHARE };
-    let prior = PRIOR_ROOTS * (missed.len().max(1) as f32).sqrt();
+    let prior = PRIOR_WEIGHT_ROOTS * (missed.len().max(1) as f32).sqrt();
     for _ in 0..STEPS[0] {
         // Sums over many samples: of the gradient, own and field, and of the information, own, both and field.
         let mut gradient = [factors.own, factors.field / NOISE_SHARE]

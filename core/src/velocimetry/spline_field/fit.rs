@@ -33,7 +33,7 @@ const DIVERGENCE: f32 = 0.01;
 
 /// What it may show beside that while samples have slack, per voxel of slack: were it held to zero at once,
 /// conjugate gradients would follow samples too slowly.
-const DIVERGENCE_OF_SLACK: f32 = 0.1;
+const DIVERGENCE_PER_EXTRA_SIGMA: f32 = 0.1;
 
 /// Standard deviation of a coefficient about that of the field before, in voxels. Samples say far more wherever
 /// there are any; without it the equations leave fields open that are quadratic along every axis.
@@ -63,7 +63,7 @@ pub struct Fit<'a> {
     /// Factor on the variance of each sample beside that, per component.
     inflation: [Vec<f32>; 3],
     /// Standard deviation that every sample is given beside its own, in voxels.
-    slack_vox: f32,
+    extra_sigma_vox: f32,
     /// Typical error of the field at left-out samples, in voxels, per component; 0 before that is known.
     missed_vox: [f32; 3],
     incompressible: bool,
@@ -98,7 +98,7 @@ impl<'a> Fit<'a> {
             stiffness: [1.0; 3],
             excess: [1.0; 3],
             inflation: [(); 3].map(|()| vec![1.0; samples.len()]),
-            slack_vox: 0.0,
+            extra_sigma_vox: 0.0,
             missed_vox: [0.0; 3],
             incompressible,
         }
@@ -106,9 +106,9 @@ impl<'a> Fit<'a> {
 
     /// Weighs samples by what the field leaves of them. Without slack, what their errors really are is asked
     /// of those that are close together, and of those that the field misses.
-    pub fn weigh(&mut self, slack_vox: f32) {
-        self.slack_vox = slack_vox;
-        if slack_vox == 0.0 {
+    pub fn weigh(&mut self, extra_sigma_vox: f32) {
+        self.extra_sigma_vox = extra_sigma_vox;
+        if extra_sigma_vox == 0.0 {
             self.excess = nugget::excess(self.samples, &self.field());
             self.inflation = self.scatter();
         }
@@ -282,12 +282,12 @@ impl<'a> Fit<'a> {
     fn variance(&self, c: usize, n: usize) -> f32 {
         let own = self.excess[c] * self.inflation[c][n] * self.samples[n].variance_vox2[c];
         let added = ADDED_DEVIATION * self.missed_vox[c];
-        own + self.slack_vox * self.slack_vox + added * added
+        own + self.extra_sigma_vox * self.extra_sigma_vox + added * added
     }
 
     /// Equations with a vector for each component.
     fn equations(&self, weights: Vec<Vec<Lane>>) -> Equations<'_> {
-        let divergence = DIVERGENCE.hypot(DIVERGENCE_OF_SLACK * self.slack_vox);
+        let divergence = DIVERGENCE.hypot(DIVERGENCE_PER_EXTRA_SIGMA * self.extra_sigma_vox);
         let divergence = Divergence {
             step_vox: self.nodes.step_vox,
             stiffness: 1.0 / (divergence * divergence),

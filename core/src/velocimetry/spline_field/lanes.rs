@@ -1,18 +1,18 @@
-//! Several unknown fields at once: equations that differ in their right-hand sides, or in which samples
-//! count, have all they need of the others' loads.
+//! Several fields solved at once, one per SIMD lane. Their equations differ only in right-hand sides or sample
+//! weights, so one memory load serves all of them.
 
 use rayon::prelude::*;
 
 /// Fields that are solved for together.
 pub const LANES: usize = 8;
 
-/// A coefficient, or a sample's value, of all of them.
+/// One coefficient, or the value of one sample, of all fields.
 pub type Lane = [f32; LANES];
 
 /// Coefficients: a vector for each component, or one whose lanes are the components.
 pub type Vectors = Vec<Vec<Lane>>;
 
-/// What each of the three components has, as the first lanes of one vector.
+/// Values of the three components in the first three lanes; zero in the others.
 pub fn packed(of: impl Fn(usize) -> f32) -> Lane {
     std::array::from_fn(|l| if l < 3 { of(l) } else { 0.0 })
 }
@@ -51,7 +51,7 @@ pub fn add(to: &mut Vectors, factors: Lane, values: &Vectors) {
 }
 
 /// `to` = `values` + factor × `to`, lane by lane.
-pub fn turn(to: &mut Vectors, factors: Lane, values: &Vectors) {
+pub fn scale_and_add(to: &mut Vectors, factors: Lane, values: &Vectors) {
     to.par_iter_mut().zip(values).for_each(|(to, values)| {
         for (to, value) in to.iter_mut().zip(values) {
             for l in 0..LANES {
@@ -61,7 +61,7 @@ pub fn turn(to: &mut Vectors, factors: Lane, values: &Vectors) {
     });
 }
 
-/// No field anywhere, in so many vectors.
+/// Zero fields: `vectors` vectors of `count` coefficients.
 pub fn zeros(vectors: usize, count: usize) -> Vectors {
     vec![vec![[0.0; LANES]; count]; vectors]
 }

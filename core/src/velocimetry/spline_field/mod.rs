@@ -2,19 +2,18 @@
 //! allow (Gesemann et al., From noisy particle tracks to velocity, acceleration and pressure fields using
 //! B-splines and penalties, 18th Int. Symp. Lisbon, 2016).
 //!
-//! Samples y with variance σ² at places x, third differences Δ³ of the coefficients c, where the flow is
-//! incompressible its divergence, and, loosely, the coefficients b of the field before make the field that
-//! minimises
+//! The field minimises a sum over the samples y with variance σ² at positions x, the third differences Δ³ of
+//! the coefficients c, the divergence if the flow is incompressible, and, with a small weight, the deviation
+//! from the coefficients b of the previous field:
 //!
 //! ```text
 //! Σ ρ((y − B c)/σ)  +  Σ λ (Δ³c)²  +  Σ μ (∇·c)²  +  Σ κ (b − c)²
 //! ```
 //!
 //! ρ is the negative logarithm of Student's distribution, minimised by reweighted least squares (`fit`). How
-//! stiff the field is, λ, is chosen by how well samples that are left out are predicted (`stiffness`). What is
-//! left open is known by draws: the same equations with random right-hand sides (`noise`), solved beside the
-//! field itself (`lanes`). What left-out samples are missed by says how far the draws can be trusted
-//! (`calibration`).
+//! stiff the field is, λ, is chosen by cross-validation (`stiffness`). The posterior spread is sampled: the
+//! same equations with random right-hand sides (`noise`) are solved together with the field (`lanes`).
+//! Cross-validation residuals calibrate the spread (`calibration`).
 
 mod calibration;
 mod divergence;
@@ -51,61 +50,63 @@ pub struct Sample {
 pub struct Extent {
     /// Least and largest corner.
     pub corners_vox: [[f32; 3]; 2],
-    /// Nodes are no further apart.
+    /// Largest node spacing.
     pub coarsest_vox: f32,
 }
 
-/// What is known of a field before it is fitted.
+/// Prior estimate of a field.
 #[derive(Clone, Copy)]
 pub struct Guess<'a> {
     /// The field.
     pub at: &'a dyn Fn([f32; 3]) -> [f32; 3],
-    /// What it errs by, in voxels.
+    /// Its typical error, in voxels.
     pub error_vox: f32,
-    /// That of a field through about the same samples, where one was fitted.
+    /// Stiffness of an earlier fit to nearly the same samples, if there is one.
     pub stiffness: Option<[f32; 3]>,
 }
 
-/// Distance of the nodes over that of the particles.
-const NODES_PER_PARTICLE: f32 = 0.9;
+/// Node spacing, in mean particle spacings.
+const NODE_SPACING: f32 = 0.9;
 
-/// Finest nodes, in voxels.
+/// Least node spacing, in voxels.
 pub const FINEST_VOX: f32 = 2.0;
 
 /// Largest third difference of neighbouring coefficients that is tried, in voxels.
 const LARGEST_DIFFERENCE_VOX: f32 = 2.0;
 
-/// From one third difference that is tried to the next: at first, and once samples are weighted by their real errors.
+/// Ratio of successive third differences in the search: at first, and after samples are weighted by their
+/// estimated errors.
 const RATIOS: [f32; 2] = [2.5, 1.7];
 
-/// Slack of samples at first, over what the field before errs by, and in the second round.
-const SLACK: [f32; 2] = [0.5, 0.1];
+/// Additional standard deviation of samples in the first and second round, relative to the error of the
+/// previous field.
+const EXTRA_SIGMA: [f32; 2] = [0.5, 0.1];
 
-/// Rounds in which samples are weighted by their real errors.
+/// Rounds in which samples are weighted by their estimated errors.
 const ROUNDS: usize = 3;
 
-/// To try penalties, to follow samples, and to solve without the samples that are left out.
+/// Stopping criteria for the search of penalties, the fit to samples, and cross-validation.
 const TRYING: Until = Until { steps: 60, tolerance: 1e-3 };
 const FOLLOWING: Until = Until { steps: 25, tolerance: 3e-3 };
 const LEAVING_OUT: Until = Until { steps: 60, tolerance: 1e-3 };
 
-/// The same for a field that is not the last.
+/// The same for an intermediate field.
 const TRYING_QUICKLY: Until = Until { steps: 12, tolerance: 1e-3 };
 const FOLLOWING_QUICKLY: Until = Until { steps: 10, tolerance: 3e-3 };
 
 impl Extent {
-    /// Nodes for so many particles: about one for each.
+    /// Nodes for this number of particles: about one per particle.
     fn nodes_for(&self, particles: usize) -> Nodes {
         let [low, high] = self.corners_vox;
         let volume: f32 = (0..3).map(|axis| (high[axis] - low[axis]).max(1.0)).product();
         let between = (volume / particles.max(1) as f32).cbrt();
-        let step_vox = (NODES_PER_PARTICLE * between).min(self.coarsest_vox).max(FINEST_VOX);
+        let step_vox = (NODE_SPACING * between).min(self.coarsest_vox).max(FINEST_VOX);
         Nodes::covering(low, high, step_vox)
     }
 }
 
-/// The field through `samples`, and what it leaves of each sample when that is left out, in voxels. Samples
-/// outside the extent count as if they were on its faces.
+/// The field fitted to `samples`, and the cross-validation residual of each sample, in voxels. Samples outside
+/// the extent are moved to its faces.
 pub fn through(
     extent: &Extent,
     samples: &[Sample],
@@ -116,7 +117,7 @@ pub fn through(
     let order = order_of(&nodes, samples);
     let samples: Vec<Sample> = order.iter().map(|&n| samples[n]).collect();
     let mut fit = Fit::new(nodes, &samples, guess.at, incompressible);
-    // How uncertain the field is counts in the samples' weights from the first.
+    // The field's uncertainty is part of the samples' weights from the first round.
     follow(&mut fit, guess, TRYING, |fit| fit.improve(FOLLOWING));
     for round in 0..ROUNDS {
         fit.weigh(0.0);
@@ -131,12 +132,12 @@ pub fn through(
     (fit.calibrated(&missed), in_order)
 }
 
-/// Numbers of the samples, those near to each other one after the other.
+/// Indices of the samples, sorted by position so that neighbours are adjacent.
 fn order_of(nodes: &Nodes, samples: &[Sample]) -> Vec<usize> {
     nodes.order(samples.iter().map(|sample| sample.middle_vox))
 }
 
-/// The field near `samples`, whose stated errors are not relied on.
+/// The field fitted to `samples` without use of their stated errors.
 pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineField {
     let nodes = extent.nodes_for(samples.len());
     let samples: Vec<Sample> = order_of(&nodes, samples).into_iter().map(|n| samples[n]).collect();
@@ -145,9 +146,9 @@ pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineFie
     fit.field()
 }
 
-/// Moves the field from a guess towards samples, with less and less slack.
+/// Moves the field from a guess towards the samples, with decreasing additional standard deviation.
 fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, towards: impl Fn(&mut Fit<'_>)) {
-    fit.weigh(SLACK[0] * guess.error_vox);
+    fit.weigh(EXTRA_SIGMA[0] * guess.error_vox);
     match guess.stiffness {
         Some(stiffness) => fit.stiffness = stiffness,
         None => {
@@ -156,7 +157,7 @@ fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, towards: impl Fn(
         }
     }
     towards(fit);
-    fit.weigh(SLACK[1] * guess.error_vox);
+    fit.weigh(EXTRA_SIGMA[1] * guess.error_vox);
     towards(fit);
 }
 

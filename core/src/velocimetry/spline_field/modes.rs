@@ -1,7 +1,7 @@
 //! Coefficients along each axis in modes of the penalty, and back.
 //!
 //! P = Δ³ᵀΔ³ is the same seen from either end of an axis, so each of its eigenvectors is even or odd about the
-//! middle: coefficients are folded there, and turned by two matrices of half the size.
+//! middle: coefficients are folded there, and transformed by two matrices of half the size.
 
 use multiversion::multiversion;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -76,8 +76,9 @@ impl AxisModes {
             vectors.columns_mut(first, size).copy_from(&unfolded);
         }
         let diagonal = |matrix: &DMatrix<f64>| -> Vec<f64> {
-            let turned = matrix_product(&matrix_product(&vectors.transpose(), matrix), &vectors);
-            (0..count).map(|k| turned[(k, k)].max(0.0)).collect()
+            let transformed =
+                matrix_product(&matrix_product(&vectors.transpose(), matrix), &vectors);
+            (0..count).map(|k| transformed[(k, k)].max(0.0)).collect()
         };
         let block = |first: usize, size: usize| {
             // An odd mode's folded coefficient stands where the second of the two was.
@@ -135,7 +136,7 @@ fn folds(count: usize) -> DMatrix<f64> {
     folds
 }
 
-/// Neighbouring coefficients of a plane whose columns along z are turned at once.
+/// Neighbouring coefficients of a plane whose columns along z are transformed at once.
 const STRIP: usize = 64;
 
 impl Modes {
@@ -144,10 +145,10 @@ impl Modes {
         Self { layout, axes: layout.nodes.map(AxisModes::new) }
     }
 
-    /// Scales a field, multiplies each of its modes by a factor, and scales the result. `result` and `strips` are room for
+    /// Scales a field, multiplies each of its modes by a factor, and scales the result. `result` and `strips` are scratch for
     /// as many coefficients.
     ///
-    /// Planes are turned along x and y, columns along z, each while it is in the processor's cache.
+    /// Planes are transformed along x and y, columns along z, each while it is in the processor's cache.
     pub fn filter(
         &self,
         field: &[Lane],
@@ -159,44 +160,54 @@ impl Modes {
         let plane = nx * ny;
         let [x, y, z] = &self.axes;
         let planes = result.par_chunks_mut(plane).zip(field.par_chunks(plane));
-        let room = || vec![[0.0; LANES]; plane];
-        planes.zip(scales.par_chunks(plane)).for_each_init(room, |room, ((to, from), scales)| {
-            for ((to, from), scale) in to.iter_mut().zip(from).zip(scales) {
-                *to = product(from, scale);
-            }
-            to.chunks_exact_mut(nx).zip(room.chunks_exact_mut(nx)).for_each(|(row, turned)| {
-                x.turn(Direction::ToModes, 1, row, turned);
-            });
-            y.turn(Direction::ToModes, nx, room, to);
-        });
-        let turned = &*result;
-        let room = || vec![[0.0; LANES]; nz * STRIP];
-        strips.par_chunks_mut(nz * STRIP).enumerate().for_each_init(room, |room, (n, strip)| {
-            let width = strip.len() / nz;
-            let room = &mut room[..strip.len()];
-            let row = |z: usize| z * plane + n * STRIP..z * plane + n * STRIP + width;
-            for (z, to) in strip.chunks_exact_mut(width).enumerate() {
-                to.copy_from_slice(&turned[row(z)]);
-            }
-            z.turn(Direction::ToModes, width, strip, room);
-            for (z, modes) in room.chunks_exact_mut(width).enumerate() {
-                let factors = &factors[row(z)];
-                modes.iter_mut().zip(factors).for_each(|(mode, by)| *mode = product(mode, by));
-            }
-            z.turn(Direction::FromModes, width, room, strip);
-        });
+        let scratch = || vec![[0.0; LANES]; plane];
+        planes.zip(scales.par_chunks(plane)).for_each_init(
+            scratch,
+            |scratch, ((to, from), scales)| {
+                for ((to, from), scale) in to.iter_mut().zip(from).zip(scales) {
+                    *to = product(from, scale);
+                }
+                to.chunks_exact_mut(nx).zip(scratch.chunks_exact_mut(nx)).for_each(
+                    |(row, transformed)| {
+                        x.transform(Direction::ToModes, 1, row, transformed);
+                    },
+                );
+                y.transform(Direction::ToModes, nx, scratch, to);
+            },
+        );
+        let transformed = &*result;
+        let scratch = || vec![[0.0; LANES]; nz * STRIP];
+        strips.par_chunks_mut(nz * STRIP).enumerate().for_each_init(
+            scratch,
+            |scratch, (n, strip)| {
+                let width = strip.len() / nz;
+                let scratch = &mut scratch[..strip.len()];
+                let row = |z: usize| z * plane + n * STRIP..z * plane + n * STRIP + width;
+                for (z, to) in strip.chunks_exact_mut(width).enumerate() {
+                    to.copy_from_slice(&transformed[row(z)]);
+                }
+                z.transform(Direction::ToModes, width, strip, scratch);
+                for (z, modes) in scratch.chunks_exact_mut(width).enumerate() {
+                    let factors = &factors[row(z)];
+                    modes.iter_mut().zip(factors).for_each(|(mode, by)| *mode = product(mode, by));
+                }
+                z.transform(Direction::FromModes, width, scratch, strip);
+            },
+        );
         let planes = result.par_chunks_mut(plane).zip(scales.par_chunks(plane)).enumerate();
-        let room = || vec![[0.0; LANES]; plane];
-        planes.for_each_init(room, |room, (z, (to, scales))| {
+        let scratch = || vec![[0.0; LANES]; plane];
+        planes.for_each_init(scratch, |scratch, (z, (to, scales))| {
             let strips = strips.chunks(nz * STRIP);
             for (to, strip) in to.chunks_mut(STRIP).zip(strips) {
                 let width = to.len();
                 to.copy_from_slice(&strip[z * width..][..width]);
             }
-            y.turn(Direction::FromModes, nx, to, room);
-            room.chunks_exact_mut(nx).zip(to.chunks_exact_mut(nx)).for_each(|(row, turned)| {
-                x.turn(Direction::FromModes, 1, row, turned);
-            });
+            y.transform(Direction::FromModes, nx, to, scratch);
+            scratch.chunks_exact_mut(nx).zip(to.chunks_exact_mut(nx)).for_each(
+                |(row, transformed)| {
+                    x.transform(Direction::FromModes, 1, row, transformed);
+                },
+            );
             to.iter_mut().zip(scales).for_each(|(to, scale)| *to = product(to, scale));
         });
     }
@@ -208,7 +219,7 @@ fn product(one: &Lane, other: &Lane) -> Lane {
 
 impl AxisModes {
     /// Turns `s` rows side by side, whose coefficients are `s` apart.
-    fn turn(&self, direction: Direction, s: usize, from: &mut [Lane], to: &mut [Lane]) {
+    fn transform(&self, direction: Direction, s: usize, from: &mut [Lane], to: &mut [Lane]) {
         if direction == Direction::ToModes {
             fold(s, from);
         }
@@ -297,8 +308,8 @@ mod tests {
                     [sum as f32; LANES]
                 })
                 .collect();
-            let [mut found, mut room] = [(); 2].map(|()| vec![[0.0; LANES]; layout.len()]);
-            modes.filter(&field, (&scales, &factors), &mut found, &mut room);
+            let [mut found, mut scratch] = [(); 2].map(|()| vec![[0.0; LANES]; layout.len()]);
+            modes.filter(&field, (&scales, &factors), &mut found, &mut scratch);
             for l in [0, 5] {
                 let scaled = |n: usize| f64::from(field[n][l] * scales[n][l]);
                 let mut expected = vec![0.0; layout.len()];

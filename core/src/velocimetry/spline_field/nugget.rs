@@ -13,7 +13,7 @@ use crate::{
 const CLOSE: f32 = 0.3;
 
 /// The stated variance counts as so many pairs.
-const STATED: f64 = 20.0;
+const PRIOR_PAIRS: f64 = 20.0;
 
 /// The least and the most that the samples' variance may be of what they state.
 const LIMITS: [f64; 2] = [1e-4, 9.0];
@@ -46,6 +46,6 @@ pub fn excess(samples: &[Sample], field: &SplineField) -> [f32; 3] {
         let found = median(squares).unwrap_or_default() / MEDIAN_SQUARE;
         // By the logarithm: what is stated may be off by a factor either way.
         let found = found.clamp(LIMITS[0], LIMITS[1]);
-        libm::exp(libm::log(found) * count / (STATED + count)) as f32
+        libm::exp(libm::log(found) * count / (PRIOR_PAIRS + count)) as f32
     })
 }

@@ -35,11 +35,11 @@ impl<'a> Preconditioner<'a> {
         Self { modes, parts }
     }
 
-    /// Makes `result` what `residual` asks of a field, nearly. `room` is as large as both.
-    pub fn apply(&self, residual: &Vectors, result: &mut Vectors, room: &mut Vectors) {
-        let vectors = residual.par_iter().zip(&self.parts).zip(result).zip(room);
-        vectors.for_each(|(((residual, part), result), room)| {
-            self.modes.filter(residual, (&part.scale, &part.inverse), result, room);
+    /// Makes `result` what `residual` asks of a field, nearly. `scratch` is as large as both.
+    pub fn apply(&self, residual: &Vectors, result: &mut Vectors, scratch: &mut Vectors) {
+        let vectors = residual.par_iter().zip(&self.parts).zip(result).zip(scratch);
+        vectors.for_each(|(((residual, part), result), scratch)| {
+            self.modes.filter(residual, (&part.scale, &part.inverse), result, scratch);
         });
     }
 }

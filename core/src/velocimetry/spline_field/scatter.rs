@@ -9,7 +9,7 @@ use crate::statistics::{MEDIAN_SQUARE, median};
 const REACH: i64 = 1;
 
 /// The stated variance counts as so many particles.
-const STATED: f64 = 10.0;
+const PRIOR_PARTICLES: f64 = 10.0;
 
 /// Largest factor.
 const LARGEST: f64 = 1e4;
@@ -41,7 +41,7 @@ pub fn inflation(nodes: &Nodes, samples: &[Sample], left: &[f32]) -> Vec<f32> {
             let own = (middle.unwrap_or(MEDIAN_SQUARE) / MEDIAN_SQUARE).clamp(1.0, LARGEST);
             // By the logarithm, as the variance of all particles.
             let count = near.len() as f64;
-            libm::exp(libm::log(own) * count / (count + STATED)) as f32
+            libm::exp(libm::log(own) * count / (count + PRIOR_PARTICLES)) as f32
         })
         .collect();
     nearest.iter().map(|&node| of_node[node]).collect()

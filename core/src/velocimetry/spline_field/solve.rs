@@ -3,7 +3,7 @@
 use super::{
     super::conjugate_gradients::Until,
     equations::Equations,
-    lanes::{Lane, Vectors, add, dot, turn, zeros},
+    lanes::{Lane, Vectors, add, dot, scale_and_add, zeros},
     preconditioner::Preconditioner,
 };
 
@@ -18,8 +18,8 @@ pub fn improve(
     Until { steps, tolerance }: Until,
 ) {
     let count = equations.nodes.layout.len();
-    let [mut step, mut next, mut room] = [(); 3].map(|()| zeros(field.len(), count));
-    preconditioner.apply(&residual, &mut step, &mut room);
+    let [mut step, mut next, mut scratch] = [(); 3].map(|()| zeros(field.len(), count));
+    preconditioner.apply(&residual, &mut step, &mut scratch);
     let mut square = dot(&residual, &step);
     let enough = square.map(|square| square * tolerance * tolerance);
     for _ in 0..steps {
@@ -31,10 +31,10 @@ pub fn improve(
         let length: Lane = std::array::from_fn(|l| ratio(square[l], curvature[l]));
         add(field, length, &step);
         add(&mut residual, length.map(|length| -length), &applied);
-        preconditioner.apply(&residual, &mut next, &mut room);
+        preconditioner.apply(&residual, &mut next, &mut scratch);
         let next_square = dot(&residual, &next);
         let keep: Lane = std::array::from_fn(|l| ratio(next_square[l], square[l]));
-        turn(&mut step, keep, &next);
+        scale_and_add(&mut step, keep, &next);
         square = next_square;
     }
 }

@@ -38,7 +38,7 @@ const REWEIGHTINGS: usize = 2;
 const PRIOR_VARIANCE_FACTOR: f64 = 4.0;
 
 /// A third difference of a regular flow that is not told from zero, in voxels.
-const RESOLUTION_VOX: f64 = 3e-3;
+const LEAST_DIFFERENCE_VOX: f64 = 3e-3;
 
 /// Factor on the correlation's variance where particles are known much better: it saw the same particles and
 /// is no independent measurement.
@@ -83,7 +83,7 @@ pub struct Fit<'a> {
     vectors: [Vec<f64>; 3],
     variance: [Vec<f64>; 3],
     /// Share of the correlation's variance that third differences may have without being seen.
-    unseen_share: f64,
+    unresolved_share: f64,
     /// Where the flow is incompressible.
     divergence: Option<Divergence>,
     /// 1/τ² of the coefficients' third differences.
@@ -120,7 +120,7 @@ impl<'a> Fit<'a> {
             }),
             variance: std::array::from_fn(|c| variances(uncertainty_vox, c)),
             // The third difference of an error as smooth as a window goes with the cube of the step.
-            unseen_share: f64::from(field.step_vox / window_step_vox).powi(6),
+            unresolved_share: f64::from(field.step_vox / window_step_vox).powi(6),
             divergence: incompressible
                 .then(|| Divergence { layout, step_vox: f64::from(field.step_vox) }),
             penalties: [unknown.clone(), unknown.clone(), unknown],
@@ -285,16 +285,17 @@ impl<'a> Fit<'a> {
                 let squares = layout.roughness(axis, &spline.coefficients[c], measured, self.flow);
                 let stiffness = |(n, square): (usize, f64)| {
                     let middle = node_in_the_middle(layout, self.nodes, axis, n);
-                    let unseen = self.variance[c][middle] + RESOLUTION_VOX * RESOLUTION_VOX;
-                    let most = PRIOR_VARIANCE_FACTOR * square + self.unseen_share * unseen;
+                    let unresolved =
+                        self.variance[c][middle] + LEAST_DIFFERENCE_VOX * LEAST_DIFFERENCE_VOX;
+                    let most = PRIOR_VARIANCE_FACTOR * square + self.unresolved_share * unresolved;
                     if layout.starts(axis, n) { 1.0 / most } else { 0.0 }
                 };
                 squares.into_iter().enumerate().map(stiffness).collect()
             });
             let mut penalty = Penalty { layout, stiffness };
-            penalty.release(measured);
+            penalty.drop_unknown(measured);
             if let Some(flow) = self.flow {
-                penalty.part(flow);
+                penalty.drop_across_bodies(flow);
             }
             penalty
         })
@@ -321,7 +322,7 @@ impl<'a> Fit<'a> {
                     let common_error =
                         COMMON_BLUR_ERROR_VOX * (self.variance_inflation[n][c].sqrt() - 1.0);
                     let uncertainty = (COMMON_ERROR_FACTOR * variance.sqrt()).hypot(common_error);
-                    uncertainty.max(RESOLUTION_VOX) as f32
+                    uncertainty.max(LEAST_DIFFERENCE_VOX) as f32
                 }))
             })
             .collect()

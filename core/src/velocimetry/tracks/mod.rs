@@ -28,19 +28,19 @@ use super::{
 
 /// Particles are at last looked for so near to where the field expects them, in voxels: some standard
 /// deviations of a reconstructed particle's place, and less than the distance to its neighbours.
-const NEAREST_VOX: f32 = 0.6;
+const FINAL_SEARCH_RADIUS_VOX: f32 = 0.6;
 
 /// Most rounds in which particles are looked for far from where the field of the round before expects
 /// them.
 const FAR_ROUNDS: usize = 5;
 
 /// A component of the field moves if it moves further than this, in voxels: its uncertainty on the bench.
-const SETTLED_VOX: f32 = 0.015;
+const CONVERGED_VOX: f32 = 0.015;
 
 /// Shares of the components that may still move when the field is settled, on the windows' nodes and on finer ones:
 /// what is rough in a small part of the volume is found on these.
-const COARSE_MOVING_SHARE: f64 = 0.05;
-const FINE_MOVING_SHARE: f64 = 0.002;
+const COARSE_UNCONVERGED_SHARE: f64 = 0.05;
+const FINE_UNCONVERGED_SHARE: f64 = 0.002;
 
 /// Least number of particles per cell between the finer nodes.
 const LEAST_PER_FINER_CELL: f64 = 0.5;
@@ -92,11 +92,11 @@ pub fn follow(
         Stage::new(nodes, uncertainty_vox, (field.step_vox, incompressible), flow)
     };
     let mut stage = fit_on(field.clone(), uncertainty_vox, 0);
-    stage.settle(frames, COARSE_MOVING_SHARE);
-    let near = pairs(&stage.spline, frames, NEAREST_VOX);
+    stage.iterate(frames, COARSE_UNCONVERGED_SHARE);
+    let near = pairs(&stage.spline, frames, FINAL_SEARCH_RADIUS_VOX);
     stage.adjust(&near);
-    let by_particles =
-        Samples::new(field.nodes, &stage.spline, &near).agree(&stage.spline, NEAREST_VOX);
+    let by_particles = Samples::new(field.nodes, &stage.spline, &near)
+        .agree(&stage.spline, FINAL_SEARCH_RADIUS_VOX);
     if !stage.allows_finer(near.len()) {
         let uncertainty_vox = stage.fit.uncertainty_vox();
         let nodes = stage.spline.on_nodes(&stage.nodes);
@@ -104,8 +104,8 @@ pub fn follow(
     }
     let (nodes, known) = stage.finer(uncertainty_vox, flow.map(|flow| &flow.finer));
     let mut finer = fit_on(nodes, &known, 1);
-    finer.settle(frames, FINE_MOVING_SHARE);
-    let near = pairs(&finer.spline, frames, NEAREST_VOX);
+    finer.iterate(frames, FINE_UNCONVERGED_SHARE);
+    let near = pairs(&finer.spline, frames, FINAL_SEARCH_RADIUS_VOX);
     finer.adjust(&near);
     let samples = Samples::new(field.nodes, &stage.spline, &near);
     stage.fit.weigh(&samples, &residuals(&finer.spline, &near));
@@ -168,13 +168,13 @@ impl<'a> Stage<'a> {
         Self { nodes, spline, fit }
     }
 
-    /// Pairs particles along the field and fits the field to them until no more than `moving_share` of its
+    /// Pairs particles along the field and fits the field to them until no more than `unconverged_share` of its
     /// components move.
-    fn settle(&mut self, frames: [&[Particle]; 2], moving_share: f64) {
+    fn iterate(&mut self, frames: [&[Particle]; 2], unconverged_share: f64) {
         for _ in 0..FAR_ROUNDS {
             let before = self.spline.on_nodes(&self.nodes);
             self.adjust(&pairs(&self.spline, frames, FARTHEST_VOX));
-            if moved(&before, &self.spline.on_nodes(&self.nodes)) <= moving_share {
+            if moved(&before, &self.spline.on_nodes(&self.nodes)) <= unconverged_share {
                 return;
             }
         }
@@ -219,7 +219,7 @@ impl<'a> Stage<'a> {
 /// their uncertainty.
 fn moved(before: &Lattice, now: &Lattice) -> f64 {
     let [before, now] = [before, now].map(|field| field.values.as_flattened());
-    let moved = before.iter().zip(now).filter(|(a, b)| (**a - **b).abs() > SETTLED_VOX).count();
+    let moved = before.iter().zip(now).filter(|(a, b)| (**a - **b).abs() > CONVERGED_VOX).count();
     moved as f64 / now.len() as f64
 }
 

@@ -1,11 +1,11 @@
-//! The particles in a cloud of points: knots of light.
+//! The particles in a cloud of points: peaks of light.
 
 use rayon::prelude::*;
 
 use super::super::cloud::PointCloud;
 use crate::{particles::Neighbours, statistics::median};
 
-/// Light nearer than this to the brightest place of a knot belongs to it, in voxels. This and the two
+/// Light nearer than this to the brightest place of a peak belongs to it, in voxels. This and the two
 /// below: docs/decisions.md, "Fitted constants".
 const REACH_VOX: f32 = 0.8;
 
@@ -13,13 +13,13 @@ const REACH_VOX: f32 = 0.8;
 /// as wide as a reconstructed particle.
 const WIDTH_VOX: f32 = 0.45;
 
-/// A knot with less than this part of the median knot's light is a remnant of reconstruction.
-const LEAST_LIGHT: f32 = 0.1;
+/// A peak with less than this part of the median peak's light is a remnant of reconstruction.
+const LEAST_PEAK_LIGHT: f32 = 0.1;
 
-/// Rounds in which the points find their nearest knot and the knots the centre of their points.
+/// Rounds in which the points find their nearest peak and the peaks the centre of their points.
 const ROUNDS: usize = 3;
 
-/// A knot of light, in voxels.
+/// A peak of light, in voxels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Particle {
     /// Its centre.
@@ -56,37 +56,37 @@ pub fn particles(cloud: &PointCloud) -> Vec<Particle> {
             brightest
         })
         .collect();
-    let mut knots: Vec<[f32; 3]> =
+    let mut peaks: Vec<[f32; 3]> =
         (0..brightest.len()).filter(|&n| brightest[n]).map(|n| cloud.position_vox[n]).collect();
-    if knots.is_empty() {
+    if peaks.is_empty() {
         return Vec::new();
     }
     for _ in 1..ROUNDS {
-        knots = gathered(cloud, &knots).into_iter().map(|particle| particle.at_vox).collect();
+        peaks = gathered(cloud, &peaks).into_iter().map(|particle| particle.at_vox).collect();
     }
-    let mut found = gathered(cloud, &knots);
+    let mut found = gathered(cloud, &peaks);
     let median = median(found.iter().map(|particle| particle.light)).unwrap_or_default();
-    let least = LEAST_LIGHT * median as f32;
+    let least = LEAST_PEAK_LIGHT * median as f32;
     found.retain(|particle| particle.light > least);
     found
 }
 
-/// The light whose nearest knot each is. Knots that lose all theirs stay where they are, dark.
-fn gathered(cloud: &PointCloud, knots: &[[f32; 3]]) -> Vec<Particle> {
-    let neighbours = Neighbours::new(knots, REACH_VOX);
+/// The light whose nearest peak each is. Knots that lose all theirs stay where they are, dark.
+fn gathered(cloud: &PointCloud, peaks: &[[f32; 3]]) -> Vec<Particle> {
+    let neighbours = Neighbours::new(peaks, REACH_VOX);
     let nearest: Vec<Option<usize>> =
         cloud.position_vox.par_iter().map(|&at| neighbours.nearest(at, REACH_VOX)).collect();
-    let mut moments = vec![Moments::default(); knots.len()];
-    for (n, knot) in nearest.into_iter().enumerate() {
-        let Some(knot) = knot else { continue };
+    let mut moments = vec![Moments::default(); peaks.len()];
+    for (n, peak) in nearest.into_iter().enumerate() {
+        let Some(peak) = peak else { continue };
         let at = cloud.position_vox[n];
-        let from_knot = std::array::from_fn(|axis| f64::from(at[axis] - knots[knot][axis]));
-        moments[knot].add(from_knot, f64::from(cloud.light[n]));
+        let from_peak = std::array::from_fn(|axis| f64::from(at[axis] - peaks[peak][axis]));
+        moments[peak].add(from_peak, f64::from(cloud.light[n]));
     }
-    moments.iter().zip(knots).map(|(moments, &knot)| moments.particle(knot)).collect()
+    moments.iter().zip(peaks).map(|(moments, &peak)| moments.particle(peak)).collect()
 }
 
-/// Sums over the light of a knot, with places from where the knot was.
+/// Sums over the light of a peak, with places from where the peak was.
 #[derive(Debug, Clone, Copy, Default)]
 struct Moments {
     light: f64,
@@ -112,15 +112,15 @@ impl Moments {
     ///
     /// For its centre points count by the root of their light: a multiplicative solver gives the
     /// voxel nearest to a particle more than its share, and its neighbours less.
-    fn particle(&self, knot: [f32; 3]) -> Particle {
+    fn particle(&self, peak: [f32; 3]) -> Particle {
         if self.light <= 0.0 {
-            return Particle { at_vox: knot, spread_vox2: [0.0; 3], light: 0.0 };
+            return Particle { at_vox: peak, spread_vox2: [0.0; 3], light: 0.0 };
         }
         let variance = |axis: usize| {
             let mean = self.place[axis] / self.light;
             (self.square[axis] / self.light - mean * mean).max(0.0) as f32
         };
-        let centre = |axis: usize| knot[axis] + (self.place_by_root[axis] / self.root) as f32;
+        let centre = |axis: usize| peak[axis] + (self.place_by_root[axis] / self.root) as f32;
         Particle {
             at_vox: std::array::from_fn(centre),
             spread_vox2: std::array::from_fn(variance),

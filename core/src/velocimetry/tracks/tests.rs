@@ -142,7 +142,7 @@ fn neighbours_are_those_that_a_search_through_all_finds() {
 /// Knots of points of different light about known centres, far enough apart, and a few dim points
 /// between them.
 #[test]
-fn particles_are_the_centres_of_knots_of_light() {
+fn particles_are_the_centres_of_intensity_peaks() {
     let mut random = random();
     let centres: Vec<[f32; 3]> =
         (0..60).map(|n| [n % 4, n / 4 % 4, n / 16].map(|i| 4.0 * i as f32 + 0.3)).collect();
@@ -154,7 +154,7 @@ fn particles_are_the_centres_of_knots_of_light() {
     for &centre in &centres {
         for _ in 0..4 {
             let offset = [0; 3].map(|_| 0.5 * (unit(&mut random) - 0.5));
-            // Two points opposite each other: their centre is the knot's.
+            // Two points opposite each other: their centre is that of the peak.
             let light = 1.0 + unit(&mut random);
             add(std::array::from_fn(|c| centre[c] + offset[c]), light);
             add(std::array::from_fn(|c| centre[c] - offset[c]), light);

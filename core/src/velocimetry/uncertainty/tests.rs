@@ -79,7 +79,7 @@ fn few_particles_know_no_more_than_the_voxel() {
     let few = PeakStatistics { variance_vox2: [0.0; 3], particles: 3.0, coefficient: 1.0 };
     assert!((few.uncertainty_vox([0.0; 3]).unwrap()[0] - 0.2887).abs() < 1e-4);
     let many = PeakStatistics { variance_vox2: [0.01; 3], particles: 1000.0, coefficient: 1.0 };
-    assert!((many.uncertainty_vox([0.0; 3]).unwrap()[0] - 0.1 * SHARED).abs() < 1e-3);
+    assert!((many.uncertainty_vox([0.0; 3]).unwrap()[0] - 0.1 * SOLVER_ERROR_FACTOR).abs() < 1e-3);
     let moving = many.uncertainty_vox([2.0; 3]).unwrap()[0];
-    assert!((moving - 0.38f32.hypot(0.1 * SHARED)).abs() < 1e-3);
+    assert!((moving - 0.38f32.hypot(0.1 * SOLVER_ERROR_FACTOR)).abs() < 1e-3);
 }

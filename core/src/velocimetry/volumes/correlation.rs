@@ -8,8 +8,8 @@
 //! of cells, not at one end: C(s) of (a, b) is C(−s) of (b, a), and light that crosses a window's face
 //! does not pull it. Every product is summed once, over a brick; windows add bricks.
 //!
-//! A single layer says nothing of lags across it. None are tried: its light is taken for as much thicker than a
-//! cell as gives the lags beside it [`BESIDE_LAYER`] of its own correlation.
+//! A single layer has no lags across it. Its correlation there is assumed: at a lag of one cell it is
+//! [`BESIDE_LAYER`] times that at lag zero.
 
 use std::{borrow::Cow, ops::Range};
 
@@ -23,10 +23,10 @@ use super::{
 };
 use crate::velocimetry::{lags::Lags, windows::Windows};
 
-/// Cells that are multiplied at a time.
+/// Cells multiplied at a time.
 const LANES: usize = 32;
 
-/// Correlation at lags of a cell across a single layer, as a share of that along it.
+/// Assumed correlation at a lag of one cell across a single layer, relative to that at lag zero across it.
 const BESIDE_LAYER: f32 = 0.5;
 
 /// Two volumes ready to be correlated.

@@ -1,4 +1,4 @@
-//! Light on cubic cells, with room around for what lags reach.
+//! Light on cubic cells, with a border as wide as the lags.
 
 use rayon::prelude::*;
 
@@ -24,7 +24,7 @@ pub struct Light {
 }
 
 impl Light {
-    /// Room after the last value for kernels that read whole lanes.
+    /// Padding after the last value, for kernels that read whole lanes.
     const SPARE: usize = 32;
 
     /// No light.
@@ -178,7 +178,7 @@ pub mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    use super::{super::warp::looked_up, *};
+    use super::{super::warp::warped, *};
     use crate::model::VolumeGrid;
 
     /// Random light, the border included.
@@ -214,7 +214,7 @@ pub mod tests {
         let light = random_light([9, 7, 8], 1, 5);
         let windows =
             Windows { nodes: [2; 3], edge: 4, step: 3, cell_vox: 1.0, first_vox: [1.5; 3] };
-        let (splined, found) = (light.splined(), looked_up(&light, &windows.at_rest(), 1));
+        let (splined, found) = (light.splined(), warped(&light, &windows.at_rest(), 1));
         for (z, y) in (0..8).flat_map(|z| (0..7).map(move |y| (z, y))) {
             for (a, b) in splined.row([y, z]).iter().zip(found.row([y, z])) {
                 assert!((a - b).abs() < 1e-5, "{a} {b}");

@@ -1,13 +1,11 @@
 //! Correlation of whole volumes, voxel by voxel.
 //!
-//! A reconstruction of ours is nearly empty and keeps finer voxels than its windows need: its light is
-//! moved point by point ([`super::Interrogation`]). Volumes from elsewhere come as arrays, and most of
-//! their voxels may be lit: then looking up where the light of every voxel went costs less than
-//! moving it.
+//! Our reconstructed volumes are sparse and are deformed point by point ([`super::Interrogation`]). Volumes of
+//! other programs are dense arrays, for which warping costs less.
 //!
-//! A search on coarse cells, passes on cells of two voxels, and one on voxels. Frame b is looked up
-//! along the displacement known so far, as a sum of B-splines, which frame a becomes where it is: vectors
-//! stand where frame a has their light until the end, when they are carried to the middle of the pair.
+//! A search on coarse cells is followed by passes on cells of two voxels and one on voxels. Each pass warps
+//! frame b onto frame a by the current displacement; both frames are represented by B-splines. Vectors refer
+//! to frame a and are moved to mid-pair at the end.
 //!
 //! A grid of a single layer along z is a plane: its images are correlated in squares, by the same code.
 
@@ -53,34 +51,33 @@ pub struct VolumeInterrogation {
     flow: Option<(Arc<VolumeMask>, FlowNodes)>,
 }
 
-/// The search looks this many cells far: its cells are as coarse as that asks for.
+/// Search range in cells: the cell size follows from it.
 const SEARCH_REACH: f64 = 3.0;
 
-/// The same on a single layer: a square has as many cells as a cube only if they are finer.
+/// The same on a single layer: there a window needs finer cells to contain as many as a cube.
 const LAYER_SEARCH_REACH: f64 = 12.0;
 
-/// Edge of the cells of the passes between the search and the last one, in voxels, where windows then
-/// still have [`COARSE_WINDOW`] cells and the search had none smaller.
+/// Edge of the cells in the passes between the search and the last one, in voxels. Used if windows then have at
+/// least [`COARSE_WINDOW`] cells and the cells of the search are not smaller.
 const COARSE_VOX: usize = 2;
 
-/// Cells along a window in which coarse passes find better places than the search.
+/// Least number of cells along a window for which coarse passes improve on the search.
 const COARSE_WINDOW: usize = 8;
 
-/// Lags of a pass that corrects what the one before has left: less than a cell.
+/// Lags of a correcting pass: the residual displacement is less than a cell.
 const NEAREST: Lags = Lags { reach: 1 };
 
-/// Lags of the search's cells at which peaks are looked for beside the one that was followed: the next
-/// beyond those that belong to it.
+/// Lags, on the search's cells, for secondary peaks: one cell beyond those of the main peak.
 const BESIDE: Lags = Lags { reach: 3 };
 
-/// Standard uncertainty of vectors found on coarse cells, in cells, as far as a predictor needs it
-/// (docs/decisions.md, "Fitted constants").
+/// Standard uncertainty of vectors on coarse cells, in cells, for the predictor (docs/decisions.md,
+/// "Fitted constants").
 const COARSE_UNCERTAINTY: f32 = 0.05;
 
-/// What is left of a vector's uncertainty once its neighbours have had their say: intervals then hold 70
-/// and 94 % on true particles (see the tests), 74 and 96 % on volumes reconstructed from noisy images,
+/// Factor by which smoothing reduces a vector's standard uncertainty: with it, intervals contain 70 and 94 % of
+/// the errors for true particles (see the tests) and 74 and 96 % for volumes reconstructed from noisy images,
 /// instead of 68 and 95 %. In a vortex core, where windows are as large as the flow, 53 and 79 %.
-const SMOOTHED: f32 = 0.8;
+const SMOOTHING_FACTOR: f32 = 0.8;
 
 impl VolumeInterrogation {
     /// Windows on `grid`. Windows larger than the volume shrink to it.
@@ -122,7 +119,7 @@ impl VolumeInterrogation {
         Self { flow, ..self }
     }
 
-    /// Where the vectors will be.
+    /// Grid of the vectors.
     pub fn vector_grid(&self) -> VectorGrid {
         let windows = &self.fine.windows;
         VectorGrid {
@@ -147,8 +144,8 @@ impl VolumeInterrogation {
         self.measured([a, b], dt_s, |frames| self.searched(frames))
     }
 
-    /// The same, from a field that is `known` already, on whatever nodes and voxels, in the place of the search:
-    /// large displacements that change across a window of the search are found from coarse images to fine ones.
+    /// The same with a `known` field, on any nodes and voxels, in place of the search: displacements that vary within
+    /// a window of the search are measured from coarse images to fine ones.
     ///
     /// # Panics
     /// When a volume does not have the grid's voxels.
@@ -184,7 +181,7 @@ impl VolumeInterrogation {
             let binned = |light: &Light| light.binned(self.coarse.cell_vox(), NEAREST.border());
             let (a, b) = rayon::join(|| binned(&a).splined(), || binned(&b));
             for _ in 2..self.settings.passes {
-                let (known, moved) = self.coarse.look_along(&field, &b);
+                let (known, moved) = self.coarse.warp(&field, &b);
                 let found = self.coarse.correct(known, [&a, &moved]);
                 field = self.predictor(&self.coarse, &found.field, &found.peaks);
             }
@@ -192,7 +189,7 @@ impl VolumeInterrogation {
         self.last([&a.splined(), &b], &field, dt_s)
     }
 
-    /// A field in the middle of the pair, with vectors where frame a has the light.
+    /// A mid-pair field, moved so that its vectors refer to frame a.
     fn start(&self, known: &VelocityField, dt_s: f64) -> Lattice {
         let (grid, voxel_mm) = (&known.grid, self.grid.voxel_mm);
         let scale = (known.voxel_mm / voxel_mm * dt_s / known.dt_s) as f32;
@@ -212,7 +209,7 @@ impl VolumeInterrogation {
         })
     }
 
-    /// What the search finds.
+    /// The predictor from the search.
     fn searched(&self, frames: [&Light; 2]) -> Lattice {
         let stage = &self.search;
         let [a, b] = frames.map(|light| light.binned(stage.cell_vox(), stage.lags.border()));
@@ -220,16 +217,16 @@ impl VolumeInterrogation {
         self.predictor(stage, &found.field, &found.peaks)
     }
 
-    /// The likeliest field behind the vectors of a stage on coarse cells.
+    /// The most probable field, given the vectors of a stage on coarse cells.
     fn predictor(&self, stage: &Stage, field: &Lattice, peaks: &[Option<Peak>]) -> Lattice {
         let uncertainty_vox = COARSE_UNCERTAINTY * stage.windows.cell_vox;
         let known = vec![Some([uncertainty_vox; 3]); peaks.len()];
         Judge { settings: &self.settings, field, peaks, flow: None }.predictor(&known)
     }
 
-    /// The pass on voxels, and what it gives.
+    /// The pass on voxels, and its result.
     fn last(&self, [a, b]: [&Light; 2], field: &Lattice, dt_s: f64) -> VelocityField {
-        let (known, moved) = self.fine.look_along(field, b);
+        let (known, moved) = self.fine.warp(field, b);
         let mut found = self.fine.correct(known, [a, &moved]);
         let ratios = self.peak_ratios([a, &moved]);
         for (peak, ratio) in found.peaks.iter_mut().zip(&ratios) {
@@ -256,8 +253,8 @@ impl VolumeInterrogation {
         field_of(self.vector_grid(), &self.grid, dt_s, (&vectors, &ratios), flow)
     }
 
-    /// How high the peak of every window is over the next. The lags of the last pass see one peak only:
-    /// others are looked for with the search's windows and cells, in the frames as they are then.
+    /// Peak ratio of every window. The lags of the last pass contain one peak only, so secondary peaks are
+    /// searched with the search's windows and cells, in the warped frames.
     fn peak_ratios(&self, frames: [&Light; 2]) -> Vec<f32> {
         let stage = &self.beside;
         let [a, b] = frames.map(|light| light.binned(stage.cell_vox(), stage.lags.border()));
@@ -266,18 +263,17 @@ impl VolumeInterrogation {
         nearest.values.iter().map(|ratio| ratio[0]).collect()
     }
 
-    /// Moves vectors to the likeliest field behind them, as it is in the middle of the pair. What is
-    /// invalid stays so.
+    /// Replaces vectors by the most probable field at mid-pair. Invalid vectors are unchanged.
     fn to_likeliest(&self, vectors: &mut [Vector], flow: Option<&FlowNodes>) {
         let (field, _) = settled(vectors, self.fine.windows.at_rest(), flow);
         let middle = field.carried_to_middle();
         move_to(&middle, vectors, |_, vector| {
-            vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHED * sigma);
+            vector.uncertainty_vox = vector.uncertainty_vox.map(|sigma| SMOOTHING_FACTOR * sigma);
         });
     }
 }
 
-/// A volume with the light of its flow, and with the mean of that elsewhere.
+/// The volume with light outside the flow replaced by the flow's mean light.
 fn within(volume: &DenseVolume, mask: &VolumeMask) -> DenseVolume {
     let grid = &volume.grid;
     let flow: Vec<bool> = (0..grid.len())
@@ -293,7 +289,7 @@ fn within(volume: &DenseVolume, mask: &VolumeMask) -> DenseVolume {
     DenseVolume { grid: grid.clone(), intensity }
 }
 
-/// A grid whose single layer is no reason to shrink windows.
+/// A grid whose single layer does not limit the window size.
 fn without_thickness(grid: &VolumeGrid) -> VolumeGrid {
     let [nx, ny, nz] = grid.voxels;
     let nz = if is_layer(grid) { nx.min(ny) } else { nz };

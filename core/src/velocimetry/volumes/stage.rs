@@ -1,21 +1,21 @@
 //! One pass over whole volumes: its windows, cells and lags.
 
 use super::{
-    correlation::Correlation, light::Light, profile::Profile, statistics::statistics_at_rest,
-    warp::looked_up,
+    correlation::Correlation, light::Light, profile::Profile, statistics::statistics_at_zero_lag,
+    warp::warped,
 };
 use crate::{
     model::VolumeGrid,
     velocimetry::{
         lags::Lags,
         lattice::Lattice,
-        peak::{Peak, highest_peak, nearest_peak, ratio_at_rest},
+        peak::{Peak, highest_peak, nearest_peak, ratio_at_zero_lag},
         uncertainty::PeakStatistics,
         windows::Windows,
     },
 };
 
-/// Windows on cells of whole voxels, from the volume's corner on, and the lags that are tried.
+/// Windows on cells of whole voxels, starting at the volume's corner, and the lags that are evaluated.
 #[derive(Debug, Clone)]
 pub struct Stage {
     /// The windows.
@@ -26,9 +26,9 @@ pub struct Stage {
     pub lags: Lags,
 }
 
-/// What a pass finds.
+/// Result of a pass.
 pub struct Found {
-    /// The displacement at every window, as it is after the pass.
+    /// The displacement of every window after the pass.
     pub field: Lattice,
     /// The correlation peak of every window, where there is one.
     pub peaks: Vec<Option<Peak>>,
@@ -39,7 +39,7 @@ pub fn is_layer(grid: &VolumeGrid) -> bool {
     grid.voxels[2] == 1
 }
 
-/// Smaller windows, in cells, hold no peak.
+/// Least edge of a window, in cells, that can contain a peak.
 const LEAST_EDGE: usize = 4;
 
 impl Stage {
@@ -79,30 +79,30 @@ impl Stage {
         self.found(self.windows.at_rest(), frames, |values| highest_peak(self.lags, values))
     }
 
-    /// Frame b looked up along `field`, and the field itself on this stage's windows.
-    pub fn look_along(&self, field: &Lattice, b: &Light) -> (Lattice, Light) {
+    /// `field` on this stage's windows, and frame b warped by it.
+    pub fn warp(&self, field: &Lattice, b: &Light) -> (Lattice, Light) {
         let own = self.windows.at_rest();
         let known =
             if own.is_over(field) { field.clone() } else { own.sampling(|at| field.at(at)) };
-        let moved = looked_up(b, &known, self.lags.border());
+        let moved = warped(b, &known, self.lags.border());
         (known, moved)
     }
 
-    /// Corrects the field along which frame b was looked up, by the lags next to none.
+    /// Corrects the field by which frame b was warped, from the lags next to zero.
     pub fn correct(&self, known: Lattice, frames: [&Light; 2]) -> Found {
         self.found(known, frames, nearest_peak)
     }
 
-    /// How high the peak at rest of every window is over those beside it (x component; see
-    /// [`ratio_at_rest`]), for frames without displacement.
+    /// Ratio of every window's peak at zero lag to its secondary peaks (x component; see [`ratio_at_zero_lag`]),
+    /// for warped frames.
     pub fn ratios(&self, frames: [&Light; 2]) -> Lattice {
-        let ratio = |values: &[f32]| [ratio_at_rest(self.lags, values), 0.0, 0.0];
+        let ratio = |values: &[f32]| [ratio_at_zero_lag(self.lags, values), 0.0, 0.0];
         let values =
             Correlation::new(&self.windows, &self.profile, self.lags, frames).of_windows(ratio);
         Lattice { values, ..self.windows.at_rest() }
     }
 
-    /// Standard uncertainty of every vector that [`Self::correct`] has found along x, y, z, in cells,
+    /// Standard uncertainty along x, y, z of every vector from [`Self::correct`], in cells,
     /// where the correlation coefficient of the frames is at least `least_correlation`.
     pub fn uncertainties(
         &self,
@@ -115,7 +115,7 @@ impl Stage {
         };
         peaks
             .iter()
-            .zip(statistics_at_rest(frames, &self.windows, &self.profile))
+            .zip(statistics_at_zero_lag(frames, &self.windows, &self.profile))
             .map(of_window)
             .collect()
     }

@@ -18,10 +18,9 @@ use crate::velocimetry::{
     windows::Windows,
 };
 
-/// Statistics of every window's peak at no lag; `None` where there is none, and in volumes too flat to
-/// tell. Both frames without mean, alike in their cells, with a border. A single layer for flat windows has no
-/// variance across it.
-pub fn statistics_at_rest(
+/// Statistics of every window's peak at zero lag; `None` where there is no peak, and in volumes that are too
+/// thin. Both frames have zero mean, the same cells, and a border. A single layer has no variance across it.
+pub fn statistics_at_zero_lag(
     frames: [&Light; 2],
     windows: &Windows,
     profile: &Profile,

@@ -1,8 +1,8 @@
-//! A volume deformed, by looking up where the light of every cell has gone.
+//! Warping of a volume by a displacement field.
 //!
-//! One axis after the other (Catmull and Smith, SIGGRAPH 1980). Neighbouring cells look at
-//! neighbouring places: those of a group, one per vector lane, read the union of what each would read,
-//! and each weighs it by its own distance.
+//! Axes are interpolated one after the other (Catmull and Smith, SIGGRAPH 1980). Neighbouring cells read
+//! neighbouring values: a group of cells, one per vector lane, reads the union of their supports, and each lane
+//! applies its own weights.
 
 use std::ops::Range;
 
@@ -11,25 +11,24 @@ use multiversion::multiversion;
 use super::{expansion::Expansion, light::Light};
 use crate::velocimetry::{b_spline, lattice::Lattice};
 
-/// Cells that are looked up together.
+/// Cells interpolated together.
 const LANES: usize = 16;
 
 /// A cubic B-spline reaches less than this many cells.
 const REACH: i64 = 2;
 
-/// Steps in which places are found that a field moves to given ones: each leaves a share of the
-/// displacement's gradient.
+/// Fixed-point iterations that invert a displacement. Each reduces the error by the displacement's gradient.
 const INVERSION_STEPS: usize = 2;
 
-/// The light that moves to the cells where frame a has it, if `field` is the displacement (voxels) of
-/// what frame a has there: at x what `source` has at x + `field`(x), as a sum of cubic B-splines one
-/// cell wide. There is no light outside the volume. `border` cells around are looked up, too.
-pub fn looked_up(source: &Light, field: &Lattice, border: usize) -> Light {
+/// Frame b warped onto frame a: the value at x is that of `source` at x + `field`(x), with `field` in voxels
+/// and `source` a sum of cubic B-splines with nodes one cell apart; outside the volume the light is 0. The
+/// result extends `border` cells beyond it.
+pub fn warped(source: &Light, field: &Lattice, border: usize) -> Light {
     let mut found = Light::dark(source.cells, source.cell_vox, border);
     let [row, _] = found.strides();
     let (here, around) = (source.axes(0), source.axes(border));
     let steps = axis_by_axis(field);
-    // Axes after the one that is looked along are the result's already, those before it the source's.
+    // Axes after the current one have the result's coordinates, those before it the source's.
     let along_z = Expansion::new(&steps, 2, [here[0], here[1], around[2]]);
     let along_y = Expansion::new(&steps, 1, [here[0], around[1], around[2]]);
     let along_x = Expansion::new(&steps, 0, around);
@@ -43,22 +42,22 @@ pub fn looked_up(source: &Light, field: &Lattice, border: usize) -> Light {
         let mut rows = vec![0.0; sx * sy + LANES];
         for (y, to) in rows.chunks_exact_mut(sx).take(sy).enumerate() {
             along_z.write_row([y, z], per_cell, &mut steps[..sx]);
-            look_up(&light[y * source_row..], across_planes, &steps[..sx], to);
+            interpolate(&light[y * source_row..], across_planes, &steps[..sx], to);
         }
         let (mut steps_y, mut padded) = (vec![0.0; sx], Vec::new());
         for (y, to) in plane.chunks_exact_mut(row).enumerate() {
             along_x.write_row([y, z], per_cell, &mut steps[..row]);
             let (line, within) = Line::padded(sx, border, &steps[..row], &mut padded);
             along_y.write_row([y, z], per_cell, &mut steps_y);
-            look_up(&rows, Line::across(y, border, sy, sx), &steps_y, &mut padded[within]);
-            look_up(&padded, line, &steps[..row], to);
+            interpolate(&rows, Line::across(y, border, sy, sx), &steps_y, &mut padded[within]);
+            interpolate(&padded, line, &steps[..row], to);
         }
     });
     found
 }
 
-/// For every axis, the step along it, one axis after the other: along z from nodes whose x and y are
-/// moved already, along y from nodes whose x is, along x from those of `field`.
+/// Steps for interpolation along one axis after the other: along z at nodes whose x and y are already displaced,
+/// along y at nodes whose x is, along x at those of `field`.
 fn axis_by_axis(field: &Lattice) -> Lattice {
     field.clone().sampling(|at| {
         let step = field.at(at);
@@ -75,8 +74,8 @@ fn axis_by_axis(field: &Lattice) -> Lattice {
     })
 }
 
-/// Light along an axis, for a row of cells beside each other: cell x looks at the values
-/// `origin + x + n · stride`, n from `low` to `high`, of which n = 0 is its own place.
+/// Light along an axis for a row of adjacent cells: cell x reads the values `origin + x + n · stride`, n from
+/// `low` to `high`; n = 0 is its own position.
 #[derive(Debug, Clone, Copy)]
 struct Line {
     origin: i64,
@@ -86,16 +85,15 @@ struct Line {
 }
 
 impl Line {
-    /// Across rows that lie `stride` apart, of which there are `count`, at one of the places along them
-    /// that begin with the border.
+    /// Across `count` rows, `stride` apart, at position `place` counted from the border.
     fn across(place: usize, border: usize, count: usize, stride: usize) -> Self {
         let own = place as i64 - border as i64;
         let stride = stride as i64;
         Self { origin: own * stride, stride, low: -own, high: count as i64 - 1 - own }
     }
 
-    /// Along a row of `length` cells, to be written to the part of `padded` that is returned: with as
-    /// much dark around as `steps` look beyond it from cells that begin with the border.
+    /// Along a row of `length` cells, to be written to the returned range of `padded`. Zeros surround it as far as
+    /// `steps`, counted from the border, reach.
     fn padded(
         length: usize,
         border: usize,
@@ -103,7 +101,7 @@ impl Line {
         padded: &mut Vec<f32>,
     ) -> (Self, Range<usize>) {
         let farthest = steps.iter().fold(0.0f32, |most, step| most.max(step.abs()));
-        // Farther than the row is long there is nothing to see.
+        // Beyond the length of the row all values are zero.
         let reach = farthest.ceil().min(length as f32) as usize + REACH as usize;
         let pad = border + reach;
         padded.clear();
@@ -113,26 +111,26 @@ impl Line {
     }
 }
 
-/// `to[x] = Σ_n spline(n − steps[x]) light[origin + x + n · stride]`. The light goes on for as many
-/// values as there are lanes.
+/// `to[x] = Σ_n spline(n − steps[x]) light[origin + x + n · stride]`. `light` is padded by
+/// [`LANES`] values.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn look_up(light: &[f32], from: Line, steps: &[f32], to: &mut [f32]) {
+fn interpolate(light: &[f32], from: Line, steps: &[f32], to: &mut [f32]) {
     let (groups, rest) = steps.as_chunks::<LANES>();
     let (group_to, rest_to) = to.as_chunks_mut::<LANES>();
     let mut line = from;
     for (steps, to) in groups.iter().zip(group_to) {
-        *to = look_up_group(light, line, steps);
+        *to = interpolate_group(light, line, steps);
         line.origin += LANES as i64;
     }
     if let Some(&first) = rest.first() {
         let mut steps = [first; LANES];
         steps[..rest.len()].copy_from_slice(rest);
-        rest_to.copy_from_slice(&look_up_group(light, line, &steps)[..rest_to.len()]);
+        rest_to.copy_from_slice(&interpolate_group(light, line, &steps)[..rest_to.len()]);
     }
 }
 
 #[inline(always)]
-fn look_up_group(light: &[f32], from: Line, steps: &[f32; LANES]) -> [f32; LANES] {
+fn interpolate_group(light: &[f32], from: Line, steps: &[f32; LANES]) -> [f32; LANES] {
     let [low, high] = extremes(steps);
     let (low, high) = (low.floor() as i64 - REACH + 1, high.floor() as i64 + REACH);
     let mut sum = [0.0; LANES];
@@ -145,7 +143,7 @@ fn look_up_group(light: &[f32], from: Line, steps: &[f32; LANES]) -> [f32; LANES
     sum
 }
 
-/// The least and the greatest, in halves, which lanes do at once.
+/// Minimum and maximum, by pairwise reduction in lanes.
 #[inline(always)]
 fn extremes(values: &[f32; LANES]) -> [f32; 2] {
     let (mut low, mut high) = (*values, *values);
@@ -192,7 +190,7 @@ mod tests {
 
     fn compare(source: &Light, field: &Lattice, tolerance: f64) {
         let border = 2;
-        let found = looked_up(source, field, border);
+        let found = warped(source, field, border);
         let ([row, plane], axes) = (found.strides(), source.axes(border));
         for (n, value) in found.stored().iter().enumerate().take(plane * axes[2].count).step_by(7) {
             let place = [n % row, n % plane / row, n / plane];
@@ -209,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn every_cell_finds_the_light_that_its_step_leads_to() {
+    fn every_cell_has_the_light_at_its_displaced_position() {
         for (cells, cell_vox) in [([30, 9, 11], 1), ([13, 8, 10], 2)] {
             let source = waves(cells, cell_vox);
             let even = Lattice {
@@ -221,7 +219,7 @@ mod tests {
             compare(&source, &even, 1e-4);
             let far = even.clone().sampling(|_| [40.0, -6.0, 3.0]);
             compare(&source, &far, 1e-4);
-            // Of light up to 8: what is left are the bends of the field within a spline's reach.
+            // Light is up to 8. The remaining error is the curvature of the field within the support of a spline.
             let wave = |t: f32| (t / 16.0).sin();
             let bent = even.sampling(|[x, y, z]| [wave(y) + 2.0, wave(z - x), wave(x + y)]);
             compare(&source, &bent, 0.1);

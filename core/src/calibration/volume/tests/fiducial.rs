@@ -40,7 +40,7 @@ fn found(card: &Card, along_mm: f64, start: [i64; 2]) -> ([i64; 2], f64) {
     let settings = RaySettings { rays_per_particle: 1, diffraction_nm: None };
     let pose = &test_bench::poses()[0];
     let tracer = RayTracer::imperfect(&optics, pose, [0.0; 3], &flaws, &settings);
-    let grid = MicroImageGrid::drawn(&optics);
+    let grid = MicroImageGrid::nominal(&optics);
     let pixels = optics.sensor.columns * optics.sensor.rows;
     let [columns, rows] = [optics.sensor.columns, optics.sensor.rows];
     let dark = RawImage::new(columns, rows, vec![64; pixels]).unwrap();

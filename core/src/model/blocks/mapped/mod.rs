@@ -131,12 +131,12 @@ impl<'a> Setup<'a> {
         if !(footprint_mm.is_finite() && footprint_mm >= 0.0) {
             return Err(ModelError::FootprintOutOfRange { footprint_mm });
         }
-        let drawn = CameraCalibration::default();
+        let uncalibrated = CameraCalibration::default();
         let seen: Vec<MappedOptics> = poses
             .iter()
             .enumerate()
             .map(|(n, pose)| {
-                let calibration = calibrations.get(n).unwrap_or(&drawn);
+                let calibration = calibrations.get(n).unwrap_or(&uncalibrated);
                 MappedOptics::new(optics, pose, calibration, grid, CameraName(n))
             })
             .collect::<Result<_, _>>()?;

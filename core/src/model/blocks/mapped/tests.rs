@@ -32,15 +32,15 @@ fn turned(pose: &Pose, axis: [f64; 3], degrees: f64) -> Pose {
 
 /// A calibration with a rotated, shifted and stretched array.
 fn turned_array(degrees: f64) -> CameraCalibration {
-    let drawn = MicroImageGrid::drawn(&test_bench::optics());
+    let nominal = MicroImageGrid::nominal(&test_bench::optics());
     let (sine, cosine) = degrees.to_radians().sin_cos();
-    let pitch = drawn.column_px[1] * 1.002;
+    let pitch = nominal.column_px[1] * 1.002;
     let (column_px, row_px) = ([pitch * cosine, -pitch * sine], [-pitch * sine, -pitch * cosine]);
     let first = |middle: f64, [by_i, by_j]: [f64; 2]| middle - 64.0 * by_i - 48.0 * by_j;
     let grid = MicroImageGrid {
         column_px: [first(1178.3, column_px), column_px[0], column_px[1]],
         row_px: [first(880.1, row_px), row_px[0], row_px[1]],
-        ..drawn
+        ..nominal
     };
     CameraCalibration { grid: Some(grid), map: None }
 }
@@ -73,15 +73,15 @@ struct Case {
 
 fn cases() -> Vec<Case> {
     let [first, above] = <[Pose; 2]>::try_from(test_bench::poses()).unwrap();
-    let drawn = CameraCalibration::default;
+    let uncalibrated = CameraCalibration::default;
     let case = |name, pose, calibration, most_apart| Case { name, pose, calibration, most_apart };
     let deviation = CameraCalibration { grid: None, map: Some(bent_map(&first)) };
     vec![
-        case("as drawn", first.clone(), drawn(), 0.06),
-        case("turned about x", turned(&above, [1.0, 0.0, 0.0], 0.5), drawn(), 0.06),
-        case("at 60 degrees", turned(&above, [1.0, 0.0, 0.0], -30.0), drawn(), 0.06),
-        case("beside 90 degrees", turned(&above, [0.0, 0.0, 1.0], 25.0), drawn(), 0.06),
-        case("rolled", turned(&above, [0.0, 1.0, 0.0], 40.0), drawn(), 0.06),
+        case("as configured", first.clone(), uncalibrated(), 0.06),
+        case("turned about x", turned(&above, [1.0, 0.0, 0.0], 0.5), uncalibrated(), 0.06),
+        case("at 60 degrees", turned(&above, [1.0, 0.0, 0.0], -30.0), uncalibrated(), 0.06),
+        case("beside 90 degrees", turned(&above, [0.0, 0.0, 1.0], 25.0), uncalibrated(), 0.06),
+        case("rolled", turned(&above, [0.0, 1.0, 0.0], 40.0), uncalibrated(), 0.06),
         case("deviation", first.clone(), deviation, 0.06),
         // Neighbouring rows have different phases, which separable weights cannot represent.
         case("array turned", first.clone(), turned_array(0.5), 0.12),
@@ -433,7 +433,7 @@ fn a_hexagonal_array_is_refused_by_name() {
     let grid = MicroImageGrid {
         column_px: [7.5, 18.0, 9.0],
         row_px: [1700.0, 0.0, -15.6],
-        ..MicroImageGrid::drawn(&test_bench::optics())
+        ..MicroImageGrid::nominal(&test_bench::optics())
     };
     let calibration = [CameraCalibration { grid: Some(grid), map: None }];
     let (optics, parts) = (test_bench::optics(), ModelParts::default());
