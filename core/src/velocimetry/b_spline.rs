@@ -3,8 +3,8 @@
 /// Its values on its middle node and on the next one.
 pub const ON_NODES: [f32; 2] = [2.0 / 3.0, 1.0 / 6.0];
 
-/// Its value at a distance from its middle. For vector lanes: comparisons instead of `max`, which minds
-/// what is no number.
+/// Its value at a distance from its middle. Comparisons instead of `max`, whose handling of NaN needs
+/// additional vector instructions.
 #[inline(always)]
 pub fn value(at: f32) -> f32 {
     let (wide, narrow) = (2.0 - at.abs(), 1.0 - at.abs());
@@ -13,7 +13,7 @@ pub fn value(at: f32) -> f32 {
     (wide * wide * wide - 4.0 * narrow * narrow * narrow) * (1.0 / 6.0)
 }
 
-/// The values of the four splines that reach a place `t`, 0 to 1, between the middle two: those of
+/// The values of the four splines that are not zero at a position `t`, 0 to 1, between the middle two:
 /// [`value`] at `1 + t`, `t`, `1 − t` and `2 − t`.
 #[inline(always)]
 pub fn weights(t: f32) -> [f32; 4] {

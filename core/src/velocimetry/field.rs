@@ -53,23 +53,23 @@ impl VectorGrid {
     }
 }
 
-/// What a vector is worth.
+/// Validity of a vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum VectorStatus {
-    /// Measured, and in line with its neighbours or with the particles about it.
+    /// Measured, and consistent with its neighbours or with the particles around it.
     Valid,
     /// Measured value discarded; the stored one is interpolated from valid neighbours.
     Replaced,
-    /// No value: the window holds no light, or nothing in it can be trusted and too little valid
-    /// is near. Stored as zero.
+    /// No value: the window contains no light, or its vector was rejected and has too few valid neighbours.
+    /// Stored as zero.
     Invalid,
-    /// No value: its place is not flow, as the mask of the volume says. Stored as zero.
+    /// No value: the mask excludes the position from the flow. Stored as zero.
     Masked,
 }
 
 impl VectorStatus {
-    /// Whether the vector has a value, its own or one interpolated.
+    /// Whether the vector has a measured or interpolated value.
     pub fn has_value(self) -> bool {
         matches!(self, Self::Valid | Self::Replaced)
     }

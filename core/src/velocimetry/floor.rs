@@ -1,28 +1,26 @@
-//! What correlation alone costs: the error that true particles would give.
+//! Error of the correlation itself, as measured with true particles.
 
-/// Edge of the windows that the figures below belong to, in voxels.
+/// Edge of the windows for which the constants below hold, in voxels.
 const WINDOW_VOX: f64 = 16.0;
 
-/// Error of a full window in the reference flow, in voxels: what it cannot resolve.
+/// Error of a window with many particles in the reference flow, in voxels: the unresolved part of the flow.
 const FULL_WINDOW_ERROR_VOX: f64 = 0.009;
 
-/// How that grows with the window's edge: the vectors are drawn towards fields without third
-/// differences.
+/// Power of the window's edge in this error: smoothing reduces third differences.
 const FULL_WINDOW_ERROR_POWER: f64 = 3.0;
 
-/// What one particle adds, in voxels, and how that grows with the window's edge: it stands for the
-/// flow at its own place, off the window's centre. As all of these: docs/decisions.md, "Constants
-/// that were fitted".
+/// Error due to a single particle, in voxels, and its power of the window's edge: the particle measures the flow
+/// at its own position, not at the window's centre. All of these: docs/decisions.md, "Fitted constants".
 const PER_PARTICLE_VOX: f64 = 0.041;
 const PER_PARTICLE_POWER: f64 = 1.4;
 
-/// Mean |error| of a displacement component that is to be expected of windows of this edge which
-/// hold this many particles on average, in voxels, by correlation alone.
+/// Expected mean |error| of a displacement component, in voxels, by correlation alone, of windows with this edge
+/// and this mean number of particles.
 ///
 /// √(r² + q²/N) with r ∝ W³ and q ∝ W^1.4, fitted to the error of true particles in the flow of the
 /// shipped bench (10 mm wavelength, 2 voxels amplitude, five passes, windows of 8 to 24 voxels
-/// with 5 to 400 particles; `tests/model_parts.rs` prints the table). The flow of a run is not known
-/// before it is measured: a smoother one has a smaller error, a rougher one a larger.
+/// with 5 to 400 particles; `tests/model_parts.rs` prints the table). The error is
+/// smaller in smoother flows and larger in rougher ones.
 pub fn correlation_error_vox(window_vox: f64, particles_per_window: f64) -> f64 {
     let edge = window_vox / WINDOW_VOX;
     let resolution = FULL_WINDOW_ERROR_VOX * edge.powf(FULL_WINDOW_ERROR_POWER);

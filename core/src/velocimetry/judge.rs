@@ -1,4 +1,4 @@
-//! Which measured vectors are trusted, and by what the others are replaced.
+//! Validation of measured vectors, and replacement of outliers.
 
 use super::{
     VectorGrid, VectorStatus, VelocimetrySettings, VelocityField,
@@ -12,17 +12,17 @@ use super::{
 };
 use crate::model::VolumeGrid;
 
-/// Uncertainty of a replacement between passes, in voxels: it weighs little beside any measured vector.
+/// Uncertainty of a replaced vector between passes, in voxels: its weight is small compared with a measured one.
 const REPLACEMENT_UNCERTAINTY_VOX: f32 = 1.0;
 
-/// A vector as it is reported.
+/// A reported vector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vector {
     /// Displacement along x, y, z, in voxels.
     pub displacement_vox: [f32; 3],
     /// Its standard uncertainty, in voxels.
     pub uncertainty_vox: [f32; 3],
-    /// What it is worth.
+    /// Its validity.
     pub status: VectorStatus,
 }
 
@@ -34,8 +34,8 @@ impl Vector {
     }
 }
 
-/// The field that `vectors` on `grid` make, in voxels of `volume`, with the height of every correlation
-/// peak over the next highest. Derivatives compare vectors of one `flow`, which is that on `grid`.
+/// The field of `vectors` on `grid`, in voxels of `volume`, with the peak ratio of every correlation.
+/// Derivatives use vectors of the same `flow` on `grid` only.
 pub fn field_of(
     grid: VectorGrid,
     volume: &VolumeGrid,
@@ -78,8 +78,8 @@ pub fn settled(
     (field.likeliest(&uncertainty_vox, &measured, flow), uncertainty_vox)
 }
 
-/// Moves vectors to those of `field`, and lets `change` say what else becomes of each, whose number it is
-/// told. What is invalid stays as it is.
+/// Replaces displacements by those of `field` and applies `change` to each vector, given its index. Invalid
+/// vectors are unchanged.
 pub fn move_to(
     field: &Lattice,
     vectors: &mut [Vector],
@@ -95,16 +95,15 @@ pub fn move_to(
 
 /// The vectors between two passes, outliers replaced.
 struct Replaced {
-    /// Their own values, what neighbours say in their place, or where these say nothing either, how the
-    /// field goes on.
+    /// Measured values; interpolated ones in place of outliers; extrapolated ones where there are no neighbours.
     field: Lattice,
-    /// Whether a vector is its own.
+    /// Whether a vector keeps its measured value.
     pass: Vec<bool>,
-    /// Whether it or a neighbour says anything.
+    /// Whether it is measured or interpolated, not extrapolated.
     known: Vec<bool>,
 }
 
-/// Judges the vectors of one pass.
+/// Validates the vectors of one pass.
 #[derive(Debug)]
 pub struct Judge<'a> {
     /// Thresholds.
@@ -113,19 +112,19 @@ pub struct Judge<'a> {
     pub field: &'a Lattice,
     /// The correlation peak of every window, where there is one.
     pub peaks: &'a [Option<Peak>],
-    /// Which windows are of one flow; all of them where absent.
+    /// Which windows belong to the same flow; all of them if absent.
     pub flow: Option<&'a FlowNodes>,
 }
 
 impl Judge<'_> {
-    /// The field with outliers replaced by what their neighbours say.
+    /// The field with outliers interpolated from their neighbours.
     pub fn with_outliers_replaced(&self) -> Lattice {
         self.replace_outliers().field
     }
 
-    /// The field for the next pass: the likeliest one behind vectors whose standard uncertainty is
-    /// `uncertainty_vox` where that is known, and [`REPLACEMENT_UNCERTAINTY_VOX`] where it is not. Where nothing was
-    /// found, not even by neighbours, it goes on from where something was.
+    /// The field for the next pass: the most probable one, given vectors with standard uncertainty
+    /// `uncertainty_vox` where that is known, and [`REPLACEMENT_UNCERTAINTY_VOX`] where it is not. It is
+    /// extrapolated to windows without a measured or interpolated vector.
     pub fn predictor(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Lattice {
         let Replaced { field, pass, known } = self.replace_outliers();
         let own: Vec<Option<[f32; 3]>> =
@@ -153,8 +152,8 @@ impl Judge<'_> {
         Replaced { field: Lattice { values, ..*self.field }.filled(&known, self.flow), pass, known }
     }
 
-    /// The vectors of the last pass, whose standard uncertainty is `uncertainty_vox` where that is
-    /// known: each as it was measured or replaced.
+    /// The vectors of the last pass, measured or replaced. `uncertainty_vox` is their standard uncertainty where
+    /// it is known.
     pub fn vectors(&self, uncertainty_vox: &[Option<[f32; 3]>]) -> Vec<Vector> {
         let trusted: Vec<bool> =
             (0..self.peaks.len()).map(|n| self.trusts(n, uncertainty_vox[n])).collect();
@@ -172,7 +171,7 @@ impl Judge<'_> {
             .collect()
     }
 
-    /// Whether a vector deserves to be compared with its neighbours.
+    /// Whether a vector may take part in the median test.
     fn trusts(&self, n: usize, uncertainty_vox: Option<[f32; 3]>) -> bool {
         let (Some(peak), Some(uncertainty_vox)) = (self.peaks[n], uncertainty_vox) else {
             return false;
@@ -184,8 +183,8 @@ impl Judge<'_> {
             && all(uncertainty_vox, self.settings.largest_uncertainty_vox)
     }
 
-    /// A vector interpolated from those that passed, as uncertain as they are and as far as they
-    /// are apart; invalid where they are too few.
+    /// A vector interpolated from neighbours that passed; its variance is the sum of their mean variance and their
+    /// scatter. Invalid where there are too few.
     fn replacement(
         &self,
         n: usize,

@@ -1,4 +1,4 @@
-//! What becomes of a measured field: vectors at the places that are asked for.
+//! Vectors of a measured field at the requested positions.
 
 use super::{
     VectorStatus, flow_geometry::FlowGeometry, judge::Vector, lattice::Lattice, layout::Layout,
@@ -13,7 +13,7 @@ pub struct Report<'a> {
     pub vectors: &'a [Vector],
     /// Their correlation peaks.
     pub peaks: &'a [Option<Peak>],
-    /// The field through particles, where they were followed.
+    /// The field fitted to tracked particles, if there is one.
     pub refined: Option<&'a Refined>,
     /// The flow, where the volume has a mask.
     pub flow: Option<&'a FlowGeometry>,
@@ -22,8 +22,8 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// The vector at a place, and the height of the nearest window's peak over the next highest. It is worth
-    /// what the nearest window's vector is, or is valid where particles measure it. What is not flow has none.
+    /// The vector at a position, and the peak ratio of the nearest window. Its status is that of the nearest
+    /// window's vector, or valid where particles measure it. Positions outside the flow are masked.
     pub fn at(&self, at_vox: [f32; 3]) -> (Vector, f32) {
         let without = |status| (Vector::without_value(status, self.max_displacement_vox), 0.0);
         if self.flow.is_some_and(|flow| !flow.is_flow(at_vox)) {
@@ -42,8 +42,8 @@ impl Report<'_> {
         (vector, ratio)
     }
 
-    /// The window nearest to a place among those whose centre it sees; of those about it if it does not see the
-    /// nearest.
+    /// The nearest window in the same flow as a position: the nearest of all if the line to its centre is clear,
+    /// otherwise the nearest of the surrounding eight with a clear line.
     fn nearest_window(&self, at_vox: [f32; 3]) -> Option<usize> {
         let windows = self.windows;
         let nearest = windows.nearest_node(at_vox);
@@ -74,8 +74,8 @@ impl Report<'_> {
     }
 }
 
-/// The vector of the field through particles, about window `n`, whose own vector is `nearest`. What is invalid
-/// stays so.
+/// The vector of the field fitted to particles near window `n`, whose vector is `nearest`. Invalid vectors are
+/// unchanged.
 fn of_particles(refined: &Refined, n: usize, nearest: Vector, at_vox: [f32; 3]) -> Vector {
     if nearest.status == VectorStatus::Invalid {
         return nearest;

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::Placing;
 use crate::model::VolumeGrid;
 
-/// Displacements are looked for, and believed, up to this many times the largest expected.
+/// Displacements are searched and accepted up to this multiple of the largest expected one.
 pub const SEARCH_MARGIN: f64 = 1.25;
 
 /// How volumes are correlated.
@@ -30,18 +30,17 @@ pub struct VelocimetrySettings {
     /// Edge of the first pass's windows, in mm; derived from `max_displacement_vox` when absent.
     #[garde(inner(range(min = 0.01, max = 100.0)))]
     pub first_window_mm: Option<f64>,
-    /// Follow single particles from frame to frame after the last pass: each is a measurement of its
-    /// own, and wrong ones are told from right ones. Not done where the reconstruction's voxels are
-    /// coarser than half of the configured ones.
+    /// Track single particles between the frames after the last pass, with rejection of outliers. Not done if the
+    /// reconstruction's voxels are larger than half of the configured ones.
     #[garde(skip)]
     pub follow_particles: bool,
-    /// Place particles in the images after correlation, and fit the field to those that both frames show:
-    /// rough flows are resolved as far as their particles allow, in about five times the time. With
-    /// [`Placing::Auto`] of pairs that need it, and nowhere if single particles are not followed.
+    /// Fit particle positions to the images after correlation, and the field to the particles in both frames. Rough
+    /// flows are resolved down to the particle spacing; this takes about five times as long. With
+    /// [`Placing::Auto`] only for pairs that need it, and never if single particles are not tracked.
     #[garde(skip)]
     pub place_particles: Placing,
-    /// The flow is incompressible: the field through particles is nearly free of divergence, which tells it
-    /// more than the particles alone. Not for a plane of a flow, nor for gases at speed.
+    /// The flow is incompressible: the field fitted to particles is constrained to be nearly divergence-free, which
+    /// reduces its error. Not for a plane of a flow, nor for compressible gas flows.
     #[garde(skip)]
     pub incompressible: bool,
     /// Threshold of the normalised median test (Westerweel and Scarano 2005).
@@ -50,28 +49,27 @@ pub struct VelocimetrySettings {
     /// Fluctuation level ε of the normalised median test, in voxels.
     #[garde(range(min = 0.0, max = 10.0))]
     pub median_epsilon_vox: f64,
-    /// Least height of a correlation peak over the next highest one of a vector that is trusted.
+    /// Least ratio of the highest correlation peak to the next of an accepted vector.
     #[garde(range(min = 1.0, max = 100.0))]
     pub least_peak_ratio: f64,
-    /// Least correlation coefficient of the two frames at the peak of a vector that is trusted: how
-    /// much of their light agrees once it is moved.
+    /// Least correlation coefficient of the two deformed frames at the peak of an accepted vector.
     #[garde(range(min = 0.0, max = 1.0))]
     pub least_correlation: f64,
-    /// Largest standard uncertainty of a component of a vector that is trusted, in voxels.
+    /// Largest standard uncertainty of a component of an accepted vector, in voxels.
     #[garde(range(min = 0.001, max = 100.0))]
     pub largest_uncertainty_vox: f64,
 }
 
-/// Sizes in voxels of a grid.
+/// Window sizes and search range, in voxels of a grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
     /// Edge of the final windows.
     pub window: usize,
-    /// From one of them to the next.
+    /// Distance between neighbouring windows.
     pub step: usize,
-    /// Edge of the search's windows, at least.
+    /// Least edge of the search's windows.
     pub search: usize,
-    /// The largest displacement that is looked for, along an axis.
+    /// Search range along an axis.
     pub reach: f64,
 }
 

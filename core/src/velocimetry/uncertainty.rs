@@ -1,15 +1,14 @@
-//! How far a displacement can be trusted, from the light under its correlation peak.
+//! Uncertainty of a displacement, from the light that contributes to its correlation peak.
 //!
-//! A perfectly reconstructed and deformed pair gives a correlation that is symmetric about its
-//! peak, voxel by voxel: a(x) b(x + e) = a(x + e) b(x). What each part of the window contributes to
-//! the asymmetry is therefore a sample of the error, and the spread of the contributions gives the
-//! variance of their sum (Wieneke, "PIV uncertainty quantification from correlation statistics",
-//! Meas. Sci. Technol. 26, 074002, 2015, carried over to three dimensions). The peak's place by the
-//! three-point Gaussian fit follows to first order from the asymmetry.
+//! The correlation of a perfectly reconstructed and deformed pair is symmetric about its peak, voxel by voxel:
+//! a(x) b(x + e) = a(x + e) b(x). The contribution of each part of the window to the asymmetry is therefore a
+//! sample of the error, and the scatter of the contributions gives the variance of their sum (Wieneke, "PIV uncertainty quantification from correlation statistics",
+//! Meas. Sci. Technol. 26, 074002, 2015, extended to three dimensions). The peak position of the
+//! three-point Gaussian fit follows from the asymmetry to first order.
 //!
-//! What all of a window's particles have in common is not in their spread: the solver's errors reach
-//! over several particles ([`SOLVER_ERROR_FACTOR`]), and the window answers a residual displacement that varies
-//! inside it only in part. [`UNCORRECTED_SHARE`] of the residual is added for it.
+//! The scatter does not contain errors that a window's particles have in common. Errors of the solver extend over
+//! several particles ([`SOLVER_ERROR_FACTOR`]). The window corrects only a part of a residual displacement that
+//! varies within it, so [`UNCORRECTED_SHARE`] of the residual is added.
 
 mod cells;
 
@@ -17,45 +16,44 @@ use super::{peak::log_curvature, raster::Image};
 pub use cells::Cutouts;
 use cells::{COMMON, Cells};
 
-/// Share of the last pass's residual displacement that is taken for unanswered (docs/decisions.md,
-/// "Fitted constants"). A window of length
-/// L answers a wave of length 4 L along one axis to sin(π/4)/(π/4) = 0.90, along two to 0.81.
+/// Share of the last pass's residual displacement that counts as uncorrected (docs/decisions.md, "Fitted
+/// constants"). The response of a window of length L to a wave of length 4 L is sin(π/4)/(π/4) = 0.90 along one
+/// axis, 0.81 along two.
 const UNCORRECTED_SHARE: f32 = 0.19;
 
-/// A vector's error over the spread of its particles: intervals of that spread alone hold 46 to 49 %
-/// and 73 to 79 % of reconstructed vectors instead of 68 % and 95 %, alike from 0.3 to 1 ppm, under
-/// noise and with a dim camera (docs/decisions.md, "Fitted constants").
+/// Ratio of a vector's error to the value from the scatter of its particles, due to errors of the solver. Without
+/// it, intervals contain 46 to 49 % and 73 to 79 % of the errors instead of 68 % and 95 %, from 0.3 to 1 ppm,
+/// with noise and with a dim camera (docs/decisions.md, "Fitted constants").
 const SOLVER_ERROR_FACTOR: f32 = 1.6;
 
-/// Below this many particles their spread says little, and a displacement counts as known to a
-/// voxel at best: variance 1/12 (GUM 4.3.7).
+/// With fewer particles the scatter is unreliable, and the variance is at least that of a uniform distribution one
+/// voxel wide, 1/12 (GUM 4.3.7).
 const FEW_PARTICLES: f32 = 4.0;
 const VOXEL_VARIANCE: f32 = 1.0 / 12.0;
 
-/// What single precision and the three-point fit resolve, in voxels.
+/// Numerical error of single precision and the three-point fit, in voxels.
 const NUMERICAL_FLOOR_VOX: f32 = 1e-3;
 
-/// One particle cannot confirm itself: with fewer than two nothing is known.
+/// With fewer particles there is no scatter to estimate.
 const LEAST_PARTICLES: f32 = 2.0;
 
-/// What the light in a window says about the place of its correlation peak.
+/// Statistics of a window's correlation peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PeakStatistics {
-    /// Variance of the peak's place along x, y, z, in voxel².
+    /// Variance of the peak position along x, y, z, in voxel².
     pub variance_vox2: [f32; 3],
-    /// Equally bright particles that would share the peak's light as evenly (participation ratio).
+    /// Effective number of particles: participation ratio of their contributions to the peak.
     pub particles: f32,
     /// Correlation coefficient of the two frames at the peak, −1 to 1.
     pub coefficient: f32,
 }
 
 impl PeakStatistics {
-    /// Standard uncertainty of a displacement along x, y, z, in voxels, when the last pass still
-    /// had to add `residual_vox`; `None` when too few particles take part to tell.
+    /// Standard uncertainty of a displacement along x, y, z, in voxels, if the last pass added `residual_vox`;
+    /// `None` with too few particles.
     ///
-    /// The variance from n particles is that of Student's distribution with n − 1 degrees of
-    /// freedom, (n − 1)/(n − 3) times the sample's (JCGM 101, 6.4.9.2), which is itself n/(n − 1)
-    /// times the mean square.
+    /// The variance from n particles is that of Student's distribution with n − 1 degrees of freedom: (n − 1)/(n − 3)
+    /// times the sample variance (JCGM 101, 6.4.9.2), which is n/(n − 1) times the mean square.
     pub fn uncertainty_vox(&self, residual_vox: [f32; 3]) -> Option<[f32; 3]> {
         if self.particles < LEAST_PARTICLES {
             return None;
@@ -79,7 +77,7 @@ impl PeakStatistics {
     }
 
     /// Statistics of a window of edge `window` at `corner`, whose correlation a(x) b(x + s) peaks
-    /// near `lag`. `None` where the light has no peak there.
+    /// near `lag`. `None` if there is no peak.
     pub fn of(
         frames: [Image; 2],
         corner: [i64; 3],
@@ -105,8 +103,8 @@ impl PeakStatistics {
             influence[3] = (f64::from(cell[COMMON]) / common) as f32;
         }
         let spread = clustered_squares(&influence, cells.counts);
-        // So much of the window lies within reach of a cell: by chance alone that share of the
-        // other particles is taken for the same one. Contributions that sum to zero lose as much.
+        // Share of the window within reach of a cell: by chance that share of the other particles counts as the
+        // same one. The variance of contributions that sum to zero is reduced by the same share.
         let chance = share_within_reach(cells.counts);
         Some(Self {
             variance_vox2: std::array::from_fn(|axis| spread[axis] / (1.0 - chance).max(0.1)),
@@ -116,10 +114,10 @@ impl PeakStatistics {
     }
 }
 
-/// How a part of a window moves the correlation peak along an axis: an asymmetry A beside a symmetric
-/// part Y by (A − mean · Y) · scale.
+/// Influence of a part of a window on the peak position along an axis: an asymmetry A with a symmetric part Y
+/// shifts it by (A − mean · Y) · scale.
 pub struct Influence {
-    /// Asymmetry of the whole window over its symmetric part.
+    /// Ratio of the whole window's asymmetry to its symmetric part.
     pub mean: f64,
     /// In voxels.
     pub scale: f64,
@@ -127,9 +125,9 @@ pub struct Influence {
 
 impl Influence {
     /// From the whole window's asymmetry C(1) − C(−1), symmetric part C(1) + C(−1), both times `weight`,
-    /// and C(0). `None` where these make no peak.
+    /// and C(0). `None` if these have no peak.
     ///
-    /// The shift is (ln C(1) − ln C(−1)) / 2 curvature, to first order the asymmetry over the symmetric
+    /// The shift is (ln C(1) − ln C(−1)) / (2 curvature), to first order the asymmetry divided by the symmetric
     /// part and the curvature.
     pub fn along(asymmetry: f64, symmetric: f64, common: f64, weight: f64) -> Option<Self> {
         let [above, below] =
@@ -144,11 +142,11 @@ pub fn coefficient(common: f64, [energy_a, energy_b]: [f64; 2]) -> f32 {
     (common / (energy_a * energy_b).sqrt()) as f32
 }
 
-/// More particles than this are not told from infinitely many.
+/// Upper limit of the effective number of particles.
 pub const MOST_PARTICLES: f32 = 1000.0;
 
-/// Variance of the sum of correlated contributions: each times the sum of itself and its
-/// neighbours, beyond which they are independent. Never less than if all were.
+/// Variance of the sum of correlated contributions: the sum of each times itself and its neighbours, beyond which
+/// they are independent. At least that of independent contributions.
 fn clustered_squares(values: &[[f32; 4]], counts: [usize; 3]) -> [f32; 4] {
     let mut around = values.to_vec();
     for (axis, stride) in [1, counts[0], counts[0] * counts[1]].into_iter().enumerate() {

@@ -22,7 +22,7 @@ pub struct Candidates<'a> {
     pub values: &'a [[f32; 3]],
     /// Whether each vector was measured.
     pub present: &'a [bool],
-    /// Which neighbours are of the same flow; all of them where absent.
+    /// Which neighbours belong to the same flow; all of them if absent.
     pub flow: Option<&'a FlowNodes>,
 }
 
@@ -31,10 +31,9 @@ impl Candidates<'_> {
     /// when a component differs from its neighbours' median by more than `threshold` times
     /// (their median residual + `epsilon_vox`). Missing vectors fail.
     ///
-    /// The median is taken after each neighbour is carried to the vector's place along the median
-    /// gradient: at a face of the volume all neighbours lie on one side, and a plain median would
-    /// condemn every shear. The test runs twice, the
-    /// second time without the neighbours that failed, so that one outlier does not condemn those
+    /// Neighbours are first extrapolated to the vector's position along the median gradient: at a face of the
+    /// volume all neighbours lie on one side, and a plain median would reject every shear flow. The test runs
+    /// twice, the second time without the neighbours that failed, so that one outlier does not invalidate those
     /// around it.
     pub fn passing(&self, threshold: f64, epsilon_vox: f64) -> Vec<bool> {
         let all: Vec<usize> = (0..self.values.len()).collect();
@@ -44,7 +43,7 @@ impl Candidates<'_> {
             all.into_iter().flatten().take(nodes.len()).collect()
         };
         let once = test(&all, self.present);
-        // Those whose neighbours all passed would be judged as before.
+        // The result is unchanged for vectors whose neighbours all passed.
         let mut beside_failed = vec![false; all.len()];
         for n in (0..all.len()).filter(|&n| !once[n]) {
             self.for_each_near(n, |_, other| beside_failed[other] = true);

@@ -1,4 +1,4 @@
-//! The field that most particles follow.
+//! Robust fit of a field to particles.
 //!
 //! For every component, the spline B c that minimises
 //!
@@ -7,11 +7,11 @@
 //! ```
 //!
 //! over the displacements d of single particles, the correlation's vectors y and the third
-//! differences of the coefficients; in an incompressible flow also of the field's divergence (`divergence`),
-//! which ties the components together. ρ is the negative logarithm of Student's distribution: a
-//! particle that was taken for another, or whose light is another's in part, is wrong by more than a
-//! normal distribution allows, and pulls the less the further off it is. It is minimised by
-//! reweighted least squares (Lange, Little and Taylor, J. Am. Stat. Assoc. 84, 1989).
+//! differences of the coefficients; in an incompressible flow also the divergence of the field
+//! (`divergence`), which couples the components. ρ is the negative logarithm of Student's
+//! distribution: mismatched particles, and those whose light overlaps with another's, have larger
+//! errors than a normal distribution allows, and their weight decreases with their residual. The sum
+//! is minimised by iteratively reweighted least squares (Lange, Little and Taylor, J. Am. Stat. Assoc. 84, 1989).
 
 use rayon::prelude::*;
 
@@ -30,33 +30,32 @@ use super::{
     variance::{Waves, near_faces},
 };
 
-/// Times the weights are taken anew in a round.
+/// Updates of the weights in a round.
 const REWEIGHTINGS: usize = 2;
 
-/// Prior variance of a third difference over the mean square of those around it in the previous field, which
-/// is smoothed.
+/// Prior variance of a third difference, relative to the local mean square in the previous, smoothed field.
 const PRIOR_VARIANCE_FACTOR: f64 = 4.0;
 
-/// A third difference of a regular flow that is not told from zero, in voxels.
+/// Third differences of a regular flow below this value count as zero, in voxels. Also the least uncertainty of the
+/// field.
 const LEAST_DIFFERENCE_VOX: f64 = 3e-3;
 
-/// Factor on the correlation's variance where particles are known much better: it saw the same particles and
-/// is no independent measurement.
+/// Factor on the correlation's variance where particles are much more accurate: it uses the same particles and is
+/// not an independent measurement.
 const CORRELATION_DISCOUNT: f64 = 25.0;
 
-/// Standard error of the field over what independent errors of its particles would give: errors of the
-/// reconstruction are correlated between neighbours (docs/decisions.md, "Fitted constants").
+/// Ratio of the field's standard error to that of particles with independent errors: errors of the reconstruction
+/// are correlated between neighbours (docs/decisions.md, "Fitted constants").
 const COMMON_ERROR_FACTOR: f64 = 1.15;
 
-/// Error that all particles around a place have in common where light is blurred, in voxels per unit of
-/// √(variance inflation) − 1 (`core/tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
+/// Common error of neighbouring particles where light is blurred, in voxels per unit of √(variance inflation) − 1 (`core/tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
 const COMMON_BLUR_ERROR_VOX: f64 = 0.01;
 
-/// How far the equations are solved before the weights, which change more than that, are taken anew.
+/// Stopping criterion for the equations between updates of the weights, which change more than the remaining error.
 const UNTIL: Until = Until { tolerance: 0.1, steps: 6 };
 
-/// The same for components that share the cost of their divergence. With more steps
-/// the field follows errors that neighbouring particles share: 60 double the error of the smooth bench.
+/// The same for components that are coupled by the divergence. With more steps the field fits errors that
+/// neighbouring particles have in common: 60 double the error of the smooth bench.
 const UNTIL_TOGETHER: Until = Until { tolerance: 0.03, steps: 15 };
 
 /// One component's part of the equations.
@@ -64,7 +63,7 @@ struct Weighed {
     /// Of particles and of the correlation's vectors.
     weights: Vec<f64>,
     certainty: Vec<f64>,
-    /// What particles weigh per cell about each node.
+    /// Weight of particles per cell at each node.
     density: Vec<f64>,
     diagonal: Vec<f64>,
     right: Vec<f64>,
@@ -74,26 +73,26 @@ struct Weighed {
 pub struct Fit<'a> {
     layout: Layout,
     nodes: [usize; 3],
-    /// What makes a field on the nodes.
+    /// Interpolation weights at the nodes.
     on_nodes: Vec<Taps>,
     /// Whether the correlation has a vector on each node.
     has_vector: Vec<bool>,
-    /// Per component: the correlation's vectors and their variance, in voxel and voxel². Where there is
-    /// none, the mean of the others' variance.
+    /// Per component: the correlation's vectors and their variance, in voxel and voxel². Nodes without a vector
+    /// have the mean variance of the others.
     vectors: [Vec<f64>; 3],
     variance: [Vec<f64>; 3],
-    /// Share of the correlation's variance that third differences may have without being seen.
+    /// Share of the correlation's variance that unresolved third differences may have.
     unresolved_share: f64,
-    /// Where the flow is incompressible.
+    /// Present if the flow is incompressible.
     divergence: Option<Divergence>,
     /// 1/τ² of the coefficients' third differences.
     penalties: [Penalty; 3],
-    /// Particles about each node, and what they weigh per cell.
+    /// Particles near each node, and their weight per cell.
     counts: Vec<f64>,
     densities: [Vec<f64>; 3],
     /// See [`Samples::variance_inflation`].
     variance_inflation: Vec<[f64; 3]>,
-    /// Which coefficients are of one flow; all of them where absent.
+    /// Which coefficients belong to the same flow; all of them if absent.
     flow: Option<&'a FlowNodes>,
 }
 
@@ -119,7 +118,7 @@ impl<'a> Fit<'a> {
                 field.values.iter().map(|v| f64::from(v[c])).collect()
             }),
             variance: std::array::from_fn(|c| variances(uncertainty_vox, c)),
-            // The third difference of an error as smooth as a window goes with the cube of the step.
+            // The third difference of an error with the length scale of a window is proportional to the cube of the step.
             unresolved_share: f64::from(field.step_vox / window_step_vox).powi(6),
             divergence: incompressible
                 .then(|| Divergence { layout, step_vox: f64::from(field.step_vox) }),
@@ -131,12 +130,12 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// The same in a volume of whose coefficients these are of one flow.
+    /// The same with coefficients that belong to several flows.
     pub fn with_flow(self, flow: Option<&'a FlowNodes>) -> Self {
         Self { flow, ..self }
     }
 
-    /// Moves `spline` to the field that `samples` follow, which may be a little rougher.
+    /// Fits `spline` to `samples`; the result may be slightly rougher than the previous field.
     pub fn adjust(&mut self, spline: &mut Spline, samples: &Samples) {
         self.penalties = self.penalties(spline, &self.measured(samples));
         self.counts = samples.counts();
@@ -158,8 +157,8 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Weighs `samples` anew by what another field leaves of them, per component: the uncertainty is then that
-    /// of these nodes.
+    /// Updates the weights of `samples` from their residuals to another field, per component, for the uncertainty on
+    /// these nodes.
     pub fn weigh(&mut self, samples: &Samples, residuals: &[Vec<f64>; 3]) {
         self.counts = samples.counts();
         self.variance_inflation = samples.variance_inflation().to_vec();
@@ -168,7 +167,7 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// What component `c` is compared with, weighed by what its coefficients leave of it.
+    /// Equations of component `c`, with weights from the residuals.
     fn weighed(&self, c: usize, coefficients: &[f64], samples: &Samples) -> Weighed {
         let measured = samples.displacements(c);
         let values = values_at(self.layout, samples.taps(), coefficients);
@@ -207,7 +206,7 @@ impl<'a> Fit<'a> {
         sum
     }
 
-    /// Coefficients nearer to the solution, each component by itself.
+    /// Improved coefficients, each component separately.
     fn solved(
         &self,
         start: &[Vec<f64>; 3],
@@ -223,7 +222,7 @@ impl<'a> Fit<'a> {
         solved
     }
 
-    /// The same for components that share the cost of their divergence.
+    /// The same for components that are coupled by the divergence.
     fn solved_together(
         &self,
         divergence: &Divergence,
@@ -250,14 +249,14 @@ impl<'a> Fit<'a> {
         std::array::from_fn(|c| solved[c * count..][..count].to_vec())
     }
 
-    /// 1/u² of the correlation's vectors: little beside particles that know better, all there is
-    /// without any, 0 where there is no vector. `density` is what particles weigh per cell.
+    /// Weight 1/u² of the correlation's vectors: reduced where particles are more accurate, 0 where there is no
+    /// vector. `density` is the weight of particles per cell.
     fn certainty(&self, c: usize, density: &[f64]) -> Vec<f64> {
         let certainty = |n: usize| {
             if !self.has_vector[n] {
                 return 0.0;
             }
-            // The particles' own variance is 1 over what they weigh in the eight cells about a node.
+            // The particles' variance is the inverse of their weight in the eight cells at a node.
             let (variance, density) = (self.variance[c][n], density[n]);
             let share = variance * 8.0 * density / (variance * 8.0 * density + 1.0);
             1.0 / (variance * (1.0 + (CORRELATION_DISCOUNT - 1.0) * share))
@@ -265,7 +264,7 @@ impl<'a> Fit<'a> {
         (0..density.len()).map(certainty).collect()
     }
 
-    /// Whether a vector or a particle says anything of each coefficient.
+    /// Whether each coefficient is determined by a vector or a particle.
     fn measured(&self, samples: &Samples) -> Vec<bool> {
         let mut weight = vec![0.0; self.layout.len()];
         let particles = vec![1.0; samples.taps().len()];
@@ -276,8 +275,8 @@ impl<'a> Fit<'a> {
         weight.into_iter().map(|weight| weight > 0.0).collect()
     }
 
-    /// 1/τ² for every component of a field: a flow may be as rough as it is uncertain. What lies beyond
-    /// the coefficients that were `measured` ties none of them.
+    /// 1/τ² for every component of a field: the flow may be as rough as it is uncertain. Unmeasured regions do not
+    /// constrain the coefficients that were `measured`.
     fn penalties(&self, spline: &Spline, measured: &[bool]) -> [Penalty; 3] {
         let layout = self.layout;
         std::array::from_fn(|c| {
@@ -301,8 +300,8 @@ impl<'a> Fit<'a> {
         })
     }
 
-    /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels; `None` where neither a
-    /// vector nor a particle says anything.
+    /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels; `None` where there is neither a vector
+    /// nor a particle.
     pub fn uncertainty_vox(&self) -> Vec<Option<[f32; 3]>> {
         let certainty: [Vec<f64>; 3] =
             std::array::from_fn(|c| self.certainty(c, &self.densities[c]));
@@ -328,12 +327,12 @@ impl<'a> Fit<'a> {
             .collect()
     }
 
-    /// What a particle about node `n` weighs in component `c`.
+    /// Mean weight of a particle near node `n` in component `c`.
     fn mean_weight(&self, c: usize, n: usize) -> f64 {
         self.densities[c][n] * cells_at(self.nodes, n) / self.counts[n].max(1.0)
     }
 
-    /// 1/τ² along x, y, z about node `n`.
+    /// 1/τ² along x, y, z at node `n`.
     fn stiffness_at(&self, c: usize, n: usize) -> [f64; 3] {
         let place = Layout { nodes: self.nodes }.place(n);
         std::array::from_fn(|along| {
@@ -349,14 +348,13 @@ impl<'a> Fit<'a> {
     }
 }
 
-/// Values times weights, one by one.
+/// Elementwise product of values and weights.
 fn products(values: &[f64], weights: &[f64]) -> Vec<f64> {
     values.iter().zip(weights).map(|(value, weight)| value * weight).collect()
 }
 
-/// How much larger a variance is whose scatter is known from as few particles as share the weight:
-/// Student's distribution with n − 1 degrees of freedom has (n − 1)/(n − 3) times the sample's
-/// variance (JCGM 101, 6.4.9.2). `share` is 1/n.
+/// Factor on a variance that is estimated from n particles: Student's distribution with n − 1 degrees of freedom has
+/// (n − 1)/(n − 3) times the sample variance (JCGM 101, 6.4.9.2). `share` is 1/n.
 fn few(share: f64) -> f64 {
     let n = 1.0 / share.clamp(1e-9, 0.2);
     (n - 1.0) / (n - 3.0)

@@ -1,10 +1,8 @@
-//! Single particles, followed from frame to frame: what correlation leaves unsaid.
+//! Particle tracking after correlation.
 //!
-//! A correlation peak is the mean of a window, in which light that reconstruction has put in the
-//! wrong place counts as any other. Once it is known to a fraction of a voxel where the light goes,
-//! most particles of one frame can be told in the other, and each is a measurement of its own, at its
-//! own place. The field that follows most of them (`fit`) resolves more than a window and is not drawn
-//! aside by the few that are wrong.
+//! A correlation peak is a mean over a window, including misplaced light. Once the displacement is known to a
+//! fraction of a voxel, most particles can be matched between the frames, and each gives a displacement at its
+//! own position. A robust fit (`fit`) resolves finer scales than a window and tolerates mismatched particles.
 
 mod divergence;
 mod fit;
@@ -26,52 +24,51 @@ use super::{
     layout::Layout,
 };
 
-/// Particles are at last looked for so near to where the field expects them, in voxels: some standard
-/// deviations of a reconstructed particle's place, and less than the distance to its neighbours.
+/// Final search radius about the position that the field predicts, in voxels: some standard deviations of a
+/// reconstructed particle's position, and less than the distance to its neighbours.
 const FINAL_SEARCH_RADIUS_VOX: f32 = 0.6;
 
-/// Most rounds in which particles are looked for far from where the field of the round before expects
-/// them.
+/// Most rounds with the large search radius.
 const FAR_ROUNDS: usize = 5;
 
-/// A component of the field moves if it moves further than this, in voxels: its uncertainty on the bench.
+/// A component of the field has converged if it changes by no more than this, in voxels: its uncertainty on the
+/// bench.
 const CONVERGED_VOX: f32 = 0.015;
 
-/// Shares of the components that may still move when the field is settled, on the windows' nodes and on finer ones:
-/// what is rough in a small part of the volume is found on these.
+/// Largest share of unconverged components at which iteration stops, on the windows' nodes and on finer ones. It is
+/// smaller on finer nodes, because a rough flow may fill only a small part of the volume.
 const COARSE_UNCONVERGED_SHARE: f64 = 0.05;
 const FINE_UNCONVERGED_SHARE: f64 = 0.002;
 
 /// Least number of particles per cell between the finer nodes.
 const LEAST_PER_FINER_CELL: f64 = 0.5;
 
-/// Coarsest voxels, in those of the configuration, whose light tells where in them a particle is: it is
-/// drawn from two or more along each axis.
+/// Largest voxels, relative to the configured ones, from which particle positions are determined: a particle then
+/// extends over two or more along each axis.
 const COARSEST_GRAIN_VOX: f32 = 0.5;
 
-/// Whether the light of `cloud` is fine enough for single particles to be followed.
+/// Whether the voxels of `cloud` are small enough for single particles to be tracked.
 pub fn is_fine(cloud: &PointCloud) -> bool {
     cloud.grain_vox <= COARSEST_GRAIN_VOX
 }
 
-/// A displacement field after particles were followed, and its standard uncertainty, in voxels.
+/// A displacement field from particle tracking, and its standard uncertainty, in voxels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Refined {
     /// The field.
     pub spline: Spline,
     /// Its values on its own nodes, which may be closer than the windows.
     pub nodes: Lattice,
-    /// Along x, y, z, for every one of these; greater than zero. `None` where neither a vector nor a
-    /// particle says anything.
+    /// Along x, y, z, for every node; greater than zero. `None` where there is neither a vector nor a particle.
     pub uncertainty_vox: Vec<Option<[f32; 3]>>,
-    /// Windows about which particles by themselves measure the vector.
+    /// Windows whose vector is measured by particles alone.
     pub by_particles: Vec<bool>,
 }
 
-/// The field that the particles of both frames follow, near the correlation's `field`, whose
-/// standard uncertainty is `uncertainty_vox`, `None` where it has measured nothing. At least three nodes
-/// along every axis. `incompressible`: the field is nearly free of divergence. Particles whose centres are not
-/// in the `flow` are left out: the light of one beside a body reaches into it, and counts whole.
+/// The field fitted to the particles of both frames, starting from the correlation's `field` with standard
+/// uncertainty `uncertainty_vox` (`None` where nothing was measured). At least three nodes along every axis.
+/// `incompressible`: the field is nearly divergence-free. Particles are used if their centres are in the `flow`;
+/// all light of a particle next to a body counts, including the part inside the body.
 pub fn follow(
     field: &Lattice,
     uncertainty_vox: &[Option<[f32; 3]>],
@@ -115,7 +112,7 @@ pub fn follow(
     Refined { spline: finer.spline, nodes, uncertainty_vox, by_particles }
 }
 
-/// What a field leaves of the particles' displacements, per component.
+/// Residuals of the particles' displacements, per component.
 fn residuals(spline: &Spline, pairs: &[Pair]) -> [Vec<f64>; 3] {
     let values: Vec<[f64; 3]> =
         pairs.iter().map(|pair| spline.of(&spline.taps(pair.middle_vox))).collect();
@@ -126,8 +123,8 @@ fn residuals(spline: &Spline, pairs: &[Pair]) -> [Vec<f64>; 3] {
     })
 }
 
-/// The larger standard uncertainty of each fine node and of the window nearest to it. Errors of
-/// neighbouring particles are alike, so a smooth field on fine nodes is no better known than on the windows'.
+/// The larger standard uncertainty of each fine node and of the window nearest to it. Errors of neighbouring
+/// particles are correlated, so a smooth field on fine nodes is not more accurate than on the windows' nodes.
 fn larger(
     nodes: &Lattice,
     fine: Vec<Option<[f32; 3]>>,
@@ -147,7 +144,7 @@ fn larger(
     fine.into_iter().enumerate().map(larger).collect()
 }
 
-/// A field on nodes of some distance.
+/// A field on nodes of one spacing, and its fit.
 struct Stage<'a> {
     nodes: Lattice,
     spline: Spline,
@@ -168,8 +165,8 @@ impl<'a> Stage<'a> {
         Self { nodes, spline, fit }
     }
 
-    /// Pairs particles along the field and fits the field to them until no more than `unconverged_share` of its
-    /// components move.
+    /// Pairs particles by the field and fits the field to them, until at most `unconverged_share` of its components
+    /// change.
     fn iterate(&mut self, frames: [&[Particle]; 2], unconverged_share: f64) {
         for _ in 0..FAR_ROUNDS {
             let before = self.spline.on_nodes(&self.nodes);
@@ -185,14 +182,14 @@ impl<'a> Stage<'a> {
         self.fit.adjust(&mut self.spline, &samples);
     }
 
-    /// Whether nodes at half the distance have particles enough.
+    /// Whether there are enough particles for nodes at half the spacing.
     fn allows_finer(&self, particles: usize) -> bool {
         let cells: usize = self.nodes.nodes.iter().map(|n| n - 1).product();
         particles as f64 >= LEAST_PER_FINER_CELL * 8.0 * cells as f64
     }
 
-    /// The same field on nodes at half the distance, and the standard uncertainty of the windows' vectors,
-    /// `uncertainty_vox`, where these stand.
+    /// The same field on nodes at half the spacing, and the standard uncertainty `uncertainty_vox` of the windows'
+    /// vectors at their nodes.
     fn finer(
         &self,
         uncertainty_vox: &[Option<[f32; 3]>],
@@ -202,7 +199,7 @@ impl<'a> Stage<'a> {
         let mut nodes =
             self.nodes.finer().sampling(|at| spline.of(&spline.taps(at)).map(|value| value as f32));
         if let Some(flow) = flow {
-            // In a body the spline passes from one flow to the next.
+            // Inside a body the spline changes from one flow to the other.
             let in_flow: Vec<bool> = (0..nodes.values.len()).map(|n| flow.is_flow(n)).collect();
             nodes = nodes.filled(&in_flow, Some(flow));
         }
@@ -215,8 +212,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// Share of a field's components that differ from those of the round before by more than what is left to
-/// their uncertainty.
+/// Share of a field's components that differ from those of the previous round by more than [`CONVERGED_VOX`].
 fn moved(before: &Lattice, now: &Lattice) -> f64 {
     let [before, now] = [before, now].map(|field| field.values.as_flattened());
     let moved = before.iter().zip(now).filter(|(a, b)| (**a - **b).abs() > CONVERGED_VOX).count();

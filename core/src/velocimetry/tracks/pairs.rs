@@ -1,22 +1,22 @@
-//! Particles of one frame told in the other.
+//! Matching of particles between the frames.
 
 use rayon::prelude::*;
 
 use super::{particles::Particle, spline::Spline};
 use crate::particles::Neighbours;
 
-/// Farthest that a particle is looked for from where the field expects it, in voxels: about as far as
-/// its neighbours are at 1 ppm.
+/// Largest search radius about the position that the field predicts, in voxels: about the particle spacing at
+/// 1 ppm.
 pub const FARTHEST_VOX: f32 = 1.2;
 
 /// A particle seen in both frames.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
-    /// Where it is in the middle of the pair, in voxels.
+    /// Its position at mid-pair, in voxels.
     pub middle_vox: [f32; 3],
     /// From frame a to frame b, in voxels.
     pub displacement_vox: [f32; 3],
-    /// Variance of its light's place along x, y, z: the mean of both frames.
+    /// Variance of its light along x, y, z: the mean of both frames.
     pub spread_vox2: [f32; 3],
     /// Its light in the frame where that is less.
     pub light: f32,

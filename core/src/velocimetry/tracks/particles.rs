@@ -1,30 +1,30 @@
-//! The particles in a cloud of points: peaks of light.
+//! Particles as intensity peaks in a cloud of points.
 
 use rayon::prelude::*;
 
 use super::super::cloud::PointCloud;
 use crate::{particles::Neighbours, statistics::median};
 
-/// Light nearer than this to the brightest place of a peak belongs to it, in voxels. This and the two
-/// below: docs/decisions.md, "Fitted constants".
+/// Light within this distance of an intensity peak's maximum belongs to it, in voxels. This and the two below:
+/// docs/decisions.md, "Fitted constants".
 const REACH_VOX: f32 = 0.8;
 
-/// Standard deviation of the Gaussian that brightness about a point is summed under, in voxels:
-/// as wide as a reconstructed particle.
+/// Standard deviation of the Gaussian kernel for the local brightness, in voxels: the width of a reconstructed
+/// particle.
 const WIDTH_VOX: f32 = 0.45;
 
-/// A peak with less than this part of the median peak's light is a remnant of reconstruction.
+/// Least light of a particle, relative to the median peak. Fainter peaks are artefacts of reconstruction.
 const LEAST_PEAK_LIGHT: f32 = 0.1;
 
-/// Rounds in which the points find their nearest peak and the peaks the centre of their points.
+/// Rounds that assign points to their nearest peak and move peaks to the centres of their points.
 const ROUNDS: usize = 3;
 
-/// A peak of light, in voxels.
+/// A particle: an intensity peak, in voxels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Particle {
     /// Its centre.
     pub at_vox: [f32; 3],
-    /// Variance of the light's place along x, y, z.
+    /// Variance of its light along x, y, z.
     pub spread_vox2: [f32; 3],
     /// Sum of its light, in the unit of the cloud.
     pub light: f32,
@@ -71,7 +71,7 @@ pub fn particles(cloud: &PointCloud) -> Vec<Particle> {
     found
 }
 
-/// The light whose nearest peak each is. Knots that lose all theirs stay where they are, dark.
+/// Moments of the light that is nearest to each peak. Peaks without light keep their position.
 fn gathered(cloud: &PointCloud, peaks: &[[f32; 3]]) -> Vec<Particle> {
     let neighbours = Neighbours::new(peaks, REACH_VOX);
     let nearest: Vec<Option<usize>> =
@@ -86,7 +86,7 @@ fn gathered(cloud: &PointCloud, peaks: &[[f32; 3]]) -> Vec<Particle> {
     moments.iter().zip(peaks).map(|(moments, &peak)| moments.particle(peak)).collect()
 }
 
-/// Sums over the light of a peak, with places from where the peak was.
+/// Sums over the light of a peak, with positions relative to its previous one.
 #[derive(Debug, Clone, Copy, Default)]
 struct Moments {
     light: f64,
@@ -108,10 +108,10 @@ impl Moments {
         }
     }
 
-    /// The particle whose light this is.
+    /// The particle with these moments.
     ///
-    /// For its centre points count by the root of their light: a multiplicative solver gives the
-    /// voxel nearest to a particle more than its share, and its neighbours less.
+    /// Its centre weights points by the root of their light, because a multiplicative solver overestimates the
+    /// voxel nearest to a particle and underestimates its neighbours.
     fn particle(&self, peak: [f32; 3]) -> Particle {
         if self.light <= 0.0 {
             return Particle { at_vox: peak, spread_vox2: [0.0; 3], light: 0.0 };

@@ -1,4 +1,4 @@
-//! Displacements of single particles among the nodes of a lattice.
+//! Displacements of single particles, and their weights, on the nodes of a lattice.
 
 use multiversion::multiversion;
 
@@ -12,43 +12,44 @@ use crate::statistics::{lower_quartile, median};
 /// Degrees of freedom of the distribution of particles' errors.
 const DEGREES_OF_FREEDOM: f64 = 2.0;
 
-/// Least standard deviation of a particle's displacement, in voxels: what single precision and the
-/// path's midpoint rule resolve.
+/// Least standard deviation of a particle's displacement, in voxels: numerical error of single precision and of
+/// the midpoint rule.
 const SMALLEST_DEVIATION_VOX: f64 = 2e-3;
 
-/// Prior of the variance about a node, in particles: the estimate is shrunk towards that of all particles.
+/// Weight of the prior for the variance at a node, in particles: the estimate is shrunk towards that of all
+/// particles.
 const PRIOR_PARTICLES: f64 = 10.0;
 
 /// Largest standard deviation of a single particle's light along any axis, in voxels. Two particles that
 /// overlap are wider. This and the two below: docs/decisions.md, "Fitted constants".
 const SINGLE_SPREAD_VOX: f64 = 0.15;
 
-/// Standard deviation of light along an axis from which on it does not tell a particle's place, in voxels.
+/// Standard deviation of light along an axis above which it does not determine a particle's position, in voxels.
 const BLURRED_SPREAD_VOX: f64 = 0.25;
 
 /// Share of the median particle's light at which a particle's variance is doubled.
 const FAINT: f64 = 0.7;
 
-/// A particle is reliable below this variance, relative to that of a bright single one.
+/// Largest variance of a reliable particle, relative to that of a bright single one.
 const RELIABLE_VARIANCE: f64 = 5.0;
 
-/// Reliable particles about a node that are enough to accept its vector, where the correlation had none,
+/// Least number of reliable particles near a node to accept its vector where the correlation had none,
 const LEAST_RELIABLE_PARTICLES: usize = 10;
 
-/// if their median residual is below this share of that of particles which are paired by chance.
+/// and largest ratio of their median residual to that of particles paired by chance.
 const LARGEST_RESIDUAL_SHARE: f64 = 0.75;
 
-/// Median residual of particles that are paired by chance, in search radii: the median of |x| of points
-/// distributed evenly in a sphere.
+/// Median residual of particles paired by chance, in search radii: the median of |x| of points uniformly
+/// distributed in a sphere.
 const CHANCE_RESIDUAL: f64 = 0.347;
 
-/// Particles seen in both frames, and where they are.
+/// Particles in both frames, and their weights.
 pub struct Samples<'a> {
     nodes: [usize; 3],
     pairs: &'a [Pair],
     taps: Vec<Taps>,
     nearest_node: Vec<usize>,
-    /// Those in the cells that meet at each node.
+    /// Indices of the particles in the cells that meet at each node.
     around: Vec<Vec<u32>>,
     /// Variance of each along x, y, z relative to that of a bright single particle.
     relative_variances: Vec<[f64; 3]>,
@@ -79,17 +80,17 @@ impl<'a> Samples<'a> {
         Self { nodes, pairs, taps, nearest_node, around, relative_variances, variance_inflation }
     }
 
-    /// How many particles are in the cells that meet at each node.
+    /// Number of particles in the cells that meet at each node.
     pub fn counts(&self) -> Vec<f64> {
         self.around.iter().map(|near| near.len() as f64).collect()
     }
 
-    /// Variance about each node over that of particles whose light is compact along x, y, z.
+    /// Variance at each node relative to that of particles with compact light, along x, y, z.
     pub fn variance_inflation(&self) -> &[[f64; 3]] {
         &self.variance_inflation
     }
 
-    /// What makes a field at each particle's place.
+    /// Interpolation weights at each particle's position.
     pub fn taps(&self) -> &[Taps] {
         &self.taps
     }
@@ -99,8 +100,8 @@ impl<'a> Samples<'a> {
         self.pairs.iter().map(|pair| f64::from(pair.displacement_vox[c])).collect()
     }
 
-    /// Weights that make least squares follow most particles, for what a field leaves of component
-    /// `c` of their displacements: (ν + 1)/(ν + r²/s²)/s², s² the variance of each.
+    /// Weights of iteratively reweighted least squares, from the residuals r of component `c`:
+    /// (ν + 1)/(ν + r²/s²)/s², s² the variance of each.
     pub fn weights(&self, c: usize, residual: &[f64]) -> Vec<f64> {
         let scaled: Vec<f64> = residual
             .iter()
@@ -120,8 +121,8 @@ impl<'a> Samples<'a> {
         (0..residual.len()).map(weight).collect()
     }
 
-    /// Variance about a node of component `c` of a bright particle by itself, by the median of what is
-    /// left of those there, in `scaled`, and of all, whose square is `common`.
+    /// Variance of component `c` of a bright single particle at a node, from the median of the `scaled` residuals
+    /// there and that of all particles, whose square is `common`.
     fn variance_about(&self, node: usize, c: usize, scaled: &[f64], common: f64) -> f64 {
         /// Median of |r| of a normal distribution, in standard deviations.
         const MEDIAN: f64 = 0.6745;
@@ -132,8 +133,8 @@ impl<'a> Samples<'a> {
             .max(SMALLEST_DEVIATION_VOX * SMALLEST_DEVIATION_VOX)
     }
 
-    /// Whether enough reliable particles about each node follow the field `spline` more closely than
-    /// particles paired by chance within `reach_vox` would.
+    /// Whether enough reliable particles near each node agree with the field `spline` better than particles paired by
+    /// chance within `reach_vox`.
     pub fn agree(&self, spline: &Spline, reach_vox: f32) -> Vec<bool> {
         let missed = |(taps, pair): (&Taps, &Pair)| -> [f64; 3] {
             let value = spline.of(taps);
@@ -153,7 +154,7 @@ impl<'a> Samples<'a> {
         self.around.iter().map(|near| (0..3).all(|c| follow(near, c))).collect()
     }
 
-    /// Weight per cell about every node.
+    /// Weight per cell at every node.
     pub fn density(&self, weights: &[f64]) -> Vec<f64> {
         let density = |(n, near): (usize, &Vec<u32>)| {
             near.iter().map(|&pair| weights[pair as usize]).sum::<f64>() / cells_at(self.nodes, n)
@@ -168,15 +169,15 @@ pub fn cells_at(nodes: [usize; 3], n: usize) -> f64 {
     Layout { nodes }.place(n).into_iter().zip(nodes).map(at).product()
 }
 
-/// Shrinkage estimate: the value `own` of `count` particles, drawn towards the `common` one.
+/// Shrinkage estimate: the value `own` of `count` particles, shrunk towards the `common` one.
 fn shrunk(count: usize, own: f64, common: f64) -> f64 {
     let count = count as f64;
     (count * own + PRIOR_PARTICLES * common) / (count + PRIOR_PARTICLES)
 }
 
-/// Variance of particles along x, y, z over that of a bright particle by itself. Light that is wide is
-/// that of two, whose mixture differs from frame to frame; faint light is what reconstruction has
-/// left over elsewhere.
+/// Variance of particles along x, y, z relative to that of a bright single particle. It is larger for wide light,
+/// which comes from two particles whose mixture differs between the frames, and for faint light, which is an
+/// artefact of reconstruction.
 fn relative_variances(pairs: &[Pair]) -> Vec<[f64; 3]> {
     let typical = median(pairs.iter().map(|pair| pair.light)).unwrap_or_default();
     let relative_variance = |pair: &Pair| {
@@ -189,9 +190,9 @@ fn relative_variances(pairs: &[Pair]) -> Vec<[f64; 3]> {
     pairs.iter().map(relative_variance).collect()
 }
 
-/// How much larger the variance of all particles about each node is along an axis on which even
-/// compact light, that of the quarter which is narrowest, is wide: where cameras leave depth open, its
-/// centre is that of what they enclose, in both frames, and hardly follows the particle.
+/// Factor on the variance of all particles near each node along an axis on which even the narrowest quarter of them
+/// is wide. Where the cameras do not resolve depth, the centre of the light in both frames is that of the region
+/// between the lines of sight and depends little on the particle's position.
 fn variance_inflation(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
     let mut variance_inflation = vec![[1.0; 3]; around.len()];
     for c in 0..3 {

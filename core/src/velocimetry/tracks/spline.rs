@@ -20,8 +20,8 @@ pub struct Spline {
 impl Spline {
     /// The spline that has the values of `field` on its nodes, and no curvature across its faces.
     ///
-    /// Where flows meet in the middle of a body, as `flow` has it on the coefficients, each goes on as if it ended
-    /// there: the spline does not swing on either side of the jump, and does not have the nodes' values beside it.
+    /// Where two flows meet in the middle of a body (`flow`, on the coefficients), each row ends there: the spline does
+    /// not overshoot on either side of the jump, and does not have the nodes' values next to it.
     pub fn through(field: &Lattice, flow: Option<&FlowNodes>) -> Self {
         let layout = Layout { nodes: field.nodes.map(|n| n + 2) };
         let coefficients = std::array::from_fn(|c| {
@@ -53,7 +53,7 @@ impl Spline {
         (0..3).all(|axis| (0.0..=self.nodes.cells(axis) as f32).contains(&at[axis]))
     }
 
-    /// What makes the field at a place, or at the nearest one between the nodes.
+    /// Interpolation weights at a position, or at the nearest one between the nodes.
     pub fn taps(&self, at_vox: [f32; 3]) -> Taps {
         self.nodes.taps(at_vox)
     }
@@ -63,9 +63,8 @@ impl Spline {
         std::array::from_fn(|c| taps.gather_component(self.nodes.layout, &self.coefficients[c]))
     }
 
-    /// Where light that is at `at_vox` in its own frame is in the middle of the pair: half the
-    /// displacement further, forwards from frame a (`sign` 1) and backwards from frame b (−1),
-    /// along the curved path by the midpoint rule.
+    /// Mid-pair position of light that is at `at_vox` in its own frame: half the displacement forwards from frame a
+    /// (`sign` 1) or backwards from frame b (−1), along the curved path by the midpoint rule.
     pub fn middle_of_path(&self, at_vox: [f32; 3], sign: f32) -> [f32; 3] {
         let ahead = |by: [f64; 3], part: f32| {
             std::array::from_fn(|axis| at_vox[axis] + sign * part * by[axis] as f32)
@@ -111,7 +110,7 @@ fn interpolate_along(
 }
 
 /// Solves for the coefficients of a row. At the ends they are the values; between, elimination and back
-/// substitution. `ratio` is room to work in.
+/// substitution. `ratio` is scratch memory.
 fn to_coefficients(row: &mut [f64], ratio: &mut [f64]) {
     let count = row.len();
     ratio[0] = 0.0;
