@@ -37,7 +37,7 @@ pub(super) fn lit_range(grid: &MicroImageGrid, light: &CellLight) -> Option<Rang
 }
 
 /// The grid counted from the first lit lens, or, where the optics say how many lenses there are, so that the
-/// array covers the lit ones and is otherwise centred as drawn. Also says by how many lenses the count moved.
+/// array covers the lit ones and is otherwise centred as in the nominal grid. Also returns the shift in lenses.
 pub(super) fn number(
     grid: &MicroImageGrid,
     lit: Range,
@@ -53,10 +53,10 @@ pub(super) fn number(
     let middle = size.map(|pixels| (pixels as f64 - 1.0) / 2.0);
     let lens_in_middle = grid.lens_at(middle[0], middle[1]);
     let first = [0, 1].map(|axis| {
-        let drawn = (lens_in_middle[axis] - (counts[axis] as f64 - 1.0) / 2.0).round() as i64;
+        let nominal = (lens_in_middle[axis] - (counts[axis] as f64 - 1.0) / 2.0).round() as i64;
         let [first, last] = lit[axis].map(|lens| lens as i64);
         let least = last + 1 - counts[axis] as i64;
-        if least <= first { drawn.clamp(least, first) } else { drawn }
+        if least <= first { nominal.clamp(least, first) } else { nominal }
     });
     (renumbered(grid, first, counts), first)
 }

@@ -21,7 +21,7 @@ const SLOPES: [usize; 2] = [2, 3];
 /// there where micro-images are 48 px wide; held back like this, 0.01 px.
 const SLOPE_PRIOR: f64 = 0.4;
 
-/// What all lenses share: six of the grid, radius, blur, and four of the second aperture.
+/// Number of parameters shared by all lenses: six of the grid, radius, blur, and four of the second aperture.
 pub(super) const SHARED_PARAMETERS: usize = 12;
 
 /// A disc is as dark as its surroundings this many blurs outside of its rim.

@@ -12,22 +12,22 @@ use crate::{
     reconstruction::ViewLevels,
 };
 
-/// A camera sees nothing when no more of its lit pixels than this are brighter than noise: less
-/// than one particle on the bench's sensor, or the hot pixels of a good one.
+/// Share of lit pixels above noise up to which a camera's image counts as dark: less than one particle on the bench's
+/// sensor, or the hot pixels of a good one.
 const DARK_BRIGHT_SHARE: f64 = 5e-5;
 
-/// Without bright pixels, this share of saturated ones tells too much light from none.
+/// Share of saturated pixels above which an image without bright pixels counts as overexposed, not dark.
 const OVEREXPOSED_SHARE: f64 = 0.5;
 
-/// Saturated pixels beyond this share are worth a warning.
+/// Share of saturated pixels above which there is a warning.
 const SATURATED_SHARE: f64 = 1e-3;
 
-/// What raw images are corrected by.
+/// Corrections of raw images.
 pub(super) struct Correction<'a> {
     pub image: &'a ImageSettings,
     /// Per camera.
     pub zones: &'a [PhotometricZones],
-    /// Per camera and frame, where stationary light has been learned.
+    /// Per camera and frame; empty without stationary light.
     pub stationary: &'a [[StationaryLight; 2]],
 }
 

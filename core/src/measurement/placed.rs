@@ -32,21 +32,20 @@ pub(super) fn point_cameras(
     cameras.iter().enumerate().map(camera).collect()
 }
 
-/// Least standard deviation of a particle's displacement, in voxels: what the path's midpoint rule resolves.
+/// Least standard deviation of a particle's displacement, in voxels: error of the midpoint rule.
 const LEAST_DEVIATION_VOX: f32 = 1e-3;
 
-/// A pair after correlation, before its particles are placed.
+/// Input of the particle fit: a pair after correlation.
 pub(super) struct PairForPlacing<'a> {
     pub cameras: &'a [PointCamera],
     pub correction: &'a Correction<'a>,
     /// The light of frames a and b.
     pub volumes: [&'a SparseVolume; 2],
-    /// The grid, with margin, that light is in.
+    /// The grid of the light, with margin.
     pub grid: &'a VolumeGrid,
 }
 
-/// Standard deviation of a displacement that corrects the flow, in voxels, while particles are not all in their
-/// places.
+/// Assumed standard deviation of displacements that correct the flow during the fit, in voxels.
 const PLACING_ERROR_VOX: f32 = 0.02;
 
 /// The flow in mm.
@@ -104,7 +103,7 @@ impl PairForPlacing<'_> {
     }
 }
 
-/// What `pairs` say of the displacement, in voxels of `grid`.
+/// Displacement samples of `pairs`, in voxels of `grid`.
 pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> {
     let vox = |mm: f64| (mm / grid.voxel_mm) as f32;
     let sample = |pair: &ParticlePair| Sample {
@@ -115,12 +114,12 @@ pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> 
     pairs.iter().map(sample).collect()
 }
 
-/// Where the particles without a partner are, in voxels of `grid`.
+/// Positions of the particles without a partner, in voxels of `grid`.
 pub(super) fn alone(placed: &PlacedParticles, grid: &VolumeGrid) -> [Vec<[f32; 3]>; 2] {
     placed.unpaired.each_ref().map(|of| of.iter().map(|one| at_vox(grid, one.at_mm)).collect())
 }
 
-/// The particles behind `samples`, and whether they agree with those about them.
+/// The particles of `samples`, and whether they agree with their neighbours.
 pub(super) fn measured_particles(
     pairs: &[ParticlePair],
     samples: &[Sample],

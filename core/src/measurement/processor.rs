@@ -200,8 +200,8 @@ impl Processor {
         Ok(found.place(pair, field))
     }
 
-    /// Whether particles are placed in a pair's images once `field` was found by correlation, with the field
-    /// `everywhere` behind it.
+    /// Whether particles are placed in a pair's images after correlation gave `field`, which was sampled from
+    /// `everywhere`.
     fn is_to_place(&self, field: &VelocityField, everywhere: &DisplacementField) -> bool {
         if self.measurement.velocimetry.place_particles == Placing::Always {
             return true;

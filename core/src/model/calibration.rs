@@ -1,23 +1,22 @@
-//! What calibration found out about a camera.
+//! Calibration of a camera.
 
 use serde::{Deserialize, Serialize};
 
 use super::VolumeMap;
 use crate::lightfield::MicroImageGrid;
 
-/// How one camera differs from the drawing; as drawn where it says nothing.
+/// Differences of one camera from its nominal geometry; nominal where a field is absent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct CameraCalibration {
-    /// Where the micro-images are centred.
+    /// Centres of the micro-images.
     pub grid: Option<MicroImageGrid>,
-    /// What an ideal thin lens would see in place of the volume's points; the pose says it
-    /// otherwise.
+    /// Equivalent points of the nominal thin lens for the volume's points; without it they follow from the pose.
     pub map: Option<VolumeMap>,
 }
 
 impl CameraCalibration {
-    /// Whether nothing is known that the drawing does not say.
+    /// Whether the camera is uncalibrated.
     pub fn is_nominal(&self) -> bool {
         self.grid.is_none() && self.map.is_none()
     }

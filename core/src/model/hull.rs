@@ -1,13 +1,14 @@
-//! The photo-hull: voxels that every line of sight finds lit.
+//! The photo-hull: voxels that are lit along every line of sight.
 //!
 //! The MLOS start of tomographic PIV keeps a voxel when all the pixels it projects onto hold
-//! light. Here a view speaks against a voxel when even the brightest pixel that the voxel reaches
-//! is dark, and a voxel is dropped when more views of a camera do so than noise explains. A particle
+//! light. Here a voxel is dark in a view if even the brightest pixel within its projection is dark,
+//! and it is dropped if it is dark in more views of a camera than noise explains. A particle
 //! anywhere inside a voxel always puts its light into that voxel's support, so the test is safe for
 //! particles off the grid, at any voxel size.
 //!
-//! This is the form voxel by voxel, for any model; [`BlockModel::lit`](super::BlockModel::lit) has a
-//! fast one for cameras along the grid's axes, which is tested against it.
+//! This is the voxel-by-voxel form for any model. [`BlockModel::lit`](super::BlockModel::lit) has faster
+//! forms for block models, which are tested against it: for cameras along the grid's axes (`blocks/lit`), and for
+//! arbitrarily oriented and calibrated ones (`blocks/mapped`).
 
 use rayon::prelude::*;
 
@@ -18,7 +19,7 @@ use crate::lightfield::ViewStack;
 /// memory that all voxels of a grid would need.
 const SLAB_VOXELS: usize = 250_000;
 
-/// Share of dark voxels above which dropping them costs less than evaluating them again.
+/// Share of dark voxels above which removal is faster than repeated evaluation.
 const SHARE_WORTH_DROPPING: f64 = 0.25;
 
 /// Voxels that may hold light.

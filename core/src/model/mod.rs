@@ -132,9 +132,9 @@ pub enum ModelError {
          {limit_mm:.1} mm (object distance minus focal length); make [volume] smaller"
     )]
     TooDeep { camera: CameraName, depth_mm: f64, limit_mm: f64 },
-    /// Calibrated cameras where only drawn ones are modelled.
+    /// Calibrated cameras with a solver that supports nominal ones only.
     #[error(
-        "{camera} is calibrated, and solvers over the whole volume know cameras as drawn only; \
+        "{camera} is calibrated, and whole-volume solvers support uncalibrated cameras only; \
          leave out reconstruction.domain = \"volume\", or use the solver os-mart"
     )]
     CalibratedWholeVolume { camera: CameraName },

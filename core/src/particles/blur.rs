@@ -1,32 +1,32 @@
-//! How wide points are in a camera, from the images.
+//! Estimation of a camera's point blur from the images.
 
 use rayon::prelude::*;
 
 use super::fit::FrameFit;
 use crate::model::{PointBlur, PointCamera, PointFootprint};
 
-/// Widths that are tried, as factors of the one before.
+/// Ratio of successive trial widths.
 const WIDTH_STEP: f64 = 1.4;
 
-/// Bounds, as standard deviations in pixels.
+/// Limits of the width, as standard deviations in pixels.
 const WIDTHS_PX: [f64; 2] = [0.08, 1.2];
 
-/// Most moves to a wider or a narrower one.
+/// Largest number of moves to a larger or smaller width.
 const MAX_MOVES: usize = 6;
 
-/// One particle in so many is sampled.
+/// Every third particle is used.
 const SUBSAMPLING: usize = 3;
 
-/// Width of points before the images were sampled, in pixels.
+/// Initial width of points, in pixels.
 pub const FIRST_WIDTH_PX: f64 = 0.25;
 
-/// The same width on the sensor and, seen from there, on the microlenses: microlenses have the f-number
-/// that the main lens works at, so diffraction makes both alike.
+/// Blur with the same width on the sensor and, in pixels, on the microlenses: microlenses have the working f-number of
+/// the main lens, so diffraction is equal on both.
 pub fn blur_of_width(width_px: f64, pixel_mm: f64) -> PointBlur {
     PointBlur { plane_mm: width_px * pixel_mm, sensor_px: width_px }
 }
 
-/// The width at which the particles numbered `of` leave the least of camera number `c`'s image.
+/// The width with the least residual of camera `c`'s image, for the particles with indices `of`.
 pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usize]) -> PointBlur {
     let before = cameras[c].blur;
     let pixel_mm = before.plane_mm / before.sensor_px;
@@ -35,7 +35,7 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
     let mut misfit = |log_width: f64| {
         camera.blur = blur_of_width(log_width.exp(), pixel_mm);
         fit.render_in(&mut image, &camera, c);
-        // The same pixels and weights for every width: those of the width before.
+        // Pixels and weights are those of the previous width for every trial width.
         let left = |footprint: &mut PointFootprint, &n: &usize| {
             cameras[c].image(fit.particles[n].at_mm, footprint);
             image.weighted_residual(&fit.images[c], &cameras[c], footprint)

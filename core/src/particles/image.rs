@@ -1,4 +1,4 @@
-//! One camera's image of one frame, and what the particles known so far make of it.
+//! One camera's image of one frame, and its model from the current particles.
 
 use lfpiv_hw::RawImage;
 
@@ -11,17 +11,38 @@ use crate::{
     model::{LANES, PointCamera, PointFootprint},
 };
 
+/// Noise of a pixel with an expected value of m counts: its variance is
+/// `dark` + `gain` m + (`misfit` m)², in counts².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PixelNoise {
+    /// Variance of a pixel without light from particles.
+    pub dark: f32,
+    /// Counts per photo-electron: shot noise.
+    pub gain: f32,
+    /// Relative error of the model: footprint, and missing or false particles.
+    pub misfit: f32,
+}
+
+impl PixelNoise {
+    /// Variance of a pixel with an expected value of `model` counts above black, in counts².
+    #[inline(always)]
+    pub fn variance(&self, model: f32) -> f32 {
+        let lit = model.max(0.0);
+        self.dark + lit * (self.gain + self.misfit * self.misfit * lit)
+    }
+}
+
 /// A raw image and the model of it.
 #[derive(Debug, Clone)]
 pub struct ParticleImage {
     /// Counts, row-major, and [`LANES`] more values.
     counts: Vec<u16>,
-    /// What the particles should leave in each pixel, in counts above `black`; as long.
+    /// Expected value of each pixel from the particles, in counts above `black`; same length.
     model: Vec<f32>,
     width: usize,
-    /// Count of a pixel that no particle lights.
+    /// Count of a pixel without light from particles.
     black: f32,
-    /// From which count on a pixel says nothing.
+    /// Saturation count.
     saturation: u16,
     /// Noise of its pixels.
     pub noise: PixelNoise,
@@ -38,18 +59,18 @@ impl ParticleImage {
         Self { counts, model, width: image.columns(), black, saturation, noise }
     }
 
-    /// Takes all particles out of the model.
+    /// Removes all particles from the model.
     pub fn clear(&mut self) {
         self.model.fill(0.0);
     }
 
-    /// Adds a particle of `light` counts in an open pixel to the model; a negative light takes it out.
+    /// Adds a particle of `light` counts in an open pixel to the model; negative light removes it.
     pub fn add(&mut self, camera: &PointCamera, footprint: &PointFootprint, light: f32) {
         let (open, stride) = (camera.open_shares(), camera.open_stride());
         kernels::add_image(&mut self.model, self.width, open, stride, footprint, light);
     }
 
-    /// What the residual says about a particle.
+    /// Normal equations of a particle from the residual.
     pub fn equations(&self, camera: &PointCamera, footprint: &PointFootprint) -> Equations {
         let (open, stride) = (camera.open_shares(), camera.open_stride());
         kernels::equations::<false>(&self.view(), open, stride, footprint)
@@ -65,8 +86,8 @@ impl ParticleImage {
         kernels::equations::<true>(&self.view(), open, stride, footprint)
     }
 
-    /// What the residual says about the light of a particle alone: Σ g r / v and Σ g² / v, with g its
-    /// image per unit of light.
+    /// Normal equation of a particle's light alone: Σ g r / v and Σ g² / v, with g its image per unit of
+    /// light.
     pub fn light_equation(&self, camera: &PointCamera, footprint: &PointFootprint) -> [f64; 2] {
         let (open, stride) = (camera.open_shares(), camera.open_stride());
         kernels::light_equation(&self.view(), open, stride, footprint)
@@ -75,7 +96,7 @@ impl ParticleImage {
     /// Sum of squared residuals over a particle's pixels, each weighted by the particle's share of light in it and by
     /// 1 / variance as `reference` models it.
     ///
-    /// To compare models: weights by each model itself would favour the one that expects more noise.
+    /// For the comparison of models: weights from each model itself would favour the one with more noise.
     pub fn weighted_residual(
         &self,
         reference: &Self,
@@ -114,7 +135,7 @@ impl ParticleImage {
         }
     }
 
-    /// The noise of its pixels by what the particles leave of it; that of dark ones is kept.
+    /// Noise of its pixels, estimated from the residual; that of dark pixels is kept.
     pub fn noise_of_residual(&self) -> PixelNoise {
         let pixels = self.counts.len() - LANES;
         let residual =

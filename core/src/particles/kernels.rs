@@ -1,4 +1,4 @@
-//! The loops over pixels: a particle added to an image, and its normal equations.
+//! Loops over pixels: addition of a particle to an image, and its normal equations.
 
 use multiversion::multiversion;
 
@@ -76,7 +76,7 @@ pub fn add_image(
     }
 }
 
-/// What pixels side by side say.
+/// Contributions of adjacent pixels to the normal equations.
 struct Pixels {
     /// Open share × residual / variance.
     pull: Lanes,
@@ -85,8 +85,7 @@ struct Pixels {
 }
 
 impl Pixels {
-    /// Of the pixels from `at` on, if the image has them. Each loop is one that compilers turn into vector
-    /// instructions.
+    /// From the pixels starting at `at`, if they are in the image. The loop is vectorised by the compiler.
     #[inline(always)]
     fn at<const SPREAD: bool>(view: &View<'_>, at: usize, open: &[u8]) -> Option<Self> {
         let model: &Lanes = view.model.get(at..)?.first_chunk()?;

@@ -1,40 +1,19 @@
-//! The noise of pixels, from what the particles leave of an image.
+//! Noise of pixels, estimated from the residual image.
 
 use crate::statistics::{MEDIAN_SQUARE, median};
 
-/// What is known of the noise of a pixel that should hold m counts: its variance is
-/// `dark` + `gain` m + (`misfit` m)², in counts².
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PixelNoise {
-    /// Of a pixel that no particle lights.
-    pub dark: f32,
-    /// Counts per photo-electron: shot noise.
-    pub gain: f32,
-    /// Relative error of the footprint, and of what is taken for particles.
-    pub misfit: f32,
-}
-
-impl PixelNoise {
-    /// Variance of a pixel that should hold `model` counts above black, in counts².
-    #[inline(always)]
-    pub fn variance(&self, model: f32) -> f32 {
-        let lit = model.max(0.0);
-        self.dark + lit * (self.gain + self.misfit * self.misfit * lit)
-    }
-}
-
-/// One pixel in so many is looked at: a number that shares no factor with the images' rows.
+/// Every seventh pixel is used: 7 has no common factor with the length of the images' rows.
 const SUBSAMPLING: usize = 7;
 
 /// Levels of light, each twice as bright as the one before; the first ends at this many counts.
 const LEVELS: usize = 12;
 const FIRST_LEVEL_COUNTS: f32 = 4.0;
 
-/// Fewer pixels of a level say nothing.
+/// Least number of pixels of a level.
 const LEAST_PIXELS: usize = 200;
 
-/// The noise that pixels with this model and residual have, of which `dark` is known. Medians: where a
-/// particle is missing or in the wrong place, pixels say nothing of noise.
+/// Noise of pixels with this model and residual; `dark` is known. Medians are robust against pixels of missing or
+/// misplaced particles.
 pub fn noise_of(pixels: impl Iterator<Item = (f32, f32)>, dark: f32) -> PixelNoise {
     let mut squares: Vec<Vec<f32>> = vec![Vec::new(); LEVELS];
     let mut levels = vec![0.0f64; LEVELS];

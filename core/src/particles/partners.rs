@@ -10,24 +10,24 @@ use super::{
 };
 use crate::model::{PointCamera, PointFootprint};
 
-/// Share of its partner's light that a proposed particle starts with where the frame has none of its own.
-/// The fit increases the light of a true one.
+/// Initial light of a proposed particle, relative to that of its partner, where the frame has no particle. The fit
+/// increases the light of a true one.
 const STARTING_SHARE: f64 = 0.3;
 
-/// Least share of the typical light that the residual must have for a proposed particle.
+/// Least light of the residual at a proposed particle, relative to the typical light.
 const LEAST_PROPOSAL_LIGHT: f64 = 0.1;
 
-/// Particles of the other frame that lie within the reach of a wider search by chance: their mean number.
+/// Mean number of particles of the other frame within the radius of the wider search by chance.
 const CHANCE_PARTNERS: f32 = 0.01;
 
-/// Longest reach of a wider search, in voxels, however few particles there are.
+/// Largest radius of the wider search, in voxels.
 const LONGEST_REACH_VOX: f32 = 3.0;
 
-/// The particles of both frames at mid-pair, and which of them belong together.
+/// The particles of both frames at mid-pair, and their pairs.
 pub struct Partners {
-    /// In voxels.
+    /// Mid-pair positions, in voxels.
     pub middles: [Vec<[f32; 3]>; 2],
-    /// For each of frame a its partner in frame b, and the other way round.
+    /// Partner in frame b of each particle of frame a, and vice versa.
     pub partners: [Vec<Option<usize>>; 2],
 }
 
@@ -44,8 +44,8 @@ impl Partners {
         Self { middles, partners }
     }
 
-    /// Pairs the particles that are still alone within a longer reach, where the flow is known less well; the fewer they
-    /// are, the longer it is. `is_eligible` says of a frame and a particle of it whether it may be paired so.
+    /// Pairs the remaining particles within a larger radius, for regions where the flow is less accurate. The radius
+    /// increases as their number decreases. `is_eligible` (frame, particle) selects the particles.
     pub fn widened(mut self, is_eligible: impl Fn(usize, usize) -> bool) -> Self {
         let alone = [0, 1].map(|frame| -> Vec<usize> {
             self.alone(frame).filter(|&n| is_eligible(frame, n)).collect()
@@ -63,7 +63,7 @@ impl Partners {
         self
     }
 
-    /// The reach, in voxels, within which there are [`CHANCE_PARTNERS`] of these places on average.
+    /// The radius, in voxels, within which there are [`CHANCE_PARTNERS`] of these positions on average.
     fn longer_reach(&self, places: &[Vec<[f32; 3]>; 2]) -> f32 {
         let all = || self.middles.iter().flatten();
         let span = |axis: usize| {
@@ -78,18 +78,18 @@ impl Partners {
         (CHANCE_PARTNERS * volume / (most * sphere)).cbrt().min(LONGEST_REACH_VOX)
     }
 
-    /// Pairs, by their numbers in frame a and in frame b.
+    /// Pairs as indices in frames a and b.
     pub fn pairs(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         self.partners[0].iter().enumerate().filter_map(|(a, b)| Some([a, (*b)?]))
     }
 
-    /// The particles of a frame that have no partner.
+    /// The particles of a frame without a partner.
     pub fn alone(&self, frame: usize) -> impl Iterator<Item = usize> + '_ {
         let partners = self.partners[frame].iter().enumerate();
         partners.filter(|(_, partner)| partner.is_none()).map(|(n, _)| n)
     }
 
-    /// Where a particle of the other frame would be in frame `frame`, in mm.
+    /// Predicted position in frame `frame` of a particle of the other frame, in mm.
     pub fn place_in(&self, frame: usize, n: usize, flow: &dyn Flow, voxel_mm: f64) -> [f64; 3] {
         let middle_mm = self.middles[1 - frame][n].map(|vox| f64::from(vox) * voxel_mm);
         let moved = flow.displacement_mm(middle_mm);
@@ -98,7 +98,7 @@ impl Partners {
     }
 }
 
-/// For each point of both lists the one of the other that is its nearest and whose nearest it is.
+/// Mutual nearest neighbours of two lists of points.
 fn mutual(middles: &[Vec<[f32; 3]>; 2], reach: f32) -> [Vec<Option<usize>>; 2] {
     let nearest = |from: usize| -> Vec<Option<usize>> {
         let near = Neighbours::new(&middles[1 - from], reach);
@@ -114,17 +114,17 @@ fn mutual(middles: &[Vec<[f32; 3]>; 2], reach: f32) -> [Vec<Option<usize>>; 2] {
     [both(&a, &b), both(&b, &a)]
 }
 
-/// A place that is proposed to a frame.
+/// A position that is proposed to a frame.
 struct Proposal {
     /// The particle of the other frame.
     particle: Particle,
     at_mm: [f64; 3],
-    /// The frame's own particle beside it that has no partner either.
+    /// A nearby particle of the frame without a partner.
     rival: Option<usize>,
 }
 
-/// Proposes particles without a partner to the other frame, where its residual has light for them. A particle
-/// without a partner near a proposal shares its light with it: the fit decides which of the two remains.
+/// Proposes particles without a partner to the other frame, where its residual contains enough light. A nearby
+/// particle without a partner shares its light with the proposal; the fit determines which of the two remains.
 pub fn exchange(
     fits: &mut [FrameFit; 2],
     partners: &Partners,

@@ -1,4 +1,4 @@
-//! The sequence of the fit: from candidates in both frames to pairs of particles that agree with the flow.
+//! Sequence of the fit: from candidates in both frames to pairs of particles that agree with the flow.
 
 use rayon::prelude::*;
 
@@ -26,23 +26,24 @@ pub struct FrameStart {
     pub candidates: Vec<Candidate>,
 }
 
-/// A particle that both frames show and the flow explains.
+/// A particle in both frames whose displacement agrees with the flow.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParticlePair {
-    /// Its place in frames a and b, in mm.
+    /// Its position in frames a and b, in mm.
     pub places_mm: [[f64; 3]; 2],
-    /// Covariance of each, in mm². It does not contain an error of both frames alike, such as that of a camera's pose.
+    /// Covariance of each, in mm². Errors common to both frames, such as that of a camera's pose, are not
+    /// included.
     pub covariances_mm2: [[[f64; 3]; 3]; 2],
-    /// Its light in each frame and camera, in counts of an open pixel that gets all of it.
+    /// Its light in each frame and camera, in counts if all of it reached one open pixel.
     pub light: [[f64; CAMERAS]; 2],
 }
 
 /// The particles of a pair of frames.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedParticles {
-    /// Seen in both.
+    /// Particles in both frames.
     pub pairs: Vec<ParticlePair>,
-    /// Seen in one only.
+    /// Particles in one frame only.
     pub unpaired: [Vec<Particle>; 2],
     /// Width of a point's image in each camera.
     pub blurs: Vec<PointBlur>,
@@ -51,13 +52,13 @@ pub struct PlacedParticles {
 }
 
 impl ParticlePair {
-    /// Where it is in the middle of the pair, in mm.
+    /// Its mid-pair position, in mm.
     pub fn middle_mm(&self) -> [f64; 3] {
         let [a, b] = self.places_mm;
         std::array::from_fn(|axis| (a[axis] + b[axis]) / 2.0)
     }
 
-    /// How far it moves, in mm.
+    /// Its displacement, in mm.
     pub fn displacement_mm(&self) -> [f64; 3] {
         let [a, b] = self.places_mm;
         std::array::from_fn(|axis| b[axis] - a[axis])
@@ -70,36 +71,36 @@ impl ParticlePair {
     }
 }
 
-/// Most steps before and after the first removal of faint and doubled particles.
+/// Largest number of steps before and after the first removal of faint and duplicate particles.
 const FIRST_STEPS: [usize; 2] = [4, 2];
-/// Most steps after an exchange between the frames, before and after the removal.
+/// The same after an exchange between the frames.
 const EXCHANGE_STEPS: [usize; 2] = [4, 2];
-/// Most steps of the last fit.
+/// Largest number of steps of the last fit.
 const LAST_STEPS: usize = 3;
 
-/// Exchanges between the frames.
+/// Number of exchanges between the frames.
 const EXCHANGES: usize = 4;
 
-/// Exchanges before which the blur is estimated again.
+/// Number of exchanges before which the blur is estimated again.
 const BLUR_ROUNDS: usize = 2;
 
 /// Relative error of the model while particles are missing, by exchange.
 const MODEL_ERRORS: [f32; EXCHANGES + 1] = [0.3, 0.3, 0.2, 0.15, 0.15];
 
-/// Least relative error of the model in the last fit: that of the footprint.
+/// Least relative error of the model in the last fit: the error of the footprint.
 const LEAST_MODEL_ERROR: f32 = 0.02;
 
-/// Least share of the typical light of a particle.
+/// Least light of a particle, relative to the typical light.
 const LEAST_PARTICLE_LIGHT: f64 = 0.25;
 
-/// Particles nearer to each other than this are merged, in voxels.
+/// Particles within this distance are merged, in voxels.
 const MERGE_DISTANCE_VOX: f64 = 0.35;
 
 /// A particle whose step is shorter has converged, in voxels.
 const CONVERGED_VOX: f64 = 0.01;
 
-/// Partners that are nearer to each other than this are not started again, in voxels: a few standard
-/// deviations of the flow, within these bounds.
+/// Distance of partners below which they are not restarted, in voxels: [`AGREE_DEVIATIONS`] times the typical
+/// distance, within these bounds.
 const AGREE_VOX: [f64; 2] = [0.15, 0.5];
 const AGREE_DEVIATIONS: f64 = 3.0;
 
@@ -112,22 +113,22 @@ const RIVAL_VOX: f64 = 1.0;
 /// Largest distance of partners in the result, in voxels.
 const MAX_PAIR_DISTANCE_VOX: f64 = 0.5;
 
-/// Starts beside a particle's place, along each axis.
+/// Restart positions relative to a particle, along each axis, in voxels.
 const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 
-/// Proposals of the other frame within this distance of a particle are starts as well, in voxels.
+/// Proposals of the other frame within this distance of a particle are restart positions as well, in voxels.
 const STARTS_REACH_VOX: f64 = 1.5;
 
-/// How a particle is stepped.
+/// Rule for the steps of a particle.
 const STEP_RULE: StepRule = StepRule { relaxation: 0.8, damping: 0.01, longest_mm: 0.0 };
 
-/// Longest step, in voxels.
+/// Largest step, in voxels.
 const MAX_STEP_VOX: f64 = 0.2;
 
 /// Places particles in the images of both frames.
 ///
-/// `flow` is what is known of the displacement; it may be a part of a voxel off, and is corrected by the
-/// particles. `voxel_mm` is the unit of all lengths that are chosen: about a microlens in the volume.
+/// `flow` is an estimate of the displacement with an error of less than a voxel; it is corrected by the particles.
+/// `voxel_mm` is the unit of all lengths above: about the microlens pitch in the volume.
 pub fn place_pairs(
     cameras: &[PointCamera],
     voxel_mm: f64,
@@ -152,6 +153,7 @@ pub fn place_pairs(
     placement.finish(&mut fits, flow)
 }
 
+/// State of the fit.
 struct Placement {
     cameras: Vec<PointCamera>,
     voxel_mm: f64,
@@ -160,7 +162,7 @@ struct Placement {
 }
 
 impl Placement {
-    /// First steps of all candidates, and removal of those without light.
+    /// First steps of all candidates, and removal of faint ones.
     fn begin(&self, fits: &mut [FrameFit; 2]) {
         let converged_mm = CONVERGED_VOX * self.voxel_mm;
         self.each(fits, |fit, prior| {
@@ -178,7 +180,7 @@ impl Placement {
         });
     }
 
-    /// Exchanges particles between the frames, fits them, and starts those again that have no partner.
+    /// Exchanges particles between the frames, fits them, and restarts those without a partner.
     fn support(&mut self, fits: &mut [FrameFit; 2], flow: &mut dyn Flow, round: usize) {
         let agree_vox = self.correct(fits, flow);
         let partners = self.partners(fits, flow, agree_vox);
@@ -202,7 +204,7 @@ impl Placement {
         self.restart(fits, flow, agree_vox);
     }
 
-    /// Estimates light and blur from the particles that both frames agree on.
+    /// Estimates the prior of the light, and the blur, from pairs.
     fn learn(&mut self, fits: &[FrameFit; 2], partners: &Partners, round: usize) {
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         for (frame, fit) in fits.iter().enumerate() {
@@ -222,7 +224,7 @@ impl Placement {
         }
     }
 
-    /// Starts particles without a partner again.
+    /// Restarts particles without a partner.
     fn restart(&self, fits: &mut [FrameFit; 2], flow: &dyn Flow, agree_vox: f64) {
         let partners = self.partners(fits, flow, agree_vox);
         let proposals = [0, 1].map(|frame: usize| -> Vec<[f64; 3]> {
@@ -308,8 +310,7 @@ impl Placement {
         }
     }
 
-    /// Corrects the flow by mutual nearest neighbours, and says how near to each other partners that agree are, in
-    /// voxels.
+    /// Corrects the flow by mutual nearest neighbours. Returns the largest distance of partners that agree, in voxels.
     fn correct(&self, fits: &[FrameFit; 2], flow: &mut dyn Flow) -> f64 {
         let partners = self.wider_partners(fits, flow, MAX_CORRECTION_DISTANCE_VOX);
         let places =
@@ -334,8 +335,8 @@ impl Placement {
         Partners::new(frames, flow, reach_vox, self.voxel_mm)
     }
 
-    /// Partners within `reach_vox`; particles that are then still alone, and bright enough in every camera, are searched
-    /// for within a longer reach.
+    /// Partners within `reach_vox`. For remaining particles that are bright enough in every camera, the search radius
+    /// is larger.
     fn wider_partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
         let is_bright = |frame: usize, n: usize| {
             let light = fits[frame].particles[n].light.iter().zip(&self.priors[frame].typical);
@@ -346,7 +347,7 @@ impl Placement {
         self.partners(fits, flow, reach_vox).widened(is_bright)
     }
 
-    /// Applies `act` to both frames at once.
+    /// Applies `act` to both frames in parallel.
     fn each(&self, fits: &mut [FrameFit; 2], act: impl Fn(&mut FrameFit, &LightPrior) + Sync) {
         let [a, b] = fits;
         rayon::join(|| act(a, &self.priors[0]), || act(b, &self.priors[1]));

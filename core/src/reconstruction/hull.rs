@@ -25,7 +25,8 @@ const DENSE: f64 = 0.35;
 /// With fewer views than this per camera, all are used.
 const MIN_VIEWS_FOR_SELECTION: usize = 120;
 
-/// Number of views per camera that may find a lit voxel dark, besides the share explained by noise.
+/// Number of views per camera in which a lit voxel may be dark, besides the share explained by noise:
+/// [`NOISY_VIEW_SHARE`].
 const TOLERATED_DARK_VIEWS: f64 = 1.0;
 const NOISY_VIEW_SHARE: f64 = 0.03;
 

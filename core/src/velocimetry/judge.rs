@@ -62,8 +62,8 @@ pub fn field_of(
     }
 }
 
-/// The likeliest field behind the last pass's vectors, on the lattice `at_rest`, and the uncertainty of
-/// those that were measured: a replacement is no measurement. `flow` is that on the lattice.
+/// The most probable field, given the last pass's vectors, on the lattice `at_rest`, and the uncertainty of the
+/// measured ones; replaced vectors have none. `flow` is that on the lattice.
 pub fn settled(
     vectors: &[Vector],
     at_rest: Lattice,

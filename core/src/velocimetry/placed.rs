@@ -1,8 +1,8 @@
-//! The field that particles follow which were placed in the images.
+//! The field fitted to particles whose positions were fitted to the images.
 //!
-//! Their places are known to some thousandths of a voxel and their errors are their own, so the field may be
-//! as fine as they are close, and what they leave open is known from those that are left out
-//! (`spline_field`). Where there are too few of them the field is that of the windows.
+//! Their positions are accurate to some thousandths of a voxel and their errors are independent, so the field
+//! is resolved down to the particle spacing, and its uncertainty is estimated by cross-validation
+//! (`spline_field`). Where there are too few particles, the field is that of the windows.
 
 use super::{
     DisplacementField, Interrogation, VectorStatus, VelocimetrySettings, VelocityField,
@@ -15,49 +15,50 @@ use crate::{
     statistics::{NORMAL_OF_MEDIAN, median},
 };
 
-/// What the field by correlation may be off, in voxels.
+/// Assumed error of the field by correlation, in voxels.
 const FIRST_ERROR_VOX: f32 = 0.3;
 
-/// Fewer particles do not correct it.
+/// Least number of particles that correct it.
 const LEAST_CORRECTING: usize = 50;
 
-/// What the field that particles corrected may be off, in voxels.
+/// Assumed error of the corrected field, in voxels.
 const CORRECTED_ERROR_VOX: f32 = 0.05;
 
-/// Nodes along a window, where particles are so far apart that there would be fewer. Windows do not show waves
-/// that are shorter than they are, and cubic B-splines need some three nodes for one.
+/// Least number of nodes along a window, also where the particle spacing is large. A window does not respond to
+/// waves as long as itself, and cubic B-splines need about three nodes per wavelength.
 pub const NODES_PER_WINDOW: f32 = 3.0;
 
-/// A sphere about a vector holds so many pairs on average.
+/// Mean number of pairs in the sphere around a vector.
 const PAIRS_PER_SPHERE: f32 = 20.0;
 
-/// A vector is accepted if at least so many pairs are about it,
+/// Least number of pairs in the sphere of an accepted vector.
 const LEAST_PAIRS: usize = 6;
 
-/// and if at least this share of the particles there has a partner. By chance 7 to 15 % have one. How well pairs
-/// predict each other is no criterion: in a rough flow correct ones do not (docs/decisions.md).
+/// Least share of particles with a partner in the sphere of an accepted vector. By chance 7 to 15 % have one. The
+/// residuals of pairs are not used as a criterion: in a rough flow those of correct pairs are large
+/// (docs/decisions.md).
 const LEAST_PAIRED_SHARE: f32 = 1.0 / 3.0;
 
-/// A particle agrees with those about it if they miss its displacement by no more standard deviations.
+/// Largest cross-validation residual of a particle that agrees with its neighbours, in standard deviations.
 const AGREEMENT_SIGMA: f32 = 4.0;
 
-/// The displacement in the volume while particles are placed, in voxels of [`Interrogation::cloud_grid`].
+/// The displacement field during the fit of particle positions, in voxels of [`Interrogation::cloud_grid`].
 pub struct CorrectedField<'a> {
     extent: Extent,
     by_correlation: &'a DisplacementField,
-    /// What particles say that it misses.
+    /// Its error, estimated from particles.
     correction: Option<SplineField>,
 }
 
 impl CorrectedField<'_> {
-    /// The displacement of the particle that is here in the middle of the pair.
+    /// The displacement of the particle with this mid-pair position.
     pub fn at(&self, at_vox: [f32; 3]) -> [f32; 3] {
         let known = self.by_correlation.at(at_vox);
         let missed = self.missed(at_vox);
         std::array::from_fn(|c| known[c] + missed[c])
     }
 
-    /// Corrects it by displacements of particles, near their places in the middle of the pair.
+    /// Corrects it by displacements of particles at their mid-pair positions.
     pub fn correct(&mut self, moved: impl Iterator<Item = Sample>) {
         let left_by_correlation = |mut sample: Sample| {
             let known = self.by_correlation.at(sample.middle_vox);
@@ -83,7 +84,7 @@ impl CorrectedField<'_> {
 }
 
 impl Interrogation {
-    /// A field that particles will correct.
+    /// A field to be corrected by particles.
     pub fn to_correct<'a>(&self, by_correlation: &'a DisplacementField) -> CorrectedField<'a> {
         let corners_vox = [[-0.5; 3], self.cloud_grid().voxels.map(|count| count as f32 - 0.5)];
         let [_, window_vox] = self.windows_vox();
@@ -95,9 +96,9 @@ impl Interrogation {
         }
     }
 
-    /// The field through placed particles, `samples`, near `known`; it takes the place of the vectors `before` where
-    /// there are enough of them, and not too many without a partner: `alone` are the places of those in frames a
-    /// and b. All in voxels of [`Self::cloud_grid`]. And whether each sample agrees with those about it.
+    /// The field fitted to `samples`, starting from `known`, and whether each sample agrees with its neighbours. The
+    /// field replaces the vectors `before` where there are enough samples and not too many particles without a
+    /// partner: `alone` are the positions of those in frames a and b. All in voxels of [`Self::cloud_grid`].
     pub fn through_placed(
         &self,
         before: &VelocityField,
@@ -143,14 +144,14 @@ impl Interrogation {
     }
 }
 
-/// The particles about a vector, with a partner and without.
+/// The particles around a vector, with and without a partner.
 struct Support<'a> {
     paired: Neighbours<'a>,
     alone: [Neighbours<'a>; 2],
 }
 
 impl<'a> Support<'a> {
-    /// Of places in voxels of `grid`. Spheres about vectors hold [`PAIRS_PER_SPHERE`] pairs on average.
+    /// From positions in voxels of `grid`. Spheres around vectors contain [`PAIRS_PER_SPHERE`] pairs on average.
     fn new(grid: &VolumeGrid, paired: &'a [[f32; 3]], alone: [&'a [[f32; 3]]; 2]) -> Self {
         let sphere = 4.0 / 3.0 * std::f32::consts::PI;
         let density = paired.len().max(1) as f32 / grid.voxels.iter().product::<usize>() as f32;
@@ -167,14 +168,14 @@ impl<'a> Support<'a> {
         };
         let paired = about(&self.paired);
         let alone: usize = self.alone.iter().map(about).sum();
-        // A particle without a partner is in one frame, a pair in both.
+        // A particle without a partner is in one frame only.
         let share = paired as f32 / (paired as f32 + alone as f32 / 2.0).max(1.0);
         paired >= LEAST_PAIRS && share >= LEAST_PAIRED_SHARE
     }
 }
 
-/// Whether each sample is what the others predict, within their typical error, the field's own there, and the
-/// sample's.
+/// Whether each sample agrees with the prediction from the others, within the typical residual, the field's
+/// uncertainty and the sample's.
 fn agreeing(
     samples: &[Sample],
     missed: &[[f32; 3]],
@@ -203,8 +204,8 @@ mod tests {
 
     const EDGE_VOX: usize = 40;
 
-    /// Share of places in the volume that so many pairs, and so many particles of each frame without a partner, are
-    /// enough for.
+    /// Share of positions in the volume with enough support, for these numbers of pairs and of particles without a
+    /// partner per frame.
     fn measured_share(pairs: usize, alone: usize) -> f64 {
         let mut random = Pcg64Mcg::seed_from_u64(11);
         let mut places = |count: usize| -> Vec<[f32; 3]> {

@@ -16,7 +16,7 @@ const MAP_DEGREE: usize = 4;
 /// One camera.
 #[derive(Debug, Clone)]
 pub struct CalibratedCamera {
-    /// What an ideal camera as drawn would see in place of the volume's points.
+    /// Equivalent points of the nominal ideal camera for the volume's points.
     pub map: VolumeMap,
     /// How well the map follows the rays.
     pub map_residual: MapResidual,

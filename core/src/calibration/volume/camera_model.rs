@@ -1,8 +1,8 @@
 //! Rays of a camera, traced from the microlens array back into the volume.
 //!
-//! A ray is named by where it meets the microlens plane and where it would pass the pupil of the drawn
-//! camera, both in mm along the sensor's `right` and `up`. That is what a pixel tells, whatever the lens
-//! is: microlens and place in the micro-image.
+//! A ray is described by its positions on the microlens plane and on the pupil of the nominal camera, both in mm
+//! along the sensor's `right` and `up`. A pixel determines these for any lens, from its microlens and its position
+//! in the micro-image.
 
 use lfpiv_hw::{Optics, Pose, card::Wall};
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
@@ -103,7 +103,7 @@ impl CameraModel {
         self.directions[2]
     }
 
-    /// Where the ray through `place_mm` of the microlens plane and `pupil_mm` of the drawn pupil meets the
+    /// Where the ray through `place_mm` of the microlens plane and `pupil_mm` of the nominal pupil meets the
     /// plane through `on_plane_mm` with this normal. `None` where it misses the wall or the plane.
     pub(super) fn meets(
         &self,
@@ -134,7 +134,7 @@ impl CameraModel {
         (along.is_finite() && along > 0.0).then(|| ray.from_mm + ray.direction * along)
     }
 
-    /// Where the ray of a world point through `pupil_mm` of the drawn pupil meets the microlens plane,
+    /// Where the ray of a world point through `pupil_mm` of the nominal pupil meets the microlens plane,
     /// in mm.
     pub(super) fn place_mm(&self, point_mm: &Point3<f64>, pupil_mm: [f64; 2]) -> Option<[f64; 2]> {
         let per_mm = self.optics.image_distance_mm() / self.optics.object_distance_mm;
@@ -152,8 +152,8 @@ impl CameraModel {
         None
     }
 
-    /// Place of a point's rays through the pupil's middle, in mm, and how far it moves per mm on the
-    /// drawn pupil, along each axis.
+    /// Position of a point's rays through the middle of the pupil, in mm, and its derivative by the position on the
+    /// nominal pupil, along each axis.
     pub(super) fn place_and_slope(&self, point_mm: &Point3<f64>) -> Option<[[f64; 2]; 2]> {
         let off_mm = PUPIL_SHARE * self.optics.pupil_diameter_mm() / 2.0;
         let mut slopes = [0.0; 2];
@@ -168,14 +168,14 @@ impl CameraModel {
         Some([self.place_mm(point_mm, [0.0; 2])?, slopes])
     }
 
-    /// What an ideal camera as drawn would see in place of a world point.
+    /// Equivalent point of the nominal ideal camera for a world point.
     pub(super) fn equivalent(&self, point_mm: &Point3<f64>) -> Option<EquivalentPoint> {
         let [place_mm, slopes] = self.place_and_slope(point_mm)?;
         Some(EquivalentPoint::of_rays(&self.optics, place_mm, slopes))
     }
 
-    /// Where a ray passes the stop that would pass the drawn pupil at `pupil_mm`: both send it to the
-    /// same pixel, the pupil through the drawn distances.
+    /// Position on the stop of a ray at `pupil_mm` of the nominal pupil: both correspond to the same pixel, the pupil with
+    /// nominal distances.
     fn on_stop_mm(&self, pupil_mm: [f64; 2]) -> [f64; 2] {
         let scale = self.parameters.parallax_slope() * (self.image_distance_mm - self.stop_mm)
             / self.optics.image_distance_mm();

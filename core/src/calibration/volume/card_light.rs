@@ -123,8 +123,8 @@ impl<'a> CardLight<'a> {
         self.grid.microlenses
     }
 
-    /// Where a place of the array lies on the microlens plane, in mm along `right` and `up`: that of a
-    /// drawn camera whose micro-images are there.
+    /// Position of a lens on the microlens plane, in mm along `right` and `up`: that of a nominal camera with the same
+    /// micro-images.
     pub(super) fn place_mm(&self, lens: [f64; 2]) -> [f64; 2] {
         let [column_px, row_px] = self.grid.centre_px(lens[0], lens[1]);
         let scale = self.optics.pixel_pitch_mm() / self.optics.micro_image_magnification();
@@ -143,15 +143,15 @@ impl<'a> CardLight<'a> {
         )
     }
 
-    /// Where a ray passes the drawn pupil that meets its microlens `off_mm` beside the centre and lands
-    /// `beside_mm` from the micro-image's: U = δ − w s_i/f_m, since a microlens turns no ray through its
-    /// centre and lets parallel ones meet.
+    /// Position on the nominal pupil of a ray that meets its microlens `off_mm` from the centre and the sensor
+    /// `beside_mm` from the micro-image's centre: U = δ − w s_i/f_m, since a microlens does not deflect rays through its
+    /// centre and focuses parallel ones.
     pub(super) fn pupil_mm(&self, off_mm: [f64; 2], beside_mm: [f64; 2]) -> [f64; 2] {
         let per_mm = self.optics.image_distance_mm() / self.optics.microlens.focal_length_mm;
         std::array::from_fn(|axis| off_mm[axis] - beside_mm[axis] * per_mm)
     }
 
-    /// The optics as drawn.
+    /// The nominal optics.
     pub(super) fn optics(&self) -> &Optics {
         self.optics
     }

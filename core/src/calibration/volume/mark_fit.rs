@@ -39,7 +39,7 @@ pub(super) struct SeenMark {
     pub(super) number: [i32; 2],
     /// Where its rays through the middle of the pupil meet the microlens plane, in mm.
     pub(super) place_mm: [f64; 2],
-    /// How far they move per mm on the drawn pupil.
+    /// Its derivative by the position on the nominal pupil.
     pub(super) slopes: [f64; 2],
     /// Standard deviation of the light about the rendered mark, relative to its contrast.
     pub(super) misfit: f64,

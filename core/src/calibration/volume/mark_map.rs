@@ -29,8 +29,8 @@ fn monomials([x, y, u, v]: [f64; 4]) -> [f64; TERMS] {
 }
 
 impl MarkMap {
-    /// The map about a ray's place on the microlenses, for rays within `half_mm` of it and within the
-    /// drawn pupil. `None` where one of them misses the card.
+    /// The map around a ray's position on the microlenses, for rays within `half_mm` of it and within the nominal
+    /// pupil. `None` if one of them misses the card.
     pub(super) fn new(
         model: &CameraModel,
         card: &Card,

@@ -5,8 +5,8 @@ use serde::Serialize;
 /// Numbers of parameters of one camera.
 pub const PARAMETERS: usize = 17;
 
-/// Name, unit and prior standard deviation of each parameter; the prior mean is zero, the camera as
-/// drawn. Focal lengths are not among them: images hardly tell them from focus and magnification
+/// Name, unit and prior standard deviation of each parameter; the prior mean is zero, the nominal
+/// camera. Focal lengths are not included: images hardly distinguish them from focus and magnification
 /// (docs/calibration.md).
 pub(super) const DESCRIPTIONS: [(&str, &str, f64); PARAMETERS] = [
     ("shift along right", "mm", 3.0),

@@ -47,7 +47,7 @@ fn card() -> Card {
     }
 }
 
-/// What the drawn distances make of a ray of the true camera.
+/// A ray of the true camera, described with the nominal distances.
 fn place_mm(tracer: &RayTracer<'_>, point_mm: &Point3<f64>, pupil_mm: [f64; 2]) -> [f64; 2] {
     let optics = test_bench::optics();
     let image_mm = optics.image_distance_mm();

@@ -13,12 +13,12 @@ const LEAST_MICROLENSES: f64 = 4.0;
 /// Least number of positions: depths, and one to leave out.
 const LEAST_POSITIONS: usize = 3;
 
-/// What a calibration is made from.
+/// Input of a calibration.
 #[derive(Debug, Clone, Copy)]
 pub struct VolumeInput<'a> {
-    /// The optics as drawn, which all cameras share.
+    /// The nominal optics of all cameras.
     pub optics: &'a Optics,
-    /// Where the cameras should stand.
+    /// Nominal poses of the cameras.
     pub poses: &'a [Pose],
     /// The card and its places.
     pub card: &'a CalibrationCard,

@@ -1,9 +1,9 @@
-//! What the images hold: the bound of the uncertainty of vectors (docs/theory.md, section 10).
+//! Lower bound of the uncertainty of vectors (docs/theory.md, section 10).
 //!
-//! A particle is known as exactly as its image changes when it moves: the bound of Cramér and Rao, from the
-//! derivatives of its footprint in each camera. Noise is that of the sensor and of the light, and the light of
-//! the other particles, which lies over it everywhere: a solver that told them apart perfectly would do better.
-//! A vector has what the particles of its part of the lattice know together.
+//! Cramér–Rao bound of a particle's position, from the derivatives of its footprint in each camera. The noise
+//! consists of sensor noise, shot noise and the overlapping light of other particles; a solver that separates
+//! particles perfectly would have a lower bound. A vector has the combined information of the particles in its
+//! cell of the lattice.
 
 use nalgebra::{Matrix3, Vector3};
 use rand::RngExt;
@@ -12,15 +12,15 @@ use rayon::prelude::*;
 use super::{Conditions, ForecastPlace, footprint::Cameras, generator};
 use crate::{measurement::Measurement, model::ModelError};
 
-/// Places along each axis at which the uncertainty is found.
+/// Positions along each axis at which the uncertainty is computed.
 pub(super) const PLACES: usize = 7;
-/// Particles in each place's part of the lattice.
+/// Particles in the cell of each position.
 const PARTICLES: usize = 12;
 
-/// The least uncertainty of vectors that an unbiased measurement may have at places all over the volume, faces included.
+/// Least uncertainty of the vectors of an unbiased measurement at positions throughout the volume, faces included.
 ///
-/// That of the flow between the vectors, of outliers and of a bench that is not as drawn comes on top. Fields
-/// without particle tracking are those of correlation, whose windows cost more
+/// Errors due to unresolved flow between the vectors, to outliers and to deviations of the bench from its nominal
+/// geometry are not included. Fields without particle tracking have the larger error of correlation windows
 /// ([`correlation_error_vox`](crate::velocimetry::correlation_error_vox)).
 ///
 /// # Errors
@@ -42,7 +42,7 @@ pub fn bound(
         let step = [index % PLACES, index / PLACES % PLACES, index / PLACES.pow(2)];
         std::array::from_fn(|axis| {
             let share = 2.0 * step[axis] as f64 / (PLACES - 1) as f64 - 1.0;
-            // The outermost vectors are on the faces, or nearly so.
+            // The outermost vectors are on or near the faces.
             volume.centre_mm[axis] + share * (half_mm[axis] - spacing_mm / 4.0).max(0.0)
         })
     };
@@ -56,7 +56,7 @@ pub fn bound(
             });
             let inside =
                 (0..3).all(|axis| (particle[axis] - volume.centre_mm[axis]).abs() <= half_mm[axis]);
-            // Beyond the faces there is no light.
+            // There is no light outside the volume.
             if inside {
                 information += cameras.information(&imagers, &Vector3::from(particle));
             }
@@ -70,7 +70,7 @@ pub fn bound(
     Ok((0..PLACES.pow(3)).into_par_iter().map(place).collect())
 }
 
-/// Of the difference of two positions that are known so well.
+/// Standard uncertainty of the difference of two positions with this information.
 pub(super) fn uncertainty_mm(information: &Matrix3<f64>) -> [f64; 3] {
     match information.try_inverse() {
         Some(covariance) => std::array::from_fn(|axis| {

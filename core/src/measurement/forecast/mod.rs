@@ -99,8 +99,8 @@ impl From<ModelError> for ForecastError {
 
 /// Forecasts the error of vectors all over the volume by trials in a flow that windows can follow.
 ///
-/// What a rougher flow does between the vectors and a bench that is not as drawn come on top; where all particles move
-/// alike, the error is half as large.
+/// Errors due to rougher flows and to deviations of the bench from its nominal geometry are not included. In a uniform
+/// flow the error is half as large.
 ///
 /// # Errors
 /// A camera does not see the volume, or it reaches too deep for the lens.

@@ -1,4 +1,4 @@
-//! How wide the field's error is, over that of its draws, from samples that were left out.
+//! Calibration of the field's uncertainty by cross-validation residuals.
 
 use super::{
     super::{layout::Layout, nodes::Nodes},
@@ -6,31 +6,31 @@ use super::{
     field::SplineField,
 };
 
-/// Nodes on either side whose samples tell how wide the error is about a place.
+/// Nodes on either side whose samples count for the local factor.
 const REACH: usize = 2;
 
-/// All samples count about each place as so many more.
+/// Weight of the global factor in each local estimate, as a number of samples.
 const GLOBAL_WEIGHT: f32 = 30.0;
 
-/// A sample farther off than so many standard deviations counts as so far off: it may be wrong itself.
+/// Residuals are clipped at this many standard deviations: larger ones may be outliers.
 const CLIP_SIGMA: f32 = 4.0;
 
-/// The samples' noise in the variance of the field's draws. The rest is what the penalty allows the flow to have in
-/// third differences, and no error where it has none. In three dimensions each is half:
+/// Share of the samples' noise in the variance of the field. The rest is due to third differences that the penalty
+/// allows; it is not an error where the flow has none. In three dimensions each is half:
 /// ∫ω²(1 + ω⁶)⁻² dω over ∫ω²(1 + ω⁶)⁻¹ dω (spectrum of a smoothing spline: Wahba, J. R. Stat. Soc. B 45, 1983).
 const NOISE_SHARE: f32 = 0.5;
 
-/// Factors are expected to be [`NOISE_SHARE`] for the field and 1 for samples: of n samples, as if so many times √n had
-/// said so (docs/decisions.md). The pull of that falls with n as their own standard error does.
+/// Weight of the prior for the factors ([`NOISE_SHARE`] for the field, 1 for samples), in units of √n for n samples
+/// (docs/decisions.md). Its influence decreases with n in proportion to the standard error of the estimate.
 const PRIOR_WEIGHT_ROOTS: f32 = 4.0;
 
-/// Least and most that a variance is changed by.
+/// Limits of the factors on a variance.
 const LIMITS: [f32; 2] = [0.01, 100.0];
 
-/// Steps of Fisher's scoring for all samples, and about each place.
+/// Steps of Fisher scoring: global, and local.
 const STEPS: [usize; 2] = [20, 6];
 
-/// What a sample was missed by, and by what that is explained.
+/// Cross-validation residual of a sample, and the variances that explain it.
 struct Missed {
     node: usize,
     off: f32,
@@ -38,7 +38,7 @@ struct Missed {
     field_variance: f32,
 }
 
-/// Factors on the variances that explain what samples were missed by.
+/// Factors on the variances of samples and field.
 #[derive(Debug, Clone, Copy)]
 struct Factors {
     own: f32,
@@ -46,8 +46,9 @@ struct Factors {
 }
 
 impl Missed {
-    /// The field's share of the variance, and the square over that variance, less 1: 0 on average. Their product
-    /// is the derivative of twice the log-likelihood with respect to the logarithm of the field's factor.
+    /// The field's share of the variance, and the squared residual divided by the variance, minus 1 (0 on average).
+    /// Their product is the derivative of twice the log-likelihood with respect to the logarithm of the field's
+    /// factor.
     fn share_and_surplus(&self, factors: Factors) -> (f32, f32) {
         let field = factors.field * self.field_variance;
         let variance = factors.own * self.own_variance + field;
@@ -56,8 +57,8 @@ impl Missed {
     }
 }
 
-/// Factors on the field's variance at each coefficient's place, along x, y, z, by what samples were `missed`
-/// by when they were left out; `variance` is that of component c of sample n.
+/// Factors on the field's variance at each coefficient's position, along x, y, z, from the cross-validation
+/// residuals `missed`; `variance` is that of component c of sample n.
 pub fn widening(
     nodes: &Nodes,
     field: &SplineField,
@@ -81,8 +82,8 @@ pub fn widening(
     factors
 }
 
-/// What samples are missed by is their own error and that of the field. Where the field's is much the smaller it says
-/// nothing about the field, and the factor of all samples holds.
+/// Local factors of one component. A residual contains the errors of the sample and of the field. Where the field's
+/// error is much smaller, residuals do not determine its factor, and the global one is used.
 fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
     let shared = of_all(missed);
     let mut factors = vec![shared.field; nodes.layout.len()];
@@ -106,12 +107,12 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
     factors
 }
 
-/// The likeliest factors for all samples, by Fisher's scoring of their logarithms.
+/// Global factors by maximum likelihood: Fisher scoring of their logarithms.
 fn of_all(missed: &[Missed]) -> Factors {
     let mut factors = Factors { own: 1.0, field: NOISE_SHARE };
     let prior = PRIOR_WEIGHT_ROOTS * (missed.len().max(1) as f32).sqrt();
     for _ in 0..STEPS[0] {
-        // Sums over many samples: of the gradient, own and field, and of the information, own, both and field.
+        // Gradient with respect to own and field; information matrix: own, mixed, field.
         let mut gradient = [factors.own, factors.field / NOISE_SHARE]
             .map(|factor| f64::from(-prior * libm::logf(factor)));
         let mut information = [f64::from(prior), 0.0, f64::from(prior)];
@@ -134,12 +135,12 @@ fn of_all(missed: &[Missed]) -> Factors {
     factors
 }
 
-/// What a step of its logarithm multiplies a factor by: e at most.
+/// The factor for a step of the logarithm, at most e.
 fn bounded_factor(step: f32) -> f32 {
     libm::expf(step.clamp(-1.0, 1.0))
 }
 
-/// Every value replaced by the sum of those within `reach` nodes along each axis.
+/// Replaces every value by the sum of those within `reach` nodes along each axis.
 fn sums_within(layout: Layout, reach: usize, values: &mut [f32]) {
     for axis in 0..3 {
         let (s, count) = (layout.stride(axis), layout.nodes[axis]);
@@ -170,7 +171,7 @@ mod tests {
         Nodes::covering([0.0; 3], [LARGEST_VOX; 3], 4.0)
     }
 
-    /// Samples at random places that are missed by what these factors make of the variances.
+    /// Samples at random positions whose residuals have the variances with these factors.
     fn missed(
         nodes: &Nodes,
         own_variance: f32,

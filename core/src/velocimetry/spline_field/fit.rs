@@ -1,4 +1,4 @@
-//! The likeliest field behind displacements of single particles, and what they leave open.
+//! The most probable field, given displacements of single particles, and samples of its error.
 
 use rayon::prelude::*;
 
@@ -22,55 +22,55 @@ use super::{
 };
 use crate::statistics::{NORMAL_OF_MEDIAN, median};
 
-/// Degrees of freedom of Student's distribution, which particles' errors are taken to have: one that was
-/// taken for another is wrong by more than a normal distribution allows (Lange, Little and Taylor, J. Am.
+/// Degrees of freedom of Student's distribution for particles' errors: mismatched particles have larger
+/// errors than a normal distribution allows (Lange, Little and Taylor, J. Am.
 /// Stat. Assoc. 84, 1989).
 const DEGREES_OF_FREEDOM: f32 = 3.0;
 
-/// Divergence that an incompressible flow may show, in voxel per voxel: the displacement over a pair is that of
-/// a curved path.
+/// Standard deviation of the displacement's divergence in an incompressible flow, in voxel per voxel: it is not
+/// exactly zero, because paths are curved.
 const DIVERGENCE: f32 = 0.01;
 
-/// What it may show beside that while samples have slack, per voxel of slack: were it held to zero at once,
-/// conjugate gradients would follow samples too slowly.
+/// Additional standard deviation of the divergence, per voxel of the samples' additional one: with a strict
+/// constraint from the start, conjugate gradients would converge slowly.
 const DIVERGENCE_PER_EXTRA_SIGMA: f32 = 0.1;
 
-/// Standard deviation of a coefficient about that of the field before, in voxels. Samples say far more wherever
-/// there are any; without it the equations leave fields open that are quadratic along every axis.
+/// Standard deviation of a coefficient about that of the previous field, in voxels. Its weight is negligible where
+/// there are samples; without it, fields that are quadratic along every axis would be undetermined.
 const ANCHOR_VOX: f32 = 3.0;
 
-/// Standard deviation that is added to every sample's own, over the typical error of the field at left-out samples.
-/// Samples that are known far better than the field between them do not improve it, but weights that differ by a
-/// hundred thousand make conjugate gradients slow (docs/decisions.md).
+/// Standard deviation added to that of every sample, relative to the typical cross-validation residual. Samples
+/// that are much more accurate than the field between them do not improve it, but weights that differ by a factor
+/// of 100,000 make conjugate gradients slow (docs/decisions.md).
 const ADDED_DEVIATION: f32 = 0.2;
 
-/// A field that is being fitted to samples.
+/// A field and its fit to samples.
 pub struct Fit<'a> {
     nodes: Nodes,
     modes: Modes,
     samples: &'a [Sample],
     taps: Vec<Taps>,
-    /// Per component: lane 0 is the field, the others are draws from its error.
+    /// Per component: lane 0 is the field, the others are random samples of its error.
     coefficients: Vectors,
-    /// Per component, in all lanes: coefficients of the field that the fit began with.
+    /// Per component, in all lanes: coefficients of the initial field.
     before: Vectors,
-    /// Per component and sample: inverse variance, less for one that is far off the field.
+    /// Per component and sample: inverse variance, reduced for large residuals.
     weights: [Vec<f32>; 3],
     /// Penalty of third differences, per component.
     pub stiffness: [f32; 3],
-    /// Variance of the samples over what they state, per component.
+    /// Ratio of the samples' variance to the stated one, per component.
     excess: [f32; 3],
-    /// Factor on the variance of each sample beside that, per component.
+    /// Additional factor on the variance of each sample, per component.
     inflation: [Vec<f32>; 3],
-    /// Standard deviation that every sample is given beside its own, in voxels.
+    /// Standard deviation added to that of every sample, in voxels.
     extra_sigma_vox: f32,
-    /// Typical error of the field at left-out samples, in voxels, per component; 0 before that is known.
+    /// Typical cross-validation residual, in voxels, per component; 0 before it is known.
     missed_vox: [f32; 3],
     incompressible: bool,
 }
 
 impl<'a> Fit<'a> {
-    /// Begins with the field `start` on `nodes`. The samples are in the order of [`Nodes::order`].
+    /// Initialises the field `start` on `nodes`. Samples are in the order of [`Nodes::order`].
     pub fn new(
         nodes: Nodes,
         samples: &'a [Sample],
@@ -104,8 +104,8 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Weighs samples by what the field leaves of them. Without slack, what their errors really are is asked
-    /// of those that are close together, and of those that the field misses.
+    /// Updates the samples' weights from their residuals. If `extra_sigma_vox` is 0, their variance is estimated
+    /// from close pairs of samples and from local residuals.
     pub fn weigh(&mut self, extra_sigma_vox: f32) {
         self.extra_sigma_vox = extra_sigma_vox;
         if extra_sigma_vox == 0.0 {
@@ -128,8 +128,8 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Chooses the stiffness by which the samples that are left out, one in eight from number `first` on, are
-    /// predicted best.
+    /// Chooses the stiffness with the least cross-validation error. Every eighth sample is left out, beginning with
+    /// index `first`.
     pub fn choose_stiffness(&mut self, ladder: &Ladder, first: usize, until: Until) {
         let is_left_out = |n: usize| n % LANES == first;
         let weights =
@@ -164,8 +164,7 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Moves the field towards the samples, whether it is free of divergence or not, and leaves the draws from its error
-    /// as they are.
+    /// Fits the field to the samples without the divergence constraint. Samples of its error are unchanged.
     pub fn approach(&mut self, until: Until) {
         let samples = |of: &dyn Fn(usize, usize) -> f32| {
             vec![(0..self.samples.len()).map(|n| packed(|c| of(c, n))).collect::<Vec<Lane>>()]
@@ -193,7 +192,7 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Moves the field towards the samples, and draws from its error.
+    /// Fits the field to the samples, and updates the samples of its error.
     pub fn improve(&mut self, until: Until) {
         let weights = self.lanes_of_weights(|_, weight| [weight; LANES]);
         let equations = self.equations(weights);
@@ -212,7 +211,7 @@ impl<'a> Fit<'a> {
         self.coefficients = field;
     }
 
-    /// What each sample is off the field that all but an eighth of the samples, it among them, make.
+    /// Cross-validation residual of each sample (eight folds).
     pub fn left_out(&self, until: Until) -> Vec<[f32; 3]> {
         let weights = self.lanes_of_weights(|n, weight| {
             let mut weights = [weight; LANES];
@@ -228,12 +227,12 @@ impl<'a> Fit<'a> {
         self.samples.iter().enumerate().map(missed).collect()
     }
 
-    /// The field as it is now, as uncertain as its draws say.
+    /// The current field, with the uncertainty from the samples of its error.
     pub fn field(&self) -> SplineField {
         SplineField::new(self.nodes, &self.coefficients, self.stiffness)
     }
 
-    /// The field as it is now, as uncertain as samples that were left out say, which `missed` it by so much.
+    /// The current field, with its uncertainty calibrated by the cross-validation residuals `missed`.
     pub fn calibrated(&self, missed: &[[f32; 3]]) -> SplineField {
         let field = self.field();
         let variance = |c: usize, n: usize| self.variance(c, n);
@@ -241,7 +240,7 @@ impl<'a> Fit<'a> {
         field.widened(&widening)
     }
 
-    /// Inflation of every sample's variance by what the field leaves of those about it.
+    /// Factor on every sample's variance, from the residuals of its neighbours.
     fn scatter(&self) -> [Vec<f32>; 3] {
         std::array::from_fn(|c| {
             let values = self.values(&self.coefficients[c]);
@@ -253,7 +252,7 @@ impl<'a> Fit<'a> {
         })
     }
 
-    /// Solves for the fields of all lanes, none of which is a draw.
+    /// Solves for the fields of all lanes, with the samples' displacements as targets in each.
     fn solve_for_samples(&self, equations: &Equations, field: &mut Vectors, until: Until) {
         let of = |c: usize| self.samples.iter().map(|s| [s.displacement_vox[c]; LANES]).collect();
         let samples: Vec<Vec<Lane>> = (0..3).map(of).collect();
@@ -310,8 +309,7 @@ fn first_in_all_lanes(field: &Vectors) -> Vectors {
     field.iter().map(of_vector).collect()
 }
 
-/// Square of what the field leaves of a sample, its own error's variance included, from the field's and the
-/// draws' values there.
+/// Squared residual of a sample plus the variance of the field there, from lane 0 and the other lanes of `value`.
 fn square_left(sample: &Sample, value: &Lane, c: usize) -> f32 {
     let [field, errors @ ..] = value;
     let left = sample.displacement_vox[c] - field;

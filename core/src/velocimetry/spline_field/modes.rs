@@ -1,7 +1,7 @@
-//! Coefficients along each axis in modes of the penalty, and back.
+//! Transformation of coefficients to modes of the penalty along each axis, and back.
 //!
-//! P = Δ³ᵀΔ³ is the same seen from either end of an axis, so each of its eigenvectors is even or odd about the
-//! middle: coefficients are folded there, and transformed by two matrices of half the size.
+//! P = Δ³ᵀΔ³ is symmetric about the middle of an axis, so each of its eigenvectors is even or odd: coefficients are
+//! folded at the middle and transformed by two matrices of half the size.
 
 use multiversion::multiversion;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -37,14 +37,14 @@ struct Block {
     from_modes: Vec<f32>,
 }
 
-/// What turns coefficients into modes and back. It does not change as weights do.
+/// Transformation between coefficients and modes. It does not depend on the weights.
 pub struct Modes {
     layout: Layout,
     /// Along x, y, z.
     pub axes: [AxisModes; 3],
 }
 
-/// Whether coefficients become modes or the other way round.
+/// Direction of a transformation.
 #[derive(Clone, Copy, PartialEq)]
 enum Direction {
     ToModes,
@@ -136,7 +136,7 @@ fn folds(count: usize) -> DMatrix<f64> {
     folds
 }
 
-/// Neighbouring coefficients of a plane whose columns along z are transformed at once.
+/// Number of neighbouring columns along z that are transformed together.
 const STRIP: usize = 64;
 
 impl Modes {
@@ -145,8 +145,8 @@ impl Modes {
         Self { layout, axes: layout.nodes.map(AxisModes::new) }
     }
 
-    /// Scales a field, multiplies each of its modes by a factor, and scales the result. `result` and `strips` are scratch for
-    /// as many coefficients.
+    /// Scales a field, multiplies each of its modes by a factor, and scales the result. `result` and `strips` have as
+    /// many coefficients as the field; `strips` is scratch memory.
     ///
     /// Planes are transformed along x and y, columns along z, each while it is in the processor's cache.
     pub fn filter(
@@ -218,7 +218,7 @@ fn product(one: &Lane, other: &Lane) -> Lane {
 }
 
 impl AxisModes {
-    /// Turns `s` rows side by side, whose coefficients are `s` apart.
+    /// Transforms `s` adjacent rows, whose coefficients are `s` apart. `from` is overwritten.
     fn transform(&self, direction: Direction, s: usize, from: &mut [Lane], to: &mut [Lane]) {
         if direction == Direction::ToModes {
             fold(s, from);
@@ -239,8 +239,8 @@ impl AxisModes {
     }
 }
 
-/// Replaces each two coefficients that are as far from the middle by their sum, where the first was, and their
-/// difference, where the second was.
+/// Replaces each pair of coefficients at equal distance from the middle by their sum (first) and their difference
+/// (second).
 fn fold(s: usize, values: &mut [Lane]) {
     let half = values.len() / s / 2 * s;
     let (low, rest) = values.split_at_mut(half);

@@ -1,17 +1,17 @@
-//! Random signs that turn equations into draws from what they leave open.
+//! Random signs as right-hand sides, for samples of the field's error.
 //!
 //! The solution of Σ w (ε/√w − B c)² + Σ λ (ε/√λ − Δ³c)², with independent ε of mean 0 and variance 1, has
 //! mean 0 and the covariance of the field's error under the model: the inverse of the equations' matrix
-//! (Papandreou and Yuille, Gaussian sampling by local perturbations, NIPS 2010). Signs ±1 will do for ε:
-//! only the covariance is asked for.
+//! (Papandreou and Yuille, Gaussian sampling by local perturbations, NIPS 2010). Signs ±1 suffice
+//! for ε, because only the covariance is needed.
 
 use super::lanes::{LANES, Lane};
 
-/// Signs for the lanes but the first, whose field is the result itself.
+/// Signs for all lanes except the first, whose field is the result.
 #[derive(Debug, Clone, Copy)]
 pub struct Noise;
 
-/// What signs are for: one kind after the other in the streams' numbers.
+/// First stream of each kind of sign.
 const SAMPLES: usize = 0;
 const DIFFERENCES: usize = 3;
 const DIVERGENCE: usize = 12;

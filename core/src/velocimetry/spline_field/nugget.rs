@@ -1,7 +1,7 @@
-//! How large the errors of particles are, from pairs of them that are close together.
+//! Errors of particles, estimated from pairs that are close together.
 //!
-//! Particles much closer to each other than most move alike but for the field's gradient: what else tells
-//! their displacements apart is their own errors (the nugget of a variogram: Matheron, Econ. Geol. 58, 1963).
+//! Displacements of particles that are very close together differ by the field's gradient and by the particles'
+//! errors (the nugget of a variogram: Matheron, Econ. Geol. 58, 1963).
 
 use super::{Sample, field::SplineField};
 use crate::{
@@ -9,16 +9,16 @@ use crate::{
     statistics::{MEDIAN_SQUARE, median},
 };
 
-/// Particles this close count as a pair, in mean distances.
+/// Largest distance of a pair, in mean particle spacings.
 const CLOSE: f32 = 0.3;
 
-/// The stated variance counts as so many pairs.
+/// Weight of the stated variance, as a number of pairs.
 const PRIOR_PAIRS: f64 = 20.0;
 
-/// The least and the most that the samples' variance may be of what they state.
+/// Limits of the ratio of the samples' variance to the stated one.
 const LIMITS: [f64; 2] = [1e-4, 9.0];
 
-/// Variance of the samples over what they state, per component.
+/// Ratio of the samples' variance to the stated one, per component.
 pub fn excess(samples: &[Sample], field: &SplineField) -> [f32; 3] {
     let places: Vec<[f32; 3]> = samples.iter().map(|sample| sample.middle_vox).collect();
     let reach = CLOSE * field.volume_vox3().cbrt() / (samples.len().max(1) as f32).cbrt();
@@ -44,7 +44,7 @@ pub fn excess(samples: &[Sample], field: &SplineField) -> [f32; 3] {
     squares.map(|squares| {
         let count = squares.len() as f64;
         let found = median(squares).unwrap_or_default() / MEDIAN_SQUARE;
-        // By the logarithm: what is stated may be off by a factor either way.
+        // Shrinkage of the logarithm: stated variances may be too large or too small by a factor.
         let found = found.clamp(LIMITS[0], LIMITS[1]);
         libm::exp(libm::log(found) * count / (PRIOR_PAIRS + count)) as f32
     })

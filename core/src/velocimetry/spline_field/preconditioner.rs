@@ -1,8 +1,8 @@
-//! The equations as if everywhere were the same, solved exactly: a preconditioner.
+//! Preconditioner: exact solution of the equations with uniform weights.
 //!
 //! With constant weights the data's matrix is w M ⊗ M ⊗ M, M the products of B-splines along an axis, and the
 //! penalty's the sum over the axes of λ P, P = Δ³ᵀΔ³. In the eigenvectors of P, in which M is nearly diagonal,
-//! the equations fall apart (fast diagonalisation: Lynch, Rice and Thomas, Numer. Math. 6, 1964).
+//! the equations decouple (fast diagonalisation: Lynch, Rice and Thomas, Numer. Math. 6, 1964).
 
 use rayon::prelude::*;
 
@@ -12,18 +12,18 @@ use super::{
     modes::Modes,
 };
 
-/// See the head of this file.
+/// The preconditioner; see the head of this file.
 pub struct Preconditioner<'a> {
     modes: &'a Modes,
     /// Per vector.
     parts: Vec<Part>,
 }
 
-/// What one vector of coefficients is multiplied by.
+/// Factors for one vector of coefficients.
 struct Part {
-    /// 1 over the equations' diagonal in the modes.
+    /// Inverse of the equations' diagonal in the modes.
     inverse: Vec<Lane>,
-    /// Root of the mean diagonal over each coefficient's own: where there is more data than elsewhere.
+    /// Root of the ratio of the mean diagonal to each coefficient's own: accounts for non-uniform data.
     scale: Vec<Lane>,
 }
 
@@ -35,7 +35,7 @@ impl<'a> Preconditioner<'a> {
         Self { modes, parts }
     }
 
-    /// Makes `result` what `residual` asks of a field, nearly. `scratch` is as large as both.
+    /// Writes the approximate solution for the right-hand side `residual` to `result`. `scratch` has the same size.
     pub fn apply(&self, residual: &Vectors, result: &mut Vectors, scratch: &mut Vectors) {
         let vectors = residual.par_iter().zip(&self.parts).zip(result).zip(scratch);
         vectors.for_each(|(((residual, part), result), scratch)| {
@@ -73,8 +73,9 @@ impl Part {
     }
 }
 
-/// Sum of the weights of each lane, were they all as large as most. Weights differ by a thousand, and the few
-/// largest determine only few of the modes: it is the geometric mean that counts (docs/decisions.md).
+/// Number of positive weights of each lane times their geometric mean. Weights differ by a factor of 1000, and the
+/// few largest determine only a few modes, so the geometric mean is more suitable than the arithmetic one
+/// (docs/decisions.md).
 fn typical(weights: &[Lane]) -> [f64; LANES] {
     let (mut counts, mut logarithms) = ([0.0f64; LANES], [0.0f64; LANES]);
     for weights in weights {
@@ -86,10 +87,10 @@ fn typical(weights: &[Lane]) -> [f64; LANES] {
     std::array::from_fn(|l| counts[l] * libm::exp(logarithms[l] / counts[l].max(1.0)))
 }
 
-/// Root of the diagonal that constant weights would give over the coefficients' own.
+/// Root of the ratio of the diagonal with uniform weights to the coefficients' own.
 fn scales(equations: &Equations, c: usize) -> Vec<Lane> {
     let (layout, stiffness) = (equations.nodes.layout, equations.stiffness[c]);
-    // What third differences contribute over λ.
+    // Contribution of third differences, divided by λ.
     let mut rough = vec![0.0f32; layout.len()];
     for axis in 0..3 {
         let s = layout.stride(axis);

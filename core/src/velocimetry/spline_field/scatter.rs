@@ -1,21 +1,21 @@
-//! How much larger the errors of particles are about each place than they state.
+//! Local ratio of particles' errors to the stated ones.
 
 use rayon::prelude::*;
 
 use super::{super::nodes::Nodes, Sample};
 use crate::statistics::{MEDIAN_SQUARE, median};
 
-/// Nodes on either side whose particles tell how they scatter about a place.
+/// Nodes on either side whose particles count for the local scatter.
 const REACH: i64 = 1;
 
-/// The stated variance counts as so many particles.
+/// Weight of the stated variance, as a number of particles.
 const PRIOR_PARTICLES: f64 = 10.0;
 
 /// Largest factor.
 const LARGEST: f64 = 1e4;
 
-/// Factor, 1 or more, on the variance of each sample, by what a field leaves of those about it: `left` has the
-/// square of that over the stated variance.
+/// Factor, 1 or more, on the variance of each sample, from the residuals of its neighbours: `left` contains their
+/// squares relative to the stated variance.
 pub fn inflation(nodes: &Nodes, samples: &[Sample], left: &[f32]) -> Vec<f32> {
     let layout = nodes.layout;
     let mut about: Vec<Vec<u32>> = vec![Vec::new(); layout.len()];
@@ -39,7 +39,7 @@ pub fn inflation(nodes: &Nodes, samples: &[Sample], left: &[f32]) -> Vec<f32> {
         .map(|near| {
             let middle = median(near.iter().map(|&n| f64::from(left[n as usize])));
             let own = (middle.unwrap_or(MEDIAN_SQUARE) / MEDIAN_SQUARE).clamp(1.0, LARGEST);
-            // By the logarithm, as the variance of all particles.
+            // Shrinkage of the logarithm, as for the variance of all particles.
             let count = near.len() as f64;
             libm::exp(libm::log(own) * count / (count + PRIOR_PARTICLES)) as f32
         })

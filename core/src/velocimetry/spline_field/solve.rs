@@ -7,7 +7,7 @@ use super::{
     preconditioner::Preconditioner,
 };
 
-/// Moves `field` towards the solution, of whose equations `residual` is left: at most so many steps of conjugate
+/// Improves `field`, whose equations have the residual `residual`: at most `steps` steps of conjugate
 /// gradients (Hestenes and Stiefel, J. Res. Natl. Bur. Stand. 49, 1952), each lane with its own step
 /// lengths, or fewer once every lane's residual, in the preconditioner's norm, is `tolerance` of its first.
 pub fn improve(
@@ -39,7 +39,7 @@ pub fn improve(
     }
 }
 
-/// 0 where there is nothing left to do.
+/// The ratio; 0 for a lane that has converged.
 fn ratio(above: f64, below: f64) -> f32 {
     if below > 0.0 && above > 0.0 { (above / below) as f32 } else { 0.0 }
 }

@@ -25,13 +25,13 @@ impl Ladder {
         Self { first: libm::powf(ratio, -0.5 * (LANES - 1) as f32), ratio }
     }
 
-    /// What the present penalty is multiplied by in each lane.
+    /// Factor on the current penalty in each lane.
     pub fn factors(&self) -> Lane {
         std::array::from_fn(|l| self.first * self.ratio.powi(l as i32))
     }
 
-    /// The factor with the least score, between two rungs where the parabola through the least and its neighbours
-    /// has its minimum, and the rung with the least.
+    /// The factor at the minimum of the parabola through the least score and its neighbours, and the rung with the
+    /// least score.
     pub fn best(&self, scores: &[f64; LANES]) -> (f32, usize) {
         let least = (0..LANES).fold(0, |best, l| if scores[l] < scores[best] { l } else { best });
         let mut rung = least as f32;

@@ -1,4 +1,4 @@
-//! Whether the fiducial is seen, on ray-traced images of small cards by a camera as drawn.
+//! Detection of the fiducial on ray-traced images of small cards by a nominal camera.
 
 use lfpiv_hw::RawImage;
 use lfpiv_sim::{SensorSettings, imaging::PlacedCard};
