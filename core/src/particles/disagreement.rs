@@ -1,8 +1,8 @@
-//! How far the cameras disagree on displacements, against how far their covariances say they may.
+//! Disagreement of the cameras on displacements, relative to their covariances.
 //!
-//! Each camera alone measures a particle's displacement. Both displacements are of the same motion, so their difference
-//! is error alone, whatever the flow is. It is larger than the covariances from the pixels say (docs/decisions.md);
-//! by how much gives the factor that these are multiplied by.
+//! Each camera alone measures a particle's displacement. The motion is the same, so the difference consists of
+//! errors only, in any flow. It is larger than the covariances from the pixels predict (docs/decisions.md); the ratio
+//! gives the factor on the covariances.
 
 use std::ops::AddAssign;
 

@@ -11,8 +11,8 @@ use super::{
 };
 use crate::model::{PointCamera, PointFootprint};
 
-/// Least diameter of a point's light on the microlens array, in pitches, at which the derivatives of its image
-/// say how well its place is known (docs/decisions.md).
+/// Least diameter of a point's light on the microlens array, in pitches, for which the derivatives of its image give
+/// the uncertainty of its position (docs/decisions.md).
 const LEAST_SPREAD_PITCHES: f64 = 0.9;
 
 /// Images and particles of one frame.
@@ -20,7 +20,7 @@ const LEAST_SPREAD_PITCHES: f64 = 0.9;
 pub struct FrameFit {
     /// Per camera.
     pub images: Vec<ParticleImage>,
-    /// The particles; the images' model is theirs.
+    /// The particles of the images' model.
     pub particles: Vec<Particle>,
     /// Length of each particle's last step, in mm.
     pub steps_mm: Vec<f64>,

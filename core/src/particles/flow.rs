@@ -1,19 +1,18 @@
-//! Where the flow takes particles between the frames.
+//! Displacement of particles between the frames.
 
-/// The displacement from frame a to frame b, which is known better the more particles are placed.
+/// The displacement from frame a to frame b, which is corrected during the fit of particles.
 pub trait Flow: Sync {
-    /// That of the particle that is at a place in the middle of the pair, both in mm.
+    /// Displacement of the particle with this mid-pair position, both in mm.
     fn displacement_mm(&self, at_mm: [f64; 3]) -> [f64; 3];
 
-    /// Takes in where particles are in the middle of the pair, and how far they moved, in mm. Some are taken for
-    /// others.
+    /// Corrects it by mid-pair positions and displacements of particles, in mm. Some pairs are mismatched.
     fn correct(&mut self, middles_mm: &[[f64; 3]], moved_mm: &[[f64; 3]]);
 }
 
-/// Rounds in which the middle of a path is found.
+/// Fixed-point iterations for the middle of a path.
 const ROUNDS: usize = 3;
 
-/// Where a particle of frame a (`sign` 1) or b (−1) is in the middle of the pair.
+/// Mid-pair position of a particle of frame a (`sign` 1) or b (−1).
 pub fn middle(at_mm: [f64; 3], flow: &dyn Flow, sign: f64) -> [f64; 3] {
     let mut middle = at_mm;
     for _ in 0..ROUNDS {

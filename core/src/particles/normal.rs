@@ -1,4 +1,4 @@
-//! The normal equations of one particle's place and lights.
+//! Normal equations of one particle's position and lights.
 
 use std::ops::AddAssign;
 
@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::kernels::{Equations, UNKNOWNS};
 
-/// Cameras that a particle has a light for.
+/// Largest number of cameras.
 pub const CAMERAS: usize = 2;
 
 /// Place and lights.
@@ -24,7 +24,7 @@ pub struct Particle {
     pub light: [f64; CAMERAS],
 }
 
-/// What is known of the lights of a particle before its images: they have about the cameras' ratio.
+/// Prior of a particle's lights: their ratio is about that of the cameras.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightPrior {
     /// A typical particle's light in each camera, in counts.
@@ -33,10 +33,10 @@ pub struct LightPrior {
     pub spread: f64,
 }
 
-/// How steps are taken.
+/// Rule for steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepRule {
-    /// Share of a particle's own solution that it is stepped by.
+    /// Relaxation factor of a particle's step.
     pub relaxation: f64,
     /// Levenberg–Marquardt damping, relative to the diagonal.
     pub damping: f64,

@@ -10,16 +10,16 @@ use crate::{
     statistics::{NORMAL_OF_MEDIAN, median, weighted_median},
 };
 
-/// A place where a particle may be.
+/// A candidate position of a particle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
     /// In mm.
     pub at_mm: [f64; 3],
-    /// Its light, in counts of an open pixel that gets all of it.
+    /// Its light, in counts if all of it reached one open pixel.
     pub light: f64,
 }
 
-/// Relative spread of a particle's light between cameras that is assumed before the first fit.
+/// Assumed relative spread of a particle's light between cameras before the first fit.
 const SPREAD_BEFORE: f64 = 0.5;
 
 /// Bounds of the estimated spread.
@@ -33,7 +33,7 @@ impl LightPrior {
         Self { typical: [typical.unwrap_or(1.0); CAMERAS], spread: SPREAD_BEFORE }
     }
 
-    /// The prior from particles that both frames agree on; unchanged without any.
+    /// The prior from paired particles; unchanged without any.
     pub fn of_particles(self, particles: &[Particle], cameras: usize) -> Self {
         let mut prior = self;
         for camera in 0..cameras {
@@ -53,7 +53,7 @@ impl LightPrior {
         prior
     }
 
-    /// A particle's lights over the typical ones.
+    /// A particle's lights relative to the typical ones.
     pub fn relative(&self, particle: &Particle) -> [f64; CAMERAS] {
         std::array::from_fn(|camera| particle.light[camera] / self.typical[camera])
     }
@@ -89,13 +89,12 @@ impl FrameFit {
         }
     }
 
-    /// Has all particles step again, converged ones too.
+    /// Reactivates all particles, including converged ones.
     pub fn reactivate(&mut self) {
         self.steps_mm.fill(f64::INFINITY);
     }
 
-    /// Removes particles with less than `least_light` of the typical light, and merges those that are nearer
-    /// to each other than `one_mm`.
+    /// Removes particles with less than `least_light` of the typical light, and merges those within `one_mm`.
     pub fn prune(
         &mut self,
         cameras: &[PointCamera],

@@ -1,6 +1,6 @@
-//! Symmetric positive definite equations, solved in steps.
+//! Iterative solution of symmetric positive definite equations.
 
-/// How far equations are solved.
+/// Stopping criterion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Until {
     /// Down to this part of the first residual, both divided by the root of the diagonal.
@@ -12,7 +12,7 @@ pub struct Until {
 /// Solves A x = `right` from `start` by conjugate gradients with A's diagonal as preconditioner
 /// (Hestenes and Stiefel, J. Res. Natl. Bur. Stand. 49, 1952). `apply` gives A x.
 ///
-/// A may be singular where `right` lies in its range: what no equation determines keeps the values of
+/// A may be singular where `right` lies in its range: undetermined unknowns keep the values of
 /// `start`. An unknown that is in no equation has 0 on the `diagonal`.
 pub fn solve(
     apply: impl Fn(&[f64]) -> Vec<f64>,

@@ -8,8 +8,8 @@
 //!
 //! The window stands at the middle of each pair of cells, not at one end: C(s) of (a, b) is then
 //! C(−s) of (b, a), so that equal frames give a symmetric peak, and light that crosses a window's
-//! face does not pull it. No cell is compared with the dark beyond a window, so there is no bias
-//! towards lag zero. With deformation the lags are few, and summing products beats Fourier
+//! face causes no bias. No cell is compared with zeros outside a window, so there is no bias
+//! towards lag zero. With deformation the lags are few, and direct sums are faster than Fourier
 //! transforms: every product is summed once over a brick, and windows add bricks.
 
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ pub struct Frames<'a> {
     sums: [Vec<f32>; 2],
     /// First cell with known light along each axis, and the one after the last.
     lit: [[i64; 2]; 3],
-    /// Share of each window that is flow; all of it where absent.
+    /// Share of each window in the flow; all of it if absent.
     flow_shares: Option<&'a [f32]>,
     bricks: Bricks,
 }
@@ -45,7 +45,7 @@ struct Bricks {
     parts: usize,
 }
 
-/// Smaller bricks are not worth sharing.
+/// Least size of a shared brick.
 const LEAST_BRICK: usize = 4;
 
 impl Bricks {

@@ -84,9 +84,9 @@ pub struct VelocityField {
     /// Displacement from frame a to frame b along x, y, z, in voxels.
     pub displacement_vox: Vec<[f32; 3]>,
     /// Standard uncertainty of the displacement along x, y, z, in voxels; greater than zero. For
-    /// a vector without a value that of anything within the largest displacement expected.
+    /// a vector without a value that of a uniform distribution up to the largest displacement expected.
     pub uncertainty_vox: Vec<[f32; 3]>,
-    /// What each vector is worth.
+    /// Validity of each vector.
     pub status: Vec<VectorStatus>,
     /// Highest over second highest correlation peak; 0 where there is no peak.
     pub peak_ratio: Vec<f32>,

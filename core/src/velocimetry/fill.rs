@@ -49,8 +49,7 @@ impl Lattice {
         }
     }
 
-    /// Least and largest that component `c` may become: the range of the known values, and as much again on
-    /// either side.
+    /// Limits of component `c`: the range of the known values, extended by its width on either side.
     fn limits(&self, c: usize, known: &[bool]) -> [f32; 2] {
         let values = self.values.iter().zip(known).filter(|(_, known)| **known).map(|(v, _)| v[c]);
         let none = [f32::INFINITY, f32::NEG_INFINITY];
@@ -58,7 +57,7 @@ impl Lattice {
         if low > high { [0.0; 2] } else { [low - (high - low), high + (high - low)] }
     }
 
-    /// Mean of what every axis says of node `n`; `None` where no neighbour is filled whose way is open.
+    /// Mean of the values of node `n` along every axis; `None` without a filled neighbour that can be reached.
     fn continued(
         &self,
         layout: Layout,

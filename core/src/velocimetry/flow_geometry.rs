@@ -1,5 +1,5 @@
-//! Where the flow is, as far as an interrogation needs it: the mask of the volume on its windows, on the
-//! nodes of the splines and where vectors are asked for.
+//! Flow region of an interrogation: the mask of the volume on the windows, on the nodes of the splines and at the
+//! requested positions of vectors.
 
 use std::sync::Arc;
 
@@ -9,13 +9,13 @@ use super::{
 };
 use crate::model::{VolumeGrid, VolumeMask};
 
-/// What a mask leaves of an interrogation.
+/// Effect of a mask on an interrogation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct InFlow {
     /// Vectors in the flow.
     pub vectors: usize,
-    /// Windows in the flow beside a body that is thinner than a window: what they measure may be mixed with the flow
-    /// behind it.
+    /// Windows in the flow next to a body that is thinner than a window: they may include the flow on the other
+    /// side.
     pub around_bodies: usize,
 }
 
@@ -31,7 +31,7 @@ pub struct FlowGeometry {
     pub finer: FlowNodes,
     /// The coefficients of splines on the windows' nodes and on nodes half as far apart.
     pub splines: [FlowNodes; 2],
-    /// Where vectors are asked for.
+    /// Requested positions of vectors.
     pub vectors: FlowNodes,
     /// Share of the cells of each window of the search that are flow.
     pub search_shares: Vec<f32>,
@@ -89,7 +89,7 @@ impl FlowGeometry {
         self.mask.is_flow(self.in_mm(at_vox))
     }
 
-    /// Whether a place sees another through the flow.
+    /// Whether the line between two positions lies in the flow.
     pub fn is_clear(&self, from_vox: [f32; 3], to_vox: [f32; 3]) -> bool {
         self.mask.is_clear(self.in_mm(from_vox), self.in_mm(to_vox))
     }
@@ -99,7 +99,7 @@ impl FlowGeometry {
         InFlow { vectors: self.vectors.count(), around_bodies: self.around_bodies(windows) }
     }
 
-    /// Drops what windows find whose centres are not flow: it belongs to no place in the flow.
+    /// Removes the results of windows with their centre outside the flow.
     pub fn drop_outside(&self, peaks: &mut [Option<Peak>]) {
         let outside = peaks.iter_mut().enumerate().filter(|(n, _)| !self.windows.is_flow(*n));
         outside.for_each(|(_, peak)| *peak = None);

@@ -13,20 +13,20 @@ use crate::model::VolumeMask;
 pub struct FlowNodes {
     layout: Layout,
     in_flow: Vec<bool>,
-    /// Per node, a bit for each place in the cube about it (see [`cube_index`]) whose node it sees.
+    /// Per node, a bit for each neighbour in the surrounding cube (see [`cube_index`]) with a clear line to it.
     seen: Vec<u32>,
-    /// Per node, whether the next one along x, y, z is of the same flow, or goes on from it.
+    /// Per node, whether the next one along x, y, z belongs to the same flow or is extrapolated from it.
     linked: Vec<[bool; 3]>,
 }
 
-/// Where the flow is that a node goes on from along an axis.
+/// Direction along an axis of the flow from which a node is extrapolated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Source {
-    /// It is flow itself.
+    /// The node is in the flow.
     Own,
     Before,
     Behind,
-    /// There is none on that line.
+    /// There is no flow on that line.
     Nowhere,
 }
 
@@ -40,7 +40,7 @@ const NEXT: [usize; 3] = [14, 16, 22];
 
 impl FlowNodes {
     /// The nodes of `layout`, at the places (mm) that `place_mm` gives for their indices. A node sees a
-    /// neighbour if the straight line between them runs through flow.
+    /// neighbour if the straight line between them lies in the flow.
     pub fn new(
         layout: Layout,
         mask: &VolumeMask,
@@ -48,7 +48,7 @@ impl FlowNodes {
     ) -> Self {
         let in_flow: Vec<bool> =
             (0..layout.len()).map(|n| mask.is_flow(place_mm(layout.place(n)))).collect();
-        // Half of the neighbours; the other half is seen in return.
+        // Half of the neighbours; the other half follows from symmetry.
         let ahead: Vec<u32> = (0..layout.len())
             .into_par_iter()
             .map(|n| {
@@ -99,7 +99,7 @@ impl FlowNodes {
         }
     }
 
-    /// Where the nodes of a row go on from; from before if both are as near.
+    /// Source of each node of a row; the one before if both are equally near.
     fn sources(&self, row: &[usize]) -> Vec<Source> {
         let apart = |place: usize, from: Option<usize>| from.map(|from| place.abs_diff(from));
         (0..row.len())
@@ -117,7 +117,7 @@ impl FlowNodes {
             .collect()
     }
 
-    /// How many nodes are in the flow.
+    /// Number of nodes in the flow.
     pub fn count(&self) -> usize {
         self.in_flow.iter().filter(|in_flow| **in_flow).count()
     }
@@ -137,17 +137,16 @@ impl FlowNodes {
         self.sees(n, NEXT[axis])
     }
 
-    /// Whether node `n` and the next one along `axis` are of one flow, or one goes on from the other, or both from the
-    /// same side.
+    /// Whether node `n` and the next one along `axis` belong to the same flow, or one is extrapolated from the other,
+    /// or both from the same side.
     pub fn is_linked(&self, n: usize, axis: usize) -> bool {
         self.linked[n][axis]
     }
 
-    /// Whether the third difference along `axis` that starts at node `n` ties flows to each other which a body
-    /// parts.
+    /// Whether the third difference along `axis` that starts at node `n` couples flows on opposite sides of a body.
     ///
-    /// A node in a body goes on from the flow that is nearest along the axis: one from each side meet in its
-    /// middle, and are not compared there.
+    /// A node in a body is extrapolated from the nearest flow along the axis. The two extrapolations meet in the
+    /// middle of the body and are not compared there.
     pub fn ties_flows(&self, axis: usize, n: usize) -> bool {
         let stride = self.layout.stride(axis);
         !(0..3).all(|k| self.is_linked(n + k * stride, axis))

@@ -15,7 +15,7 @@ pub struct Lattice {
     pub values: Vec<[f32; 3]>,
 }
 
-/// Steps in which paths through a field are found: each leaves a share of the displacement's gradient.
+/// Fixed-point iterations for paths through a field. Each reduces the error by the displacement's gradient.
 const PATH_STEPS: usize = 2;
 
 impl Lattice {
@@ -28,7 +28,7 @@ impl Lattice {
         }
     }
 
-    /// Whether the nodes lie where those of `other` do.
+    /// Whether the nodes coincide with those of `other`.
     pub fn is_over(&self, other: &Self) -> bool {
         let place = |lattice: &Self| (lattice.nodes, lattice.first_vox, lattice.step_vox);
         place(self) == place(other)
@@ -60,9 +60,8 @@ impl Lattice {
     /// if this field is the displacement: half of it, forwards for frame a (`sign` 1) and backwards
     /// for frame b (−1).
     ///
-    /// The path is curved: it is followed through the field by the midpoint rule, so that the
-    /// field stands for the velocity in the middle of the pair at that very place. Half the chord
-    /// would miss it by (d·∇)d/8.
+    /// The path is curved. It is integrated by the midpoint rule, so that the field is the velocity at mid-pair at
+    /// that position. Half the chord has an error of (d·∇)d/8.
     pub fn half_paths(&self, sign: f32) -> Self {
         self.finer().sampling(|at| {
             let start = self.at(at);
@@ -71,8 +70,8 @@ impl Lattice {
         })
     }
 
-    /// This displacement, whose vectors stand where frame a has the light, with vectors where it is in
-    /// the middle of the pair; along the same curved paths as [`Self::half_paths`].
+    /// This displacement, whose vectors refer to positions in frame a, with vectors at mid-pair positions; along the
+    /// same curved paths as [`Self::half_paths`].
     pub fn carried_to_middle(&self) -> Self {
         let mut middle = self.clone();
         for _ in 0..PATH_STEPS {

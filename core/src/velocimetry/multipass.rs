@@ -1,9 +1,8 @@
 //! Multi-pass cross-correlation with volume deformation.
 //!
-//! A search on coarse cells finds displacements of several voxels. Each pass after it moves the
-//! light of both frames towards each other by half the displacement known so far (symmetric, so
-//! the result belongs to the middle of the pair), renders them, correlates interrogation windows,
-//! and adds what it finds.
+//! A search on coarse cells measures displacements of several voxels. Each further pass moves the light of both
+//! frames towards each other by half the current displacement (symmetric, so the result refers to mid-pair),
+//! renders it, correlates interrogation windows, and adds the residual displacement.
 
 use std::sync::Arc;
 
@@ -36,7 +35,7 @@ pub struct Interrogation {
     margin: usize,
     settings: VelocimetrySettings,
     nodes: [usize; 3],
-    /// Where vectors are asked for; the windows' centres where absent.
+    /// Requested positions of vectors; the windows' centres if absent.
     spacing_mm: Option<f64>,
     search: Windows,
     search_lags: Lags,
@@ -45,18 +44,17 @@ pub struct Interrogation {
     flow: Option<FlowGeometry>,
 }
 
-/// Layers of windows around the volume's own, on the margin: they carry the deformation to the
-/// volume's faces and are not reported.
+/// Layers of windows around the volume, on the margin: they extend the deformation field beyond the volume's faces
+/// and are not reported.
 const GUARD: usize = 1;
 
-/// The search looks this many cells far at most: its cells are as coarse as that asks for.
+/// Largest search range in cells: the cell size follows from it.
 const SEARCH_REACH: usize = Lags::FARTHEST - 1;
 
-/// Lags of the first and the last pass after the search: far enough for a second peak beside the
-/// highest.
+/// Lags of the first and the last pass after the search: sufficient for a secondary peak.
 const WIDE: Lags = Lags { reach: 4 };
 
-/// Lags of the passes between: what they correct is less than a voxel.
+/// Lags of the passes between: their corrections are less than a voxel.
 const NARROW: Lags = Lags { reach: 2 };
 
 /// Frames a and b of a pass, moved towards each other.
@@ -68,7 +66,7 @@ struct Rendered {
     images: [Vec<f32>; 2],
 }
 
-/// What a pass finds in every window.
+/// Result of a pass in every window.
 struct Found {
     peaks: Vec<Option<Peak>>,
     /// See [`Interrogation::uncertainties`].
@@ -116,9 +114,8 @@ impl Interrogation {
 
     /// With the flow of `mask` only; that of the whole volume without one.
     ///
-    /// Windows then contain the light in the flow and no other. Those whose centres are not flow measure
-    /// nothing, nothing is compared, replaced or smoothed across what is not flow, and vectors there are
-    /// masked.
+    /// Windows then contain only the light in the flow. Windows with their centre outside the flow have no vector,
+    /// vectors are not compared, replaced or smoothed across bodies, and vectors outside the flow are masked.
     pub fn with_mask(self, mask: Option<Arc<VolumeMask>>) -> Self {
         let flow = mask.map(|mask| {
             let windows = [&self.search, &self.windows];
@@ -147,7 +144,7 @@ impl Interrogation {
         [[self.margin; 3], self.grid.voxels.map(|count| self.margin + count)]
     }
 
-    /// Where the vectors will be.
+    /// Grid of the vectors.
     pub fn vector_grid(&self) -> VectorGrid {
         let first = (self.windows.edge as f64 - 1.0) / 2.0;
         let windows = VectorGrid {
@@ -176,7 +173,7 @@ impl Interrogation {
         self.measure_everywhere(a, b, dt_s).0
     }
 
-    /// [`Self::measure`], and the field behind the vectors.
+    /// [`Self::measure`], and the continuous field.
     pub fn measure_everywhere(
         &self,
         a: &PointCloud,
@@ -187,8 +184,7 @@ impl Interrogation {
         self.measured([a, b], particles, dt_s)
     }
 
-    /// The same by windows alone, whether or not the settings ask for single particles: what is left
-    /// of an error when the reconstruction has none.
+    /// The same by windows alone, without particle tracking: the error that remains with a perfect reconstruction.
     pub fn measure_by_windows(&self, a: &PointCloud, b: &PointCloud, dt_s: f64) -> VelocityField {
         self.measured([a, b], false, dt_s).0
     }
@@ -206,8 +202,8 @@ impl Interrogation {
         for pass in 1..last {
             let lags = if pass == 1 { WIDE } else { NARROW };
             let found = self.pass(a, b, &mut field, lags);
-            // A window as long as the shortest wave on the lattice cannot see that wave: what noise
-            // puts there would never be corrected, so it must not stay in the predictor.
+            // A window does not respond to a wave as long as itself. Noise at that wavelength would never be
+            // corrected, so it must be removed from the predictor.
             field = self.judge(&field, &found.peaks).predictor(&found.uncertainty_vox);
         }
         let found = self.pass(a, b, &mut field, WIDE);
@@ -215,7 +211,7 @@ impl Interrogation {
         self.report(&vectors, &found.peaks, particles.then_some(all_light), dt_s)
     }
 
-    /// Deforms by `field` and adds to it what is left.
+    /// Deforms by `field` and adds the residual displacement to it.
     fn pass(&self, a: &PointCloud, b: &PointCloud, field: &mut Lattice, lags: Lags) -> Found {
         let frames = self.deformed(a, b, field, lags);
         let shares = self.flow.as_ref().map(|flow| flow.window_shares.as_slice());
@@ -227,14 +223,14 @@ impl Interrogation {
         Found { uncertainty_vox: self.uncertainties(&frames, &peaks), peaks }
     }
 
-    /// What the search on coarse cells finds, on the nodes of the windows.
+    /// Result of the search on coarse cells, on the nodes of the windows.
     fn searched(&self, a: &PointCloud, b: &PointCloud) -> Lattice {
         let frames = self.render(&self.search, self.search_lags, [(a, None), (b, None)]);
         let shares = self.flow.as_ref().map(|flow| flow.search_shares.as_slice());
         let peaks = self.correlate(&self.search, &frames, shares);
         let mut coarse = self.search.at_rest();
         coarse.add(&peaks, self.search.cell_vox);
-        // Windows of the search are large: what they say about each other is where to look, whatever is between.
+        // Windows of the search are large: their neighbours give a search position, also across bodies.
         let judge = Judge { settings: &self.settings, field: &coarse, peaks: &peaks, flow: None };
         coarse = judge.with_outliers_replaced();
         self.windows.at_rest().sampling(|at| coarse.at(at))
@@ -270,8 +266,7 @@ impl Interrogation {
             .correlate(|correlation| highest_peak(frames.lags, correlation))
     }
 
-    /// Standard uncertainty of every vector along x, y, z, in voxels, where the frames agree well
-    /// enough to tell.
+    /// Standard uncertainty of every vector along x, y, z, in voxels, where the frames correlate sufficiently.
     fn uncertainties(&self, frames: &Rendered, peaks: &[Option<Peak>]) -> Vec<Option<[f32; 3]>> {
         let windows = Layout { nodes: self.windows.nodes };
         let images = frames.images.each_ref().map(|light| Image {
@@ -286,7 +281,7 @@ impl Interrogation {
             .map_init(Cutouts::default, |cutouts, (n, peak)| {
                 let Peak { shift, lag, .. } = peak.as_ref()?;
                 let node = windows.place(n);
-                // Windows stand at the middle of the cells they compare.
+                // Windows are centred on the pairs of cells they compare.
                 let corner = std::array::from_fn(|axis| {
                     (node[axis] * self.windows.step + border) as i64 - lag[axis].div_euclid(2)
                 });
@@ -302,8 +297,8 @@ impl Interrogation {
         Judge { settings: &self.settings, field, peaks, flow }
     }
 
-    /// The likeliest field behind the last pass's vectors, or the one that the particles of `frames` follow
-    /// near it, where vectors are asked for.
+    /// The most probable field, given the last pass's vectors, or the field fitted to the particles of `frames`, at the
+    /// requested positions.
     fn report(
         &self,
         vectors: &[Vector],
@@ -346,8 +341,8 @@ impl Interrogation {
 }
 
 /// Windows of at least `edge_vox` voxels, half overlapping, over the centres of `windows`, and
-/// lags that reach `reach_vox`. Their cells are so coarse that few lags are needed: points are
-/// rendered at any cell size.
+/// lags that reach `reach_vox`. The cells are coarse, so that few lags are needed: points
+/// can be rendered at any cell size.
 fn search_windows(windows: &Windows, edge_vox: usize, reach_vox: f64) -> (Windows, Lags) {
     let cell = (reach_vox / SEARCH_REACH as f64).ceil().max(1.0) as usize;
     let edge = edge_vox.div_ceil(cell).next_multiple_of(2).max(4);

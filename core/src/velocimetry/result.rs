@@ -1,4 +1,4 @@
-//! A measurement: the vectors and what it took to make them.
+//! Result of the measurement of a pair: vectors, times and warnings.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ pub struct StageSeconds {
     pub reconstruct_s: f64,
     /// Volumes to vectors.
     pub correlate_s: f64,
-    /// How well the bench explains the images.
+    /// Comparison of the bench with the images.
     pub judge_s: f64,
 }
 
@@ -36,18 +36,18 @@ impl StageSeconds {
 pub struct PairResult {
     /// The vectors.
     pub field: VelocityField,
-    /// Where the time went.
+    /// Time of each stage.
     pub seconds: StageSeconds,
-    /// What the reader should know: saturation, a dark camera, an empty volume.
+    /// Warnings: saturation, a dark camera, an empty volume.
     pub warnings: Vec<String>,
-    /// The forward model behind it, and why it is this one.
+    /// The forward model, and the reason for its selection.
     pub model: Arc<ModelChoice>,
     /// How well the configured bench explains the images. Under a poor fit no vector is valid.
     /// Absent where vectors were made from volumes, without images.
     pub fit: Option<ModelFit>,
     /// The light of frames a and b on the configured grid, where it was asked for.
     pub light: Option<[FrameLight; 2]>,
-    /// Particles that both frames show, where they were placed in the images.
+    /// Particles in both frames, if they were placed in the images.
     pub particles: Option<Vec<MeasuredParticle>>,
 }
 

@@ -2,7 +2,8 @@
 //!
 //! The correlation of a perfectly reconstructed and deformed pair is symmetric about its peak, voxel by voxel:
 //! a(x) b(x + e) = a(x + e) b(x). The contribution of each part of the window to the asymmetry is therefore a
-//! sample of the error, and the scatter of the contributions gives the variance of their sum (Wieneke, "PIV uncertainty quantification from correlation statistics",
+//! sample of the error, and the scatter of the contributions gives the variance of their sum (Wieneke,
+//! "PIV uncertainty quantification from correlation statistics",
 //! Meas. Sci. Technol. 26, 074002, 2015, extended to three dimensions). The peak position of the
 //! three-point Gaussian fit follows from the asymmetry to first order.
 //!

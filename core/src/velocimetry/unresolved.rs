@@ -1,9 +1,9 @@
 //! Whether correlation resolves the flow.
 //!
-//! Windows do not show waves shorter than they are, and particles that are followed near the windows' field show
-//! hardly more. An unresolved flow leaves two traces. Vectors are not valid, because the particles of a window do not
-//! agree on one displacement. And the field has waves about as short as a window: a flow with such waves has shorter
-//! ones, too.
+//! Windows do not respond to waves shorter than themselves, and particle tracking based on the windows' field resolves
+//! only slightly more. An unresolved flow has two signs. Vectors are invalid, because the displacements of the
+//! particles in a window differ. And the field contains waves about as short as a window; a flow with such waves
+//! usually contains shorter ones, too.
 
 use std::fmt;
 
@@ -12,20 +12,21 @@ use super::{
     spline_field::FINEST_VOX, tracks::Spline,
 };
 
-/// At least this share of the vectors is valid where correlation resolves the flow.
+/// Least share of valid vectors of a resolved flow.
 const LEAST_VALID: f64 = 0.95;
 
 /// Points along a window at which the field is compared. The third difference of four neighbouring ones is largest for
 /// waves of half a window to a window.
 const POINTS_PER_WINDOW: usize = 4;
 
-/// The flow is rough where such waves are larger, in voxels: several times the error of a vector in a smooth flow.
+/// Third difference above which the flow counts as rough, in voxels: several times the error of a vector in a smooth
+/// flow.
 const ROUGH_VOX: f64 = 0.05;
 
 /// Sum of the squares of a third difference's weights, 1, 3, 3 and 1.
 const SQUARED_WEIGHTS: f64 = 20.0;
 
-/// A flow that is rough in a larger share of the volume is not resolved. The flow of `bench` is rough nowhere, a ring
+/// Largest rough share of the volume of a resolved flow. The flow of `bench` is rough nowhere, a ring
 /// vortex or a thin shear layer in a twentieth, turbulence with waves from one window on in about half of the volume
 /// (docs/decisions.md).
 const MOST_ROUGH: f64 = 0.1;

@@ -1,4 +1,4 @@
-//! Which vectors disagree with their neighbours, and what to put in their place.
+//! Detection of outliers, and interpolation of their replacements.
 
 mod lanes;
 
@@ -10,7 +10,7 @@ use super::{
 };
 use crate::statistics::median;
 
-/// Fewer neighbours than this say nothing about a vector.
+/// Least number of neighbours for the test.
 const LEAST_NEIGHBOURS: usize = 4;
 
 /// Vectors on a lattice, some of them missing.
@@ -85,8 +85,8 @@ impl Candidates<'_> {
         pass
     }
 
-    /// What the trusted neighbours of a vector say it should be: the mean of their values, each
-    /// carried to its place; `None` when there are none.
+    /// Interpolation from the trusted neighbours of a vector: the mean of their values, each extrapolated to its
+    /// position; `None` without neighbours.
     pub fn interpolated(&self, index: usize, trusted: &[bool]) -> Option<Interpolated> {
         let near = carried_to_centre(&self.neighbours(index, trusted));
         let count = near.len() as f32;
@@ -154,9 +154,9 @@ impl Candidates<'_> {
 pub struct Interpolated {
     /// The vector.
     pub value: [f32; 3],
-    /// Standard deviation of the neighbours from it, each carried to its place.
+    /// Standard deviation of the extrapolated neighbours from it.
     pub spread_vox: [f32; 3],
-    /// Whether there are enough neighbours to say anything.
+    /// Whether there are enough neighbours.
     pub supported: bool,
 }
 
@@ -168,7 +168,7 @@ struct Neighbour {
     value: [f32; 3],
 }
 
-/// The values of neighbours, each carried to the centre along their median gradient.
+/// The values of neighbours, each extrapolated to the centre along their median gradient.
 fn carried_to_centre(near: &[Neighbour]) -> Vec<[f32; 3]> {
     let gradient: [[f32; 3]; 3] = std::array::from_fn(|axis| {
         let mut by_place: [Option<&Neighbour>; 27] = [None; 27];

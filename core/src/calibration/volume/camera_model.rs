@@ -174,8 +174,8 @@ impl CameraModel {
         Some(EquivalentPoint::of_rays(&self.optics, place_mm, slopes))
     }
 
-    /// Position on the stop of a ray at `pupil_mm` of the nominal pupil: both correspond to the same pixel, the pupil with
-    /// nominal distances.
+    /// Position on the stop of a ray at `pupil_mm` of the nominal pupil: both correspond to the same pixel, the
+    /// pupil with nominal distances.
     fn on_stop_mm(&self, pupil_mm: [f64; 2]) -> [f64; 2] {
         let scale = self.parameters.parallax_slope() * (self.image_distance_mm - self.stop_mm)
             / self.optics.image_distance_mm();

@@ -144,8 +144,8 @@ impl<'a> CardLight<'a> {
     }
 
     /// Position on the nominal pupil of a ray that meets its microlens `off_mm` from the centre and the sensor
-    /// `beside_mm` from the micro-image's centre: U = δ − w s_i/f_m, since a microlens does not deflect rays through its
-    /// centre and focuses parallel ones.
+    /// `beside_mm` from the micro-image's centre: U = δ − w s_i/f_m, since a microlens does not deflect rays through
+    /// its centre and focuses parallel ones.
     pub(super) fn pupil_mm(&self, off_mm: [f64; 2], beside_mm: [f64; 2]) -> [f64; 2] {
         let per_mm = self.optics.image_distance_mm() / self.optics.microlens.focal_length_mm;
         std::array::from_fn(|axis| off_mm[axis] - beside_mm[axis] * per_mm)

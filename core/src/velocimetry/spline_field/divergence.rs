@@ -1,4 +1,4 @@
-//! What divergence costs a field: its square in the middle of every cell between the nodes.
+//! Penalty of a field's divergence: its square in the middle of every cell between the nodes.
 
 use multiversion::multiversion;
 use rayon::prelude::*;
@@ -15,7 +15,7 @@ use super::{
 /// The penalty Σ μ (∇·c)² over half-node points, of a field that has a vector for each component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Divergence {
-    /// From one node to the next, in voxels.
+    /// Node spacing, in voxels.
     pub step_vox: f32,
     /// μ, in 1/(voxel/voxel)².
     pub stiffness: f32,

@@ -1,5 +1,4 @@
-//! The normal equations of the field, never written down: what they make of a field, and what is left of
-//! their right-hand side.
+//! Normal equations of the field in matrix-free form: the left-hand side applied to a field, and the residual.
 
 use multiversion::multiversion;
 use rayon::prelude::*;
@@ -14,36 +13,36 @@ use super::{
     noise::Noise,
 };
 
-/// What is asked of a field c: for every lane the least of
+/// Equations of a field c that minimises, for every lane,
 ///
 /// ```text
 /// Σ w (y − B c)²  +  Σ λ (t − Δ³c)²  +  Σ μ (s − ∇·c)²  +  Σ κ (b − c)²
 /// ```
 ///
-/// over samples y, third differences along the axes, half-node points, and coefficients b of the field before.
-/// t and s are 0 for the field itself.
+/// over samples y, third differences along the axes, half-node points, and coefficients b of the previous
+/// field. t and s are 0 for the field itself.
 pub struct Equations<'a> {
-    /// Where the coefficients are.
+    /// Nodes of the coefficients.
     pub nodes: &'a Nodes,
-    /// What makes a field at each sample. The samples are in the order of the coefficients.
+    /// Interpolation weights at each sample. The samples are in the order of the coefficients.
     pub taps: &'a [Taps],
     /// Per vector and sample: w.
     pub weights: Vec<Vec<Lane>>,
     /// Per vector: λ.
     pub stiffness: Vec<Lane>,
-    /// Divergence, where it costs anything; only where each component has a vector.
+    /// Penalty of the divergence, if there is one; requires a vector for each component.
     pub divergence: Option<Divergence>,
-    /// κ, greater than zero: samples and third differences alone leave some fields open.
+    /// κ, greater than zero: samples and third differences alone do not determine all fields.
     pub anchor: f32,
 }
 
-/// What a field is compared with.
+/// Targets of the fit.
 pub struct Targets<'a> {
     /// Per vector and sample: y.
     pub samples: &'a [Vec<Lane>],
     /// Per vector and coefficient: b.
     pub before: &'a [Vec<Lane>],
-    /// t √λ, s √μ, and what b √κ is in all lanes but the first; only where each component has a vector.
+    /// t √λ, s √μ, and b √κ in all lanes except the first; requires a vector for each component.
     pub noise: Option<&'a Noise>,
 }
 
@@ -53,7 +52,7 @@ impl Equations<'_> {
         self.forces(field, None, -1.0)
     }
 
-    /// Right-hand side less left-hand side: what the equations still ask of `field`.
+    /// Residual: right-hand side minus left-hand side.
     pub fn residual(&self, field: &Vectors, targets: &Targets) -> Vectors {
         self.forces(field, Some(targets), 1.0)
     }
@@ -77,8 +76,8 @@ impl Equations<'_> {
         sums
     }
 
-    /// sign · Bᵀ w (y − B c) of vector `c`. Parts of the samples at once, each in coefficients of its own: the sum does
-    /// not depend on the number of threads.
+    /// sign · Bᵀ w (y − B c) of vector `c`. Parts of the samples are summed in parallel, each into separate
+    /// coefficients, so the sum does not depend on the number of threads.
     fn forces_of_samples(
         &self,
         c: usize,
@@ -136,7 +135,7 @@ impl Equations<'_> {
     }
 }
 
-/// Samples whose forces are added up at once.
+/// Number of samples in a part.
 const PART: usize = 2048;
 
 /// Adds sign · Bᵀ w (y − B c) to the coefficients from number `first` on.

@@ -17,7 +17,7 @@ pub struct SplineField {
 }
 
 impl SplineField {
-    /// From a field in lane 0 and draws from its error in the others.
+    /// From a field in lane 0 and samples of its error in the others.
     pub fn new(nodes: Nodes, lanes: &Vectors, stiffness: [f32; 3]) -> Self {
         let coefficients =
             (0..nodes.layout.len()).map(|n| std::array::from_fn(|c| lanes[c][n][0])).collect();
@@ -25,7 +25,7 @@ impl SplineField {
         Self { nodes, coefficients, variance, stiffness }
     }
 
-    /// The same field with variances so many times as large at the coefficients' places.
+    /// The same field with variances multiplied by these factors at the coefficients' positions.
     pub fn widened(mut self, factors: &[[f32; 3]]) -> Self {
         for (variance, factors) in self.variance.iter_mut().zip(factors) {
             for (variance, factor) in variance.iter_mut().zip(factors) {
@@ -59,7 +59,7 @@ impl SplineField {
     }
 }
 
-/// Mean square of the draws at the coefficients' places and about them.
+/// Local mean square of the samples of the error around each coefficient.
 fn variances(nodes: &Nodes, lanes: &Vectors) -> Vec<[f32; 3]> {
     let layout = nodes.layout;
     let mut variance: Vec<[f32; 3]> = (0..layout.len())

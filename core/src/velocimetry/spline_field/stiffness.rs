@@ -1,25 +1,25 @@
-//! How stiff the field is: the penalty of its third differences under which samples that were left out are
-//! predicted best (cross-validation: Craven and Wahba, Numer. Math. 31, 1979).
+//! Stiffness of the field: the penalty of third differences with the least cross-validation error
+//! (Craven and Wahba, Numer. Math. 31, 1979).
 
 use super::lanes::{LANES, Lane};
 
-/// Penalties that are tried, one in each lane.
+/// Trial penalties, one per lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ladder {
-    /// First penalty, over the present one.
+    /// Ratio of the first penalty to the current one.
     first: f32,
-    /// From one to the next.
+    /// Ratio of successive penalties.
     ratio: f32,
 }
 
 impl Ladder {
-    /// From a penalty that expects third differences of `difference_vox` along each axis, each next one expecting
-    /// them `ratio` times smaller; the present penalty is 1.
+    /// Penalties for expected third differences of `difference_vox` along each axis and successively `ratio` times
+    /// smaller ones; the current penalty is 1.
     pub fn expecting(difference_vox: f32, ratio: f32) -> Self {
         Self { first: 1.0 / (3.0 * difference_vox * difference_vox), ratio: ratio * ratio }
     }
 
-    /// About the present penalty.
+    /// Penalties around the current one.
     pub fn about(ratio: f32) -> Self {
         let ratio = ratio * ratio;
         Self { first: libm::powf(ratio, -0.5 * (LANES - 1) as f32), ratio }

@@ -1,4 +1,4 @@
-//! What divergence costs a spline: its square in the middle of every cell between the nodes (Gesemann et
+//! Penalty of a spline's divergence: its square in the middle of every cell between the nodes (Gesemann et
 //! al., From noisy particle tracks to velocity, acceleration and pressure fields using B-splines and
 //! penalties, 18th Int. Symp. Lisbon, 2016).
 
@@ -8,9 +8,9 @@ use super::super::{
     layout::Layout,
 };
 
-/// Standard deviation of the divergence that an incompressible flow may show, in voxel per voxel: the
-/// displacement over a pair is a chord of a curved path, splines follow short waves nearly, and particles near
-/// each other err in common.
+/// Standard deviation of the divergence in an incompressible flow, in voxel per voxel. It is not zero, because
+/// displacements are chords of curved paths, splines only approximate short waves, and errors of neighbouring
+/// particles are correlated.
 const DEVIATION: f64 = 0.01;
 
 /// The penalty Σ (∇·B c)²/σ² over the middles of cells, for the coefficients c of three components, one after
@@ -19,13 +19,13 @@ const DEVIATION: f64 = 0.01;
 pub struct Divergence {
     /// The coefficients of one component.
     pub layout: Layout,
-    /// From one node to the next, in voxels.
+    /// Node spacing, in voxels.
     pub step_vox: f64,
 }
 
 impl Divergence {
     /// Adds half the gradient of the penalty at `coefficients` to `sum`: Dᵀ D c/σ². Cells without a corner in
-    /// the `flow` cost nothing.
+    /// the `flow` have no penalty.
     pub fn add_forces(&self, coefficients: &[f64], sum: &mut [f64], flow: Option<&FlowNodes>) {
         let count = self.layout.len();
         let mut divergence = vec![0.0; count];

@@ -48,7 +48,8 @@ const CORRELATION_DISCOUNT: f64 = 25.0;
 /// are correlated between neighbours (docs/decisions.md, "Fitted constants").
 const COMMON_ERROR_FACTOR: f64 = 1.15;
 
-/// Common error of neighbouring particles where light is blurred, in voxels per unit of √(variance inflation) − 1 (`core/tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
+/// Common error of neighbouring particles where light is blurred, in voxels per unit of
+/// √(variance inflation) − 1 (`core/tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
 const COMMON_BLUR_ERROR_VOX: f64 = 0.01;
 
 /// Stopping criterion for the equations between updates of the weights, which change more than the remaining error.
@@ -118,7 +119,7 @@ impl<'a> Fit<'a> {
                 field.values.iter().map(|v| f64::from(v[c])).collect()
             }),
             variance: std::array::from_fn(|c| variances(uncertainty_vox, c)),
-            // The third difference of an error with the length scale of a window is proportional to the cube of the step.
+            // The third difference of an error with a window's length scale is proportional to the cube of the step.
             unresolved_share: f64::from(field.step_vox / window_step_vox).powi(6),
             divergence: incompressible
                 .then(|| Divergence { layout, step_vox: f64::from(field.step_vox) }),

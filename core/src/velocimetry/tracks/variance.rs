@@ -1,11 +1,11 @@
-//! How uncertain a fitted spline is.
+//! Uncertainty of a fitted spline.
 
 use std::f64::consts::PI;
 
 /// Wave numbers along an axis, between 0 and π per node.
 const COUNT: usize = 4;
 
-/// What one wave number k (per node) contributes along an axis.
+/// Contributions of one wave number k (per node) along an axis.
 #[derive(Debug, Clone, Copy)]
 struct Wave {
     /// Square of the values on the nodes that coefficients of size 1 make: ((4 + 2 cos k)/6)².
@@ -16,7 +16,7 @@ struct Wave {
     difference: f64,
 }
 
-/// The waves that a spline's error is made of.
+/// Plane waves of a spline's error.
 #[derive(Debug, Clone)]
 pub struct Waves([Wave; COUNT]);
 
@@ -26,12 +26,12 @@ impl Waves {
         Self(std::array::from_fn(|n| Wave::of((n as f64 + 0.5) * PI / COUNT as f64)))
     }
 
-    /// Variance of a spline's value on a node, if everywhere were as there: weight `density` per
-    /// cell from samples at random places, weight `on_node` from one sample on each node, and third
-    /// differences of the coefficients that cost `stiffness` along x, y, z.
+    /// Variance of a spline's value on a node under uniform conditions: weight `density` per cell from samples at
+    /// random positions, weight `on_node` from one sample on each node, and penalty `stiffness` of the
+    /// coefficients' third differences along x, y, z.
     ///
-    /// The equations are then diagonal in plane waves, and the variance is the mean over all waves
-    /// of the square of a node's value over the weight that is on the wave.
+    /// The equations are then diagonal in plane waves. The variance is the mean over all waves of the squared
+    /// value on a node divided by the weight of the wave.
     pub fn variance(&self, density: f64, on_node: f64, stiffness: [f64; 3]) -> f64 {
         let mut sum = 0.0;
         for z in self.0 {
@@ -50,9 +50,9 @@ impl Waves {
     }
 }
 
-/// How much larger the variance on a node is than in the middle of the `nodes`, for it has neighbours
-/// on fewer sides: per axis, on the first and last node and on those next to them. That of the whole
-/// inverse matrix agrees to 15 % (`tests`).
+/// Ratio of the variance on a node to that in the middle of the `nodes`: it is larger on the first and last node of
+/// each axis and on those next to them, which have neighbours on fewer sides. The full inverse matrix agrees to
+/// 15 % (`tests`).
 pub fn near_faces(nodes: [usize; 3], place: [usize; 3]) -> f64 {
     let along = |axis: usize| match place[axis].min(nodes[axis] - 1 - place[axis]) {
         0 => 3.6,

@@ -6,7 +6,7 @@
 //!
 //! for windows W of weights w and light without its mean. The window stands at the middle of each pair
 //! of cells, not at one end: C(s) of (a, b) is C(−s) of (b, a), and light that crosses a window's face
-//! does not pull it. Every product is summed once, over a brick; windows add bricks.
+//! causes no bias. Every product is summed once, over a brick; windows add bricks.
 //!
 //! A single layer has no lags across it. Its correlation there is assumed: at a lag of one cell it is
 //! [`BESIDE_LAYER`] times that at lag zero.

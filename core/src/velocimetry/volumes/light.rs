@@ -38,8 +38,8 @@ impl Light {
     /// A volume's light less its local mean, that of `windows` of a `profile`, between whose centres it
     /// is interpolated.
     ///
-    /// Products of such light correlate by chance as often with either sign. Cells outside hold
-    /// their mean, which is nothing: no window has to know how much of it is in the volume.
+    /// Random products of such light have zero mean. Cells outside contain the mean, which is zero, so windows need
+    /// no correction for the part outside the volume.
     pub fn without_mean(
         volume: &DenseVolume,
         windows: &Windows,
@@ -81,8 +81,8 @@ impl Light {
         binned
     }
 
-    /// The light as a sum of cubic B-splines one cell wide: what looking up along no displacement finds
-    /// in the cells.
+    /// The light as a sum of cubic B-splines with nodes one cell apart, sampled in the cells: equal to warping by zero
+    /// displacement.
     pub fn splined(&self) -> Self {
         let [nx, ny, nz] = self.cells;
         let mut splined = Self::dark(self.cells, self.cell_vox, self.border);
@@ -210,7 +210,7 @@ pub mod tests {
     }
 
     #[test]
-    fn splined_light_is_what_looking_up_at_rest_finds() {
+    fn splined_light_equals_warping_by_zero_displacement() {
         let light = random_light([9, 7, 8], 1, 5);
         let windows =
             Windows { nodes: [2; 3], edge: 4, step: 3, cell_vox: 1.0, first_vox: [1.5; 3] };

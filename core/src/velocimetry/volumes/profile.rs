@@ -1,4 +1,4 @@
-//! Windows that weigh their middle more than their sides, and sums over them.
+//! Windows with larger weights in the middle, and sums over them.
 
 use multiversion::multiversion;
 use rayon::prelude::*;
@@ -7,9 +7,9 @@ use crate::velocimetry::windows::Windows;
 
 /// Weight of the outer quarters of a window along each axis; its middle half has 1.
 ///
-/// A uniform window answers a wave as long as itself to sin(π)/π = 0: what noise puts there is never
-/// corrected (Astarita, Exp. Fluids 43, 2007). This one answers it to 0.27, and what lies at its
-/// faces, half inside after a lag, counts less.
+/// The response of a uniform window to a wave as long as itself is sin(π)/π = 0: noise at that wavelength is never
+/// corrected (Astarita, Exp. Fluids 43, 2007). The response of this one is 0.27, and light at its faces, which a lag
+/// moves across them, has a smaller weight.
 const OUTER_WEIGHT: f32 = 0.4;
 
 /// A window's weights along an axis.
@@ -37,12 +37,12 @@ impl Span {
 }
 
 impl Profile {
-    /// All of `edge` cells alike.
+    /// Equal weights of all `edge` cells.
     pub fn uniform(edge: usize) -> Self {
         Self { weights: vec![1.0; edge], flat: false }
     }
 
-    /// The middle half of `edge` cells more than the others.
+    /// Larger weights of the middle half of `edge` cells.
     pub fn peaked(edge: usize) -> Self {
         let outer = edge / 4;
         let middle = outer..edge - outer;
