@@ -12,23 +12,23 @@ use crate::{
     velocimetry::VelocimetrySettings,
 };
 
-/// Everything that turns image pairs into vectors.
+/// All settings of the measurement of image pairs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     /// The optics that all cameras share.
     pub optics: Optics,
     /// Where the cameras stand.
     pub cameras: Vec<Pose>,
-    /// What calibration found of the cameras, in their order; those beyond its end are nominal.
+    /// Calibrations of the cameras, in their order; cameras beyond its end are uncalibrated.
     pub calibrations: Vec<CameraCalibration>,
     /// The measurement volume.
     pub volume: VolumeGrid,
-    /// Where flow is in it; everywhere if absent.
+    /// The flow region of the volume; all of it if absent.
     ///
     /// The whole volume is reconstructed: light seen beside a body is real, and without voxels there it would
     /// be assigned to voxels in the flow. What is not flow is left out where displacements are found.
     pub mask: Option<Arc<VolumeMask>>,
-    /// What is known about the images.
+    /// Settings of the images.
     pub image: ImageSettings,
     /// Which effects the forward model includes, or that it is to be chosen.
     pub model: ModelSettings,
@@ -36,7 +36,7 @@ pub struct Measurement {
     pub reconstruction: ReconstructionSettings,
     /// How volumes are correlated.
     pub velocimetry: VelocimetrySettings,
-    /// Distance of the vectors, in mm; that of the windows where absent.
+    /// Spacing of the vectors, in mm; that of the windows if absent.
     pub spacing_mm: Option<f64>,
     /// Time between the frames, in s.
     pub dt_s: f64,

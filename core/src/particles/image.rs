@@ -11,27 +11,6 @@ use crate::{
     model::{LANES, PointCamera, PointFootprint},
 };
 
-/// Noise of a pixel with an expected value of m counts: its variance is
-/// `dark` + `gain` m + (`misfit` m)², in counts².
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PixelNoise {
-    /// Variance of a pixel without light from particles.
-    pub dark: f32,
-    /// Counts per photo-electron: shot noise.
-    pub gain: f32,
-    /// Relative error of the model: footprint, and missing or false particles.
-    pub misfit: f32,
-}
-
-impl PixelNoise {
-    /// Variance of a pixel with an expected value of `model` counts above black, in counts².
-    #[inline(always)]
-    pub fn variance(&self, model: f32) -> f32 {
-        let lit = model.max(0.0);
-        self.dark + lit * (self.gain + self.misfit * self.misfit * lit)
-    }
-}
-
 /// A raw image and the model of it.
 #[derive(Debug, Clone)]
 pub struct ParticleImage {
