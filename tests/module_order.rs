@@ -45,13 +45,8 @@ fn sources(folder: &Path, found: &mut Vec<(String, String)>) {
 /// The modules that a source names after `root`, in plain paths and in import lists.
 fn imports<'a>(text: &str, root: &str, modules: &[&'a str]) -> Vec<&'a str> {
     let named = |item: &str| -> Vec<&'a str> {
-        let of = |module: &&&str| {
-            let rest = item.strip_prefix(**module);
-            rest.is_some_and(|rest| {
-                rest.is_empty() || rest.starts_with("::") || rest.starts_with(';')
-            })
-        };
-        modules.iter().filter(of).copied().collect()
+        let first = item.split([':', ';', '}', ' ']).next();
+        modules.iter().copied().filter(|module| first == Some(module)).collect()
     };
     let mut found = Vec::new();
     for (at, _) in text.match_indices(root) {
@@ -106,7 +101,24 @@ fn program(path: &Path) -> String {
     lines.map(|line| format!("{line}\n")).collect()
 }
 
-/// Modules beside each other that import each other, in this folder and below.
+/// What a module brings in from its children, so that they can import it from their parent: the name of
+/// each item, and the child that has it.
+fn brought_in<'a>(parent: &'a str, children: &[&'a str]) -> BTreeMap<&'a str, &'a str> {
+    let mut brought = BTreeMap::new();
+    for child in children {
+        let from = format!("use {child}::");
+        for (at, _) in parent.match_indices(&from) {
+            let items = &parent[at + from.len()..];
+            let items = &items[..items.find(';').unwrap_or(items.len())];
+            let names = items.split(['{', '}', ',']).map(|item| item.trim());
+            brought.extend(names.filter(|name| !name.is_empty()).map(|name| (name, *child)));
+        }
+    }
+    brought
+}
+
+/// Modules beside each other that import each other, in this folder and below. An item that their parent
+/// has brought in counts as imported from where it stands.
 fn mutual_imports(folder: &Path, seen: &mut usize, found: &mut Vec<String>) {
     let mut beside = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -122,10 +134,22 @@ fn mutual_imports(folder: &Path, seen: &mut usize, found: &mut Vec<String>) {
             beside.insert(name, program(&path));
         }
     }
+    let parents = ["mod.rs", "lib.rs"].map(|name| folder.join(name));
+    let parents = parents.into_iter().chain([folder.with_extension("rs")]);
+    let parent: String = parents.filter(|path| path.is_file()).map(|path| program(&path)).collect();
     let names: Vec<&str> = beside.keys().map(String::as_str).collect();
+    let brought = brought_in(&parent, &names);
+    let items: Vec<&str> = brought.keys().copied().collect();
     let imported: BTreeMap<&str, Vec<&str>> = beside
         .iter()
-        .map(|(name, text)| (name.as_str(), imports(text, "super::", &names)))
+        .map(|(name, text)| {
+            let mut others = imports(text, "super::", &names);
+            others.extend(imports(text, "super::", &items).into_iter().map(|item| brought[item]));
+            others.retain(|other| other != name);
+            others.sort_unstable();
+            others.dedup();
+            (name.as_str(), others)
+        })
         .collect();
     for (name, others) in &imported {
         *seen += others.len();
@@ -143,6 +167,26 @@ fn files_beside_each_other_do_not_import_each_other() {
     }
     assert!(seen > 500, "the search for imports finds almost none: {seen}");
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn modules_that_import_each_other_by_way_of_their_parent_are_found() {
+    let root = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(root.path().join(name), text).unwrap();
+    write("mod.rs", "mod camera;\nmod view;\npub use view::{Shape, View};\n");
+    write("camera.rs", "use super::{View, view};\npub struct Camera;\n");
+    write("view.rs", "use super::camera::Camera;\npub struct View;\n");
+    let (mut seen, mut found) = (0, Vec::new());
+    mutual_imports(root.path(), &mut seen, &mut found);
+    assert_eq!((seen, found.len()), (2, 1), "{found:?}");
+
+    write("camera.rs", "use super::View;\npub struct Camera;\n");
+    mutual_imports(root.path(), &mut seen, &mut found);
+    assert_eq!(found.len(), 2, "{found:?}");
+
+    write("view.rs", "// super::camera::Camera\npub struct View;\n");
+    mutual_imports(root.path(), &mut seen, &mut found);
+    assert_eq!(found.len(), 2, "{found:?}");
 }
 
 /// Results do not depend on when they are made: who wants times of the stages hands in a clock.

@@ -30,7 +30,7 @@ fn encode_shots(shots: &ShotsView, encoder: &mut DescriptorEncoder) -> fmt::Resu
         ConstGauge::new(count as i64).encode(metric)?;
     }
     let counters = [
-        ("cluster_attempts", "Measurements that workers have begun", shots.attempts),
+        ("cluster_attempts", "Measurements that workers have started", shots.attempts),
         ("cluster_lost_workers", "Measurements that workers did not end", shots.lost_workers),
         ("cluster_refused_results", "Results that were refused", shots.refused_results),
     ];
@@ -49,7 +49,7 @@ fn encode_workers(workers: &[WorkerView], encoder: &mut DescriptorEncoder) -> fm
             "Shots of which the worker was the first to deliver a result",
             |w| w.shots,
         ),
-        ("cluster_worker_attempts", "Measurements that the worker has begun", |w| w.attempts),
+        ("cluster_worker_attempts", "Measurements that the worker has started", |w| w.attempts),
         ("cluster_worker_failures", "Those of which it has reported a failure", |w| w.failures),
         ("cluster_worker_not_ended", "Those that it did not end", |w| w.not_ended),
     ];

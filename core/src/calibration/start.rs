@@ -81,7 +81,7 @@ impl Start {
         if radius.is_finite() {
             self.radius_px = radius;
         }
-        let circles = RimModel { grid: self.grid.clone(), radius_px: self.radius_px, second: None };
+        let circles = RimModel { second: None, ..self.circles() };
         if let Some(found) = edge_arcs::first_circles(image, circles, &lenses, &field) {
             (self.grid, self.radius_px, self.second) = (found.grid, found.radius_px, found.second);
         }

@@ -117,8 +117,9 @@ impl ModelParts {
         }
     }
 
-    /// The layouts of all cameras, for their `windows` of microlenses. Those whose windows are the same are computed once, and
-    /// not at all where they are among the `known` ones of a model with the same optics and parts.
+    /// The layouts of all cameras, for their `windows` of microlenses. Those whose windows are the same
+    /// are computed once, and not at all where they are among the `known` ones of a model with the same
+    /// optics and parts.
     pub(super) fn layouts<'a>(
         &self,
         optics: &Optics,

@@ -161,7 +161,7 @@ impl Run<'_> {
             let left = shots.iter().filter(has_none).count();
             (left > 0 || !finished).then(|| {
                 format!(
-                    "{} was cut off: {left} of {} not measured; {} goes on",
+                    "{} was cut off: {left} of {} not measured; continue with {}",
                     part.name(),
                     count(shots.len(), "shot"),
                     self.call(*number, part.folder.display())
