@@ -36,7 +36,7 @@ LONGEST = [
 READ_SOURCES = {"module_order"}
 # Tests of these crates start programs, but for those by this name, and read documents.
 WHOLE_PROGRAM = {"lfpiv", "lfpiv-bench"}
-START_NO_PROGRAM = {"claims"}
+START_NO_PROGRAM = {"claims", "validation"}
 
 RESULT = re.compile(r"^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored", re.MULTILINE)
 READERS_RESULT = re.compile(r"^(?:(\d+) failed, )?(\d+) passed", re.MULTILINE)

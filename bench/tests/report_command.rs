@@ -1,5 +1,6 @@
 //! `lfpiv bench` on cases of a few thousand voxels: every measurement, every figure, every file.
-//! What the figures say is not asserted, least of all how long things took.
+//! What the figures say is not asserted, least of all how long things took. `lfpiv validate` refuses a bench that it
+//! cannot compare.
 
 #![allow(clippy::unwrap_used, reason = "clippy takes the helpers of a test for more than tests")]
 #[allow(dead_code)]
@@ -152,4 +153,17 @@ fn the_shipped_suite_names_methods_that_exist() {
     let suite = Path::new(env!("CARGO_MANIFEST_DIR")).join("report.toml");
     let suite = lfpiv_bench::Suite::load(&suite).unwrap();
     assert!(suite.cases.len() > 5);
+}
+
+#[test]
+fn the_comparison_of_cameras_refuses_a_bench_of_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = support::shipped("jet");
+    let (start, second) = text.split_once("# Camera 2 looks along x").unwrap();
+    let (_, rest) = second.split_once("[volume]").unwrap();
+    let file = folder.path().join("single.toml");
+    fs::write(&file, format!("{start}[volume]{rest}")).unwrap();
+    let done = support::lfpiv(["validate", "--config", &file.display().to_string()]);
+    assert!(!done.success);
+    assert!(done.stderr.contains("single.toml has 1 camera"), "{}", done.stderr);
 }

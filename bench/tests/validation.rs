@@ -103,16 +103,3 @@ fn both_cameras_and_planar_piv_find_the_jet_and_one_camera_not_along_its_depth()
         assert!(svg.starts_with("<svg xmlns=") && !svg.contains("NaN"), "{picture}");
     }
 }
-
-#[test]
-fn a_bench_of_one_camera_is_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    let text = support::shipped("jet");
-    let (start, second) = text.split_once("# Camera 2 looks along x").unwrap();
-    let (_, rest) = second.split_once("[volume]").unwrap();
-    let file = folder.path().join("single.toml");
-    fs::write(&file, format!("{start}[volume]{rest}")).unwrap();
-    let done = support::lfpiv(["validate", "--config", &file.display().to_string()]);
-    assert!(!done.success);
-    assert!(done.stderr.contains("single.toml has 1 camera"), "{}", done.stderr);
-}

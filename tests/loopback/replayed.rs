@@ -58,8 +58,12 @@ impl Stage {
     fn daemon(&self) -> String {
         let instruments = table("loopback.toml", "[instruments]", "[image]");
         let folder = self.root.path().display();
-        let instruments = instruments.replace("results/loopback", &folder.to_string());
-        replaced(&instruments, "frame_patience_s = 20.0", "frame_patience_s = 1.5")
+        instruments.replace("results/loopback", &folder.to_string())
+    }
+
+    /// The same for instruments that lose frames: each is waited for.
+    fn daemon_that_loses_frames(&self) -> String {
+        replaced(&self.daemon(), "frame_patience_s = 20.0", "frame_patience_s = 5.0")
     }
 
     /// For the instruments, with the wires of `config/loopback-bench.toml`.
@@ -271,7 +275,8 @@ fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
                           [line]\nslow_ms = 20\n[line.shares]\nslow = 0.2\n";
             fs::write(&faults, format!("seed = 1\n{shares}")).unwrap();
             let with_faults = ["--faults", utf8(&faults)];
-            let (output, told) = stage.play(&stage.recorded, &with_faults, &stage.daemon(), "16");
+            let (output, told) =
+                stage.play(&stage.recorded, &with_faults, &stage.daemon_that_loses_frames(), "16");
             let disturbed = folder_of(&output);
             println!("{told}{}", text(&output.stderr));
             assert!(told.contains("Dropped") && told.contains("MissedTrigger"), "{told}");
@@ -297,7 +302,8 @@ fn faults_are_in_the_ledger_and_a_record_with_losses_loses_the_same_again() {
             assert_eq!(images(&disturbed).len(), whole);
 
             let received = [stage.received(0), stage.received(1)];
-            let (output, told) = stage.play(&disturbed, &[], &stage.daemon(), "16");
+            let (output, told) =
+                stage.play(&disturbed, &[], &stage.daemon_that_loses_frames(), "16");
             assert!(told.contains("16 triggers as recorded; dark: 0 with"), "{told}");
             assert_same(&disturbed, &folder_of(&output), whole);
             // Including those of incomplete shots.
