@@ -1,6 +1,7 @@
 //! From a pair of volumes to a velocity field.
 
 mod b_spline;
+mod cell_divergence;
 mod cloud;
 mod conjugate_gradients;
 mod correlation;
