@@ -9,12 +9,8 @@ use rayon::prelude::*;
 use super::{Conditions, generator};
 use crate::{
     measurement::Measurement,
-    model::{CameraCalibration, ModelError, PointBlur, PointCamera, PointFootprint},
+    model::{AIRY_SIGMA, CameraCalibration, ModelError, PointBlur, PointCamera, PointFootprint},
 };
-
-/// Standard deviation of the Gaussian that is nearest to an Airy disc, in wavelengths times the f-number (Zhang,
-/// Zerubia and Olivo-Marin, Appl. Opt. 46, 2007).
-const AIRY_DEVIATION: f64 = 0.42;
 
 /// A point of light.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +35,7 @@ impl<'a> Exposures<'a> {
         // Microlenses have the f-number that the main lens works at: both blur alike.
         let f_number = optics.microlens.focal_length_mm / optics.microlens.pitch_mm;
         let plane_mm =
-            conditions.diffraction_nm.map_or(0.0, |nm| AIRY_DEVIATION * nm * 1e-6 * f_number);
+            conditions.diffraction_nm.map_or(0.0, |nm| AIRY_SIGMA * nm * 1e-6 * f_number);
         let blur = PointBlur { plane_mm, sensor_px: plane_mm / pixel_mm };
         let camera = |(n, pose)| {
             let calibration = calibrations.get(n).unwrap_or(&uncalibrated);
