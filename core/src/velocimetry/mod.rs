@@ -50,6 +50,6 @@ pub use placing::Placing;
 pub use result::{MeasuredParticle, PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;
 pub use spline_field::Sample;
-pub use tracks::{Particle, particles};
+pub use tracks::{LightPeak, particles};
 pub use unresolved::Unresolved;
 pub use volumes::VolumeInterrogation;

@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_distr::StandardNormal;
 use rayon::prelude::*;
 
-use super::{Conditions, generator};
+use super::{SceneConditions, generator};
 use crate::{
     measurement::Measurement,
     model::{AIRY_SIGMA, CameraCalibration, ModelError, PointBlur, PointCamera, PointFootprint},
@@ -14,7 +14,7 @@ use crate::{
 
 /// A point of light.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Source {
+pub(super) struct PointSource {
     pub at_mm: [f64; 3],
     /// Its brightness over that of the mean particle.
     pub brightness: f64,
@@ -23,13 +23,16 @@ pub(super) struct Source {
 /// All cameras and their sensors.
 pub(super) struct Exposures<'a> {
     cameras: Vec<PointCamera>,
-    conditions: &'a Conditions,
+    conditions: &'a SceneConditions,
 }
 
 impl<'a> Exposures<'a> {
     /// # Errors
     /// A camera does not see the volume, or it reaches too deep for the lens.
-    pub fn new(measurement: &Measurement, conditions: &'a Conditions) -> Result<Self, ModelError> {
+    pub fn new(
+        measurement: &Measurement,
+        conditions: &'a SceneConditions,
+    ) -> Result<Self, ModelError> {
         let Measurement { optics, cameras, calibrations, volume, .. } = measurement;
         let (uncalibrated, pixel_mm) = (CameraCalibration::default(), optics.pixel_pitch_mm());
         // Microlenses have the f-number that the main lens works at: both blur alike.
@@ -51,7 +54,7 @@ impl<'a> Exposures<'a> {
     }
 
     /// What camera number `camera` records of `sources`, with the noise of random numbers `stream`.
-    pub fn image(&self, camera: usize, sources: &[Source], stream: u64) -> RawImage {
+    pub fn image(&self, camera: usize, sources: &[PointSource], stream: u64) -> RawImage {
         let camera = &self.cameras[camera];
         let [columns, rows] = camera.sensor_px();
         let electrons = electrons(camera, sources, self.conditions.photoelectrons);
@@ -70,7 +73,7 @@ impl<'a> Exposures<'a> {
     /// The count of a pixel in which so many electrons are expected. Photo-electrons and read-out are normal
     /// together: where a Poisson distribution is not, read-out is larger.
     fn count(&self, electrons: f64, deviate: f64) -> u16 {
-        let Conditions { background_electrons, read_noise_electrons, .. } = *self.conditions;
+        let SceneConditions { background_electrons, read_noise_electrons, .. } = *self.conditions;
         let mean = electrons + background_electrons;
         let seen = mean + (mean + read_noise_electrons * read_noise_electrons).sqrt() * deviate;
         let counts = self.conditions.offset_counts + self.conditions.counts_per_electron * seen;
@@ -80,7 +83,7 @@ impl<'a> Exposures<'a> {
 }
 
 /// Photo-electrons of sources of which the mean one releases `photoelectrons`.
-fn electrons(camera: &PointCamera, sources: &[Source], photoelectrons: f64) -> Vec<f32> {
+fn electrons(camera: &PointCamera, sources: &[PointSource], photoelectrons: f64) -> Vec<f32> {
     let [width, height] = camera.sensor_px();
     let (open, stride) = (camera.open_shares(), camera.open_stride());
     // Open shares are in steps of 1/255.
