@@ -92,6 +92,7 @@ pub mod ensemble;
 pub mod lightfield;
 pub mod measurement;
 pub mod model;
+mod parabola;
 pub mod particles;
 pub mod reconstruction;
 pub mod statistics;

@@ -4,7 +4,7 @@
 
 use lfpiv_core::{
     lightfield::ImagePair,
-    measurement::{Conditions, ForecastPlace, Processor, bound, forecast},
+    measurement::{ForecastPlace, Processor, SceneConditions, bound, forecast},
     velocimetry::{VectorStatus, VelocityField},
 };
 use lfpiv_hw::Pose;
@@ -77,9 +77,9 @@ fn benches() -> Vec<(&'static str, Bench)> {
     ]
 }
 
-fn conditions(scene: &Scene) -> Conditions {
+fn conditions(scene: &Scene) -> SceneConditions {
     let sensor = &scene.sensor;
-    Conditions {
+    SceneConditions {
         ppm: scene.ppm,
         intensity_spread: scene.intensity_spread,
         photoelectrons: scene.particle_photoelectrons,

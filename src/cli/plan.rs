@@ -8,7 +8,7 @@ use std::{fmt::Write as _, fs, path::PathBuf};
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
 use lfpiv_core::{
-    measurement::{Conditions, Forecast, ForecastPlace, bound, forecast},
+    measurement::{Forecast, ForecastPlace, SceneConditions, bound, forecast},
     statistics::median,
     velocimetry::correlation_error_vox,
 };
@@ -74,9 +74,9 @@ pub fn plan(args: &PlanArgs) -> anyhow::Result<()> {
 }
 
 /// Seeding and light of a scene, for one exposure of an average camera.
-fn conditions(scene: &Scene) -> Conditions {
+fn conditions(scene: &Scene) -> SceneConditions {
     let sensor = &scene.sensor;
-    Conditions {
+    SceneConditions {
         ppm: scene.ppm,
         intensity_spread: scene.intensity_spread,
         photoelectrons: scene.particle_photoelectrons,
@@ -96,7 +96,7 @@ fn metres_per_second_per_voxel(config: &Config) -> f64 {
 /// The uncertainty in slabs along each axis, as text, from what is `measured` in trials; `held` is the bound.
 fn report(
     config: &Config,
-    conditions: &Conditions,
+    conditions: &SceneConditions,
     measured: &Forecast,
     held: &[ForecastPlace],
 ) -> String {
@@ -162,7 +162,7 @@ fn improvements(changes: Vec<Change>, places: &[ForecastPlace], bar: &ProgressBa
     text
 }
 
-fn particles_per_mm3(config: &Config, conditions: &Conditions) -> f64 {
+fn particles_per_mm3(config: &Config, conditions: &SceneConditions) -> f64 {
     let depth_mm = config.volume.voxels[2] as f64 * config.volume.voxel_mm;
     conditions.ppm / config.optics.object_pitch_mm().powi(2) / depth_mm
 }

@@ -17,9 +17,9 @@ const QUEUE: usize = 16;
 const IDLE: Duration = Duration::from_secs(1);
 
 /// See the module.
-pub(super) struct ResultWriter(JoinHandle<Result<(), ArchiveError>>);
+pub(super) struct ResultThread(JoinHandle<Result<(), ArchiveError>>);
 
-impl ResultWriter {
+impl ResultThread {
     /// Starts the thread, which ends when all senders are gone, or it fails.
     pub fn start(store: ResultStore) -> io::Result<(SyncSender<(u64, ShotResult)>, Self)> {
         let (sink, results) = sync_channel(QUEUE);

@@ -204,7 +204,7 @@ fn check_grid(grid: &MicroImageGrid, optics: &Optics) -> Result<(), String> {
 /// Checks that the map is valid in the whole volume and its margin.
 fn check_reach(map: &VolumeMap, config: &Config) -> Result<(), String> {
     let VolumeGrid { voxels, voxel_mm, centre_mm } = &config.volume.grid();
-    let margin = (config.velocimetry.max_displacement_vox / 2.0).ceil() + 1.0;
+    let margin = config.velocimetry.margin_vox() as f64;
     let holds_mm = map.holds_mm();
     for axis in 0..3 {
         let half_mm = (voxels[axis] as f64 / 2.0 + margin) * voxel_mm;

@@ -10,6 +10,7 @@ use super::{WhiteImage, fourier::transform};
 use crate::{
     lightfield::{GridSampling, MicroImageGrid},
     model::EquivalentPoint,
+    parabola,
 };
 
 /// Slopes that are tried: so many, up to this, either way. At 200 mm and f/4 the last is 15 mm off.
@@ -108,10 +109,7 @@ fn sharpest(power: impl Fn(f64) -> f64 + Sync) -> Option<Sharpest> {
 
 /// What to add to a slope: to the top of a parabola through a step less, none and a step more.
 fn nearer(power: impl Fn(f64) -> f64) -> f64 {
-    let [below, at, above] = [-STEP, 0.0, STEP].map(power);
-    let bend = below - 2.0 * at + above;
-    let steps = if bend < 0.0 { 0.5 * (below - above) / bend } else { 0.0 };
-    STEP * steps.clamp(-1.0, 1.0)
+    STEP * parabola::maximum([-STEP, 0.0, STEP].map(power))
 }
 
 /// What one view shows: where it passes the pupil, in mm, and the light of every microlens relative to

@@ -3,6 +3,7 @@
 use rustfft::num_complex::Complex;
 
 use super::{WhiteImage, fourier::transform};
+use crate::parabola;
 
 /// Largest edge of the square in the image's middle that is looked at: far from vignetted edges, and
 /// some tens of micro-images.
@@ -196,10 +197,7 @@ impl Autocorrelation {
                 place[axis] += step;
                 self.at(place)
             };
-            let [low, top, high] = [beside(-1), beside(0), beside(1)];
-            let curvature = low - 2.0 * top + high;
-            let shift = if curvature < 0.0 { (low - high) / (2.0 * curvature) } else { 0.0 };
-            at[axis] as f64 + shift.clamp(-1.0, 1.0)
+            at[axis] as f64 + parabola::maximum([beside(-1), beside(0), beside(1)])
         })
     }
 }

@@ -8,6 +8,8 @@
 
 use lfpiv_hw::{Optics, RawImage};
 
+use crate::parabola;
+
 /// Bands along the other axis: a rotated array shifts from band to band.
 const BANDS: usize = 6;
 
@@ -192,12 +194,10 @@ impl Axis {
         let best = (-steps..=steps)
             .max_by(|&a, &b| power(a as f64 * step).total_cmp(&power(b as f64 * step)))?;
         let middle = best as f64 * step;
-        let [low, top, high] = [-step, 0.0, step].map(|d| power(middle + d));
-        let curvature = low - 2.0 * top + high;
-        let vertex = if curvature < 0.0 { (low - high) / (2.0 * curvature) } else { 0.0 };
+        let powers = [-step, 0.0, step].map(|d| power(middle + d));
         let stands_out =
-            self.light_square > 0.0 && top > MIN_CONTRAST * MIN_CONTRAST * self.light_square;
-        stands_out.then(|| self.pitch_mm * (1.0 + middle + vertex.clamp(-1.0, 1.0) * step))
+            self.light_square > 0.0 && powers[1] > MIN_CONTRAST * MIN_CONTRAST * self.light_square;
+        stands_out.then(|| self.pitch_mm * (1.0 + middle + parabola::maximum(powers) * step))
     }
 
     /// Σ I exp(i 2π (x − x₀)/P): its angle is the shift of the light from the micro-images'

@@ -13,7 +13,7 @@ mod processor;
 mod scene;
 mod setup;
 
-pub use forecast::{Conditions, Forecast, ForecastError, ForecastPlace, bound, forecast};
+pub use forecast::{Forecast, ForecastError, ForecastPlace, SceneConditions, bound, forecast};
 pub use plan::Plan;
 pub use processor::{ProcessError, Processor};
 pub use setup::{Measurement, SetupError};

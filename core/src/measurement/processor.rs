@@ -86,8 +86,7 @@ impl Processor {
     /// A camera does not see the volume.
     pub fn timed(measurement: Measurement, clock: Clock) -> Result<Self, SetupError> {
         let Measurement { optics, volume, mask, velocimetry, spacing_mm, .. } = &measurement;
-        // Light that crosses a face between the frames must have voxels on both sides of it.
-        let margin = (velocimetry.max_displacement_vox / 2.0).ceil() as usize + 1;
+        let margin = velocimetry.margin_vox();
         let models = Models::new(&measurement, margin, clock)?;
         let layouts = models.configured().reconstructor.layouts();
         let zones = layouts.iter().map(|layout| PhotometricZones::of(optics, layout)).collect();

@@ -47,7 +47,7 @@ pub use closed_surface::{ClosedSurface, SurfaceError};
 pub use explicit::{ExplicitModel, SubsetMatrix};
 pub use grid::VolumeGrid;
 pub use hull::{Hull, photo_hull};
-pub use parts::{Blur, ModelParts};
+pub use parts::{AIRY_SIGMA, Blur, ModelParts};
 pub use point_footprint::{LANES, LensShares, PointBlur, PointCamera, PointFootprint};
 pub use point_image::{LitPixel, PointImager};
 pub use quadrature::QuadratureWeights;

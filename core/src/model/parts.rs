@@ -48,9 +48,9 @@ const DEPTHS: usize = 32;
 /// A uniform distribution of this full width has a variance of 1.
 const WIDTH_OF_UNIT_VARIANCE: f64 = 3.464_101_615_137_754_6;
 
-/// Standard deviation of the Gaussian with the core of an Airy pattern, over wavelength times
+/// Standard deviation of the Gaussian that fits the core of an Airy pattern best, over wavelength times
 /// f-number (Zhang, Zerubia and Olivo-Marin, Applied Optics 46, 2007).
-const AIRY_SIGMA: f64 = 0.42;
+pub const AIRY_SIGMA: f64 = 0.42;
 
 impl Blur {
     /// What diffraction adds: the main lens's Airy pattern on the microlens plane at its working

@@ -217,8 +217,8 @@ impl CubeAxis<'_> {
 
 impl Fan {
     /// The light of the pixel where this column meets `row`.
-    fn pair(&self, row: &Fan, radius_mm: f64) -> Light {
-        let mut pair = Light::default();
+    fn pair(&self, row: &Fan, radius_mm: f64) -> PixelLight {
+        let mut pair = PixelLight::default();
         for (u, light_u) in self.pupil_mm.iter().zip(self.light) {
             for (v, light_v) in row.pupil_mm.iter().zip(row.light) {
                 let light = light_u * light_v;
@@ -234,7 +234,7 @@ impl Fan {
 
 /// Light on one pixel.
 #[derive(Debug, Clone, Copy, Default)]
-struct Light {
+struct PixelLight {
     /// Through the aperture.
     open: f64,
     /// Through a pupil without limit.
@@ -243,10 +243,10 @@ struct Light {
 
 /// Light per pixel of a view, for the few pixels that one voxel reaches.
 #[derive(Debug, Default)]
-struct PixelSums(Vec<(u32, Light)>);
+struct PixelSums(Vec<(u32, PixelLight)>);
 
 impl PixelSums {
-    fn add(&mut self, pixel: u32, light: Light) {
+    fn add(&mut self, pixel: u32, light: PixelLight) {
         match self.0.iter_mut().find(|(known, _)| *known == pixel) {
             Some((_, sum)) => {
                 sum.open += light.open;

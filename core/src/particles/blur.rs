@@ -3,7 +3,10 @@
 use rayon::prelude::*;
 
 use super::fit::FrameFit;
-use crate::model::{PointBlur, PointCamera, PointFootprint};
+use crate::{
+    model::{PointBlur, PointCamera, PointFootprint},
+    parabola,
+};
 
 /// Ratio of successive trial widths.
 const WIDTH_STEP: f64 = 1.4;
@@ -58,7 +61,5 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
             break;
         }
     }
-    let curvature = at[0] - 2.0 * at[1] + at[2];
-    let vertex = if curvature > 0.0 { (at[0] - at[2]) / (2.0 * curvature) } else { 0.0 };
-    blur_of_width((middle + vertex.clamp(-1.0, 1.0) * step).exp(), pixel_mm)
+    blur_of_width((middle + parabola::minimum(at) * step).exp(), pixel_mm)
 }

@@ -103,8 +103,8 @@ impl ParticleImage {
         sum
     }
 
-    fn view(&self) -> kernels::View<'_> {
-        kernels::View {
+    fn view(&self) -> kernels::ImageSlices<'_> {
+        kernels::ImageSlices {
             counts: &self.counts,
             model: &self.model,
             width: self.width,

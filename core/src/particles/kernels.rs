@@ -38,7 +38,7 @@ impl Equations {
 }
 
 /// An image as kernels read it.
-pub struct View<'a> {
+pub struct ImageSlices<'a> {
     pub counts: &'a [u16],
     pub model: &'a [f32],
     pub width: usize,
@@ -87,7 +87,7 @@ struct Pixels {
 impl Pixels {
     /// From the pixels starting at `at`, if they are in the image. The loop is vectorised by the compiler.
     #[inline(always)]
-    fn at<const SPREAD: bool>(view: &View<'_>, at: usize, open: &[u8]) -> Option<Self> {
+    fn at<const SPREAD: bool>(view: &ImageSlices<'_>, at: usize, open: &[u8]) -> Option<Self> {
         let model: &Lanes = view.model.get(at..)?.first_chunk()?;
         let counts: &[u16; LANES] = view.counts.get(at..)?.first_chunk()?;
         let open: &[u8; LANES] = open.first_chunk()?;
@@ -131,7 +131,7 @@ type ColumnSums = [Lanes; 9];
 /// gradient's covariance instead, Σ g gᵀ r² / v², by the residuals themselves (White 1980).
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn equations<const SPREAD: bool>(
-    view: &View<'_>,
+    view: &ImageSlices<'_>,
     open: &[u8],
     open_stride: usize,
     footprint: &PointFootprint,
@@ -196,7 +196,7 @@ fn gather(
 /// Σ g r / v and Σ g² / v with g the image per unit of light: the first entries of [`equations`].
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn light_equation(
-    view: &View<'_>,
+    view: &ImageSlices<'_>,
     open: &[u8],
     open_stride: usize,
     footprint: &PointFootprint,
@@ -247,7 +247,7 @@ mod tests {
 
     /// The naive reference: pixel by pixel, in double precision.
     fn reference(
-        view: &View<'_>,
+        view: &ImageSlices<'_>,
         camera: &PointCamera,
         footprint: &PointFootprint,
     ) -> (Equations, [f64; 2]) {
@@ -301,7 +301,7 @@ mod tests {
         let counts: Vec<u16> = (0..pixels).map(|_| random.random_range(50..300)).collect();
         let model: Vec<f32> = (0..pixels).map(|_| random.random_range(-5.0..200.0)).collect();
         let noise = PixelNoise { dark: 36.0, gain: 0.7, misfit: 0.1 };
-        let view = View {
+        let view = ImageSlices {
             counts: &counts,
             model: &model,
             width,

@@ -21,7 +21,7 @@ pub struct FlowNodes {
 
 /// Direction along an axis of the flow from which a node is extrapolated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Source {
+enum Extrapolation {
     /// The node is in the flow.
     Own,
     Before,
@@ -89,9 +89,9 @@ impl FlowNodes {
             let sources = self.sources(&row);
             for (place, pair) in sources.windows(2).enumerate() {
                 self.linked[row[place]][axis] = match pair {
-                    [Source::Own, Source::Own] => self.is_open(row[place], axis),
-                    [Source::Own, other] => *other == Source::Before,
-                    [other, Source::Own] => *other == Source::Behind,
+                    [Extrapolation::Own, Extrapolation::Own] => self.is_open(row[place], axis),
+                    [Extrapolation::Own, other] => *other == Extrapolation::Before,
+                    [other, Extrapolation::Own] => *other == Extrapolation::Behind,
                     [one, other] => one == other,
                     _ => false,
                 };
@@ -100,18 +100,18 @@ impl FlowNodes {
     }
 
     /// Source of each node of a row; the one before if both are equally near.
-    fn sources(&self, row: &[usize]) -> Vec<Source> {
+    fn sources(&self, row: &[usize]) -> Vec<Extrapolation> {
         let apart = |place: usize, from: Option<usize>| from.map(|from| place.abs_diff(from));
         (0..row.len())
             .map(|place| {
                 let before = (0..place).rev().find(|&other| self.in_flow[row[other]]);
                 let behind = (place + 1..row.len()).find(|&other| self.in_flow[row[other]]);
                 match (apart(place, before), apart(place, behind)) {
-                    _ if self.in_flow[row[place]] => Source::Own,
-                    (None, None) => Source::Nowhere,
-                    (Some(before), Some(behind)) if behind < before => Source::Behind,
-                    (None, Some(_)) => Source::Behind,
-                    (Some(_), _) => Source::Before,
+                    _ if self.in_flow[row[place]] => Extrapolation::Own,
+                    (None, None) => Extrapolation::Nowhere,
+                    (Some(before), Some(behind)) if behind < before => Extrapolation::Behind,
+                    (None, Some(_)) => Extrapolation::Behind,
+                    (Some(_), _) => Extrapolation::Before,
                 }
             })
             .collect()

@@ -1,6 +1,7 @@
 //! From a pair of volumes to a velocity field.
 
 mod b_spline;
+mod cell_divergence;
 mod cloud;
 mod conjugate_gradients;
 mod correlation;
@@ -49,6 +50,6 @@ pub use placing::Placing;
 pub use result::{MeasuredParticle, PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;
 pub use spline_field::Sample;
-pub use tracks::{Particle, particles};
+pub use tracks::{LightPeak, particles};
 pub use unresolved::Unresolved;
 pub use volumes::VolumeInterrogation;

@@ -67,7 +67,7 @@ struct Rendered {
 }
 
 /// Result of a pass in every window.
-struct Found {
+struct WindowResults {
     peaks: Vec<Option<Peak>>,
     /// See [`Interrogation::uncertainties`].
     uncertainty_vox: Vec<Option<[f32; 3]>>,
@@ -212,7 +212,13 @@ impl Interrogation {
     }
 
     /// Deforms by `field` and adds the residual displacement to it.
-    fn pass(&self, a: &PointCloud, b: &PointCloud, field: &mut Lattice, lags: Lags) -> Found {
+    fn pass(
+        &self,
+        a: &PointCloud,
+        b: &PointCloud,
+        field: &mut Lattice,
+        lags: Lags,
+    ) -> WindowResults {
         let frames = self.deformed(a, b, field, lags);
         let shares = self.flow.as_ref().map(|flow| flow.window_shares.as_slice());
         let mut peaks = self.correlate(&self.windows, &frames, shares);
@@ -220,7 +226,7 @@ impl Interrogation {
             flow.drop_outside(&mut peaks);
         }
         field.add(&peaks, self.windows.cell_vox);
-        Found { uncertainty_vox: self.uncertainties(&frames, &peaks), peaks }
+        WindowResults { uncertainty_vox: self.uncertainties(&frames, &peaks), peaks }
     }
 
     /// Result of the search on coarse cells, on the nodes of the windows.

@@ -93,6 +93,12 @@ impl VelocimetrySettings {
 }
 
 impl VelocimetrySettings {
+    /// Voxels around the volume that are reconstructed, too: light that crosses a face between the frames must have
+    /// voxels on both sides of it.
+    pub fn margin_vox(&self) -> usize {
+        (self.max_displacement_vox / 2.0).ceil() as usize + 1
+    }
+
     /// Whether particles may have to be placed in the images of a volume with or without a mask, whose flows on
     /// both sides of a body the field through placed particles would mix.
     pub fn may_place(&self, has_mask: bool) -> bool {

@@ -53,7 +53,7 @@ struct Known<'a> {
 }
 
 /// One component's equations (S + Σ Δᵀ P Δ) d = S y.
-struct Equations {
+struct SmoothingEquations {
     /// 1/σ² of each node, with the unresolved part in σ²; 0 where there is no vector.
     certainty: Vec<f64>,
     /// 1/τ² of every third difference.
@@ -79,7 +79,8 @@ impl Lattice {
                 let value: Vec<f64> = self.values.iter().map(|v| f64::from(v[c])).collect();
                 let square = |u: &Option<[f32; 3]>| u.map(|u| f64::from(u[c]).powi(2));
                 let variance: Vec<Option<f64>> = uncertainty_vox.iter().map(square).collect();
-                Equations::new(layout, &value, &variance, Known { measured, flow }).solve(value)
+                SmoothingEquations::new(layout, &value, &variance, Known { measured, flow })
+                    .solve(value)
             })
             .collect();
         let values = (0..self.values.len())
@@ -89,7 +90,7 @@ impl Lattice {
     }
 }
 
-impl Equations {
+impl SmoothingEquations {
     fn new(layout: Layout, value: &[f64], variance: &[Option<f64>], known: Known) -> Self {
         let squares: [Vec<f64>; 3] =
             std::array::from_fn(|axis| expected_squares(layout, axis, value, variance, known));

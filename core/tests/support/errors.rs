@@ -37,8 +37,7 @@ pub fn true_particles(
     settings: &VelocimetrySettings,
     truth: &Truth,
 ) -> TrueParticles {
-    let margin = (settings.max_displacement_vox / 2.0).ceil() as usize + 1;
-    let interrogation = Interrogation::new(volume, margin, settings);
+    let interrogation = Interrogation::new(volume, settings.margin_vox(), settings);
     let grid = interrogation.cloud_grid();
     let cloud = |frame| {
         let lit = truth.particles.iter().filter_map(|p| Some((p.lit_mm(frame)?, p.intensity)));

@@ -115,7 +115,7 @@ pub fn volume(args: &VolumeArgs) -> anyhow::Result<()> {
 /// [`BEYOND_MM`].
 fn box_mm(config: &Config) -> [[f64; 3]; 2] {
     let volume = &config.volume.grid();
-    let margin = (config.velocimetry.max_displacement_vox / 2.0).ceil() + 1.0;
+    let margin = config.velocimetry.margin_vox() as f64;
     let half = |voxels: usize| (voxels as f64 / 2.0 + margin) * volume.voxel_mm + BEYOND_MM;
     [volume.centre_mm, volume.voxels.map(half)]
 }

@@ -90,7 +90,7 @@ fn scene(config: &Config) -> Scene {
 /// Ratio of the volume to its part. Both are surrounded by voxels that may contain light: half of
 /// the margin is counted.
 fn larger(config: &Config, piece: &Config) -> f64 {
-    let margin = config.velocimetry.max_displacement_vox / 2.0 + 1.0;
+    let margin = config.velocimetry.margin_vox() as f64;
     let along = |axis: usize| {
         let [whole, part] = [config, piece].map(|c| c.volume.voxels[axis] as f64 + margin);
         whole / part

@@ -1,6 +1,6 @@
 //! Variants of a planned bench with one change each.
 
-use lfpiv_core::measurement::{Conditions, Measurement};
+use lfpiv_core::measurement::{Measurement, SceneConditions};
 use lfpiv_hw::Pose;
 use nalgebra::Vector3;
 
@@ -10,16 +10,16 @@ use crate::config::Config;
 pub(super) struct Change {
     pub words: String,
     pub measurement: Measurement,
-    pub conditions: Conditions,
+    pub conditions: SceneConditions,
 }
 
 /// Angle between two cameras, in degrees, below which a wider angle is tried.
 const WIDE_DEGREES: f64 = 80.0;
 
 /// Possible changes of a bench, one at a time.
-pub(super) fn changes(config: &Config, conditions: &Conditions) -> Vec<Change> {
+pub(super) fn changes(config: &Config, conditions: &SceneConditions) -> Vec<Change> {
     let measurement = config.measurement();
-    let with = |words: String, change: &dyn Fn(&mut Measurement, &mut Conditions)| {
+    let with = |words: String, change: &dyn Fn(&mut Measurement, &mut SceneConditions)| {
         let mut changed =
             Change { words, measurement: measurement.clone(), conditions: *conditions };
         change(&mut changed.measurement, &mut changed.conditions);

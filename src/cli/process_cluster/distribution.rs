@@ -18,7 +18,7 @@ use crate::{
     cli::{
         cluster_run::{assignment, print_workers, run_name},
         output::{count, progress_bar},
-        result_writer::ResultWriter,
+        result_writer::ResultThread,
     },
     cluster::{
         Broker, ClusterProgress, Coordinator, CoordinatorSetup, Delivery, DeliveryLog, JobQueue,
@@ -76,7 +76,7 @@ impl Distribution<'_> {
         let model = result.measured.model.clone();
         let assignment = assignment(self.recorded, self.config, (shot, result), false)?;
         let (log, logged) = DeliveryLog::open(self.folder, &assignment, &model)?;
-        let (sink, writer) = ResultWriter::start(store).context("cannot start a thread")?;
+        let (sink, writer) = ResultThread::start(store).context("cannot start a thread")?;
         let tally = taken_up(&shots, logged, &sink)?;
         let setup = CoordinatorSetup {
             run: self.recorded.clone(),

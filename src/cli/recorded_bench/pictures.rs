@@ -17,7 +17,7 @@ use parking_lot::Mutex;
 
 use super::{
     light::is_as_recorded,
-    triggers::{Part, RecordedTrigger, RecordedTriggers},
+    triggers::{Delivered, RecordedTrigger, RecordedTriggers},
 };
 use crate::acquisition::journal::{RecordedRun, RecordedRunError};
 
@@ -143,9 +143,9 @@ impl Reader {
     }
 
     fn deliveries(&self, trigger: &RecordedTrigger) -> anyhow::Result<Vec<Delivery>> {
-        let part = |part: &Part| match part {
-            Part::Missed => Ok(Delivery::Missed),
-            Part::Frames([a, b]) => Ok(Delivery::Frames([self.image(*a)?, self.image(*b)?])),
+        let part = |part: &Delivered| match part {
+            Delivered::Missed => Ok(Delivery::Missed),
+            Delivered::Frames([a, b]) => Ok(Delivery::Frames([self.image(*a)?, self.image(*b)?])),
         };
         trigger.cameras.iter().map(part).collect()
     }

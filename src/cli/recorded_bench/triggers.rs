@@ -19,7 +19,7 @@ use crate::acquisition::{
 
 /// What one camera delivered for a trigger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum Delivered {
     /// Positions of its frames; `None` for a lost or damaged frame.
     Frames([Option<Position>; 2]),
     /// The camera missed the trigger.
@@ -30,7 +30,7 @@ pub(super) enum Part {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RecordedTrigger {
     /// One part per camera.
-    pub cameras: Vec<Part>,
+    pub cameras: Vec<Delivered>,
     /// The schedule of the trigger.
     pub schedule: Arc<PulseSchedule>,
 }
@@ -106,7 +106,7 @@ impl Seen {
     }
 
     fn triggers(&self, cameras: usize) -> RecordedTriggers {
-        let parts: Vec<Vec<Part>> = (0..cameras).map(|camera| self.parts(camera)).collect();
+        let parts: Vec<Vec<Delivered>> = (0..cameras).map(|camera| self.parts(camera)).collect();
         let trigger = |number: u64| {
             // If the start of its burst is damaged, the schedule of the burst before is used.
             let before = self.schedules.range(..=number).next_back().map(|(_, schedule)| schedule);
@@ -118,19 +118,19 @@ impl Seen {
     }
 
     /// The parts of one camera for all triggers.
-    fn parts(&self, camera: usize) -> Vec<Part> {
+    fn parts(&self, camera: usize) -> Vec<Delivered> {
         let mut next = self.first_number(camera);
         let part = |trigger: u64| {
             if let Some(keys) = self.shots.get(&trigger).and_then(|shot| shot.get(camera)) {
                 next = keys[0].frame_id + 2;
-                return Part::Frames(keys.map(|key| self.frames.get(&(camera, key)).copied()));
+                return Delivered::Frames(keys.map(|key| self.frames.get(&(camera, key)).copied()));
             }
             if self.missed.contains(&(camera, trigger)) {
-                return Part::Missed;
+                return Delivered::Missed;
             }
             let numbers = [next, next + 1];
             next += 2;
-            Part::Frames(numbers.map(|number| {
+            Delivered::Frames(numbers.map(|number| {
                 let key = self.numbers.get(&(camera, number))?;
                 self.frames.get(&(camera, *key)).copied()
             }))
@@ -206,13 +206,13 @@ mod tests {
             }
         }
 
-        fn parts(&self) -> Vec<Vec<Part>> {
+        fn parts(&self) -> Vec<Vec<Delivered>> {
             self.0.triggers(2).0.into_iter().map(|trigger| trigger.cameras).collect()
         }
     }
 
-    fn whole(camera: usize, first_id: u64) -> Part {
-        Part::Frames([first_id, first_id + 1].map(|id| Some(place(camera, id))))
+    fn whole(camera: usize, first_id: u64) -> Delivered {
+        Delivered::Frames([first_id, first_id + 1].map(|id| Some(place(camera, id))))
     }
 
     #[test]
@@ -235,13 +235,13 @@ mod tests {
         rig.shot(4, [8, 6]);
         // The run ended before this trigger was complete.
         rig.settled(5, [Outcome::Shed; 2]);
-        let b_lost = Part::Frames([Some(place(0, 2)), None]);
-        let a_damaged = Part::Frames([None, Some(place(0, 7))]);
+        let b_lost = Delivered::Frames([Some(place(0, 2)), None]);
+        let a_damaged = Delivered::Frames([None, Some(place(0, 7))]);
         let wanted = [
             vec![whole(0, 0), whole(1, 0)],
             vec![b_lost, whole(1, 2)],
-            vec![whole(0, 4), Part::Missed],
-            vec![a_damaged, Part::Frames([None; 2])],
+            vec![whole(0, 4), Delivered::Missed],
+            vec![a_damaged, Delivered::Frames([None; 2])],
             vec![whole(0, 8), whole(1, 6)],
         ];
         assert_eq!(rig.parts(), wanted);
@@ -259,8 +259,8 @@ mod tests {
         rig.frame(1, 13, FrameStatus::Complete);
         rig.shot(2, [2, 14]);
         let wanted = [
-            vec![Part::Missed, whole(1, 10)],
-            vec![Part::Frames([None, Some(place(0, 1))]), whole(1, 12)],
+            vec![Delivered::Missed, whole(1, 10)],
+            vec![Delivered::Frames([None, Some(place(0, 1))]), whole(1, 12)],
             vec![whole(0, 2), whole(1, 14)],
         ];
         assert_eq!(rig.parts(), wanted);
@@ -276,8 +276,8 @@ mod tests {
         rig.settled(2, [Outcome::Unpaired, Outcome::MissedTrigger]);
         let wanted = [
             vec![whole(0, 0), whole(1, 0)],
-            vec![Part::Missed; 2],
-            vec![whole(0, 2), Part::Missed],
+            vec![Delivered::Missed; 2],
+            vec![whole(0, 2), Delivered::Missed],
         ];
         assert_eq!(rig.parts(), wanted);
     }

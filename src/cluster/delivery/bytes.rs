@@ -121,7 +121,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Delivery, String> {
     if digest(&SHA256, content).as_ref() != checksum {
         return Err("its bytes have changed on the way".into());
     }
-    let mut from = Source(&content[MAGIC.len()..]);
+    let mut from = Unread(&content[MAGIC.len()..]);
     match from.u32() {
         Some(PROTOCOL) => {}
         version => return Err(format!("it has version {version:?}, and this is {PROTOCOL}")),
@@ -145,7 +145,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Delivery, String> {
     }
 }
 
-fn take_delivery(from: &mut Source<'_>) -> Option<Delivery> {
+fn take_delivery(from: &mut Unread<'_>) -> Option<Delivery> {
     let attempt = Attempt { issue: from.u32()?, delivery: from.u32()? };
     let worker = from.text()?;
     let seconds = StageSeconds {
@@ -164,7 +164,7 @@ fn take_delivery(from: &mut Source<'_>) -> Option<Delivery> {
             clock_synchronised: from.flag()?,
         })
     })?;
-    let warnings = from.list(Source::text)?;
+    let warnings = from.list(Unread::text)?;
     let fit = from.optional(take_fit)?;
     let field = take_field(from)?;
     let particles = from.optional(|from| from.list(take_particle))?;
@@ -175,56 +175,56 @@ fn take_delivery(from: &mut Source<'_>) -> Option<Delivery> {
     Some(Delivery { shot, attempt, worker, model_sha256, result })
 }
 
-fn take_fit(from: &mut Source<'_>) -> Option<ModelFit> {
+fn take_fit(from: &mut Unread<'_>) -> Option<ModelFit> {
     Some(ModelFit {
         verdict: from.index(&VERDICTS)?,
         cameras: from.list(|from| {
             Some(CameraFit {
                 unexplained: from.f64()?,
-                micro_image_offset_px: from.optional(Source::f64)?,
+                micro_image_offset_px: from.optional(Unread::f64)?,
             })
         })?,
-        camera_agreement: from.optional(Source::f64)?,
-        camera_disparity_mm: from.optional(Source::f64)?,
+        camera_agreement: from.optional(Unread::f64)?,
+        camera_disparity_mm: from.optional(Unread::f64)?,
         valid_share: from.f64()?,
-        causes: from.list(Source::text)?,
+        causes: from.list(Unread::text)?,
     })
 }
 
-fn take_field(from: &mut Source<'_>) -> Option<VelocityField> {
-    let count = |from: &mut Source<'_>| usize::try_from(from.u64()?).ok();
+fn take_field(from: &mut Unread<'_>) -> Option<VelocityField> {
+    let count = |from: &mut Unread<'_>| usize::try_from(from.u64()?).ok();
     let vectors = [count(from)?, count(from)?, count(from)?];
     let first_mm = [from.f64()?, from.f64()?, from.f64()?];
     let (spacing_mm, voxel_mm, dt_s) = (from.f64()?, from.f64()?, from.f64()?);
-    let triple = |from: &mut Source<'_>| Some([from.f32()?, from.f32()?, from.f32()?]);
+    let triple = |from: &mut Unread<'_>| Some([from.f32()?, from.f32()?, from.f32()?]);
     Some(VelocityField {
         grid: VectorGrid { vectors, first_mm, spacing_mm },
         displacement_vox: from.list(triple)?,
         uncertainty_vox: from.list(triple)?,
         vorticity: from.list(triple)?,
-        peak_ratio: from.list(Source::f32)?,
-        divergence: from.list(Source::f32)?,
+        peak_ratio: from.list(Unread::f32)?,
+        divergence: from.list(Unread::f32)?,
         status: from.list(|from| from.index(&STATUS))?,
-        has_gradient: from.list(Source::flag)?,
+        has_gradient: from.list(Unread::flag)?,
         voxel_mm,
         dt_s,
     })
 }
 
 /// The projections of a frame's light, each with all of its pixels.
-fn take_light(from: &mut Source<'_>) -> Option<FrameLight> {
+fn take_light(from: &mut Unread<'_>) -> Option<FrameLight> {
     let projections = [take_plane(from)?, take_plane(from)?, take_plane(from)?];
     Some(FrameLight { volume: None, projections })
 }
 
-fn take_plane(from: &mut Source<'_>) -> Option<MaximumProjection> {
+fn take_plane(from: &mut Unread<'_>) -> Option<MaximumProjection> {
     let size = [from.u32()? as usize, from.u32()? as usize];
-    let intensity = from.list(Source::f32)?;
+    let intensity = from.list(Unread::f32)?;
     (size[0].checked_mul(size[1]) == Some(intensity.len()))
         .then_some(MaximumProjection { size, intensity })
 }
 
-fn take_particle(from: &mut Source<'_>) -> Option<MeasuredParticle> {
+fn take_particle(from: &mut Unread<'_>) -> Option<MeasuredParticle> {
     let mut particle = MeasuredParticle {
         at_mm: [from.f64()?, from.f64()?, from.f64()?],
         displacement_vox: [from.f32()?, from.f32()?, from.f32()?],
@@ -283,9 +283,9 @@ impl Sink {
 }
 
 /// The bytes that are left. `None`: there are too few, or they mean nothing.
-struct Source<'a>(&'a [u8]);
+struct Unread<'a>(&'a [u8]);
 
-impl Source<'_> {
+impl Unread<'_> {
     fn array<const N: usize>(&mut self) -> Option<[u8; N]> {
         let (found, left) = self.0.split_first_chunk()?;
         self.0 = left;

@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use rand::RngExt;
 use rayon::prelude::*;
 
-use super::{Conditions, ForecastPlace, footprint::Cameras, generator};
+use super::{ForecastPlace, SceneConditions, footprint::Cameras, generator};
 use crate::{measurement::Measurement, model::ModelError};
 
 /// Positions along each axis at which the uncertainty is computed.
@@ -27,7 +27,7 @@ const PARTICLES: usize = 12;
 /// A camera does not see the volume, or it reaches too deep for the lens.
 pub fn bound(
     measurement: &Measurement,
-    conditions: &Conditions,
+    conditions: &SceneConditions,
 ) -> Result<Vec<ForecastPlace>, ModelError> {
     let Measurement { optics, volume, velocimetry, .. } = measurement;
     let size_mm = volume.voxels.map(|voxels| voxels as f64 * volume.voxel_mm);

@@ -6,19 +6,15 @@ use rand::RngExt;
 use rand_distr::StandardNormal;
 use rayon::prelude::*;
 
-use super::{Conditions, generator};
+use super::{SceneConditions, generator};
 use crate::{
     measurement::Measurement,
-    model::{CameraCalibration, ModelError, PointBlur, PointCamera, PointFootprint},
+    model::{AIRY_SIGMA, CameraCalibration, ModelError, PointBlur, PointCamera, PointFootprint},
 };
-
-/// Standard deviation of the Gaussian that is nearest to an Airy disc, in wavelengths times the f-number (Zhang,
-/// Zerubia and Olivo-Marin, Appl. Opt. 46, 2007).
-const AIRY_DEVIATION: f64 = 0.42;
 
 /// A point of light.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Source {
+pub(super) struct PointSource {
     pub at_mm: [f64; 3],
     /// Its brightness over that of the mean particle.
     pub brightness: f64,
@@ -27,19 +23,22 @@ pub(super) struct Source {
 /// All cameras and their sensors.
 pub(super) struct Exposures<'a> {
     cameras: Vec<PointCamera>,
-    conditions: &'a Conditions,
+    conditions: &'a SceneConditions,
 }
 
 impl<'a> Exposures<'a> {
     /// # Errors
     /// A camera does not see the volume, or it reaches too deep for the lens.
-    pub fn new(measurement: &Measurement, conditions: &'a Conditions) -> Result<Self, ModelError> {
+    pub fn new(
+        measurement: &Measurement,
+        conditions: &'a SceneConditions,
+    ) -> Result<Self, ModelError> {
         let Measurement { optics, cameras, calibrations, volume, .. } = measurement;
         let (uncalibrated, pixel_mm) = (CameraCalibration::default(), optics.pixel_pitch_mm());
         // Microlenses have the f-number that the main lens works at: both blur alike.
         let f_number = optics.microlens.focal_length_mm / optics.microlens.pitch_mm;
         let plane_mm =
-            conditions.diffraction_nm.map_or(0.0, |nm| AIRY_DEVIATION * nm * 1e-6 * f_number);
+            conditions.diffraction_nm.map_or(0.0, |nm| AIRY_SIGMA * nm * 1e-6 * f_number);
         let blur = PointBlur { plane_mm, sensor_px: plane_mm / pixel_mm };
         let camera = |(n, pose)| {
             let calibration = calibrations.get(n).unwrap_or(&uncalibrated);
@@ -55,7 +54,7 @@ impl<'a> Exposures<'a> {
     }
 
     /// What camera number `camera` records of `sources`, with the noise of random numbers `stream`.
-    pub fn image(&self, camera: usize, sources: &[Source], stream: u64) -> RawImage {
+    pub fn image(&self, camera: usize, sources: &[PointSource], stream: u64) -> RawImage {
         let camera = &self.cameras[camera];
         let [columns, rows] = camera.sensor_px();
         let electrons = electrons(camera, sources, self.conditions.photoelectrons);
@@ -74,7 +73,7 @@ impl<'a> Exposures<'a> {
     /// The count of a pixel in which so many electrons are expected. Photo-electrons and read-out are normal
     /// together: where a Poisson distribution is not, read-out is larger.
     fn count(&self, electrons: f64, deviate: f64) -> u16 {
-        let Conditions { background_electrons, read_noise_electrons, .. } = *self.conditions;
+        let SceneConditions { background_electrons, read_noise_electrons, .. } = *self.conditions;
         let mean = electrons + background_electrons;
         let seen = mean + (mean + read_noise_electrons * read_noise_electrons).sqrt() * deviate;
         let counts = self.conditions.offset_counts + self.conditions.counts_per_electron * seen;
@@ -84,7 +83,7 @@ impl<'a> Exposures<'a> {
 }
 
 /// Photo-electrons of sources of which the mean one releases `photoelectrons`.
-fn electrons(camera: &PointCamera, sources: &[Source], photoelectrons: f64) -> Vec<f32> {
+fn electrons(camera: &PointCamera, sources: &[PointSource], photoelectrons: f64) -> Vec<f32> {
     let [width, height] = camera.sensor_px();
     let (open, stride) = (camera.open_shares(), camera.open_stride());
     // Open shares are in steps of 1/255.

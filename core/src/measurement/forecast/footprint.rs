@@ -4,7 +4,7 @@ use lfpiv_hw::{Optics, Pose};
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use rand::RngExt;
 
-use super::{Conditions, generator};
+use super::{SceneConditions, generator};
 use crate::{
     lightfield::{MicrolensWindow, ViewLayout},
     measurement::Measurement,
@@ -29,7 +29,7 @@ pub(super) struct Cameras<'a> {
 impl<'a> Cameras<'a> {
     pub fn new(
         measurement: &'a Measurement,
-        conditions: &Conditions,
+        conditions: &SceneConditions,
         per_mm3: f64,
     ) -> Result<Self, ModelError> {
         let Measurement { optics, cameras, volume, .. } = measurement;
@@ -64,7 +64,7 @@ impl<'a> Cameras<'a> {
     fn variance(
         &self,
         camera: usize,
-        conditions: &Conditions,
+        conditions: &SceneConditions,
         per_mm3: f64,
     ) -> Result<f64, ModelError> {
         let (imager, pose) = (self.imager(camera)?, &self.poses[camera]);

@@ -20,7 +20,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use thiserror::Error;
 
-use self::trial::Bench;
+use self::trial::SimulatedBench;
 use super::{Measurement, ProcessError, SetupError};
 use crate::{model::ModelError, velocimetry::VectorGrid};
 pub use bound::bound;
@@ -37,7 +37,7 @@ const MOST_PAIRS: usize = 12;
 
 /// What is in front of the cameras.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Conditions {
+pub struct SceneConditions {
     /// Particles per microlens: their number over that of the microlens pitches on the volume's face along x
     /// and y.
     pub ppm: f64,
@@ -106,15 +106,15 @@ impl From<ModelError> for ForecastError {
 /// A camera does not see the volume, or it reaches too deep for the lens.
 pub fn forecast(
     measurement: &Measurement,
-    conditions: &Conditions,
+    conditions: &SceneConditions,
 ) -> Result<Forecast, ForecastError> {
-    let bench = Bench::new(measurement, conditions)?;
+    let bench = SimulatedBench::new(measurement, conditions)?;
     let vectors = bench.vector_grid().len().max(1);
     after_pairs(&bench, VECTORS.div_ceil(vectors).clamp(1, MOST_PAIRS))
 }
 
 /// The forecast from so many pairs.
-fn after_pairs(bench: &Bench<'_>, pairs: usize) -> Result<Forecast, ForecastError> {
+fn after_pairs(bench: &SimulatedBench<'_>, pairs: usize) -> Result<Forecast, ForecastError> {
     let grid = bench.vector_grid();
     let mut sums = vec![([0.0; 3], 0usize); grid.len()];
     let mut in_flow = 0;

@@ -29,7 +29,7 @@ fn bench(cameras: Vec<Pose>) -> Measurement {
     }
 }
 
-const CONDITIONS: Conditions = Conditions {
+const CONDITIONS: SceneConditions = SceneConditions {
     ppm: 0.3,
     intensity_spread: 0.2,
     photoelectrons: 100_000.0,
@@ -61,12 +61,13 @@ fn one_camera_knows_depth_badly_and_two_know_all_three() {
 
 #[test]
 fn less_light_and_fewer_particles_cost_accuracy() {
-    let of =
-        |seeding: &Conditions| median(&bound(&bench(test_bench::poses()), seeding).unwrap(), 0);
-    let dim = Conditions { photoelectrons: 500.0, ..CONDITIONS };
+    let of = |seeding: &SceneConditions| {
+        median(&bound(&bench(test_bench::poses()), seeding).unwrap(), 0)
+    };
+    let dim = SceneConditions { photoelectrons: 500.0, ..CONDITIONS };
     assert!(of(&dim) > 3.0 * of(&CONDITIONS), "{} {}", of(&dim), of(&CONDITIONS));
     // Where particles lie over each other more of them do not help: each is known worse.
-    let dense = Conditions { ppm: 1.0, ..CONDITIONS };
+    let dense = SceneConditions { ppm: 1.0, ..CONDITIONS };
     let ratio = of(&dense) / of(&CONDITIONS);
     assert!((0.9..1.1).contains(&ratio), "{ratio}");
 }
@@ -108,8 +109,8 @@ fn root_mean_square(forecast: &Forecast, component: usize) -> f64 {
 }
 
 /// The forecast of the small bench from two pairs.
-fn of_two_pairs(conditions: &Conditions) -> Forecast {
-    after_pairs(&Bench::new(&small(), conditions).unwrap(), 2).unwrap()
+fn of_two_pairs(conditions: &SceneConditions) -> Forecast {
+    after_pairs(&SimulatedBench::new(&small(), conditions).unwrap(), 2).unwrap()
 }
 
 #[test]
@@ -123,7 +124,7 @@ fn trials_are_worse_than_the_bound_and_the_same_every_time() {
         assert!(expected > least && expected < 0.1, "{expected} {least}");
     }
     // A few electrons in a pixel are below the noise: hardly a vector is valid.
-    let dark = Conditions { photoelectrons: 3000.0, counts_per_electron: 4.0, ..CONDITIONS };
+    let dark = SceneConditions { photoelectrons: 3000.0, counts_per_electron: 4.0, ..CONDITIONS };
     let dark = of_two_pairs(&dark);
     assert!(dark.valid_share < 0.1, "{dark:?}");
 }
@@ -131,13 +132,14 @@ fn trials_are_worse_than_the_bound_and_the_same_every_time() {
 /// What is lit in a pixel, summed over the image, is the light of its particles.
 #[test]
 fn exposures_have_the_light_of_their_sources() {
-    let (bench, dark) = (small(), Conditions { read_noise_electrons: 0.0, ..CONDITIONS });
+    let (bench, dark) = (small(), SceneConditions { read_noise_electrons: 0.0, ..CONDITIONS });
     let exposures = exposure::Exposures::new(&bench, &dark).unwrap();
-    let sum = |sources: &[exposure::Source]| -> f64 {
+    let sum = |sources: &[exposure::PointSource]| -> f64 {
         let image = exposures.image(1, sources, 7);
         image.counts().iter().map(|&count| f64::from(count)).sum()
     };
-    let source = |x: f64, brightness: f64| exposure::Source { at_mm: [x, 0.4, -0.7], brightness };
+    let source =
+        |x: f64, brightness: f64| exposure::PointSource { at_mm: [x, 0.4, -0.7], brightness };
     let light = sum(&[source(0.3, 1.0), source(-0.9, 0.5)]) - sum(&[]);
     // Both images have the same stationary light and, where there is no particle, the same noise.
     assert!((light / (1.5 * dark.photoelectrons) - 1.0).abs() < 0.02, "{light}");

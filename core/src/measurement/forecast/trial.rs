@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 use rand::{Rng, RngExt};
 
 use super::{
-    Conditions, ForecastError,
-    exposure::{Exposures, Source},
+    ForecastError, SceneConditions,
+    exposure::{Exposures, PointSource},
     flow::WavyFlow,
     generator,
 };
@@ -16,10 +16,10 @@ use crate::{
 };
 
 /// A bench with what it measures.
-pub(super) struct Bench<'a> {
+pub(super) struct SimulatedBench<'a> {
     exposures: Exposures<'a>,
     processor: Processor,
-    conditions: &'a Conditions,
+    conditions: &'a SceneConditions,
 }
 
 /// Errors of a pair.
@@ -30,12 +30,12 @@ pub(super) struct Errors {
     pub in_flow: usize,
 }
 
-impl<'a> Bench<'a> {
+impl<'a> SimulatedBench<'a> {
     /// # Errors
     /// A camera does not see the volume, or it reaches too deep for the lens.
     pub fn new(
         measurement: &Measurement,
-        conditions: &'a Conditions,
+        conditions: &'a SceneConditions,
     ) -> Result<Self, ForecastError> {
         let exposures = Exposures::new(measurement, conditions)?;
         let mut measurement = measurement.clone();
@@ -81,7 +81,7 @@ impl<'a> Bench<'a> {
     }
 
     /// The particles that are lit in frames a and b: those in the volume then, and not in a body.
-    fn particles(&self, flow: &WavyFlow, random: &mut impl Rng) -> [Vec<Source>; 2] {
+    fn particles(&self, flow: &WavyFlow, random: &mut impl Rng) -> [Vec<PointSource>; 2] {
         let Measurement { optics, volume, velocimetry, mask, .. } = self.processor.measurement();
         let size_mm = volume.voxels.map(|voxels| voxels as f64 * volume.voxel_mm);
         let per_mm3 = self.conditions.ppm / optics.object_pitch_mm().powi(2) / size_mm[2];
@@ -102,7 +102,7 @@ impl<'a> Bench<'a> {
             for (frame, at_mm) in frames.iter_mut().zip(flow.in_frames(middle_mm)) {
                 let at_mm = at_mm.into();
                 if is_lit(at_mm) {
-                    frame.push(Source { at_mm, brightness: 1.0 + spread });
+                    frame.push(PointSource { at_mm, brightness: 1.0 + spread });
                 }
             }
         }

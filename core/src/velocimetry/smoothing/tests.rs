@@ -23,7 +23,7 @@ fn likeliest(field: &Lattice, uncertainty_vox: &[Option<[f32; 3]>]) -> Lattice {
 }
 
 /// The same equations as a dense matrix, solved directly.
-fn solved_directly(equations: &Equations, measured: &[f64]) -> Vec<f64> {
+fn solved_directly(equations: &SmoothingEquations, measured: &[f64]) -> Vec<f64> {
     let count = measured.len();
     let mut matrix = DMatrix::from_diagonal(&DVector::from_column_slice(&equations.certainty));
     let right = &matrix * DVector::from_column_slice(measured);
@@ -51,7 +51,7 @@ proptest! {
         let layout = Layout { nodes: NODES };
         let (value, deviation): (Vec<f64>, Vec<f64>) = noise.into_iter().unzip();
         let variance: Vec<Option<f64>> = deviation.iter().map(|d| Some(d * d)).collect();
-        let equations = Equations::new(
+        let equations = SmoothingEquations::new(
             layout,
             &value,
             &variance,

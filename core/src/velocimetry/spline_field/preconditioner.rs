@@ -16,11 +16,11 @@ use super::{
 pub struct Preconditioner<'a> {
     modes: &'a Modes,
     /// Per vector.
-    parts: Vec<Part>,
+    parts: Vec<Factors>,
 }
 
 /// Factors for one vector of coefficients.
-struct Part {
+struct Factors {
     /// Inverse of the equations' diagonal in the modes.
     inverse: Vec<Lane>,
     /// Root of the ratio of the mean diagonal to each coefficient's own: accounts for non-uniform data.
@@ -31,7 +31,7 @@ impl<'a> Preconditioner<'a> {
     /// For equations on the lattice of `modes`.
     pub fn new(modes: &'a Modes, equations: &Equations) -> Self {
         let vectors = 0..equations.weights.len();
-        let parts = vectors.into_par_iter().map(|c| Part::new(modes, equations, c)).collect();
+        let parts = vectors.into_par_iter().map(|c| Factors::new(modes, equations, c)).collect();
         Self { modes, parts }
     }
 
@@ -44,7 +44,7 @@ impl<'a> Preconditioner<'a> {
     }
 }
 
-impl Part {
+impl Factors {
     fn new(modes: &Modes, equations: &Equations, c: usize) -> Self {
         let layout = equations.nodes.layout;
         let cells = equations.nodes.all_cells() as f64;

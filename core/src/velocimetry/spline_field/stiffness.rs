@@ -2,6 +2,7 @@
 //! (Craven and Wahba, Numer. Math. 31, 1979).
 
 use super::lanes::{LANES, Lane};
+use crate::parabola;
 
 /// Trial penalties, one per lane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,11 +37,8 @@ impl Ladder {
         let least = (0..LANES).fold(0, |best, l| if scores[l] < scores[best] { l } else { best });
         let mut rung = least as f32;
         if (1..LANES - 1).contains(&least) {
-            let [below, here, above] = [scores[least - 1], scores[least], scores[least + 1]];
-            let curvature = below - 2.0 * here + above;
-            if curvature > 0.0 {
-                rung += (0.5 * (below - above) / curvature) as f32;
-            }
+            let around = [scores[least - 1], scores[least], scores[least + 1]];
+            rung += parabola::minimum(around) as f32;
         }
         (self.first * libm::powf(self.ratio, rung), least)
     }

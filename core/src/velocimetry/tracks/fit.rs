@@ -121,8 +121,7 @@ impl<'a> Fit<'a> {
             variance: std::array::from_fn(|c| variances(uncertainty_vox, c)),
             // The third difference of an error with a window's length scale is proportional to the cube of the step.
             unresolved_share: f64::from(field.step_vox / window_step_vox).powi(6),
-            divergence: incompressible
-                .then(|| Divergence { layout, step_vox: f64::from(field.step_vox) }),
+            divergence: incompressible.then(|| Divergence::new(layout, f64::from(field.step_vox))),
             penalties: [unknown.clone(), unknown.clone(), unknown],
             counts: vec![0.0; count],
             densities: std::array::from_fn(|_| vec![0.0; count]),

@@ -12,7 +12,7 @@ mod samples;
 mod spline;
 mod variance;
 
-pub use self::particles::{Particle, particles};
+pub use self::particles::{LightPeak, particles};
 pub use self::spline::Spline;
 use self::{
     fit::Fit,
@@ -83,10 +83,10 @@ pub fn follow(
     };
     let [a, b] = frames;
     let (a, b) = rayon::join(|| in_flow(a), || in_flow(b));
-    let frames: [&[Particle]; 2] = [&a, &b];
+    let frames: [&[LightPeak]; 2] = [&a, &b];
     let fit_on = |nodes: Lattice, uncertainty_vox: &[Option<[f32; 3]>], level: usize| {
         let flow = flow.map(|flow| &flow.splines[level]);
-        Stage::new(nodes, uncertainty_vox, (field.step_vox, incompressible), flow)
+        SplineFit::new(nodes, uncertainty_vox, (field.step_vox, incompressible), flow)
     };
     let mut stage = fit_on(field.clone(), uncertainty_vox, 0);
     stage.iterate(frames, COARSE_UNCONVERGED_SHARE);
@@ -145,13 +145,13 @@ fn larger(
 }
 
 /// A field on nodes of one spacing, and its fit.
-struct Stage<'a> {
+struct SplineFit<'a> {
     nodes: Lattice,
     spline: Spline,
     fit: Fit<'a>,
 }
 
-impl<'a> Stage<'a> {
+impl<'a> SplineFit<'a> {
     fn new(
         nodes: Lattice,
         uncertainty_vox: &[Option<[f32; 3]>],
@@ -167,7 +167,7 @@ impl<'a> Stage<'a> {
 
     /// Pairs particles by the field and fits the field to them, until at most `unconverged_share` of its components
     /// change.
-    fn iterate(&mut self, frames: [&[Particle]; 2], unconverged_share: f64) {
+    fn iterate(&mut self, frames: [&[LightPeak]; 2], unconverged_share: f64) {
         for _ in 0..FAR_ROUNDS {
             let before = self.spline.on_nodes(&self.nodes);
             self.adjust(&pairs(&self.spline, frames, FARTHEST_VOX));

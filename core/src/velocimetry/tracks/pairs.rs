@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{particles::Particle, spline::Spline};
+use super::{particles::LightPeak, spline::Spline};
 use crate::particles::Neighbours;
 
 /// Largest search radius about the position that the field predicts, in voxels: about the particle spacing at
@@ -25,8 +25,8 @@ pub struct Pair {
 /// The particles of frames a and b that are each other's nearest once both frames are moved to the
 /// middle of the pair along `field`, no further apart than `reach_vox`, which is at most
 /// [`FARTHEST_VOX`]; in the order of frame a.
-pub fn pairs(field: &Spline, [a, b]: [&[Particle]; 2], reach_vox: f32) -> Vec<Pair> {
-    let moved = |particles: &[Particle], sign: f32| -> Vec<[f32; 3]> {
+pub fn pairs(field: &Spline, [a, b]: [&[LightPeak]; 2], reach_vox: f32) -> Vec<Pair> {
+    let moved = |particles: &[LightPeak], sign: f32| -> Vec<[f32; 3]> {
         particles.par_iter().map(|p| field.middle_of_path(p.at_vox, sign)).collect()
     };
     let (middle_a, middle_b) = (moved(a, 1.0), moved(b, -1.0));

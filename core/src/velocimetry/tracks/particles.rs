@@ -21,7 +21,7 @@ const ROUNDS: usize = 3;
 
 /// A particle: an intensity peak, in voxels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Particle {
+pub struct LightPeak {
     /// Its centre.
     pub at_vox: [f32; 3],
     /// Variance of its light along x, y, z.
@@ -31,7 +31,7 @@ pub struct Particle {
 }
 
 /// The particles in a cloud.
-pub fn particles(cloud: &PointCloud) -> Vec<Particle> {
+pub fn particles(cloud: &PointCloud) -> Vec<LightPeak> {
     let points = Neighbours::new(&cloud.position_vox, REACH_VOX);
     let brightness: Vec<f32> = cloud
         .position_vox
@@ -72,7 +72,7 @@ pub fn particles(cloud: &PointCloud) -> Vec<Particle> {
 }
 
 /// Moments of the light that is nearest to each peak. Peaks without light keep their position.
-fn gathered(cloud: &PointCloud, peaks: &[[f32; 3]]) -> Vec<Particle> {
+fn gathered(cloud: &PointCloud, peaks: &[[f32; 3]]) -> Vec<LightPeak> {
     let neighbours = Neighbours::new(peaks, REACH_VOX);
     let nearest: Vec<Option<usize>> =
         cloud.position_vox.par_iter().map(|&at| neighbours.nearest(at, REACH_VOX)).collect();
@@ -112,16 +112,16 @@ impl Moments {
     ///
     /// Its centre weights points by the root of their light, because a multiplicative solver overestimates the
     /// voxel nearest to a particle and underestimates its neighbours.
-    fn particle(&self, peak: [f32; 3]) -> Particle {
+    fn particle(&self, peak: [f32; 3]) -> LightPeak {
         if self.light <= 0.0 {
-            return Particle { at_vox: peak, spread_vox2: [0.0; 3], light: 0.0 };
+            return LightPeak { at_vox: peak, spread_vox2: [0.0; 3], light: 0.0 };
         }
         let variance = |axis: usize| {
             let mean = self.place[axis] / self.light;
             (self.square[axis] / self.light - mean * mean).max(0.0) as f32
         };
         let centre = |axis: usize| peak[axis] + (self.place_by_root[axis] / self.root) as f32;
-        Particle {
+        LightPeak {
             at_vox: std::array::from_fn(centre),
             spread_vox2: std::array::from_fn(variance),
             light: self.light as f32,

@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 use super::{
     super::{differences::Penalty, layout::Layout, nodes::Taps},
     pairs::Pair,
-    particles::Particle,
+    particles::LightPeak,
     samples::{add_transposed, values_at},
     variance::{Waves, near_faces},
     *,
@@ -164,7 +164,7 @@ fn particles_are_the_centres_of_intensity_peaks() {
     let found = particles(&cloud);
     assert_eq!(found.len(), centres.len());
     for centre in centres {
-        let nearest = |p: &&Particle| (0..3).all(|c| (p.at_vox[c] - centre[c]).abs() < 1e-4);
+        let nearest = |p: &&LightPeak| (0..3).all(|c| (p.at_vox[c] - centre[c]).abs() < 1e-4);
         assert!(found.iter().find(nearest).is_some(), "{centre:?}");
     }
 }
@@ -326,7 +326,7 @@ fn pairs_are_each_others_nearest() {
     let spline = Spline::through(&lattice(|_| [1.0, 0.0, 0.0]), None);
     let a = [[10.0, 10.0, 10.0], [20.0, 20.0, 20.0], [20.3, 20.0, 20.0], [12.0, 30.0, 30.0]];
     let b = [[21.0, 20.0, 20.1], [11.1, 10.0, 10.0], [14.0, 30.0, 30.0]];
-    let compact = |at_vox| Particle { at_vox, spread_vox2: [0.0; 3], light: 1.0 };
+    let compact = |at_vox| LightPeak { at_vox, spread_vox2: [0.0; 3], light: 1.0 };
     let found = pairs(&spline, [&a.map(compact), &b.map(compact)], 0.7);
     let places: Vec<[f32; 3]> = found.iter().map(|Pair { middle_vox, .. }| *middle_vox).collect();
     assert_eq!(found.len(), 2, "{places:?}");

@@ -4,7 +4,7 @@ use multiversion::multiversion;
 use rayon::prelude::*;
 
 use super::{
-    light::Light,
+    light::CellLight,
     profile::{Rows, add_scaled},
 };
 
@@ -48,7 +48,7 @@ pub struct Cells {
 
 impl Cells {
     /// The [`SUMS`] of two frames that are alike in their cells and have a border.
-    pub fn products([a, b]: [&Light; 2]) -> Self {
+    pub fn products([a, b]: [&CellLight; 2]) -> Self {
         let ([row, plane], origin) = (a.strides(), a.origin());
         let counts = a.cells.map(|n| n / CELL);
         Self::with(counts, SUMS, |z, rows| {
@@ -194,14 +194,14 @@ mod tests {
     }
 
     /// The definition of [`SUMS`].
-    fn sums_of([a, b]: [&Light; 2], cell: [usize; 3]) -> [f32; SUMS] {
+    fn sums_of([a, b]: [&CellLight; 2], cell: [usize; 3]) -> [f32; SUMS] {
         let ([row, plane], origin) = (a.strides(), a.origin());
         let mut sums = [0.0; SUMS];
         for part in 0..8 {
             let at = [part % 2, part / 2 % 2, part / 4];
             let place = |n: usize| CELL * cell[n] + at[n];
             let here = origin + place(0) + place(1) * row + place(2) * plane;
-            let [a, b] = [a, b].map(Light::stored);
+            let [a, b] = [a, b].map(CellLight::stored);
             for (axis, step) in [1, row, plane].into_iter().enumerate() {
                 let (forward, backward) = (a[here] * b[here + step], a[here + step] * b[here]);
                 sums[axis] += forward - backward;

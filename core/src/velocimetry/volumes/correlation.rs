@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 use super::{
     bricks::Bricks,
-    light::Light,
+    light::CellLight,
     profile::{Profile, Span, add_scaled, sum_columns},
 };
 use crate::velocimetry::{lags::Lags, windows::Windows};
@@ -33,14 +33,19 @@ const BESIDE_LAYER: f32 = 0.5;
 pub struct Correlation<'a> {
     lags: Lags,
     flat: bool,
-    frames: [&'a Light; 2],
+    frames: [&'a CellLight; 2],
     spans: [Vec<Span>; 3],
     bricks: [Bricks; 2],
 }
 
 impl<'a> Correlation<'a> {
     /// Frames a and b, alike in their cells, with at least the border of `lags` around them.
-    pub fn new(windows: &Windows, profile: &Profile, lags: Lags, frames: [&'a Light; 2]) -> Self {
+    pub fn new(
+        windows: &Windows,
+        profile: &Profile,
+        lags: Lags,
+        frames: [&'a CellLight; 2],
+    ) -> Self {
         let spans = profile.spans(windows);
         let bricks = [1, 2].map(|axis| Bricks::of(&spans[axis]));
         Self { lags, flat: profile.is_flat(), frames, spans, bricks }
@@ -167,11 +172,11 @@ mod tests {
     fn naive(
         windows: &Windows,
         profile: &Profile,
-        [a, b]: [&Light; 2],
+        [a, b]: [&CellLight; 2],
         node: [usize; 3],
         s: [i64; 3],
     ) -> f64 {
-        let value = |light: &Light, at: [i64; 3]| {
+        let value = |light: &CellLight, at: [i64; 3]| {
             let [row, plane] = light.strides().map(|stride| stride as i64);
             let place = light.origin() as i64 + at[0] + at[1] * row + at[2] * plane;
             f64::from(light.stored()[place as usize])

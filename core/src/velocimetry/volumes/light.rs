@@ -13,7 +13,7 @@ use crate::{
 
 /// Light on cells of whole voxels, from voxel (0, 0, 0) on; there is none outside.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Light {
+pub struct CellLight {
     /// Cells along x, y, z, stored z, y, x.
     pub cells: [usize; 3],
     /// Edge of a cell, in voxels.
@@ -23,7 +23,7 @@ pub struct Light {
     values: Vec<f32>,
 }
 
-impl Light {
+impl CellLight {
     /// Padding after the last value, for kernels that read whole lanes.
     const SPARE: usize = 32;
 
@@ -182,8 +182,8 @@ pub mod tests {
     use crate::model::VolumeGrid;
 
     /// Random light, the border included.
-    pub fn random_light(cells: [usize; 3], border: usize, seed: u64) -> Light {
-        let mut light = Light::dark(cells, 1, border);
+    pub fn random_light(cells: [usize; 3], border: usize, seed: u64) -> CellLight {
+        let mut light = CellLight::dark(cells, 1, border);
         light.each_stored_plane(|plane, z| {
             let mut random = Pcg64Mcg::seed_from_u64(seed * 1000 + z as u64);
             plane.fill_with(|| random.random_range(-0.5..1.0));
@@ -205,7 +205,7 @@ pub mod tests {
         for (n, expected) in expected.iter().enumerate() {
             assert!((binned.row([n / 3 % 3, n / 9])[n % 3] - expected).abs() < 1e-4);
         }
-        let sum = |light: &Light| light.stored().iter().sum::<f32>();
+        let sum = |light: &CellLight| light.stored().iter().sum::<f32>();
         assert!((sum(&binned) - expected.iter().sum::<f32>()).abs() < 1e-3, "a dark border");
     }
 
@@ -230,7 +230,7 @@ pub mod tests {
         let volume = DenseVolume { grid, intensity };
         let windows =
             Windows { nodes: [3, 2, 2], edge: 16, step: 8, cell_vox: 1.0, first_vox: [7.5; 3] };
-        let light = Light::without_mean(&volume, &windows, &Profile::peaked(16), 1);
+        let light = CellLight::without_mean(&volume, &windows, &Profile::peaked(16), 1);
         assert!(light.stored().iter().all(|value| value.abs() < 1e-3));
     }
 }

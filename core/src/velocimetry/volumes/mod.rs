@@ -14,8 +14,8 @@ mod cells;
 mod correlation;
 mod expansion;
 mod light;
+mod pass;
 mod profile;
-mod stage;
 mod statistics;
 mod warp;
 
@@ -34,19 +34,19 @@ use crate::{
     model::{VolumeGrid, VolumeMask},
     reconstruction::DenseVolume,
 };
-use light::Light;
+use light::CellLight;
+use pass::{Pass, is_layer};
 use profile::Profile;
-use stage::{Stage, is_layer};
 
 /// Interrogation windows on whole volumes.
 pub struct VolumeInterrogation {
     grid: VolumeGrid,
     settings: VelocimetrySettings,
-    search: Stage,
-    coarse: Stage,
-    fine: Stage,
+    search: Pass,
+    coarse: Pass,
+    fine: Pass,
     /// The search's windows with the lags [`BESIDE`].
-    beside: Stage,
+    beside: Pass,
     /// The flow, where the volume has a mask, and the final windows in it.
     flow: Option<(Arc<VolumeMask>, FlowNodes)>,
 }
@@ -86,7 +86,7 @@ impl VolumeInterrogation {
         let search_reach = if is_layer(grid) { LAYER_SEARCH_REACH } else { SEARCH_REACH };
         let search_cell = (sizes.reach / search_reach).ceil().max(1.0) as usize;
         let search_lags = Lags { reach: (sizes.reach / search_cell as f64).ceil() as usize + 1 };
-        let search = Stage::new(
+        let search = Pass::new(
             grid,
             search_cell,
             [sizes.search, sizes.search / 2],
@@ -95,9 +95,9 @@ impl VolumeInterrogation {
         );
         let coarse = sizes.window >= COARSE_WINDOW * COARSE_VOX && search_cell >= COARSE_VOX;
         let [coarse, fine] = [if coarse { COARSE_VOX } else { 1 }, 1].map(|cell| {
-            Stage::new(grid, cell, [sizes.window, sizes.step], Profile::peaked, NEAREST)
+            Pass::new(grid, cell, [sizes.window, sizes.step], Profile::peaked, NEAREST)
         });
-        let beside = Stage { lags: BESIDE, ..search.clone() };
+        let beside = Pass { lags: BESIDE, ..search.clone() };
         let (grid, settings) = (grid.clone(), settings.clone());
         Self { grid, settings, search, coarse, fine, beside, flow: None }
     }
@@ -163,22 +163,22 @@ impl VolumeInterrogation {
         &self,
         [a, b]: [&DenseVolume; 2],
         dt_s: f64,
-        start: impl FnOnce([&Light; 2]) -> Lattice,
+        start: impl FnOnce([&CellLight; 2]) -> Lattice,
     ) -> VelocityField {
         for volume in [a, b] {
             assert_eq!(volume.grid.voxels, self.grid.voxels, "one grid for volumes and windows");
             assert_eq!(volume.intensity.len(), volume.grid.len(), "one number per voxel");
         }
-        let Stage { windows, profile, lags } = &self.fine;
+        let Pass { windows, profile, lags } = &self.fine;
         let level = |volume: &DenseVolume| {
             let in_flow = self.flow.as_ref().map(|(mask, _)| within(volume, mask));
             let volume = in_flow.as_ref().unwrap_or(volume);
-            Light::without_mean(volume, windows, profile, lags.border())
+            CellLight::without_mean(volume, windows, profile, lags.border())
         };
         let (a, b) = rayon::join(|| level(a), || level(b));
         let mut field = start([&a, &b]);
         if self.settings.passes > 2 {
-            let binned = |light: &Light| light.binned(self.coarse.cell_vox(), NEAREST.border());
+            let binned = |light: &CellLight| light.binned(self.coarse.cell_vox(), NEAREST.border());
             let (a, b) = rayon::join(|| binned(&a).splined(), || binned(&b));
             for _ in 2..self.settings.passes {
                 let (known, moved) = self.coarse.warp(&field, &b);
@@ -210,7 +210,7 @@ impl VolumeInterrogation {
     }
 
     /// The predictor from the search.
-    fn searched(&self, frames: [&Light; 2]) -> Lattice {
+    fn searched(&self, frames: [&CellLight; 2]) -> Lattice {
         let stage = &self.search;
         let [a, b] = frames.map(|light| light.binned(stage.cell_vox(), stage.lags.border()));
         let found = stage.search([&a, &b]);
@@ -218,14 +218,14 @@ impl VolumeInterrogation {
     }
 
     /// The most probable field, given the vectors of a stage on coarse cells.
-    fn predictor(&self, stage: &Stage, field: &Lattice, peaks: &[Option<Peak>]) -> Lattice {
+    fn predictor(&self, stage: &Pass, field: &Lattice, peaks: &[Option<Peak>]) -> Lattice {
         let uncertainty_vox = COARSE_UNCERTAINTY * stage.windows.cell_vox;
         let known = vec![Some([uncertainty_vox; 3]); peaks.len()];
         Judge { settings: &self.settings, field, peaks, flow: None }.predictor(&known)
     }
 
     /// The pass on voxels, and its result.
-    fn last(&self, [a, b]: [&Light; 2], field: &Lattice, dt_s: f64) -> VelocityField {
+    fn last(&self, [a, b]: [&CellLight; 2], field: &Lattice, dt_s: f64) -> VelocityField {
         let (known, moved) = self.fine.warp(field, b);
         let mut found = self.fine.correct(known, [a, &moved]);
         let ratios = self.peak_ratios([a, &moved]);
@@ -255,7 +255,7 @@ impl VolumeInterrogation {
 
     /// Peak ratio of every window. The lags of the last pass contain one peak only, so secondary peaks are
     /// searched with the search's windows and cells, in the warped frames.
-    fn peak_ratios(&self, frames: [&Light; 2]) -> Vec<f32> {
+    fn peak_ratios(&self, frames: [&CellLight; 2]) -> Vec<f32> {
         let stage = &self.beside;
         let [a, b] = frames.map(|light| light.binned(stage.cell_vox(), stage.lags.border()));
         let of_search = stage.ratios([&a, &b]);

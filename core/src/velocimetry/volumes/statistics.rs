@@ -10,7 +10,7 @@ use super::{
         BLOCK, CELL, COMMON, COMMON_SQUARES, Cells, ENERGY, MIXED, SQUARES, SUMS, SYMMETRIC,
         SYMMETRIC_SQUARES,
     },
-    light::Light,
+    light::CellLight,
     profile::{Profile, Span},
 };
 use crate::velocimetry::{
@@ -21,13 +21,13 @@ use crate::velocimetry::{
 /// Statistics of every window's peak at zero lag; `None` where there is no peak, and in volumes that are too
 /// thin. Both frames have zero mean, the same cells, and a border. A single layer has no variance across it.
 pub fn statistics_at_zero_lag(
-    frames: [&Light; 2],
+    frames: [&CellLight; 2],
     windows: &Windows,
     profile: &Profile,
 ) -> Vec<Option<PeakStatistics>> {
     if profile.is_flat() {
         // Cells of two layers, of which the windows have half. Blocks beyond the layer have the same squares.
-        let [a, b] = frames.map(Light::doubled_layer);
+        let [a, b] = frames.map(CellLight::doubled_layer);
         return of_windows([&a, &b], windows, profile, BLOCK as f64);
     }
     of_windows(frames, windows, profile, 1.0)
@@ -35,7 +35,7 @@ pub fn statistics_at_zero_lag(
 
 /// The statistics, where blocks that are centred on the cells are every one in `blocks` that hold them.
 fn of_windows(
-    frames: [&Light; 2],
+    frames: [&CellLight; 2],
     windows: &Windows,
     profile: &Profile,
     blocks: f64,

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use multiversion::multiversion;
 
-use super::{expansion::Expansion, light::Light};
+use super::{expansion::Expansion, light::CellLight};
 use crate::velocimetry::{b_spline, lattice::Lattice};
 
 /// Cells interpolated together.
@@ -23,8 +23,8 @@ const INVERSION_STEPS: usize = 2;
 /// Frame b warped onto frame a: the value at x is that of `source` at x + `field`(x), with `field` in voxels
 /// and `source` a sum of cubic B-splines with nodes one cell apart; outside the volume the light is 0. The
 /// result extends `border` cells beyond it.
-pub fn warped(source: &Light, field: &Lattice, border: usize) -> Light {
-    let mut found = Light::dark(source.cells, source.cell_vox, border);
+pub fn warped(source: &CellLight, field: &Lattice, border: usize) -> CellLight {
+    let mut found = CellLight::dark(source.cells, source.cell_vox, border);
     let [row, _] = found.strides();
     let (here, around) = (source.axes(0), source.axes(border));
     let steps = axis_by_axis(field);
@@ -164,7 +164,7 @@ mod tests {
     use super::*;
 
     /// The sum of B-splines at a place, in cells.
-    fn naive(source: &Light, at: [f32; 3]) -> f64 {
+    fn naive(source: &CellLight, at: [f32; 3]) -> f64 {
         let [_, ny, nz] = source.cells;
         let weight = |n: usize, axis: usize| f64::from(b_spline::value(n as f32 - at[axis]));
         let mut sum = 0.0;
@@ -177,8 +177,8 @@ mod tests {
     }
 
     /// Light in waves.
-    fn waves(cells: [usize; 3], cell_vox: usize) -> Light {
-        let mut light = Light::dark(cells, cell_vox, 1);
+    fn waves(cells: [usize; 3], cell_vox: usize) -> CellLight {
+        let mut light = CellLight::dark(cells, cell_vox, 1);
         light.each_row(|row, [y, z]| {
             for (x, light) in row.iter_mut().enumerate() {
                 let wave = |n: usize| 1.0 + (n as f32 * std::f32::consts::TAU / 12.0).sin();
@@ -188,7 +188,7 @@ mod tests {
         light
     }
 
-    fn compare(source: &Light, field: &Lattice, tolerance: f64) {
+    fn compare(source: &CellLight, field: &Lattice, tolerance: f64) {
         let border = 2;
         let found = warped(source, field, border);
         let ([row, plane], axes) = (found.strides(), source.axes(border));

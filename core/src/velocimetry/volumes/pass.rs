@@ -1,8 +1,8 @@
 //! One pass over whole volumes: its windows, cells and lags.
 
 use super::{
-    correlation::Correlation, light::Light, profile::Profile, statistics::statistics_at_zero_lag,
-    warp::warped,
+    correlation::Correlation, light::CellLight, profile::Profile,
+    statistics::statistics_at_zero_lag, warp::warped,
 };
 use crate::{
     model::VolumeGrid,
@@ -17,7 +17,7 @@ use crate::{
 
 /// Windows on cells of whole voxels, starting at the volume's corner, and the lags that are evaluated.
 #[derive(Debug, Clone)]
-pub struct Stage {
+pub struct Pass {
     /// The windows.
     pub windows: Windows,
     /// How they weigh their cells.
@@ -27,7 +27,7 @@ pub struct Stage {
 }
 
 /// Result of a pass.
-pub struct Found {
+pub struct PassResult {
     /// The displacement of every window after the pass.
     pub field: Lattice,
     /// The correlation peak of every window, where there is one.
@@ -42,7 +42,7 @@ pub fn is_layer(grid: &VolumeGrid) -> bool {
 /// Least edge of a window, in cells, that can contain a peak.
 const LEAST_EDGE: usize = 4;
 
-impl Stage {
+impl Pass {
     /// Windows of about `edge_vox` voxels, `step_vox` apart, on cells of `cell_vox` voxels. On a single layer of
     /// voxels windows are squares.
     pub fn new(
@@ -75,12 +75,12 @@ impl Stage {
     }
 
     /// Correlates two frames as they are.
-    pub fn search(&self, frames: [&Light; 2]) -> Found {
+    pub fn search(&self, frames: [&CellLight; 2]) -> PassResult {
         self.found(self.windows.at_rest(), frames, |values| highest_peak(self.lags, values))
     }
 
     /// `field` on this stage's windows, and frame b warped by it.
-    pub fn warp(&self, field: &Lattice, b: &Light) -> (Lattice, Light) {
+    pub fn warp(&self, field: &Lattice, b: &CellLight) -> (Lattice, CellLight) {
         let own = self.windows.at_rest();
         let known =
             if own.is_over(field) { field.clone() } else { own.sampling(|at| field.at(at)) };
@@ -89,13 +89,13 @@ impl Stage {
     }
 
     /// Corrects the field by which frame b was warped, from the lags next to zero.
-    pub fn correct(&self, known: Lattice, frames: [&Light; 2]) -> Found {
+    pub fn correct(&self, known: Lattice, frames: [&CellLight; 2]) -> PassResult {
         self.found(known, frames, nearest_peak)
     }
 
     /// Ratio of every window's peak at zero lag to its secondary peaks (x component; see [`ratio_at_zero_lag`]),
     /// for warped frames.
-    pub fn ratios(&self, frames: [&Light; 2]) -> Lattice {
+    pub fn ratios(&self, frames: [&CellLight; 2]) -> Lattice {
         let ratio = |values: &[f32]| [ratio_at_zero_lag(self.lags, values), 0.0, 0.0];
         let values =
             Correlation::new(&self.windows, &self.profile, self.lags, frames).of_windows(ratio);
@@ -106,7 +106,7 @@ impl Stage {
     /// where the correlation coefficient of the frames is at least `least_correlation`.
     pub fn uncertainties(
         &self,
-        frames: [&Light; 2],
+        frames: [&CellLight; 2],
         peaks: &[Option<Peak>],
         least_correlation: f64,
     ) -> Vec<Option<[f32; 3]>> {
@@ -123,12 +123,12 @@ impl Stage {
     fn found(
         &self,
         mut field: Lattice,
-        frames: [&Light; 2],
+        frames: [&CellLight; 2],
         peak: impl Fn(&[f32]) -> Option<Peak> + Sync,
-    ) -> Found {
+    ) -> PassResult {
         let peaks =
             Correlation::new(&self.windows, &self.profile, self.lags, frames).of_windows(peak);
         field.add(&peaks, self.windows.cell_vox);
-        Found { field, peaks }
+        PassResult { field, peaks }
     }
 }
