@@ -101,7 +101,7 @@ fn a_live_camera_says_where_the_card_is() {
         let fake = FakeGigeCamera::start(Ipv4Addr::LOCALHOST, "LF1", size, 12).unwrap();
         let mut live = Live::start(&config);
         // Nothing is in view yet; then an even grey.
-        live.says("cam1, frame 0: no depth is sharper");
+        live.says("no depth is sharper than the others: place a card");
         fake.show(Arc::new(grey(size, 2000))).unwrap();
         live.says("no depth is sharper than the others: place a card");
         fake.show(Arc::new(grey(size, 4095))).unwrap();
