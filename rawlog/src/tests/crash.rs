@@ -234,3 +234,34 @@ fn the_model_disk_loses_unsynced_data() {
     assert!(counts.contains(&0) && counts.iter().any(|count| *count > 1), "{counts:?}");
     assert_eq!(count_right_records(&check_recovery(disk.after_death(disk.operations(), 0), 5)), 5);
 }
+
+/// A log on a disk that fails at its next operation, with three records that are written but not synced.
+fn about_to_fail() -> (ModelDisk, Segments) {
+    let disk = ModelDisk::default();
+    let storage = Arc::new(disk.clone());
+    let mut segments = Segments::create(storage, folder(), DESCRIPTION, &limits()).unwrap();
+    (0..3).for_each(|number| segments.append(&record(number)).unwrap());
+    segments.flush().unwrap();
+    disk.set_faults(Faults { fails_at: Some((0, ErrorKind::StorageFull)), ..Default::default() });
+    (disk, segments)
+}
+
+#[test]
+fn records_before_a_failed_write_are_synced() {
+    let (disk, mut segments) = about_to_fail();
+    assert!(segments.append(&record(3)).and_then(|()| segments.flush()).is_err());
+    segments.rescue();
+    assert_eq!(segments.progress().synced, 3);
+    let left = disk.after_power_cut(disk.operations(), &mut Pcg64Mcg::seed_from_u64(1));
+    check_recovery(left, 3);
+}
+
+/// A second sync may succeed without having written anything.
+#[test]
+fn a_failed_sync_is_not_tried_again() {
+    let (disk, mut segments) = about_to_fail();
+    assert!(segments.sync().is_err());
+    let before = disk.operations();
+    segments.rescue();
+    assert_eq!((disk.operations(), segments.progress().synced), (before, 0));
+}

@@ -31,6 +31,17 @@ fn both_panels_show_every_signal_where_it_is() {
 }
 
 #[test]
+fn ticks_are_below_the_columns_of_their_times() {
+    let text = schedule(100.0).diagram_text();
+    let panel = &text[text.find("whole").unwrap()..];
+    let axis = panel.lines().find(|line| line.contains('|')).unwrap();
+    // 84 columns after the labels for 100 ms.
+    for (column, tick) in [(0, "|0 ms"), (16, "|20 ms"), (33, "|40 ms"), (50, "|60 ms")] {
+        assert!(axis[16 + column..].starts_with(tick), "{axis}");
+    }
+}
+
+#[test]
 fn no_line_of_the_text_is_wider_than_a_terminal() {
     for dt_us in [4.0, 100.0, 1000.0, 20_000.0] {
         let text = schedule(dt_us).diagram_text();
