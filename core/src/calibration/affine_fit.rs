@@ -1,46 +1,46 @@
-//! Six affine parameters through the centres of many micro-images.
+//! Robust fit of an affine grid (six parameters) to the centres of micro-images.
 
 use nalgebra::{Matrix6, SMatrix, SVector};
 
 use crate::lightfield::MicroImageGrid;
 
-/// Centres further from the grid than this many robust standard deviations have no weight.
+/// Centres farther from the grid than this many robust standard deviations are outliers.
 const OUTLIER: f64 = 5.0;
 
-/// A centre is never an outlier this close to the grid, in pixels.
+/// Centres closer to the grid than this, in pixels, are never outliers.
 const NEVER_OUTLIER_PX: f64 = 0.02;
 
 const ROUNDS: usize = 8;
 
-/// One lens of this many is kept out of the fit that is judged.
+/// One lens of this many is held out to measure the residual.
 const HELD_OUT_OF: usize = 5;
 
 /// The centre of one micro-image as an estimator found it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LensCentre {
-    /// The lens' number in its array.
+    /// Index (i, j) of the lens.
     pub lens: [usize; 2],
-    /// Column and row of the centre.
+    /// Column and row of the centre, in pixels.
     pub centre_px: [f64; 2],
-    /// How well it is known: the information matrix [xx, xy, yy], up to a factor.
+    /// Information matrix [xx, xy, yy] of the centre, up to a factor common to all lenses.
     pub information: [f64; 3],
 }
 
-/// A grid through centres.
+/// A grid fitted to centres.
 #[derive(Debug, Clone)]
 pub(super) struct AffineFit {
     pub grid: MicroImageGrid,
-    /// Root mean square of column and row residuals of lenses that took no part in the fit.
+    /// Root-mean-square residuals of held-out lenses along columns and rows, in pixels.
     pub heldout_px: [f64; 2],
-    /// How many lenses that is of.
+    /// Number of held-out lenses.
     pub heldout_lenses: usize,
-    /// The same where centres may also be displaced smoothly over the field, by a polynomial of third order.
+    /// The same after subtracting a smooth displacement, a third-order polynomial over the field.
     pub smooth_heldout_px: [f64; 2],
-    /// Of each centre: whether it is no outlier.
+    /// For each centre: whether it is an inlier.
     pub kept: Vec<bool>,
 }
 
-/// The same lattice, counted from another lens.
+/// The same lattice with lens `first` as lens (0, 0), and this number of lenses along i and j.
 pub(super) fn renumbered(
     grid: &MicroImageGrid,
     first: [i64; 2],
@@ -54,30 +54,31 @@ pub(super) fn renumbered(
     }
 }
 
-/// Fits all centres, and again without every fifth lens, on which the residual is measured.
-/// `None` with too few centres for six parameters.
+/// Fits all centres, and measures the residual of every fifth lens with a fit to the others. `None` if the centres
+/// do not determine six parameters.
 pub(super) fn fit(start: &MicroImageGrid, centres: &[LensCentre]) -> Option<AffineFit> {
     let (grid, kept) = robust(start, centres, |_| true)?;
-    let (judged, _) = robust(start, centres, |centre| !is_held_out(centre.lens))?;
+    let (without_held_out, _) = robust(start, centres, |centre| !is_held_out(centre.lens))?;
     let mut squares = [0.0; 2];
     let mut heldout_lenses = 0;
     for (centre, kept) in centres.iter().zip(&kept) {
         if *kept && is_held_out(centre.lens) {
-            let residual = residual(&judged, centre);
+            let residual = residual(&without_held_out, centre);
             squares = [0, 1].map(|axis| squares[axis] + residual[axis] * residual[axis]);
             heldout_lenses += 1;
         }
     }
     let heldout_px = squares.map(|sum| (sum / f64::from(heldout_lenses.max(1))).sqrt());
-    let smooth_heldout_px = smooth_heldout(&judged, centres, &kept).unwrap_or(heldout_px);
+    let smooth_heldout_px = smooth_heldout(&without_held_out, centres, &kept).unwrap_or(heldout_px);
     let heldout_lenses = heldout_lenses as usize;
     Some(AffineFit { grid, heldout_px, heldout_lenses, smooth_heldout_px, kept })
 }
 
-/// Terms of a polynomial of third order in two variables.
+/// Number of terms of a third-order polynomial in two variables.
 const CUBIC: usize = 10;
 
-/// What is left at held-out lenses of the residuals' part that is no polynomial over the field.
+/// Root-mean-square residuals of held-out lenses after subtracting a third-order polynomial that is fitted to the
+/// residuals of the other lenses.
 fn smooth_heldout(
     grid: &MicroImageGrid,
     centres: &[LensCentre],
@@ -120,7 +121,7 @@ fn smooth_heldout(
     (lenses > 0.0).then(|| squares.map(|sum: f64| (sum / lenses).sqrt()))
 }
 
-/// Every fifth lens, not in rows or columns.
+/// Every fifth lens, distributed over all rows and columns.
 fn is_held_out([i, j]: [usize; 2]) -> bool {
     (i + 2 * j) % HELD_OUT_OF == 0
 }
@@ -130,7 +131,7 @@ fn residual(grid: &MicroImageGrid, centre: &LensCentre) -> [f64; 2] {
     [centre.centre_px[0] - column, centre.centre_px[1] - row]
 }
 
-/// Least squares weighted by information, repeated without outliers.
+/// Least squares weighted by the information matrices, with iterated rejection of outliers.
 fn robust(
     start: &MicroImageGrid,
     centres: &[LensCentre],
@@ -144,7 +145,7 @@ fn robust(
         let distances: Vec<f64> = centres.iter().map(|c| misfit(&grid, c)).collect();
         let mut sorted = distances.clone();
         sorted.sort_by(f64::total_cmp);
-        // The median of a two-dimensional normal distribution's distance is 1.177 deviations.
+        // Median of the Rayleigh distribution: 1.177 standard deviations.
         let deviation = sorted.get(sorted.len() / 2)? / 1.177;
         let before = kept.clone();
         for ((kept, centre), distance) in kept.iter_mut().zip(centres).zip(distances) {
@@ -158,7 +159,7 @@ fn robust(
     Some((grid, kept))
 }
 
-/// Length of a residual in units of its own standard deviation, up to a factor.
+/// Mahalanobis length of a residual, up to a factor common to all lenses.
 fn misfit(grid: &MicroImageGrid, centre: &LensCentre) -> f64 {
     let [x, y] = residual(grid, centre);
     let [xx, xy, yy] = centre.information;
@@ -171,7 +172,7 @@ fn weighted<'a>(
 ) -> Option<MicroImageGrid> {
     let mut normal = Matrix6::<f64>::zeros();
     let mut right = SVector::<f64, 6>::zeros();
-    // Lens numbers near ±1, from the middle of the array: the equations are well conditioned.
+    // Lens indices are scaled to ±1 over the array for a well-conditioned normal matrix.
     let scale = grid.microlenses.map(|count| (count as f64 / 2.0).max(1.0));
     for centre in centres {
         let [u, v] = [0, 1].map(|axis| centre.lens[axis] as f64 / scale[axis] - 1.0);

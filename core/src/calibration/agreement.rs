@@ -1,24 +1,24 @@
-//! How far the two estimators' grids are apart.
+//! Distance between the grids of the two estimators.
 
 use serde::{Deserialize, Serialize};
 
 use crate::lightfield::MicroImageGrid;
 
-/// Distances at 95 % of the lenses and at the worst one, in pixels, within which two grids agree.
+/// Largest 95th percentile and largest maximum of the distance between grids that agree, in pixels.
 const AGREED_PX: [f64; 2] = [0.1, 0.2];
 
-/// Distance of the grids of two estimators that share only their start, over the valid lenses. A residual
-/// says how regular centres are; this says how far they depend on the way they are found.
+/// Distance between the grids of two estimators that share only their initial values. Residuals show how regular
+/// the centres are; this distance shows how much they depend on the method.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Agreement {
-    /// Distance that 95 % of the lenses are within, in pixels.
+    /// 95th percentile of the distance, in pixels.
     pub at_95_percent_px: f64,
     /// The largest distance, in pixels.
     pub worst_px: f64,
 }
 
 impl Agreement {
-    /// Compares two grids, numbered alike, at these lenses.
+    /// Compares two grids with the same numbering at these lenses.
     pub(super) fn of(
         first: &MicroImageGrid,
         other: &MicroImageGrid,

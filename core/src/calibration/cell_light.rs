@@ -1,17 +1,18 @@
-//! The light of every micro-image, summed: which lenses are dark, and what neighbours add to each other.
+//! Mean light of every micro-image, to find dark lenses and the light that neighbours add to each other.
 
 use super::WhiteImage;
 use crate::lightfield::MicroImageGrid;
 
-/// The light under this share of all pixels stands for a black level that was not measured.
+/// Quantile of the pixels that replaces an unmeasured black level.
 const DARKEST_SHARE: f64 = 0.01;
 
-/// Mean light of each lens' cell above the darkest of the image.
+/// Mean light of each lens' cell above the darkest pixels of the image.
 #[derive(Debug, Clone)]
 pub(super) struct CellLight {
     microlenses: [usize; 2],
-    /// Mean light; NaN where less than half of the cell is on the image.
+    /// Mean light; NaN if less than half of the cell is on the image.
     mean: Vec<f64>,
+    /// 90th percentile of the lit lenses.
     bright: f64,
 }
 
@@ -62,21 +63,21 @@ impl CellLight {
         (!light.is_nan()).then_some(light)
     }
 
-    /// What one lens in ten is brighter than.
+    /// Light of bright lenses: the 90th percentile of the lit ones.
     pub fn bright(&self) -> f64 {
         self.bright
     }
 
-    /// A lens' number, if that is one of these.
-    pub fn renumbered(&self, lens: [i64; 2]) -> Option<[usize; 2]> {
+    /// The lens as an unsigned index, if it is in the array.
+    pub fn in_array(&self, lens: [i64; 2]) -> Option<[usize; 2]> {
         let [i, j] = lens.map(|index| usize::try_from(index).ok());
         let lens = [i?, j?];
         (lens[0] < self.microlenses[0] && lens[1] < self.microlenses[1]).then_some(lens)
     }
 
-    /// Mean light of a lens' neighbour. `None` beyond the image.
+    /// Mean light of a lens' neighbour, at least 0. `None` outside the image.
     pub fn of_neighbour(&self, lens: [usize; 2], step: [i64; 2]) -> Option<f64> {
-        let neighbour = self.renumbered([0, 1].map(|axis| lens[axis] as i64 + step[axis]))?;
+        let neighbour = self.in_array([0, 1].map(|axis| lens[axis] as i64 + step[axis]))?;
         self.on_image(neighbour).map(|light| light.max(0.0))
     }
 }

@@ -1,4 +1,4 @@
-//! The first estimator: arcs of common circles through rim points.
+//! First estimator: circles with common radii, fitted to points on the rims.
 
 use rayon::prelude::*;
 
@@ -10,34 +10,36 @@ use super::{
     second_aperture::Field,
 };
 
-/// At most this many lenses, all over the field, decide on the circles.
+/// Largest number of lenses, distributed over the field, for the fit of common parameters.
 const MOST_LENSES: usize = 1500;
 
-/// Points further from the rim than this many robust standard deviations are dust.
+/// Points farther from the rim than this many robust standard deviations are outliers.
 const OUTLIER: f64 = 5.0;
 
-/// The error of a rim point is taken to be at least this, in pixels.
+/// Least standard deviation of a rim point, in pixels.
 const LEAST_ERROR_PX: f64 = 0.04;
 
-/// A centre needs this many points, and this much of each direction: rim points seen at right angles.
+/// Least number of rim points of a centre.
 const LEAST_POINTS: usize = 8;
-const LEAST_ACROSS: f64 = 1.5;
 
-/// What the arcs say.
+/// Least eigenvalue of the information matrix of a centre. Each rim point contributes 1 along its normal.
+const LEAST_EIGENVALUE: f64 = 1.5;
+
+/// Result of the fit.
 #[derive(Debug, Clone)]
 pub(super) struct Arcs {
     pub circles: RimModel,
     pub centres: Vec<LensCentre>,
 }
 
-/// Fits common circles, from a first guess of them, to the rims of these lenses, and then each lens'
-/// own centre.
+/// Fits the parameters common to all rims of these lenses, starting from `circles`, and then the centre of each
+/// lens.
 pub(super) fn fit(image: &WhiteImage, circles: RimModel, lenses: &[[usize; 2]]) -> Option<Arcs> {
     let field = Field::of(image.columns(), image.rows());
-    // A stride without a common divisor with the rows of lenses does not pick columns.
+    // The stride is odd: a common divisor with the row length would leave out columns.
     let stride = lenses.len().div_ceil(MOST_LENSES).max(1) | 1;
     let some: Vec<[usize; 2]> = lenses.iter().copied().step_by(stride).collect();
-    let circles = followed(image, circles, &some, &field)?;
+    let circles = refined(image, circles, &some, &field)?;
     let points = find_points(image, &circles, lenses);
     let all: Vec<RimPoint> = points.iter().flatten().copied().collect();
     let error_px = circles.deviation_px(&all, &field).max(LEAST_ERROR_PX);
@@ -46,47 +48,47 @@ pub(super) fn fit(image: &WhiteImage, circles: RimModel, lenses: &[[usize; 2]]) 
     Some(Arcs { circles, centres })
 }
 
-/// Circles through the rims of some lenses, from circles near them.
-fn followed(
+/// The circles fitted to the rims of some lenses, starting from `circles`.
+fn refined(
     image: &WhiteImage,
     mut circles: RimModel,
     lenses: &[[usize; 2]],
     field: &Field,
 ) -> Option<RimModel> {
     let points = find_points(image, &circles, lenses).concat();
-    circles.follow(&points, field)?;
+    circles.fit(&points, field)?;
     Some(circles)
 }
 
-/// Circles through the rims of some lenses, with a second aperture where rims ask for one.
-pub(super) fn first_circles(
+/// As [`refined`], with a second aperture if it explains the rims clearly better.
+pub(super) fn with_second_aperture(
     image: &WhiteImage,
     mut circles: RimModel,
     lenses: &[[usize; 2]],
     field: &Field,
 ) -> Option<RimModel> {
     let points = find_points(image, &circles, lenses).concat();
-    circles.follow(&points, field)?;
-    circles.look_for_second(&points, field);
+    circles.fit(&points, field)?;
+    circles.find_second(&points, field);
     Some(circles)
 }
 
-/// The rim points of each lens.
+/// The points on the rim of each lens.
 fn find_points(
     image: &WhiteImage,
     circles: &RimModel,
     lenses: &[[usize; 2]],
 ) -> Vec<Vec<RimPoint>> {
     let field = Field::of(image.columns(), image.rows());
-    let looking = RimSearch::new(&circles.grid, circles.radius_px, circles.second, field);
+    let search = RimSearch::new(&circles.grid, circles.radius_px, circles.second, field);
     let rim = |&lens: &[usize; 2]| {
-        let places = looking.points(image, circles.centre_px(lens));
+        let places = search.points(image, circles.centre_px(lens));
         places.into_iter().map(|place_px| RimPoint { lens, place_px }).collect()
     };
     lenses.par_iter().map(rim).collect()
 }
 
-/// The centre of the common circles through the points of one lens.
+/// Fits the centre of one lens to its rim points. `None` if they do not determine it.
 fn centre(
     circles: &RimModel,
     rim: &[RimPoint],
@@ -100,19 +102,19 @@ fn centre(
         let [mut xx, mut xy, mut yy, mut x, mut y] = [0.0; 5];
         let mut count = 0;
         for point in rim {
-            let outside = circles.outside(centre_px, point.place_px, field);
-            if outside.distance_px.abs() > OUTLIER * error_px {
+            let to_rim = circles.rim_distance(centre_px, point.place_px, field);
+            if to_rim.distance_px.abs() > OUTLIER * error_px {
                 continue;
             }
             count += 1;
-            let [by_x, by_y] = outside.by_centre;
+            let [by_x, by_y] = to_rim.by_centre;
             (xx, xy, yy) = (xx + by_x * by_x, xy + by_x * by_y, yy + by_y * by_y);
-            x -= by_x * outside.distance_px;
-            y -= by_y * outside.distance_px;
+            x -= by_x * to_rim.distance_px;
+            y -= by_y * to_rim.distance_px;
         }
         let determinant = xx * yy - xy * xy;
-        let least = (xx + yy) / 2.0 - ((xx - yy).powi(2) / 4.0 + xy * xy).sqrt();
-        if count < LEAST_POINTS || least < LEAST_ACROSS {
+        let smallest = (xx + yy) / 2.0 - ((xx - yy).powi(2) / 4.0 + xy * xy).sqrt();
+        if count < LEAST_POINTS || smallest < LEAST_EIGENVALUE {
             return None;
         }
         centre_px[0] += (yy * x - xy * y) / determinant;

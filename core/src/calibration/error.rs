@@ -1,8 +1,8 @@
-//! Why a calibration could not be made.
+//! Errors of the grid calibration.
 
 use thiserror::Error;
 
-/// Why a grid could not be found in white images.
+/// Reasons for which no grid is found in white images.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CalibrationError {
     /// No white image was given.
@@ -14,7 +14,7 @@ pub enum CalibrationError {
          {columns} x {rows}: all white and dark images must be of the same camera"
     )]
     DifferentSizes {
-        /// Which image, counted from 1, white ones first.
+        /// Number of the image from 1, white images first.
         number: usize,
         /// Its pixel columns.
         found_columns: usize,
@@ -31,26 +31,26 @@ pub enum CalibrationError {
          diffuser with the main lens in place, neither black nor saturated"
     )]
     NotPeriodic,
-    /// Micro-images of too few pixels.
+    /// Micro-images have too few pixels.
     #[error(
         "micro-images are {pitch_px:.1} pixels apart, and at least {least_px:.0} are needed to find \
          their rims"
     )]
     PitchTooSmall {
-        /// Distance of neighbours, in pixels.
+        /// Distance between neighbours, in pixels.
         pitch_px: f64,
-        /// The smallest one that is measured.
+        /// Smallest pitch that can be measured, in pixels.
         least_px: f64,
     },
-    /// Too few micro-images that can be measured.
+    /// Too few micro-images can be measured.
     #[error(
         "only {found} micro-images can be measured and at least {needed} are needed: look at the white \
          image for uniform light and for micro-images with visible rims"
     )]
     TooFewLenses {
-        /// Micro-images that could be measured.
+        /// Number of micro-images that could be measured.
         found: usize,
-        /// How many are needed.
+        /// Least number needed.
         needed: usize,
     },
 }

@@ -1,26 +1,26 @@
-//! Whether the main lens' f-number matches the microlenses'.
+//! Match of the f-numbers of main lens and microlenses.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-/// Micro-images within this share of their pitch match it.
+/// Largest relative difference between diameter and pitch of matching f-numbers.
 const MATCHED_WITHIN: f64 = 0.01;
 
-/// The size of micro-images relative to their pitch. It is the main lens' aperture that makes it: a
-/// micro-image is the stop's image, and its diameter is in inverse proportion to the f-number.
+/// Size of the micro-images relative to their pitch. A micro-image is an image of the main lens' stop, so its
+/// diameter is inversely proportional to the f-number.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FNumberMatch {
-    /// Diameter of the micro-images over the distance of neighbours.
+    /// Diameter of the micro-images divided by their pitch.
     pub diameter_over_pitch: f64,
-    /// Stops by which to close the main lens; negative: to open it.
+    /// Number of stops to close the main lens; negative: to open it.
     pub close_by_stops: f64,
 }
 
 impl FNumberMatch {
     pub(super) fn of(radius_px: f64, pitch_px: f64) -> Self {
         let diameter_over_pitch = 2.0 * radius_px / pitch_px;
-        // A stop is a factor of the root of 2 in diameter.
+        // One stop is a factor of √2 in diameter.
         Self { diameter_over_pitch, close_by_stops: 2.0 * diameter_over_pitch.log2() }
     }
 }

@@ -1,4 +1,4 @@
-//! How far something is from the plane in focus, from one image of it.
+//! Distance of an object from the plane in focus, from one image of it.
 
 use std::f64::consts::TAU;
 
@@ -13,47 +13,49 @@ use crate::{
     parabola,
 };
 
-/// Slopes that are tried: so many, up to this, either way. At 200 mm and f/4 the last is 15 mm off.
+/// Number of tested slopes on either side of zero.
 const SLOPES: i32 = 40;
+
+/// Largest tested slope: 15 mm from the plane in focus at 200 mm and f/4.
 const STEEPEST: f64 = 0.08;
 
-/// Views out to this share of the pupil's radius are used: the rim cuts the others.
+/// Radius of the used views as a share of the pupil's radius: outer views are cut by the rim.
 const PUPIL_SHARE: f64 = 0.85;
 
-/// Without so much more contrast in focus than in the mean there is nothing to focus on.
+/// Least ratio of the power in focus to the mean power over all slopes.
 const LEAST_CONTRAST: f64 = 1.2;
 
-/// A smaller share of what all views would have together, if they showed the same, is noise.
+/// Least ratio of the power in focus to that of identical views; below it, the image is noise.
 const LEAST_COHERENCE: f64 = 0.05;
 
-/// Coarser structure, in waves across the image, is left out: the lamp's light and vignetting do not move from
-/// view to view, and would be sharpest in the plane in focus.
-const LEAST_WAVES: f64 = 3.0;
+/// Least frequency, in cycles over the image. Illumination and vignetting have lower ones. They have no
+/// parallax and would favour the plane in focus.
+const LEAST_CYCLES: f64 = 3.0;
 
-/// Finer structure, in waves per microlens, is left out: microlenses alias it.
-const MOST_WAVES_PER_LENS: f64 = 0.3;
+/// Largest frequency, in cycles per microlens: higher ones are aliased by the microlenses.
+const MOST_CYCLES_PER_LENS: f64 = 0.3;
 
-/// Rounds in which the part of each view that counts follows what moves.
+/// Iterations of the slope with windows that move with the object.
 const ROUNDS: usize = 3;
 
-/// Where what a camera sees stands against its plane in focus.
+/// Position of an object relative to the plane in focus.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Focus {
-    /// How far it is from the plane in focus towards the camera, in air, in mm: by what the columns and
-    /// by what the rows see.
+    /// Distance from the plane in focus towards the camera, in air, in mm: from the parallax along columns and
+    /// along rows.
     pub depth_mm: [f64; 2],
-    /// Contrast of the picture focused there, relative to the mean over all depths that were tried.
+    /// Power of the refocused image at this depth, relative to the mean over all tested depths.
     pub contrast: f64,
 }
 
-/// Refocuses an image by shifting and adding its views, and takes the sharpest.
+/// Refocuses an image by shift-and-add of its views, and returns the depth with the highest contrast.
 ///
-/// `image` is that of something with structure, a card or lit particles, in one plane across the axis;
-/// `white`, where there is one, divides the lens' own light out. `None` where no depth is sharper than the
-/// others.
+/// `image` shows a structured object, a card or lit particles, in one plane perpendicular to the axis. An optional
+/// `white` image corrects the light distribution of the micro-images. `None` if no depth has a distinct maximum of
+/// contrast.
 ///
-/// Views are shifted by their Fourier phases (Ng 2005 interpolates in space): interpolation takes contrast
-/// from all shifts but those by whole microlenses, and so draws what is found towards the plane in focus.
+/// Views are shifted by Fourier phases. Spatial interpolation (Ng 2005) reduces the contrast of shifts by fractions
+/// of a microlens, which biases the depth towards the plane in focus.
 pub fn focus(
     optics: &Optics,
     grid: &MicroImageGrid,
@@ -68,37 +70,40 @@ pub fn focus(
     let power = |spectra: &Spectra, slopes: [f64; 2]| {
         spectra.power_in_focus(slopes.map(|slope| slope * lenses_per_slope))
     };
-    let still = spectra([0.0; 2]);
-    let Sharpest { slope: both, contrast } = sharpest(|slope| power(&still, [slope; 2]))?;
-    if power(&still, [both; 2]) < LEAST_COHERENCE * views.len() as f64 * still.power_of_each() {
+    let unshifted = spectra([0.0; 2]);
+    let Sharpest { slope: common, contrast } = sharpest(|slope| power(&unshifted, [slope; 2]))?;
+    if power(&unshifted, [common; 2])
+        < LEAST_COHERENCE * views.len() as f64 * unshifted.power_of_each()
+    {
         return None;
     }
-    // Columns and rows on their own: what leans or looks through a tilted wall differs between them.
-    let near = |own: Option<Sharpest>| own.map_or(both, |own| own.slope);
-    let columns = near(sharpest(|slope| power(&still, [slope, both])));
-    let mut slopes = [columns, near(sharpest(|slope| power(&still, [columns, slope])))];
+    // Columns and rows separately: they differ for an inclined object and behind a tilted wall.
+    let slope_of = |found: Option<Sharpest>| found.map_or(common, |found| found.slope);
+    let columns = slope_of(sharpest(|slope| power(&unshifted, [slope, common])));
+    let mut slopes = [columns, slope_of(sharpest(|slope| power(&unshifted, [columns, slope])))];
     for _ in 0..ROUNDS {
-        let moved = spectra(slopes);
-        slopes[0] += nearer(|by| power(&moved, [slopes[0] + by, slopes[1]]));
-        slopes[1] += nearer(|by| power(&moved, [slopes[0], slopes[1] + by]));
+        let shifted = spectra(slopes);
+        slopes[0] += correction(|by| power(&shifted, [slopes[0] + by, slopes[1]]));
+        slopes[1] += correction(|by| power(&shifted, [slopes[0], slopes[1] + by]));
     }
     let EquivalentPoint { depth_mm, .. } = EquivalentPoint::of_rays(optics, [0.0; 2], slopes);
     Some(Focus { depth_mm, contrast })
 }
 
+/// Step of the tested slopes.
 const STEP: f64 = STEEPEST / SLOPES as f64;
 
-/// The slope of greatest power, and that power relative to the mean.
+/// The slope of maximum power, and that power relative to the mean.
 struct Sharpest {
     slope: f64,
     contrast: f64,
 }
 
-/// Tries all slopes.
+/// Tests all slopes. `None` without a distinct maximum.
 fn sharpest(power: impl Fn(f64) -> f64 + Sync) -> Option<Sharpest> {
     let slopes: Vec<f64> = (-SLOPES..=SLOPES).map(|n| f64::from(n) * STEP).collect();
     let powers: Vec<f64> = slopes.par_iter().map(|&slope| power(slope)).collect();
-    // Few views overlap at the steepest slopes: noise alone makes power rise towards them.
+    // The maximum must not be at an end: few views overlap at the steepest slopes, where noise raises the power.
     let is_top = |&n: &usize| powers[n] >= powers[n - 1] && powers[n] >= powers[n + 1];
     let best =
         (1..powers.len() - 1).filter(is_top).max_by(|&a, &b| powers[a].total_cmp(&powers[b]))?;
@@ -107,13 +112,13 @@ fn sharpest(power: impl Fn(f64) -> f64 + Sync) -> Option<Sharpest> {
         .then(|| Sharpest { slope: slopes[best], contrast: powers[best] / mean })
 }
 
-/// What to add to a slope: to the top of a parabola through a step less, none and a step more.
-fn nearer(power: impl Fn(f64) -> f64) -> f64 {
+/// Correction of a slope by a parabola through the powers a step below, at and a step above it.
+fn correction(power: impl Fn(f64) -> f64) -> f64 {
     STEP * parabola::maximum([-STEP, 0.0, STEP].map(power))
 }
 
-/// What one view shows: where it passes the pupil, in mm, and the light of every microlens relative to
-/// the view's mean; NaN where it has no pixel.
+/// One view: its position on the pupil, in mm, and the light of every microlens relative to the view's mean; NaN
+/// for microlenses without a pixel.
 struct View {
     pupil_mm: [f64; 2],
     light: Vec<f32>,
@@ -159,69 +164,69 @@ fn views(
         .collect()
 }
 
-/// Fourier amplitudes of all views, between the coarsest and the finest structure that count.
+/// Fourier amplitudes of all views in the used range of frequencies.
 struct Spectra {
-    /// Places of the views on the pupil, in mm.
+    /// Positions of the views on the pupil, in mm.
     pupil_mm: Vec<[f64; 2]>,
-    /// Waves across `edge` microlenses along columns and rows, in one half of the plane: the other is its
-    /// conjugate.
-    waves: Vec<[i32; 2]>,
+    /// Frequencies along columns and rows, in cycles per `edge` microlenses, for one half-plane: the other half is
+    /// its conjugate.
+    cycles: Vec<[i32; 2]>,
     edge: usize,
-    /// By view, then by wave.
+    /// By view, then by frequency.
     amplitudes: Vec<Vec<Complex<f64>>>,
 }
 
 impl Spectra {
-    /// Transforms the views under a Hann window that is moved like a picture of `per_mm` microlenses per
-    /// mm on the pupil, so that all views show the same part of it.
+    /// Transforms the views with a Hann window that is shifted by `per_mm` microlenses per mm on the pupil, so that
+    /// it selects the same part of the object in all views.
     fn new(views: &[View], [columns, rows]: [usize; 2], per_mm: [f64; 2]) -> Self {
         let edge = columns.max(rows);
         let signed = |n: usize| if 2 * n > edge { n as i32 - edge as i32 } else { n as i32 };
         let all = (0..edge * edge).map(|n| (n, [n % edge, n / edge].map(signed)));
-        let least = LEAST_WAVES * edge as f64 / columns.min(rows) as f64;
+        let least = LEAST_CYCLES * edge as f64 / columns.min(rows) as f64;
         let counts = |&(_, [along_i, along_j]): &(usize, [i32; 2])| {
             let length = f64::from(along_i).hypot(f64::from(along_j));
             (along_i > 0 || (along_i == 0 && along_j > 0))
-                && (least..=MOST_WAVES_PER_LENS * edge as f64).contains(&length)
+                && (least..=MOST_CYCLES_PER_LENS * edge as f64).contains(&length)
         };
         let kept: Vec<(usize, [i32; 2])> = all.filter(counts).collect();
         let amplitudes = views
             .par_iter()
             .map(|view| {
-                let moved = [0, 1].map(|axis| per_mm[axis] * view.pupil_mm[axis]);
-                let mut values = windowed(view, [columns, rows], moved, edge);
+                let shift = [0, 1].map(|axis| per_mm[axis] * view.pupil_mm[axis]);
+                let mut values = windowed(view, [columns, rows], shift, edge);
                 transform(&mut values, edge);
                 kept.iter().map(|&(n, _)| values[n]).collect()
             })
             .collect();
         Self {
             pupil_mm: views.iter().map(|view| view.pupil_mm).collect(),
-            waves: kept.iter().map(|&(_, waves)| waves).collect(),
+            cycles: kept.iter().map(|&(_, cycles)| cycles).collect(),
             edge,
             amplitudes,
         }
     }
 
-    /// Power of all views, each for itself. Where they show the same, they have so many times that power
-    /// together as there are views; noise, which differs from view to view, has this one.
+    /// Sum of the powers of the single views. The sum of n identical views has n times this power, and the sum of
+    /// uncorrelated noise has this power.
     fn power_of_each(&self) -> f64 {
         self.amplitudes.iter().flatten().map(Complex::norm_sqr).sum()
     }
 
-    /// Power of the views added up, each moved by its place on the pupil times `per_mm`, in microlenses
-    /// per mm.
+    /// Power of the sum of all views, each shifted by its position on the pupil times `per_mm`, in microlenses per
+    /// mm.
     fn power_in_focus(&self, per_mm: [f64; 2]) -> f64 {
         let most = self.edge as i32 / 2;
         let turn =
             |n: i32, lenses: f64| Complex::cis(TAU * f64::from(n) * lenses / self.edge as f64);
-        let mut sums = vec![Complex::<f64>::ZERO; self.waves.len()];
+        let mut sums = vec![Complex::<f64>::ZERO; self.cycles.len()];
         for (pupil_mm, amplitudes) in self.pupil_mm.iter().zip(&self.amplitudes) {
             let turns = [0, 1].map(|axis| -> Vec<Complex<f64>> {
                 (-most..=most).map(|n| turn(n, per_mm[axis] * pupil_mm[axis])).collect()
             });
-            for ((sum, amplitude), waves) in sums.iter_mut().zip(amplitudes).zip(&self.waves) {
+            for ((sum, amplitude), cycles) in sums.iter_mut().zip(amplitudes).zip(&self.cycles) {
                 let [along_i, along_j] =
-                    [0, 1].map(|axis| turns[axis][(waves[axis] + most) as usize]);
+                    [0, 1].map(|axis| turns[axis][(cycles[axis] + most) as usize]);
                 *sum += amplitude * along_i * along_j;
             }
         }
@@ -229,21 +234,21 @@ impl Spectra {
     }
 }
 
-/// A view less its mean under a Hann window that is moved by `moved` microlenses, in a square of zeros.
+/// A view minus its mean, times a Hann window shifted by `shift` microlenses, zero-padded to a square.
 fn windowed(
     view: &View,
     [columns, rows]: [usize; 2],
-    moved: [f64; 2],
+    shift: [f64; 2],
     edge: usize,
 ) -> Vec<Complex<f64>> {
     let hann = |place: f64, length: usize| {
         let share = (place + 0.5) / length as f64;
         if (0.0..=1.0).contains(&share) { (0.5 * TAU * share).sin().powi(2) } else { 0.0 }
     };
-    let along = |length: usize, moved: f64| -> Vec<f64> {
-        (0..length).map(|n| hann(n as f64 - moved, length)).collect()
+    let along = |length: usize, shift: f64| -> Vec<f64> {
+        (0..length).map(|n| hann(n as f64 - shift, length)).collect()
     };
-    let (by_column, by_row) = (along(columns, moved[0]), along(rows, moved[1]));
+    let (by_column, by_row) = (along(columns, shift[0]), along(rows, shift[1]));
     let weight = |lens: usize| by_column[lens % columns] * by_row[lens / columns];
     let seen = || view.light.iter().enumerate().filter(|(_, light)| light.is_finite());
     let (sum, weights) = seen().fold((0.0, 0.0), |(sum, weights), (lens, &light)| {
@@ -273,10 +278,10 @@ mod tests {
     use super::*;
     use crate::test_bench;
 
-    /// A card across the axis is found where it stands, in front of the plane in focus and behind it, on
-    /// an array that is turned.
+    /// The distance of a card perpendicular to the axis is found on both sides of the plane in focus, with a
+    /// rotated array.
     #[test]
-    fn a_card_is_found_where_it_stands() {
+    fn the_distance_of_a_card_is_found() {
         let mut optics = test_bench::optics();
         (optics.microlens.columns, optics.microlens.rows) = (41, 33);
         (optics.sensor.columns, optics.sensor.rows) = (752, 608);

@@ -2,8 +2,8 @@
 
 use rustfft::{FftPlanner, num_complex::Complex};
 
-/// Transforms a square image of `edge` x `edge` numbers in place: Σ f exp(−2πi kx/n), in both directions.
-/// The inverse, but for the factor n², of an even function is the same.
+/// Discrete Fourier transform Σ f exp(−2πi kx/n) along both axes of an `edge` x `edge` image, in place. For an
+/// even function it equals the inverse transform times n².
 pub(super) fn transform(values: &mut [Complex<f64>], edge: usize) {
     let rows = FftPlanner::new().plan_fft_forward(edge);
     for _ in 0..2 {
@@ -25,7 +25,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_transform_is_the_sum_that_it_stands_for() {
+    fn the_transform_equals_the_defining_sum() {
         let edge = 8;
         let place = |n: usize| Complex::new(((n * 7) % 11) as f64, ((n * 5) % 13) as f64 - 3.0);
         let mut values: Vec<Complex<f64>> = (0..edge * edge).map(place).collect();

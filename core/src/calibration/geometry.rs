@@ -2,7 +2,7 @@
 
 use crate::lightfield::MicroImageGrid;
 
-/// Lattice steps that are looked at on each side.
+/// Largest lattice step of a neighbour along each axis.
 const STEPS: i64 = 3;
 
 /// The smallest distance between neighbouring micro-images, in pixels.
@@ -14,12 +14,12 @@ pub(super) fn pitch_px(grid: &MicroImageGrid) -> f64 {
     lengths.fold(f64::INFINITY, f64::min)
 }
 
-/// From a lens to those within `reach_px`.
+/// Vectors from a lens to its neighbours within `reach_px`, in pixels.
 pub(super) fn neighbours(grid: &MicroImageGrid, reach_px: f64) -> Vec<[f64; 2]> {
     neighbour_numbers(grid, reach_px).into_iter().map(|step| vector(grid, step)).collect()
 }
 
-/// The numbers of the lenses within `reach_px`, relative to a lens.
+/// Lattice steps (i, j) from a lens to its neighbours within `reach_px`.
 pub(super) fn neighbour_numbers(grid: &MicroImageGrid, reach_px: f64) -> Vec<[i64; 2]> {
     let steps = (-STEPS..=STEPS).flat_map(|j| (-STEPS..=STEPS).map(move |i| [i, j]));
     steps
@@ -34,8 +34,8 @@ fn vector(grid: &MicroImageGrid, [i, j]: [i64; 2]) -> [f64; 2] {
     [grid.column_px, grid.row_px].map(|[_, by_i, by_j]| by_i * i as f64 + by_j * j as f64)
 }
 
-/// The pixels nearer to a lens' centre than to its neighbours', column and row. `None` where some of them are
-/// not on the image.
+/// Column and row of the pixels that are nearer to a lens' centre than to its neighbours' centres. `None` if
+/// some of them are outside the image.
 pub(super) fn cell_pixels(
     grid: &MicroImageGrid,
     [i, j]: [usize; 2],
@@ -66,7 +66,7 @@ pub(super) fn cell_pixels(
     Some(pixels)
 }
 
-/// The median; NaN of nothing.
+/// The median; NaN without values.
 pub(super) fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     if values.is_empty() {

@@ -1,4 +1,4 @@
-//! From a white image to a grid, and how far it can be trusted.
+//! Calibration of the grid from a white image, with its quality measures and warnings.
 
 use lfpiv_hw::Optics;
 use serde::{Deserialize, Serialize};
@@ -10,20 +10,20 @@ use super::{
 };
 use crate::lightfield::MicroImageGrid;
 
-/// Fewer valid lenses than this do not make a grid.
+/// Least number of usable lenses.
 const LEAST_LENSES: usize = 12;
 
-/// Held-out lenses further beside the grid than this, in pixels rms on an axis, are worth a word.
-const REGULAR_PX: f64 = 0.05;
+/// Largest residual of held-out lenses along an axis without a warning, rms in pixels.
+const MOST_HELDOUT_PX: f64 = 0.05;
 
-/// More saturated pixels than this share are worth a word.
-const SATURATED: f64 = 0.005;
+/// Largest share of saturated pixels without a warning.
+const MOST_SATURATED: f64 = 0.005;
 
-/// Fewer valid lenses than this share of the lit ones are worth a word.
-const VALID: f64 = 0.8;
+/// Least share of valid among lit lenses without a warning.
+const LEAST_VALID: f64 = 0.8;
 
-/// A pitch that differs from the configured one by more than this is worth a word.
-const PITCH_WITHIN: f64 = 0.02;
+/// Largest relative deviation of the pitch from the configured one without a warning.
+const PITCH_TOLERANCE: f64 = 0.02;
 
 /// How microlenses are packed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,71 +31,71 @@ const PITCH_WITHIN: f64 = 0.02;
 pub enum ArrayKind {
     /// Rows and columns at right angles.
     Square,
-    /// Six neighbours.
+    /// Six neighbours at equal distances.
     Hexagonal,
 }
 
-/// How far lenses that took no part in a fit are beside it.
+/// Residuals of lenses that are held out of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Residual {
-    /// Root mean square over columns and over rows, in pixels.
+    /// Root-mean-square residual along columns and along rows, in pixels.
     pub rms_px: [f64; 2],
-    /// The same beside a grid that is displaced smoothly over the field, by a polynomial of third order: far
-    /// less means that the optics displace micro-images, not that they are badly measured.
+    /// The same after subtracting a smooth displacement, a third-order polynomial over the field. A much smaller
+    /// value means that the optics displace micro-images, not that they are badly measured.
     pub smooth_rms_px: [f64; 2],
-    /// Lenses that this is of.
+    /// Number of held-out lenses.
     pub lenses: usize,
 }
 
-/// Where a camera's micro-images are.
+/// Result of a grid calibration.
 #[derive(Debug, Clone)]
 pub struct GridCalibration {
-    /// The grid of the stop's centres.
+    /// The grid of the centres of the stop's images.
     pub grid: MicroImageGrid,
     /// How the lenses are packed.
     pub array: ArrayKind,
-    /// Of lenses that took no part in the fit.
+    /// Residuals of held-out lenses.
     pub heldout: Residual,
-    /// How far two estimators' grids are apart; `None` where only one could be fitted.
+    /// Distance between the grids of both estimators; `None` if only one could be fitted.
     pub agreement: Option<Agreement>,
     /// Radius of the stop's disc, in pixels.
     pub radius_px: f64,
-    /// Blur of its rim, a Gaussian's standard deviation in pixels.
+    /// Gaussian blur of its rim, standard deviation in pixels.
     pub blur_px: f64,
-    /// The aperture that cuts micro-images, if one does.
+    /// The aperture that cuts micro-images, if there is one.
     pub second_aperture: Option<SecondAperture>,
-    /// Whether micro-images fill their pitch.
+    /// Diameter of micro-images relative to their pitch.
     pub f_number: FNumberMatch,
     /// All lenses, row by row from lens (0, 0): lens (i, j) at j · columns + i.
     pub lenses: Vec<Lens>,
-    /// Doubts.
+    /// Reasons to doubt the result.
     pub warnings: Vec<GridWarning>,
     field: Field,
 }
 
 impl GridCalibration {
-    /// Lenses in a state.
+    /// Number of lenses in a state.
     pub fn count(&self, state: LensState) -> usize {
         self.lenses.iter().filter(|lens| lens.state == state).count()
     }
 
-    /// The circle of the second aperture for the lens whose stop is centred at a place: its centre's column and
-    /// row, and its radius, in pixels.
+    /// Circle of the second aperture in the micro-image with the stop's centre at `stop_px`: column, row and
+    /// radius, in pixels.
     pub fn second_circle_px(&self, stop_px: [f64; 2]) -> Option<[f64; 3]> {
         let second = self.second_aperture.as_ref()?;
         let [column, row] = second.centre_px(stop_px, &self.field);
         Some([column, row, second.radius_px])
     }
 
-    /// The smallest share of a valid micro-image that a second aperture leaves.
+    /// Least share that the second aperture leaves open, over the valid micro-images.
     pub fn least_open_share(&self) -> f64 {
         let valid = self.lenses.iter().filter(|lens| lens.state == LensState::Valid);
         valid.map(|lens| lens.open_share).fold(1.0, f64::min)
     }
 }
 
-/// Finds the micro-images of a white image. `optics`, where they are known, say how many lenses there are
-/// and which one is the first; nothing else is taken from them.
+/// Finds the micro-images of a white image. `optics` are optional. They give the number of lenses, and thus which
+/// lens is (0, 0), and the pitch to compare with in a warning.
 ///
 /// # Errors
 /// The image is not periodic, micro-images are too small, or too few of them can be measured.
@@ -106,10 +106,11 @@ pub fn calibrate_grid(
     calibrate_grid_watched(image, optics, |_| ())
 }
 
-/// Steps of a calibration: the start, rounds of fitted discs, the centres, arcs of rims.
+/// Number of steps of a calibration: initial grid, Gauss-Newton steps, centres, fit to rims.
 pub const GRID_STEPS: usize = rendered_discs::ROUNDS + 3;
 
-/// As [`calibrate_grid`]; tells how many of the [`GRID_STEPS`] are behind it. Fits that need fewer rounds skip some.
+/// As [`calibrate_grid`]; calls `steps_done` with the number of completed steps out of [`GRID_STEPS`]. It skips
+/// numbers if the fit converges early.
 ///
 /// # Errors
 /// As [`calibrate_grid`].
@@ -179,22 +180,22 @@ fn warnings(
         Some(_) => {}
     }
     let Residual { rms_px, smooth_rms_px, .. } = found.heldout;
-    if rms_px.iter().any(|rms| *rms > REGULAR_PX) {
+    if rms_px.iter().any(|rms| *rms > MOST_HELDOUT_PX) {
         let (heldout_px, smooth_heldout_px) = (rms_px, smooth_rms_px);
         warnings.push(GridWarning::Irregular { heldout_px, smooth_heldout_px });
     }
-    if image.saturated_share() > SATURATED {
+    if image.saturated_share() > MOST_SATURATED {
         warnings.push(GridWarning::Saturated { share: image.saturated_share() });
     }
     let valid = found.count(LensState::Valid);
     let lit_lenses = valid + found.count(LensState::Disturbed);
-    if (valid as f64) < VALID * lit_lenses as f64 {
+    if (valid as f64) < LEAST_VALID * lit_lenses as f64 {
         warnings.push(GridWarning::FewValid { valid, lit: lit_lenses });
     }
     if let Some(optics) = optics {
         let configured_px = optics.micro_image_pitch_mm() / optics.pixel_pitch_mm();
         let found_px = super::pitch_px(&found.grid);
-        if (found_px / configured_px - 1.0).abs() > PITCH_WITHIN {
+        if (found_px / configured_px - 1.0).abs() > PITCH_TOLERANCE {
             warnings.push(GridWarning::OtherPitch { configured_px, found_px });
         }
         let lit = lit.map(|[first, last]| last - first + 1);

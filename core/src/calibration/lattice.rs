@@ -1,34 +1,34 @@
-//! The pitch and the angle of an array that nothing is known of: by autocorrelation.
+//! Pitch and angle of an unknown microlens array, by autocorrelation.
 
 use rustfft::num_complex::Complex;
 
 use super::{WhiteImage, fourier::transform};
 use crate::parabola;
 
-/// Largest edge of the square in the image's middle that is looked at: far from vignetted edges, and
-/// some tens of micro-images.
+/// Largest edge of the evaluated square in the middle of the image, in pixels: it contains some tens of
+/// micro-images and is far from vignetted edges.
 const LARGEST_EDGE: usize = 1024;
 
-/// Light that changes over more than this share of the square is shading, not micro-images.
+/// Variations with fewer cycles over the square are shading, not micro-images.
 const SHADING_CYCLES: usize = 4;
 
-/// Light that varies by less than this share of its mean is flat.
+/// Least standard deviation of the light, relative to its mean.
 const LEAST_CONTRAST: f64 = 1e-3;
 
-/// Neighbours are told from chance by this share of the highest peak beside the origin.
+/// Least height of a lattice peak, relative to the highest peak away from the origin.
 const LEAST_PEAK: f64 = 0.6;
 
-/// The highest peak beside the origin, relative to the origin, that micro-images have at least.
+/// Least height of the highest peak away from the origin, relative to the origin, for a periodic image.
 const LEAST_REPETITION: f64 = 0.25;
 
-/// Two vectors that span a lattice have at least this sine of the angle between them.
+/// Least sine of the angle between two vectors that span the lattice.
 const LEAST_SINE: f64 = 0.3;
 
-/// The two vectors between neighbouring micro-images: columns (right) and rows (down), in pixels.
+/// Two lattice vectors, each along columns (right) and rows (down), in pixels.
 pub(super) type Basis = [[f64; 2]; 2];
 
-/// The lattice vectors along i (most nearly to the right) and along j (upwards). `None` where the image does
-/// not repeat.
+/// The lattice vectors along i (most nearly to the right) and along j (upwards). `None` if the image is not
+/// periodic.
 pub(super) fn find(image: &WhiteImage) -> Option<Basis> {
     let edge = square_edge(image)?;
     let correlation = Autocorrelation::of(image, edge)?;
@@ -67,7 +67,7 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// Lagrange and Gauss: the shortest two vectors that span the same lattice.
+/// The two shortest vectors that span the same lattice (Lagrange-Gauss reduction).
 fn reduce([mut short, mut long]: Basis) -> Basis {
     for _ in 0..16 {
         if length(long) < length(short) {
@@ -82,8 +82,8 @@ fn reduce([mut short, mut long]: Basis) -> Basis {
     [short, long]
 }
 
-/// i is the vector most nearly along the columns, to the right; j points upwards, at 60° to i where the array is
-/// hexagonal.
+/// Orders the vectors: i is the one closest to the rightward direction; j points upwards, at 60° to i in a
+/// hexagonal array.
 fn orient([a, b]: Basis) -> Basis {
     let minus = |v: [f64; 2]| [-v[0], -v[1]];
     let difference = [a[0] - b[0], a[1] - b[1]];
@@ -91,15 +91,15 @@ fn orient([a, b]: Basis) -> Basis {
     let shortest = length(a).min(length(b));
     // A hexagonal array has three directions of neighbours.
     let third = if length(difference) < length(sum) { difference } else { sum };
-    let mut ways = vec![a, b];
+    let mut directions = vec![a, b];
     if length(third) < 1.2 * shortest {
-        ways.push(third);
+        directions.push(third);
     }
-    let level = |v: &[f64; 2]| v[1].abs() / length(*v);
-    ways.sort_by(|a, b| level(a).total_cmp(&level(b)));
-    let i = if ways[0][0] < 0.0 { minus(ways[0]) } else { ways[0] };
-    // Rows count downwards: j upwards means to the left of i in a picture, cross(i, j) < 0.
-    let others = ways[1..].iter().map(|&v| if cross(i, v) > 0.0 { minus(v) } else { v });
+    let inclination = |v: &[f64; 2]| v[1].abs() / length(*v);
+    directions.sort_by(|a, b| inclination(a).total_cmp(&inclination(b)));
+    let i = if directions[0][0] < 0.0 { minus(directions[0]) } else { directions[0] };
+    // Rows are counted downwards, so an upward j has cross(i, j) < 0.
+    let others = directions[1..].iter().map(|&v| if cross(i, v) > 0.0 { minus(v) } else { v });
     let j = others.max_by(|a, b| dot(i, *a).total_cmp(&dot(i, *b)));
     [i, j.unwrap_or(b)]
 }
@@ -109,7 +109,7 @@ struct Peak {
     height: f64,
 }
 
-/// Autocorrelation of the image's middle over the lags, 1 at the origin.
+/// Autocorrelation of the middle of the image by lag, normalised to 1 at the origin.
 struct Autocorrelation {
     values: Vec<f64>,
     edge: usize,
@@ -132,7 +132,7 @@ impl Autocorrelation {
         }
         let scale = of_window[0] / of_light[0].max(f64::MIN_POSITIVE);
         let values = of_light.iter().zip(&of_window).map(|(light, window)| {
-            // What of the window overlaps itself; lags with little overlap are not looked at.
+            // Normalised by the window's own autocorrelation, which is limited where the overlap is small.
             light / window.max(0.01 * of_window[0]) * scale
         });
         Some(Self { values: values.collect(), edge })
@@ -143,7 +143,7 @@ impl Autocorrelation {
         self.values[row * self.edge + column]
     }
 
-    /// Local maxima up to a quarter of the square away, on one side of the origin.
+    /// Local maxima at lags up to a quarter of the square, on one side of the origin.
     fn peaks(&self) -> Vec<Peak> {
         let reach = self.edge as i64 / 4;
         let mut peaks = Vec::new();
@@ -165,7 +165,7 @@ impl Autocorrelation {
         peaks
     }
 
-    /// Follows a lattice vector to lags twice, four times, ... as far away, where it is known better.
+    /// Refines a lattice vector by its multiples 2, 4, ..., whose peaks give smaller relative errors.
     fn refine(&self, vector: [f64; 2]) -> [f64; 2] {
         let reach = self.edge as f64 / 4.0;
         let mut times = 1.0;
@@ -177,7 +177,7 @@ impl Autocorrelation {
         found
     }
 
-    /// The top of the peak at a lag: up to some pixels uphill, then parabolas through three values.
+    /// Sub-pixel maximum near a lag: some steps of steepest ascent, then a parabola through three values per axis.
     fn vertex(&self, lag: [f64; 2]) -> [f64; 2] {
         let mut at = lag.map(|place| place.round() as i64);
         for _ in 0..4 {
@@ -202,13 +202,13 @@ impl Autocorrelation {
     }
 }
 
-/// The circular autocorrelation of a square image, without its `slowest` waves.
-fn correlate(value: impl Fn(usize) -> f64, edge: usize, slowest: usize) -> Vec<f64> {
+/// The circular autocorrelation of a square image, without frequencies below `least_cycles` cycles.
+fn correlate(value: impl Fn(usize) -> f64, edge: usize, least_cycles: usize) -> Vec<f64> {
     let mut values: Vec<Complex<f64>> = (0..edge * edge).map(|n| value(n).into()).collect();
     transform(&mut values, edge);
     for (n, value) in values.iter_mut().enumerate() {
         let [k, l] = [n % edge, n / edge].map(|k| k.min(edge - k));
-        let kept = k.max(l) >= slowest;
+        let kept = k.max(l) >= least_cycles;
         *value = if kept { value.norm_sqr().into() } else { Complex::ZERO };
     }
     transform(&mut values, edge);

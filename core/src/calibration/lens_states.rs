@@ -1,4 +1,4 @@
-//! What is known of each lens: whether its micro-image can be trusted, and what vignetting leaves of it.
+//! State of each lens: whether its micro-image can be used, and its share that vignetting leaves.
 
 use std::collections::HashMap;
 
@@ -14,26 +14,26 @@ use super::{
 };
 use crate::lightfield::MicroImageGrid;
 
-/// A lens is dark below this share of the light of the lenses around it.
+/// A lens is dark below this share of the median light of its neighbours.
 const DARK: f64 = 0.4;
 
-/// A lens is dark below this share of the bright ones' light, wherever it is.
+/// A lens is dark below this share of the light of bright lenses.
 const DARK_ANYWHERE: f64 = 0.05;
 
-/// What the rendered micro-image leaves, relative to that of a typical lens, where dust lies on it.
+/// Least residual of the rendered micro-image, relative to the median lens, that indicates dust.
 const DISTURBED: f64 = 2.5;
 
 /// Whether a lens' micro-image can be used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LensState {
-    /// All of it is on the sensor, and it is as it should be.
+    /// The whole micro-image is on the sensor, and it agrees with the model.
     Valid,
     /// Some or all of its pixels are not on the sensor.
     PartlyImaged,
     /// It has little or no light.
     Dark,
-    /// Its light is not that of its neighbours, or its centre is beside the grid: dust, a scratch.
+    /// It differs from the rendered micro-image, or its centre is off the grid: dust, a scratch.
     Disturbed,
 }
 
@@ -42,15 +42,15 @@ pub enum LensState {
 pub struct Lens {
     /// Whether its micro-image can be used.
     pub state: LensState,
-    /// Share of the stop's disc that the second aperture leaves.
+    /// Share of the stop's disc that the second aperture leaves open.
     pub open_share: f64,
-    /// Mean light on it, relative to the brightest lenses.
+    /// Mean light relative to the brightest lenses.
     pub light: f64,
-    /// How far its centre was found from the grid, column and row, in pixels.
+    /// Measured centre minus grid point, column and row, in pixels.
     pub residual_px: Option<[f64; 2]>,
 }
 
-/// Lenses whose micro-images are whole and lit: what estimators work on.
+/// Lenses with whole and lit micro-images, which the estimators use.
 pub(super) fn usable(
     image: &WhiteImage,
     grid: &MicroImageGrid,
@@ -70,8 +70,8 @@ fn is_dark(light: &CellLight, lens: [usize; 2]) -> bool {
     own < DARK_ANYWHERE * light.bright() || own < DARK * around
 }
 
-/// The states of the lenses of `grid`, row by row from (0, 0). What was measured counts lenses from
-/// `first` of them.
+/// The states of the lenses of `grid`, row by row from (0, 0). Lens (0, 0) of `grid` is lens `first` in `light`,
+/// `discs` and `fit`.
 pub(super) fn states(
     image: &WhiteImage,
     grid: &MicroImageGrid,
@@ -89,7 +89,7 @@ pub(super) fn states(
     let lens = |n: usize| {
         let [i, j] = [n % nx, n / nx];
         let centre_px = grid.centre_px(i as f64, j as f64);
-        let before = light.renumbered([i as i64 + first[0], j as i64 + first[1]]);
+        let before = light.in_array([i as i64 + first[0], j as i64 + first[1]]);
         let found = before.and_then(|lens| measured.get(&lens)).copied();
         let residual_px = found.map(|n| {
             let found = discs.centres[n].centre_px;
@@ -114,7 +114,7 @@ pub(super) fn states(
     (0..nx * ny).map(lens).collect()
 }
 
-/// The share of a disc inside of another one: the area between two arcs.
+/// Share of the stop's disc inside the second aperture's disc: the area between two arcs.
 fn open_share(
     stop_px: [f64; 2],
     radius_px: f64,

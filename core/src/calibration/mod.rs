@@ -1,12 +1,12 @@
-//! What a camera is, from images made for it: where its micro-images are, from white images; and how
-//! it sees the volume, from images of a card (`volume`).
+//! Camera calibration: the grid of micro-images from white images, and the map of the volume from images of
+//! a calibration card (`volume`).
 //!
-//! [`calibrate_grid`] needs nothing but the image of a uniform diffuser: pitch and angle come from its
-//! autocorrelation (`lattice`), phase and radius from its mean cell (`unit_cell`), both followed outwards
-//! (`start`). From there two estimators go their own ways: arcs through points on rims
-//! (`rim_points`, `rim_model`, `edge_arcs`), and rendered micro-images against all pixels
-//! (`rendered_discs`). Both know that a second aperture may cut micro-images (`second_aperture`): the middle
-//! of what is lit is not the middle of the stop. Where they disagree, the calibration says so.
+//! [`calibrate_grid`] needs only the image of a uniform diffuser. Pitch and angle come from its
+//! autocorrelation (`lattice`), phase and radius from its mean unit cell (`unit_cell`). `start` refines both
+//! from the centre of the image outwards. Two independent estimators follow: circles fitted to points on rims
+//! (`rim_points`, `rim_model`, `edge_arcs`), and rendered micro-images fitted to all pixels
+//! (`rendered_discs`). Both model a second aperture that may cut micro-images (`second_aperture`), because the
+//! centroid of the light is then not the centre of the stop. A disagreement of the estimators is a warning.
 
 mod affine_fit;
 mod agreement;

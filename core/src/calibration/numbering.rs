@@ -1,20 +1,20 @@
-//! Which lens is the first.
+//! Numbering of the lenses.
 
 use lfpiv_hw::Optics;
 
 use super::{affine_fit::renumbered, cell_light::CellLight};
 use crate::lightfield::MicroImageGrid;
 
-/// A lens is lit with this share of the light that bright ones have.
+/// Least light of a lit lens, relative to bright lenses.
 const LIT: f64 = 0.05;
 
-/// A row or column of lenses is part of the array with this share of it lit.
+/// Least share of lit lenses in a row or column of the array.
 const LIT_SHARE: f64 = 0.25;
 
-/// First and last lens, along i and along j.
+/// First and last lens along i and along j.
 pub(super) type Range = [[usize; 2]; 2];
 
-/// The lens rows and columns with light on them. `None` if there are none.
+/// The range of lit columns and rows of lenses. `None` if there are none.
 pub(super) fn lit_range(grid: &MicroImageGrid, light: &CellLight) -> Option<Range> {
     let [nx, ny] = grid.microlenses;
     let bright = light.bright();
@@ -36,8 +36,9 @@ pub(super) fn lit_range(grid: &MicroImageGrid, light: &CellLight) -> Option<Rang
     Some([range(&counts[0])?, range(&counts[1])?])
 }
 
-/// The grid counted from the first lit lens, or, where the optics say how many lenses there are, so that the
-/// array covers the lit ones and is otherwise centred as in the nominal grid. Also returns the shift in lenses.
+/// Renumbers the grid. Without optics, the first lit lens is (0, 0). With optics, which give the number of lenses,
+/// the array is centred on the image, and shifted if it would not cover the lit lenses. Also returns the lens that
+/// becomes (0, 0).
 pub(super) fn number(
     grid: &MicroImageGrid,
     lit: Range,

@@ -1,9 +1,9 @@
-//! The second estimator: all pixels of a micro-image against a rendered one.
+//! Second estimator: rendered micro-images, fitted to all pixels.
 //!
-//! A micro-image is the stop's disc, and the second aperture's where there is one, each with a blurred
-//! rim, times light that falls off from its middle; neighbours add to it. Grid, radii and blur are the
-//! same for all lenses and are fitted together; each lens has a brightness, a curvature, slopes and a background of its
-//! own, which are eliminated lens by lens (variable projection; Golub and Pereyra, SIAM J. Numer. Anal. 10, 1973).
+//! A micro-image is rendered as the intersection of the stop's disc and the second aperture's disc with a blurred
+//! rim, times a smooth light distribution; neighbours are added. Grid, radii and blur are common to all lenses and
+//! are fitted together. Brightness, curvature, slopes and background are local parameters of each lens. They are
+//! eliminated lens by lens (variable projection; Golub and Pereyra, SIAM J. Numer. Anal. 10, 1973).
 
 use nalgebra::SMatrix;
 use rayon::prelude::*;
@@ -12,25 +12,26 @@ use super::{
     WhiteImage,
     affine_fit::LensCentre,
     cell_light::CellLight,
-    rendering::{Eliminated, Model, Rendering, SHARED_PARAMETERS, Shared},
+    rendering::{Model, ReducedEquations, Rendering, SHARED_PARAMETERS, Shared},
     second_aperture::{Field, SecondAperture},
     start::Start,
 };
 use crate::lightfield::MicroImageGrid;
 
-/// At most this many lenses, all over the field, decide on what is shared.
+/// Largest number of lenses, distributed over the field, for the fit of shared parameters.
 const MOST_LENSES: usize = 900;
 
+/// Largest number of Gauss-Newton steps.
 pub(super) const ROUNDS: usize = 40;
 
-/// Blur at the start, and at least, in pixels.
+/// Initial and least blur, in pixels.
 const FIRST_BLUR_PX: f64 = 0.8;
 const LEAST_BLUR_PX: f64 = 0.25;
 
-/// Steps of the grid and of radii are cut to this, in pixels.
+/// Limit of a step of any parameter, in pixels.
 const LARGEST_STEP_PX: f64 = 1.0;
 
-/// What the rendered discs say.
+/// Result of the fit; lengths in pixels.
 #[derive(Debug, Clone)]
 pub(super) struct Discs {
     pub grid: MicroImageGrid,
@@ -38,12 +39,12 @@ pub(super) struct Discs {
     pub blur_px: f64,
     pub second: Option<SecondAperture>,
     pub centres: Vec<LensCentre>,
-    /// Of each of `centres`: root mean square of what the rendered micro-image leaves, relative to its
-    /// brightness.
+    /// Root-mean-square residual of each micro-image in `centres`, relative to its brightness.
     pub misfits: Vec<f64>,
 }
 
-/// Fits what is shared on lenses all over the field, then the centre of every lens.
+/// Fits the shared parameters to lenses distributed over the field, then the centre of every lens. `None` if the
+/// pixels do not determine the parameters.
 pub(super) fn fit(
     image: &WhiteImage,
     start: &Start,
@@ -58,26 +59,26 @@ pub(super) fn fit(
         blur_px: FIRST_BLUR_PX,
         second: start.second,
     };
-    // A stride without a common divisor with the rows of lenses does not pick columns.
+    // The stride is odd: a common divisor with the row length would leave out columns.
     let stride = lenses.len().div_ceil(MOST_LENSES).max(1) | 1;
     let some: Vec<[usize; 2]> = lenses.iter().copied().step_by(stride).collect();
     for _ in 0..ROUNDS {
-        let moved_px = model.improve(image, light, &field, &some)?;
+        let largest_step = model.improve(image, light, &field, &some)?;
         round_ended();
-        if moved_px < 1e-4 {
+        if largest_step < 1e-4 {
             break;
         }
     }
-    let view = Rendering::new(&model, light, &field, image);
+    let rendering = Rendering::new(&model, light, &field, image);
     let found: Vec<(LensCentre, f64)> =
-        lenses.par_iter().filter_map(|&lens| view.centre(lens)).collect();
+        lenses.par_iter().filter_map(|&lens| rendering.centre(lens)).collect();
     let (centres, misfits) = found.into_iter().unzip();
     let Model { grid, radius_px, blur_px, second } = model;
     Some(Discs { grid, radius_px, blur_px, second, centres, misfits })
 }
 
 impl Model {
-    /// A damped Gauss-Newton step; says how far it moved anything.
+    /// One Gauss-Newton step of limited length. Returns the largest change of a parameter before the limit.
     fn improve(
         &mut self,
         image: &WhiteImage,
@@ -85,14 +86,14 @@ impl Model {
         field: &Field,
         lenses: &[[usize; 2]],
     ) -> Option<f64> {
-        let view = Rendering::new(self, light, field, image);
-        let sums: Vec<Eliminated> =
-            lenses.par_iter().filter_map(|&lens| view.eliminated(lens)).collect();
+        let rendering = Rendering::new(self, light, field, image);
+        let sums: Vec<ReducedEquations> =
+            lenses.par_iter().filter_map(|&lens| rendering.reduced(lens)).collect();
         let typical = super::median(sums.iter().map(|sum| sum.misfit));
         let mut normal = SMatrix::<f64, SHARED_PARAMETERS, SHARED_PARAMETERS>::zeros();
         let mut right = Shared::zeros();
         for sum in &sums {
-            // Lenses that fit badly have dust, or none of the light that was expected.
+            // Lenses with large residuals have dust or unexpected light.
             let weight = (2.0 * typical / sum.misfit.max(f64::MIN_POSITIVE)).min(1.0).powi(4);
             normal += weight * sum.normal;
             right += weight * sum.right;

@@ -1,4 +1,4 @@
-//! Rendered micro-images: how a pixel depends on the discs whose light falls on it.
+//! Rendered micro-images, and the derivatives of pixels with respect to their parameters.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -10,27 +10,28 @@ use super::{
 };
 use crate::lightfield::MicroImageGrid;
 
-/// What a lens has of its own: light at the centre, its curvature, its slopes along columns and rows, and the
-/// background.
-const OWN: usize = 5;
+/// Number of local parameters of a lens: light at the centre, its curvature, its slopes along columns and rows, and
+/// the background.
+const LOCAL_PARAMETERS: usize = 5;
+/// Indices of the slopes.
 const SLOPES: [usize; 2] = [2, 3];
 
-/// How much slopes are held back, relative to what their pixels say of them. Free ones follow whatever makes a real
-/// micro-image lopsided, and take the centre along: grids of real microscopes then were 0.1 px further from
-/// those of their rims. Without any, light that is 4 % brighter on one side at the edge of the field costs 0.05 px
-/// there where micro-images are 48 px wide; held back like this, 0.01 px.
+/// Prior precision of the slopes, relative to the information of the pixels. Unregularised slopes fit any asymmetry
+/// of a real micro-image and bias its centre: grids of real microscopes were then 0.1 px farther from those of
+/// their rims. Without slopes, a gradient of 4 % over micro-images of 48 px at the edge of the field causes an
+/// error of 0.05 px there; with this prior, 0.01 px.
 const SLOPE_PRIOR: f64 = 0.4;
 
 /// Number of parameters shared by all lenses: six of the grid, radius, blur, and four of the second aperture.
 pub(super) const SHARED_PARAMETERS: usize = 12;
 
-/// A disc is as dark as its surroundings this many blurs outside of its rim.
+/// Half width of a rim's profile, in standard deviations of the blur.
 const RIM_BLURS: f64 = 4.0;
 
-type Own = SVector<f64, OWN>;
+type Local = SVector<f64, LOCAL_PARAMETERS>;
 pub(super) type Shared = SVector<f64, SHARED_PARAMETERS>;
 
-/// What all lenses share.
+/// Parameters shared by all lenses; lengths in pixels.
 #[derive(Debug, Clone)]
 pub(super) struct Model {
     pub grid: MicroImageGrid,
@@ -40,23 +41,23 @@ pub(super) struct Model {
 }
 
 impl Model {
-    /// Lenses from the array's middle to its edge.
+    /// Number of lenses from the middle of the array to its edge along i and j.
     pub fn scale(&self) -> [f64; 2] {
         self.grid.microlenses.map(|count| (count as f64 / 2.0).max(1.0))
     }
 }
 
-/// Sums of one lens, its own unknowns eliminated.
-pub(super) struct Eliminated {
+/// Reduced normal equations of one lens, without its local parameters.
+pub(super) struct ReducedEquations {
     pub normal: SMatrix<f64, SHARED_PARAMETERS, SHARED_PARAMETERS>,
     pub right: Shared,
     pub misfit: f64,
 }
 
-/// The light of one disc with a rim blurred by a Gaussian, at a distance outside of it; and its slopes by that
-/// distance and by the blur.
+/// Light of a disc with a Gaussian-blurred rim at a signed distance from the rim, positive outside, and its
+/// derivatives with respect to the distance and to the blur.
 #[inline]
-fn covered(outside_px: f64, blur_px: f64) -> [f64; 3] {
+fn disc_light(outside_px: f64, blur_px: f64) -> [f64; 3] {
     let relative = outside_px / blur_px;
     if relative.abs() > RIM_BLURS {
         return [if relative < 0.0 { 1.0 } else { 0.0 }, 0.0, 0.0];
@@ -69,7 +70,7 @@ fn covered(outside_px: f64, blur_px: f64) -> [f64; 3] {
     ]
 }
 
-/// erfc to 1.5·10⁻⁷ (Abramowitz and Stegun, 7.1.26).
+/// erfc with an error below 1.5·10⁻⁷ (Abramowitz and Stegun, equation 7.1.26).
 #[inline]
 fn complementary_error(x: f64) -> f64 {
     let t = 1.0 / (1.0 + 0.327_591_1 * x.abs());
@@ -81,34 +82,35 @@ fn complementary_error(x: f64) -> f64 {
     if x >= 0.0 { tail } else { 2.0 - tail }
 }
 
-/// One pixel: how it depends on the lens' own unknowns, what it has, and how all discs on it depend on
-/// their centres and the shared shape.
+/// One pixel: derivatives with respect to the local parameters, measured light, and derivatives of the discs that
+/// reach it.
 struct Pixel {
-    basis: Own,
+    basis: Local,
     light: f64,
     discs: Vec<DiscOnPixel>,
 }
 
-/// What one lens' disc, at a neighbour's place or its own, does to a pixel.
+/// Contribution of the disc of a lens or of its neighbour to a pixel.
 struct DiscOnPixel {
-    /// Number of the neighbour; 0 is the lens itself.
+    /// Index of the neighbour; 0 is the lens itself.
     lens: usize,
-    /// The lens' own light at this pixel but for the discs: 1, r², x and y.
+    /// Basis functions of the light distribution at this pixel: 1, r², x and y.
     shape: [f64; 4],
-    /// Slopes of the discs' product by the centre's column and row, and by radius, blur and the second
-    /// aperture's radius, shift and offset.
+    /// Derivatives of the disc with respect to column and row of its centre.
     by_centre: [f64; 2],
+    /// With respect to radius, blur, and the second aperture's radius and shift.
     by_shape: [f64; 4],
+    /// With respect to the second aperture's offset.
     by_second_offset: [f64; 2],
 }
 
-/// A model at work on an image.
+/// A model that is fitted to an image.
 pub(super) struct Rendering<'a> {
     model: &'a Model,
     light: &'a CellLight,
     field: &'a Field,
     image: &'a WhiteImage,
-    /// Neighbours whose discs may reach the cell; the first is the lens itself.
+    /// Lattice steps to neighbours whose discs may reach the unit cell; the first is the lens itself.
     neighbours: Vec<[i64; 2]>,
 }
 
@@ -126,25 +128,28 @@ impl<'a> Rendering<'a> {
         Self { model, light, field, image, neighbours }
     }
 
-    /// All pixels nearer to this lens than to its neighbours. `None` where some are not on the image.
+    /// All pixels nearer to this lens than to its neighbours. `None` if some are outside the image.
     fn pixels(&self, lens: [usize; 2]) -> Option<Vec<Pixel>> {
         let grid = &self.model.grid;
         let place = |[i, j]: [i64; 2]| {
             grid.centre_px((lens[0] as i64 + i) as f64, (lens[1] as i64 + j) as f64)
         };
         let centres: Vec<[f64; 2]> = self.neighbours.iter().map(|&n| place(n)).collect();
-        let own = self.light.of(lens)?;
+        let own_light = self.light.of(lens)?;
         let shares: Vec<f64> = self
             .neighbours
             .iter()
-            .map(|n| self.light.of_neighbour(lens, *n).map_or(1.0, |light| light / own))
+            .map(|n| self.light.of_neighbour(lens, *n).map_or(1.0, |light| light / own_light))
             .collect();
         let cell = super::cell_pixels(grid, lens, self.image.columns(), self.image.rows())?;
         let pixel = |[column, row]: [usize; 2]| {
             let at = [column as f64, row as f64];
-            let mut pixel =
-                Pixel { basis: Own::zeros(), light: self.image.at(column, row), discs: Vec::new() };
-            pixel.basis[OWN - 1] = 1.0;
+            let mut pixel = Pixel {
+                basis: Local::zeros(),
+                light: self.image.at(column, row),
+                discs: Vec::new(),
+            };
+            pixel.basis[LOCAL_PARAMETERS - 1] = 1.0;
             for (n, (centre, share)) in centres.iter().zip(&shares).enumerate() {
                 self.add_disc(&mut pixel, n, at, *centre, *share);
             }
@@ -165,45 +170,48 @@ impl<'a> Rendering<'a> {
             let distance = from[0].hypot(from[1]).max(1e-9);
             (second, distance - second.radius_px, from.map(|place| place / distance))
         });
-        // Blurred after the cut: side by side, the inner one of two rims is seen alone.
-        let (covering, by_outside, by_centre, by_shape, by_second_offset);
+        // Only the inner rim is blurred: a product of two blurred discs would be too dark where rims are close.
+        let (disc_share, by_outside, by_centre, by_shape, by_second_offset);
         match cut {
             Some((second, outside, towards)) if outside > stop_outside => {
-                let [covered, slope, by_blur] = covered(outside, model.blur_px);
+                let [light, slope, by_blur] = disc_light(outside, model.blur_px);
                 let share = self.field.share(centre);
-                let moves = 1.0 + second.shift_at_corner_px / self.field.half_diagonal_px;
-                (covering, by_outside) = (covered, slope);
+                let stretch = 1.0 + second.shift_at_corner_px / self.field.half_diagonal_px;
+                (disc_share, by_outside) = (light, slope);
                 by_second_offset = towards.map(|n| -n * slope);
-                by_centre = by_second_offset.map(|part| part * moves);
+                by_centre = by_second_offset.map(|part| part * stretch);
                 let by_shift = by_second_offset[0] * share[0] + by_second_offset[1] * share[1];
                 by_shape = [0.0, by_blur, -slope, by_shift];
             }
             _ => {
-                let [covered, slope, by_blur] = covered(stop_outside, model.blur_px);
-                (covering, by_outside) = (covered, slope);
+                let [light, slope, by_blur] = disc_light(stop_outside, model.blur_px);
+                (disc_share, by_outside) = (light, slope);
                 by_second_offset = [0.0; 2];
                 by_centre = towards.map(|n| -n * slope);
                 by_shape = [-slope, by_blur, 0.0, 0.0];
             }
         }
-        if covering == 0.0 {
+        if disc_share == 0.0 {
             return;
         }
         let [x, y] = from.map(|place| place / model.radius_px);
         let shape = [share, share * (x * x + y * y), share * x, share * y];
         for (basis, shape) in pixel.basis.iter_mut().zip(shape) {
-            *basis += shape * covering;
+            *basis += shape * disc_share;
         }
         if by_outside != 0.0 {
             pixel.discs.push(DiscOnPixel { lens, shape, by_centre, by_shape, by_second_offset });
         }
     }
 
-    /// The lens' own unknowns for given discs, with the root mean square of what they leave relative to the
-    /// lens' brightness.
-    fn own(&self, pixels: &[Pixel]) -> Option<(SMatrix<f64, OWN, OWN>, Own, f64)> {
-        let mut normal = SMatrix::<f64, OWN, OWN>::zeros();
-        let mut right = Own::zeros();
+    /// Fits the local parameters for given discs: inverse of the normal matrix, parameters, and root-mean-square
+    /// residual relative to the lens' brightness.
+    fn fit_local(
+        &self,
+        pixels: &[Pixel],
+    ) -> Option<(SMatrix<f64, LOCAL_PARAMETERS, LOCAL_PARAMETERS>, Local, f64)> {
+        let mut normal = SMatrix::<f64, LOCAL_PARAMETERS, LOCAL_PARAMETERS>::zeros();
+        let mut right = Local::zeros();
         for pixel in pixels {
             normal += pixel.basis * pixel.basis.transpose();
             right += pixel.light * pixel.basis;
@@ -211,24 +219,24 @@ impl<'a> Rendering<'a> {
         for slope in SLOPES {
             normal[(slope, slope)] *= 1.0 + SLOPE_PRIOR;
         }
-        for n in 0..OWN {
+        for n in 0..LOCAL_PARAMETERS {
             normal[(n, n)] += 1e-6 * pixels.len() as f64;
         }
         let inverse = normal.try_inverse()?;
-        let own = inverse * right;
+        let local = inverse * right;
         let squares: f64 =
-            pixels.iter().map(|pixel| (pixel.light - pixel.basis.dot(&own)).powi(2)).sum();
-        let misfit = (squares / pixels.len() as f64).sqrt() / own[0].abs().max(f64::MIN_POSITIVE);
-        (own[0] > 0.0).then_some((inverse, own, misfit))
+            pixels.iter().map(|pixel| (pixel.light - pixel.basis.dot(&local)).powi(2)).sum();
+        let misfit = (squares / pixels.len() as f64).sqrt() / local[0].abs().max(f64::MIN_POSITIVE);
+        (local[0] > 0.0).then_some((inverse, local, misfit))
     }
 
-    /// The normal equations of what is shared, from one lens, of unit brightness.
-    pub fn eliminated(&self, lens: [usize; 2]) -> Option<Eliminated> {
+    /// Reduced normal equations of the shared parameters from one lens, normalised by its squared brightness.
+    pub fn reduced(&self, lens: [usize; 2]) -> Option<ReducedEquations> {
         let pixels = self.pixels(lens)?;
-        let (inverse, own, misfit) = self.own(&pixels)?;
+        let (inverse, local, misfit) = self.fit_local(&pixels)?;
         let scale = self.model.scale();
         let mut normal = SMatrix::<f64, SHARED_PARAMETERS, SHARED_PARAMETERS>::zeros();
-        let mut crossed = SMatrix::<f64, SHARED_PARAMETERS, OWN>::zeros();
+        let mut mixed = SMatrix::<f64, SHARED_PARAMETERS, LOCAL_PARAMETERS>::zeros();
         let mut right = Shared::zeros();
         for pixel in &pixels {
             if pixel.discs.is_empty() {
@@ -236,7 +244,8 @@ impl<'a> Rendering<'a> {
             }
             let mut slope = Shared::zeros();
             for disc in &pixel.discs {
-                let light: f64 = disc.shape.iter().zip(own.iter()).map(|(s, own)| s * own).sum();
+                let light: f64 =
+                    disc.shape.iter().zip(local.iter()).map(|(s, local)| s * local).sum();
                 let number = self.neighbours[disc.lens];
                 let [u, v] = [0, 1]
                     .map(|axis| (lens[axis] as i64 + number[axis]) as f64 / scale[axis] - 1.0);
@@ -251,33 +260,33 @@ impl<'a> Rendering<'a> {
                 slope[11] += light * disc.by_second_offset[1];
             }
             normal += slope * slope.transpose();
-            crossed += slope * pixel.basis.transpose();
-            right += (pixel.light - pixel.basis.dot(&own)) * slope;
+            mixed += slope * pixel.basis.transpose();
+            right += (pixel.light - pixel.basis.dot(&local)) * slope;
         }
-        let brightness = own[0] * own[0];
-        let normal = (normal - crossed * inverse * crossed.transpose()) / brightness;
-        Some(Eliminated { normal, right: right / brightness, misfit })
+        let brightness = local[0] * local[0];
+        let normal = (normal - mixed * inverse * mixed.transpose()) / brightness;
+        Some(ReducedEquations { normal, right: right / brightness, misfit })
     }
 
-    /// The centre of one lens by itself, all that is shared being known.
+    /// Fits the centre of one lens with the shared parameters fixed. Also returns its relative residual.
     pub fn centre(&self, lens: [usize; 2]) -> Option<(LensCentre, f64)> {
         let pixels = self.pixels(lens)?;
-        let (inverse, own, misfit) = self.own(&pixels)?;
+        let (inverse, local, misfit) = self.fit_local(&pixels)?;
         let mut normal = SMatrix::<f64, 2, 2>::zeros();
-        let mut crossed = SMatrix::<f64, 2, OWN>::zeros();
+        let mut mixed = SMatrix::<f64, 2, LOCAL_PARAMETERS>::zeros();
         let mut right = SVector::<f64, 2>::zeros();
         for pixel in &pixels {
             let Some(disc) = pixel.discs.iter().find(|disc| disc.lens == 0) else { continue };
-            let light: f64 = disc.shape.iter().zip(own.iter()).map(|(s, own)| s * own).sum();
+            let light: f64 = disc.shape.iter().zip(local.iter()).map(|(s, local)| s * local).sum();
             let slope = SVector::<f64, 2>::from(disc.by_centre) * light;
             normal += slope * slope.transpose();
-            crossed += slope * pixel.basis.transpose();
-            right += (pixel.light - pixel.basis.dot(&own)) * slope;
+            mixed += slope * pixel.basis.transpose();
+            right += (pixel.light - pixel.basis.dot(&local)) * slope;
         }
-        let normal = normal - crossed * inverse * crossed.transpose();
+        let normal = normal - mixed * inverse * mixed.transpose();
         let step = normal.cholesky()?.solve(&right);
         let [column, row] = self.model.grid.centre_px(lens[0] as f64, lens[1] as f64);
-        let brightness = own[0] * own[0];
+        let brightness = local[0] * local[0];
         let information =
             [normal[(0, 0)], normal[(0, 1)], normal[(1, 1)]].map(|entry| entry / brightness);
         let centre_px = [column + step[0], row + step[1]];

@@ -1,38 +1,39 @@
-//! Circles that all rims have in common: the stop's, and a second aperture's where it cuts that off.
+//! Model of all rims: the stop's disc, and the disc of a second aperture that may cut it.
 //!
-//! A point is on a rim where it is on one of the circles and inside of the other: at max(s₁, s₂) = 0 with its
-//! distances outside of both. That holds for half levels of blurred rims, too, where both circles
-//! run side by side, as they do where vignetting begins.
+//! With the signed distances s₁ and s₂ from both circles, positive outside, the rim is where max(s₁, s₂) = 0. This
+//! also holds for the half level of blurred rims where both circles are close together, as at the onset of
+//! vignetting.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::second_aperture::{Field, SecondAperture};
 use crate::{lightfield::MicroImageGrid, statistics::NORMAL_OF_MEDIAN};
 
-/// Six of the grid, the stop's radius, and four of the second aperture.
-const UNKNOWNS: usize = 11;
+/// Number of parameters: six of the grid, the stop's radius, and four of the second aperture.
+const RIM_PARAMETERS: usize = 11;
+/// Number of parameters without a second aperture.
 const WITHOUT_SECOND: usize = 7;
 
-/// Displacements of the second disc at the corner that are tried, in radii of the stop.
+/// Initial displacements of the second disc at the corner, in radii of the stop.
 const SHIFTS: [f64; 10] = [-3.0, -1.5, -0.8, -0.35, -0.15, 0.15, 0.35, 0.8, 1.5, 3.0];
 
-/// A second aperture is believed in that takes at least this share of what is left without it.
+/// Least relative decrease of the cost for which a second aperture is accepted.
 const LEAST_GAIN: f64 = 0.25;
 
-/// Second discs are within these radii of the stop's, and displaced by no more than this many.
+/// Range of the second disc's radius and largest displacement at the corner, in radii of the stop.
 const RADII: std::ops::RangeInclusive<f64> = 0.5..=8.0;
 const LARGEST_SHIFT: f64 = 8.0;
 
 const ROUNDS: usize = 40;
 
-/// Steps are cut to this, in pixels.
+/// Limit of a step of any parameter, in pixels.
 const LARGEST_STEP_PX: f64 = 1.0;
 
-/// Points beyond this many robust standard deviations pull no more than those there.
-const HUBER: f64 = 1.5;
+/// Threshold of Huber's loss, in robust standard deviations.
+const HUBER_DEVIATIONS: f64 = 1.5;
 
-/// Points closer than this, in pixels, are on the rim.
-const LEAST_REACH_PX: f64 = 0.1;
+/// Least threshold of Huber's loss, in pixels.
+const LEAST_HUBER_PX: f64 = 0.1;
 
 /// A point on the rim of a lens' micro-image.
 #[derive(Debug, Clone, Copy)]
@@ -41,7 +42,7 @@ pub(super) struct RimPoint {
     pub place_px: [f64; 2],
 }
 
-/// All circles.
+/// Parameters of all circles; lengths in pixels.
 #[derive(Debug, Clone)]
 pub(super) struct RimModel {
     pub grid: MicroImageGrid,
@@ -49,18 +50,23 @@ pub(super) struct RimModel {
     pub second: Option<SecondAperture>,
 }
 
-/// How far a point is outside of the common rim, and how that changes.
-pub(super) struct Outside {
+/// Signed distance of a point from the rim, positive outside, and its derivatives.
+pub(super) struct RimDistance {
     pub distance_px: f64,
-    /// By the centre of the lens' micro-image, both discs moving.
+    /// Derivatives with respect to the micro-image's centre, with which both discs move.
     pub by_centre: [f64; 2],
-    /// By the stop's radius and the second aperture's radius, shift and offset.
+    /// Derivatives with respect to the stop's radius and to the second aperture's radius, shift and offset.
     by_shape: [f64; 5],
 }
 
 impl RimModel {
-    /// The distance of a place from the rim of the micro-image centred at `centre_px`.
-    pub fn outside(&self, centre_px: [f64; 2], place_px: [f64; 2], field: &Field) -> Outside {
+    /// Signed distance of a position from the rim of the micro-image centred at `centre_px`.
+    pub fn rim_distance(
+        &self,
+        centre_px: [f64; 2],
+        place_px: [f64; 2],
+        field: &Field,
+    ) -> RimDistance {
         let away = |from: [f64; 2]| {
             let offset = [place_px[0] - from[0], place_px[1] - from[1]];
             let distance = offset[0].hypot(offset[1]).max(1e-9);
@@ -69,7 +75,7 @@ impl RimModel {
         let (distance, [nx, ny]) = away(centre_px);
         let stop = distance - self.radius_px;
         let Some(second) = &self.second else {
-            return Outside {
+            return RimDistance {
                 distance_px: stop,
                 by_centre: [-nx, -ny],
                 by_shape: [-1.0, 0.0, 0.0, 0.0, 0.0],
@@ -79,10 +85,13 @@ impl RimModel {
         let cut = distance - second.radius_px;
         let [of_stop, of_cut] = if stop >= cut { [1.0, 0.0] } else { [0.0, 1.0] };
         let share = field.share(centre_px);
-        let moves = 1.0 + second.shift_at_corner_px / field.half_diagonal_px;
-        Outside {
+        let stretch = 1.0 + second.shift_at_corner_px / field.half_diagonal_px;
+        RimDistance {
             distance_px: stop.max(cut),
-            by_centre: [-of_stop * nx - of_cut * moves * mx, -of_stop * ny - of_cut * moves * my],
+            by_centre: [
+                -of_stop * nx - of_cut * stretch * mx,
+                -of_stop * ny - of_cut * stretch * my,
+            ],
             by_shape: [
                 -of_stop,
                 -of_cut,
@@ -102,58 +111,64 @@ impl RimModel {
         points: &'a [RimPoint],
         field: &'a Field,
     ) -> impl Iterator<Item = f64> + 'a {
-        points.iter().map(|p| self.outside(self.centre_px(p.lens), p.place_px, field).distance_px)
+        points
+            .iter()
+            .map(|p| self.rim_distance(self.centre_px(p.lens), p.place_px, field).distance_px)
     }
 
-    /// The robust standard deviation of points from the rim, in pixels.
+    /// Robust standard deviation of the points' distances from the rim, in pixels.
     pub fn deviation_px(&self, points: &[RimPoint], field: &Field) -> f64 {
         NORMAL_OF_MEDIAN * super::median(self.distances(points, field).map(f64::abs))
     }
 
-    /// How far points pull: by the square of their distance up to here, and beyond by its length.
-    fn reach(&self, points: &[RimPoint], field: &Field) -> f64 {
-        (HUBER * self.deviation_px(points, field)).max(LEAST_REACH_PX)
+    /// Threshold of Huber's loss, in pixels.
+    fn huber_px(&self, points: &[RimPoint], field: &Field) -> f64 {
+        (HUBER_DEVIATIONS * self.deviation_px(points, field)).max(LEAST_HUBER_PX)
     }
 
-    /// What is left, by Huber's measure.
-    fn left(&self, points: &[RimPoint], field: &Field, reach: f64) -> f64 {
-        let measure = |distance: f64| {
+    /// Sum of Huber's loss over the points.
+    fn cost(&self, points: &[RimPoint], field: &Field, huber_px: f64) -> f64 {
+        let loss = |distance: f64| {
             let length = distance.abs();
-            if length < reach { 0.5 * length * length } else { reach * (length - 0.5 * reach) }
+            if length < huber_px {
+                0.5 * length * length
+            } else {
+                huber_px * (length - 0.5 * huber_px)
+            }
         };
-        self.distances(points, field).map(measure).sum()
+        self.distances(points, field).map(loss).sum()
     }
 
-    /// Looks for a second aperture from several starts, and keeps what explains the points clearly better.
-    pub fn look_for_second(&mut self, points: &[RimPoint], field: &Field) {
-        let reach = self.reach(points, field);
-        let without = self.left(points, field, reach);
-        let tried = SHIFTS.iter().filter_map(|shift| {
+    /// Fits a second aperture from several initial values, and adopts it if the cost decreases sufficiently.
+    pub fn find_second(&mut self, points: &[RimPoint], field: &Field) {
+        let huber_px = self.huber_px(points, field);
+        let without = self.cost(points, field, huber_px);
+        let fitted = SHIFTS.iter().filter_map(|shift| {
             let second = SecondAperture {
                 radius_px: self.radius_px * (1.0 + 0.5 * shift.abs()),
                 shift_at_corner_px: shift * self.radius_px,
                 offset_px: [0.0; 2],
             };
             let mut model = Self { second: Some(second), ..self.clone() };
-            model.follow(points, field)?;
-            model.tell_stop(field);
-            model.is_sensible().then(|| (model.left(points, field, reach), model))
+            model.fit(points, field)?;
+            model.order_discs(field);
+            model.is_plausible().then(|| (model.cost(points, field, huber_px), model))
         });
-        let best = tried.min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((left, model)) = best
-            && left < (1.0 - LEAST_GAIN) * without
+        let best = fitted.min_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((cost, model)) = best
+            && cost < (1.0 - LEAST_GAIN) * without
         {
             *self = model;
         }
     }
 
-    /// The stop is what limits the light in the middle of the field: the smaller disc.
-    fn tell_stop(&mut self, field: &Field) {
+    /// Exchanges both discs if the second one is smaller: the stop limits the light in the middle of the field.
+    fn order_discs(&mut self, field: &Field) {
         let Some(second) = self.second else { return };
         if second.radius_px >= self.radius_px {
             return;
         }
-        // The second disc's centres are an affine map of the lenses, too.
+        // The centres of the second discs are also an affine map of the lens indices.
         let stretch = 1.0 + second.shift_at_corner_px / field.half_diagonal_px;
         for (axis, affine) in
             [&mut self.grid.column_px, &mut self.grid.row_px].into_iter().enumerate()
@@ -172,8 +187,8 @@ impl RimModel {
         });
     }
 
-    /// Of a size that there is, on an axis that meets the sensor.
-    fn is_sensible(&self) -> bool {
+    /// Whether the second disc has a plausible size, and its axis intersects the sensor.
+    fn is_plausible(&self) -> bool {
         self.second.is_some_and(|second| {
             RADII.contains(&(second.radius_px / self.radius_px))
                 && second.shift_at_corner_px.abs() < LARGEST_SHIFT * self.radius_px
@@ -181,20 +196,20 @@ impl RimModel {
         })
     }
 
-    /// Damped Gauss-Newton steps until nothing moves. `None` where the points do not determine the circles.
-    pub fn follow(&mut self, points: &[RimPoint], field: &Field) -> Option<()> {
+    /// Levenberg-Marquardt fit to the points. `None` if they do not determine the parameters.
+    pub fn fit(&mut self, points: &[RimPoint], field: &Field) -> Option<()> {
         let mut damping = 1e-4;
         for _ in 0..ROUNDS {
-            let reach = self.reach(points, field);
-            let left = self.left(points, field, reach);
-            let step = self.step(points, field, reach, damping)?;
+            let huber_px = self.huber_px(points, field);
+            let cost = self.cost(points, field, huber_px);
+            let step = self.step(points, field, huber_px, damping)?;
             let next = self.moved(&step);
-            let next_left = next.left(points, field, reach);
-            if next_left <= left {
-                let done = left - next_left < 1e-7 * left;
+            let next_cost = next.cost(points, field, huber_px);
+            if next_cost <= cost {
+                let converged = cost - next_cost < 1e-7 * cost;
                 *self = next;
                 damping = (damping * 0.2).max(1e-9);
-                if done {
+                if converged {
                     break;
                 }
             } else if damping > 1e3 {
@@ -210,25 +225,36 @@ impl RimModel {
         &self,
         points: &[RimPoint],
         field: &Field,
-        reach: f64,
+        huber_px: f64,
         damping: f64,
-    ) -> Option<SVector<f64, UNKNOWNS>> {
-        let mut normal = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
-        let mut right = SVector::<f64, UNKNOWNS>::zeros();
+    ) -> Option<SVector<f64, RIM_PARAMETERS>> {
+        let mut normal = SMatrix::<f64, RIM_PARAMETERS, RIM_PARAMETERS>::zeros();
+        let mut right = SVector::<f64, RIM_PARAMETERS>::zeros();
         let scale = self.scale();
         for point in points {
             let [u, v] = [0, 1].map(|axis| point.lens[axis] as f64 / scale[axis] - 1.0);
-            let outside = self.outside(self.centre_px(point.lens), point.place_px, field);
-            let [x, y] = outside.by_centre;
-            let [r, s, t, p, q] = outside.by_shape;
-            let slope =
-                SVector::<f64, UNKNOWNS>::from([x, x * u, x * v, y, y * u, y * v, r, s, t, p, q]);
-            let weight = (reach / outside.distance_px.abs().max(reach)).min(1.0);
+            let rim = self.rim_distance(self.centre_px(point.lens), point.place_px, field);
+            let [x, y] = rim.by_centre;
+            let [r, s, t, p, q] = rim.by_shape;
+            let slope = SVector::<f64, RIM_PARAMETERS>::from([
+                x,
+                x * u,
+                x * v,
+                y,
+                y * u,
+                y * v,
+                r,
+                s,
+                t,
+                p,
+                q,
+            ]);
+            let weight = (huber_px / rim.distance_px.abs().max(huber_px)).min(1.0);
             normal += weight * slope * slope.transpose();
-            right -= weight * outside.distance_px * slope;
+            right -= weight * rim.distance_px * slope;
         }
-        let used = if self.second.is_some() { UNKNOWNS } else { WITHOUT_SECOND };
-        for n in 0..UNKNOWNS {
+        let used = if self.second.is_some() { RIM_PARAMETERS } else { WITHOUT_SECOND };
+        for n in 0..RIM_PARAMETERS {
             if n < used {
                 normal[(n, n)] += damping * normal[(n, n)].max(1e-6);
             } else {
@@ -240,12 +266,12 @@ impl RimModel {
         Some(step * (LARGEST_STEP_PX / largest.max(LARGEST_STEP_PX)))
     }
 
-    /// Lenses from the array's middle to its edge.
+    /// Number of lenses from the middle of the array to its edge along i and j.
     fn scale(&self) -> [f64; 2] {
         self.grid.microlenses.map(|count| (count as f64 / 2.0).max(1.0))
     }
 
-    fn moved(&self, step: &SVector<f64, UNKNOWNS>) -> Self {
+    fn moved(&self, step: &SVector<f64, RIM_PARAMETERS>) -> Self {
         let scale = self.scale();
         let mut next = self.clone();
         for (at, affine) in [(0, &mut next.grid.column_px), (3, &mut next.grid.row_px)] {

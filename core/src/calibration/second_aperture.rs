@@ -1,21 +1,21 @@
-//! A second aperture, which cuts micro-images away from the stop's disc: mechanical vignetting.
+//! Mechanical vignetting: a second aperture that cuts the stop's disc in micro-images.
 
 use serde::{Deserialize, Serialize};
 
-/// The image of an aperture in another plane than the stop's: a second disc on every micro-image. What
-/// both discs cover is lit, the "cat's eye". It is displaced in proportion to the place in the field, because
-/// lines from a microlens through both apertures' centres diverge by that.
+/// Image of an aperture that is not in the plane of the stop: a second disc in every micro-image. The intersection
+/// of both discs is lit ("cat's eye"). The displacement of the second disc is proportional to the position in the
+/// field, because lines from a microlens through the centres of both apertures diverge accordingly.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SecondAperture {
     /// Radius of its disc, in pixels.
     pub radius_px: f64,
-    /// How far its disc lies outwards of the stop's at the sensor's corner, in pixels; negative: inwards.
+    /// Outward displacement of its disc from the stop's disc at the sensor's corner, in pixels; negative: inward.
     pub shift_at_corner_px: f64,
-    /// Where it lies in the sensor's middle relative to the stop's disc, column and row, in pixels.
+    /// Displacement of its disc from the stop's disc in the sensor's middle, column and row, in pixels.
     pub offset_px: [f64; 2],
 }
 
-/// The field's middle and half diagonal, to which displacements refer.
+/// Middle and half diagonal of the sensor, in pixels.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Field {
     pub middle_px: [f64; 2],
@@ -31,14 +31,14 @@ impl Field {
         }
     }
 
-    /// A place relative to the middle, as a share of the half diagonal.
+    /// Position relative to the middle, as a share of the half diagonal.
     pub fn share(&self, place_px: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| (place_px[axis] - self.middle_px[axis]) / self.half_diagonal_px)
     }
 }
 
 impl SecondAperture {
-    /// Centre of its disc for the lens whose stop's disc is centred at `stop_px`.
+    /// Centre of its disc in the micro-image with the stop's disc at `stop_px`, in pixels.
     pub(super) fn centre_px(&self, stop_px: [f64; 2], field: &Field) -> [f64; 2] {
         let share = field.share(stop_px);
         [0, 1].map(|axis| {

@@ -1,5 +1,5 @@
-//! Grids found in images whose grid is known. The images are counted together from hundreds of points per
-//! pixel: no blurred rim, no rendered disc, nothing of what the estimators take micro-images to be.
+//! Grid calibration of synthetic images with known grids. The images are sampled at 81 points per pixel and share
+//! no code with the models of the estimators.
 
 use lfpiv_hw::RawImage;
 use rand::{RngExt, SeedableRng};
@@ -8,33 +8,34 @@ use rand_pcg::Pcg64Mcg;
 use super::*;
 use crate::lightfield::MicroImageGrid;
 
-/// Points along each side of a pixel.
+/// Sampling points along each side of a pixel.
 const POINTS: usize = 9;
 
 const BLACK: f64 = 64.0;
 const BRIGHT: f64 = 2400.0;
 
-/// An array and what is wrong with it.
+/// A synthetic white image with imperfections.
 #[derive(Clone)]
 struct Scene {
     size: [usize; 2],
-    /// True grid; lenses from −`lenses` to +`lenses` around it are there.
+    /// True grid; the image also shows lenses outside of its index range.
     grid: MicroImageGrid,
     radius_px: f64,
-    /// Radius of a second disc, and how far it lies outwards per pixel from the middle.
+    /// Radius of a second disc, in pixels, and its outward displacement per pixel from the middle.
     second: Option<[f64; 2]>,
-    /// Displacement of micro-images in proportion to the square of the place, at the image's edge.
-    bent_px: f64,
-    /// Slope of the light over a micro-image at the image's edge: how much more there is on its outer rim.
-    tilt: f64,
-    /// Lenses without light.
+    /// Displacement of micro-images at the image's edge, in pixels; quadratic in the position.
+    distortion_px: f64,
+    /// Gradient of the light over a micro-image at the image's edge: relative increase from its centre to its outer
+    /// rim.
+    gradient: f64,
+    /// Indices of lenses without light.
     dead: Vec<[i64; 2]>,
-    /// Dark specks: column, row, radius.
+    /// Dark specks: column, row, radius, in pixels.
     dust: Vec<[f64; 3]>,
     noise: f64,
 }
 
-/// A square array of 22 x 17 lenses on its sensor, turned and of a pitch that fits no pixels.
+/// A square array of some 22 x 17 lenses, rotated, with a pitch that is not a whole number of pixels.
 fn square(pitch: [f64; 2], turned_deg: f64) -> Scene {
     let (sine, cosine) = turned_deg.to_radians().sin_cos();
     Scene {
@@ -46,8 +47,8 @@ fn square(pitch: [f64; 2], turned_deg: f64) -> Scene {
         },
         radius_px: 0.495 * pitch[0],
         second: None,
-        bent_px: 0.0,
-        tilt: 0.0,
+        distortion_px: 0.0,
+        gradient: 0.0,
         dead: Vec::new(),
         dust: Vec::new(),
         noise: 20.0,
@@ -67,7 +68,7 @@ fn hexagonal(pitch: f64, turned_deg: f64) -> Scene {
 }
 
 impl Scene {
-    /// The discs that may touch a pixel: centres of the stop's and of the second one.
+    /// Centres of the stop's and of the second disc for all lenses near a pixel.
     fn discs_near(&self, column: f64, row: f64) -> Vec<[[f64; 2]; 2]> {
         let middle = self.size.map(|pixels| (pixels as f64 - 1.0) / 2.0);
         let [i, j] = self.grid.lens_at(column, row).map(|index| index.round() as i64);
@@ -77,7 +78,7 @@ impl Scene {
             .filter(|lens| !self.dead.contains(lens))
             .map(|lens| {
                 let mut stop = self.grid.centre_px(lens[0] as f64, lens[1] as f64);
-                stop[0] += self.bent_px * ((stop[0] - middle[0]) / middle[0]).powi(2);
+                stop[0] += self.distortion_px * ((stop[0] - middle[0]) / middle[0]).powi(2);
                 let cut = [0, 1].map(|axis| stop[axis] + slope * (stop[axis] - middle[axis]));
                 [stop, cut]
             })
@@ -85,7 +86,7 @@ impl Scene {
             .collect()
     }
 
-    /// Light of a pixel: the share of it in each disc, added up.
+    /// Light of a pixel: sum of its shares inside each disc.
     fn light(&self, column: f64, row: f64) -> f64 {
         let discs = self.discs_near(column, row);
         let cut_px = self.second.map_or(f64::INFINITY, |[radius, _]| radius);
@@ -104,10 +105,10 @@ impl Scene {
         inside / (POINTS * POINTS) as f64
     }
 
-    /// Light on a disc where it is tilted along the columns, in proportion to the field.
+    /// Light on a disc with a gradient along columns that is proportional to the field position.
     fn shade(&self, disc: [f64; 2], x: f64) -> f64 {
         let middle = (self.size[0] as f64 - 1.0) / 2.0;
-        1.0 + self.tilt * (disc[0] - middle) / middle * (x - disc[0]) / self.radius_px
+        1.0 + self.gradient * (disc[0] - middle) / middle * (x - disc[0]) / self.radius_px
     }
 
     fn image(&self, seed: u64) -> WhiteImage {
@@ -126,7 +127,7 @@ impl Scene {
         WhiteImage::average(&[RawImage::new(columns, rows, counts).unwrap()], &[]).unwrap()
     }
 
-    /// The largest distance of a found centre from the nearest true one, over the lenses that were found.
+    /// Largest distance of a found centre from the nearest true one, in pixels.
     fn worst_px(&self, found: &MicroImageGrid) -> f64 {
         let [nx, ny] = found.microlenses;
         let mut worst = 0.0f64;
@@ -154,7 +155,7 @@ impl Scene {
     }
 }
 
-/// Found without warnings to 0.02 px, and both estimators say the same.
+/// Asserts that the grid is found within 0.02 px, without warnings, and that both estimators agree.
 fn assert_found(scene: &Scene, seed: u64) -> GridCalibration {
     let found = scene.calibrated(seed);
     let worst = scene.worst_px(&found.grid);
@@ -188,7 +189,7 @@ fn square_arrays_are_found_whatever_their_pitch_and_angle() {
 }
 
 #[test]
-fn hexagonal_arrays_are_found_with_rows_level_and_upright() {
+fn hexagonal_arrays_are_found_and_oriented() {
     for (turned_deg, seed) in [(0.7, 5), (30.0, 6), (-14.0, 7)] {
         let found = assert_found(&hexagonal(18.6, turned_deg), seed);
         assert_eq!(found.array, ArrayKind::Hexagonal, "{:?}", found.grid);
@@ -196,9 +197,9 @@ fn hexagonal_arrays_are_found_with_rows_level_and_upright() {
     }
 }
 
-/// Stopped down, and so far open that every micro-image overlaps its neighbours.
+/// Small apertures, and large ones with overlapping micro-images.
 #[test]
-fn micro_images_of_any_size_are_found_and_the_f_number_is_told() {
+fn micro_images_of_any_size_are_found_with_the_f_number_advice() {
     for (share, seed, words) in [
         (0.35, 8, "open the main lens by 1.03 stops"),
         (0.57, 9, "close the main lens by 0.38 stops"),
@@ -210,9 +211,9 @@ fn micro_images_of_any_size_are_found_and_the_f_number_is_told() {
     }
 }
 
-/// Two pixels cut off at the corner, from outside and from inside: centroids would be a pixel off.
+/// A cut of two pixels at the corner, from outside and from inside, which displaces centroids by one pixel.
 #[test]
-fn a_second_aperture_does_not_pull_the_grid() {
+fn a_second_aperture_does_not_displace_the_grid() {
     for (slope, seed) in [(0.014, 10), (-0.012, 11)] {
         let mut scene = square([17.9, 17.9], 0.5);
         scene.second = Some([scene.radius_px + 0.8, slope]);
@@ -224,16 +225,16 @@ fn a_second_aperture_does_not_pull_the_grid() {
     }
 }
 
-/// A diffuser whose light falls off by a tenth over a micro-image at the edge.
+/// A diffuser with a gradient of a tenth over a micro-image at the edge.
 #[test]
-fn uneven_light_hardly_pulls_the_grid() {
+fn uneven_light_hardly_displaces_the_grid() {
     let mut scene = square([17.31, 17.31], 0.5);
-    scene.tilt = 0.05;
+    scene.gradient = 0.05;
     assert_found(&scene, 16);
 }
 
 #[test]
-fn dead_lenses_and_dust_are_named_and_do_not_pull() {
+fn dead_lenses_and_dust_are_detected_and_do_not_displace_the_grid() {
     let mut scene = square([17.31, 17.31], 0.5);
     scene.dead = vec![[3, 2], [-4, 1]];
     scene.dust = vec![[200.0, 100.0, 3.0], [85.0, 161.0, 2.0]];
@@ -249,16 +250,16 @@ fn dead_lenses_and_dust_are_named_and_do_not_pull() {
     assert_eq!(found.lenses[j * found.grid.microlenses[0] + i].state, LensState::Dark);
 }
 
-/// The optics displace micro-images: no affine grid fits, and that is said.
+/// Displacements by the optics, which no affine grid fits, cause a warning.
 #[test]
-fn a_bent_grid_is_called_so() {
+fn a_distorted_grid_causes_a_warning() {
     let mut scene = square([17.31, 17.31], 0.5);
-    scene.bent_px = 0.8;
+    scene.distortion_px = 0.8;
     let found = scene.calibrated(13);
-    let bent =
+    let irregular =
         found.warnings.iter().find(|warning| matches!(warning, GridWarning::Irregular { .. }));
-    let said = bent.unwrap().to_string();
-    assert!(said.contains("aberrations of the pupil"), "{said}");
+    let message = irregular.unwrap().to_string();
+    assert!(message.contains("aberrations of the pupil"), "{message}");
     assert!(found.heldout.smooth_rms_px[0] < 0.3 * found.heldout.rms_px[0], "{:?}", found.heldout);
 }
 
@@ -284,7 +285,7 @@ fn micro_images_of_few_pixels_are_refused() {
 }
 
 #[test]
-fn black_levels_are_taken_off_and_saturation_is_said() {
+fn black_levels_are_subtracted_and_saturation_is_reported() {
     let white = |count| RawImage::new(2, 1, vec![count, 4095]).unwrap();
     let dark = RawImage::new(2, 1, vec![60, 64]).unwrap();
     let image = WhiteImage::average(&[white(100), white(200)], &[dark]).unwrap();

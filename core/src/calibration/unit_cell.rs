@@ -1,21 +1,22 @@
-//! The mean micro-image of the field's middle: where it is centred and how large it is, roughly.
+//! Approximate centre and radius of the micro-images, from the mean unit cell in the middle of the field.
 
 use super::{WhiteImage, lattice::Basis};
 
 /// Samples along each side of the cell.
 const SIDE: usize = 32;
 
-/// The middle that is averaged reaches this many pitches from the image's centre.
+/// Half width of the averaged region around the image's centre, in pitches.
 const REACH_PITCHES: f64 = 10.0;
 
-/// Radii that are tried, in pitches: far stopped down to four micro-images on every pixel.
+/// Tested radii in units of `RADIUS_STEP`: from a closed stop to four overlapping micro-images.
 const RADII: std::ops::RangeInclusive<usize> = 5..=18;
+/// Step of the tested radii, in pitches.
 const RADIUS_STEP: f64 = 0.05;
 
-/// Width of the discs' rims in pitches: about a pixel.
+/// Width of the discs' rims, in pitches: about a pixel.
 const RIM: f64 = 0.05;
 
-/// What the mean micro-image says.
+/// Parameters of the mean micro-image.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct UnitCell {
     /// Centre of a micro-image near the image's middle, in pixels.
@@ -24,9 +25,8 @@ pub(super) struct UnitCell {
     pub radius_px: f64,
 }
 
-/// Folds the image's middle into one cell of the lattice, and looks for the disc whose repetition is
-/// most like it. Overlapping discs add up: an image whose dark parts are round is told from one whose
-/// bright ones are.
+/// Averages the middle of the image over the unit cells of the lattice, and finds the periodic disc with the
+/// highest correlation. Overlapping discs add up, which distinguishes round bright parts from round dark ones.
 pub(super) fn find(image: &WhiteImage, basis: &Basis) -> UnitCell {
     let middle = [image.columns(), image.rows()].map(|pixels| (pixels as f64 - 1.0) / 2.0);
     let cell = normalised(fold(image, basis, middle));
@@ -35,9 +35,9 @@ pub(super) fn find(image: &WhiteImage, basis: &Basis) -> UnitCell {
     for radius in RADII.map(|steps| steps as f64 * RADIUS_STEP * pitch) {
         let disc = normalised(render(basis, radius, RIM * pitch));
         for shift in 0..SIDE * SIDE {
-            let likeness = likeness(&cell, &disc, shift);
-            if likeness > best.0 {
-                best = (likeness, shift, radius);
+            let correlation = correlation(&cell, &disc, shift);
+            if correlation > best.0 {
+                best = (correlation, shift, radius);
             }
         }
     }
@@ -48,7 +48,7 @@ pub(super) fn find(image: &WhiteImage, basis: &Basis) -> UnitCell {
     UnitCell { centre_px, radius_px }
 }
 
-/// Mean light over the cell, at fractions of both lattice vectors from `middle`.
+/// Mean light of the unit cell, sampled at fractions of both lattice vectors from `middle`.
 fn fold(image: &WhiteImage, basis: &Basis, middle: [f64; 2]) -> Vec<f64> {
     let [a, b] = basis;
     let determinant = a[0] * b[1] - a[1] * b[0];
@@ -73,7 +73,7 @@ fn fold(image: &WhiteImage, basis: &Basis, middle: [f64; 2]) -> Vec<f64> {
     sums.iter().map(|[light, count]| if *count > 0.0 { light / count } else { mean }).collect()
 }
 
-/// The cell of discs on every lattice point.
+/// The unit cell of an image with a disc on every lattice point; lengths in pixels.
 fn render(basis: &Basis, radius: f64, rim: f64) -> Vec<f64> {
     let [a, b] = basis;
     let disc = |u: f64, v: f64| {
@@ -88,7 +88,7 @@ fn render(basis: &Basis, radius: f64, rim: f64) -> Vec<f64> {
     (0..SIDE * SIDE).map(at).collect()
 }
 
-/// Less its mean, of unit length.
+/// The cell with zero mean and unit norm.
 fn normalised(mut cell: Vec<f64>) -> Vec<f64> {
     let mean = cell.iter().sum::<f64>() / cell.len() as f64;
     cell.iter_mut().for_each(|light| *light -= mean);
@@ -97,8 +97,8 @@ fn normalised(mut cell: Vec<f64>) -> Vec<f64> {
     cell
 }
 
-/// The correlation of the cell with the disc moved by `shift`.
-fn likeness(cell: &[f64], disc: &[f64], shift: usize) -> f64 {
+/// The correlation coefficient of the cell with the disc moved by `shift`.
+fn correlation(cell: &[f64], disc: &[f64], shift: usize) -> f64 {
     let (across, up) = (shift % SIDE, shift / SIDE);
     let rows = (0..SIDE).map(|row| {
         let disc = &disc[row * SIDE..][..SIDE];

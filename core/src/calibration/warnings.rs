@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::Agreement;
 
-/// What makes a grid doubtful, and what to do about it.
+/// Reasons to doubt a grid; the messages say what to do.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum GridWarning {
     /// The estimators' grids differ.
@@ -15,16 +15,16 @@ pub enum GridWarning {
         agreement.worst_px
     )]
     Disagreement {
-        /// By how much.
+        /// Distance between the grids.
         agreement: Agreement,
     },
-    /// One estimator found nothing.
+    /// One estimator failed.
     #[error(
         "only one of two estimators worked, and nothing checks it: {missing} could not be fitted; look \
          whether micro-images have visible rims"
     )]
     OneEstimator {
-        /// What the other one fits.
+        /// The estimator that failed.
         missing: &'static str,
     },
     /// Centres are not on a lattice.
@@ -34,12 +34,12 @@ pub enum GridWarning {
         heldout_px[0], heldout_px[1], smooth_heldout_px[0], smooth_heldout_px[1], cause(*heldout_px, *smooth_heldout_px)
     )]
     Irregular {
-        /// Residual of held-out lenses.
+        /// Residual of held-out lenses along columns and rows, rms in pixels.
         heldout_px: [f64; 2],
-        /// Residual of held-out lenses beside a smoothly displaced grid.
+        /// The same after subtracting a smooth displacement of the grid, in pixels.
         smooth_heldout_px: [f64; 2],
     },
-    /// Pixels at the end of the range.
+    /// Saturated pixels.
     #[error(
         "{:.1} % of the white images' pixels are saturated, which moves rims: expose to 70 % of the \
          range", 100.0 * share
@@ -56,7 +56,7 @@ pub enum GridWarning {
         /// Lenses with light.
         lit: usize,
     },
-    /// The configuration has another array.
+    /// The configured pitch differs.
     #[error(
         "the configuration has a micro-image pitch of {configured_px:.3} px and the image {found_px:.3} \
          px: check optics.microlens.pitch_mm and optics.sensor.pixel_pitch_um"
@@ -80,7 +80,7 @@ pub enum GridWarning {
     },
 }
 
-/// What a residual is made of: noise is not smooth.
+/// Likely cause of the residual: a smooth displacement is not due to noise.
 fn cause(heldout_px: [f64; 2], smooth_px: [f64; 2]) -> &'static str {
     let length = |[x, y]: [f64; 2]| x.hypot(y);
     if length(smooth_px) < 0.8 * length(heldout_px) {

@@ -1,16 +1,16 @@
-//! White images of one camera, averaged, without their black level.
+//! Mean white image of one camera, without black level.
 
 use lfpiv_hw::RawImage;
 
 use super::CalibrationError;
 
-/// Counts that a sensor may be saturated at: 8, 10, 12, 14 and 16 bit.
+/// Full scales of sensors with 8, 10, 12, 14 and 16 bit, in counts.
 const FULL_SCALES: [u16; 5] = [255, 1023, 4095, 16_383, u16::MAX];
 
-/// Left-aligned counts of few bits end some steps below the full scale.
+/// Largest distance of the saturation count from full scale: left-aligned counts of few bits end below it.
 const FULL_SCALE_WITHIN: u16 = 16;
 
-/// The mean of white images less the mean of dark ones.
+/// The mean of white images minus the mean of dark images.
 #[derive(Debug, Clone)]
 pub struct WhiteImage {
     columns: usize,
@@ -20,11 +20,10 @@ pub struct WhiteImage {
 }
 
 impl WhiteImage {
-    /// Averages images of the same diffuser. Without dark images the black level stays in, as a
-    /// uniform background.
+    /// Averages images of the same diffuser. Without dark images the black level remains as a uniform background.
     ///
     /// # Errors
-    /// There is no white image, or sizes differ.
+    /// There is no white image, or the sizes of the images differ.
     pub fn average(white: &[RawImage], dark: &[RawImage]) -> Result<Self, CalibrationError> {
         let first = white.first().ok_or(CalibrationError::NoImage)?;
         let (columns, rows) = (first.columns(), first.rows());
@@ -63,7 +62,7 @@ impl WhiteImage {
         &self.light
     }
 
-    /// Share of the white images' pixels at the end of the sensor's range.
+    /// Share of saturated pixels in the white images.
     pub fn saturated_share(&self) -> f64 {
         self.saturated_share
     }
@@ -74,9 +73,9 @@ impl WhiteImage {
         f64::from(self.light[row * self.columns + column])
     }
 
-    /// Counts at any place, by Keys' cubic convolution (IEEE Trans. Acoust. 29, 1981; a = −1/2): third
-    /// order, where a linear interpolation would move edges with their place on the pixel. `None` less
-    /// than two pixels from the edge.
+    /// Counts at a sub-pixel position, by cubic convolution (Keys, IEEE Trans. Acoust. 29, 1981; a = −1/2). It is
+    /// of third order; linear interpolation would displace edges depending on their sub-pixel position. `None`
+    /// within two pixels of the image's border.
     pub fn between(&self, column_px: f64, row_px: f64) -> Option<f64> {
         let inside = |place: f64, pixels: usize| place >= 1.0 && place < pixels as f64 - 2.0;
         if !inside(column_px, self.columns) || !inside(row_px, self.rows) {
@@ -105,7 +104,7 @@ fn mean(images: &[RawImage], pixels: usize) -> Vec<f32> {
     sums.iter().map(|&sum| (sum as f64 / images.len() as f64) as f32).collect()
 }
 
-/// Pixels at the brightest count, where that is the end of a range.
+/// Share of pixels at the highest count, if that is the end of a sensor's range; otherwise 0.
 fn saturated_share(images: &[RawImage]) -> f64 {
     let counts = || images.iter().flat_map(|image| image.counts());
     let brightest = counts().copied().max().unwrap_or(0);

@@ -1,34 +1,34 @@
-//! How statistics settle with the number of shots.
+//! Convergence of statistics with the number of shots.
 
 use serde::{Deserialize, Serialize};
 
 use super::moments::Moments;
 
-/// Groups of shots: shot n is in group n modulo this, so that the order in which shots come does not matter. A
-/// prime number: shots that are some other number apart fill all groups.
+/// Number of groups of shots. Shot n is in group n modulo this, so that the order of shots does not matter. It is
+/// prime, so that shots with almost any constant stride fill all groups.
 pub(super) const GROUPS: usize = 23;
 
-/// Statistics of a part of the shots beside those of all, over the places. Velocities in m/s.
+/// Comparison of the statistics of some shots with those of all shots. Velocities in m/s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Convergence {
-    /// Number of shots in the part.
+    /// Number of these shots.
     pub shots: u64,
-    /// Root-mean-square standard uncertainty of the mean of u, v, w from so many shots.
+    /// Standard uncertainty of the mean of u, v, w from these shots, rms over the nodes.
     pub mean_uncertainty_m_s: [f64; 3],
-    /// Root-mean-square difference of the means from those of all shots.
+    /// Difference between their means and those of all shots, rms over the nodes.
     pub mean_difference_m_s: [f64; 3],
-    /// What that difference comes to when shots are independent: more says that they are not, or that the flow
-    /// changed.
+    /// Expected value of this difference for independent shots of a stationary flow. A larger difference indicates
+    /// correlated shots or a change of the flow.
     pub mean_difference_expected_m_s: [f64; 3],
-    /// The same difference of the standard deviations.
+    /// Difference between the standard deviations, rms over the nodes.
     pub rms_difference_m_s: [f64; 3],
 }
 
-/// From one group of shots to all of them. Groups take shots in turn, so the parts are spread over the run.
-/// `moments` are those of each place and group.
+/// Convergence from one group of shots to all groups. Each group is spread over the run, because shots are assigned
+/// to groups in turn. `moments` are those of each node and group.
 pub(super) fn convergence(shots: &[u64; GROUPS], moments: &[Moments]) -> Vec<Convergence> {
-    let places = moments.chunks(GROUPS);
-    let whole: Vec<Moments> = places
+    let nodes = moments.chunks(GROUPS);
+    let whole: Vec<Moments> = nodes
         .map(|groups| {
             let mut all = Moments::default();
             groups.iter().for_each(|group| all.merge(group));
@@ -49,15 +49,15 @@ pub(super) fn convergence(shots: &[u64; GROUPS], moments: &[Moments]) -> Vec<Con
 
 fn step(shots: u64, parts: &[Moments], whole: &[Moments]) -> Convergence {
     let mut sums = [[0.0; 3]; 4];
-    let (mut places, mut fluctuating) = (0.0_f64, 0.0_f64);
+    let (mut nodes, mut fluctuating) = (0.0_f64, 0.0_f64);
     for (part, all) in parts.iter().zip(whole).filter(|(part, _)| part.count > 0) {
         let Some(now) = all.covariances() else { continue };
-        places += 1.0;
+        nodes += 1.0;
         let (n, total) = (part.count as f64, all.count as f64);
         for c in 0..3 {
             sums[0][c] += now[c] / n;
             sums[1][c] += (part.mean[c] - all.mean[c]).powi(2);
-            // A part of independent samples and the whole that holds it.
+            // Variance of the difference between the mean of a subset and the mean of all samples.
             sums[2][c] += now[c] * (1.0 / n - 1.0 / total);
         }
         if let Some(then) = part.covariances() {
@@ -67,13 +67,12 @@ fn step(shots: u64, parts: &[Moments], whole: &[Moments]) -> Convergence {
             }
         }
     }
-    let root =
-        |sums: [f64; 3], places: f64| sums.map(|sum| (sum.max(0.0) / places.max(1.0)).sqrt());
+    let root = |sums: [f64; 3], nodes: f64| sums.map(|sum| (sum.max(0.0) / nodes.max(1.0)).sqrt());
     Convergence {
         shots,
-        mean_uncertainty_m_s: root(sums[0], places),
-        mean_difference_m_s: root(sums[1], places),
-        mean_difference_expected_m_s: root(sums[2], places),
+        mean_uncertainty_m_s: root(sums[0], nodes),
+        mean_difference_m_s: root(sums[1], nodes),
+        mean_difference_expected_m_s: root(sums[2], nodes),
         rms_difference_m_s: root(sums[3], fluctuating),
     }
 }

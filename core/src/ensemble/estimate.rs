@@ -1,4 +1,4 @@
-//! From moments to statistics with intervals.
+//! Statistics with confidence intervals, from moments.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,22 +8,22 @@ use super::{
     student::half_width_95,
 };
 
-/// A statistic of a place. Velocities are in m/s, stresses in m²/s², skewness is a number.
+/// A statistic at a node. Velocities are in m/s, stresses in m²/s², skewness is dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Mean of component 0, 1 or 2.
     Mean(usize),
-    /// Standard deviation of the flow's fluctuations: the measurement's own scatter is taken out.
+    /// Standard deviation of the flow's fluctuations, without the variance of the measurement.
     Rms(usize),
-    /// Covariance of two components of the flow: a Reynolds stress over the density.
+    /// Covariance of two components of the flow: Reynolds stress divided by density.
     Stress(usize, usize),
     /// Skewness of the flow's fluctuations.
     Skewness(usize),
 }
 
 impl Quantity {
-    /// All of them: three means, three root-mean-squares, six stresses, three skewnesses.
+    /// All statistics: three means, three root-mean-squares, six stresses, three skewnesses.
     pub const ALL: [Self; 15] = [
         Self::Mean(0),
         Self::Mean(1),
@@ -42,7 +42,7 @@ impl Quantity {
         Self::Skewness(2),
     ];
 
-    /// Its name in files and answers: `u_mean`, `v_rms`, `uw`, `w_skewness`.
+    /// Name in files and HTTP responses: `u_mean`, `v_rms`, `uw`, `w_skewness`.
     pub fn name(self) -> String {
         const NAMES: [&str; 3] = ["u", "v", "w"];
         match self {
@@ -53,11 +53,11 @@ impl Quantity {
         }
     }
 
-    /// The statistic of moments; `None` where there are too few samples, or nothing to normalise by.
+    /// The statistic. `None` with too few samples, or without a variance to normalise by.
     fn of(self, moments: &Moments) -> Option<f64> {
         match self {
             Self::Mean(c) => (moments.count > 0).then(|| moments.mean[c]),
-            // Through the stress: its square root has no interval of its own where it is near zero.
+            // As a variance; `Estimate::root` converts it, because its interval may include zero.
             Self::Rms(c) => Self::Stress(c, c).of(moments),
             Self::Stress(i, j) => {
                 let at = PAIRS.iter().position(|pair| *pair == (i, j))?;
@@ -67,8 +67,7 @@ impl Quantity {
         }
     }
 
-    /// What the measurement's scatter adds to the variance of the statistic, for fluctuations and errors that
-    /// are normal.
+    /// Variance of the statistic due to the measurement, for normal fluctuations and errors.
     fn measurement_variance(self, moments: &Moments) -> Option<f64> {
         let n = moments.count as f64;
         let noise = moments.noise;
@@ -90,31 +89,30 @@ impl Quantity {
     }
 }
 
-/// A statistic and how sure it is.
+/// A statistic with its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// Its value.
+    /// Value.
     pub value: f64,
-    /// Standard uncertainty because the flow fluctuates and there are so many shots.
+    /// Standard uncertainty due to the finite number of shots of a fluctuating flow.
     pub flow_uncertainty: f64,
-    /// Standard uncertainty because each velocity was measured with one of its own, which is taken to be
-    /// independent from shot to shot.
+    /// Standard uncertainty due to the errors of the velocities, which are assumed to be independent between shots.
     pub measurement_uncertainty: f64,
-    /// Interval that holds the true value with a probability of 95 %: both together.
+    /// Interval that contains the true value with a probability of 95 %, from both uncertainties.
     pub interval_95: [f64; 2],
 }
 
 impl Estimate {
-    /// Standard uncertainty of the flow and the measurement together.
+    /// Combined standard uncertainty of flow and measurement.
     pub fn uncertainty(&self) -> f64 {
         self.flow_uncertainty.hypot(self.measurement_uncertainty)
     }
 
-    /// As of a variance, of which the root is asked for.
+    /// The root of a variance.
     fn root(self) -> Self {
         let value = self.value.max(0.0).sqrt();
         let interval_95 = self.interval_95.map(|bound| bound.max(0.0).sqrt());
-        // du = du²/2u, or, where u is not known from zero, what the interval says.
+        // d√x = dx/(2√x). For x ≤ 0 only the interval is defined.
         let scale = if value > 0.0 { 0.5 / value } else { 0.0 };
         let [flow, measurement] =
             [self.flow_uncertainty, self.measurement_uncertainty].map(|part| part * scale);
@@ -122,13 +120,12 @@ impl Estimate {
     }
 }
 
-/// The statistics of all places.
+/// The statistics at all nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimates {
-    /// Samples of each place.
+    /// Number of samples at each node.
     pub counts: Vec<u64>,
-    /// For each quantity, in the order of [`Quantity::ALL`]: the estimate at each place, absent where there
-    /// are too few samples.
+    /// For each quantity in the order of [`Quantity::ALL`]: the estimate at each node; `None` with too few samples.
     pub values: Vec<Vec<Option<Estimate>>>,
 }
 
@@ -140,7 +137,7 @@ impl Estimates {
     }
 }
 
-/// The estimates of one place from the moments of its groups, in the order of [`Quantity::ALL`].
+/// The estimates at one node from the moments of its groups, in the order of [`Quantity::ALL`].
 pub(super) fn estimates(groups: &[Moments]) -> [Option<Estimate>; Quantity::ALL.len()] {
     let mut whole = Moments::default();
     groups.iter().for_each(|group| whole.merge(group));

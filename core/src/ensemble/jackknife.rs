@@ -1,11 +1,12 @@
-//! How far a statistic scatters, from what it comes to without each group of the shots in turn.
+//! Variance of a statistic by the delete-a-group jackknife.
 //!
-//! No distribution is assumed, and samples within a group need not be independent: particles of one shot are
-//! not. Groups of unequal size are weighted as Busing, Meijer and van der Leeden (1999) do.
+//! It assumes no distribution. Samples within a group need not be independent. Groups of unequal size are weighted
+//! according to Busing, Meijer and van der Leeden (1999).
 
 use super::moments::Moments;
 
-/// Everything but one group, for each group that has samples: prefixes and suffixes are merged once.
+/// For each group with samples: its size, and the moments of all other groups. Prefixes and suffixes are merged
+/// only once.
 pub(super) fn left_out(groups: &[Moments]) -> Vec<(u64, Moments)> {
     let groups: Vec<&Moments> = groups.iter().filter(|group| group.count > 0).collect();
     let mut after = vec![Moments::default(); groups.len() + 1];
@@ -23,8 +24,8 @@ pub(super) fn left_out(groups: &[Moments]) -> Vec<(u64, Moments)> {
     without.collect()
 }
 
-/// Variance of an estimate, `whole`, from what it is without each group: size of the group, estimate. `None`
-/// with fewer than two groups.
+/// Variance of the estimate `whole`, from size and leave-one-out estimate of each group. `None` with fewer than two
+/// groups.
 pub(super) fn variance(
     whole: f64,
     without: impl Iterator<Item = (u64, f64)> + Clone,

@@ -1,18 +1,20 @@
-//! What many shots say together: means, fluctuations, Reynolds stresses, skewness, how sure each is, how it
-//! converges, how far fluctuations reach in space.
+//! Statistics of many shots: means, fluctuations, Reynolds stresses, skewness, their confidence intervals and
+//! convergence, two-point correlations and spectra.
 //!
-//! [`Ensemble`] takes shots one at a time, in any order, and keeps moments, no shots. Two ensembles of the same
-//! places can be put together. [`Ensemble::estimates`] gives the statistics of each place with intervals that
-//! hold the scatter of the flow and, apart from it, that of the measurement; [`Ensemble::convergence`] says how
-//! they settle; [`Ensemble::correlations`] and [`Correlation::spectrum`] look along the lattice's axes.
+//! [`Ensemble`] accumulates moments of shots, one at a time and in any order, without storing the shots.
+//! Ensembles on the same lattice can be merged. [`Ensemble::estimates`] gives the statistics at each node with
+//! uncertainties due to the flow and due to the measurement, [`Ensemble::convergence`] their convergence with
+//! the number of shots, and [`Ensemble::correlations`] and [`Correlation::spectrum`] the correlations and
+//! spectra along the lattice's axes.
 //!
-//! Velocities are in m/s, lengths in mm, as in docs/theory.md, section 8, which has the formulas.
+//! Velocities are in m/s, lengths in mm. The equations are in docs/theory.md, section 8.
 
 mod convergence;
 mod estimate;
 mod jackknife;
 mod moments;
-mod places;
+mod nodes;
+
 mod sample;
 mod spectrum;
 mod student;
@@ -23,7 +25,7 @@ mod tests;
 
 pub use convergence::Convergence;
 pub use estimate::{Estimate, Estimates, Quantity};
-pub use places::Ensemble;
+pub use nodes::Ensemble;
 pub use sample::{Sample, Snapshot};
 pub use spectrum::Spectrum;
 pub use two_point::Correlation;

@@ -1,15 +1,15 @@
-//! Moments of a velocity, one sample at a time.
+//! Moments of a velocity, updated with one sample at a time.
 //!
-//! The updates are those of Welford (1962) and Chan, Golub and LeVeque (1979) for the second moments and of
-//! Pébay (SAND2008-6212) for the third: sums of powers of differences from the mean, which lose no digits to a
-//! mean that is large beside its fluctuations.
+//! The updates are those of Welford (1962) and Chan, Golub and LeVeque (1979) for the second moments and of Pébay
+//! (SAND2008-6212) for the third. They use sums of powers of differences from the mean, which are accurate even if
+//! the mean is much larger than the fluctuations.
 
 use super::Sample;
 
-/// The pairs of components whose covariances are kept.
+/// The pairs of components with a covariance.
 pub(super) const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-/// Count, mean and central moments of the samples so far.
+/// Count, mean and central moments of the samples.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Moments {
     /// Number of samples.
@@ -25,7 +25,7 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    /// Those of one sample.
+    /// The moments of one sample.
     pub fn of(sample: &Sample) -> Self {
         Self {
             count: 1,
@@ -35,7 +35,7 @@ impl Moments {
         }
     }
 
-    /// Puts the samples of `other` to these.
+    /// Adds the samples of `other`.
     pub fn merge(&mut self, other: &Self) {
         if other.count == 0 {
             return;
@@ -48,7 +48,7 @@ impl Moments {
         let n = a + b;
         let apart: [f64; 3] = std::array::from_fn(|c| other.mean[c] - self.mean[c]);
         for (c, apart) in apart.into_iter().enumerate() {
-            // The squares are the first three products. Pébay's equation (2.7), for p = 3.
+            // Pébay's equation (2.7) for p = 3. The first three products are the sums of squares.
             self.cubes[c] += other.cubes[c]
                 + apart.powi(3) * a * b * (a - b) / (n * n)
                 + 3.0 * apart * (a * other.products[c] - b * self.products[c]) / n;
@@ -65,13 +65,13 @@ impl Moments {
         self.count += other.count;
     }
 
-    /// Covariances in the order of [`PAIRS`], without bias; from two samples on.
+    /// Unbiased covariances in the order of [`PAIRS`]. `None` for fewer than two samples.
     pub fn covariances(&self) -> Option<[f64; 6]> {
         (self.count > 1).then(|| self.products.map(|sum| sum / (self.count - 1) as f64))
     }
 
-    /// Covariances less what the measurement's own scatter adds to the variances (Sciacchitano and Wieneke
-    /// 2016): those of the flow. Errors of different components are taken as independent.
+    /// Covariances of the flow: the variances are reduced by those of the measurement (Sciacchitano and Wieneke
+    /// 2016). Errors of different components are assumed to be independent.
     pub fn stresses(&self) -> Option<[f64; 6]> {
         let mut stresses = self.covariances()?;
         for (variance, noise) in stresses.iter_mut().zip(self.noise) {
@@ -80,12 +80,12 @@ impl Moments {
         Some(stresses)
     }
 
-    /// Skewness of the flow's fluctuations; errors that are symmetric add nothing to the third moment. Absent
-    /// where nothing fluctuates more than the measurement does.
+    /// Skewness of the flow's fluctuations. Measurement errors are assumed to be symmetric, so that they do not
+    /// contribute to the third moment. `None` if the variance of the flow is not positive.
     pub fn skewness(&self) -> Option<[Option<f64>; 3]> {
         let stresses = self.stresses().filter(|_| self.count > 2)?;
         let n = self.count as f64;
-        // Without bias, as Fisher's k-statistics.
+        // Unbiased third moment: Fisher's k-statistic.
         let unbiased = n / ((n - 1.0) * (n - 2.0));
         Some(std::array::from_fn(|c| {
             (stresses[c] > 0.0).then(|| unbiased * self.cubes[c] / stresses[c].powf(1.5))

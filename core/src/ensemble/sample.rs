@@ -1,4 +1,4 @@
-//! What a shot contributes: a velocity with its uncertainty, at each place that has one.
+//! Samples of one shot: velocities with uncertainties.
 
 use crate::velocimetry::{VectorStatus, VelocityField};
 
@@ -12,24 +12,24 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Whether every number is finite: nothing else enters.
+    /// Whether all numbers are finite; other samples are not used.
     pub fn is_finite(&self) -> bool {
         self.velocity_m_s.iter().chain(&self.uncertainty_m_s).all(|number| number.is_finite())
     }
 }
 
-/// A shot on a lattice of places, in the order z, y, x.
+/// The samples of a shot on the nodes of a lattice, in the order z, y, x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Snapshot {
     /// Shot number.
     pub shot: u64,
-    /// The sample at each place; absent where nothing was measured.
+    /// The sample at each node; `None` without a valid measurement.
     pub samples: Vec<Option<Sample>>,
 }
 
 impl Snapshot {
-    /// A shot whose vectors are `velocity` and `uncertainty`, in m/s. What was interpolated says nothing that
-    /// its neighbours do not say: only valid vectors enter.
+    /// A shot with vectors `velocity` and `uncertainty`, in m/s. Only valid vectors are used: interpolated ones
+    /// contain no additional information.
     pub fn new(
         shot: u64,
         velocity: &[[f32; 3]],

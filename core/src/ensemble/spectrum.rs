@@ -7,20 +7,20 @@ use serde::{Deserialize, Serialize};
 
 use super::Correlation;
 
-/// One-dimensional, one-sided spectra along an axis: their integral over the wavenumber is the variance (Pope
-/// 2000, equation 6.206).
+/// One-dimensional, one-sided spectra along an axis. Their integral over the wavenumber is the variance (Pope 2000,
+/// equation 6.206).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spectrum {
-    /// 0 is x.
+    /// Axis; 0 is x.
     pub axis: usize,
-    /// Wavenumbers 2π/wavelength from 0 to π over the spacing, in rad/mm.
+    /// Wavenumbers from 0 to π/spacing, in rad/mm.
     pub wavenumber_rad_mm: Vec<f64>,
-    /// Energy of u, v, w per wavenumber, in m²/s² per rad/mm.
+    /// Spectral energy density of u, v, w, in m²/s² per rad/mm.
     pub energy_m2_s2_mm: Vec<[f64; 3]>,
 }
 
-/// The Fourier transform of the covariance under Bartlett's window (Blackman and Tukey): it is that of the
-/// lines themselves, smoothed to what their length can tell apart, and needs none without gaps.
+/// Fourier transform of the covariance with a Bartlett window (Blackman-Tukey method). In contrast to a
+/// transform of the velocities, it does not need lines without gaps.
 pub(super) fn spectrum(correlation: &Correlation) -> Spectrum {
     let lags = correlation.covariance_m2_s2.len();
     if lags < 2 {
@@ -28,7 +28,7 @@ pub(super) fn spectrum(correlation: &Correlation) -> Spectrum {
         return Spectrum { axis: correlation.axis, wavenumber_rad_mm, energy_m2_s2_mm };
     }
     let spacing_mm = correlation.separation_mm[1] - correlation.separation_mm[0];
-    // Even, and periodic without overlap: lags 0, 1, ..., n − 1, none, n − 1, ..., 1.
+    // Even periodic extension of the covariance: lags 0, 1, ..., n − 1, zero, n − 1, ..., 1.
     let period = 2 * lags;
     let fft = FftPlanner::<f64>::new().plan_fft_forward(period);
     let bins = lags + 1;
@@ -50,7 +50,7 @@ pub(super) fn spectrum(correlation: &Correlation) -> Spectrum {
     Spectrum { axis: correlation.axis, wavenumber_rad_mm, energy_m2_s2_mm: energy }
 }
 
-/// Bartlett's window.
+/// The Bartlett window.
 pub(super) fn window(lag: usize, lags: usize) -> f64 {
     1.0 - lag as f64 / lags as f64
 }

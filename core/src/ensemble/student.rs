@@ -1,16 +1,15 @@
-//! Quantiles of Student's distribution.
+//! Quantiles of Student's t distribution.
 
-/// The half-width, in standard uncertainties, of the interval that holds 95 % of Student's distribution with
-/// `degrees` of freedom.
+/// Half width of the two-sided 95 % interval, in standard uncertainties, for `degrees` degrees of freedom.
 ///
-/// Exact for one and two degrees, else the expansion of Abramowitz and Stegun, equation (26.7.5): within 0.3 %
-/// of the exact value at three degrees, 0.1 % at four.
+/// Exact for one and two degrees. Otherwise the expansion of Abramowitz and Stegun, equation (26.7.5): its error is
+/// 0.3 % at three degrees and 0.1 % at four.
 pub(super) fn half_width_95(degrees: usize) -> f64 {
     /// The same quantile of the normal distribution.
     const NORMAL: f64 = 1.959_963_984_540_054;
     match degrees {
         0 => f64::INFINITY,
-        // The tangent of 0.95 · 90°, and 0.95 √(2/(1 − 0.95²)).
+        // Closed forms: tan(0.95 · 90°), and 0.95 √(2/(1 − 0.95²)).
         1 => (0.475 * std::f64::consts::PI).tan(),
         2 => 0.95 * (2.0f64 / (1.0 - 0.95 * 0.95)).sqrt(),
         _ => {

@@ -1,7 +1,7 @@
-//! How fluctuations at two places go together, along the lattice's lines.
+//! Two-point correlations of fluctuations along the lines of the lattice.
 //!
-//! Means and covariance of each pair of places on a line are kept, of the shots that have both: gaps do
-//! no harm, and the flow need not be the same everywhere. What is averaged over a line is said where it is.
+//! Means and covariance are accumulated for each pair of nodes on a line, from the shots with samples at both
+//! nodes. Gaps therefore cause no bias, and the mean flow need not be homogeneous.
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -9,12 +9,16 @@ use serde::{Deserialize, Serialize};
 use super::{Sample, Spectrum, spectrum};
 use crate::velocimetry::VectorGrid;
 
-/// Two places: samples of both, means, and summed products of differences from the means, of u, v, w.
+/// Moments of a pair of nodes, of u, v, w.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Pair {
+    /// Number of shots with both samples.
     count: f64,
+    /// Mean at the first node.
     first: [f64; 3],
+    /// Mean at the second node.
     second: [f64; 3],
+    /// Summed products of the differences from the means.
     products: [f64; 3],
 }
 
@@ -23,7 +27,7 @@ impl Pair {
         self.count += 1.0;
         let weight = 1.0 / self.count;
         for c in 0..3 {
-            // Welford's: one difference from the mean before, one from the mean after.
+            // Welford's update: one difference is from the old mean, the other from the new one.
             let before = first[c] - self.first[c];
             self.first[c] += before * weight;
             self.second[c] += (second[c] - self.second[c]) * weight;
@@ -48,15 +52,16 @@ impl Pair {
     }
 }
 
-/// The pairs on all lines along one axis.
+/// The pairs of nodes on all lines along one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LinePairs {
-    /// Places on a line.
+    /// Number of nodes on a line.
     length: usize,
-    /// Index of each line's first place, and steps between its places.
+    /// Index of the first node of each line.
     starts: Vec<usize>,
+    /// Index step between the nodes of a line.
     stride: usize,
-    /// For each line: the pairs (i, j ≥ i), all j of i = 0 first.
+    /// For each line: the pairs (i, j ≥ i), ordered by i, then j.
     pairs: Vec<Pair>,
 }
 
@@ -70,7 +75,7 @@ impl LinePairs {
         Self { length, starts, stride, pairs }
     }
 
-    /// Adds a shot: a sample, or none, at each place of the lattice.
+    /// Adds a shot: a sample or `None` at each node of the lattice.
     pub fn add(&mut self, samples: &[Option<Sample>]) {
         let (length, stride) = (self.length, self.stride);
         let lines = self.pairs.par_chunks_mut(pairs_of(length).max(1)).zip(&self.starts);
@@ -98,7 +103,8 @@ impl LinePairs {
         self.pairs.iter_mut().zip(&other.pairs).for_each(|(own, more)| own.merge(more));
     }
 
-    /// What all lines say together; `noise` is the measurement's variance, which only a place with itself has.
+    /// Correlation from all lines. `noise` is the variance of the measurement, which affects only pairs of a
+    /// node with itself.
     pub fn correlation(&self, axis: usize, spacing_mm: f64, noise: [f64; 3]) -> Correlation {
         let n = self.length;
         let mut covariance = vec![[0.0; 3]; n];
@@ -107,31 +113,31 @@ impl LinePairs {
         let lines = || self.pairs.chunks(pairs_of(n).max(1));
         for lag in 0..n {
             for c in 0..3 {
-                // Samples but one of each pair; covariances; the places' own standard deviations.
-                let [mut weight, mut together, mut apart] = [0.0; 3];
+                // Sums over pairs: degrees of freedom, covariances, and products of standard deviations.
+                let [mut weight, mut covariances, mut deviations] = [0.0; 3];
                 for pairs in lines() {
                     for i in 0..n - lag {
                         let pair = &pairs[at(i, i + lag)];
                         if pair.count < 2.0 {
                             continue;
                         }
-                        let less = if lag == 0 { noise[c] } else { 0.0 };
+                        let bias = if lag == 0 { noise[c] } else { 0.0 };
                         let degrees = pair.count - 1.0;
-                        let variance = |place: usize| {
-                            let own = &pairs[at(place, place)];
+                        let variance = |node: usize| {
+                            let own = &pairs[at(node, node)];
                             (own.products[c] / (own.count - 1.0) - noise[c]).max(0.0)
                         };
                         weight += degrees;
-                        together += pair.products[c] - less * degrees;
-                        apart += degrees * (variance(i) * variance(i + lag)).sqrt();
+                        covariances += pair.products[c] - bias * degrees;
+                        deviations += degrees * (variance(i) * variance(i + lag)).sqrt();
                     }
                 }
                 if weight > 0.0 {
-                    covariance[lag][c] = together / weight;
+                    covariance[lag][c] = covariances / weight;
                 }
-                // At separation 0 the covariance is the variance of the flow.
-                if apart > 0.0 && covariance[0][c] > noise[c] {
-                    coefficient[lag][c] = Some(together / apart);
+                // The covariance at separation 0 is the variance of the flow.
+                if deviations > 0.0 && covariance[0][c] > noise[c] {
+                    coefficient[lag][c] = Some(covariances / deviations);
                 }
             }
         }
@@ -140,40 +146,42 @@ impl LinePairs {
     }
 }
 
-/// Pairs of places on a line, each place with itself among them.
+/// Number of pairs of nodes on a line, including each node with itself.
 fn pairs_of(length: usize) -> usize {
     length * (length + 1) / 2
 }
 
-/// Covariance of a component at two places some way apart along an axis, averaged over the volume.
+/// Two-point covariance of each component along an axis, averaged over the volume.
 ///
-/// Windows that overlap share particles, and so errors: below one window's width some of the covariance is
-/// theirs.
+/// Overlapping windows share particles and thus errors. At separations below one window the covariance contains the
+/// covariance of errors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Correlation {
-    /// 0 is x.
+    /// Axis; 0 is x.
     pub axis: usize,
-    /// Separations, from 0.
+    /// Separations from 0, in mm.
     pub separation_mm: Vec<f64>,
-    /// Covariance of u, v, w with itself; the measurement's variance is taken out at separation 0.
+    /// Autocovariance of u, v, w; the variance of the measurement is subtracted at separation 0.
     pub covariance_m2_s2: Vec<[f64; 3]>,
-    /// The same over the standard deviations at both places; absent where the flow fluctuates less than the
-    /// measurement errs: windows that overlap share errors, which would be taken for the flow's.
+    /// Autocovariance divided by the standard deviations at both nodes. `None` if the variance of the flow is below
+    /// that of the measurement, because correlated errors of overlapping windows would dominate.
     pub coefficient: Vec<[Option<f64>; 3]>,
 }
 
 impl Correlation {
-    /// Integral scale of each component, in mm: the coefficient's integral up to its first zero (trapezoids),
-    /// or as far as the volume reaches. Absent without coefficients.
+    /// Integral length scale of each component, in mm: the integral of the coefficient up to its first zero or
+    /// to the largest separation (trapezoidal rule). `None` without coefficients.
     pub fn integral_scale_mm(&self) -> [Option<f64>; 3] {
         std::array::from_fn(|c| {
             let mut sum = 0.0;
             self.coefficient.first()?[c]?;
-            for (places, lags) in self.separation_mm.windows(2).zip(self.coefficient.windows(2)) {
+            for (separations, lags) in
+                self.separation_mm.windows(2).zip(self.coefficient.windows(2))
+            {
                 let (Some(near), Some(far)) = (lags[0][c], lags[1][c]) else { break };
-                let step = places[1] - places[0];
+                let step = separations[1] - separations[0];
                 if far <= 0.0 {
-                    // The line between them meets zero here.
+                    // Triangle up to the zero of the linear interpolation.
                     return Some(sum + 0.5 * near * step * near / (near - far));
                 }
                 sum += 0.5 * (near + far) * step;

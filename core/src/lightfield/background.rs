@@ -1,9 +1,9 @@
-//! Stationary light: reflections and background common to all images of a run.
+//! Stationary light: reflections and background that are common to all images of a run.
 
 use lfpiv_hw::RawImage;
 
-/// Offset added to every pixel when stationary light is subtracted, so that negative noise survives in
-/// unsigned counts. It becomes the black level of the corrected image.
+/// Offset added after the subtraction of stationary light, so that unsigned counts can represent negative noise. It
+/// is the black level of the corrected image.
 const PEDESTAL_COUNTS: f32 = 256.0;
 
 /// How the images of a run are combined.

@@ -1,18 +1,17 @@
 //! Assignment of pixels to microlenses and views for an arbitrarily oriented array.
 //!
-//! [`super::AxisSampling`] needs an array along the sensor's axes. Here the micro-images are
-//! centred as a [`MicroImageGrid`] states. View (k, l) takes, behind every microlens, the pixel k
-//! columns to the left of the pixel nearest to the micro-image's centre and l rows below it. The
-//! ray through its centre crosses the pupil k and l pupil cells to the right and above, plus the
-//! *phase*: the distance from the nearest pixel to the micro-image's centre. Nothing is resampled;
-//! the phase is known for every microlens.
+//! [`super::AxisSampling`] requires an array along the sensor's axes. Here a [`MicroImageGrid`] gives the
+//! centres of the micro-images. View (k, l) consists of the pixel behind every microlens that is k columns to
+//! the left of and l rows below the pixel nearest to the micro-image's centre. The ray through its centre
+//! crosses the pupil k cells to the right and l cells above the centre, plus the *phase*: the distance from the
+//! nearest pixel to the micro-image's centre. Nothing is resampled; the phase is known for every microlens.
 
 use lfpiv_hw::Optics;
 
 use super::MicroImageGrid;
 
-/// Centres within this distance of the middle between two pixels go to the later one, so that single
-/// precision gives the same result: for 5000 pixels its error is 2.4·10⁻⁴.
+/// Centres within this distance of the middle between two pixels are assigned to the higher index. Single
+/// precision, with an error of 2.4·10⁻⁴ for 5000 pixels, then gives the same result.
 pub const TIE_PX: f64 = 1e-3;
 
 /// The sampling of a sensor behind a square array that may be rotated, shifted and stretched.
@@ -26,10 +25,10 @@ pub struct GridSampling {
     pub cell_mm: f64,
     /// Pixels along the sensor's columns and rows.
     sensor: [usize; 2],
-    /// Microlenses per pixel: of (i, j) by (column, row).
+    /// Derivatives of the microlens indices (i, j) with respect to (column, row).
     lenses_per_px: [[f64; 2]; 2],
     /// Largest distance along i and j between a pixel's centre and that of its micro-image, in
-    /// microlenses. Beyond it the pixel sees two microlenses.
+    /// microlenses. Beyond it the pixel receives light from two microlenses.
     max_offset: [f64; 2],
 }
 
@@ -76,8 +75,8 @@ impl GridSampling {
         NearestPixel { place_px: place_px.map(|px| px as i32), off: self.in_lenses(off_px) }
     }
 
-    /// Column and row of the pixel through which a microlens sees view (k, l), as a function of its
-    /// nearest pixel; `None` if the pixel is shared or off the sensor.
+    /// Column and row of a microlens' pixel in view (k, l), as a function of the microlens' nearest pixel. `None`
+    /// if the pixel is shared or off the sensor.
     pub fn pixels(&self, (k, l): (i32, i32)) -> impl Fn(&NearestPixel) -> Option<[usize; 2]> {
         let [by_i, by_j] = self.in_lenses([f64::from(-k), f64::from(l)]);
         let ([most_i, most_j], [columns, rows]) = (self.max_offset, self.sensor);
@@ -96,8 +95,8 @@ impl GridSampling {
         self.pixels(view)(&self.nearest_pixel(i, j))
     }
 
-    /// Centre of the pupil interval that a pixel sees through its microlens, in mm along `right`
-    /// and `up`; `None` for pixels shared by two microlenses or outside the array.
+    /// Centre of a pixel's pupil interval, in mm along `right` and `up`. `None` for pixels shared by two
+    /// microlenses or outside the array.
     pub fn pupil_of_pixel_mm(&self, column: usize, row: usize) -> Option<[f64; 2]> {
         let pixel = [column as f64, row as f64];
         let [i, j] = self.grid.lens_at(pixel[0], pixel[1]);
@@ -110,13 +109,12 @@ impl GridSampling {
         (own && exists).then_some(pupil)
     }
 
-    /// A distance on the sensor, by columns and rows, in microlenses along i and j.
+    /// Converts a vector on the sensor, in columns and rows, to microlenses along i and j.
     fn in_lenses(&self, [columns, rows]: [f64; 2]) -> [f64; 2] {
         self.lenses_per_px.map(|[by_column, by_row]| by_column * columns + by_row * rows)
     }
 
-    /// Centre of the pupil interval that microlens (i, j) sees in view (k, l), in mm along `right`
-    /// and `up`.
+    /// Centre of the pupil interval of microlens (i, j) in view (k, l), in mm along `right` and `up`.
     pub fn pupil_mm(&self, (k, l): (i32, i32), i: usize, j: usize) -> [f64; 2] {
         let [right, up] = self.phase(i, j);
         [(f64::from(k) + right) * self.cell_mm, (f64::from(l) + up) * self.cell_mm]
@@ -133,11 +131,11 @@ mod tests {
     use super::*;
     use crate::{lightfield::AxisSampling, test_bench};
 
-    /// For an ideal array both samplings give a pixel the same microlens and pupil interval.
-    /// Excluded are the central lens, whose pixels lie halfway between two view indices, and view
-    /// indices of 9, whose pixels some microlenses share.
+    /// For an ideal array both samplings assign the same microlens and pupil interval to a pixel. Excluded are the
+    /// central lens, whose pixels are halfway between two view indices, and view indices of 9, whose pixels are
+    /// shared by some microlenses.
     #[test]
-    fn the_nominal_array_is_sampled_as_along_its_axes() {
+    fn both_samplings_agree_for_the_nominal_array() {
         let optics = test_bench::optics();
         let sampling = GridSampling::new(&optics, &MicroImageGrid::nominal(&optics));
         let (columns, rows) = (AxisSampling::columns(&optics), AxisSampling::rows(&optics));
@@ -160,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn every_pixel_of_a_turned_array_belongs_to_one_microlens_and_view() {
+    fn every_pixel_of_a_rotated_array_belongs_to_one_microlens_and_view() {
         let optics = test_bench::optics();
         let nominal = MicroImageGrid::nominal(&optics);
         let (sine, cosine) = 1.0f64.to_radians().sin_cos();

@@ -1,8 +1,8 @@
 //! Views: the sub-aperture images contained in a raw light-field image.
 //!
-//! View (k, l) consists of the pixel behind every microlens that looks through the pupil near (k,
-//! l) pupil cells. It is an image with one value per microlens, of the scene seen from that part of
-//! the main lens (a sub-aperture image in the paper's Fig. 5).
+//! View (k, l) consists of one pixel of every microlens: the one whose pupil interval is near (k, l) pupil cells
+//! from the centre. It is an image of the scene through that part of the main lens, with one value per microlens
+//! (a sub-aperture image in the paper's Fig. 5).
 
 use std::{ops::Range, sync::Arc};
 
@@ -11,16 +11,16 @@ use rayon::prelude::*;
 
 use super::{GridSampling, LightLevels, sampling::AxisSampling};
 
-/// Views with a smaller mean coverage carry too little light to be worth their cost.
+/// Least mean coverage of a view: views with less light are not worth their computing time.
 const MIN_MEAN_COVERAGE: f64 = 0.3;
 
 /// Chords per pupil cell for integrating its overlap with the round aperture.
 const CHORDS: usize = 32;
 
-/// Independent partial sums over a cell's chords; divides their number.
+/// Number of independent partial sums over a cell's chords; divides [`CHORDS`].
 const SUMS: usize = 8;
 
-/// The part of the microlens array that sees the volume.
+/// The part of the microlens array that images the volume.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MicrolensWindow {
     /// Microlens columns, along `right`.
@@ -59,8 +59,8 @@ pub struct View {
 }
 
 impl View {
-    /// Whether the aperture's edge crosses any pixel's pupil cell in the window. A microlens
-    /// without a pixel for this view does not count.
+    /// Whether the aperture's edge crosses the pupil cell of any pixel in the window. Microlenses without a
+    /// pixel for this view are ignored.
     pub fn is_cut(&self) -> bool {
         let cut = |&open: &f32| open > 0.0 && open < 1.0;
         self.coverage.as_ref().is_some_and(|coverage| coverage.iter().any(cut))
@@ -78,7 +78,7 @@ pub struct ApertureEdge {
 }
 
 impl ApertureEdge {
-    /// Keeps all views; each pixel sees its own pupil cell.
+    /// Keeps all views; the interval of each pixel is its pupil cell.
     pub fn sharp(optics: &Optics) -> Self {
         Self { partly_open_views: true, interval_mm: optics.pupil_cell_mm() }
     }
@@ -91,10 +91,10 @@ pub struct ViewLayout {
     pub columns: AxisSampling,
     /// Sampling of the sensor's rows.
     pub rows: AxisSampling,
-    /// Joint sampling for an arbitrarily oriented array. If present, it replaces the two above,
-    /// which then describe the ideal array.
+    /// Sampling of an arbitrarily oriented array. If present, it replaces `columns` and `rows`, which then
+    /// describe the nominal array.
     pub grid: Option<Arc<GridSampling>>,
-    /// Microlenses kept.
+    /// The used part of the array.
     pub window: MicrolensWindow,
     /// The views with enough light, ordered by l, then k.
     pub views: Vec<View>,
@@ -252,7 +252,7 @@ impl ViewLayout {
     }
 }
 
-/// A view, if its mean coverage suffices.
+/// The view, if its mean coverage is sufficient.
 fn bright_enough(k: i32, l: i32, coverage: Vec<f32>) -> Option<View> {
     let sum: f64 = coverage.iter().map(|&c| f64::from(c)).sum();
     let open = coverage.iter().all(|&c| c == 1.0);
@@ -263,7 +263,7 @@ fn bright_enough(k: i32, l: i32, coverage: Vec<f32>) -> Option<View> {
     })
 }
 
-/// Drops partly open views if they are not wanted and fully open ones exist.
+/// Drops partly open views if `edge` excludes them and fully open ones exist.
 fn drop_cut_views(views: &mut Vec<View>, edge: ApertureEdge) {
     if !edge.partly_open_views && views.iter().any(|view| !view.is_cut()) {
         views.retain(|view| !view.is_cut());
@@ -272,15 +272,15 @@ fn drop_cut_views(views: &mut Vec<View>, edge: ApertureEdge) {
 
 /// The round aperture of the main lens.
 pub struct Aperture {
-    /// Half its diameter.
+    /// Radius, in mm.
     pub radius_mm: f64,
     /// Width of the pupil interval that contributes to a pixel, in mm.
     pub interval_mm: f64,
 }
 
 impl Aperture {
-    /// The aperture in front of each microlens column of the window, for views (k, ·); `None` where
-    /// a column has no pixel for them.
+    /// The strip of the aperture of each microlens column of the window, for views (k, ·). `None` if a column
+    /// has no pixel for them.
     fn strips(
         &self,
         columns: &AxisSampling,
@@ -291,7 +291,7 @@ impl Aperture {
         window.columns.clone().map(strip).collect()
     }
 
-    /// Coverage of view (k, l) over the window, row-major, from the strips of k. `None` if the view is
+    /// Coverage of view (k, l) over the window, row-major, from the strips of views (k, ·). `None` if the view is
     /// completely closed.
     fn coverage(
         &self,
@@ -339,7 +339,7 @@ impl Aperture {
         Some(lenses.map(covered).collect())
     }
 
-    /// Share of the pupil cell around a point inside the aperture.
+    /// Share of the pupil interval around a point that is inside the aperture.
     pub fn covered(&self, [u, v]: [f64; 2]) -> f64 {
         let half_mm = self.interval_mm / 2.0;
         let square = |u: f64, v: f64| u * u + v * v;
@@ -368,23 +368,24 @@ impl Aperture {
         }
     }
 
-    /// Half the length of the aperture's chord at U; negative outside the aperture.
+    /// Half length of the aperture's chord at U, in mm; negative outside the aperture.
     fn half_chord(&self, u: f64) -> f64 {
         let square = self.radius_mm * self.radius_mm - u * u;
         if square > 0.0 { square.sqrt() } else { -1.0 }
     }
 }
 
-/// Half-lengths of the aperture's chords across a column of pupil cells; negative outside it.
+/// Half lengths of the aperture's chords across a column of pupil intervals, in mm; negative outside the aperture.
 struct Strip {
-    /// At evenly spaced U inside the column, and the extremes over the column.
+    /// At evenly spaced U inside the column.
     chords: [f64; CHORDS],
+    /// Extremes over the column.
     shortest: f64,
     longest: f64,
 }
 
 impl Strip {
-    /// Share of the cell around `centre_mm` inside the aperture.
+    /// Share of the pupil interval around `centre_mm` that is inside the aperture.
     fn covered(&self, centre_mm: f64, cell_mm: f64) -> f64 {
         let (low, high) = (centre_mm - cell_mm / 2.0, centre_mm + cell_mm / 2.0);
         // Fast path: nearly all cells are completely inside or outside.

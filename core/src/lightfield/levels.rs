@@ -1,6 +1,6 @@
-//! What is known of the light in a raw image.
+//! Light levels of a raw image.
 
-/// Light levels estimated from a raw image.
+/// Light levels of a raw image, estimated or configured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightLevels {
     /// Black level, in counts.
@@ -15,6 +15,6 @@ pub struct LightLevels {
     pub saturated_share: f64,
     /// Mean of the lit pixels above black level and background, in counts.
     pub mean_signal_counts: f64,
-    /// Share of lit pixels that are too bright for noise, 0 to 1: particles.
+    /// Share of lit pixels that are brighter than noise explains, 0 to 1. They contain light of particles.
     pub bright_share: f64,
 }

@@ -1,44 +1,45 @@
-//! The mean micro-image of a raw image: what the aperture looks like through the microlenses.
+//! The mean micro-image of a raw image: the aperture as imaged by the microlenses.
 //!
-//! Summed over many microlenses, particles light the picture of the round aperture evenly. Its diameter
-//! over the pitch says whether the f-numbers of main lens and microlenses match: micro-images that are
-//! smaller leave pixels dark, larger ones run into each other. How wide its edge is says whether the sensor
-//! stands in the microlenses' focal plane.
+//! Averaged over many microlenses, particles illuminate the image of the round aperture uniformly. The ratio of its
+//! diameter to the pitch shows whether the f-numbers of main lens and microlenses match: smaller micro-images leave
+//! pixels dark, larger ones overlap. The width of its edge shows whether the sensor is in the focal plane of the
+//! microlenses.
 
 use lfpiv_hw::{Optics, RawImage};
 
 use super::MicroImages;
 
-/// Cells along an edge of the mean micro-image: a pixel of common benches is about one.
+/// Cells along an edge of the mean micro-image: about one per pixel on common benches.
 const CELLS: usize = 24;
 /// Rings of the radial profile, from the middle to the corner of the square micro-image.
 const RINGS: usize = 24;
-/// Rings within this many half pitches are the middle of the aperture's picture.
+/// Diameter of the middle of the aperture's image, in pitches.
 const MIDDLE: f64 = 0.5;
-/// From this radius on, in pitches, pixels are in the corners of a micro-image.
+/// Least radius of the corners of a micro-image, in pitches.
 const CORNER: f64 = 0.62;
-/// Quantiles of normal noise one and two standard deviations below its mean.
-const BELOW: [f64; 2] = [0.1587, 0.0228];
+/// Probabilities of normal noise below one and two standard deviations under its mean.
+const LOWER_SHARES: [f64; 2] = [0.1587, 0.0228];
 
-/// See the module. Light is in counts above black, lengths in micro-image pitches.
+/// The mean micro-image. Light is in counts above the black level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeanMicroImage {
     /// Cells along an edge.
     pub cells: usize,
-    /// Mean light of each cell, row by row, the upper row first; 0 where no pixel falls.
+    /// Mean light of each cell, row by row, the upper row first; 0 for cells without pixels.
     pub light: Vec<f64>,
-    /// Diameter of the aperture's picture: where light falls to half of the middle's. `None` where it does
-    /// not within the micro-image, which is overfilled, or where there is no light.
+    /// Diameter of the aperture's image at half of the light in the middle, in pitches. `None` for overfilled
+    /// micro-images, in which the light does not decrease that far, and without light.
     pub diameter_pitches: Option<f64>,
-    /// Distance over which light falls from 80 % to 20 % of the middle's, in pixels.
+    /// Width of the edge, from 80 % to 20 % of the light in the middle, in pixels.
     pub edge_px: Option<f64>,
-    /// Mean light in the corners over that in the middle: above some percent, micro-images overlap.
+    /// Ratio of the mean light in the corners to that in the middle. If it exceeds some percent, micro-images
+    /// overlap.
     pub corner_share: f64,
 }
 
 impl MeanMicroImage {
-    /// Folds an image at its micro-images, which are looked for near the configured places. `None` where they
-    /// do not stand out, or the image is not of the configured sensor.
+    /// Averages the micro-images of an image, which are located near their configured positions. `None` if they
+    /// have too little contrast, or if the image has not the size of the configured sensor.
     pub fn of(optics: &Optics, image: &RawImage) -> Option<Self> {
         if [image.columns(), image.rows()] != [optics.sensor.columns, optics.sensor.rows] {
             return None;
@@ -47,19 +48,20 @@ impl MeanMicroImage {
         let pitch_mm = optics.micro_image_pitch_mm();
         let pixel_mm = optics.pixel_pitch_mm();
         let (sensor, lens) = (&optics.sensor, &optics.microlens);
-        // Place of a pixel in its micro-image, from -1/2 to 1/2 of a pitch. An array with an even number
-        // of microlenses has a border in the middle of the sensor.
-        let folded = |place_mm: f64, axis: usize, count: usize| -> f64 {
+        // Position of a pixel in its micro-image, from -1/2 to 1/2 of a pitch. For an even number of
+        // microlenses the middle of the sensor is between two micro-images.
+        let in_micro_image = |place_mm: f64, axis: usize, count: usize| -> f64 {
             let own_mm = place_mm - found.offset_px[axis] * pixel_mm;
             let number =
                 own_mm / (pitch_mm * (1.0 + found.pitch_excess[axis])) + (count as f64 - 1.0) / 2.0;
             number - number.round()
         };
         let columns: Vec<f64> = (0..sensor.columns)
-            .map(|column| folded(sensor.column_centre_mm(column), 0, lens.columns))
+            .map(|column| in_micro_image(sensor.column_centre_mm(column), 0, lens.columns))
             .collect();
-        let rows: Vec<f64> =
-            (0..sensor.rows).map(|row| folded(sensor.row_centre_mm(row), 1, lens.rows)).collect();
+        let rows: Vec<f64> = (0..sensor.rows)
+            .map(|row| in_micro_image(sensor.row_centre_mm(row), 1, lens.rows))
+            .collect();
         let black = black(image, |row, column| rows[row].hypot(columns[column]) >= CORNER);
         let (mut cells, mut rings) =
             (vec![Mean::default(); CELLS * CELLS], [Mean::default(); RINGS]);
@@ -72,20 +74,22 @@ impl MeanMicroImage {
         }
         let profile: Vec<f64> = rings.iter().map(Mean::value).collect();
         let middle = middle_light(&rings);
-        let falls_to = |share: f64| radius_at(&profile, share * middle);
-        let (far, near) = (falls_to(0.2), falls_to(0.8));
+        let radius_of_share = |share: f64| radius_at(&profile, share * middle);
+        let (far, near) = (radius_of_share(0.2), radius_of_share(0.8));
         let corner = rings[ring(CORNER)..].iter().fold(Mean::default(), Mean::with).value();
         Some(Self {
             cells: CELLS,
             light: cells.iter().map(Mean::value).collect(),
-            diameter_pitches: falls_to(0.5).filter(|_| middle > 0.0).map(|radius| 2.0 * radius),
+            diameter_pitches: radius_of_share(0.5)
+                .filter(|_| middle > 0.0)
+                .map(|radius| 2.0 * radius),
             edge_px: far.zip(near).map(|(far, near)| (far - near) * pitch_mm / pixel_mm),
             corner_share: if middle > 0.0 { (corner / middle).max(0.0) } else { 0.0 },
         })
     }
 }
 
-/// A mean in the making.
+/// Accumulator of a mean.
 #[derive(Debug, Clone, Copy, Default)]
 struct Mean {
     sum: f64,
@@ -111,7 +115,7 @@ fn cell(place: f64) -> usize {
     (((place + 0.5) * CELLS as f64) as usize).min(CELLS - 1)
 }
 
-/// Width of a ring, in pitches: the last reaches to the corner.
+/// Width of a ring, in pitches: the last ring reaches the corner.
 const RING_PITCHES: f64 = std::f64::consts::FRAC_1_SQRT_2 / RINGS as f64;
 
 fn ring(radius: f64) -> usize {
@@ -122,7 +126,8 @@ fn middle_light(rings: &[Mean]) -> f64 {
     rings[..=ring(MIDDLE / 2.0)].iter().fold(Mean::default(), Mean::with).value()
 }
 
-/// The radius at which a profile falls below a level for good, in pitches, between the middles of rings.
+/// The largest radius at which a profile falls below a level, in pitches, interpolated between the middles of
+/// rings.
 fn radius_at(profile: &[f64], level: f64) -> Option<f64> {
     let last = profile.iter().rposition(|light| *light >= level)?;
     let next = profile.get(last + 1)?;
@@ -130,8 +135,8 @@ fn radius_at(profile: &[f64], level: f64) -> Option<f64> {
     Some((last as f64 + 0.5 + share) * RING_PITCHES)
 }
 
-/// The black level: the mean of the noise whose lower flank the darkest corners show. Light that leaks into some
-/// corners does not move it.
+/// The black level in counts, extrapolated from two low quantiles of the corners, so that light in some corners
+/// does not affect it.
 fn black(image: &RawImage, is_corner: impl Fn(usize, usize) -> bool) -> f64 {
     let mut bins = vec![0u64; usize::from(u16::MAX) + 1];
     for row in 0..image.rows() {
@@ -139,11 +144,11 @@ fn black(image: &RawImage, is_corner: impl Fn(usize, usize) -> bool) -> f64 {
             bins[usize::from(count)] += u64::from(is_corner(row, column));
         }
     }
-    let [one_below, two_below] = BELOW.map(|share| quantile(&bins, share));
+    let [one_below, two_below] = LOWER_SHARES.map(|share| quantile(&bins, share));
     one_below + (one_below - two_below)
 }
 
-/// The count below which this share of a histogram lies, as if the counts of a bin were spread over its width.
+/// Quantile of a histogram in counts, with a uniform distribution inside each bin.
 fn quantile(bins: &[u64], share: f64) -> f64 {
     let target = share * bins.iter().sum::<u64>() as f64;
     let mut below = 0.0;
@@ -170,8 +175,8 @@ mod tests {
         Optics { microlens, sensor, ..test_bench::optics() }
     }
 
-    /// Discs of this diameter, every third dark, on black 64, shifted by some pixels, and what neighbours
-    /// leak into each other.
+    /// Blurred discs of this diameter, a third of them dark, with overlap between neighbours, shifted by some
+    /// pixels, on a black level of 64.
     fn image(optics: &Optics, diameter_pitches: f64, blur_px: f64) -> RawImage {
         let (sensor, lens) = (&optics.sensor, &optics.microlens);
         let pitch = optics.micro_image_pitch_mm();
@@ -218,7 +223,7 @@ mod tests {
     fn overlapping_micro_images_light_their_corners() {
         let optics = optics();
         let found = MeanMicroImage::of(&optics, &image(&optics, 1.3, 0.3));
-        // Where all corners are lit, nothing stands out any more, or the corners do.
+        // With all corners lit, either no micro-images are found or the corners are bright.
         assert!(found.is_none_or(|found| found.corner_share > 0.2));
     }
 
@@ -228,13 +233,13 @@ mod tests {
         let edge = |blur_px| {
             MeanMicroImage::of(&optics, &image(&optics, 0.8, blur_px)).unwrap().edge_px.unwrap()
         };
-        // From 80 % to 20 % of a logistic edge are 2 ln 4 widths.
+        // A logistic edge is 2 ln 4 widths from 80 % to 20 %.
         assert!((edge(1.0) - 2.77).abs() < 0.5, "{}", edge(1.0));
         assert!(edge(0.3) < 1.8, "{}", edge(0.3));
     }
 
     #[test]
-    fn a_dark_image_has_none() {
+    fn a_dark_image_has_no_mean_micro_image() {
         let optics = optics();
         let (columns, rows) = (optics.sensor.columns, optics.sensor.rows);
         let dark = RawImage::new(columns, rows, vec![64; columns * rows]).unwrap();

@@ -77,7 +77,7 @@ mod tests {
     use crate::test_bench;
 
     #[test]
-    fn the_nominal_grid_is_centred_and_counts_upwards() {
+    fn the_nominal_grid_is_centred_and_numbered_upwards() {
         let optics = test_bench::optics();
         let grid = MicroImageGrid::nominal(&optics);
         let [column, row] = grid.centre_px(64.0, 48.0);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_turned_grid_says_how_far_and_is_inverted() {
+    fn the_rotation_and_the_inverse_of_a_grid_are_correct() {
         let (sine, cosine) = 0.5f64.to_radians().sin_cos();
         let grid = MicroImageGrid {
             microlenses: [50, 40],

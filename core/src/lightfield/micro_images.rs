@@ -1,32 +1,31 @@
-//! Measures the actual positions of the micro-images from an image.
+//! Measurement of the positions of micro-images from an image of particles.
 //!
-//! A micro-image is an image of the round aperture: averaged over many particles it is bright in
-//! its middle and dark at its corners. Column sums of a raw image are therefore a periodic signal
-//! with the period of the micro-images, and its phase gives their centres. The strongest period
-//! near the configured one is their pitch, and the phase in the middle of the light their offset.
-//! The phases of several bands of rows give the rotation of the array.
+//! A micro-image is an image of the round aperture. Averaged over many particles it is bright in its middle and
+//! dark at its corners. Column sums of a raw image are therefore a periodic signal with the period of the
+//! micro-images. The period with the highest power near the configured one is their pitch, and the phase in the
+//! middle of the light gives their offset. The phases of several bands of rows give the rotation of the array.
 
 use lfpiv_hw::{Optics, RawImage};
 
 use crate::parabola;
 
-/// Bands along the other axis: a rotated array shifts from band to band.
+/// Number of bands along the other axis. The micro-images of a rotated array shift from band to band.
 const BANDS: usize = 6;
 
-/// Search range of the pitch, relative to the configured one.
+/// Half width of the search range of the pitch, relative to the configured one.
 const PITCH_RANGE: f64 = 0.04;
 
-/// Search steps per line width of the periodogram (the inverse of the number of periods).
+/// Search steps per spectral line width of the periodogram (the inverse of the number of periods).
 const STEPS_PER_LINE: f64 = 8.0;
 
-/// Minimum contrast of the periodic part of the light. Micro-images of a round pupil that fill
-/// their pitch have at least this; random particles have far less.
+/// Least contrast of the periodic part of the light. Micro-images of a round pupil that fill their pitch have a
+/// higher contrast; random particles have a much lower one.
 const MIN_CONTRAST: f64 = 0.05;
 
 /// Measured micro-images relative to the configured ones, along columns and rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MicroImages {
-    /// Pitch over the configured pitch, minus 1: along columns, along rows.
+    /// Ratio of the pitch to the configured pitch, minus 1: along columns, along rows.
     pub pitch_excess: [f64; 2],
     /// Offset of the micro-images in the middle of the light, modulo a pitch, in pixels to the
     /// right and upwards.
@@ -45,14 +44,13 @@ struct Axis {
     place_mm: Vec<f64>,
     /// Position of each band's middle along the other axis, in mm.
     band_mm: [f64; BANDS],
-    /// Light of each pixel along the axis in each band, minus its mean, which would leak into the
-    /// period of the micro-images. No window function: its slope would weight the sides of an
-    /// out-of-focus particle differently, and shift the micro-images of a small volume by some
-    /// pixels.
+    /// Light of each pixel along the axis in each band, minus its mean, which would leak into the period of the
+    /// micro-images. There is no window function: its slope would weight both sides of an out-of-focus particle
+    /// differently and bias the offset for a small volume by some pixels.
     bands: Vec<Vec<f64>>,
     /// Sum of the squared light of all bands.
     light_square: f64,
-    /// Half width of a uniform light distribution with the same spread, in mm.
+    /// Half width of a uniform light distribution with the same standard deviation, in mm.
     reach_mm: f64,
     /// Configured position of a micro-image in the middle of the light, in mm.
     middle_mm: f64,
@@ -121,7 +119,7 @@ fn band_sums(image: &RawImage) -> [Vec<Vec<f64>>; 2] {
 struct AxisFit {
     pitch_excess: f64,
     offset_mm: f64,
-    /// Shift along this axis per length along the other one.
+    /// Shift along this axis per distance along the other one.
     slope: f64,
     farthest_mm: f64,
 }
@@ -148,7 +146,7 @@ impl Axis {
         let light = moment(0).max(f64::MIN_POSITIVE);
         let centre_mm = moment(1) / light;
         Self {
-            // The micro-image nearest to the middle of the light: outside the light nothing is known.
+            // The micro-image nearest to the centroid of the light.
             middle_mm: middle_mm + ((centre_mm - middle_mm) / pitch_mm).round() * pitch_mm,
             reach_mm: (3.0 * (moment(2) / light - centre_mm * centre_mm).max(0.0)).sqrt(),
             light_square: bands.iter().map(|band| band.iter().sum::<f64>().powi(2)).sum(),
@@ -200,8 +198,9 @@ impl Axis {
         stands_out.then(|| self.pitch_mm * (1.0 + middle + parabola::maximum(powers) * step))
     }
 
-    /// Σ I exp(i 2π (x − x₀)/P): its angle is the shift of the light from the micro-images'
-    /// centres. Pixels are evenly spaced, so the exponential is computed by repeated rotation.
+    /// Fourier component Σ I exp(i 2π (x − x₀)/P) with the configured centre x₀. Its phase is the shift of the
+    /// micro-images from their configured positions. The exponential of evenly spaced pixels is computed by
+    /// repeated rotation.
     fn phasor(&self, light: &[f64], period_mm: f64) -> Phasor {
         let per_mm = std::f64::consts::TAU / period_mm;
         let [first, second] = [self.place_mm[0], self.place_mm.get(1).copied().unwrap_or(0.0)];
@@ -252,8 +251,8 @@ mod tests {
         Optics { microlens, sensor, ..test_bench::optics() }
     }
 
-    /// Round micro-images, half of them lit at random, on an array with a pitch larger by `excess`,
-    /// shifted by `shift_px` and rotated by `turn`; black level 64.
+    /// Round micro-images, half of them lit at random, on an array with a pitch larger by the share `excess`,
+    /// shifted by `shift_px` and rotated by `turn` rad; black level 64.
     fn image(optics: &Optics, excess: f64, shift_px: [f64; 2], turn: f64) -> RawImage {
         let mut random = Pcg64Mcg::seed_from_u64(4);
         let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);
@@ -313,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_without_micro_images_has_none() {
+    fn no_micro_images_are_found_in_an_image_without_them() {
         let optics = optics();
         let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);
         let black = RawImage::new(nx, ny, vec![64; nx * ny]).unwrap();

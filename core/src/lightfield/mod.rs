@@ -1,4 +1,4 @@
-//! From raw images to views.
+//! Decoding of raw light-field images into views.
 
 mod background;
 mod grid_sampling;

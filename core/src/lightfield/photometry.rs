@@ -1,61 +1,59 @@
 //! Light levels of a raw image, estimated from the image itself.
 //!
-//! At one particle per microlens hardly any pixel between the particles is dark. The optics,
-//! however, keep some pixels dark by geometry: the micro-image of a round aperture leaves the four
-//! corners of every square micro-image unlit. These corners give black level and noise at any
-//! seeding density. Pixels that see the open aperture then give the uniform background.
+//! At one particle per microlens hardly any pixel inside the micro-images is dark. However, the image of the round
+//! aperture does not reach the four corners of a square micro-image. These corners give black level and noise at
+//! any seeding density. Pixels with an open pupil interval then give the uniform background.
 
 use lfpiv_hw::{Optics, RawImage};
 use rayon::prelude::*;
 
 use super::{GridSampling, ImageSettings, LightLevels, ViewLayout, sampling::AxisSampling};
 
-/// Corner pixels count as dark if the nearest point of their pupil cell is at least this many pupil
-/// radii from the centre: diffraction at the microlens extends about one pixel beyond the edge.
+/// Least distance of a dark pixel's pupil cell from the pupil's centre, in pupil radii: diffraction at the
+/// microlens extends about one pixel beyond the edge.
 const DARK_RADII: f64 = 1.12;
 
-/// Minimum number of dark corners; with fewer, the darkest pixels of the image are used instead.
+/// Least number of dark pixels; with fewer, the darkest lit pixels are used instead.
 const MIN_CORNERS: u64 = 500;
 
-/// Minimum number of pixels at the highest level to count as saturation.
+/// Least number of pixels at the highest count of a saturated image.
 const MIN_SATURATED: u64 = 16;
 
-/// Sensors do not saturate below 8 bits: a pile-up there is the black level of an empty image.
+/// Least saturation count (8 bits). A peak of the histogram below it is the black level of an empty image.
 const MIN_SATURATION_COUNTS: usize = 255;
 
-/// A lit pixel contains a particle's light if it exceeds unlit pixels by this many standard
-/// deviations of the noise.
+/// Least excess of a pixel with light of a particle over pixels without, in standard deviations of the noise.
 const BRIGHT_NOISE_WIDTHS: f64 = 6.0;
 
-/// Noise of an ideal sensor: rounding to integers.
+/// Noise of an ideal sensor, by rounding to integers, in counts.
 const ROUNDING_NOISE_COUNTS: f64 = 0.289;
 
-/// The parts of a micro-image used for photometry.
+/// The parts of a micro-image that are used for photometry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Zone {
     Dark,
     Lit,
 }
 
-/// The pixels that are dark, and those that see the open aperture, whatever the scene.
+/// The pixels that are dark by geometry, and those with a fully open pupil interval.
 #[derive(Debug, Clone)]
 pub enum PhotometricZones {
-    /// For an array along the sensor's axes. Per pixel column and row: least and greatest |U| of
-    /// its pupil interval, in mm.
+    /// For an array along the sensor's axes: least and greatest |U| of the pupil interval of each pixel column and
+    /// row, in mm.
     Axes { columns: Vec<Option<(f64, f64)>>, rows: Vec<Option<(f64, f64)>>, radius_mm: f64 },
-    /// For an arbitrarily oriented array, per pixel.
+    /// For an arbitrarily oriented array: the zone of each pixel.
     Pixels(Vec<Option<Zone>>),
 }
 
 impl Zone {
-    /// Zone of a pixel whose pupil interval has its centre at (u, v), not negative, and this half
-    /// width.
+    /// Zone of a pixel whose pupil interval has its centre at (u, v), both not negative, and the half width `half`,
+    /// in mm.
     fn new(u: f64, v: f64, half: f64, radius_mm: f64) -> Option<Self> {
         let extents = |middle: f64| ((middle - half).max(0.0), middle + half);
         Self::of_extents(extents(u), extents(v), radius_mm)
     }
 
-    /// Zone of a pixel with the least and greatest |U| and |V| of its pupil interval.
+    /// Zone of a pixel from the least and greatest |U| and |V| of its pupil interval, in mm.
     fn of_extents(
         (u_near, u_far): (f64, f64),
         (v_near, v_far): (f64, f64),
@@ -101,7 +99,7 @@ impl PhotometricZones {
         Self::Pixels((0..columns * rows).into_par_iter().map(zone).collect())
     }
 
-    /// Histograms of the dark corners and of the pixels that see the open aperture.
+    /// Histograms of the dark and of the lit pixels.
     fn histograms(&self, image: &RawImage) -> (Histogram, Histogram) {
         let (mut dark, mut lit) = (Histogram::default(), Histogram::default());
         let mut add = |zone: Option<Zone>, count: u16| match zone {
@@ -134,12 +132,12 @@ impl PhotometricZones {
         let middle = if dark.total >= MIN_CORNERS { 0.5 } else { 0.01 };
         let median = zero.quantile(middle);
         let offset_counts = settings.offset_counts.unwrap_or(median);
-        // The upper flank, because a black level of 0 clips the lower one.
+        // From the upper quantiles, because a black level of 0 clips the lower ones.
         let spread = dark.quantile(0.841) - dark.quantile(0.5);
         let noise_counts = settings.read_noise_counts.unwrap_or(spread).max(ROUNDING_NOISE_COUNTS);
         let background_counts = background(&lit, offset_counts, noise_counts);
         let black = offset_counts + background_counts;
-        let saturation_counts = settings.saturation_counts.or_else(|| lit.pile_up());
+        let saturation_counts = settings.saturation_counts.or_else(|| lit.saturation_peak());
         let saturated = saturation_counts.map_or(0, |level| lit.at_least(level));
         let bright = lit.above(bright_level(&lit, noise_counts.max(spread)));
         LightLevels {
@@ -165,18 +163,18 @@ fn pupil_extents(axis: &AxisSampling, pixels: usize) -> Vec<Option<(f64, f64)>> 
     extents
 }
 
-/// Uniform light between the particles. The darkest 2 % of lit pixels are among those without particle
-/// light. With a share f of such pixels they are its 2 %/f quantile: 1.8 standard deviations below its
-/// mean at f = 0.3, and within half a standard deviation of that for any f from 0.1 to 1.
+/// Uniform light between the particles, in counts above the black level. The darkest 2 % of lit pixels contain no
+/// light of particles. If a share f of pixels is without such light, they are its 2 %/f quantile: 1.8 standard
+/// deviations below its mean at f = 0.3, and within half a standard deviation of that for any f from 0.1 to 1.
 fn background(lit: &Histogram, offset_counts: f64, noise_counts: f64) -> f64 {
     let level = lit.quantile(0.02) + 1.8 * noise_counts - offset_counts;
     if level > 2.5 * noise_counts { level } else { 0.0 }
 }
 
-/// Upper limit of pixels without particle light. Uniform light through the aperture has shot noise that
-/// the dark corners lack, so the noise is also estimated from the lit pixels: their 0.1 % and 2 %
-/// quantiles are 3.09 and 2.05 standard deviations below the mean of Gaussian noise. Particles raise
-/// both; their own light is well above.
+/// Upper limit of pixels without light of particles, in counts. Uniform light has shot noise, which dark pixels do
+/// not have. The noise is therefore also estimated from the lit pixels: for Gaussian noise their 0.1 % and 2 %
+/// quantiles are 3.09 and 2.05 standard deviations below the mean. Particles raise both quantiles; their own light
+/// is well above.
 fn bright_level(lit: &Histogram, noise_counts: f64) -> f64 {
     let darkest = lit.quantile(0.02);
     let noise = noise_counts.max((darkest - lit.quantile(0.001)) / 1.04);
@@ -200,8 +198,7 @@ impl Histogram {
         self.total += 1;
     }
 
-    /// Quantile in counts, interpolated inside a bin as if its counts were uniformly distributed; 0
-    /// for an empty histogram.
+    /// Quantile in counts, with a uniform distribution inside each bin; 0 for an empty histogram.
     fn quantile(&self, share: f64) -> f64 {
         let target = share * self.total as f64;
         let mut below = 0.0;
@@ -228,9 +225,9 @@ impl Histogram {
         self.bins.iter().skip(level.max(0.0) as usize + 1).sum()
     }
 
-    /// The highest count, if more pixels share it than light can explain: more than in the
-    /// hundredth of the range just below it.
-    fn pile_up(&self) -> Option<u16> {
+    /// The highest count, if it is a saturation peak: its pixels are more than twice those in the hundredth of
+    /// the range just below it.
+    fn saturation_peak(&self) -> Option<u16> {
         let top = self.bins.len().checked_sub(1)?;
         let below = top.saturating_sub((top / 100).max(8));
         let neighbours: u64 = self.bins[below..top].iter().sum();
@@ -247,8 +244,8 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// A bench image whose lit pixels have `lit` counts and whose corners have none, with offset
-    /// and roughly Gaussian noise on both.
+    /// An image whose lit pixels have `lit` counts and whose dark pixels have none, plus an offset and nearly
+    /// Gaussian noise.
     fn image(lit: impl Fn(&mut Pcg64Mcg) -> f64, offset: f64, noise: f64) -> RawImage {
         let optics = test_bench::optics();
         let mut random = Pcg64Mcg::seed_from_u64(7);
@@ -283,7 +280,7 @@ mod tests {
     /// Both descriptions of an ideal array give the same zones, except for pixels shared by
     /// micro-images.
     #[test]
-    fn zones_of_a_nominal_array_do_not_depend_on_how_it_is_described() {
+    fn zones_of_a_nominal_array_agree_for_both_samplings() {
         let optics = test_bench::optics();
         let sampling = GridSampling::new(&optics, &MicroImageGrid::nominal(&optics));
         let on_grid = PhotometricZones::on_grid(&optics, &sampling);
@@ -296,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn black_level_and_noise_hold_when_few_lit_pixels_are_dark() {
+    fn black_level_and_noise_are_correct_when_few_lit_pixels_are_dark() {
         for offset in [0.0, 64.0] {
             let bright = image(|r| if r.random::<f64>() < 0.15 { 0.0 } else { 300.0 }, offset, 4.0);
             let levels = zones().levels(&bright, &ImageSettings::default());
@@ -339,7 +336,7 @@ mod tests {
     }
 
     #[test]
-    fn saturation_is_a_pile_up_at_the_top_at_any_depth() {
+    fn saturation_is_a_peak_at_the_highest_count_at_any_bit_depth() {
         let clipped = image(|r| (r.random::<f64>() * 2000.0).min(936.0), 64.0, 0.0);
         let levels = zones().levels(&clipped, &ImageSettings::default());
         assert_eq!(levels.saturation_counts, Some(1000));

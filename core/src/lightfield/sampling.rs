@@ -1,10 +1,10 @@
-//! Assignment of pixels to microlenses, and the part of the pupil that each pixel sees.
+//! Assignment of pixels to microlenses and to pupil intervals, for an array along the sensor's axes.
 //!
-//! A pixel column belongs to the microlens whose micro-image centre X_c (1 + f_m/s_i) is nearest, and
-//! sees the pupil interval U = X_c − (x_s − X_c) s_i/f_m ± p s_i/(2 f_m) (docs/theory.md, section 3).
+//! A pixel column belongs to the microlens with the nearest micro-image centre X_c (1 + f_m/s_i), and
+//! samples the pupil interval U = X_c − (x_s − X_c) s_i/f_m ± p s_i/(2 f_m) (docs/theory.md, section 3).
 //! The micro-image pitch is not a whole number of pixels, so the interval's centre varies between
 //! microlenses by up to half a cell; it is stored for each of them, and nothing is resampled. A column
-//! on the border of two micro-images sees two microlenses and is dropped (about 3 % of the light).
+//! on the border of two micro-images receives light from two microlenses and is dropped (about 3 % of the light).
 
 use lfpiv_hw::Optics;
 
@@ -13,8 +13,8 @@ use lfpiv_hw::Optics;
 pub struct AxisSampling {
     /// Number of microlenses along this axis.
     pub microlenses: usize,
-    /// View indices run from `-reach` to `reach`; view `k` looks through the pupil near `k` pupil
-    /// cells from its centre.
+    /// View indices run from `-reach` to `reach`; view `k` samples the pupil near `k` pupil cells from its
+    /// centre.
     pub reach: i32,
     /// Width of a pixel's interval on the pupil, in mm.
     pub cell_mm: f64,
@@ -26,7 +26,7 @@ pub struct AxisSampling {
 pub struct Sample {
     /// Pixel column or row.
     pub pixel: u32,
-    /// Centre of the pupil interval it sees, in mm.
+    /// Centre of its pupil interval, in mm.
     pub pupil_mm: f64,
 }
 
@@ -90,7 +90,7 @@ impl AxisSampling {
         Self { microlenses, reach, cell_mm, samples }
     }
 
-    /// The pixel through which microlens `i` sees view `k`, unless it is shared or off the sensor.
+    /// The pixel of microlens `i` in view `k`. `None` if it is shared or off the sensor.
     pub fn sample(&self, k: i32, i: usize) -> Option<Sample> {
         self.samples[(k + self.reach) as usize * self.microlenses + i]
     }
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn a_view_looks_through_its_own_pupil_cell() {
+    fn a_view_samples_its_own_pupil_cell() {
         let axis = AxisSampling::rows(&test_bench::optics());
         for k in -axis.reach..=axis.reach {
             for j in 0..axis.microlenses {
@@ -131,9 +131,9 @@ mod tests {
         }
     }
 
-    /// A ray traced as in docs/theory.md, section 2, must hit the pixel that claims its pupil point.
+    /// A ray traced as in docs/theory.md, section 2, must hit the pixel whose sample has its pupil point.
     #[test]
-    fn traced_rays_land_in_the_pixel_that_sees_their_pupil_point() {
+    fn traced_rays_hit_the_pixel_of_their_pupil_point() {
         let optics = test_bench::optics();
         let axis = AxisSampling::columns(&optics);
         let s_i = optics.image_distance_mm();

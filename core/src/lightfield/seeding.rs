@@ -1,11 +1,11 @@
-//! Seeding density, from the statistics of views.
+//! Seeding density from the statistics of views.
 
 use super::{ViewLayout, ViewStack};
 
-/// Particles and their light in one camera's views.
+/// Seeding density and brightness of particles in one camera's views.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seeding {
-    /// Particles per microlens in the middle of the volume's image: the paper's ppm.
+    /// Particles per microlens in the middle of the volume's image (ppm in the paper).
     pub ppm: f64,
     /// Light of one particle in a fully open view, in counts; the light-weighted mean over the
     /// particles.
@@ -13,11 +13,11 @@ pub struct Seeding {
 }
 
 impl Seeding {
-    /// Number and brightness from mean m and variance σ² of the pixels (Digman et al., Biophysical
-    /// Journal 94, 2008). With n particles per pixel, Poisson distributed, of light E each, m = n E
-    /// and σ² = n E² + noise². So E = (σ² − noise²)/m and n = m/E, however much particles overlap.
-    /// The pixels are from the middle half of the window along each axis, where every pixel sees
-    /// the whole depth of the volume, in fully open views.
+    /// Number and brightness from mean m and variance σ² of the pixels (Digman et al., Biophysical Journal 94,
+    /// 2008). For a Poisson distribution with mean n of particles with the light E, m = n E and σ² = n E² + noise².
+    /// Therefore E = (σ² − noise²)/m and n = m/E, for any overlap of particles. The pixels are from fully open
+    /// views, in the middle half of the window along each axis, where every pixel images the whole depth of the
+    /// volume.
     ///
     /// `None` if the light is not above the noise, or no view is fully open.
     pub fn of(views: &ViewStack, layout: &ViewLayout, noise_counts: f64) -> Option<Self> {

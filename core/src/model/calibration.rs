@@ -5,13 +5,13 @@ use serde::{Deserialize, Serialize};
 use super::VolumeMap;
 use crate::lightfield::MicroImageGrid;
 
-/// Differences of one camera from its nominal geometry; nominal where a field is absent.
+/// Deviations of one camera from its nominal geometry; `None`: nominal.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct CameraCalibration {
     /// Centres of the micro-images.
     pub grid: Option<MicroImageGrid>,
-    /// Equivalent points of the nominal thin lens for the volume's points; without it they follow from the pose.
+    /// Equivalent points of the nominal thin lens for the volume's points. `None`: they follow from the pose.
     pub map: Option<VolumeMap>,
 }
 

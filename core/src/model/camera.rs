@@ -1,5 +1,5 @@
-//! How one camera sees the voxel grid: where voxels lie in camera coordinates, and which
-//! microlenses their light can reach.
+//! Geometry of one camera and the voxel grid: camera coordinates of the voxels, and the microlenses that their
+//! light can reach.
 
 use std::ops::Range;
 
@@ -13,37 +13,35 @@ use super::{
 };
 use crate::lightfield::{AxisSampling, MicrolensWindow};
 
-/// A camera that does not look along a grid axis is tabulated on nodes, and each voxel uses the
-/// nearest. Beside the grid its lateral nodes are this many times finer than the voxels: a voxel
-/// is then at most 1/32 of its edge beside its place.
+/// Lateral table nodes per voxel for a camera that is not along a grid axis. Each voxel uses the nearest node,
+/// which is at most 1/32 of the voxel's edge away.
 const OBLIQUE_LATERAL_NODES_PER_VOXEL: f64 = 16.0;
 
-/// Depth nodes per voxel of such a camera. A wrong depth moves the shadow far less than a wrong
-/// position: half a voxel of 0.1 mm by 0.003 mm at the edge of the bench's pupil (da/ds U).
+/// Depth nodes per voxel for such a camera. The shadow depends less on depth than on the lateral position: half a
+/// voxel of 0.1 mm in depth moves it by 0.003 mm at the edge of the bench's pupil (da/ds U).
 const OBLIQUE_DEPTH_NODES_PER_VOXEL: f64 = 1.0;
 
-/// Voxels of neighbouring depths share a depth node while that moves no shadow by more than this
-/// share of a microlens.
+/// Largest displacement of a shadow by sharing a depth node between voxels of neighbouring depths, in microlenses.
 const DEPTH_NODE_TOLERANCE: f64 = 1.0 / 64.0;
 
-/// The distance of depth nodes that keeps to [`DEPTH_NODE_TOLERANCE`]: a depth off by d moves the
-/// shadow of a ray through the pupil's edge R by d R s_i/s² (da/ds), at most half a step.
+/// Largest distance of depth nodes for [`DEPTH_NODE_TOLERANCE`], in mm. A depth error d, at most half a step, moves
+/// the shadow of a ray through the pupil's edge R by d R s_i/s² (da/ds).
 fn depth_node_step_mm(optics: &Optics) -> f64 {
     let s = optics.object_distance_mm;
     let per_depth = optics.pupil_diameter_mm() / 2.0 * optics.image_distance_mm() / (s * s);
     2.0 * DEPTH_NODE_TOLERANCE * optics.microlens.pitch_mm / per_depth * (1.0 + 1e-9)
 }
 
-/// How one camera sees the grid.
+/// The grid in the coordinates of one camera.
 #[derive(Debug, Clone)]
 pub struct CameraView {
     /// The microlenses that light from the grid can reach.
     pub window: MicrolensWindow,
-    /// Along `right`.
+    /// Coordinate along `right`.
     pub xi: CameraAxis,
-    /// Along `up`.
+    /// Coordinate along `up`.
     pub eta: CameraAxis,
-    /// Along `axis`.
+    /// Coordinate along `axis`.
     pub depth: CameraAxis,
 }
 
@@ -54,9 +52,9 @@ pub struct CameraAxis {
     per_index_mm: [f64; 3],
     /// Lowest and highest coordinate of a voxel's centre, in mm.
     range_mm: (f64, f64),
-    /// The grid axis that it runs along, forwards or backwards, if there is one.
+    /// The parallel or antiparallel grid axis, if there is one.
     pub along: Option<usize>,
-    /// The coordinates that are tabulated.
+    /// The tabulated coordinates.
     pub nodes: Nodes,
 }
 
@@ -92,7 +90,7 @@ impl CameraAxis {
         Self { at_origin_mm, per_index_mm, range_mm, along, nodes }
     }
 
-    /// How far a voxel reaches from its centre, in mm.
+    /// Largest distance of a voxel's points from its centre along this coordinate, in mm.
     fn half_voxel_mm(&self) -> f64 {
         self.per_index_mm.iter().map(|step| step.abs()).sum::<f64>() / 2.0
     }
@@ -102,8 +100,8 @@ impl CameraAxis {
         self.at_origin_mm + (0..3).map(|a| self.per_index_mm[a] * ijk[a] as f64).sum::<f64>()
     }
 
-    /// For every pair of voxels `layers` nodes, for an axis along one of the grid's: one in the
-    /// pair's middle, or two at its voxels.
+    /// Nodes for pairs of voxels along grid axis `along`: with one layer in the middle of each pair, with two
+    /// layers at both voxels.
     pub fn layer_nodes(&self, along: usize, voxels: usize, layers: usize) -> Nodes {
         let step_mm = self.per_index_mm[along];
         let per_node = 2.0 / layers as f64;
@@ -121,8 +119,10 @@ impl CameraAxis {
 }
 
 impl CameraView {
-    /// The view of camera `camera` (counted from 0). Errors when it does not see the grid or the
-    /// grid reaches its lens.
+    /// The view of camera `camera`, from 0.
+    ///
+    /// # Errors
+    /// The grid is not in the camera's field, or it extends to its lens.
     pub fn new(
         optics: &Optics,
         pose: &Pose,
@@ -141,8 +141,8 @@ impl CameraView {
         if nearest_mm >= limit_mm {
             return Err(ModelError::TooDeep { camera, depth_mm: nearest_mm, limit_mm });
         }
-        let columns = seen_microlenses(optics, &xi, &depth, optics.microlens.columns);
-        let rows = seen_microlenses(optics, &eta, &depth, optics.microlens.rows);
+        let columns = reached_microlenses(optics, &xi, &depth, optics.microlens.columns);
+        let rows = reached_microlenses(optics, &eta, &depth, optics.microlens.rows);
         match (columns, rows) {
             (Some(columns), Some(rows)) => {
                 Ok(Self { window: MicrolensWindow { columns, rows }, xi, eta, depth })
@@ -151,8 +151,8 @@ impl CameraView {
         }
     }
 
-    /// What the tables along the sensor's columns and rows are made from, for light sources of
-    /// edge `footprint_mm`, with these parts of the model.
+    /// Geometry of the tables along the sensor's columns and rows, for light sources of edge `footprint_mm` and
+    /// with these parts of the model.
     pub fn geometries<'a>(
         &self,
         optics: &'a Optics,
@@ -175,7 +175,7 @@ impl CameraView {
 }
 
 /// The microlenses that light from the grid can reach along one axis.
-fn seen_microlenses(
+fn reached_microlenses(
     optics: &Optics,
     lateral: &CameraAxis,
     depth: &CameraAxis,

@@ -1,4 +1,4 @@
-//! What was chosen to be modelled, and why: data that goes to log, status and results.
+//! The chosen parts of the forward model, with reasons, for log, status and results.
 
 use std::fmt;
 
@@ -34,8 +34,8 @@ impl fmt::Display for Part {
     }
 }
 
-/// What the first usable pair says about the scene. Widths and places are those of the model's
-/// parts seen in the volume, so that a choice needs nothing else.
+/// Properties of the scene, estimated from the first usable pair. Widths and displacements are converted to the
+/// volume.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SceneMeasure {
     /// Particles per microlens, mean over the cameras.
@@ -46,77 +46,74 @@ pub struct SceneMeasure {
     pub window_vox: f64,
     /// Particles in a final interrogation window.
     pub particles_per_window: f64,
-    /// Light of a particle in an open view, in counts; that of the dimmest camera.
+    /// Light of a particle in an open view, in counts; the lowest of the cameras.
     pub particle_counts: f64,
-    /// Noise of a dark pixel over the light of a particle; that of the worst camera.
+    /// Noise of a dark pixel divided by the light of a particle; the highest of the cameras.
     pub noise_per_particle: f64,
-    /// Share of the lit pixels that are saturated, 0 to 1; that of the worst camera.
+    /// Share of the lit pixels that are saturated, 0 to 1; the highest of the cameras.
     pub saturated_share: f64,
     /// Lowest and highest depth of the volume along any camera's axis, in mm.
     pub depth_mm: [f64; 2],
-    /// Microlens pitch seen in the volume, in voxels.
+    /// Microlens pitch in object space, in voxels.
     pub pitch_vox: f64,
-    /// How far a point moves between opposite edges of the aperture, root mean square over the
-    /// volume's depth, in voxels.
+    /// Parallax of a point between opposite edges of the aperture, rms over the volume's depth, in voxels.
     pub parallax_vox: f64,
-    /// Width of a point's shadow by the pupil interval of a pixel, root mean square over the
-    /// volume's depth, in voxels.
+    /// Width of a point's shadow due to the pupil interval of a pixel, rms over the volume's depth, in voxels.
     pub pupil_blur_vox: f64,
-    /// Width by diffraction, likewise; absent without a wavelength.
+    /// Width due to diffraction, rms over the volume's depth, in voxels; `None` without a wavelength.
     pub diffraction_vox: Option<f64>,
-    /// Share of the light that partly open views carry, 0 to 1.
+    /// Share of the light in partly open views, 0 to 1.
     pub partly_open_light: f64,
     /// Share of the views that are partly open, 0 to 1.
     pub partly_open_views: f64,
 }
 
-/// Whether the model has one part, and why.
+/// Decision on one part of the model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PartChoice {
     /// The part.
     pub part: Part,
-    /// Whether the model has it.
+    /// Whether the model includes it.
     pub on: bool,
     /// Whether the configuration forced it.
     pub forced: bool,
-    /// Error of the displacement that the model would add without it, in voxels; absent where
-    /// nothing was measured.
+    /// Displacement error of the model without it, in voxels; `None` if not measured.
     pub error_without_vox: Option<f64>,
-    /// Time of a reconstruction with it over one without it, estimated; absent likewise.
+    /// Estimated time of a reconstruction with it divided by that without it; `None` if not measured.
     pub cost: Option<f64>,
-    /// One sentence with the numbers.
+    /// Reason in one sentence, with numbers.
     pub reason: String,
 }
 
-/// The forward model of a run, and why it is this one.
+/// The forward model of a run, with reasons.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelChoice {
-    /// Who decided.
+    /// Basis of the decision.
     pub mode: ModelMode,
-    /// What is modelled.
+    /// The parts of the model.
     pub model: ModelParts,
     /// Voxels along the edge of a voxel of the volume on the finest grid.
     pub refinement: usize,
-    /// Each part and why.
+    /// Decision on each part.
     pub parts: Vec<PartChoice>,
-    /// Error of the correlation alone, estimated, in voxels; absent where nothing was measured.
+    /// Estimated error of the correlation alone, in voxels; `None` if not measured.
     pub correlation_error_vox: Option<f64>,
-    /// Error that the parts left out add, estimated, in voxels; absent likewise.
+    /// Estimated error due to the parts that are left out, in voxels; `None` if not measured.
     pub model_error_vox: Option<f64>,
-    /// What the choice was made from; absent likewise.
+    /// Properties of the scene on which the choice is based; `None` if not measured.
     pub scene: Option<SceneMeasure>,
 }
 
 impl ModelChoice {
     /// The whole choice as JSON, for files that keep text.
     pub fn to_json(&self) -> String {
-        // Numbers, words and lists: nothing that JSON cannot hold.
+        // Numbers, strings and lists cannot fail to serialise.
         serde_json::to_string(self).unwrap_or_default()
     }
 }
 
 impl fmt::Display for ModelChoice {
-    /// One line: the parts that the model has and those that it has not.
+    /// One line with the included and the excluded parts.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let names = |on: bool| -> String {
             let parts = self.parts.iter().filter(|part| part.on == on);

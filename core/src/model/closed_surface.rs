@@ -1,12 +1,12 @@
-//! A closed surface of triangles, and what is inside it.
+//! Closed triangulated surfaces, and whether points are inside.
 //!
-//! A point is inside where the surface winds around it: where, along a ray from the point, the triangles
-//! that the ray leaves through are more than those it enters through. Bodies that overlap count as one.
+//! A point is inside if its winding number is positive: a ray from the point crosses more triangles outwards than
+//! inwards. Overlapping bodies are therefore united.
 //!
-//! Rays along the axes meet edges and vertices exactly: drawings have round numbers, and so do the centres
-//! of voxels. Coordinates are therefore rounded to whole numbers of [`GRAIN_MM`], signs of determinants are
-//! exact, and a ray that meets an edge is moved by an infinitesimal (simulation of simplicity: Edelsbrunner
-//! and Mücke, ACM Trans. Graph. 9, 1990). Each ray then crosses either one of two neighbouring triangles.
+//! Rays along the axes often meet edges and vertices exactly, because coordinates of bodies and voxels are
+//! round numbers. Coordinates are therefore rounded to multiples of [`GRAIN_MM`], signs of determinants are
+//! exact, and a ray that meets an edge is displaced infinitesimally (simulation of simplicity: Edelsbrunner and
+//! Mücke, ACM Trans. Graph. 9, 1990). Each ray then crosses exactly one of two neighbouring triangles.
 
 use std::collections::HashMap;
 
@@ -15,29 +15,28 @@ use thiserror::Error;
 
 use super::VolumeGrid;
 
-/// Coordinates are rounded to whole multiples of this: 0.06 µm. Corners that a file gives with rounding
-/// errors of single precision then coincide.
+/// Unit of rounded coordinates, 0.06 µm. Corners that differ by rounding errors of single precision then coincide.
 const GRAIN_MM: f64 = 1.0 / 16384.0;
 
-/// Largest coordinate of a corner, in mm: determinants of larger ones do not fit 128 bits.
+/// Largest coordinate of a corner, in mm, for which determinants do not overflow 128 bits.
 const FARTHEST_MM: f64 = 1e6;
 
-/// A place in multiples of [`GRAIN_MM`].
+/// A position in multiples of [`GRAIN_MM`].
 type Grains = [i64; 3];
 
-/// Why triangles enclose nothing.
+/// Reasons for which triangles do not form a closed surface.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SurfaceError {
     /// No triangle, or none with an area.
     #[error("it has no triangle with an area")]
     Empty,
-    /// A corner that is no place in a laboratory.
+    /// A coordinate is not finite or too large.
     #[error(
         "triangle {triangle} has a corner at {coordinate_mm} mm, allowed: finite numbers up to \
          {FARTHEST_MM} mm"
     )]
     TooFar {
-        /// Its number in the file, from 1.
+        /// Number of the triangle in the file, from 1.
         triangle: usize,
         /// The coordinate.
         coordinate_mm: f64,
@@ -54,7 +53,7 @@ pub enum SurfaceError {
         /// The middle of one of them.
         at_mm: [f64; 3],
     },
-    /// Neighbours of which one shows its inside.
+    /// Neighbouring triangles with opposite orientations.
     #[error(
         "{edges} pairs of neighbouring triangles are turned against each other, the first of them \
          at ({}) mm; let the program that made it unify the normals, and export it again",
@@ -79,10 +78,10 @@ pub struct ClosedSurface {
 }
 
 impl ClosedSurface {
-    /// The surface of `triangles`, corners in mm, all turned outwards or all inwards.
+    /// The surface of `triangles` with corners in mm, oriented all outwards or all inwards.
     ///
     /// # Errors
-    /// [`SurfaceError`]: the triangles are not closed or not turned alike.
+    /// [`SurfaceError`]: the triangles are not closed, or their orientations are inconsistent.
     pub fn new(triangles: &[[[f64; 3]; 3]]) -> Result<Self, SurfaceError> {
         let mut kept = Vec::with_capacity(triangles.len());
         for (number, corners) in (1..).zip(triangles) {
@@ -92,7 +91,7 @@ impl ClosedSurface {
                 }
             }
             let [a, b, c] = corners.map(grains);
-            // What rounding has made a line has no inside.
+            // Triangles that rounding makes degenerate do not contribute.
             if a != b && b != c && c != a {
                 kept.push([a, b, c]);
             }
@@ -109,7 +108,7 @@ impl ClosedSurface {
         self.triangles.len()
     }
 
-    /// Whether there is no triangle; never so.
+    /// Whether there is no triangle; always `false`.
     pub fn is_empty(&self) -> bool {
         self.triangles.is_empty()
     }
@@ -123,7 +122,7 @@ impl ClosedSurface {
         [low, high].map(in_mm)
     }
 
-    /// Whether a place (mm) is inside. On the surface itself it may be either.
+    /// Whether a position (mm) is inside. The result on the surface itself is arbitrary.
     pub fn contains(&self, at_mm: [f64; 3]) -> bool {
         if at_mm.iter().any(|mm| mm.is_nan() || mm.abs() > FARTHEST_MM) {
             return false;
@@ -133,8 +132,8 @@ impl ClosedSurface {
             .triangles
             .iter()
             .filter_map(|triangle| {
-                let turn = turn_about(triangle, [at[1], at[2]])?;
-                is_ahead(triangle, at).then_some(turn)
+                let orientation = orientation_about(triangle, [at[1], at[2]])?;
+                is_ahead(triangle, at).then_some(orientation)
             })
             .sum();
         winding != 0
@@ -149,13 +148,13 @@ impl ClosedSurface {
         let [xs, ys, zs] = &centres;
         let mut inside = vec![false; nx * ny * nz];
         inside.par_chunks_mut((nx * ny).max(1)).zip(zs).for_each(|(layer, &z)| {
-            // What each row's triangles add to the winding of all voxels before a place.
+            // Changes of the winding number along each row of voxels.
             let mut changes = vec![0i64; (nx + 1) * ny];
             for triangle in self.triangles.iter().filter(|triangle| spans(triangle, 2, z)) {
                 for (row, &y) in changes.chunks_mut(nx + 1).zip(ys) {
-                    if let Some(turn) = turn_about(triangle, [y, z]) {
+                    if let Some(orientation) = orientation_about(triangle, [y, z]) {
                         let ahead = xs.partition_point(|&x| is_ahead(triangle, [x, y, z]));
-                        row[ahead] += turn;
+                        row[ahead] += orientation;
                     }
                 }
             }
@@ -183,7 +182,7 @@ fn in_mm(at: Grains) -> [f64; 3] {
     at.map(|grains| grains as f64 * GRAIN_MM)
 }
 
-/// Every edge must be passed as often in one direction as in the other.
+/// Checks that every edge occurs equally often in both directions.
 fn check_edges(triangles: &[[Grains; 3]]) -> Result<(), SurfaceError> {
     let mut passed: HashMap<[Grains; 2], i64> = HashMap::new();
     for corners in triangles {
@@ -213,7 +212,7 @@ fn check_edges(triangles: &[[Grains; 3]]) -> Result<(), SurfaceError> {
     }
 }
 
-/// Whether a triangle reaches `at` along an axis.
+/// Whether the range of a triangle along an axis contains `at`.
 fn spans(triangle: &[Grains; 3], axis: usize, at: i64) -> bool {
     let along = triangle.map(|corner| corner[axis]);
     let low = along[0].min(along[1]).min(along[2]);
@@ -221,20 +220,19 @@ fn spans(triangle: &[Grains; 3], axis: usize, at: i64) -> bool {
     (low..=high).contains(&at)
 }
 
-/// Which way a triangle, seen along x, turns about the place (y, z): 1 or −1; `None` where it does not
-/// cover it.
-fn turn_about(triangle: &[Grains; 3], at: [i64; 2]) -> Option<i64> {
+/// Orientation, 1 or −1, of the triangle's projection along x if it covers the position (y, z); otherwise `None`.
+fn orientation_about(triangle: &[Grains; 3], at: [i64; 2]) -> Option<i64> {
     if !spans(triangle, 1, at[0]) || !spans(triangle, 2, at[1]) {
         return None;
     }
     let corners = triangle.map(|[_, y, z]| [y, z]);
-    let turns = [0, 1, 2].map(|n| turn(corners[n], corners[(n + 1) % 3], at));
+    let turns = [0, 1, 2].map(|n| orientation(corners[n], corners[(n + 1) % 3], at));
     (turns[0] != 0 && turns[0] == turns[1] && turns[1] == turns[2]).then_some(turns[0])
 }
 
-/// Sign of the turn from `a` over `b` to a place infinitesimally beyond `at`, along the first axis more than
-/// along the second; 0 where `a` is `b`. It is the opposite for `b` and `a`.
-fn turn(a: [i64; 2], b: [i64; 2], at: [i64; 2]) -> i64 {
+/// Sign of the determinant of `a`, `b` and a position infinitesimally beyond `at`, along the first axis more than
+/// along the second; 0 if `a` equals `b`. It is antisymmetric in `a` and `b`.
+fn orientation(a: [i64; 2], b: [i64; 2], at: [i64; 2]) -> i64 {
     let [along, up] = [0, 1].map(|axis| i128::from(b[axis] - a[axis]));
     let area = along * i128::from(at[1] - a[1]) - up * i128::from(at[0] - a[0]);
     let sign = if area != 0 {
@@ -247,7 +245,7 @@ fn turn(a: [i64; 2], b: [i64; 2], at: [i64; 2]) -> i64 {
     sign as i64
 }
 
-/// Whether the plane of a triangle, which covers the place's y and z, is ahead of the place along x.
+/// Whether a position is before the plane of a triangle along x. The triangle covers its y and z.
 fn is_ahead(triangle: &[Grains; 3], at: Grains) -> bool {
     let [a, b, c] = *triangle;
     let from_a = |to: Grains| -> [i128; 3] { std::array::from_fn(|n| i128::from(to[n] - a[n])) };

@@ -1,18 +1,16 @@
 //! The explicit sparse weight matrix, one ordered subset at a time.
 //!
-//! This is the paper's way (Zhu et al. 2023, figure 6): the matrix of one subset of views is
-//! loaded, used and dropped before the next, so that memory holds one subset's entries and not
-//! the whole matrix's. It is the reference for the tables, and bounded by memory where they are
-//! not.
+//! This is the method of the paper (Zhu et al. 2023, figure 6): the matrix of one subset of views is loaded,
+//! used and dropped before the next, so that memory contains one subset's entries instead of the whole matrix.
+//! It is the reference for the tables. In contrast to them, it is limited by memory.
 //!
-//! Rows are pixels (views in the order of the subset, each row-major over its microlens window),
-//! columns are voxels. Storage is CSC: weights are made voxel by voxel, so columns are appended
-//! where CSR would need a second copy to transpose; a voxel's pixels, which back projection,
-//! `brightest` and `retain` ask for, lie side by side; and a subset has far fewer pixels than the
-//! volume voxels, so the partial sums of forward projection are partial images, not volumes.
-//! sprs multiplies sparse matrices by sparse ones only on several threads; products with dense
-//! vectors here run over the rows of the transpose (that is what CSC stores) with rayon. They add
-//! in an order that does not depend on the number of threads.
+//! Rows are pixels (views in the order of the subset, each row-major over its microlens window), columns are
+//! voxels. Storage is CSC for three reasons. Weights are computed voxel by voxel, so that columns can be
+//! appended; CSR would need a second copy for the transposition. Back-projection, `brightest` and `retain`
+//! access the pixels of a voxel, which are contiguous. A subset has far fewer pixels than the volume has
+//! voxels, so that the partial sums of forward projection are images, not volumes. sprs parallelises only
+//! products of sparse matrices; products with dense vectors are computed here with rayon, in an order that does
+//! not depend on the number of threads.
 
 use rayon::prelude::*;
 use sprs::CsMatI;
@@ -25,13 +23,13 @@ use super::{
 };
 use crate::lightfield::ViewLayout;
 
-/// Partial images that forward projection adds up. Fixed, so that rounding is, too.
+/// Number of partial images of forward projection. It is fixed, so that rounding does not depend on the threads.
 const PARTS: usize = 16;
 
-/// The recipe of the whole weight matrix, from which subsets are loaded.
+/// Source of the weight matrix, from which subsets are loaded.
 ///
-/// As a [`ForwardModel`] its projectors hold the entries of all views for their active voxels:
-/// for small volumes only, so that every solver can run on it.
+/// As a [`ForwardModel`] its projectors store the entries of all views for their active voxels. It is therefore
+/// suitable for small volumes, with any solver.
 pub struct ExplicitModel {
     source: Box<dyn WeightSource>,
 }
@@ -52,7 +50,7 @@ impl ExplicitModel {
 
     /// Builds the matrix of a subset of views, for all voxels of the grid.
     ///
-    /// Panics when a view does not exist or the subset has 2^32 pixels or more.
+    /// Panics if a view does not exist or the subset has 2^32 pixels or more.
     pub fn load(&self, subset: &[ViewId]) -> SubsetMatrix {
         let (firsts, rows) = self.first_rows(subset);
         let matrix = assemble(rows, self.grid().len(), |voxel, indices, data| {
@@ -69,7 +67,7 @@ impl ExplicitModel {
         SubsetMatrix { matrix }
     }
 
-    /// Bytes that [`Self::load`] of these views would hold, counted without holding them; of
+    /// Bytes of the matrix that [`Self::load`] returns for these views, without storing it. For
     /// [`Self::views`], the bytes of the full matrix.
     pub fn matrix_bytes(&self, views: &[ViewId]) -> usize {
         let voxels = self.grid().len();
@@ -113,7 +111,7 @@ impl ForwardModel for ExplicitModel {
         Box::new(ExplicitProjector::new(self.source.as_ref(), voxels))
     }
 
-    /// Bytes of the recipe; matrices count for themselves.
+    /// Bytes of the source, without matrices.
     fn memory_bytes(&self) -> usize {
         self.source.memory_bytes()
     }
@@ -136,10 +134,10 @@ impl SubsetMatrix {
         bytes::<f32>(self.matrix.nnz(), self.matrix.cols())
     }
 
-    /// `images = A volume`. `volume` has one value per voxel of the grid, z, y, x; `images` the
-    /// subset's views one after another. Overwrites `images`.
+    /// `images = A volume`. `volume` has one value per voxel of the grid in z, y, x order, `images` those of
+    /// the subset's views in sequence. Overwrites `images`.
     ///
-    /// Panics when a length is wrong.
+    /// Panics if a length is wrong.
     pub fn project(&self, volume: &[f32], images: &mut [f32]) {
         assert_eq!((images.len(), volume.len()), self.matrix.shape());
         let per_part = volume.len().div_ceil(PARTS).max(1);
@@ -161,7 +159,7 @@ impl SubsetMatrix {
 
     /// `volume = Aᵀ images`. Overwrites `volume`.
     ///
-    /// Panics when a length is wrong.
+    /// Panics if a length is wrong.
     pub fn back_project(&self, images: &[f32], volume: &mut [f32]) {
         assert_eq!((images.len(), volume.len()), self.matrix.shape());
         volume.par_iter_mut().enumerate().for_each(|(voxel, sum)| {

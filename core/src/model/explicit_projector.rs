@@ -10,7 +10,7 @@ use super::{
     weights::WeightSource,
 };
 
-/// One pair of matrices per view.
+/// The matrices of every view for a list of active voxels.
 pub struct ExplicitProjector {
     cameras: Vec<Vec<ViewMatrices>>,
 }
@@ -18,8 +18,7 @@ pub struct ExplicitProjector {
 /// Rows are the view's pixels, columns the active voxels; CSC.
 struct ViewMatrices {
     weights: Columns<f32>,
-    /// Each voxel's support; the open share of the pixel's pupil cell, or 0 for a pixel less than
-    /// half open.
+    /// The support of each voxel; entries are the open shares of pupil cells, or 0 for pixels less than half open.
     support: Columns<f32>,
 }
 
@@ -94,7 +93,7 @@ impl Projector for ExplicitProjector {
         for (n, out) in range.zip(out) {
             let (pixels, open) = column(matrix, n);
             let most = pixels.iter().zip(open).map(seen).reduce(f32::max);
-            // As the tables: light is judged from 0 upwards.
+            // Negative values are noise, as in the tables.
             *out = most.map_or(f32::INFINITY, |most| most.max(0.0));
         }
     }
@@ -109,7 +108,7 @@ impl Projector for ExplicitProjector {
     }
 }
 
-/// The matrix of some of the columns.
+/// The matrix with only the columns `kept`.
 fn select(matrix: &Columns<f32>, kept: &[usize]) -> Columns<f32> {
     assemble(matrix.rows(), kept.len(), |n, indices, data| {
         let (pixels, values) = column(matrix, kept[n]);

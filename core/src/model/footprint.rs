@@ -5,12 +5,12 @@
 //! sections 2 and 4). Over a pixel's pupil interval of width ΔU and a voxel of width h, x is the sum of two
 //! independent uniform variables of widths |a| ΔU and |b| h: a trapezoid. The share that falls on
 //! one microlens is a difference of the trapezoid's cumulative distribution, which is piecewise
-//! quadratic; [`RayMap::spread`] makes it exact for a source without depth. With square microlenses and pixels, a pixel's weight is the product of the two axes'
-//! shares and of the share of its pupil cell that the aperture leaves open.
+//! quadratic; with [`RayMap::spread`] it is exact for a source without depth. With square microlenses and pixels, a
+//! pixel's weight is the product of the shares along both axes and of the open share of its pupil cell.
 
 use lfpiv_hw::Optics;
 
-/// Where rays of one depth meet the microlens plane: x = `pupil`·U + `position`·ξ.
+/// Intersection of rays of one depth with the microlens plane: x = `pupil`·U + `position`·ξ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayMap {
     /// a = 1 − s_i/s'.
@@ -29,13 +29,12 @@ impl RayMap {
 }
 
 impl RayMap {
-    /// 1 − a: how much wider a microlens is to the rays of a pixel than it stands.
+    /// 1 − a: ratio of the effective width of a microlens for the rays of a pixel to its width.
     ///
-    /// A pixel point at t = (x_s − X_c) s_i/f_m sees U = x − t, not X_c − t, where its ray meets
-    /// the microlens plane off the centre. With x = a U + b ξ,
-    /// x − X_c = (a (X_c − t) + b ξ − X_c)/(1 − a): the offset that the first order gives, over
-    /// 1 − a; and dU = dt/(1 − a). So first-order shadows are exact along one axis when microlenses
-    /// are taken 1 − a as wide and shares divided by it.
+    /// The ray of a pixel point at t = (x_s − X_c) s_i/f_m through x on the microlens has U = x − t, while the
+    /// first order approximates U = X_c − t. With x = a U + b ξ, x − X_c = (a (X_c − t) + b ξ − X_c)/(1 − a):
+    /// the first-order offset divided by 1 − a; and dU = dt/(1 − a). First-order shadows are therefore exact
+    /// along one axis if the widths of microlenses are multiplied, and shares divided, by 1 − a.
     pub fn spread(&self) -> f64 {
         1.0 - self.pupil
     }
@@ -46,16 +45,16 @@ impl RayMap {
 pub struct Trapezoid {
     half_sum: f64,
     half_difference: f64,
-    /// 1 over twice the product of the widths, or 0 when the narrower one is a point.
+    /// 1/(2 · product of the widths), or 0 if the narrower width is negligible.
     scale: f64,
     wide: f64,
 }
 
-/// Sums narrower than a picometre are widened to it: a point in focus falls on one microlens, and
-/// one on a border is split evenly instead of by the rounding of its place.
+/// Least width of a sum, a picometre. A point in focus illuminates one microlens, and a point on the border of
+/// two is split evenly instead of by rounding.
 pub const STEP_WIDTH_MM: f64 = 1e-9;
 
-/// Below this share of the wider one, the narrower width does not change any weight.
+/// Ratio of the narrower to the wider width below which the narrower one is negligible.
 pub const POINT_WIDTH: f64 = 1e-7;
 
 impl Trapezoid {
@@ -84,7 +83,7 @@ impl Trapezoid {
         }
         let square = |t: f64| if t > 0.0 { t * t } else { 0.0 };
         let (s, d) = (self.half_sum, self.half_difference);
-        // Both halves are computed from their own side, so that no large squares cancel.
+        // Each half is computed from its own side, to avoid cancellation of large squares.
         if t <= 0.0 {
             (square(t + s) - square(t + d)) * self.scale
         } else {
@@ -100,7 +99,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// The naive reference: the definition, by midpoint sums over both variables.
+        /// Compared with the definition, by midpoint sums over both variables.
         #[test]
         fn the_trapezoid_is_the_convolution_of_two_boxes(
             a in 0.0..0.3f64, b in 0.01..0.3f64, t in -0.4..0.4f64,
@@ -122,7 +121,7 @@ mod tests {
         for width in [0.0, 1e-17, 1e-12] {
             let step = Trapezoid::new(width, 0.0);
             assert_eq!((step.below(-1e-6), step.below(1e-6)), (0.0, 1.0));
-            // A border met from both sides with different rounding: nothing lost or doubled.
+            // Different rounding at both sides of a border must not lose or double light.
             assert!((step.below(1e-17) - step.below(-1e-17)).abs() < 1e-6);
         }
     }

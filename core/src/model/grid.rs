@@ -25,7 +25,7 @@ impl VolumeGrid {
         self.voxels.iter().product()
     }
 
-    /// Whether the grid holds no voxel.
+    /// Whether the grid has no voxel.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

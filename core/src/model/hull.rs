@@ -1,10 +1,9 @@
 //! The photo-hull: voxels that are lit along every line of sight.
 //!
-//! The MLOS start of tomographic PIV keeps a voxel when all the pixels it projects onto hold
-//! light. Here a voxel is dark in a view if even the brightest pixel within its projection is dark,
-//! and it is dropped if it is dark in more views of a camera than noise explains. A particle
-//! anywhere inside a voxel always puts its light into that voxel's support, so the test is safe for
-//! particles off the grid, at any voxel size.
+//! The MLOS initialisation of tomographic PIV keeps a voxel if all pixels of its projection contain light. Here
+//! a voxel is dark in a view if even the brightest pixel of its projection is dark, and it is removed if it is
+//! dark in more views of a camera than noise explains. The light of a particle inside a voxel is always in the
+//! voxel's support, so that no voxel with a particle is removed, at any voxel size.
 //!
 //! This is the voxel-by-voxel form for any model. [`BlockModel::lit`](super::BlockModel::lit) has faster
 //! forms for block models, which are tested against it: for cameras along the grid's axes (`blocks/lit`), and for
@@ -15,24 +14,24 @@ use rayon::prelude::*;
 use super::{ForwardModel, HullCriteria, Projector, ViewId, retain};
 use crate::lightfield::ViewStack;
 
-/// Voxels worked on together: enough to pay for what each view prepares, few enough to bound the
-/// memory that all voxels of a grid would need.
+/// Number of voxels that are evaluated together: large enough to amortise the preparation of each view, small
+/// enough to limit memory.
 const SLAB_VOXELS: usize = 250_000;
 
 /// Share of dark voxels above which removal is faster than repeated evaluation.
-const SHARE_WORTH_DROPPING: f64 = 0.25;
+const LEAST_REMOVED_SHARE: f64 = 0.25;
 
-/// Voxels that may hold light.
+/// Voxels that may contain light.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Hull {
     /// Positions in the grid's z, y, x order, ascending.
     pub voxels: Vec<u32>,
-    /// Of each voxel, the light that the dimmest of the views allows, in counts: of the selected views,
-    /// or of the others where no selected one sees the voxel.
+    /// Upper limit of each voxel's light from its dimmest view, in counts. Unselected views are used only for
+    /// voxels that are not visible in a selected one.
     pub light: Vec<f32>,
 }
 
-/// The voxels of the model's grid that may hold light: see [`super::BlockModel::lit`] for the rule.
+/// The voxels of the model's grid that may contain light, by the criterion of [`super::BlockModel::lit`].
 pub fn photo_hull(model: &dyn ForwardModel, views: &[ViewStack], criteria: &HullCriteria) -> Hull {
     let total = model.grid().len();
     let slabs: Vec<Hull> = (0..total.div_ceil(SLAB_VOXELS))
@@ -51,8 +50,7 @@ pub fn photo_hull(model: &dyn ForwardModel, views: &[ViewStack], criteria: &Hull
     hull
 }
 
-/// Those of `voxels` that are lit, in their order. Most voxels are dark in the first few views;
-/// the others need not be evaluated for them.
+/// The lit ones of `voxels`, in order. Most voxels are removed after a few views and need no further evaluation.
 fn lit_voxels(
     model: &dyn ForwardModel,
     voxels: Vec<u32>,
@@ -65,15 +63,15 @@ fn lit_voxels(
         for &view in &criteria.selected[camera] {
             let id = ViewId { camera, view };
             remaining.evaluate(id, stack.view(view), criteria.dark_below[camera]);
-            remaining.drop_darker_than(criteria.tolerated[camera], SHARE_WORTH_DROPPING);
+            remaining.remove_darker_than(criteria.tolerated[camera], LEAST_REMOVED_SHARE);
         }
-        remaining.drop_darker_than(criteria.tolerated[camera], 0.0);
+        remaining.remove_darker_than(criteria.tolerated[camera], 0.0);
     }
     remaining.evaluate_other_views(model, views, criteria);
-    // A voxel that no view sees holds no light that anybody could measure.
-    let seen: Vec<bool> = remaining.light.iter().map(|light| light.is_finite()).collect();
-    retain(&mut remaining.voxels, &seen);
-    retain(&mut remaining.light, &seen);
+    // Voxels that are not visible in any view are not measured.
+    let visible: Vec<bool> = remaining.light.iter().map(|light| light.is_finite()).collect();
+    retain(&mut remaining.voxels, &visible);
+    retain(&mut remaining.light, &visible);
     Hull { voxels: remaining.voxels, light: remaining.light }
 }
 
@@ -81,11 +79,11 @@ fn lit_voxels(
 struct RemainingVoxels<'a> {
     projector: Box<dyn Projector + 'a>,
     voxels: Vec<u32>,
-    /// Views of the current camera that find the voxel dark.
+    /// Number of views of the current camera in which each voxel is dark.
     dark: Vec<usize>,
     /// Upper bound of the light from the dimmest view so far; infinite before any view.
     light: Vec<f32>,
-    /// Of each voxel's support in the last evaluated view.
+    /// Brightest pixel of each voxel's support in the last evaluated view.
     brightest: Vec<f32>,
 }
 
@@ -109,8 +107,8 @@ impl<'a> RemainingVoxels<'a> {
         }
     }
 
-    /// Drops the voxels that more than `tolerated` views find dark, if their share exceeds `share`.
-    fn drop_darker_than(&mut self, tolerated: usize, share: f64) {
+    /// Removes the voxels that are dark in more than `tolerated` views, if their share exceeds `share`.
+    fn remove_darker_than(&mut self, tolerated: usize, share: f64) {
         let keep: Vec<bool> = self.dark.iter().map(|&dark| dark <= tolerated).collect();
         let dropped = keep.iter().filter(|&&keep| !keep).count();
         if dropped as f64 <= share * keep.len() as f64 {
@@ -122,26 +120,26 @@ impl<'a> RemainingVoxels<'a> {
         retain(&mut self.light, &keep);
     }
 
-    /// Evaluates other views for voxels that no selected view saw.
+    /// Evaluates the other views for voxels that are not visible in any selected view.
     fn evaluate_other_views(
         &mut self,
         model: &dyn ForwardModel,
         views: &[ViewStack],
         criteria: &HullCriteria,
     ) {
-        let unseen: Vec<usize> =
+        let invisible: Vec<usize> =
             (0..self.voxels.len()).filter(|&n| self.light[n].is_infinite()).collect();
-        if unseen.is_empty() {
+        if invisible.is_empty() {
             return;
         }
-        let voxels: Vec<u32> = unseen.iter().map(|&n| self.voxels[n]).collect();
+        let voxels: Vec<u32> = invisible.iter().map(|&n| self.voxels[n]).collect();
         let projector = model.projector(&voxels);
         let mut brightest = vec![0.0; voxels.len()];
         for (camera, stack) in views.iter().enumerate() {
             for view in (0..stack.len()).filter(|view| !criteria.selected[camera].contains(view)) {
                 let id = ViewId { camera, view };
                 projector.brightest(id, stack.view(view), 0..voxels.len(), &mut brightest);
-                for (&n, &brightest) in unseen.iter().zip(&brightest) {
+                for (&n, &brightest) in invisible.iter().zip(&brightest) {
                     self.light[n] = self.light[n].min(brightest);
                 }
             }

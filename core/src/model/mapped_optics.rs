@@ -16,10 +16,10 @@ use crate::{
     },
 };
 
-/// Margin around the microlenses that light from the volume's corners and midpoints reaches.
+/// Margin around the microlenses that light from the volume's corners and midpoints reaches, in microlenses.
 const MARGIN: f64 = 2.0;
 
-/// One camera's view of the volume.
+/// Geometry of one camera with its calibration.
 #[derive(Debug, Clone)]
 pub struct MappedOptics {
     pub optics: Optics,
@@ -34,11 +34,10 @@ pub struct MappedOptics {
     on_axis: [f64; 2],
 }
 
-/// A point as seen by one camera, along the array's columns and rows.
+/// Projection of a point by one camera, along the array's columns and rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SeenPoint {
-    /// Fractional microlens index that the ray through the pupil's centre meets, relative to the
-    /// window's first.
+pub struct ProjectedPoint {
+    /// Fractional microlens index of the ray through the pupil's centre, relative to the window's first.
     pub place: [f64; 2],
     /// Scale of the map from pupil points to the microlens plane (a).
     pub parallax: [f64; 2],
@@ -47,8 +46,10 @@ pub struct SeenPoint {
 }
 
 impl MappedOptics {
-    /// Errors if the array is not square, the camera does not see the grid, or the grid extends to
-    /// its lens.
+    /// The geometry of camera `camera` for `volume`.
+    ///
+    /// # Errors
+    /// The array is not square, the grid is not in the camera's field, or it extends to the lens.
     pub fn new(
         optics: &Optics,
         pose: &Pose,
@@ -68,7 +69,7 @@ impl MappedOptics {
         let (on_axis, right, up) = (at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0));
         let lenses_per_mm =
             [0, 1].map(|n| [right, up].map(|next| (next[n] - on_axis[n]) / mm_per_px));
-        let mut seen = Self {
+        let mut mapped = Self {
             optics: optics.clone(),
             sampling: Arc::new(GridSampling::new(optics, &grid)),
             window: MicrolensWindow { columns: 0..1, rows: 0..1 },
@@ -77,40 +78,40 @@ impl MappedOptics {
             lenses_per_mm,
             on_axis,
         };
-        seen.window = seen.window_of(volume, camera)?;
-        Ok(seen)
+        mapped.window = mapped.window_of(volume, camera)?;
+        Ok(mapped)
     }
 
     fn equivalent(&self, world_mm: &Point3<f64>) -> EquivalentPoint {
         match &self.map {
             Some(map) => map.at(world_mm),
             None => {
-                let seen = self.pose.to_camera(world_mm);
+                let point = self.pose.to_camera(world_mm);
                 EquivalentPoint {
-                    lateral_mm: [seen.xi_mm, seen.eta_mm],
-                    depth_mm: [seen.depth_mm; 2],
+                    lateral_mm: [point.xi_mm, point.eta_mm],
+                    depth_mm: [point.depth_mm; 2],
                 }
             }
         }
     }
 
-    /// A world point as seen by the camera.
-    pub fn see(&self, world_mm: &Point3<f64>) -> SeenPoint {
-        let mut seen = self.see_on_array(world_mm);
-        seen.place[0] -= self.window.columns.start as f64;
-        seen.place[1] -= self.window.rows.start as f64;
-        seen
+    /// Projects a world point.
+    pub fn project(&self, world_mm: &Point3<f64>) -> ProjectedPoint {
+        let mut projected = self.project_on_array(world_mm);
+        projected.place[0] -= self.window.columns.start as f64;
+        projected.place[1] -= self.window.rows.start as f64;
+        projected
     }
 
-    /// The same, with positions relative to the array's first microlens.
-    fn see_on_array(&self, world_mm: &Point3<f64>) -> SeenPoint {
+    /// As [`Self::project`], with positions relative to the array's first microlens.
+    fn project_on_array(&self, world_mm: &Point3<f64>) -> ProjectedPoint {
         let EquivalentPoint { lateral_mm: [xi, eta], depth_mm } = self.equivalent(world_mm);
         let maps = depth_mm.map(|depth| RayMap::at_depth(&self.optics, depth));
         let place = [0, 1].map(|n| {
             let [by_right, by_up] = self.lenses_per_mm[n];
             self.on_axis[n] + maps[n].position * (by_right * xi + by_up * eta)
         });
-        SeenPoint { place, parallax: maps.map(|map| map.pupil), depth_mm }
+        ProjectedPoint { place, parallax: maps.map(|map| map.pupil), depth_mm }
     }
 
     /// Microlenses along i and j per pupil cell along `right` and `up`.
@@ -130,7 +131,7 @@ impl MappedOptics {
         self.sampling.grid.pitch_px().map(|pitch_px| pitch_px * mm_per_px)
     }
 
-    /// Column and row of the centre of a micro-image, by the microlens' number in the window.
+    /// Column and row of the centre of a micro-image, for a microlens of the window.
     pub fn centre_px(&self, lens: [usize; 2]) -> [f64; 2] {
         let first = [self.window.columns.start, self.window.rows.start];
         self.sampling.grid.centre_px((lens[0] + first[0]) as f64, (lens[1] + first[1]) as f64)
@@ -156,7 +157,7 @@ impl MappedOptics {
             if deepest_mm >= limit_mm {
                 return Err(ModelError::TooDeep { camera, depth_mm: deepest_mm, limit_mm });
             }
-            let SeenPoint { place, parallax, .. } = self.see_on_array(&world);
+            let ProjectedPoint { place, parallax, .. } = self.project_on_array(&world);
             for n in 0..2 {
                 let reach = parallax[n].abs() * radius[n] + MARGIN;
                 low[n] = low[n].min(place[n] - reach);

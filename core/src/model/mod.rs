@@ -1,10 +1,9 @@
-//! What a voxel does to a pixel.
+//! The forward model: weights between voxels and pixels.
 //!
-//! The reconstruction knows the optics only through [`ForwardModel`]: a set of views, and for any
-//! set of active voxels a [`Projector`] that images intensities into one view and spreads one
-//! view's values back onto the voxels. [`ThinLensModel`] does it with separable tables and stores
-//! no matrix; [`ExplicitModel`] holds sparse matrices, subset by subset as the paper does, and is
-//! the reference that the tables are tested against.
+//! The reconstruction accesses the optics only through [`ForwardModel`]: a set of views, and for any set of
+//! active voxels a [`Projector`] that projects intensities into one view and back-projects one view onto the
+//! voxels. [`ThinLensModel`] uses separable tables and stores no matrix. [`ExplicitModel`] stores sparse
+//! matrices, subset by subset as in the paper, and is the reference in the tests of the tables.
 
 mod blocks;
 mod calibration;
@@ -62,8 +61,7 @@ pub use weights::{Weight, WeightSource};
 
 use crate::lightfield::ViewLayout;
 
-/// A pixel belongs to a voxel's support when it receives more than this share of its light, in a
-/// view that sees most of it.
+/// Least share of a voxel's light on a pixel of its support, in a view that contains most of the light.
 pub const SUPPORT_SHARE: f32 = 0.01;
 
 /// One view of one camera.
@@ -77,34 +75,32 @@ pub struct ViewId {
 
 /// The linear map from voxel intensities to the pixels of every view.
 ///
-/// The intensity of a voxel is the count that it gives a pixel whose pupil cell is fully open and
-/// that receives all of the voxel's light in that view: the weights of an inner voxel in an open
-/// view sum to 1.
+/// The intensity of a voxel is the count in a pixel with an open pupil cell that receives all of the voxel's
+/// light in its view. The weights of an inner voxel in an open view therefore sum to 1.
 pub trait ForwardModel: Send + Sync {
-    /// The voxels.
+    /// The voxel grid.
     fn grid(&self) -> &VolumeGrid;
     /// The views of every camera.
     fn layouts(&self) -> &[ViewLayout];
     /// A projector for the voxels at these positions of the grid's z, y, x order, ascending.
     fn projector(&self, voxels: &[u32]) -> Box<dyn Projector + '_>;
-    /// Bytes held for the whole life of the model.
+    /// Bytes of the model.
     fn memory_bytes(&self) -> usize;
 }
 
 /// A [`ForwardModel`] restricted to a list of active voxels.
 pub trait Projector: Send + Sync {
-    /// Images the voxels into a view: `image[i] = Σ_j w_ji intensity[j]`, row-major over the
+    /// Projects the voxels into a view: `image[i] = Σ_j w_ji intensity[j]`, row-major over the
     /// camera's microlens window. Overwrites `image`.
     fn project(&self, view: ViewId, intensity: &[f32], image: &mut [f32]);
 
-    /// Spreads a view back: `out[j − range.start] += Σ_i w_ji image[i]` for voxels `j` in `range`.
+    /// Back-projects a view: `out[j − range.start] += Σ_i w_ji image[i]` for voxels `j` in `range`.
     fn back_project(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 
-    /// The brightest pixel that each voxel reaches: `out[j − range.start] = max_i image[i] / c_i`
-    /// over the pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view
-    /// (the tables ask for that share along each axis), with c_i the open share of the pixel's
-    /// pupil cell; at least 0, for noise below the black level is no light. Infinite, that is no
-    /// evidence, for a voxel with such a pixel less than half open or outside the view.
+    /// The brightest pixel that each voxel reaches: `out[j − range.start] = max_i image[i] / c_i` over the
+    /// pixels that receive more than [`SUPPORT_SHARE`] of the voxel's light in this view (in the tables: along
+    /// each axis), with the open share c_i of the pixel's pupil cell. At least 0, because negative values are
+    /// noise. Infinite, which means no evidence, if such a pixel is less than half open or outside the view.
     fn brightest(&self, view: ViewId, image: &[f32], range: Range<usize>, out: &mut [f32]);
 
     /// Keeps only the voxels whose flag is set.
@@ -117,7 +113,7 @@ pub(crate) fn retain<T>(values: &mut Vec<T>, keep: &[bool]) {
     values.retain(|_| flags.next().copied().unwrap_or(false));
 }
 
-/// Why the optics cannot see the volume.
+/// Reasons for which no forward model exists.
 #[derive(Debug, Error, PartialEq)]
 pub enum ModelError {
     /// No part of the volume is imaged.
@@ -126,7 +122,7 @@ pub enum ModelError {
          array; move [volume] or correct the pose of {camera}"
     )]
     VolumeOutOfView { camera: CameraName },
-    /// The volume reaches the lens or lies behind it.
+    /// The volume extends to the lens or is behind it.
     #[error(
         "{camera}: the volume reaches to a depth of {depth_mm:.1} mm, allowed: less than \
          {limit_mm:.1} mm (object distance minus focal length); make [volume] smaller"
@@ -144,20 +140,20 @@ pub enum ModelError {
          than 8 microlenses; use smaller voxels or a shallower volume"
     )]
     CalibratedTooWide { camera: CameraName, footprint_mm: f64 },
-    /// Microlenses that do not stand in squares.
+    /// A microlens array that is not square.
     #[error(
         "{camera}: the micro-images of its calibration do not stand in a square grid; hexagonal \
          arrays are calibrated but not reconstructed: use a camera with a square array"
     )]
     NotSquare { camera: CameraName },
-    /// A voxel's shadow is wider than the tables hold.
+    /// A voxel's shadow is too wide for the tables.
     #[error(
         "{camera}: a voxel's light, {footprint_mm} mm wide, reaches over {pitches:.2} \
          microlens pitches at its deepest, allowed: {most}; use smaller voxels or a shallower \
          volume"
     )]
     FootprintTooWide { camera: CameraName, footprint_mm: f64, pitches: f64, most: usize },
-    /// The light source that a voxel stands for has no size.
+    /// The edge of a voxel's light source is negative or not finite.
     #[error("a voxel's light of edge {footprint_mm} mm, allowed: a finite length of 0 or more")]
     FootprintOutOfRange { footprint_mm: f64 },
 }

@@ -1,4 +1,4 @@
-//! The parts of the forward model that a scene may not need, and what they do to the light.
+//! Optional parts of the forward model, and their effects on the light.
 
 use lfpiv_hw::Optics;
 use serde::{Deserialize, Serialize};
@@ -6,18 +6,18 @@ use serde::{Deserialize, Serialize};
 use super::footprint::RayMap;
 use crate::lightfield::{ApertureEdge, GridSampling, MicrolensWindow, ViewLayout};
 
-/// Which parts a forward model has. The default is what every scene can be measured with.
+/// The parts of a forward model. The default is suitable for every scene.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ModelParts {
-    /// A pixel sees the pupil through an interval, so that a point out of focus casts a shadow of
-    /// finite width; without it every pixel looks through a point of the pupil.
+    /// Finite pupil intervals of pixels, which give finite shadows of points out of focus. Without it the
+    /// interval of every pixel is a point.
     pub pupil_blur: bool,
-    /// Views that the aperture's edge cuts, with the open share of each pixel; without it they are
-    /// left out, with their light.
+    /// Views that are cut by the aperture's edge, with the open share of each pixel. Without it these views are
+    /// left out.
     pub aperture_coverage: bool,
     /// Diffraction at the main lens and at the microlenses, for light of this wavelength in nm.
     pub diffraction_nm: Option<f64>,
-    /// Ratios of lights within the noise count for nothing (β of OS-MART).
+    /// No corrections for light within the noise (β of OS-MART).
     pub noise_weighting: bool,
 }
 
@@ -32,11 +32,10 @@ impl Default for ModelParts {
     }
 }
 
-/// What smears the shadow of a point on the microlens plane, as full widths of uniform
-/// distributions.
+/// Blur of a point's shadow on the microlens plane, as full widths of uniform distributions.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Blur {
-    /// Width of the pupil interval that lights a pixel, in mm: |a| times this on the plane.
+    /// Width of a pixel's pupil interval, in mm. The width on the plane is |a| times this.
     pub pupil_mm: f64,
     /// Width on the microlens plane itself, in mm, the same at every depth.
     pub plane_mm: f64,
@@ -53,9 +52,9 @@ const WIDTH_OF_UNIT_VARIANCE: f64 = 3.464_101_615_137_754_6;
 pub const AIRY_SIGMA: f64 = 0.42;
 
 impl Blur {
-    /// What diffraction adds: the main lens's Airy pattern on the microlens plane at its working
-    /// f-number s_i/D, and a microlens's on the sensor at f_m/p_m. A spot of width w on the sensor
-    /// lets a pixel see w s_i/f_m more of the pupil.
+    /// Blur due to diffraction: the main lens' Airy pattern on the microlens plane at its working f-number
+    /// s_i/D, and the microlens' pattern on the sensor at f_m/p_m. A spot of width w on the sensor widens a
+    /// pixel's pupil interval by w s_i/f_m.
     pub fn of_diffraction(optics: &Optics, wavelength_nm: f64) -> Self {
         let width_mm =
             |f_number: f64| WIDTH_OF_UNIT_VARIANCE * AIRY_SIGMA * wavelength_nm * 1e-6 * f_number;
@@ -69,8 +68,8 @@ impl Blur {
 }
 
 impl Blur {
-    /// Width of a point's shadow seen in the volume, in mm: root mean square over depths that are
-    /// evenly spread between two coordinates along a camera's axis.
+    /// Width of a point's shadow in object space, in mm, rms over evenly spaced depths between two coordinates
+    /// along a camera's axis.
     pub fn rms_width_mm(&self, optics: &Optics, depth_mm: [f64; 2]) -> f64 {
         let [low, high] = depth_mm;
         let square = |n: usize| {
@@ -84,7 +83,7 @@ impl Blur {
 }
 
 impl ModelParts {
-    /// What smears a shadow in this model.
+    /// Blur of shadows in this model.
     pub fn blur(&self, optics: &Optics) -> Blur {
         let cell_mm = if self.pupil_blur { optics.pupil_cell_mm() } else { 0.0 };
         let diffraction = self.diffraction(optics);
@@ -95,12 +94,12 @@ impl ModelParts {
         self.diffraction_nm.map_or_else(Blur::default, |nm| Blur::of_diffraction(optics, nm))
     }
 
-    /// How this model cuts a camera's raw image into views, for the microlenses of `window`.
+    /// The layout of a camera's views in this model, for the microlenses of `window`.
     pub(super) fn layout(&self, optics: &Optics, window: &MicrolensWindow) -> ViewLayout {
         ViewLayout::with_edge(optics, window.clone(), self.edge(optics))
     }
 
-    /// How this model cuts the raw image of a camera whose array stands as `sampling` says.
+    /// As [`Self::layout`], for an arbitrarily oriented array.
     pub(super) fn layout_on_grid(
         &self,
         optics: &Optics,
@@ -117,9 +116,8 @@ impl ModelParts {
         }
     }
 
-    /// The layouts of all cameras, for their `windows` of microlenses. Those whose windows are the same
-    /// are computed once, and not at all where they are among the `known` ones of a model with the same
-    /// optics and parts.
+    /// The layouts of all cameras, for their `windows` of microlenses. Layouts of equal windows are computed
+    /// once, or taken from the `known` layouts of a model with the same optics and parts.
     pub(super) fn layouts<'a>(
         &self,
         optics: &Optics,

@@ -1,8 +1,7 @@
-//! The image of a point of light, and how it changes when the point moves.
+//! The image of a point of light in views, and its derivatives with respect to the point's position.
 //!
-//! The footprint is the same as the tables', for any place instead of a table's nodes: a product of
-//! a share along the columns, a share along the rows, and the open share of the pupil cell
-//! ([`super::footprint`]).
+//! The footprint is that of the tables, for any position instead of a table's nodes: the product of a share
+//! along the columns, a share along the rows, and the open share of the pupil cell ([`super::footprint`]).
 
 use std::ops::{Range, RangeInclusive};
 
@@ -16,43 +15,43 @@ use super::{
 };
 use crate::lightfield::{View, ViewLayout};
 
-/// Microlenses along one axis that a point's light is looked for on.
+/// Number of evaluated microlenses along one axis.
 const REACH: usize = 6;
 
 /// Step of the central differences, as a share of the microlens pitch.
 const DIFFERENCE_PITCHES: f64 = 0.1;
 
-/// How one camera images points.
+/// Imaging of points by one camera.
 pub struct PointImager<'a> {
     optics: &'a Optics,
     layout: &'a ViewLayout,
     axes: [AxisGeometry<'a>; 2],
-    /// The pupil's columns k and rows l that views look through.
+    /// Ranges of the view indices k and l.
     pupil: [RangeInclusive<i32>; 2],
 }
 
 /// The image of one point in all views.
 ///
-/// A view's shares along the columns depend on its pupil column alone, those along the rows on its
-/// pupil row: they are found once per column and row of the pupil, not once per view.
+/// Shares along the columns depend only on the view index k, and those along the rows only on l. They are computed
+/// once for each k and l, not for each view.
 pub struct PointImage<'a> {
     layout: &'a ViewLayout,
     shares: [Vec<Shares>; 2],
     first: [i32; 2],
 }
 
-/// A pixel of a view that a point lights.
+/// A pixel of a view with light of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LitPixel {
     /// Position in the view, row-major over the microlens window.
     pub at: usize,
     /// Share of the point's light.
     pub weight: f64,
-    /// Its derivatives by the camera coordinates ξ, η and depth, per mm.
+    /// Derivatives of the weight with respect to the camera coordinates ξ, η and depth, per mm.
     pub gradient: [f64; 3],
 }
 
-/// Shares on consecutive microlenses, and their derivatives by lateral position and depth.
+/// Shares on consecutive microlenses, and their derivatives with respect to lateral position and depth.
 struct Shares {
     first: i64,
     value: [f64; REACH],
@@ -61,8 +60,10 @@ struct Shares {
 }
 
 impl<'a> PointImager<'a> {
-    /// The imager of camera `camera` (counted from 0) for sources of edge `footprint_mm` in the volume
-    /// of `grid`. Errors when the camera does not see the volume.
+    /// The imaging by camera `camera`, from 0, of sources of edge `footprint_mm` in the volume of `grid`.
+    ///
+    /// # Errors
+    /// The volume is not in the camera's field, or it extends to its lens.
     pub fn new(
         optics: &'a Optics,
         pose: &Pose,
@@ -103,8 +104,8 @@ impl<'a> PointImager<'a> {
         DIFFERENCE_PITCHES * self.optics.microlens.pitch_mm
     }
 
-    /// The shares in view `k` of a point at `lateral_mm`, with the maps a step behind it, at its depth
-    /// and a step before it.
+    /// The shares in view `k` of a point at `lateral_mm`, from the ray maps a step behind its depth, at its
+    /// depth and a step before it.
     fn shares(
         &self,
         axis: usize,
@@ -137,7 +138,7 @@ impl<'a> PointImager<'a> {
 }
 
 impl PointImage<'_> {
-    /// Calls `visit` with every pixel of view number `view` that the point lights.
+    /// Calls `visit` with every lit pixel of view number `view`.
     pub fn pixels(&self, view: usize, mut visit: impl FnMut(LitPixel)) {
         let seen = &self.layout.views[view];
         let columns = &self.shares[0][(seen.k - self.first[0]) as usize];
@@ -163,8 +164,7 @@ impl PointImage<'_> {
 }
 
 impl Shares {
-    /// The lit microlenses within `window`: their number among the shares, and their place in the
-    /// window.
+    /// The microlenses of the shares that are in `window`: index of the share, and index in the window.
     fn reached(&self, window: &Range<usize>) -> impl Iterator<Item = (usize, usize)> {
         let start = self.first - window.start as i64;
         let len = window.len() as i64;

@@ -1,20 +1,20 @@
-//! Weights by direct quadrature over voxel, pixel and pupil; no table is read.
+//! Weights by direct quadrature over voxel, pixel and pupil, without tables.
 //!
 //! The weight of a pixel is the mean, over the voxel, of the area of the pupil from which a ray
 //! reaches the pixel, divided by the area of a pupil cell (docs/theory.md, section 2).
-//! The ray that a pixel point x_s behind the microlens with centre X_c takes to the position ξ
-//! is found exactly: with t = (x_s − X_c) s_i/f_m, x = a U + b ξ and x_s = X_c + f_m (x − U)/s_i,
+//! The ray from a pixel point x_s through the microlens with centre X_c to the position ξ is exact:
+//! with t = (x_s − X_c) s_i/f_m, x = a U + b ξ and x_s = X_c + f_m (x − U)/s_i,
 //!
 //! ```text
 //! U = (b ξ − t) / (1 − a),   x = (b ξ − a t) / (1 − a),   dU = (s_i/f_m) dx_s / (1 − a)
 //! ```
 //!
-//! and the ray passes that microlens while |x − X_c| ≤ p_m/2: an interval of ξ. So the quadrature
-//! is a midpoint rule over small cubes of the voxel and points of the pixel, and exact in the
-//! lateral positions inside a cube; the aperture is judged where the ray of the interval's middle
-//! crosses the pupil. A small cube's edges are taken to lie along the camera's axes, which is
-//! exact unless the camera is oblique to the grid. A point source has steps that only pixel points
-//! resolve: one in 2·`PIXEL_POINTS` of its light per axis.
+//! and the ray passes that microlens for |x − X_c| ≤ p_m/2, which is an interval of ξ. The quadrature is a
+//! midpoint rule over small cubes of the voxel and points of the pixel. It is exact in the lateral positions
+//! inside a cube. The aperture is evaluated for the ray of the interval's middle. The edges of small cubes are
+//! assumed to be along the camera's axes, which is exact unless the camera is oblique to the grid. For a point
+//! source the error is one in 2·`PIXEL_POINTS` of its light per axis, because only the pixel points resolve its
+//! steps.
 
 use lfpiv_hw::{Optics, Pose};
 
@@ -33,7 +33,7 @@ const CUBES: usize = 3;
 /// Points across a pixel.
 const PIXEL_POINTS: usize = 8;
 
-/// Weights integrated anew for every voxel and view.
+/// Weights that are integrated for every voxel and view.
 pub struct QuadratureWeights {
     optics: Optics,
     poses: Vec<Pose>,
@@ -43,9 +43,10 @@ pub struct QuadratureWeights {
 }
 
 impl QuadratureWeights {
-    /// Weights for cubes of edge `footprint_mm` about the voxels' centres.
+    /// Weights for cubes of edge `footprint_mm` around the voxels' centres.
     ///
-    /// Errors as [`super::thin_lens_model`], without a limit to the footprint's width.
+    /// # Errors
+    /// As [`super::thin_lens_model`], without a limit of the footprint's width.
     pub fn new(
         optics: &Optics,
         poses: &[Pose],
@@ -150,11 +151,11 @@ struct CubeAxis<'a> {
 
 /// The rays between a small cube and the points of one pixel, along one axis.
 struct Fan {
-    /// Counted from the start of the window.
+    /// Index of the microlens in the window.
     microlens: usize,
-    /// Where on the pupil each pixel point's rays cross it on average, in mm.
+    /// Mean position on the pupil of each pixel point's rays, in mm.
     pupil_mm: [f64; PIXEL_POINTS],
-    /// What each pixel point adds to the weight along this axis.
+    /// Contribution of each pixel point to the weight along this axis.
     light: [f64; PIXEL_POINTS],
 }
 
@@ -170,7 +171,7 @@ impl CubeAxis<'_> {
         let RayMap { pupil: a, position: b } = self.map;
         let cell_mm = self.sampling.cell_mm;
         let centre_mm = a * f64::from(k) * cell_mm + b * self.position_mm;
-        // A view's pupil points lie within one cell and the shift by x − X_c of its nominal one.
+        // Pupil points of a view deviate from the nominal one by at most one cell plus x − X_c.
         let pitch_mm = self.optics.microlens.pitch_mm;
         let reach_mm = a.abs() * (cell_mm + pitch_mm) + (b * self.edge_mm).abs() + pitch_mm;
         let first_mm = microlens_mm(0);
@@ -199,7 +200,7 @@ impl CubeAxis<'_> {
         for n in 0..PIXEL_POINTS {
             let fraction = (n as f64 + 0.5) / PIXEL_POINTS as f64 - 0.5;
             let t = (pixel_mm - x_c + fraction * self.optics.pixel_pitch_mm()) * per_sensor;
-            // The b ξ for which the ray passes this microlens, and of these the cube's own.
+            // The interval of b ξ for which the ray passes this microlens, intersected with that of the cube.
             let low = (1.0 - a) * (x_c - half_pitch_mm) + a * t;
             let high = (1.0 - a) * (x_c + half_pitch_mm) + a * t;
             let (from, to) = (low.max(centre - half), high.min(centre + half));
@@ -216,7 +217,7 @@ impl CubeAxis<'_> {
 }
 
 impl Fan {
-    /// The light of the pixel where this column meets `row`.
+    /// The light of the pixel at the intersection of this column and `row`.
     fn pair(&self, row: &Fan, radius_mm: f64) -> PixelLight {
         let mut pair = PixelLight::default();
         for (u, light_u) in self.pupil_mm.iter().zip(self.light) {
@@ -235,9 +236,9 @@ impl Fan {
 /// Light on one pixel.
 #[derive(Debug, Clone, Copy, Default)]
 struct PixelLight {
-    /// Through the aperture.
+    /// Light through the aperture.
     open: f64,
-    /// Through a pupil without limit.
+    /// Light through an unlimited pupil.
     all: f64,
 }
 

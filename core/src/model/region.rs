@@ -1,10 +1,10 @@
-//! Regions of the volume: what is measured, and what is not flow.
+//! Regions of the volume that are flow or not flow.
 
 use std::sync::Arc;
 
 use super::{ClosedSurface, VolumeGrid, VolumeMask};
 
-/// A part of space.
+/// A region of space.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Region {
     /// Between two corners, in mm.
@@ -19,7 +19,7 @@ pub enum Region {
 }
 
 impl Region {
-    /// Whether a place (mm) is in it.
+    /// Whether a position (mm) is in it.
     pub fn contains(&self, at_mm: [f64; 3]) -> bool {
         match self {
             Self::Cuboid { low_mm, high_mm } => {
@@ -48,18 +48,18 @@ impl Region {
     }
 }
 
-/// Where flow is: in any of the regions that are kept, or everywhere if none is, and in none that is left
-/// out.
+/// Definition of the flow: the union of the regions `keep`, or all of space if there are none, without the regions
+/// `leave_out`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FlowRegions {
     /// Regions of interest.
     pub keep: Vec<Region>,
-    /// Bodies, walls and what else is not flow.
+    /// Bodies, walls and other regions without flow.
     pub leave_out: Vec<Region>,
 }
 
 impl FlowRegions {
-    /// Whether a place (mm) is in the flow.
+    /// Whether a position (mm) is in the flow.
     pub fn is_flow(&self, at_mm: [f64; 3]) -> bool {
         let within = |regions: &[Region]| regions.iter().any(|region| region.contains(at_mm));
         (self.keep.is_empty() || within(&self.keep)) && !within(&self.leave_out)

@@ -11,14 +11,14 @@ use serde::{
     },
 };
 
-/// Who decides on the parts of the forward model.
+/// Basis of the decision on the parts of the forward model.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ModelMode {
-    /// The configuration: parts that it leaves to `auto` are as they always were.
+    /// The configuration; parts that are `auto` have their defaults.
     #[default]
     Explicit,
-    /// The scene: the cheapest model whose own error stays below the correlation's.
+    /// The scene: the fastest model whose error is below that of the correlation.
     Auto,
 }
 
@@ -26,7 +26,7 @@ pub enum ModelMode {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Switch {
-    /// Where the scene needs it; with `mode = "explicit"`, as by default.
+    /// If the scene requires it; with `mode = "explicit"` the default.
     #[default]
     Auto,
     /// Forced on.
@@ -36,7 +36,7 @@ pub enum Switch {
 }
 
 impl Switch {
-    /// What the configuration forces, if anything.
+    /// The forced value, if there is one.
     pub fn forced(self) -> Option<bool> {
         match self {
             Self::Auto => None,
@@ -46,29 +46,29 @@ impl Switch {
     }
 }
 
-/// Which parts the forward model has, and who decides.
+/// Parts of the forward model, and the basis of the decision.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, Validate)]
 #[serde(deny_unknown_fields, default)]
 pub struct ModelSettings {
-    /// Who decides.
+    /// Basis of the decision.
     #[garde(skip)]
     pub mode: ModelMode,
     /// Wavelength of the light, in nm. Without it diffraction is not modelled.
     #[garde(inner(range(min = 100.0, max = 2000.0)))]
     pub wavelength_nm: Option<f64>,
-    /// The shadow's width from the pupil interval that a pixel sees.
+    /// Width of shadows due to the pupil intervals of pixels.
     #[garde(skip)]
     pub pupil_blur: Switch,
-    /// Views that the aperture's edge cuts, with the open share of each pixel.
+    /// Views that are cut by the aperture's edge, with the open share of each pixel.
     #[garde(skip)]
     pub aperture_coverage: Switch,
     /// Diffraction at the main lens and at the microlenses.
     #[garde(custom(known_wavelength(self.wavelength_nm)))]
     pub diffraction: Switch,
-    /// Ratios of lights within the noise count for nothing.
+    /// No corrections for light within the noise.
     #[garde(skip)]
     pub noise_weighting: Switch,
-    /// Voxels finer than the volume's own, as `reconstruction.refinement` says; off: its own.
+    /// Voxels refined by `reconstruction.refinement`; off: those of the volume.
     #[garde(skip)]
     pub fine_voxels: Switch,
 }
@@ -82,10 +82,10 @@ fn known_wavelength(wavelength_nm: Option<f64>) -> impl FnOnce(&Switch, &()) -> 
     }
 }
 
-/// Reads `model = "auto"` as short for `[model]` with `mode = "auto"`.
+/// Reads `model = "auto"` as an abbreviation of `[model]` with `mode = "auto"`.
 ///
 /// # Errors
-/// Those of the format, for anything but a mode or a table.
+/// The format's error for any value but a mode or a table.
 pub fn mode_or_table<'de, D: Deserializer<'de>>(from: D) -> Result<ModelSettings, D::Error> {
     struct ModeOrTable;
 

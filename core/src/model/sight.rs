@@ -1,28 +1,27 @@
-//! How much of a volume the cameras see, and how far apart they look from.
+//! Shares of a volume in the cameras' fields of view, and the angle between cameras.
 
 use lfpiv_hw::{Optics, Pose};
 use nalgebra::{Point3, Vector3};
 
 use super::{VolumeGrid, footprint::RayMap};
 
-/// Places along each axis of the volume at which sight is looked for, at most: shares are right to
-/// a fortieth.
-const MOST_PLACES: usize = 40;
+/// Largest number of test points along each axis of the volume. The error of a share is about 1/40.
+const MOST_POINTS: usize = 40;
 
-/// Shares of a volume that cameras see, 0 to 1.
+/// Shares of a volume in the cameras' fields of view, 0 to 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sight {
-    /// Of each camera.
+    /// Share in the field of view of each camera.
     pub each: Vec<f64>,
-    /// Of all cameras together.
+    /// Share in the common field of view of all cameras.
     pub common: f64,
 }
 
 impl Sight {
-    /// What these cameras see of a volume. A place is seen where the ray from it through the middle
-    /// of the main lens meets a microlens.
+    /// The shares for these cameras. A point is in the field of view if its ray through the middle of the main lens
+    /// meets a microlens.
     pub fn new(optics: &Optics, poses: &[Pose], grid: &VolumeGrid) -> Self {
-        let places = grid.voxels.map(|n| n.clamp(1, MOST_PLACES));
+        let places = grid.voxels.map(|n| n.clamp(1, MOST_POINTS));
         let (mut each, mut common) = (vec![0_usize; poses.len()], 0_usize);
         for linear in 0..places.iter().product::<usize>() {
             let [nx, ny, _] = places;
@@ -33,7 +32,7 @@ impl Sight {
             }));
             let mut by_all = true;
             for (pose, seen) in poses.iter().zip(&mut each) {
-                let by_this = sees(optics, pose, &place);
+                let by_this = is_in_field(optics, pose, &place);
                 *seen += usize::from(by_this);
                 by_all &= by_this;
             }
@@ -45,7 +44,7 @@ impl Sight {
     }
 }
 
-fn sees(optics: &Optics, pose: &Pose, place: &Point3<f64>) -> bool {
+fn is_in_field(optics: &Optics, pose: &Pose, place: &Point3<f64>) -> bool {
     let at = pose.to_camera(place);
     if at.depth_mm >= optics.object_distance_mm - optics.focal_length_mm {
         return false;
@@ -80,10 +79,10 @@ mod tests {
         let (optics, poses) = (test_bench::optics(), test_bench::poses());
         let of = |voxels, centre_mm| Sight::new(&optics, &poses, &grid(voxels, centre_mm));
         assert_eq!(of([100, 80, 80], [0.0; 3]), Sight { each: vec![1.0, 1.0], common: 1.0 });
-        // 12.9 of 40 mm along x, which both cameras see across.
+        // 12.9 of 40 mm along x, which is lateral for both cameras.
         let long = of([400, 80, 80], [0.0; 3]);
         assert!((long.common - 12.9 / 40.0).abs() < 0.02, "{long:?}");
-        // Camera 1 sees 9.7 of 20 mm along y; camera 2 looks along y, its field narrows and widens.
+        // The field of camera 1 is 9.7 of 20 mm along y. Camera 2 is along y, where its field changes in width.
         let high = of([80, 200, 80], [0.0; 3]);
         assert!((high.each[0] - 9.7 / 20.0).abs() < 0.03 && high.each[1] > 0.99, "{high:?}");
         assert_eq!(of([80, 80, 80], [50.0, 0.0, 0.0]).common, 0.0);
@@ -104,7 +103,7 @@ mod tests {
         assert!((apart(&poses) - 90.0).abs() < 1e-9);
         poses[1] = poses[0].clone();
         assert_eq!(apart(&poses), 0.0);
-        // Beside each other by 10 mm, 200 mm away.
+        // 10 mm apart at a distance of 200 mm.
         poses[1].origin_mm.x = 10.0;
         assert!((apart(&poses) - (10.0_f64 / 200.0).atan().to_degrees()).abs() < 1e-9);
     }

@@ -1,4 +1,4 @@
-//! Sparse matrices of the explicit model, column by column: how they are made and multiplied.
+//! Sparse matrices of the explicit model: assembly and products, column by column.
 
 use rayon::prelude::*;
 use sprs::CsMatI;
@@ -6,7 +6,7 @@ use sprs::CsMatI;
 /// Entries indexed by 32 bits, columns by the machine's word: 8 bytes per entry.
 pub(super) type Columns<N> = CsMatI<N, u32, usize>;
 
-/// Voxels whose columns are made as one task.
+/// Number of columns per parallel task.
 const COLUMNS_PER_TASK: usize = 256;
 
 /// Bytes of a matrix with this many entries and columns.
@@ -34,7 +34,7 @@ pub(super) fn column_sum(matrix: &Columns<f32>, index: usize, image: &[f32]) -> 
     pixels.iter().zip(weights).map(|(&pixel, weight)| weight * image[pixel as usize]).sum()
 }
 
-/// A matrix whose column `n` is what `append(n, indices, data)` adds, in ascending order of rows.
+/// Assembles a matrix. `append(n, indices, data)` appends the entries of column `n` in ascending order of rows.
 pub(super) fn assemble<N: Send>(
     rows: usize,
     columns: usize,
@@ -56,7 +56,7 @@ pub(super) fn assemble<N: Send>(
     let mut starts = Vec::with_capacity(columns + 1);
     starts.push(0);
     let (mut indices, mut data) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
-    // Each task's share is dropped once copied: the peak stays near one copy.
+    // The result of each task is dropped after copying, so that peak memory is near one copy.
     for (ends, more_indices, more_data) in tasks {
         let first = indices.len();
         starts.extend(ends.iter().map(|end| first + end));

@@ -13,7 +13,10 @@ use crate::lightfield::ViewLayout;
 pub struct TableWeights(Box<dyn Tabulated>);
 
 impl TableWeights {
-    /// The weights that [`super::thin_lens_model`] of the same arguments uses; the same errors.
+    /// The weights of [`super::thin_lens_model`] with the same arguments.
+    ///
+    /// # Errors
+    /// As [`super::thin_lens_model`].
     pub fn new(
         optics: &Optics,
         poses: &[Pose],

@@ -34,13 +34,13 @@ impl Nodes {
     }
 }
 
-/// The microlenses that a voxel covers along one axis, and its share on each.
+/// Shares of a voxel's light on microlenses along one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tap<const W: usize> {
     /// First microlens, counted from the start of the window.
     pub first: u16,
-    /// The microlenses of `first..first + W` that receive more than [`SUPPORT_SHARE`]: where
-    /// their run starts, and its length; empty where the view sees too little of the voxel.
+    /// The microlenses of `first..first + W` that receive more than [`SUPPORT_SHARE`]: start and length of
+    /// their range; empty if the view contains too little of the voxel's light.
     pub support_start: u8,
     pub support_len: u8,
     /// Shares on microlenses `first..first + W`.
@@ -50,10 +50,10 @@ pub struct Tap<const W: usize> {
 impl<const W: usize> Tap<W> {
     fn new(first: u16, weights: [f32; W]) -> Self {
         let lit = |weight: &f32| *weight > SUPPORT_SHARE;
-        let seen: f32 = weights.iter().sum();
+        let visible: f32 = weights.iter().sum();
         let start = weights.iter().position(lit).unwrap_or(0);
         let end = weights.iter().rposition(lit).map_or(0, |last| last + 1);
-        let len = if seen >= MIN_SEEN_SHARE { end - start } else { 0 };
+        let len = if visible >= MIN_VISIBLE_SHARE { end - start } else { 0 };
         Self { first, support_start: start as u8, support_len: len as u8, weights }
     }
 
@@ -64,16 +64,15 @@ impl<const W: usize> Tap<W> {
     }
 }
 
-/// A view is evidence about a voxel only if it sees at least this share of its light along each
-/// axis. Neighbouring microlenses see a view through pupil intervals that differ by up to a cell
-/// (see [`AxisSampling`]): a voxel between them can fall into the gap, and is then dark although
-/// it shines.
-pub const MIN_SEEN_SHARE: f32 = 0.75;
+/// Least share of a voxel's light along each axis in a view that is used as evidence. The pupil intervals of
+/// neighbouring microlenses in a view differ by up to a cell (see [`AxisSampling`]). The light of a voxel
+/// between them can fall into the gap, so that a lit voxel is dark in the view.
+pub const MIN_VISIBLE_SHARE: f32 = 0.75;
 
 /// One axis of one camera: a [`Tap`] for every view index, depth node and position node.
 ///
-/// Stored view index first, then depth, then position, because one view at a time is worked on
-/// and neighbouring voxels share a depth.
+/// Stored by view index, then depth, then position, because views are processed one at a time and neighbouring
+/// voxels share a depth.
 #[derive(Debug)]
 pub struct AxisTable<const W: usize> {
     reach: i32,
@@ -82,7 +81,7 @@ pub struct AxisTable<const W: usize> {
     taps: Vec<Tap<W>>,
 }
 
-/// What an [`AxisTable`] is made from.
+/// Input of an [`AxisTable`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisGeometry<'a> {
     /// The camera's optics.
@@ -95,20 +94,20 @@ pub struct AxisGeometry<'a> {
     pub positions: Nodes,
     /// Depths of voxels, in camera coordinates.
     pub depths: Nodes,
-    /// Edge of the light source that a voxel stands for, in mm; 0 is a point.
+    /// Edge of the light source of a voxel, in mm; 0 is a point.
     pub footprint_mm: f64,
-    /// What smears the source's shadow beside its own size.
+    /// Blur of the shadow in addition to the source's size.
     pub blur: Blur,
 }
 
 impl AxisGeometry<'_> {
-    /// The shadow on the microlens plane of a source seen through a pixel's pupil interval, where
-    /// the pupil and the source are `slant_mm` apart along this axis (U − ξ).
+    /// The shadow on the microlens plane of a source through a pixel's pupil interval, with the lateral distance
+    /// `slant_mm` between pupil point and source along this axis (U − ξ).
     ///
-    /// The source's depth h moves the shadow by (s_i/s²)(U − ξ) per unit of depth: a third uniform
-    /// variable, and diffraction at the main lens a fourth ([`Blur`]). The widest stays as it is,
-    /// the others are joined into one of the same variance. Without the third a voxel in focus
-    /// would be sharp, and 2.3 % (L1) off where its edges meet microlenses'.
+    /// The source's depth h moves the shadow by (s_i/s²)(U − ξ) per unit of depth, which is a third uniform
+    /// variable. Diffraction at the main lens is a fourth ([`Blur`]). The widest is used directly; the others
+    /// are replaced by one with the same variance. Without the third, a voxel in focus would be sharp, with an
+    /// error of 2.3 % (L1) if its edges coincide with those of microlenses.
     fn shadow(&self, map: RayMap, slant_mm: f64) -> Trapezoid {
         let per_depth = map.position * map.position / self.optics.image_distance_mm();
         let mut widths = [
@@ -118,21 +117,20 @@ impl AxisGeometry<'_> {
             self.blur.plane_mm,
         ];
         widths.sort_unstable_by(f64::total_cmp);
-        // Not hypot: its care for overflow costs a tenth of the tables' time.
+        // `hypot` would increase the time of the tables by a tenth, because it prevents overflow.
         let narrow = widths[..3].iter().map(|width| width * width).sum::<f64>().sqrt();
         Trapezoid::new(widths[3], narrow)
     }
 
-    /// The largest share of a voxel's light in one view that `taps` microlenses can miss, and the
-    /// width in pitches of the range of microlenses that the voxel reaches at that depth.
+    /// The largest share of a voxel's light in one view outside of `taps` microlenses, and the width in pitches
+    /// of the range of microlenses that the voxel reaches at that depth.
     ///
-    /// Each microlens sees a view through its own pupil interval, up to half a cell off the
-    /// view's nominal one, so a shadow of width w lies within w/2 + φ of its nominal place, with
-    /// φ = |a| cell/2. Taps start at the nearest whole microlens: the first one left out is
-    /// W/2 pitches or more from the nominal place, its edge (W − 1)/2 (see [`RayMap::spread`] for
-    /// the correction to its width). Nothing is lost while
-    /// w + 2φ ≤ W − 1; beyond, at most the trapezoid's tail of that overlap. (It overhangs on one
-    /// side only while that is less than a pitch: larger shares than a few percent are rough.)
+    /// The pupil interval of each microlens in a view deviates by up to half a cell from the nominal one. A
+    /// shadow of width w is therefore within w/2 + φ of its nominal position, with φ = |a| cell/2. Taps start
+    /// at the nearest microlens. The first microlens left out is at least W/2 pitches from the nominal
+    /// position, and its edge (W − 1)/2 (see [`RayMap::spread`] for the correction of its width). Nothing is
+    /// lost for w + 2φ ≤ W − 1; otherwise at most the trapezoid's tail of that overlap. (The overlap is on one
+    /// side only if it is less than a pitch, so that shares above a few percent are approximate.)
     pub fn most_lost(&self, taps: usize) -> (f64, f64) {
         let pitch = self.optics.microlens.pitch_mm;
         let last = self.positions.at(self.positions.count - 1);
@@ -150,7 +148,7 @@ impl AxisGeometry<'_> {
             .fold((0.0, 0.0), |(lost, reach), (l, r)| (lost.max(l), reach.max(r)))
     }
 
-    /// The most microlenses that a pair of neighbouring voxels reaches in any view.
+    /// Largest number of microlenses that a pair of neighbouring voxels reaches in any view.
     pub fn pair_reach(&self) -> usize {
         let pitch = self.optics.microlens.pitch_mm;
         let widest = (0..self.depths.count)
@@ -160,7 +158,7 @@ impl AxisGeometry<'_> {
                 (step + self.widest_shadow_mm(map)) / pitch + map.spread() - 1.0
             })
             .fold(0.0, f64::max);
-        // An interval of this many pitches meets at most one border more than it is long.
+        // An interval of n pitches overlaps at most n + 1 microlenses.
         widest.ceil() as usize + 1
     }
 
@@ -172,8 +170,8 @@ impl AxisGeometry<'_> {
         self.shadow(map, slant_mm).width() + map.pupil.abs() * self.sampling.cell_mm
     }
 
-    /// The share on each microlens `first..first + W` of a voxel at `position_mm` whose rays obey
-    /// `map`, in view `k`; microlens numbers count from the start of the window.
+    /// The shares in view `k` of a voxel at `position_mm` with the ray map `map`. Microlenses are counted from
+    /// the start of the window.
     fn tap<const W: usize>(&self, map: RayMap, k: i32, position_mm: f64) -> Tap<W> {
         let pitch = self.optics.microlens.pitch_mm;
         let pupil_mm = f64::from(k) * self.sampling.cell_mm;
@@ -181,7 +179,7 @@ impl AxisGeometry<'_> {
         let middle = (self.sampling.microlenses as f64 - 1.0) / 2.0;
         let nominal = map.pupil * pupil_mm + map.position * position_mm;
         let start = (nominal / pitch + middle - (W as f64 - 1.0) / 2.0).round() as i64;
-        // A footprint that leaves the window keeps its true shares on what remains of it.
+        // A footprint that extends beyond the window keeps its true shares inside.
         let last_first = self.window.end as i64 - W as i64;
         let first = start.clamp(self.window.start as i64, last_first.max(self.window.start as i64));
         let shadow = Shadow { map, trapezoid, k, position_mm };
@@ -189,15 +187,14 @@ impl AxisGeometry<'_> {
         Tap::new((first - self.window.start as i64) as u16, weights)
     }
 
-    /// The shadow in view `k` of a source at `position_mm` whose rays obey `map`.
+    /// The shadow in view `k` of a source at `position_mm` with the ray map `map`.
     pub fn shadow_of(&self, map: RayMap, k: i32, position_mm: f64) -> Shadow {
         let pupil_mm = f64::from(k) * self.sampling.cell_mm;
         Shadow { map, trapezoid: self.shadow(map, pupil_mm - position_mm), k, position_mm }
     }
 
-    /// The first microlens, counted from the start of the array, that a shadow can reach: each
-    /// microlens sees the view through its own pupil interval, up to half a cell off the nominal
-    /// one.
+    /// The first microlens, counted from the start of the array, that a shadow can reach. The pupil interval of
+    /// each microlens deviates by up to half a cell from the nominal one.
     pub fn first_reached(&self, shadow: &Shadow) -> i64 {
         let pupil_mm = f64::from(shadow.k) * self.sampling.cell_mm;
         let nominal = shadow.map.pupil * pupil_mm + shadow.map.position * shadow.position_mm;
@@ -208,9 +205,8 @@ impl AxisGeometry<'_> {
         (edge / self.optics.microlens.pitch_mm + middle).ceil() as i64
     }
 
-    /// The share of a source's light that microlens `i`, counted from the start of the array,
-    /// receives in the shadow's view; 0 outside the window and where the microlens has no pixel
-    /// of its own for this view.
+    /// The share of a source's light on microlens `i`, counted from the start of the array, in the shadow's view; 0
+    /// outside the window and for microlenses without an unshared pixel in this view.
     pub fn share(&self, shadow: &Shadow, i: usize) -> f64 {
         if !self.window.contains(&i) {
             return 0.0;
@@ -230,7 +226,7 @@ impl AxisGeometry<'_> {
     }
 }
 
-/// Where the light of a source falls along one axis in one view.
+/// Shadow of a source along one axis in one view.
 #[derive(Debug, Clone, Copy)]
 pub struct Shadow {
     map: RayMap,
@@ -254,7 +250,7 @@ impl<const W: usize> AxisTable<W> {
         Self { reach, depths, positions, taps }
     }
 
-    /// The taps of view index `k`, addressed by `depth * positions + position`.
+    /// The taps of view index `k`, with index `depth * positions + position`.
     pub fn of_view(&self, k: i32) -> &[Tap<W>] {
         let len = self.depths * self.positions;
         let start = (k + self.reach) as usize * len;
@@ -277,8 +273,8 @@ mod tests {
     use super::*;
     use crate::{model::ModelParts, test_bench};
 
-    /// The largest share that `W` taps miss of what nine hold, over all views, depths and
-    /// positions. Nine taps and the voxels lie well inside the window.
+    /// The largest share of nine taps that is outside of `W` taps, over all views, depths and positions. Voxels
+    /// and taps are well inside the window.
     fn lost<const W: usize>(geometry: &AxisGeometry<'_>) -> f64 {
         let mut most = 0.0f64;
         for depth in 0..geometry.depths.count {
@@ -322,7 +318,7 @@ mod tests {
                     if bound <= 0.05 {
                         assert!(lost <= bound + 1e-6, "{case:?} lost {lost}, stated {bound}");
                     }
-                    // What is accepted loses at most half a percent.
+                    // An accepted number of taps loses at most half a percent.
                     if bound <= 0.005 {
                         tightest = tightest.max(lost);
                     }

@@ -1,4 +1,4 @@
-//! The separable thin-lens model: tables per axis, no stored matrix.
+//! The separable thin-lens model: tables per axis instead of a stored matrix.
 
 mod projector;
 
@@ -13,19 +13,20 @@ use super::{
 use crate::lightfield::{AxisSampling, ViewLayout};
 use projector::ThinLensProjector;
 
-/// The widest footprint that tables are compiled for, in microlenses.
+/// Largest width of compiled tables, in microlenses.
 const MOST_TAPS: usize = 5;
 
-/// The largest share of a voxel's light in any view that may fall beside its taps.
+/// Largest accepted share of a voxel's light outside of its taps, in any view.
 const MOST_LOST_SHARE: f64 = 0.005;
 
-/// Builds the thin-lens model of a bench with the narrowest tables that hold its footprints.
+/// Builds the thin-lens model of a bench with the narrowest sufficient tables.
 ///
-/// `footprint_mm` is the edge of the light source that a voxel stands for: the voxel's edge for a
-/// voxel filled with light, 0 for a point at its centre.
+/// `footprint_mm` is the edge of the light source of a voxel: the voxel's edge for a uniform voxel, 0 for a
+/// point at its centre.
 ///
-/// Errors when `footprint_mm` is negative or no number, when a camera does not see the volume or
-/// the volume reaches its lens, and when footprints are too wide for the tables.
+/// # Errors
+/// `footprint_mm` is negative or not finite, the volume is not in the field of a camera or extends to its lens, or
+/// footprints are too wide for the tables.
 pub fn thin_lens_model(
     optics: &Optics,
     poses: &[Pose],
@@ -46,12 +47,12 @@ pub fn thin_lens_model_of(
     Ok(tabulated(optics, poses, grid, footprint_mm, parts)?)
 }
 
-/// Both faces of the tables: the projector that reads them, and their weights one by one.
+/// A model by tables that also gives single weights.
 pub(super) trait Tabulated: ForwardModel + WeightSource {}
 
 impl<const W: usize> Tabulated for ThinLensModel<W> {}
 
-/// [`thin_lens_model_of`] before its type is narrowed.
+/// As [`thin_lens_model_of`], with access to single weights.
 pub(super) fn tabulated(
     optics: &Optics,
     poses: &[Pose],
@@ -67,7 +68,7 @@ pub(super) fn tabulated(
     })
 }
 
-/// How each camera sees the grid; see [`thin_lens_model`] for the errors.
+/// The views of all cameras. Errors as for [`thin_lens_model`].
 pub(super) fn camera_views(
     optics: &Optics,
     poses: &[Pose],
@@ -81,7 +82,7 @@ pub(super) fn camera_views(
     poses.iter().enumerate().map(view).collect()
 }
 
-/// The fewest taps per axis that lose no more than [`MOST_LOST_SHARE`].
+/// Least number of taps per axis for [`MOST_LOST_SHARE`].
 fn taps_needed(
     optics: &Optics,
     views: &[CameraView],
@@ -120,7 +121,7 @@ struct CameraTables<const W: usize> {
     view: CameraView,
     columns: AxisTable<W>,
     rows: AxisTable<W>,
-    /// Values per row of a projected image, wide enough for every tap.
+    /// Length of a row of a projected image, with space for every tap.
     width: usize,
 }
 
@@ -176,7 +177,7 @@ impl<const W: usize> ForwardModel for ThinLensModel<W> {
     }
 }
 
-/// Where in a camera's two tables a voxel's taps are.
+/// Indices of a voxel's taps in a camera's two tables.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     column: u32,

@@ -1,29 +1,28 @@
-//! A smooth map from the volume to what an ideal thin lens would see in its place.
+//! Smooth map from the points of the volume to equivalent points of an ideal thin lens.
 
 use lfpiv_hw::Optics;
 use nalgebra::{DMatrix, Point3};
 use serde::{Deserialize, Serialize};
 
-/// The point before an ideal thin lens whose rays meet the microlens plane where those of a real
-/// point do.
+/// The object point of an ideal thin lens whose rays have the same intersections with the microlens plane as
+/// those of a real point.
 ///
-/// A camera that looks through a distorting lens or a tilted wall has no single such point: its rays
-/// may seem to come from different depths along the columns and the rows (astigmatism).
+/// A camera with a distorting lens or behind a tilted wall is astigmatic: the apparent depths along columns and
+/// rows differ.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct EquivalentPoint {
-    /// Along the camera's `right` and `up`, in mm.
+    /// Coordinates along the camera's `right` and `up`, in mm.
     pub lateral_mm: [f64; 2],
-    /// Along the camera's axis, positive towards it, in mm: for what the columns and what the rows
-    /// of the array see.
+    /// Depths along the camera's axis, positive towards it, in mm: for the array's columns and for its rows.
     pub depth_mm: [f64; 2],
 }
 
 impl EquivalentPoint {
-    /// The point before the ideal thin lens whose rays are those of a real point.
+    /// The equivalent point of a real point's rays.
     ///
-    /// `place_mm` is where the ray through the middle of the pupil meets the microlens plane, `slopes`
-    /// how far that moves per mm on the pupil: a and b ξ of x = a U + b ξ (docs/theory.md, section 2),
-    /// along `right` and `up`.
+    /// `place_mm` is the intersection of the ray through the middle of the pupil with the microlens plane,
+    /// `slopes` its derivative with respect to the pupil position: b ξ and a of x = a U + b ξ (docs/theory.md,
+    /// section 2), along `right` and `up`.
     pub fn of_rays(optics: &Optics, place_mm: [f64; 2], slopes: [f64; 2]) -> Self {
         let image_mm = optics.image_distance_mm();
         // a = 1 - s_i/s' with 1/s' = 1/F - 1/s, solved for s.
@@ -39,22 +38,22 @@ impl EquivalentPoint {
 /// [`EquivalentPoint`]s by polynomials in the world's coordinates.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct VolumeMap {
-    /// Middle of the box that the map holds in, in mm.
+    /// Centre of the map's domain, in mm.
     centre_mm: [f64; 3],
-    /// Half the box's edges, in mm.
+    /// Half widths of the map's domain, in mm.
     half_mm: [f64; 3],
     /// Highest sum of a term's exponents.
     degree: usize,
-    /// For each term of [`exponents`] the factors of both lateral coordinates and both depths.
+    /// For each term of [`exponents`] the coefficients of both lateral coordinates and both depths.
     terms: Vec<[f64; 4]>,
 }
 
-/// How well a map goes through what it was fitted to, in mm: root mean squares over the box.
+/// Root-mean-square residuals of a map over its domain, in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapResidual {
-    /// Of the lateral coordinates.
+    /// Residual of the lateral coordinates.
     pub lateral_mm: f64,
-    /// Of the depths.
+    /// Residual of the depths.
     pub depth_mm: f64,
 }
 
@@ -66,11 +65,11 @@ fn exponents(degree: usize) -> impl Iterator<Item = [usize; 3]> {
 }
 
 impl VolumeMap {
-    /// The least-squares map through what `equivalent` says of places all over a box.
+    /// Least-squares fit of a map to `equivalent`, a function of the position in mm.
     ///
-    /// `centre_mm` and `half_mm` are the box's middle and half its edges; `degree` is the highest sum of
-    /// exponents. Places are in mm; are Chebyshev nodes, so that the error is even over the box. `None`
-    /// where the box has no size or `equivalent` does not know a place.
+    /// `centre_mm` and `half_mm` are centre and half widths of the domain; `degree` is the highest sum of
+    /// exponents. The positions are Chebyshev nodes, so that the error is even over the domain. `None` if the
+    /// domain has no volume or `equivalent` is `None` at a position.
     pub fn fit(
         centre_mm: [f64; 3],
         half_mm: [f64; 3],
@@ -109,15 +108,14 @@ impl VolumeMap {
         Some((Self { centre_mm, half_mm, degree, terms }, residual))
     }
 
-    /// Where the map holds along x, y and z, in mm: from, to.
+    /// Domain of the map along x, y and z, in mm: from, to.
     pub fn holds_mm(&self) -> [[f64; 2]; 3] {
         std::array::from_fn(|n| {
             [self.centre_mm[n] - self.half_mm[n], self.centre_mm[n] + self.half_mm[n]]
         })
     }
 
-    /// What the camera sees in place of a world point, in mm. Outside the box the polynomials go on, and
-    /// soon mean nothing.
+    /// Equivalent point of a world point, in mm. Errors increase rapidly outside of the domain.
     pub fn at(&self, world_mm: &Point3<f64>) -> EquivalentPoint {
         let [x, y, z]: [f64; 3] =
             std::array::from_fn(|n| (world_mm[n] - self.centre_mm[n]) / self.half_mm[n]);
@@ -163,7 +161,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn polynomials_are_met_exactly(x in -5.0..7.0f64, y in -4.0..4.0f64, z in -6.0..2.0f64) {
+        fn polynomials_are_fitted_exactly(x in -5.0..7.0f64, y in -4.0..4.0f64, z in -6.0..2.0f64) {
             let (map, residual) =
                 VolumeMap::fit([1.0, 0.0, -2.0], [6.0, 4.0, 4.0], 3, |p| Some(cubic(&p.into()))).unwrap();
             prop_assert!(residual.lateral_mm < 1e-12 && residual.depth_mm < 1e-12);
@@ -176,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_terms_cannot_follow_is_in_the_residual() {
+    fn the_residual_contains_terms_of_higher_degree() {
         let steep = |[x, _, _]: [f64; 3]| {
             Some(EquivalentPoint { lateral_mm: [x.powi(4), 0.0], depth_mm: [0.0; 2] })
         };

@@ -1,19 +1,19 @@
-//! Which voxels of the measurement volume are flow.
+//! Mask of the measurement volume: the voxels that are flow.
 
 use super::VolumeGrid;
 
-/// The voxels of a grid that are flow. Beyond the grid it is as in the nearest voxel, so that the margin
-/// around a volume is what its faces are.
+/// The voxels of a grid that are flow. Positions beyond the grid have the value of the nearest voxel, so that the
+/// margin around a volume continues its faces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VolumeMask {
-    /// The voxels.
+    /// The voxel grid.
     pub grid: VolumeGrid,
     /// Whether each is flow, in the order z, y, x; one per voxel.
     pub flow: Vec<bool>,
 }
 
-/// Places that are looked at per voxel along a line between two others.
-const LOOKS_PER_VOXEL: f64 = 2.0;
+/// Number of tested points per voxel along a line.
+const TESTS_PER_VOXEL: f64 = 2.0;
 
 impl VolumeMask {
     /// Share of the voxels that are flow, 0 to 1.
@@ -22,10 +22,10 @@ impl VolumeMask {
         flow as f64 / self.flow.len().max(1) as f64
     }
 
-    /// Whether the voxel at a place (mm), or the nearest one, is flow.
+    /// Whether the voxel at a position (mm), or the nearest one, is flow.
     pub fn is_flow(&self, at_mm: [f64; 3]) -> bool {
         let nearest = |axis: usize| {
-            // The cast takes what is below zero to zero.
+            // The cast saturates negative numbers at zero.
             let index = self.grid.index_of(axis, at_mm[axis]).round() as usize;
             index.min(self.grid.voxels[axis].saturating_sub(1))
         };
@@ -33,10 +33,10 @@ impl VolumeMask {
         self.flow.get(voxel).copied().unwrap_or(true)
     }
 
-    /// Whether the straight line between two places (mm) runs through flow, ends included.
+    /// Whether the straight line between two positions (mm) is completely in the flow, ends included.
     pub fn is_clear(&self, from_mm: [f64; 3], to_mm: [f64; 3]) -> bool {
         let longest = (0..3).map(|axis| (to_mm[axis] - from_mm[axis]).abs()).fold(0.0, f64::max);
-        let steps = (LOOKS_PER_VOXEL * longest / self.grid.voxel_mm).ceil().max(1.0) as usize;
+        let steps = (TESTS_PER_VOXEL * longest / self.grid.voxel_mm).ceil().max(1.0) as usize;
         (0..=steps).all(|step| {
             let share = step as f64 / steps as f64;
             self.is_flow(std::array::from_fn(|axis| {

@@ -1,7 +1,7 @@
 //! Coarse-to-fine iteration.
 //!
-//! The hull and a pass over some of the views on the coarse grid leave the voxels near particles; only
-//! these are refined and corrected on the fine grid.
+//! The hull and a pass over some of the views on the coarse grid keep the voxels near particles. Only these are
+//! refined and corrected on the fine grid.
 
 use rayon::prelude::*;
 
@@ -22,7 +22,7 @@ use crate::{
     model::{BlockModel, ModelParts, ViewId, VolumeGrid},
 };
 
-/// β without noise weighting, in counts: far below any light, but avoids division by zero.
+/// β without noise weighting, in counts: negligible, but avoids division by zero.
 const UNWEIGHTED_COUNTS: f32 = 1e-3;
 
 /// Settings of a reconstruction besides models and views.

@@ -27,9 +27,9 @@ pub struct PassReport {
 
 /// ‖I − W E‖ / ‖I‖ over all pixels of `order`, accumulated in f64.
 ///
-/// `intensity` has one value per voxel of the projector. Light that no active voxel reaches counts as
-/// well, so pruned volumes can be compared with whole ones. In dark views the residual is 0 for a dark
-/// volume and 1 for any other. Independent of the number of threads.
+/// `intensity` has one value per voxel of the projector. Pixels that no active voxel reaches are included, so that
+/// pruned volumes can be compared with whole ones. For dark views the residual is 0 for a dark volume and 1 for any
+/// other. It does not depend on the number of threads.
 pub fn relative_residual(
     projector: &dyn Projector,
     views: &[ViewStack],

@@ -6,20 +6,19 @@ use crate::{
     model::{ForwardModel, HullCriteria, photo_hull},
 };
 
-/// The photo-hull uses the views on every third diagonal of the pupil. All views leave 10 % (0.3
-/// ppm) to 20 % (1 ppm) fewer blocks, which the first views of the solver prune anyway, at three
-/// times the cost.
+/// The photo-hull uses the views on every third diagonal of the pupil. With all views there are 10 % (0.3 ppm)
+/// to 20 % (1 ppm) fewer blocks at three times the cost, and the solver prunes these blocks after a few views.
 const DIAGONALS: i32 = 3;
 
-/// For arbitrarily oriented cameras with few lit pixels, every fourth diagonal, and depths that are
-/// displaced by up to a quarter of a microlens are evaluated as one. There the hull's time counts: it
-/// does not depend on the number of particles. In images with more lit pixels the solver's time
-/// counts, and voxels that the hull keeps without need cost accuracy (docs/decisions.md).
+/// For arbitrarily oriented cameras with few lit pixels, every fourth diagonal is used, and depths that are
+/// displaced by up to a quarter of a microlens are evaluated as one. The hull's time dominates in this case,
+/// because it does not depend on the number of particles. In images with more lit pixels the solver's time
+/// dominates, and superfluous voxels of the hull reduce the accuracy (docs/decisions.md).
 const FAST_DIAGONALS: i32 = 4;
 const FAST_DISPLACEMENT: f64 = 0.25;
 const DISPLACEMENT: f64 = 0.0625;
 
-/// Share of lit pixels above which images count as dense.
+/// Share of lit pixels above which images are dense.
 const DENSE: f64 = 0.35;
 
 /// With fewer views than this per camera, all are used.
@@ -47,7 +46,7 @@ pub(super) fn some_views(
     criteria(selected, dark_below, displacement)
 }
 
-/// The views on every so many diagonals of the pupil.
+/// The views on every `diagonals`-th diagonal of the pupil.
 fn views_on(layout: &ViewLayout, diagonals: i32) -> Vec<usize> {
     let all = layout.views.len();
     let is_selected = |&n: &usize| {
@@ -82,8 +81,8 @@ fn criteria(
     HullCriteria { tolerated, selected, dark_below, displacement }
 }
 
-/// The voxels of the model's grid that may contain light, each with the largest light that its dimmest
-/// view allows, in counts. `dark_below` is, per camera, the count below which a pixel is dark.
+/// The voxels of the model's grid that may contain light, each with the upper limit of its light from its
+/// dimmest view, in counts. `dark_below` is, per camera, the count below which a pixel is dark.
 pub fn mlos(model: &dyn ForwardModel, views: &[ViewStack], dark_below: &[f32]) -> SparseVolume {
     let criteria = all_views(model.layouts(), dark_below.to_vec());
     let hull = photo_hull(model, views, &criteria);

@@ -2,13 +2,15 @@
 
 use crate::lightfield::ViewStack;
 
-/// A pixel is dark below this many standard deviations of the noise plus this share of a particle's
-/// light (docs/decisions.md, "Fitted constants") ...
+/// A pixel is dark below this many standard deviations of the noise plus [`DARK_PARTICLE_SHARE`]
+/// (docs/decisions.md, "Fitted constants").
 const DARK_NOISE_WIDTHS: f64 = 3.0;
+
+/// Part of the threshold that is proportional to a particle's light.
 const DARK_PARTICLE_SHARE: f64 = 0.06;
 
-/// ... but never above this share: a particle at the corner of four microlenses gives each of them a
-/// quarter of its light.
+/// Upper limit of the threshold, as a share of a particle's light: a particle at the corner of four
+/// microlenses gives each of them a quarter of its light.
 const LARGEST_DARK_SHARE: f64 = 0.15;
 
 /// Particle light and noise in one camera's views.
@@ -38,7 +40,7 @@ impl ViewLevels {
     pub fn dark_below(&self) -> f32 {
         let above_noise =
             DARK_NOISE_WIDTHS * self.noise_counts + DARK_PARTICLE_SHARE * self.particle_counts;
-        // At least one standard deviation, or a dark image would contain no dark pixel.
+        // At least one standard deviation; otherwise a dark image would have no dark pixel.
         above_noise.min(LARGEST_DARK_SHARE * self.particle_counts).max(self.noise_counts) as f32
     }
 }

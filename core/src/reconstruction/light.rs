@@ -26,7 +26,7 @@ impl MaximumProjection {
 /// The light of one frame on the configured grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrameLight {
-    /// Its lit voxels; `None` where only the projections are kept.
+    /// Its lit voxels; `None` if only the projections are stored.
     pub volume: Option<SparseVolume>,
     /// Maxima along z, y and x: the planes xy, xz and yz.
     pub projections: [MaximumProjection; 3],

@@ -1,4 +1,4 @@
-//! From views to volumes.
+//! Reconstruction of volumes from views.
 
 mod block_volume;
 mod coarse_to_fine;

@@ -1,4 +1,4 @@
-//! Model fit: how well the configured bench explains the images. Shown in results, status and log.
+//! Model fit: agreement of the images with the configured bench, for results, status and log.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ pub enum FitVerdict {
     Good,
     /// Vectors may be wrong by more than their uncertainties.
     Doubtful,
-    /// The images do not match the configured bench, or the frames not one flow: no vector is valid.
+    /// The images do not match the configured bench, or the frames have no common flow. No vector is valid.
     Poor,
 }
 
@@ -30,37 +30,37 @@ impl fmt::Display for FitVerdict {
 /// Comparison of one camera's images with the model of the bench.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CameraFit {
-    /// Residual of the reconstruction relative to the standard deviation of the light, both without
-    /// noise: 0 if everything is explained, 1 if nothing is. The lower quartile over tiles of the
-    /// field, in the worse frame.
+    /// Residual of the reconstruction relative to the standard deviation of the light, both without noise: 0 if
+    /// all light is explained, 1 if none is. The lower quartile over tiles of the field, in the frame with the
+    /// larger value.
     pub unexplained: f64,
-    /// Largest distance of a micro-image from its configured position, in pixels; absent if no
-    /// micro-images are visible.
+    /// Largest distance of a micro-image from its configured position, in pixels; `None` if no micro-images are
+    /// found.
     pub micro_image_offset_px: Option<f64>,
 }
 
-/// How well the configured bench explains the images of a pair.
+/// Model fit of a pair.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelFit {
     /// Overall assessment.
     pub verdict: FitVerdict,
-    /// Per camera, in the order of the configuration.
+    /// Comparisons per camera, in the order of the configuration.
     pub cameras: Vec<CameraFit>,
-    /// Correlation of the cameras' light along their common direction, -1 to 1: the lower of both
-    /// frames. Absent with one camera, or if both look in the same direction.
+    /// Correlation of the cameras' light along their common direction, -1 to 1: the lower of both frames.
+    /// `None` with one camera, or if both have the same direction.
     pub camera_agreement: Option<f64>,
-    /// Root mean square distance between the positions of the same particles according to the two
-    /// cameras, in mm. Absent likewise, and with too few particles.
+    /// Root-mean-square distance between the positions of the same particles in both cameras, in mm. `None` as
+    /// above, and with too few particles.
     pub camera_disparity_mm: Option<f64>,
     /// Share of windows with particles whose vectors are valid before this assessment, 0 to 1.
     pub valid_share: f64,
-    /// Possible causes, the likeliest first; empty for a good fit.
+    /// Possible causes, the most probable first; empty for a good fit.
     pub causes: Vec<String>,
 }
 
 impl ModelFit {
-    /// Warning for the log. `None` for a good fit, and for dark images, which have warnings of
-    /// their own. `pitch_mm` is the microlens pitch in the volume, as a scale for distances.
+    /// Warning for the log. `None` for a good fit, and for dark images, which have separate
+    /// warnings. `pitch_mm` is the microlens pitch in the volume, as a scale for distances.
     pub fn warning(&self, pitch_mm: f64) -> Option<String> {
         if self.verdict == FitVerdict::Good || self.causes.is_empty() {
             return None;
@@ -83,7 +83,7 @@ impl ModelFit {
         ))
     }
 
-    /// The numbers behind the assessment, as text; `pitch_mm` as in [`Self::warning`].
+    /// The values of the assessment, as text; `pitch_mm` as in [`Self::warning`].
     pub fn numbers(&self, pitch_mm: f64) -> String {
         let unexplained = self.cameras.iter().map(|camera| format!("{:.2}", camera.unexplained));
         let mut parts = vec![format!(
@@ -100,8 +100,8 @@ impl ModelFit {
         parts.join(", ")
     }
 
-    /// How far micro-images are from their configured positions. `None` if that was not measured for
-    /// any camera: the cameras are calibrated, or no micro-image is visible.
+    /// Distances of micro-images from their configured positions, as text. `None` if they were not measured for any
+    /// camera: the cameras are calibrated, or no micro-image is found.
     fn micro_images(&self) -> Option<String> {
         self.cameras.iter().find_map(|camera| camera.micro_image_offset_px)?;
         let offset = |camera: &CameraFit| match camera.micro_image_offset_px {

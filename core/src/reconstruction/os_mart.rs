@@ -5,11 +5,10 @@
 //!
 //! E_j ← E_j (1 + μ/S Σ_v Σ_i w_ji ((I_i + β)/(p_i + β) − 1)),  p_i = Σ_m w_mi E_m
 //!
-//! with S views in the subset. MART has a product in place of the arithmetic mean of ratios (which
-//! is that of ordered-subset expectation maximisation, Hudson and Larkin 1994). In a product, a
-//! single dark pixel would remove a voxel, and a particle that fills its voxel only partly has such
-//! pixels in many views. β is the noise of a dark pixel: where both lights are within the noise,
-//! their ratio tends to 1.
+//! with S views in the subset. The arithmetic mean of ratios is that of ordered-subset expectation maximisation
+//! (Hudson and Larkin 1994); MART uses a product instead. In a product, a single dark pixel would remove a
+//! voxel, and a particle that fills its voxel only partly has such pixels in many views. β is the noise of a
+//! dark pixel: if measured and projected light are both within the noise, their ratio tends to 1.
 
 use super::pass::Update;
 

@@ -2,16 +2,15 @@
 //!
 //! E_j ← max(0, E_j + μ Σ_{i∈N_β} w_ji (I_i − p_i)/(r_i + β_i/ē) / Σ_{i∈N_β} w_ji)
 //!
-//! with p_i = Σ_m w_mi E_m and the row sums r_i = Σ_m w_mi over active voxels m only: with sums
-//! over the whole volume, most of a correction would go to dark voxels. β_i is the noise of a dark
-//! pixel and ē the light of a particle in a voxel that it fills: a pixel that sees so few voxels
-//! that their light would be within the noise gets little weight. Without noise weighting β is 0
-//! and this is Eq. 2.
+//! with p_i = Σ_m w_mi E_m and the row sums r_i = Σ_m w_mi over active voxels m only: with sums over the whole
+//! volume, most of a correction would go to dark voxels. β_i is the noise of a dark pixel and ē the light of a
+//! particle in a voxel that it fills. A pixel with so small a row sum that the voxels' light would be within
+//! the noise has little weight. Without noise weighting β is 0 and this is Eq. 2.
 
 use super::{pass::Update, sart::MIN_SUM};
 
-/// Light of an active voxel whose light was corrected to zero, in counts: later views may raise it
-/// again. Below any measured light, and not denormal.
+/// Light of an active voxel after a correction to zero, in counts, so that later views can increase it. Below any
+/// measured light, and not denormal.
 pub const DARK: f32 = 1e-20;
 
 /// Parameters of the additive update.

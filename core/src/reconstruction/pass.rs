@@ -31,8 +31,8 @@ pub trait Update: Sync {
 pub struct Pruning {
     /// Voxels with at most this light are pruned, in counts.
     pub prune_below: f32,
-    /// Number of passes over which the threshold rises from 0. At first the light is spread over
-    /// too many voxels, so true ones are still dim.
+    /// Number of passes over which the threshold rises from 0. In the first passes the light is distributed
+    /// over too many voxels, so that those with particles are still dim.
     pub rising_passes: usize,
     /// Passes completed before this one.
     pub passes_done: usize,
@@ -64,7 +64,7 @@ struct ViewComparison {
     light_square: f64,
 }
 
-/// A model and the views to be explained.
+/// A model and the measured views.
 pub struct InverseProblem<'a> {
     /// The forward model.
     pub model: &'a dyn BlockModel,
@@ -137,7 +137,7 @@ impl InverseProblem<'_> {
     }
 }
 
-/// Σ (I_i − p_i)² and Σ I_i² of measured and projected light, in lanes: no addition waits for the one before it.
+/// Σ (I_i − p_i)² and Σ I_i² of measured and projected light, in independent partial sums for vectorisation.
 fn sums_of_squares(measured: &[f32], projected: &[f32]) -> [f64; 2] {
     const LANES: usize = 8;
     let mut sums = [[0.0f64; LANES]; 2];
@@ -230,7 +230,7 @@ mod tests {
                 (0..count).map(|n| f64::from(of(n)).powi(2)).sum()
             };
             let expected = [square(&|n| measured[n] - projected[n]), square(&|n| measured[n])];
-            // An image may be longer than its view.
+            // A projected image may be longer than its view.
             projected.push(1.0);
             for (found, expected) in sums_of_squares(&measured, &projected).iter().zip(expected) {
                 assert!((found - expected).abs() <= 1e-12 * expected);

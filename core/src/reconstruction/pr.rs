@@ -5,12 +5,11 @@ use crate::{lightfield::ViewStack, model::ForwardModel};
 
 /// SART on the voxels that pre-recognition keeps (the paper's reference 23).
 ///
-/// Pre-recognition zeroes every voxel that lines of sight find dark, and removes it from the weight
-/// matrix: no light can be smeared into such voxels, and the row sums of Eq. 2 run over the others.
-/// The reference drops a voxel for a single dark line of sight; here [`mlos`] tolerates as many as
-/// noise explains.
+/// Pre-recognition removes every voxel with dark lines of sight from the weight matrix. Such voxels receive no
+/// light, and the row sums of Eq. 2 are over the other voxels. The reference removes a voxel for a single dark
+/// line of sight; here [`mlos`] tolerates the number that noise explains.
 ///
-/// `views` and `dark_below`, the count under which a pixel is dark, are per camera of the model.
+/// `views` and `dark_below`, the count below which a pixel is dark, are per camera of the model.
 /// `observer` is called after each pass.
 pub fn pr_sart(
     model: &dyn ForwardModel,

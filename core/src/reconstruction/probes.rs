@@ -8,8 +8,8 @@ use crate::{
     model::{ForwardModel, ViewId},
 };
 
-/// Number of these views per camera: a sixth of the bench's. Projecting them once more costs a few
-/// percent of the reconstruction.
+/// Number of these views per camera: a sixth of those of the bench. Their projection takes a few percent of the
+/// reconstruction's time.
 const PROBES_PER_CAMERA: usize = 40;
 
 /// Projection of a volume into one view.

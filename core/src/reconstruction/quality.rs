@@ -7,8 +7,8 @@ use super::DenseVolume;
 /// Reconstruction quality factor (paper, Eq. 5), 0 to 1:
 /// Q = Σ E E₀ / √(Σ E² · Σ E₀²), with E reconstructed and E₀ true.
 ///
-/// The paper prints the root over Σ E² alone, which would depend on the unit of intensity; this is the
-/// definition of its reference 35. A dark volume has Q = 0, even if both are dark.
+/// In the paper's Eq. 5 the root covers only Σ E², which would depend on the unit of intensity; this is the
+/// definition of its reference 35. Q is 0 if any of the volumes is dark.
 pub fn quality_factor(reconstructed: &[f32], truth: &[f32]) -> f64 {
     let product: f64 = pairs(reconstructed, truth).map(|(e, e0)| e * e0).sum();
     let reconstructed: f64 = reconstructed.iter().map(|&e| f64::from(e).powi(2)).sum();

@@ -15,8 +15,8 @@ use crate::{
 /// Voxels per parallel task.
 const CHUNK_VOXELS: usize = 8192;
 
-/// Pixels and voxels with a smaller sum of weights are ignored: such sums are rounding errors at
-/// the edge of a footprint, and dividing by them would only amplify noise.
+/// Pixels and voxels with a smaller sum of weights are ignored: such sums are rounding errors at the edge of a
+/// footprint, and a division by them would amplify noise.
 pub(super) const MIN_SUM: f32 = 1e-6;
 
 /// Memory limit for keeping column sums between passes. Above it they are recomputed at each use, which
@@ -46,8 +46,8 @@ pub struct SartOptions {
 /// E_j ← max(0, E_j + μ · Σ_{i∈N_β} w_ji (I_i − Σ_m w_mi E_m) / Σ_m w_mi  /  Σ_{i∈N_β} w_ji)
 ///
 /// with the row sums Σ_m over `voxels`: the whole volume for the paper's SART and OS-SART, those
-/// kept by pre-recognition for PR-SART. Pixels that no voxel reaches and voxels that no pixel of
-/// the subset sees are left unchanged. `views` has one stack per camera, in counts above the black
+/// kept by pre-recognition for PR-SART. Pixels that no voxel reaches and voxels that reach no pixel of
+/// the subset are left unchanged. `views` has one stack per camera, in counts above the black
 /// level. `observer` is called after each pass. The result is identical, bit for bit, for any
 /// number of threads; its intensities are in the counts of [`ForwardModel`].
 pub fn sart(

@@ -26,7 +26,7 @@ pub(super) enum Subsets {
 }
 
 impl Subsets {
-    /// Divides a share of the views. `order` is all of them in random order.
+    /// Divides a share of the views. `order` contains all views in random order.
     pub fn of(self, layouts: &[ViewLayout], order: &[ViewId], share: f64) -> Vec<Vec<ViewId>> {
         let per_camera = match self {
             Self::Random(views) => {
@@ -48,7 +48,7 @@ pub(super) struct SolverStage {
     /// Passes over `share_of_views` of the views.
     pub passes: usize,
     pub share_of_views: f64,
-    /// Many small subsets find the light quickly; the mean over large ones refines its position.
+    /// Many small subsets locate the light quickly; averages over large ones refine its position.
     pub subsets: Subsets,
     /// Pruning threshold, as a share of a particle's light divided by the number of the stage's
     /// voxels per configured voxel.
@@ -69,9 +69,8 @@ pub(super) struct Scheme {
     only: SolverStage,
 }
 
-/// A stage whose threshold rises over one pass. The coarse grid only has to locate the light, for
-/// which a part of the views suffices: OS-MART's fine stage does no better after 0.3 of them than
-/// after 0.2.
+/// A stage whose threshold rises over one pass. The coarse grid only has to locate the light, for which a part
+/// of the views suffices: the result of OS-MART's fine stage is not better after 0.3 of them than after 0.2.
 const fn stage(
     passes: usize,
     share_of_views: f64,

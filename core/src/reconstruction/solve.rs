@@ -1,4 +1,4 @@
-//! The reconstructor: reconstructs a volume from views with the configured solver.
+//! Reconstruction of a volume from views with the configured solver.
 
 use lfpiv_hw::{CameraName, Optics, Pose};
 
@@ -33,7 +33,7 @@ const SUBSETS_PER_CAMERA: usize = 12;
 /// (docs/decisions.md, "Fitted constants").
 const ON_GRID_UNEXPLAINED: f64 = 0.35;
 
-/// A reconstructed frame and its history.
+/// A reconstructed frame with its convergence.
 #[derive(Debug, Clone)]
 pub struct Reconstruction {
     /// The light.
@@ -99,9 +99,8 @@ impl Reconstructor {
     /// As [`Self::new`], with these parts of the forward model. Cameras are ideal except for their
     /// `calibrations`, which are in the order of the cameras.
     ///
-    /// # Errors
-    /// A camera does not see the volume, or cameras are calibrated and the solver works on the
-    /// whole volume.
+    /// # Errors The volume is not in the field of a camera, or cameras are calibrated and the solver works on
+    /// the whole volume.
     pub fn with_parts(
         optics: &Optics,
         poses: &[Pose],
@@ -158,7 +157,7 @@ impl Reconstructor {
         })
     }
 
-    /// The same, with passes timed by `clock`.
+    /// Times the passes with `clock`.
     pub fn timed_by(self, clock: Clock) -> Self {
         Self { clock, ..self }
     }

@@ -1,16 +1,16 @@
-//! One camera as the card shows it.
+//! Result of the calibration of one camera.
 
 use nalgebra::Point3;
 use serde::Serialize;
 
 use super::{
     ParameterEstimate, VolumeError, VolumeInput,
-    adjustment::{Adjusted, Bench, Sighting},
+    adjustment::{Adjusted, Bench, Observation},
     parameters::DESCRIPTIONS,
 };
 use crate::model::{MapResidual, VolumeMap};
 
-/// Degree of the polynomials of a map: with it distortion is followed to a micrometre.
+/// Degree of the polynomials of a map: the residual with distortion is about a micrometre.
 const MAP_DEGREE: usize = 4;
 
 /// One camera.
@@ -18,38 +18,38 @@ const MAP_DEGREE: usize = 4;
 pub struct CalibratedCamera {
     /// Equivalent points of the nominal ideal camera for the volume's points.
     pub map: VolumeMap,
-    /// How well the map follows the rays.
+    /// Residual of the map relative to traced rays.
     pub map_residual: MapResidual,
-    /// What the rays depend on.
+    /// Estimated parameters.
     pub parameters: Vec<ParameterEstimate>,
-    /// Every mark that was used.
+    /// All marks that were used.
     pub marks: Vec<MarkResidual>,
-    /// Root mean square of one coordinate of the marks' places, in microlenses.
+    /// Root-mean-square residual of one coordinate of the marks, in microlenses.
     pub rms_microlenses: f64,
 }
 
-/// Where a mark was seen, and how far from where the model sees it.
+/// Measured location and residual of a mark.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MarkResidual {
-    /// Position of the card, from 0.
+    /// Index of the card's position, from 0.
     pub position: usize,
-    /// Number on the card.
+    /// Indices of the mark on the card.
     pub number: [i32; 2],
-    /// The microlens, in fractions, where it was seen.
+    /// Measured location, in fractional microlens indices.
     pub lens: [f64; 2],
-    /// Seen less expected, in microlenses.
+    /// Measured minus predicted location, in microlenses.
     pub residual_microlenses: [f64; 2],
 }
 
 impl CalibratedCamera {
-    /// The camera with the parameters that were found.
+    /// The camera with the adjusted parameters.
     ///
     /// # Errors
-    /// It does not see all of the box that its map should hold in.
+    /// [`VolumeError::NoMap`] if it does not see the whole box of its map.
     pub(super) fn of(
         input: &VolumeInput<'_>,
         bench: &Bench<'_>,
-        sightings: &[Sighting],
+        observations: &[Observation],
         adjusted: &Adjusted,
         camera: usize,
     ) -> Result<Self, VolumeError> {
@@ -60,13 +60,13 @@ impl CalibratedCamera {
             VolumeMap::fit(centre_mm, half_mm, MAP_DEGREE, seen).ok_or(VolumeError::NoMap)?;
         let pitch_mm = input.optics.microlens.pitch_mm;
         let mut marks = Vec::new();
-        for sighting in sightings.iter().filter(|sighting| sighting.camera == camera) {
-            let stage_mm = &adjusted.stage_mm[sighting.position];
-            for (mark, [place_mm, _]) in bench.differences(sighting, adjusted, stage_mm) {
+        for observation in observations.iter().filter(|observation| observation.camera == camera) {
+            let stage_mm = &adjusted.stage_mm[observation.position];
+            for (mark, [place_mm, _]) in bench.differences(observation, adjusted, stage_mm) {
                 marks.push(MarkResidual {
-                    position: sighting.position,
+                    position: observation.position,
                     number: mark.number,
-                    lens: input.light[sighting.position][camera].lens_at(mark.place_mm),
+                    lens: input.light[observation.position][camera].lens_at(mark.place_mm),
                     residual_microlenses: place_mm.map(|mm| mm / pitch_mm),
                 });
             }

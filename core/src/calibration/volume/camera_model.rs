@@ -10,43 +10,48 @@ use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use super::parameters::CameraParameters;
 use crate::model::EquivalentPoint;
 
-/// Steps of the search for a point's ray: each leaves a few per cent of the distance, as far as
-/// distortion and refraction bend it.
+/// Largest number of iterations of [`CameraModel::place_mm`]. Each reduces the error to a few per cent,
+/// depending on distortion and refraction.
 const MOST_STEPS: usize = 30;
 
-/// A ray that meets the point within this distance is its ray, in mm.
-const MET_MM: f64 = 1e-9;
+/// Largest distance of a ray from its point, in mm.
+const TOLERANCE_MM: f64 = 1e-9;
 
-/// Where rays pass the pupil besides its middle to tell depths, as a share of its radius.
+/// Pupil position of the rays that give the parallax slope, as a share of the pupil's radius.
 const PUPIL_SHARE: f64 = 0.5;
 
-/// One camera with all that calibration knows of it.
+/// Model of one camera behind a wall.
 #[derive(Debug, Clone)]
 pub(super) struct CameraModel {
     optics: Optics,
     parameters: CameraParameters,
-    /// From the main lens to the microlens plane and to the stop.
+    /// Distance from the main lens to the microlens plane.
     image_distance_mm: f64,
+    /// Distance from the main lens to the stop, towards the sensor.
     stop_mm: f64,
     half_diagonal_mm: f64,
-    /// Place of the lens and directions of the camera, in the world.
+    /// Position of the main lens in the world.
     lens_mm: Point3<f64>,
+    /// Directions `right`, `up` and `axis` of the camera in the world.
     directions: [Vector3<f64>; 3],
+    /// Nominal point in focus.
     origin_mm: Point3<f64>,
     wall: Option<TiltedWall>,
 }
 
+/// A flat window; the medium is behind its wet face.
 #[derive(Debug, Clone)]
 struct TiltedWall {
-    /// Towards the camera.
+    /// Unit normal, towards the camera.
     normal: Vector3<f64>,
+    /// Point on the wet face.
     wet_mm: Point3<f64>,
     thickness_mm: f64,
     glass_index: f64,
     medium_index: f64,
 }
 
-/// A ray in the volume, towards it.
+/// A ray with its unit direction into the volume.
 #[derive(Debug, Clone, Copy)]
 struct Ray {
     from_mm: Point3<f64>,
@@ -71,8 +76,8 @@ impl CameraModel {
         let origin_mm = Point3::from(pose.origin_mm);
         let moved_mm = origin_mm + pose.right * right + pose.up * up + pose.axis * along;
         let directions = [pose.right, pose.up, pose.axis].map(|direction| turn * direction);
-        // A layer of index n looks 1/n as thick, so that the lens stands farther off by the rest.
-        let beyond_mm = wall.map_or(0.0, |wall| {
+        // A layer of index n has 1/n of its thickness optically. The lens is farther away by the difference.
+        let layer_shift_mm = wall.map_or(0.0, |wall| {
             wall.distance_mm * (1.0 - 1.0 / wall.medium_index)
                 + wall.thickness_mm * (1.0 - 1.0 / wall.glass_index)
         });
@@ -89,7 +94,7 @@ impl CameraModel {
             image_distance_mm: optics.image_distance_mm() * parameters.image_distance(),
             stop_mm: parameters.exit_pupil_mm(),
             half_diagonal_mm: columns.hypot(rows) * optics.pixel_pitch_mm() / 2.0,
-            lens_mm: moved_mm + directions[2] * (optics.object_distance_mm + beyond_mm),
+            lens_mm: moved_mm + directions[2] * (optics.object_distance_mm + layer_shift_mm),
             directions,
             origin_mm,
             wall,
@@ -98,14 +103,14 @@ impl CameraModel {
         }
     }
 
-    /// Along the camera's axis, towards it.
+    /// Unit vector along the optical axis, towards the camera.
     pub(super) fn axis(&self) -> Vector3<f64> {
         self.directions[2]
     }
 
-    /// Where the ray through `place_mm` of the microlens plane and `pupil_mm` of the nominal pupil meets the
-    /// plane through `on_plane_mm` with this normal. `None` where it misses the wall or the plane.
-    pub(super) fn meets(
+    /// Intersection of the ray through `place_mm` on the microlens plane and `pupil_mm` on the nominal pupil
+    /// with the plane through `on_plane_mm` with this normal. `None` if it misses the wall or the plane.
+    pub(super) fn intersection_mm(
         &self,
         place_mm: [f64; 2],
         pupil_mm: [f64; 2],
@@ -115,45 +120,45 @@ impl CameraModel {
         let stop_mm = self.on_stop_mm(pupil_mm);
         let slope = self.pupil_slope(on_plane_mm);
         let principal_mm = self.parameters.principal_point_mm();
-        let plain_mm: [f64; 2] = std::array::from_fn(|axis| {
+        let unscaled_mm: [f64; 2] = std::array::from_fn(|axis| {
             (place_mm[axis] - principal_mm[axis]) / self.parameters.magnification()
         });
-        // Distortion moves all rays of a point as it moves the one through the pupil's middle.
+        // Distortion displaces all rays of a point like its chief ray. It is inverted by fixed-point iteration.
         let mut chief_mm: [f64; 2] =
-            std::array::from_fn(|axis| plain_mm[axis] - slope * stop_mm[axis]);
+            std::array::from_fn(|axis| unscaled_mm[axis] - slope * stop_mm[axis]);
         let distorted_mm = chief_mm;
         for _ in 0..3 {
             let by_mm = self.displacement_mm(chief_mm);
             chief_mm = std::array::from_fn(|axis| distorted_mm[axis] - by_mm[axis]);
         }
         let by_mm = self.displacement_mm(chief_mm);
-        let undistorted_mm = std::array::from_fn(|axis| plain_mm[axis] - by_mm[axis]);
-        let ray = self.behind_wall(self.before_lens(undistorted_mm, stop_mm))?;
-        let towards = ray.direction.dot(normal);
-        let along = (on_plane_mm - ray.from_mm).dot(normal) / towards;
+        let undistorted_mm = std::array::from_fn(|axis| unscaled_mm[axis] - by_mm[axis]);
+        let ray = self.refracted_by_wall(self.object_ray(undistorted_mm, stop_mm))?;
+        let cosine = ray.direction.dot(normal);
+        let along = (on_plane_mm - ray.from_mm).dot(normal) / cosine;
         (along.is_finite() && along > 0.0).then(|| ray.from_mm + ray.direction * along)
     }
 
-    /// Where the ray of a world point through `pupil_mm` of the nominal pupil meets the microlens plane,
-    /// in mm.
+    /// Intersection of the microlens plane and the ray from a world point through `pupil_mm` on the nominal
+    /// pupil, in mm.
     pub(super) fn place_mm(&self, point_mm: &Point3<f64>, pupil_mm: [f64; 2]) -> Option<[f64; 2]> {
         let per_mm = self.optics.image_distance_mm() / self.optics.object_distance_mm;
         let mut place_mm = [0.0; 2];
         for _ in 0..MOST_STEPS {
-            let met_mm = self.meets(place_mm, pupil_mm, point_mm, &self.directions[2])?;
-            let missed_mm = met_mm - point_mm;
+            let met_mm = self.intersection_mm(place_mm, pupil_mm, point_mm, &self.directions[2])?;
+            let error_mm = met_mm - point_mm;
             for (place, direction) in place_mm.iter_mut().zip(&self.directions) {
-                *place += missed_mm.dot(direction) * per_mm;
+                *place += error_mm.dot(direction) * per_mm;
             }
-            if missed_mm.norm() < MET_MM {
+            if error_mm.norm() < TOLERANCE_MM {
                 return Some(place_mm);
             }
         }
         None
     }
 
-    /// Position of a point's rays through the middle of the pupil, in mm, and its derivative by the position on the
-    /// nominal pupil, along each axis.
+    /// Place of a world point's rays through the middle of the pupil, in mm, and its derivative with respect to the
+    /// position on the nominal pupil along each axis (the parallax slope).
     pub(super) fn place_and_slope(&self, point_mm: &Point3<f64>) -> Option<[[f64; 2]; 2]> {
         let off_mm = PUPIL_SHARE * self.optics.pupil_diameter_mm() / 2.0;
         let mut slopes = [0.0; 2];
@@ -174,16 +179,16 @@ impl CameraModel {
         Some(EquivalentPoint::of_rays(&self.optics, place_mm, slopes))
     }
 
-    /// Position on the stop of a ray at `pupil_mm` of the nominal pupil: both correspond to the same pixel, the
-    /// pupil with nominal distances.
+    /// Position on the stop, in mm, of the ray at `pupil_mm` on the nominal pupil. Both belong to the same pixel,
+    /// the nominal pupil with nominal distances.
     fn on_stop_mm(&self, pupil_mm: [f64; 2]) -> [f64; 2] {
         let scale = self.parameters.parallax_slope() * (self.image_distance_mm - self.stop_mm)
             / self.optics.image_distance_mm();
         pupil_mm.map(|place| place * scale)
     }
 
-    /// How far a point's rays move on the microlens plane per mm on the stop, nearly: a = 1 − g/s' of
-    /// docs/theory.md, section 2, from its depth as it is seen through the wall.
+    /// Approximate derivative of a point's place with respect to the position on the stop: a = 1 − g/s' of
+    /// docs/theory.md, section 2, with the apparent depth behind the wall.
     fn pupil_slope(&self, point_mm: &Point3<f64>) -> f64 {
         let index = self.wall.as_ref().map_or(1.0, |wall| wall.medium_index);
         let depth_mm = (point_mm - self.origin_mm).dot(&self.directions[2]) / index;
@@ -194,7 +199,7 @@ impl CameraModel {
         1.0 - towards_image * inverse_conjugate
     }
 
-    /// Distortion after Brown and Conrady, relative to the sensor's half diagonal.
+    /// Distortion of the chief ray, in mm (Brown-Conrady model, relative to the sensor's half diagonal).
     fn displacement_mm(&self, chief_mm: [f64; 2]) -> [f64; 2] {
         let [radial, p1, p2] = self.parameters.distortion();
         let [x, y] = chief_mm.map(|place_mm| place_mm / self.half_diagonal_mm);
@@ -206,14 +211,14 @@ impl CameraModel {
         .map(|relative| relative * self.half_diagonal_mm)
     }
 
-    /// The ray before the lens, away from it.
-    fn before_lens(&self, place_mm: [f64; 2], stop_mm: [f64; 2]) -> Ray {
-        let behind_mm = self.image_distance_mm - self.stop_mm;
+    /// The ray on the object side of the lens, away from it.
+    fn object_ray(&self, place_mm: [f64; 2], stop_mm: [f64; 2]) -> Ray {
+        let stop_to_image_mm = self.image_distance_mm - self.stop_mm;
         let slope: [f64; 2] =
-            std::array::from_fn(|axis| (place_mm[axis] - stop_mm[axis]) / behind_mm);
+            std::array::from_fn(|axis| (place_mm[axis] - stop_mm[axis]) / stop_to_image_mm);
         let on_lens_mm: [f64; 2] =
             std::array::from_fn(|axis| place_mm[axis] - slope[axis] * self.image_distance_mm);
-        // A thin lens bends a ray by its place over the focal length.
+        // A thin lens changes the slope of a ray by its height over the focal length.
         let before: [f64; 2] = std::array::from_fn(|axis| {
             slope[axis] + on_lens_mm[axis] / self.optics.focal_length_mm
         });
@@ -224,7 +229,8 @@ impl CameraModel {
         }
     }
 
-    fn behind_wall(&self, ray: Ray) -> Option<Ray> {
+    /// The ray in the medium. `None` if it misses the wall.
+    fn refracted_by_wall(&self, ray: Ray) -> Option<Ray> {
         let Some(wall) = &self.wall else { return Some(ray) };
         let dry_mm = wall.wet_mm + wall.normal * wall.thickness_mm;
         let in_glass = refracted(ray, &dry_mm, &wall.normal, 1.0 / wall.glass_index)?;
@@ -232,8 +238,8 @@ impl CameraModel {
     }
 }
 
-/// The ray behind a plane with this unit normal, which points against it; `ratio` is the refractive
-/// index before over that behind (Snell's law as a vector equation).
+/// The refracted ray behind a plane, by Snell's law in vector form. `normal` is a unit vector against the ray;
+/// `ratio` is the refractive index before the plane divided by that behind it.
 fn refracted(
     ray: Ray,
     on_plane_mm: &Point3<f64>,

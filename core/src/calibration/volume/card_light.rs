@@ -1,43 +1,43 @@
-//! Images of the card as rays: which place on the array and on the pupil each pixel stands for.
+//! Images of the card, with the ray of each pixel: its place on the microlens plane and its position on the pupil.
 
 use lfpiv_hw::Optics;
 
 use crate::{calibration::WhiteImage, lightfield::MicroImageGrid};
 
-/// A pixel is used if the white image has at least this share of its microlens' brightest pixel there:
-/// the pupil's rim crosses all others, and their middle is not the pixel's.
+/// Least light of a used pixel in the white image, relative to the brightest pixel of its microlens. Darker pixels
+/// are crossed by the pupil's rim, and the centre of their light is not the centre of the pixel.
 const FULLY_LIT: f32 = 0.85;
 
-/// Light of the card on one camera relative to the white image, and what its pixels see.
+/// Image of the card by one camera, relative to the white image.
 #[derive(Debug, Clone)]
 pub struct CardLight<'a> {
     optics: &'a Optics,
     grid: &'a MicroImageGrid,
     columns: usize,
     rows: usize,
-    /// Relative to the white image; NaN where a pixel cannot be used.
+    /// Light of each pixel relative to the white image; NaN for unusable pixels.
     share: Vec<f32>,
-    /// Half the width of a micro-image, in pixels.
+    /// Half width of a micro-image, in pixels.
     reach_px: usize,
-    /// Pixels that can be used of a microlens, in the median.
+    /// Median number of usable pixels per microlens.
     pixels_per_lens: usize,
 }
 
-/// A pixel of a microlens.
+/// A usable pixel of a microlens.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LitPixel {
-    /// Number of the pixel in the image, row by row.
+    /// Index of the pixel in the image, row by row.
     pub(super) number: usize,
     /// Light relative to the white image.
     pub(super) share: f32,
-    /// Microlens.
+    /// Indices of the microlens.
     pub(super) lens: [f64; 2],
-    /// The pixel's middle beside that of the micro-image along `right` and `up`, in mm.
-    pub(super) beside_mm: [f64; 2],
+    /// Offset of the pixel from the micro-image's centre along `right` and `up`, in mm.
+    pub(super) offset_mm: [f64; 2],
 }
 
 impl<'a> CardLight<'a> {
-    /// Divides a card's image by the white image, both without black level and of one size.
+    /// Divides the image of a card by the white image. Both have no black level and the same size.
     pub fn new(
         optics: &'a Optics,
         grid: &'a MicroImageGrid,
@@ -77,7 +77,7 @@ impl<'a> CardLight<'a> {
         light
     }
 
-    /// Pixels nearest to a microlens' micro-image, as numbers in the image.
+    /// Indices of the pixels in the square around the centre of a micro-image.
     fn pixels_of(&self, i: usize, j: usize) -> impl Iterator<Item = usize> + use<'_> {
         let centre = self.grid.centre_px(i as f64, j as f64).map(f64::round);
         let reach = self.reach_px as i64;
@@ -90,7 +90,7 @@ impl<'a> CardLight<'a> {
         })
     }
 
-    /// The pixels of a microlens that can be used.
+    /// The usable pixels of a microlens.
     pub(super) fn lit_pixels(
         &self,
         i: usize,
@@ -100,7 +100,7 @@ impl<'a> CardLight<'a> {
         let pitch_mm = self.optics.pixel_pitch_mm();
         self.pixels_of(i, j).filter_map(move |number| {
             let share = self.share[number];
-            let beside_mm = [
+            let offset_mm = [
                 ((number % self.columns) as f64 - column_px) * pitch_mm,
                 (row_px - (number / self.columns) as f64) * pitch_mm,
             ];
@@ -108,22 +108,22 @@ impl<'a> CardLight<'a> {
                 number,
                 share,
                 lens: [i as f64, j as f64],
-                beside_mm,
+                offset_mm,
             })
         })
     }
 
-    /// Pixels that can be used of a microlens, in the median.
+    /// Median number of usable pixels per microlens.
     pub(super) fn pixels_per_lens(&self) -> f64 {
         self.pixels_per_lens as f64
     }
 
-    /// Microlenses along both axes.
+    /// Number of microlenses along both axes.
     pub fn microlenses(&self) -> [usize; 2] {
         self.grid.microlenses
     }
 
-    /// Position of a lens on the microlens plane, in mm along `right` and `up`: that of a nominal camera with the same
+    /// Place of a lens on the microlens plane, in mm along `right` and `up`, for a nominal camera with the same
     /// micro-images.
     pub(super) fn place_mm(&self, lens: [f64; 2]) -> [f64; 2] {
         let [column_px, row_px] = self.grid.centre_px(lens[0], lens[1]);
@@ -134,7 +134,7 @@ impl<'a> CardLight<'a> {
         ]
     }
 
-    /// The microlens, in fractions, at a place of the microlens plane: the inverse of [`Self::place_mm`].
+    /// Fractional microlens indices of a place on the microlens plane: the inverse of [`Self::place_mm`].
     pub(super) fn lens_at(&self, place_mm: [f64; 2]) -> [f64; 2] {
         let scale = self.optics.pixel_pitch_mm() / self.optics.micro_image_magnification();
         self.grid.lens_at(
@@ -143,12 +143,12 @@ impl<'a> CardLight<'a> {
         )
     }
 
-    /// Position on the nominal pupil of a ray that meets its microlens `off_mm` from the centre and the sensor
-    /// `beside_mm` from the micro-image's centre: U = δ − w s_i/f_m, since a microlens does not deflect rays through
-    /// its centre and focuses parallel ones.
-    pub(super) fn pupil_mm(&self, off_mm: [f64; 2], beside_mm: [f64; 2]) -> [f64; 2] {
+    /// Position on the nominal pupil of a ray, in mm: U = δ − w s_i/f_m (docs/theory.md, section 3). δ is the ray's
+    /// offset from the centre of its microlens (`lens_offset_mm`), w that from the centre of the micro-image on the
+    /// sensor (`pixel_offset_mm`). A microlens does not deflect rays through its centre and focuses parallel rays.
+    pub(super) fn pupil_mm(&self, lens_offset_mm: [f64; 2], pixel_offset_mm: [f64; 2]) -> [f64; 2] {
         let per_mm = self.optics.image_distance_mm() / self.optics.microlens.focal_length_mm;
-        std::array::from_fn(|axis| off_mm[axis] - beside_mm[axis] * per_mm)
+        std::array::from_fn(|axis| lens_offset_mm[axis] - pixel_offset_mm[axis] * per_mm)
     }
 
     /// The nominal optics.
@@ -156,13 +156,13 @@ impl<'a> CardLight<'a> {
         self.optics
     }
 
-    /// Mean share of the pixels of each microlens that see the pupil's inner half; NaN without any.
-    /// Row by row of the array.
+    /// Relative light of each microlens, averaged over its pixels in the inner half of the pupil's radius, row by
+    /// row; NaN without such pixels.
     pub fn middle_view(&self) -> Vec<f32> {
         let [columns, rows] = self.microlenses();
         let radius_mm = self.optics.pupil_diameter_mm() / 4.0;
         let inner = |pixel: &LitPixel| {
-            let [u, v] = self.pupil_mm([0.0; 2], pixel.beside_mm);
+            let [u, v] = self.pupil_mm([0.0; 2], pixel.offset_mm);
             u.hypot(v) < radius_mm
         };
         let mean = |i: usize, j: usize| {

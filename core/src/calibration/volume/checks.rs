@@ -1,29 +1,29 @@
-//! Checks of a finished calibration: what its user should be warned of.
+//! Warnings of a finished calibration.
 
 use lfpiv_hw::CameraName;
 use nalgebra::Point3;
 
 use super::{
     HeldOut, VolumeInput, VolumeWarning,
-    adjustment::{Adjusted, Sighting},
+    adjustment::{Adjusted, Observation},
     parameters::DESCRIPTIONS,
 };
 
-/// Held-out marks of a flat card on a good stage, in microlenses.
-const USUAL_HELD_OUT: f64 = 0.05;
+/// Largest residual of held-out marks for a flat card on an accurate stage, in microlenses.
+const MOST_HELD_OUT: f64 = 0.05;
 
-/// Warnings of a calibration whose residuals, parameters or covered volume are unusual.
+/// Warnings about large residuals, parameters far from their priors, and a volume beyond the marks.
 pub(super) fn warnings(
     input: &VolumeInput<'_>,
-    sightings: &[Sighting],
+    observations: &[Observation],
     adjusted: &Adjusted,
     held_out: &HeldOut,
 ) -> Vec<VolumeWarning> {
     let mut warnings = Vec::new();
-    if held_out.mean_microlenses > USUAL_HELD_OUT {
+    if held_out.mean_microlenses > MOST_HELD_OUT {
         warnings.push(VolumeWarning::HeldOutFar {
             microlenses: held_out.mean_microlenses,
-            usual: USUAL_HELD_OUT,
+            usual: MOST_HELD_OUT,
         });
     }
     for (camera, parameters) in adjusted.cameras.iter().enumerate() {
@@ -35,18 +35,18 @@ pub(super) fn warnings(
             }
         }
     }
-    warnings.extend(beyond_marks(input, sightings));
+    warnings.extend(beyond_marks(input, observations));
     warnings
 }
 
-/// Axes along which the box reaches farther than the marks.
-fn beyond_marks(input: &VolumeInput<'_>, sightings: &[Sighting]) -> Vec<VolumeWarning> {
+/// Warnings for axes along which the box extends more than a spacing beyond the marks.
+fn beyond_marks(input: &VolumeInput<'_>, observations: &[Observation]) -> Vec<VolumeWarning> {
     let card = &input.card.card;
     let mut marks_mm = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-    for sighting in sightings {
-        let origin_mm = Point3::from(input.card.position[sighting.position].origin_mm);
-        let axis = &input.poses[sighting.camera].axis;
-        for mark in &sighting.marks {
+    for observation in observations {
+        let origin_mm = Point3::from(input.card.position[observation.position].origin_mm);
+        let axis = &input.poses[observation.camera].axis;
+        for mark in &observation.marks {
             let along_mm = mark.number.map(|n| f64::from(n) * card.spacing_mm);
             let place_mm = card.place_mm(&origin_mm, along_mm, axis);
             for (range, place) in marks_mm.iter_mut().zip(place_mm.iter()) {

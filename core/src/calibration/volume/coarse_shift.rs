@@ -1,4 +1,4 @@
-//! Where the card is in a camera's images, within a microlens: the number of every mark depends on it.
+//! Location of the card in a camera's images within one microlens, which the numbering of the marks requires.
 
 use lfpiv_hw::card::Card;
 use nalgebra::Point3;
@@ -7,30 +7,29 @@ use rayon::prelude::*;
 use super::{
     camera_model::CameraModel,
     card_light::CardLight,
-    fiducial::{CardPlace, by_the_fiducial},
+    fiducial::{CardPlace, resolved_by_fiducial},
 };
 
-/// How far the card is looked for from where the drawing puts it, in mark spacings.
+/// Search range around the predicted location of the card, in mark spacings.
 const REACH_SPACINGS: f64 = 1.6;
 
-/// How far images of other positions may lie from where all together do, in microlenses: what a
-/// turned camera makes of depth.
-const NEAR: i64 = 3;
+/// Largest deviation of the shift at one position from the common shift, in microlenses. A rotated camera displaces
+/// the card differently at different depths.
+const MOST_DEVIATION: i64 = 3;
 
-/// A card found at all of its positions.
+/// Shifts of the card at all positions.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct CoarseShifts {
-    /// How far each image lies from where the model puts it, in mm on the microlens plane.
+    /// Shift of each image from its prediction, in mm on the microlens plane.
     pub(super) shifts_mm: Vec<[f64; 2]>,
-    /// Correlation coefficient of each image with the card there.
+    /// Correlation coefficient of each image with the shifted card.
     pub(super) correlations: Vec<f64>,
-    /// How clearly the fiducial tells this place from the one that is hardest to tell from it, in standard
-    /// errors.
-    pub(super) clarity: f64,
+    /// Significance of the alignment by the fiducial, in standard errors.
+    pub(super) significance: f64,
 }
 
-/// Shifts the card over the images of the pupil's middle by whole microlenses, over all positions
-/// together: a fiducial that is seen at one of them tells for all. `None` without any image.
+/// Finds the shift with the highest correlation, in whole microlenses, for all positions together, so that one
+/// visible fiducial suffices. `None` without images.
 pub(super) fn coarse_shifts(
     positions: &[(&CardLight<'_>, Point3<f64>)],
     model: &CameraModel,
@@ -48,11 +47,11 @@ pub(super) fn coarse_shifts(
     let mean = |n: usize| all.iter().map(|of| of[n]).sum::<f64>() / all.len() as f64;
     let means: Vec<f64> = (0..(side * side) as usize).map(mean).collect();
     let best = (0..means.len()).max_by(|&a, &b| means[a].total_cmp(&means[b]))?;
-    let (common, clarity) = by_the_fiducial(positions, model, card, shift(best));
+    let (common, significance) = resolved_by_fiducial(positions, model, card, shift(best));
     let near: Vec<usize> = (0..means.len())
-        .filter(|&n| (0..2).all(|axis| (shift(n)[axis] - common[axis]).abs() <= NEAR))
+        .filter(|&n| (0..2).all(|axis| (shift(n)[axis] - common[axis]).abs() <= MOST_DEVIATION))
         .collect();
-    let mut found = CoarseShifts { shifts_mm: Vec::new(), correlations: Vec::new(), clarity };
+    let mut found = CoarseShifts { shifts_mm: Vec::new(), correlations: Vec::new(), significance };
     for (of, (light, _)) in all.iter().zip(positions) {
         let best = near.iter().copied().max_by(|&a, &b| of[a].total_cmp(&of[b]))?;
         let (from, to) = (light.place_mm([0.0; 2]), light.place_mm(shift(best).map(|n| n as f64)));
@@ -62,7 +61,7 @@ pub(super) fn coarse_shifts(
     Some(found)
 }
 
-/// Correlation coefficients of one image with the card at all shifts up to `reach` microlenses.
+/// Correlation coefficients of one image with the predicted card at all shifts up to `reach` microlenses.
 fn correlations(
     light: &CardLight<'_>,
     model: &CameraModel,
@@ -73,7 +72,7 @@ fn correlations(
     let view = light.middle_view();
     let [columns, rows] = light.microlenses().map(|count| count as i64);
     let place = CardPlace { light, model, card, origin_mm };
-    // The card as it should be seen by each microlens, some beyond the array.
+    // Predicted light of each microlens, with a margin of `reach` around the array.
     let width = columns + 2 * reach;
     let expected: Vec<f32> = (0..width * (rows + 2 * reach))
         .map(|n| {
@@ -88,16 +87,18 @@ fn correlations(
             let (along_i, along_j) = (shift % side - reach, shift / side - reach);
             let pairs = (0..columns * rows).filter_map(|n| {
                 let (i, j) = (n % columns, n / columns);
-                let seen = view[n as usize];
+                let measured = view[n as usize];
                 let from = (j - along_j + reach) * width + i - along_i + reach;
-                seen.is_finite().then(|| [f64::from(seen), f64::from(expected[from as usize])])
+                measured
+                    .is_finite()
+                    .then(|| [f64::from(measured), f64::from(expected[from as usize])])
             });
             correlation_coefficient(pairs)
         })
         .collect()
 }
 
-/// Pearson's coefficient; zero where one of both does not vary.
+/// Pearson's correlation coefficient; 0 if one of the variables is constant.
 fn correlation_coefficient(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
     let (mut n, mut sums, mut products) = (0.0, [0.0; 2], [0.0; 3]);
     for [a, b] in pairs {
@@ -105,7 +106,7 @@ fn correlation_coefficient(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
         sums = [sums[0] + a, sums[1] + b];
         products = [products[0] + a * a, products[1] + b * b, products[2] + a * b];
     }
-    let variance = |n_th: usize| products[n_th] * n - sums[n_th] * sums[n_th];
+    let variance = |index: usize| products[index] * n - sums[index] * sums[index];
     let spread = (variance(0) * variance(1)).sqrt();
     if spread > 0.0 { (products[2] * n - sums[0] * sums[1]) / spread } else { 0.0 }
 }

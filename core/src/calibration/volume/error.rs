@@ -1,32 +1,32 @@
-//! Why a volume could not be calibrated.
+//! Errors of the volume calibration.
 
 use lfpiv_hw::CameraName;
 use thiserror::Error;
 
-/// Why a card's images tell nothing of the cameras.
+/// Reasons for which cameras cannot be calibrated from images of a card.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum VolumeError {
-    /// Numbers of cameras, images or positions do not belong together.
+    /// Numbers of cameras, images and positions do not match.
     #[error("{what}: {found} given, {expected} needed, one for each {each}")]
     Numbers {
-        /// What was given.
+        /// The counted items.
         what: &'static str,
-        /// How many.
+        /// Number given.
         found: usize,
-        /// How many are needed.
+        /// Number needed.
         expected: usize,
-        /// What each belongs to.
+        /// The item to which each belongs.
         each: &'static str,
     },
-    /// Too few positions to tell depths and to leave one out.
+    /// Too few positions for different depths and for cross-validation.
     #[error(
         "the card stood at {found} positions: at least 3 at different depths are needed, 5 to 9 are better"
     )]
     FewPositions {
-        /// How many there were.
+        /// Number of positions.
         found: usize,
     },
-    /// Marks too small for microlenses.
+    /// Marks are too small for the microlenses.
     #[error(
         "a mark of {mark_mm} mm is {microlenses:.1} microlenses wide: at least 4 are needed; take a card \
          with larger marks"
@@ -34,16 +34,16 @@ pub enum VolumeError {
     SmallMarks {
         /// Diameter or spacing, in mm.
         mark_mm: f64,
-        /// In microlenses, in the plane in focus.
+        /// The same in microlenses, in the plane in focus.
         microlenses: f64,
     },
-    /// A camera looks at the side that shows nothing.
+    /// A camera looks at the unprinted side of the card, or along it.
     #[error(
         "{camera} looks at the card's unprinted side, or along it: turn card.right and card.up, or give \
          card.two_sided_mm"
     )]
     WrongSide {
-        /// Which camera.
+        /// The camera.
         camera: CameraName,
     },
     /// The card is not in the image.
@@ -52,27 +52,27 @@ pub enum VolumeError {
          spacing, diameters, directions and origin_mm in the card file with the image"
     )]
     CardNotFound {
-        /// Which camera.
+        /// The camera.
         camera: CameraName,
-        /// Which position, from 1.
+        /// Number of the position, from 1.
         position: usize,
-        /// With the best place.
+        /// Highest correlation coefficient.
         correlation: f64,
     },
-    /// Not enough marks.
+    /// Too few marks.
     #[error(
         "{camera} shows {found} whole marks at all positions together: at least {needed} are needed; take a \
          card with smaller spacing, or move it into the field"
     )]
     FewMarks {
-        /// Which camera.
+        /// The camera.
         camera: CameraName,
-        /// Marks found.
+        /// Number of marks found.
         found: usize,
-        /// Least number.
+        /// Least number needed.
         needed: usize,
     },
-    /// The bench that the files describe cannot see the card.
+    /// In the described bench, rays from a camera do not reach the card.
     #[error(
         "rays from a camera miss the wall or the card: the walls' distances or the card's positions are \
          wrong, or a camera is far from its pose"
@@ -81,7 +81,7 @@ pub enum VolumeError {
     /// The normal matrix is singular.
     #[error("no camera fits what was seen: compare the card file with the images")]
     NothingFits,
-    /// No map follows the rays.
+    /// A camera does not see the whole volume.
     #[error("the volume has no map: a camera does not see all of [volume] through its wall")]
     NoMap,
 }

@@ -1,52 +1,55 @@
-//! How well marks are foretold where the card was not: what a calibration is worth.
+//! Cross-validation: prediction errors of marks at positions that are left out of the fit.
 
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{
     VolumeError,
-    adjustment::{Adjusted, Bench, Sighting},
+    adjustment::{Adjusted, Bench, Observation},
 };
 
-/// How well marks are foretold at positions that the fit did not know: root mean squares of one
-/// coordinate, in microlenses.
+/// Root-mean-square prediction errors of one coordinate of marks at left-out positions, in microlenses.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct HeldOut {
-    /// Of a mark's mean over all views.
+    /// Error of a mark's mean over all views.
     pub mean_microlenses: f64,
-    /// Of a mark in a single view.
+    /// Error of a mark in a single view.
     pub view_microlenses: f64,
-    /// Marks that were foretold.
+    /// Number of predicted marks.
     pub marks: usize,
 }
 
-/// Leaves out one position after the other, but not the first and the last: nobody measures beyond the
-/// card. Where the stage is uncertain, the card's place there is found from its marks; their places on the
-/// card, and both cameras, then tell how well they are foretold.
+/// Leave-one-out cross-validation over the positions. The first and the last are not left out, because the result
+/// would be an extrapolation. For an uncertain stage, the card's position is first fitted to its marks.
+///
+/// # Errors
+/// As [`Bench::adjust`].
 pub(super) fn held_out(
     bench: &Bench<'_>,
-    sightings: &[Sighting],
+    observations: &[Observation],
     all: &Adjusted,
 ) -> Result<HeldOut, VolumeError> {
     let inner: Vec<usize> = (1..bench.origins_mm.len() - 1).collect();
     let sums: Vec<[f64; 3]> = inner
         .into_par_iter()
         .map(|position| {
-            let (here, others): (Vec<Sighting>, Vec<Sighting>) =
-                sightings.iter().cloned().partition(|sighting| sighting.position == position);
+            let (here, others): (Vec<Observation>, Vec<Observation>) = observations
+                .iter()
+                .cloned()
+                .partition(|observation| observation.position == position);
             let adjusted = bench.adjust(&others, Some(all))?;
-            // An uncertain stage is not the cameras' fault.
-            let stage_mm = bench.place_card(&here, &adjusted, position)?;
+            // The residuals must not contain the error of the stage.
+            let stage_mm = bench.fit_stage(&here, &adjusted, position)?;
             let mut sums = [0.0; 3];
-            for sighting in &here {
-                for (mark, off) in bench.differences(sighting, &adjusted, &stage_mm) {
-                    // Over a disc of radius R the mean square of either coordinate is R²/4.
+            for observation in &here {
+                for (mark, off) in bench.differences(observation, &adjusted, &stage_mm) {
+                    // The mean square of a coordinate over a disc of radius R is R²/4.
                     let radius_mm = bench.optics.pupil_diameter_mm() / 2.0;
                     let mean: f64 = off[0].iter().map(|mm| mm * mm).sum();
-                    let leaning: f64 =
+                    let parallax: f64 =
                         off[1].iter().map(|slope| (slope * radius_mm).powi(2) / 4.0).sum();
                     sums[0] += mean;
-                    sums[1] += mean + leaning + 2.0 * mark.views_rms_mm * mark.views_rms_mm;
+                    sums[1] += mean + parallax + 2.0 * mark.views_rms_mm * mark.views_rms_mm;
                     sums[2] += 1.0;
                 }
             }

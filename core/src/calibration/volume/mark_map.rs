@@ -1,23 +1,23 @@
-//! Places of the card about one mark as polynomials of rays.
+//! Polynomial map from rays to points on the card around one mark.
 
 use lfpiv_hw::card::Card;
 use nalgebra::{DMatrix, Point3};
 
 use super::camera_model::CameraModel;
 
-/// Terms of a polynomial of the second degree in four variables.
+/// Number of terms of a second-degree polynomial in four variables.
 const TERMS: usize = 15;
 
-/// Nodes per variable of the fit.
+/// Sampling points of the fit along each variable.
 const NODES: usize = 3;
 
-/// Where rays meet the card about one mark: along `right` and `up` of the card, from mark (0, 0).
+/// Intersections of rays with the card around one mark, along `right` and `up` of the card from mark (0, 0).
 ///
-/// Second degree in the place on the microlenses and on the pupil: what is left is a thousandth of a
-/// microlens for marks of a millimetre.
+/// A polynomial of second degree in the place on the microlens plane and the position on the pupil. Its error is a
+/// thousandth of a microlens for marks of a millimetre.
 #[derive(Debug, Clone)]
 pub(super) struct MarkMap {
-    /// Middle and half width of what the places are scaled by, in mm.
+    /// Centre and half widths of the map's domain, in mm.
     place_mm: [f64; 2],
     half_mm: f64,
     pupil_mm: f64,
@@ -29,8 +29,8 @@ fn monomials([x, y, u, v]: [f64; 4]) -> [f64; TERMS] {
 }
 
 impl MarkMap {
-    /// The map around a ray's position on the microlenses, for rays within `half_mm` of it and within the nominal
-    /// pupil. `None` if one of them misses the card.
+    /// The map for rays within `half_mm` of `place_mm` and within a pupil of half width `pupil_mm`. `None` if
+    /// one of them misses the card.
     pub(super) fn new(
         model: &CameraModel,
         card: &Card,
@@ -48,7 +48,8 @@ impl MarkMap {
         let mut values = DMatrix::zeros(nodes.len(), 2);
         for (row, [x, y, u, v]) in nodes.iter().enumerate() {
             let at_mm = [place_mm[0] + x * half_mm, place_mm[1] + y * half_mm];
-            let met_mm = model.meets(at_mm, [u * pupil_mm, v * pupil_mm], &face_mm, &normal)?;
+            let met_mm =
+                model.intersection_mm(at_mm, [u * pupil_mm, v * pupil_mm], &face_mm, &normal)?;
             let along_mm = met_mm - face_mm;
             values[(row, 0)] = along_mm.dot(&card.right);
             values[(row, 1)] = along_mm.dot(&card.up);
@@ -61,7 +62,7 @@ impl MarkMap {
         Some(Self { place_mm, half_mm, pupil_mm, terms })
     }
 
-    /// Where a ray meets the card, in mm along `right` and `up`.
+    /// Intersection of a ray with the card, in mm along `right` and `up`.
     #[inline]
     pub(super) fn along_mm(&self, place_mm: [f64; 2], pupil_mm: [f64; 2]) -> [f64; 2] {
         let powers = monomials([

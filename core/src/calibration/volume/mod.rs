@@ -1,12 +1,13 @@
-//! How a camera sees the volume, from images of a card that stood at known places in it.
+//! Calibration of all cameras from images of a card at known positions in the volume.
 //!
-//! A [`camera_model`] traces rays from a place on the microlens array and a place on the pupil back to
-//! the card, through a lens with distortion and through a tilted wall. Its parameters come from marks:
-//! `coarse_shift` finds the card in an image, `fiducial` tells its place from those a few spacings away,
-//! `mark_fit` renders each mark against the pixels of all micro-images that show it, and `adjustment` fits
-//! the parameters of both cameras to where the marks were seen. What is handed on is a
-//! [`VolumeMap`](crate::model::VolumeMap) for each camera, so that nothing else needs to know of lenses
-//! and walls.
+//! A [`camera_model`] traces rays from a point on the microlens array and a point on the pupil back to the card,
+//! through a lens with distortion and through a tilted wall. Its parameters are fitted to marks on the card.
+//! `coarse_shift` locates the card in an image, `fiducial` resolves its ambiguity by whole mark spacings,
+//! `mark_fit` fits each rendered mark to the pixels of all micro-images that show it, and `adjustment` fits the
+//! parameters of all cameras to the measured marks. The result is a [`VolumeMap`](crate::model::VolumeMap) for each
+//! camera; other modules need no model of lenses and walls.
+//!
+//! In names, a `place` is a point on the microlens plane, and a `position` is the index of a position of the card.
 
 mod adjustment;
 mod calibrated_camera;

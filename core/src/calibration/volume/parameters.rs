@@ -1,8 +1,8 @@
-//! The parameters of a camera, and what is known of them before any image.
+//! The parameters of a camera and their priors.
 
 use serde::Serialize;
 
-/// Numbers of parameters of one camera.
+/// Number of parameters of one camera.
 pub const PARAMETERS: usize = 17;
 
 /// Name, unit and prior standard deviation of each parameter; the prior mean is zero, the nominal
@@ -28,7 +28,7 @@ pub(super) const DESCRIPTIONS: [(&str, &str, f64); PARAMETERS] = [
     ("wall tilt about up", "rad", 0.15),
 ];
 
-/// How far a camera is from the drawing, each number in the unit of its description.
+/// Deviations of a camera from its nominal values, in the units of [`DESCRIPTIONS`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct CameraParameters(pub(super) [f64; PARAMETERS]);
 
@@ -71,14 +71,14 @@ impl CameraParameters {
     }
 }
 
-/// What the images say of a parameter.
+/// Estimate of a parameter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ParameterEstimate {
-    /// What it is.
+    /// Name of the parameter.
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// How far it is from the drawing.
+    /// Deviation from the nominal value.
     pub value: f64,
     /// Posterior standard deviation.
     pub standard_deviation: f64,

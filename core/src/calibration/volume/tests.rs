@@ -1,4 +1,4 @@
-//! The cameras' fit to marks whose rays the simulator traced, without images, and with them (`fiducial`, `images`).
+//! Calibration with marks traced by the simulator, without images, and with images (`fiducial`, `images`).
 
 mod fiducial;
 mod images;
@@ -11,12 +11,12 @@ use lfpiv_sim::imaging::{CameraFlaws, Distortion, RaySettings, RayTracer, WallSe
 use nalgebra::{Point3, Vector3};
 
 use super::{
-    adjustment::{Adjusted, Bench, Sighting, first_deviations},
-    mark_fit::SeenMark,
+    adjustment::{Adjusted, Bench, Observation, initial_deviations},
+    mark_fit::ObservedMark,
 };
 use crate::{model::EquivalentPoint, test_bench};
 
-/// A camera that is off in all ways at once, behind a tilted wall.
+/// A camera with all kinds of deviations, behind a tilted wall.
 fn flaws() -> CameraFlaws {
     CameraFlaws {
         turn_deg: [0.15, -0.1, 0.2],
@@ -47,7 +47,7 @@ fn card() -> Card {
     }
 }
 
-/// A ray of the true camera, described with the nominal distances.
+/// Place of a ray of the true camera, for `pupil_mm` on the nominal pupil.
 fn place_mm(tracer: &RayTracer<'_>, point_mm: &Point3<f64>, pupil_mm: [f64; 2]) -> [f64; 2] {
     let optics = test_bench::optics();
     let image_mm = optics.image_distance_mm();
@@ -71,29 +71,29 @@ fn place_and_slopes(tracer: &RayTracer<'_>, point_mm: &Point3<f64>) -> [[f64; 2]
     [place_mm(tracer, point_mm, [0.0; 2]), [slope(0), slope(1)]]
 }
 
-/// Traced rays of all marks in both cameras.
-fn sightings(
+/// Traced observations of all marks by both cameras.
+fn observations(
     tracers: &[RayTracer<'_>],
     poses: &[Pose],
     origins_mm: &[Point3<f64>],
-) -> Vec<Sighting> {
+) -> Vec<Observation> {
     let card = card();
-    let mut sightings = Vec::new();
+    let mut observations = Vec::new();
     for (camera, tracer) in tracers.iter().enumerate() {
         for (position, origin_mm) in origins_mm.iter().enumerate() {
             let marks = card.numbers().map(|number| {
                 let along_mm = number.map(f64::from);
                 let point_mm = card.place_mm(origin_mm, along_mm, &poses[camera].axis);
                 let [place_mm, slopes] = place_and_slopes(tracer, &point_mm);
-                SeenMark { number, place_mm, slopes, misfit: 0.0, views_rms_mm: 0.0 }
+                ObservedMark { number, place_mm, slopes, misfit: 0.0, views_rms_mm: 0.0 }
             });
-            sightings.push(Sighting { camera, position, marks: marks.collect() });
+            observations.push(Observation { camera, position, marks: marks.collect() });
         }
     }
-    sightings
+    observations
 }
 
-/// Largest distance of the fitted from the traced points: lateral, and in depth, in mm.
+/// Largest lateral and depth error of equivalent points, in mm.
 fn worst(bench: &Bench<'_>, adjusted: &Adjusted, tracers: &[RayTracer<'_>]) -> [f64; 2] {
     let mut worst = [0.0f64; 2];
     for (camera, tracer) in tracers.iter().enumerate() {
@@ -113,7 +113,7 @@ fn worst(bench: &Bench<'_>, adjusted: &Adjusted, tracers: &[RayTracer<'_>]) -> [
 }
 
 #[test]
-fn a_tilted_wall_with_all_else_off_is_followed_to_a_fraction_of_a_micrometre() {
+fn a_tilted_wall_and_all_other_deviations_are_fitted_to_a_micrometre() {
     let (optics, poses, walls, card) = (test_bench::optics(), test_bench::poses(), walls(), card());
     let settings = RaySettings { rays_per_particle: 16, diffraction_nm: None };
     let shifts = [[0.0; 3], [0.2, 0.1, -0.15]];
@@ -123,7 +123,7 @@ fn a_tilted_wall_with_all_else_off_is_followed_to_a_fraction_of_a_micrometre() {
     let along = card.normal();
     let origins_mm: Vec<Point3<f64>> =
         (-3..=3).map(|step| Point3::from(along * f64::from(step))).collect();
-    let sightings = sightings(&tracers, &poses, &origins_mm);
+    let observations = observations(&tracers, &poses, &origins_mm);
     let mut bench = Bench {
         optics: &optics,
         poses: &poses,
@@ -131,10 +131,10 @@ fn a_tilted_wall_with_all_else_off_is_followed_to_a_fraction_of_a_micrometre() {
         card: &card,
         origins_mm: &origins_mm,
         stage_deviation_mm: 0.0,
-        deviations: first_deviations(&optics),
+        deviations: initial_deviations(&optics),
     };
     bench.deviations = bench.deviations.map(|deviation| deviation / 10.0);
-    let adjusted = bench.adjust(&sightings, None).unwrap();
+    let adjusted = bench.adjust(&observations, None).unwrap();
     let [lateral_mm, depth_mm] = worst(&bench, &adjusted, &tracers);
     assert!(lateral_mm < 1e-3 && depth_mm < 1e-2, "{lateral_mm} {depth_mm}");
     assert!(adjusted.condition_number.is_finite());

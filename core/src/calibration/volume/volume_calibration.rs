@@ -1,4 +1,4 @@
-//! From images of a card to a map of the volume for each camera.
+//! Calibration of all cameras: from images of a card to a map of the volume for each camera.
 
 use lfpiv_hw::{CameraName, card::Card};
 use nalgebra::Point3;
@@ -6,52 +6,52 @@ use rayon::prelude::*;
 
 use super::{
     CalibratedCamera, HeldOut, VolumeError, VolumeInput, VolumeWarning,
-    adjustment::{Adjusted, Bench, Sighting, first_deviations},
+    adjustment::{Adjusted, Bench, Observation, initial_deviations},
     checks,
     coarse_shift::coarse_shifts,
-    fiducial::LEAST_CLARITY,
+    fiducial::LEAST_SIGNIFICANCE,
     held_out::held_out,
-    mark_fit::{MarkSearch, SeenMark},
+    mark_fit::{MarkSearch, ObservedMark},
     parameters::CameraParameters,
 };
 
 /// Least number of marks of one camera.
 const LEAST_MARKS: usize = 20;
 
-/// A card whose image correlates less with what is expected is not there.
+/// Least correlation coefficient of an image with the predicted card.
 const LEAST_CORRELATION: f64 = 0.3;
 
-/// Most pixels for one mark, in the first and in the second pass.
+/// Largest number of pixels for one mark in the first and second pass.
 const PIXELS: [usize; 2] = [2_000, 20_000];
 
-/// Light this far about a rendered mark is not that mark's.
+/// Largest relative residual of a rendered mark.
 const MOST_MISFIT: f64 = 0.25;
 
-/// Passes that leave outliers out and weigh the rest anew.
+/// Largest number of iterations of outlier rejection and reweighting.
 const OUTLIER_PASSES: usize = 4;
 
-/// Weights that change by less than this share are the last.
-const SETTLED: f64 = 0.2;
+/// Relative change of the standard deviations at convergence.
+const CONVERGED: f64 = 0.2;
 
-/// Both cameras, as the card shows them.
+/// Result of a volume calibration.
 #[derive(Debug, Clone)]
 pub struct VolumeCalibration {
-    /// In the order of the poses.
+    /// The cameras in the order of the poses.
     pub cameras: Vec<CalibratedCamera>,
-    /// Marks of positions that were left out one by one.
+    /// Prediction errors by leave-one-out cross-validation over positions.
     pub held_out: HeldOut,
-    /// Of the normal matrix, with every parameter in prior standard deviations.
+    /// Condition number of the normal matrix, with parameters in prior standard deviations.
     pub condition_number: f64,
-    /// How far the card was from each told place, in mm; zero where the stage is taken as it is.
+    /// Fitted minus stated positions of the card, in mm; 0 for an exact stage.
     pub stage_mm: Vec<[f64; 3]>,
-    /// What it cannot vouch for.
+    /// Reasons to doubt the result.
     pub warnings: Vec<VolumeWarning>,
 }
 
-/// Fits both cameras to images of a card; calls `step_ended` after each of the [`VolumeInput::steps`].
+/// Fits all cameras to images of a card. Calls `step_ended` after each of the [`VolumeInput::steps`].
 ///
 /// # Errors
-/// [`VolumeError`]: numbers that do not belong together, a card that is not seen, or too little of it.
+/// [`VolumeError`]: numbers do not match, the card or too few of its marks are found, or no camera fits them.
 pub fn calibrate_volume(
     input: &VolumeInput<'_>,
     mut step_ended: impl FnMut(),
@@ -66,22 +66,22 @@ pub fn calibrate_volume(
         card: &input.card.card,
         origins_mm: &origins_mm,
         stage_deviation_mm: input.stage_deviation_mm,
-        deviations: first_deviations(input.optics),
+        deviations: initial_deviations(input.optics),
     };
     let mut warnings = Vec::new();
-    let mut sightings = first_pass(input, &bench, &mut warnings, &mut step_ended)?;
-    let adjusted = fitted(&mut bench, &mut sightings, None)?;
+    let mut observations = first_pass(input, &bench, &mut warnings, &mut step_ended)?;
+    let adjusted = fitted(&mut bench, &mut observations, None)?;
     step_ended();
-    let mut sightings = second_pass(input, &bench, &adjusted, &mut step_ended);
-    let adjusted = fitted(&mut bench, &mut sightings, Some(&adjusted))?;
+    let mut observations = second_pass(input, &bench, &adjusted, &mut step_ended);
+    let adjusted = fitted(&mut bench, &mut observations, Some(&adjusted))?;
     step_ended();
-    let held_out = held_out(&bench, &sightings, &adjusted)?;
+    let held_out = held_out(&bench, &observations, &adjusted)?;
     step_ended();
     let cameras: Vec<CalibratedCamera> = (0..input.poses.len())
-        .map(|camera| CalibratedCamera::of(input, &bench, &sightings, &adjusted, camera))
+        .map(|camera| CalibratedCamera::of(input, &bench, &observations, &adjusted, camera))
         .collect::<Result<_, _>>()?;
     step_ended();
-    warnings.extend(checks::warnings(input, &sightings, &adjusted, &held_out));
+    warnings.extend(checks::warnings(input, &observations, &adjusted, &held_out));
     Ok(VolumeCalibration {
         cameras,
         held_out,
@@ -91,14 +91,14 @@ pub fn calibrate_volume(
     })
 }
 
-/// Looks for the card about where the drawing puts it, then for its marks.
+/// Locates the card near its nominal location in the images, and measures its marks.
 fn first_pass(
     input: &VolumeInput<'_>,
     bench: &Bench<'_>,
     warnings: &mut Vec<VolumeWarning>,
     step_ended: &mut impl FnMut(),
-) -> Result<Vec<Sighting>, VolumeError> {
-    let mut sightings = Vec::new();
+) -> Result<Vec<Observation>, VolumeError> {
+    let mut observations = Vec::new();
     for camera in 0..input.poses.len() {
         let name = CameraName(camera);
         let model = bench.model(camera, CameraParameters::default());
@@ -121,7 +121,7 @@ fn first_pass(
                 correlation: found.correlations[worst],
             });
         }
-        if found.clarity < LEAST_CLARITY {
+        if found.significance < LEAST_SIGNIFICANCE {
             warnings.push(VolumeWarning::Ambiguous { camera: name });
         }
         for (position, (light, origin_mm)) in images.iter().enumerate() {
@@ -133,21 +133,25 @@ fn first_pass(
                 shift_mm: found.shifts_mm[position],
                 most_pixels: PIXELS[0],
             };
-            sightings.push(Sighting { camera, position, marks: seen_marks(&search, bench.card) });
+            observations.push(Observation {
+                camera,
+                position,
+                marks: observed_marks(&search, bench.card),
+            });
             step_ended();
         }
     }
-    Ok(sightings)
+    Ok(observations)
 }
 
-/// Looks for marks where the fitted cameras see them.
+/// Measures the marks near the locations predicted by the fitted cameras.
 fn second_pass(
     input: &VolumeInput<'_>,
     bench: &Bench<'_>,
     adjusted: &Adjusted,
     step_ended: &mut impl FnMut(),
-) -> Vec<Sighting> {
-    let mut sightings = Vec::new();
+) -> Vec<Observation> {
+    let mut observations = Vec::new();
     for (position, lights) in input.light.iter().enumerate() {
         for (camera, light) in lights.iter().enumerate() {
             let model = bench.model(camera, adjusted.cameras[camera]);
@@ -160,14 +164,19 @@ fn second_pass(
                 shift_mm: [0.0; 2],
                 most_pixels: PIXELS[1],
             };
-            sightings.push(Sighting { camera, position, marks: seen_marks(&search, bench.card) });
+            observations.push(Observation {
+                camera,
+                position,
+                marks: observed_marks(&search, bench.card),
+            });
             step_ended();
         }
     }
-    sightings
+    observations
 }
 
-fn seen_marks(search: &MarkSearch<'_>, card: &Card) -> Vec<SeenMark> {
+/// Measures all marks of the card in one image.
+fn observed_marks(search: &MarkSearch<'_>, card: &Card) -> Vec<ObservedMark> {
     let numbers: Vec<[i32; 2]> = card.numbers().collect();
     numbers
         .into_par_iter()
@@ -176,30 +185,30 @@ fn seen_marks(search: &MarkSearch<'_>, card: &Card) -> Vec<SeenMark> {
         .collect()
 }
 
-/// Adjusts, leaving outliers out, and weighs marks as they scatter.
+/// Fits the cameras, with iterated outlier rejection and weights from the scatter of the marks.
 fn fitted(
     bench: &mut Bench<'_>,
-    sightings: &mut [Sighting],
+    observations: &mut [Observation],
     start: Option<&Adjusted>,
 ) -> Result<Adjusted, VolumeError> {
     for camera in 0..bench.poses.len() {
-        let of_camera = sightings.iter().filter(|sighting| sighting.camera == camera);
-        let found: usize = of_camera.map(|sighting| sighting.marks.len()).sum();
+        let of_camera = observations.iter().filter(|observation| observation.camera == camera);
+        let found: usize = of_camera.map(|observation| observation.marks.len()).sum();
         if found < LEAST_MARKS {
             let camera = CameraName(camera);
             return Err(VolumeError::FewMarks { camera, found, needed: LEAST_MARKS });
         }
     }
-    let mut adjusted = bench.adjust(sightings, start)?;
+    let mut adjusted = bench.adjust(observations, start)?;
     for _ in 0..OUTLIER_PASSES {
-        let dropped = bench.drop_outliers(sightings, &adjusted);
+        let dropped = bench.drop_outliers(observations, &adjusted);
         let before = bench.deviations;
-        bench.weigh(sightings, &adjusted);
-        let settled = (0..2).all(|n| (bench.deviations[n] / before[n] - 1.0).abs() < SETTLED);
-        if settled && !dropped {
+        bench.update_deviations(observations, &adjusted);
+        let converged = (0..2).all(|n| (bench.deviations[n] / before[n] - 1.0).abs() < CONVERGED);
+        if converged && !dropped {
             break;
         }
-        adjusted = bench.adjust(sightings, Some(&adjusted))?;
+        adjusted = bench.adjust(observations, Some(&adjusted))?;
     }
     Ok(adjusted)
 }

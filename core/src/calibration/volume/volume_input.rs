@@ -1,4 +1,4 @@
-//! What a calibration of the volume is made from.
+//! Input of a volume calibration.
 
 use lfpiv_hw::{
     CameraName, Optics, Pose,
@@ -10,7 +10,7 @@ use super::{CardLight, VolumeError};
 /// Least width of a mark, in microlenses.
 const LEAST_MICROLENSES: f64 = 4.0;
 
-/// Least number of positions: depths, and one to leave out.
+/// Least number of positions: two depths, and one to leave out.
 const LEAST_POSITIONS: usize = 3;
 
 /// Input of a calibration.
@@ -20,24 +20,24 @@ pub struct VolumeInput<'a> {
     pub optics: &'a Optics,
     /// Nominal poses of the cameras.
     pub poses: &'a [Pose],
-    /// The card and its places.
+    /// The card, its positions and the walls.
     pub card: &'a CalibrationCard,
-    /// The card's light, by position and then by camera.
+    /// Images of the card, by position and then by camera.
     pub light: &'a [Vec<CardLight<'a>>],
-    /// Standard deviation of the card's true positions about the stated ones, along each axis, in mm; zero takes
-    /// them as they are.
+    /// Standard deviation of the card's true positions from the stated ones, along each axis, in mm; 0: the stated
+    /// ones are exact.
     pub stage_deviation_mm: f64,
-    /// Middle and half the edges of the box that the maps must hold in, in mm.
+    /// Centre and half widths of the box in which the maps are valid, in mm.
     pub box_mm: [[f64; 3]; 2],
 }
 
 impl VolumeInput<'_> {
-    /// Steps of a calibration: marks of each image, twice, two fits, positions left out, maps.
+    /// Number of steps of a calibration: marks of each image, twice; two fits; cross-validation; maps.
     pub fn steps(&self) -> usize {
         2 * self.poses.len() * self.card.position.len() + 4
     }
 
-    /// Whether the parts belong together, and the card can be seen.
+    /// Checks that the numbers match, and that all cameras can see the card.
     pub(super) fn check(&self) -> Result<(), VolumeError> {
         let (cameras, positions) = (self.poses.len(), self.card.position.len());
         let numbers = |what, found, expected, each| {

@@ -1,39 +1,39 @@
-//! What a calibration of the volume cannot vouch for.
+//! Warnings of a volume calibration.
 
 use std::fmt;
 
 use lfpiv_hw::CameraName;
 use serde::Serialize;
 
-/// Doubt about a calibration that was made.
+/// Reasons to doubt a calibration.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum VolumeWarning {
-    /// Held-out marks are far from where they should be.
+    /// Held-out marks are far from their predicted places.
     HeldOutFar {
-        /// Root mean square of one coordinate, in microlenses.
+        /// Root-mean-square error of one coordinate, in microlenses.
         microlenses: f64,
-        /// What a good card on a good stage stays below.
+        /// Largest value for a flat card on an accurate stage.
         usual: f64,
     },
-    /// The card fits nearly as well a spacing away.
+    /// The card fits nearly as well when shifted by a spacing.
     Ambiguous {
-        /// Which camera.
+        /// The camera.
         camera: CameraName,
     },
-    /// The volume reaches beyond where marks were seen.
+    /// The volume extends beyond the marks.
     BeyondMarks {
-        /// Along which axis of the world: 0 for x.
+        /// Axis of the world: 0 for x.
         axis: usize,
-        /// By how much, in mm.
+        /// Distance beyond the marks, in mm.
         by_mm: f64,
     },
-    /// A parameter is far from what was expected of it.
+    /// A parameter is far from its nominal value.
     FarFromDrawing {
-        /// Which camera.
+        /// The camera.
         camera: CameraName,
-        /// Which parameter.
+        /// Name of the parameter.
         parameter: &'static str,
-        /// In prior standard deviations.
+        /// Distance in prior standard deviations.
         deviations: f64,
     },
 }

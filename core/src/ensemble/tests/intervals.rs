@@ -1,14 +1,13 @@
-//! Intervals of 95 % hold the truth 92 to 98 times in a hundred.
+//! Coverage of the 95 % intervals: 92 to 98 %.
 
 use super::{turbulence::Turbulence, *};
 
 const ENSEMBLES: u64 = 200;
 const SHOTS: u64 = 200;
 
-/// 200 ensembles of 200 shots of the known turbulent flow: for each statistic by itself, the share of the
-/// intervals that hold its true value.
+/// Coverage of each statistic, from 200 ensembles of 200 shots of the known turbulent flow.
 #[test]
-fn intervals_hold_the_truth_as_often_as_they_say() {
+fn intervals_have_the_stated_coverage() {
     let grid = grid([3, 4, 1]);
     let flow = Turbulence::new(&grid, 7);
     let mut held = [0_u32; Quantity::ALL.len()];
@@ -37,10 +36,10 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
-/// The scatter of the measurement is separated from that of the flow. On average over many places: one jackknife of 23
-/// groups is itself uncertain by a third.
+/// Uncertainties of flow and measurement are separated. They are averaged over many nodes, because a single
+/// jackknife with 23 groups has an uncertainty of a third.
 #[test]
-fn the_parts_of_flow_and_measurement_are_told_apart() {
+fn uncertainties_of_flow_and_measurement_are_separated() {
     const PLACES: [usize; 3] = [10, 10, 1];
     let with = |flow: f64, noise: f64| {
         let mut random = Pcg64Mcg::seed_from_u64(5);
@@ -55,7 +54,7 @@ fn the_parts_of_flow_and_measurement_are_told_apart() {
             ensemble.add(&Snapshot { shot, samples: samples.collect() });
         }
         let found = ensemble.estimates();
-        // Means over the places of the value, and of both parts' variances of 230 shots.
+        // Means over the nodes of the value and of both variances, times the number of shots.
         move |quantity: Quantity| {
             let places: Vec<Estimate> = found.of(quantity).iter().flatten().copied().collect();
             let over = |part: &dyn Fn(&Estimate) -> f64| {
@@ -74,7 +73,7 @@ fn the_parts_of_flow_and_measurement_are_told_apart() {
     assert_near(measurement, 0.25, 1e-9, "noise in the mean");
     let [stress, flow, measurement] = turbulent(Quantity::Stress(0, 0));
     assert!((stress - 1.0).abs() < 0.05, "{stress}");
-    // 2 σ⁴ of the flow, and 4 · 1 · 0.25 + 2 · 0.0625 with the measurement.
+    // Flow: 2 σ⁴. Measurement: 4 · 1 · 0.25 + 2 · 0.0625.
     assert!((flow - 2.0).abs() < 0.6 && (measurement - 1.125).abs() < 0.1, "{flow} {measurement}");
     let [shear, ..] = turbulent(Quantity::Stress(0, 1));
     assert!(shear.abs() < 0.03, "{shear}");

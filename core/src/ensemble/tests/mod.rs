@@ -1,4 +1,4 @@
-//! The ensemble against naive sums and a turbulent flow whose statistics are known.
+//! The ensemble compared with naive sums and with a turbulent flow of known statistics.
 
 mod intervals;
 mod order;
@@ -16,7 +16,7 @@ fn grid(vectors: [usize; 3]) -> VectorGrid {
     VectorGrid { vectors, first_mm: [-1.0, 0.0, 2.0], spacing_mm: 0.5 }
 }
 
-/// Shots of numbers without a pattern about a mean that is large beside them, a fifth of them missing.
+/// Shots with random fluctuations around a large mean; a fifth of the samples is missing.
 fn snapshots(vectors: [usize; 3], shots: u64, seed: u64) -> Vec<Snapshot> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let mut shot = |shot| {

@@ -1,4 +1,4 @@
-//! The order of shots does not matter beyond rounding, and parts can be put together.
+//! Results do not depend on the order of shots except for rounding, and ensembles can be merged.
 
 use proptest::prelude::*;
 use rand::seq::SliceRandom;
@@ -45,7 +45,7 @@ proptest! {
     }
 
     #[test]
-    fn parts_put_together_are_the_whole(shots in 1u64..70, cut in 0.0..1.0f64, seed in any::<u64>()) {
+    fn merged_parts_equal_the_whole(shots in 1u64..70, cut in 0.0..1.0f64, seed in any::<u64>()) {
         let snapshots = snapshots(VECTORS, shots, seed);
         let expected = ensemble(VECTORS, &snapshots);
         let (first, second) = snapshots.split_at((cut * shots as f64) as usize);
@@ -56,7 +56,7 @@ proptest! {
 }
 
 #[test]
-fn other_places_cannot_be_put_together() {
+fn different_lattices_cannot_be_merged() {
     let mut one = Ensemble::new(grid([2, 2, 2]));
     assert!(!one.merge(&Ensemble::new(grid([2, 2, 3]))));
 }

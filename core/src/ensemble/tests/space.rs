@@ -8,7 +8,7 @@ use super::{
     *,
 };
 
-/// Covariance of two places, from the shots that have both, in two passes.
+/// Summed products and degrees of freedom of two nodes, by two passes over the shots with both samples.
 fn naive(snapshots: &[Snapshot], places: [usize; 2], c: usize) -> Option<(f64, f64)> {
     let both = snapshots.iter().filter_map(|snapshot| {
         let [first, second] = places.map(|place| snapshot.samples[place]);
@@ -77,10 +77,10 @@ fn the_transform_is_the_sum_of_cosines_and_its_integral_the_variance() {
     }
 }
 
-/// Fluctuations of one wavelength, with gaps and noise: the spectrum has its peak there, the coefficient is
-/// its cosine.
+/// Fluctuations of one wavelength, with gaps and noise: the spectrum has its peak there, and the coefficient is a
+/// cosine.
 #[test]
-fn a_wave_is_found_where_it_is() {
+fn a_wave_has_its_spectral_peak_at_its_wavenumber() {
     let grid = grid([32, 1, 1]);
     let wavenumber = 2.0 * PI / 4.0;
     let mut random = Pcg64Mcg::seed_from_u64(17);
@@ -97,7 +97,7 @@ fn a_wave_is_found_where_it_is() {
         ensemble.add(&Snapshot { shot, samples: samples.collect() });
     }
     let correlation = &ensemble.correlations()[0];
-    // The longest separations have few pairs of places.
+    // The largest separations have few pairs of nodes.
     let half = correlation.separation_mm.iter().zip(&correlation.coefficient).take(16);
     for (separation, coefficient) in half {
         let expected = (wavenumber * separation).cos();
@@ -110,14 +110,15 @@ fn a_wave_is_found_where_it_is() {
         .unwrap();
     let found = spectrum.wavenumber_rad_mm[peak];
     assert!((found - wavenumber).abs() <= spectrum.wavenumber_rad_mm[1], "{found}");
-    // A cosine's integral up to its first zero is a wavelength over 2π.
+    // The integral of a cosine up to its first zero is the wavelength over 2π.
     let scale = correlation.integral_scale_mm()[0].unwrap();
     assert!((scale - 1.0 / wavenumber).abs() < 0.1 / wavenumber, "{scale}");
 }
 
-/// A steady flow, and errors that neighbours share: without a limit the coefficient is far above 1.
+/// A steady flow with errors that are correlated between neighbours: without a limit the coefficient would be far
+/// above 1.
 #[test]
-fn errors_that_neighbours_share_are_not_taken_for_the_flow() {
+fn correlated_errors_are_not_attributed_to_the_flow() {
     let grid = grid([12, 1, 1]);
     for (fluctuation, is_flow) in [(0.05, false), (0.5, true)] {
         let mut random = Pcg64Mcg::seed_from_u64(23);
@@ -139,9 +140,9 @@ fn errors_that_neighbours_share_are_not_taken_for_the_flow() {
     }
 }
 
-/// A turbulent flow without quiet times, whose covariance is known.
+/// A turbulent flow without intermittency, whose covariance is known.
 #[test]
-fn correlations_of_a_turbulent_flow_are_its_own() {
+fn correlations_of_a_turbulent_flow_are_the_true_ones() {
     let grid = grid([16, 2, 2]);
     let flow = Turbulence::new(&grid, 3);
     let mut random = Pcg64Mcg::seed_from_u64(23);

@@ -1,8 +1,8 @@
-//! Statistics against sums over all samples, in two passes.
+//! Statistics compared with two-pass sums over all samples.
 
 use super::*;
 
-/// Samples of one place.
+/// Samples at one node.
 fn samples(snapshots: &[Snapshot], place: usize) -> Vec<Sample> {
     snapshots.iter().filter_map(|snapshot| snapshot.samples[place]).collect()
 }
@@ -34,7 +34,7 @@ fn naive(quantity: Quantity, samples: &[Sample]) -> f64 {
 }
 
 #[test]
-fn every_statistic_is_that_of_its_samples() {
+fn every_statistic_agrees_with_sums_over_samples() {
     let snapshots = snapshots([3, 2, 2], 60, 1);
     let found = ensemble([3, 2, 2], &snapshots).estimates();
     for place in 0..12 {
@@ -50,7 +50,7 @@ fn every_statistic_is_that_of_its_samples() {
     }
 }
 
-/// Groups of one sample each: the textbook's standard error of a mean.
+/// With one sample per group, the result is the usual standard error of a mean.
 #[test]
 fn the_uncertainty_of_a_mean_is_the_scatter_over_the_root_of_the_number() {
     let snapshots = snapshots([1, 1, 1], 20, 2);
@@ -66,7 +66,7 @@ fn the_uncertainty_of_a_mean_is_the_scatter_over_the_root_of_the_number() {
 }
 
 #[test]
-fn what_is_missing_or_no_number_does_not_enter() {
+fn missing_and_non_finite_samples_are_not_used() {
     let good = Sample { velocity_m_s: [1.0, 2.0, 3.0], uncertainty_m_s: [0.1; 3] };
     let nan = Sample { velocity_m_s: [1.0, f64::NAN, 3.0], ..good };
     let infinite = Sample { uncertainty_m_s: [0.1, 0.1, f64::INFINITY], ..good };
@@ -80,7 +80,7 @@ fn what_is_missing_or_no_number_does_not_enter() {
     for values in &found.values {
         assert!(values[1..].iter().all(Option::is_none));
     }
-    // Nothing fluctuates: a mean, no stress beyond the measurement's, no skewness.
+    // Without fluctuations there are a mean, the negative variance of the measurement, and no skewness.
     let stress = ensemble.estimates().of(Quantity::Stress(0, 0))[0].unwrap();
     assert_near(stress.value, -0.01, 1e-12, "stress");
     assert_eq!(ensemble.estimates().of(Quantity::Rms(0))[0].unwrap().value, 0.0);
@@ -89,7 +89,7 @@ fn what_is_missing_or_no_number_does_not_enter() {
 }
 
 #[test]
-fn replaced_and_invalid_vectors_do_not_enter() {
+fn replaced_and_invalid_vectors_are_not_used() {
     use crate::velocimetry::VectorStatus::{Invalid, Replaced, Valid};
     let velocity = [[1.0; 3]; 3];
     let snapshot = Snapshot::new(4, &velocity, &[[0.1; 3]; 3], &[Replaced, Valid, Invalid]);
@@ -107,7 +107,7 @@ fn convergence_ends_with_all_shots_and_no_difference() {
     assert_eq!(last.shots, 100);
     for c in 0..3 {
         assert!(last.mean_difference_m_s[c] < 1e-12 && last.rms_difference_m_s[c] < 1e-12);
-        // Independent shots: half of them are as far off as they should be, within a third.
+        // The difference of half of the shots agrees with the expectation for independent shots.
         let half = steps[11];
         let ratio = half.mean_difference_m_s[c] / half.mean_difference_expected_m_s[c];
         assert!((0.67..1.5).contains(&ratio), "{ratio}");

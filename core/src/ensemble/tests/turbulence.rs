@@ -1,9 +1,9 @@
-//! A turbulent flow whose statistics are known: a jet's shear layer that flaps.
+//! A turbulent flow with known statistics: the intermittent shear layer of a jet.
 //!
-//! At each place the flow is turbulent for a share γ of the time and quiet for the rest, as at the edge of a jet
-//! (Pope 2000, section 5.5.2). Turbulent velocities are a mean and a sum of Fourier modes, normal and
-//! correlated between components and places. The mixture is neither normal nor symmetric, and its moments
-//! follow from those of its parts.
+//! At each node the flow is turbulent with probability γ, the intermittency, and at rest otherwise (Pope 2000,
+//! section 5.5.2). Turbulent velocities are a mean plus a sum of Fourier modes with normal amplitudes, correlated
+//! between components and nodes. The mixture is neither normal nor symmetric; its moments follow from those of
+//! both states.
 
 use std::f64::consts::TAU;
 
@@ -16,10 +16,10 @@ pub(super) struct Turbulence {
     places_mm: Vec<[f64; 3]>,
 }
 
-/// a cos(k·x) + b sin(k·x) along two directions, with a and b normal: stationary in space.
+/// Homogeneous mode a cos(k·x) + b sin(k·x) along two directions, with normal a and b.
 struct Mode {
     wavevector: [f64; 3],
-    /// Velocity of each of two independent amplitudes.
+    /// Velocities of two independent amplitudes.
     directions: [[f64; 3]; 2],
 }
 
@@ -33,12 +33,12 @@ impl Turbulence {
     pub fn new(grid: &VectorGrid, seed: u64) -> Self {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let modes = (0..MODES).map(|mode| {
-            // Wavelengths from 12 to 1.5 mm, energy falling with the wavenumber's 5/3.
+            // Wavelengths from 12 to 1.5 mm; energy proportional to wavenumber^(-5/3).
             let wavenumber = TAU / 12.0 * 8f64.powf(mode as f64 / (MODES - 1) as f64);
             let towards = [0; 3].map(|_| normal(&mut random));
             let length = towards.iter().map(|t| t * t).sum::<f64>().sqrt();
             let scale = 0.2 * wavenumber.powf(-5.0 / 6.0);
-            // The first direction has u and v go together, as in a shear layer.
+            // The first direction correlates u and v, as in a shear layer.
             let directions =
                 [[scale, -0.5 * scale, 0.2 * scale], [0.3 * scale, 0.6 * scale, 0.7 * scale]];
             Mode { wavevector: towards.map(|t| t / length * wavenumber), directions }
@@ -47,23 +47,23 @@ impl Turbulence {
         Self { modes: modes.collect(), places_mm }
     }
 
-    /// Mean of the turbulent part, in m/s: across a shear layer along y.
+    /// Mean of the turbulent state, in m/s, with shear along y.
     fn mean(&self, place: usize) -> [f64; 3] {
         [3.0 + (self.places_mm[place][1] - 1.0), 0.4, 0.0]
     }
 
-    /// Share of the time that a place is turbulent.
+    /// Intermittency γ of a node.
     fn share(&self, place: usize) -> f64 {
         0.6 + 0.1 * (self.places_mm[place][1] * 2.0).sin()
     }
 
-    /// Covariance of the turbulent part's components, the same everywhere.
+    /// Covariance of two components of the turbulent state, which is homogeneous.
     fn covariance(&self, i: usize, j: usize) -> f64 {
         let directions = self.modes.iter().flat_map(|mode| &mode.directions);
         directions.map(|direction| direction[i] * direction[j]).sum()
     }
 
-    /// Covariance of a component of the turbulent part at two places so far apart.
+    /// Two-point covariance of a component of the turbulent state.
     pub fn correlation(&self, component: usize, apart_mm: [f64; 3]) -> f64 {
         let of = |mode: &Mode| {
             let phase: f64 = mode.wavevector.iter().zip(apart_mm).map(|(k, r)| k * r).sum();
@@ -92,7 +92,7 @@ impl Turbulence {
         }
     }
 
-    /// The turbulent part in one shot, at each place.
+    /// Velocity of the turbulent state in one shot, at each node.
     pub fn turbulent(&self, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
         let amplitudes: Vec<[f64; 4]> =
             self.modes.iter().map(|_| [0; 4].map(|_| normal(random))).collect();
@@ -111,8 +111,7 @@ impl Turbulence {
         self.places_mm.iter().enumerate().map(velocity).collect()
     }
 
-    /// A measured shot: quiet where it is, each velocity with an error of the uncertainty that it states, a
-    /// tenth missing.
+    /// A measured shot. Errors agree with the stated uncertainties; a tenth of the samples is missing.
     pub fn shot(&self, shot: u64, random: &mut Pcg64Mcg) -> Snapshot {
         let samples = self.turbulent(random).into_iter().enumerate().map(|(place, turbulent)| {
             let quiet = !random.random_bool(self.share(place));

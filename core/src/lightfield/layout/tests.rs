@@ -4,7 +4,7 @@ use super::*;
 use crate::test_bench;
 
 #[test]
-fn about_250_views_carry_the_light_of_the_aperture() {
+fn about_250_views_contain_the_light_of_the_aperture() {
     let optics = test_bench::optics();
     let layout = ViewLayout::new(&optics, MicrolensWindow::whole(&optics));
     assert!((230..=290).contains(&layout.views.len()), "{}", layout.views.len());
@@ -38,7 +38,7 @@ fn coverage_of_one_cell_matches_fine_sampling() {
 }
 
 #[test]
-fn views_at_the_edge_are_left_out_or_softened() {
+fn views_at_the_edge_are_left_out_or_partly_covered() {
     let optics = test_bench::optics();
     let window = || MicrolensWindow { columns: 40..90, rows: 30..60 };
     let layout = |edge| ViewLayout::with_edge(&optics, window(), edge);
@@ -48,13 +48,13 @@ fn views_at_the_edge_are_left_out_or_softened() {
     let uncut = |layout: &ViewLayout| layout.views.iter().filter(|v| !v.is_cut()).count();
     let expected = uncut(&all);
     assert!(open.views.len() == expected && expected < all.views.len());
-    // A wider interval leaves fewer cells fully open.
+    // With a wider interval fewer cells are fully open.
     let soft = layout(ApertureEdge { interval_mm: 2.0, ..sharp });
     assert!(uncut(&soft) < expected);
 }
 
 #[test]
-fn decoding_picks_the_pixels_that_the_sampling_names() {
+fn decoding_uses_the_pixels_of_the_sampling() {
     let optics = test_bench::optics();
     let (nx, ny) = (optics.sensor.columns, optics.sensor.rows);
     let counts = (0..nx * ny).map(|n| ((n * 7919) % 4096) as u16).collect();

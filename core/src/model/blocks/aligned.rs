@@ -1,4 +1,4 @@
-//! Blocks for cameras that look along an axis of the grid.
+//! Blocks for cameras along an axis of the grid.
 
 use std::sync::Arc;
 
@@ -25,8 +25,8 @@ use crate::{
 /// Number of tabulated depths per block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum DepthsPerBlock {
-    /// The depth of the block's centre for all voxels: half a voxel of depth moves shadows by less than
-    /// [`SHARED_DEPTH_TOLERANCE`] of the source.
+    /// The depth of the block's centre for all voxels, if half a voxel of depth displaces shadows by less than
+    /// [`SHARED_DEPTH_TOLERANCE`].
     One,
     /// One per layer of voxels.
     Two,
@@ -37,9 +37,9 @@ pub(super) enum DepthsPerBlock {
 const SHARED_DEPTH_TOLERANCE: f64 = 1.0 / 16.0;
 
 impl DepthsPerBlock {
-    /// The depths needed for sources of edge `footprint_mm`. Points have no width that hides a
-    /// displacement: on voxels of 0.1 mm a shared depth reduced Q from 0.85 to 0.75 (particles on
-    /// voxel centres, 1 ppm).
+    /// The depths needed for sources of edge `footprint_mm`. Points need separate depths, because they have no
+    /// width: on voxels of 0.1 mm a shared depth reduced Q from 0.85 to 0.75 (particles on voxel centres, 1
+    /// ppm).
     pub fn needed(optics: &Optics, grid: &VolumeGrid, footprint_mm: f64) -> Self {
         let s = optics.object_distance_mm;
         // da/ds R (docs/theory.md, section 4), converted to object space by 1/|b| = s/s_i.
@@ -49,7 +49,7 @@ impl DepthsPerBlock {
     }
 }
 
-/// The views of all cameras, if they look along the grid's axes. Errors as [`super::block_model`].
+/// The views of all cameras, if they are along the grid's axes. Errors as for [`super::block_model`].
 pub(super) fn aligned_views(
     optics: &Optics,
     poses: &[Pose],

@@ -1,4 +1,4 @@
-//! Tables for cameras that look along an axis of the grid, and the position of a block's taps in them.
+//! Tables for cameras along an axis of the grid, and the position of a block's taps in them.
 
 use std::sync::Arc;
 
@@ -98,8 +98,8 @@ pub(super) struct ViewTables<'a, const L: usize> {
 }
 
 impl<const L: usize> AlignedCamera<L> {
-    /// The indices of the taps of a block's first layer of `layers`; the next layer is a row of
-    /// pairs further.
+    /// The indices of the taps of a block's first layer of `layers`. Those of the next layer follow after one
+    /// row of pairs.
     pub fn place(&self, block: [usize; 3], layers: usize) -> Place {
         let Axes { column, row, depth } = self.axes;
         Place {

@@ -23,7 +23,7 @@ impl<const L: usize> PairTable<L> {
         if geometry.pair_reach() > L {
             return None;
         }
-        // One vector per view, so that nothing is written twice and every thread fills its own pages.
+        // One vector per view, so that every thread writes its own memory pages, and only once.
         let views = (-reach..=reach).into_par_iter().map(|k| {
             let mut row = RowShares::new(geometry);
             let mut taps = Vec::with_capacity(depths * pairs);

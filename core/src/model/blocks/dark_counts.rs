@@ -3,8 +3,8 @@
 /// One bit per voxel of a line of 64·`W`.
 pub(super) type Line<const W: usize> = [u64; W];
 
-/// Counters of dark views for many voxels, as bit planes. They start at such a value that the carry
-/// out of the last plane indicates more dark views than tolerated.
+/// Counters of dark views for many voxels, as bit planes. Their initial value is such that the carry out of the
+/// last plane indicates more dark views than tolerated.
 pub(super) struct DarkCounts<const W: usize> {
     planes: usize,
     /// The planes of each line, consecutively.
@@ -37,7 +37,7 @@ impl<const W: usize> DarkCounts<W> {
         self.exceeded[line] != [u64::MAX; W]
     }
 
-    /// For each view, counts the voxels of a line whose bit is set.
+    /// Counts the voxels of a line whose bit is set, for each view.
     #[inline(always)]
     pub fn count(&mut self, line: usize, dark: &[Line<W>]) {
         let exceeded = &mut self.exceeded[line];

@@ -5,10 +5,10 @@
 //! footprint: shares beyond it are 0, so that the loops unroll into vector instructions. The
 //! kernels are plain loops: with iterator chains, two of three instructions were calls.
 //!
-//! A view's tables come from memory or a far cache, at a different place for each block. Waiting
-//! for them took a third of the time, because a processor looks ahead over only two or three
-//! blocks. So the taps of a batch of blocks are prefetched ([`prefetch`](super::prefetch)) while the
-//! batch before it is processed: the tables of all views are larger than most last-level caches.
+//! A view's tables are in main memory or an outer cache level, at a different address for each block: the
+//! tables of all views are larger than most last-level caches. Waiting for them took a third of the time:
+//! out-of-order execution covers only two or three blocks. The taps of a batch of blocks are therefore
+//! prefetched ([`prefetch`](super::prefetch)) while the previous batch is processed.
 
 use multiversion::multiversion;
 
@@ -33,8 +33,8 @@ pub(super) trait TapSource<const L: usize, const D: usize, const C: usize>: Sync
     /// Prefetches the taps of a batch.
     fn prefetch_taps(&self, addresses: &Self::Addresses);
 
-    /// The taps of a block of a batch along columns and rows. `scratch` holds them if they are not
-    /// as in the tables.
+    /// The taps of a block of a batch along columns and rows. `scratch` stores them if they differ from those
+    /// in the tables.
     fn taps<'a>(
         &'a self,
         addresses: &Self::Addresses,
@@ -74,7 +74,7 @@ const fn children_of(arrangement: usize) -> Children {
     Axes::ALL[arrangement % APART].children()
 }
 
-/// The light of row r and column c of a block's layer, and of those behind them: `C` rows.
+/// The light of a block's layer by row and column, with the voxels behind them: `C` rows.
 #[inline(always)]
 fn light_of<const D: usize, const C: usize>(
     children: Children,

@@ -1,10 +1,10 @@
 //! Photo-hull in blocks: the voxels that may contain light, up to 256 at a time.
 //!
-//! For one camera, each depth of blocks and each view, the image's lit pixels are mapped onto the
-//! voxels. A few neighbouring microlenses are looked up together, so a row of the image becomes a
-//! line of bits in some twenty operations ([`maps`]); a voxel's line is the union of the rows in
-//! its support. The views that find a voxel dark are counted in bit planes ([`slab`]). Lines have
-//! as many words as a grid's columns need, at most four.
+//! For one camera, each depth of blocks and each view, the image's lit pixels are mapped onto the voxels.
+//! Several neighbouring microlenses are looked up together, so that some twenty operations convert a row of the
+//! image to a line of bits ([`maps`]). A voxel's line is the union of the rows in its support. The views in
+//! which a voxel is dark are counted in bit planes ([`slab`]). Lines have the number of words that a grid's
+//! columns need, at most four.
 
 mod maps;
 mod slab;
@@ -25,7 +25,7 @@ use crate::lightfield::{ViewLayout, ViewStack};
 use maps::GROUP;
 use slab::Slab;
 
-/// With more, a group's voxels would not fit into two words: (6 + 2) · 8 = 64.
+/// Limit for which a group's voxels fit into two words: (6 + 2) · 8 = 64.
 pub(super) const MAX_VOXELS_PER_MICROLENS: f64 = 8.0;
 
 /// See [`super::BlockModel::lit`].
@@ -81,17 +81,17 @@ fn lit_in_lines<const W: usize, const L: usize, const D: usize>(
     }
 }
 
-/// The children of a block that are possible for all cameras and seen by at least one.
+/// The children of a block that may be lit in all cameras and are visible in at least one.
 fn lit_children<const W: usize>(cameras: &[CameraBits<W>], block: [usize; 3]) -> u8 {
     let mut possible = u8::MAX;
     for camera in cameras {
         possible &= camera.possible.children(block);
-        // Most blocks are empty, and the first camera shows it.
+        // Most blocks are dark in the first camera.
         if possible == 0 {
             return 0;
         }
     }
-    possible & cameras.iter().fold(0, |mask, camera| mask | camera.seen.children(block))
+    possible & cameras.iter().fold(0, |mask, camera| mask | camera.visible.children(block))
 }
 
 /// The lit pixels of a camera's selected views: for each row and each [`GROUP`] of microlenses, one
@@ -144,7 +144,7 @@ impl<'a> LitImages<'a> {
 /// One camera's result for every voxel.
 struct CameraBits<const W: usize> {
     possible: VoxelBits<W>,
-    seen: VoxelBits<W>,
+    visible: VoxelBits<W>,
 }
 
 /// One bit per voxel: a [`Line`] for each strip of columns, tabulated depth and voxel along the rows.
@@ -213,6 +213,6 @@ impl<const W: usize> CameraBits<W> {
             rows,
             lines: slabs.iter().flat_map(|slab| slab[n].iter().copied()).collect(),
         };
-        Self { possible: collect(0), seen: collect(1) }
+        Self { possible: collect(0), visible: collect(1) }
     }
 }

@@ -1,9 +1,9 @@
 //! The model in blocks of 2 × 2 × 2 voxels, for solvers that work on active voxels only.
 //!
-//! Neighbouring voxels share most of a projection's cost: finding their microlenses, and accessing
-//! the pixels. [`AlignedModel`] is used if every camera is ideal and looks along an axis of the
-//! grid, [`mapped`] for all others. [`VoxelwiseBlocks`] computes the same sums voxel by voxel
-//! through any [`ForwardModel`], and is the reference in tests.
+//! Neighbouring voxels share most of a projection's cost: finding their microlenses, and accessing the pixels.
+//! [`AlignedModel`] is used if every camera is ideal and along an axis of the grid, [`mapped`] for all others.
+//! [`VoxelwiseBlocks`] computes the same sums voxel by voxel through any [`ForwardModel`], and is the reference
+//! in tests.
 //!
 //! Voxel (i, j, k) is child `(i % 2) + 2 (j % 2) + 4 (k % 2)` of block (i/2, j/2, k/2). If the grid
 //! has an odd number of voxels, the children outside it stay dark.
@@ -57,10 +57,10 @@ pub struct HullCriteria {
     pub selected: Vec<Vec<usize>>,
     /// Per camera, the count below which a pixel is dark.
     pub dark_below: Vec<f32>,
-    /// Per camera, the number of selected views that may find a lit voxel dark.
+    /// Per camera, the number of selected views in which a lit voxel may be dark.
     pub tolerated: Vec<usize>,
-    /// Per camera, the largest distance by which a model may displace voxels in any view to evaluate
-    /// several as one, in microlenses. It widens their supports by the actual displacement.
+    /// Per camera, the largest displacement of voxels in any view, in microlenses, for the joint evaluation of
+    /// several voxels. Their supports are widened by the actual displacement.
     pub displacement: Vec<f64>,
 }
 
@@ -72,10 +72,10 @@ pub trait BlockModel: Send + Sync {
     fn layouts(&self) -> &[ViewLayout];
     /// A projector for these blocks (indices in the block grid's z, y, x order, ascending).
     fn projector(&self, blocks: &[u32]) -> Box<dyn BlockProjector + '_>;
-    /// The photo-hull: voxels that in no camera are dark in more of the selected views than
-    /// tolerated, and that any view, selected or not, sees. A view finds a voxel dark if every
-    /// pixel of the voxel's support is dark. Views that see too little of a voxel, and pixels less
-    /// than half open, are no evidence (see [`super::Projector::brightest`]).
+    /// The photo-hull: voxels that are visible in any view, selected or not, and in no camera dark in more of
+    /// the selected views than tolerated. A voxel is dark in a view if every pixel of its support is dark.
+    /// Views with too little of a voxel's light, and pixels less than half open, are no evidence (see
+    /// [`super::Projector::brightest`]).
     fn lit(&self, views: &[ViewStack], criteria: &HullCriteria) -> LitBlocks;
     /// Length of a projected image: the pixels of the camera's window, row-major, followed by
     /// padding that lets the kernels write past a row's end.
@@ -107,8 +107,8 @@ pub trait BlockProjector: Send + Sync {
     fn retain(&mut self, keep: &[bool]);
 }
 
-/// The fastest block model of a bench: [`AlignedModel`] if all cameras are ideal and look along
-/// axes of the grid, otherwise one for arbitrarily oriented cameras. See [`thin_lens_model`] for
+/// The fastest block model of a bench: [`AlignedModel`] if all cameras are ideal and along axes of the
+/// grid, otherwise one for arbitrarily oriented cameras. See [`thin_lens_model`] for
 /// `footprint_mm` and the errors.
 pub fn block_model(
     optics: &Optics,

@@ -6,9 +6,9 @@ use crate::model::{footprint::RayMap, tables::AxisGeometry};
 /// them: a pair along the axis or, with `C` = 4, two pairs at different depths.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairTap<const L: usize, const C: usize = 2> {
-    /// Shares of the lower and the upper voxel on microlenses `first..first + L`, and those of the
-    /// pair behind them, in units of [`SHARE_UNIT`]; 0 from `len` on. At half the size of floats, a view's tables fit into the L2
-    /// cache, and 1/32768 of a voxel's light is far below any noise.
+    /// Shares of the lower and the upper voxel on microlenses `first..first + L`, and those of the pair behind
+    /// them, in units of [`SHARE_UNIT`]; 0 from `len` on. They have half the size of floats, so that a view's
+    /// tables fit into the L2 cache, and 1/32768 of a voxel's light is far below any noise.
     pub shares: [[u16; L]; C],
     /// First microlens, relative to the window.
     pub first: u16,
@@ -21,8 +21,8 @@ impl<const L: usize, const C: usize> PairTap<L, C> {
     pub const NONE: Self = Self { shares: [[0; L]; C], first: 0, len: 0 };
 }
 
-/// Unit of a share in a [`PairTap`]. Shares may exceed 1, because microlenses see a view through
-/// overlapping intervals.
+/// Unit of a share in a [`PairTap`]. Shares may exceed 1, because the pupil intervals of microlenses in a view may
+/// overlap.
 pub const SHARE_UNIT: f32 = 1.0 / 32768.0;
 
 /// The first microlens of a pair's tap, relative to the array. A footprint that extends beyond the
@@ -33,7 +33,7 @@ pub(super) fn first_of_pair<const L: usize>(geometry: &AxisGeometry<'_>, reached
     reached.clamp(window.start as i64, last_first) as usize
 }
 
-/// One tap: what [`super::row_shares::RowShares`] computes for a whole row.
+/// Computes one tap; [`super::row_shares::RowShares`] does it for a whole row.
 pub(super) fn pair_tap<const L: usize>(
     geometry: &AxisGeometry<'_>,
     map: RayMap,

@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use super::*;
 use crate::{model::thin_lens_model, test_bench};
 
-/// Cameras along z and y, as in the bench, and along z and x, as in the jet.
+/// Cameras along z and y, as in the bench, and along z and x, as for the jet.
 fn pairs_of_poses() -> [Vec<Pose>; 2] {
     let pose = |right: [f64; 3], up: [f64; 3], axis: [f64; 3]| Pose {
         right: right.into(),

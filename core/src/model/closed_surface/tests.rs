@@ -4,7 +4,7 @@ use super::*;
 
 type Corners = [[f64; 3]; 3];
 
-/// A box between two corners, turned outwards: 12 triangles.
+/// A box between two corners: 12 triangles, oriented outwards.
 fn cuboid(low: [f64; 3], high: [f64; 3]) -> Vec<Corners> {
     let corner = |bits: usize| {
         std::array::from_fn(|axis| if bits >> axis & 1 == 0 { low[axis] } else { high[axis] })
@@ -18,7 +18,7 @@ fn cuboid(low: [f64; 3], high: [f64; 3]) -> Vec<Corners> {
         .collect()
 }
 
-/// A body about `centre_mm` whose surface is as far as `radius` says, seen from there.
+/// A star-shaped body around `centre_mm` with the given `radius` in each direction.
 fn star(centre_mm: [f64; 3], rings: usize, radius: impl Fn(usize, usize) -> f64) -> Vec<Corners> {
     let around = 2 * rings;
     let at = |ring: usize, n: usize| -> [f64; 3] {
@@ -44,8 +44,8 @@ fn star(centre_mm: [f64; 3], rings: usize, radius: impl Fn(usize, usize) -> f64)
     triangles
 }
 
-/// Turns of the surface about a place: the sum of the triangles' solid angles (Van Oosterom and Strackee, IEEE
-/// Trans. Biomed. Eng. 30, 1983), in floating point.
+/// Winding number from the sum of the triangles' solid angles (Van Oosterom and Strackee, IEEE Trans. Biomed.
+/// Eng. 30, 1983), in floating point.
 fn winding(triangles: &[Corners], at: [f64; 3]) -> f64 {
     let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     let angles = triangles.iter().map(|corners| {
@@ -63,8 +63,8 @@ fn grid() -> VolumeGrid {
     VolumeGrid { voxels: [17, 14, 12], voxel_mm: 0.25, centre_mm: [0.1, 0.0, -0.2] }
 }
 
-/// The voxels that are not inside as the definition has it, those left out whose centres are as near to the surface
-/// as coordinates are rounded.
+/// Number of voxels that differ from the definition by winding numbers. Voxels closer to the surface than the
+/// rounding of coordinates are ignored.
 fn wrong_voxels(triangles: &[Corners]) -> usize {
     let grid = grid();
     let surface = ClosedSurface::new(triangles).unwrap();
@@ -98,7 +98,7 @@ proptest! {
         prop_assert_eq!(wrong_voxels(&star(centre, rings, radius)), 0);
     }
 
-    /// Corners on the centres of voxels: rays meet edges and corners.
+    /// Corners at the centres of voxels, so that rays meet edges and corners.
     #[test]
     fn round_numbers_leave_no_hole_and_no_ray(
         low in prop::array::uniform3(0..6usize),
@@ -113,7 +113,7 @@ proptest! {
             let ijk = grid.indices(n);
             let within = (0..3).all(|axis| (low[axis]..=high[axis]).contains(&ijk[axis]));
             let well_within = (0..3).all(|axis| low[axis] < ijk[axis] && ijk[axis] < high[axis]);
-            // A centre on a face may be either.
+            // The result for a centre on a face is arbitrary.
             prop_assert!(if inside { within } else { !well_within }, "{:?}", ijk);
         }
     }
@@ -158,7 +158,7 @@ fn what_encloses_nothing_is_refused() {
     assert!(matches!(error, SurfaceError::TooFar { triangle: 3, .. }), "{error}");
 }
 
-/// Corners of one place that differ by rounding, as programs write them in single precision.
+/// Corners with single-precision rounding errors, as written by other programs.
 #[test]
 fn corners_that_rounding_moved_apart_are_one() {
     let mut random = 1u64;
@@ -166,7 +166,7 @@ fn corners_that_rounding_moved_apart_are_one() {
         random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (random >> 40) as f64 / (1u64 << 24) as f64 * 2e-6 - 1e-6
     };
-    // Away from the middle between two grains, where rounding could part them.
+    // Not halfway between two multiples of the unit, where rounding could separate them.
     let rough: Vec<Corners> = cuboid([-1.0; 3], [1.0; 3])
         .into_iter()
         .map(|corners| corners.map(|corner| corner.map(|mm| mm + noise())))

@@ -10,8 +10,8 @@ use crate::{
     test_bench::{optics, poses},
 };
 
-/// Odd shapes: in and out of focus, one voxel thick, across the field's edge and, with a window
-/// of a single column of microlenses, on it.
+/// Special cases: in and out of focus, one voxel thick, cut by the field's edge, and at the edge with a window of a
+/// single column of microlenses.
 fn grids() -> Vec<VolumeGrid> {
     let grid = |voxels, voxel_mm, centre_mm| VolumeGrid { voxels, voxel_mm, centre_mm };
     vec![
@@ -28,7 +28,7 @@ fn random(len: usize, rng: &mut impl Rng) -> Vec<f32> {
     (0..len).map(|_| rng.random_range(0.0..1.0)).collect()
 }
 
-/// Largest difference over the largest value.
+/// Largest difference divided by the largest value.
 fn difference(a: &[f32], b: &[f32]) -> f32 {
     let most = |v: &mut dyn Iterator<Item = f32>| v.fold(0.0f32, |m, x| m.max(x.abs()));
     assert_eq!(a.len(), b.len());
@@ -45,7 +45,7 @@ fn all_voxels(grid: &VolumeGrid) -> Vec<u32> {
     (0..grid.len() as u32).collect()
 }
 
-/// Images of the views by a projector, one after another.
+/// Images of the views by a projector, in sequence.
 fn images(p: &dyn Projector, model: &dyn ForwardModel, views: &[ViewId], x: &[f32]) -> Vec<f32> {
     let image = |view: &ViewId| {
         let mut image = vec![f32::NAN; model.layouts()[view.camera].window.len()];
@@ -55,8 +55,8 @@ fn images(p: &dyn Projector, model: &dyn ForwardModel, views: &[ViewId], x: &[f3
     views.iter().flat_map(image).collect()
 }
 
-/// What a projector spreads back from images, in two ranges of voxels.
-fn spread(
+/// Back-projection of images by a projector, in two ranges of voxels.
+fn back_projected(
     p: &dyn Projector,
     model: &dyn ForwardModel,
     views: &[ViewId],
@@ -100,11 +100,12 @@ fn tables_and_matrix_with_shared_weights_project_alike() {
                 forward.max(difference(&expected, &images(q.as_ref(), &explicit, &views, &x)));
 
             let y = random(expected.len(), &mut rng);
-            let expected = spread(p.as_ref(), tables.as_ref(), &views, &y);
+            let expected = back_projected(p.as_ref(), tables.as_ref(), &views, &y);
             let mut product = vec![f32::NAN; grid.len()];
             matrix.back_project(&y, &mut product);
             back = back.max(difference(&expected, &product));
-            back = back.max(difference(&expected, &spread(q.as_ref(), &explicit, &views, &y)));
+            back =
+                back.max(difference(&expected, &back_projected(q.as_ref(), &explicit, &views, &y)));
         }
     }
     println!("tables against matrix: forward {forward:.1e}, back {back:.1e}");
@@ -121,13 +122,13 @@ fn back_projection_is_the_adjoint() {
         let tables = thin_lens_model(&optics, &poses(), &grid, edge).unwrap();
         let quadrature = QuadratureWeights::new(&optics, &poses(), &grid, edge).unwrap();
         let explicit = ExplicitModel::new(quadrature);
-        // Every ninth view, so that quadrature stays quick: cut and open ones of both cameras.
+        // Every ninth view, to limit the time of quadrature: cut and open ones of both cameras.
         let views: Vec<_> = explicit.views().into_iter().step_by(9).collect();
         let x = random(grid.len(), &mut rng);
         let p = tables.projector(&all_voxels(&grid));
         let ax = images(p.as_ref(), tables.as_ref(), &views, &x);
         let y = random(ax.len(), &mut rng);
-        let aty = spread(p.as_ref(), tables.as_ref(), &views, &y);
+        let aty = back_projected(p.as_ref(), tables.as_ref(), &views, &y);
         worst = worst.max((dot(&ax, &y) / dot(&x, &aty) - 1.0).abs());
 
         let matrix = explicit.load(&views);

@@ -1,23 +1,23 @@
 //! Shares of a point's light on the pixels behind one microlens, along one axis.
 //!
-//! A ray of a point meets the microlens plane at D + a U from the middle of a microlens, D its ray
-//! through the pupil's middle (docs/theory.md, section 2). The microlens takes those with |D + a U|
-//! below half its width: an interval of the pupil. A pixel edge that is at T for the ray through the
-//! microlens' middle sees U = (T + D)/(1 − a) (`footprint::RayMap::spread`): a pixel is another
-//! interval, and its share is what both have in common. With G(P) the part of the microlens' interval
+//! A ray of a point meets the microlens plane at D + a U from the middle of a microlens, where D is the offset
+//! of the ray through the pupil's middle (docs/theory.md, section 2). The microlens transmits rays with |D + a
+//! U| below half its width, which is an interval of the pupil. A pixel edge at T for the ray through the
+//! microlens' middle corresponds to U = (T + D)/(1 − a) (`footprint::RayMap::spread`). A pixel is therefore
+//! another interval, and its share is the intersection of both. With G(P), the part of the microlens' interval
 //! [A, B] beyond P,
 //!
 //! G(P) = r(B − P) − r(A − P), r(t) = max(t, 0),
 //!
-//! a pixel's share is the difference of G at its two edges. Blur moves the interval's ends about those of the
-//! pixel: r becomes its mean over the density of their distance, Epanechnikov's here, which is a
-//! polynomial.
+//! a pixel's share is the difference of G at its two edges. Blur makes the distance between the ends of both
+//! intervals random: r is replaced by its mean over the density of the distance. An Epanechnikov density gives
+//! a polynomial.
 
 use super::LANES;
 
 type Lanes = [f64; LANES];
 
-/// How a point's image is smeared, as standard deviations.
+/// Blur of a point's image, as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointBlur {
     /// On the microlens plane, in mm: the particle's own size, diffraction and aberrations of the main lens.
@@ -26,14 +26,14 @@ pub struct PointBlur {
     pub sensor_px: f64,
 }
 
-/// The number of each lane.
+/// Index of each lane.
 const LANE_NUMBERS: Lanes = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
-/// Half-width of Epanechnikov's density over its standard deviation.
+/// Half width of the Epanechnikov density divided by its standard deviation.
 const HALF_WIDTH: f64 = 2.236_067_977_499_79;
 
-/// Rays of a point in focus all meet the microlens plane in one place; this far from it they are told
-/// apart: over the bench's pupil by 0.1 µm.
+/// Least |a|, to avoid a division by zero for points in focus: rays through the bench's pupil are then 0.1 µm
+/// apart.
 const LEAST_PARALLAX: f64 = 1e-5;
 
 /// A point before one row of microlenses.
@@ -43,21 +43,21 @@ pub struct AxisPoint {
     pub parallax: f64,
     /// Half the width of a microlens, in mm.
     pub half_lens_mm: f64,
-    /// Pupil cell that a pixel sees, in mm.
+    /// Width of a pupil cell, in mm.
     pub cell_mm: f64,
     /// Blur of the image.
     pub blur: PointBlur,
 }
 
-/// What a row of microlenses has in common for one point.
+/// Parameters common to a row of microlenses for one point.
 #[derive(Debug, Clone, Copy)]
 pub struct AxisShares {
     point: AxisPoint,
     /// a, not zero.
     parallax: f64,
-    /// Half-width of the density of an end's distance, in mm on the pupil.
+    /// Half width of the density of the ends' distance, in mm on the pupil.
     half_mm: f64,
-    /// Its derivative by a.
+    /// Its derivative with respect to a.
     half_by_parallax: f64,
 }
 
@@ -76,12 +76,12 @@ impl AxisShares {
         Self { point, parallax, half_mm, half_by_parallax }
     }
 
-    /// Width on the pupil that a pixel sees, in mm.
+    /// Width of a pixel's interval on the pupil, in mm.
     pub fn cell_mm(&self) -> f64 {
         self.point.cell_mm
     }
 
-    /// The pupil interval of a microlens, widened by the blur, from `offset_mm` (D).
+    /// The pupil interval of a microlens at `offset_mm` (D), widened by the blur.
     pub fn interval_mm(&self, offset_mm: f64) -> [f64; 2] {
         let [low, high] = self.ends_mm(offset_mm);
         [low - self.half_mm, high + self.half_mm]
@@ -92,12 +92,12 @@ impl AxisShares {
         [(-half - offset_mm) / self.parallax, (half - offset_mm) / self.parallax]
     }
 
-    /// T of the pixel edge that sees the pupil at `pupil_mm`.
+    /// T of the pixel edge that corresponds to the pupil coordinate `pupil_mm`.
     pub fn edge_at(&self, pupil_mm: f64, offset_mm: f64) -> f64 {
         pupil_mm * (1.0 - self.parallax) - offset_mm
     }
 
-    /// [`Share`] at several pixel edges: values, and derivatives where they are asked for.
+    /// [`Share`] at several pixel edges: values and, if requested, derivatives.
     #[inline(always)]
     fn beyond_edges<const DERIVED: bool>(&self, edges_mm: &Lanes, offset_mm: f64) -> [Lanes; 3] {
         let per_spread = 1.0 / (1.0 - self.parallax);
@@ -122,20 +122,20 @@ impl AxisShares {
         shares
     }
 
-    /// Adds the shares of the pixels between consecutive edges to `all`, padded with zeros to whole [`LANES`]:
-    /// values, and derivatives where they are asked for.
+    /// Appends the shares of the pixels between consecutive edges to `all`, padded with zeros to a multiple of
+    /// [`LANES`]: values and, if requested, derivatives.
     #[inline(always)]
     pub fn add_shares<const DERIVED: bool>(&self, edges: &PixelEdges, all: &mut [Vec<f32>; 3]) {
         let kinds = if DERIVED { 3 } else { 1 };
         let start = all[0].len();
         let end = start + edges.pixels.next_multiple_of(LANES);
-        // Whole lanes are written, the last of them beyond the end.
+        // Complete vectors are written, the last one beyond the end.
         for all in &mut all[..kinds] {
             all.resize(end + LANES, 0.0);
         }
-        // What is beyond an edge falls with the pupil's coordinate.
+        // The part beyond an edge decreases with the pupil coordinate.
         let sign = -edges.step_mm.signum();
-        // So many edges enclose one pixel less.
+        // n edges enclose n - 1 pixels.
         for first in (0..edges.pixels).step_by(LANES - 1) {
             let at_mm = LANE_NUMBERS.map(|n| edges.first_mm + (first as f64 + n) * edges.step_mm);
             let beyond = self.beyond_edges::<DERIVED>(&at_mm, edges.offset_mm);
@@ -156,18 +156,18 @@ impl AxisShares {
 /// Edges of consecutive pixels behind one microlens.
 #[derive(Debug, Clone, Copy)]
 pub struct PixelEdges {
-    /// T of the first.
+    /// T of the first edge.
     pub first_mm: f64,
-    /// From one to the next; negative where pixels count against the pupil's coordinate.
+    /// Step between edges; negative if the pupil coordinate decreases with the pixel index.
     pub step_mm: f64,
-    /// One less than there are edges.
+    /// Number of pixels, one less than that of edges.
     pub pixels: usize,
     /// D of the microlens.
     pub offset_mm: f64,
 }
 
-/// max(t, 0) averaged over Epanechnikov's density 3/4 (1 − s²) of half-width 1, and what belongs to
-/// it when the half-width is h: h `value`(t/h), with the derivatives `step` by t and `by_width` by h.
+/// max(t, 0) averaged over the Epanechnikov density 3/4 (1 − s²) of half width 1. For the half width h it is
+/// h `value`(t/h), with the derivatives `step` with respect to t and `by_width` with respect to h.
 #[derive(Debug, Clone, Copy)]
 struct Ramp {
     value: f64,
@@ -202,11 +202,11 @@ mod tests {
     /// A share and its derivatives, in pupil cells and pupil cells per mm.
     #[derive(Debug, Clone, Copy, Default, PartialEq)]
     pub struct Share {
-        /// Pupil cells.
+        /// Share in pupil cells.
         pub value: f64,
-        /// By D, per mm.
+        /// Derivative with respect to D, per mm.
         pub by_offset: f64,
-        /// By a.
+        /// Derivative with respect to a.
         pub by_parallax: f64,
     }
 
@@ -224,7 +224,7 @@ mod tests {
         }
     }
 
-    /// The naive reference: rays through the pupil one by one, each blurred at both places.
+    /// Reference: summation of single rays through the pupil, blurred on the microlens plane and on the sensor.
     fn traced(parallax: f64, offset_mm: f64, edges_mm: [f64; 2], blur: PointBlur) -> f64 {
         let steps = 24;
         let density = |n: i32| {
@@ -238,7 +238,7 @@ mod tests {
         for ray in 0..rays {
             let pupil_mm = pupil_mm(ray);
             for n in 0..steps {
-                // The microlens' ends move about the ray, the pixel's do not.
+                // The blur moves the ends of the microlens' interval, not those of the pixel's.
                 let (shift, weight) = density(n);
                 let moved_mm = pupil_mm - shift * shares.half_mm;
                 let taken = (offset_mm + parallax * moved_mm).abs() < 0.05;
@@ -289,7 +289,7 @@ mod tests {
     }
 
     proptest! {
-        /// Pixel by pixel they are the differences at the pixels' edges, in either direction.
+        /// Shares are the differences between values at the pixels' edges, for both signs of the step.
         #[test]
         fn shares_of_consecutive_pixels_are_those_of_each(
             parallax in 1e-4..0.03f64, offset in -0.2..0.2f64, first in -9.0..0.0f64, pixels in 1..20usize,
@@ -325,7 +325,7 @@ mod tests {
     fn a_point_in_focus_lights_its_microlens_alone() {
         let axis = shares(0.0, PointBlur { plane_mm: 1e-4, sensor_px: 0.1 });
         let pixel = |offset| pixel_share(&axis, 2.0, offset).value;
-        // The least parallax leaves 1e-5; at the microlens' edge the blur spreads over the pupil.
+        // The least parallax causes an error of 1e-5. At the microlens' edge the blur extends over the pupil.
         assert!((pixel(0.0) - 1.0).abs() < 1e-4 && (pixel(0.049) - 1.0).abs() < 1e-4);
         assert!((pixel(0.05) - 0.5).abs() < 0.15 && pixel(0.051).abs() < 1e-6);
     }

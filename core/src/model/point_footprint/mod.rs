@@ -1,12 +1,12 @@
-//! The image of a point of light on a camera's pixels, and how it changes when the point moves.
+//! The image of a point of light on a camera's pixels, and its derivatives with respect to the point's position.
 //!
-//! Behind each microlens that the point reaches, its image is a product: a share of the pixel's column
-//! ([`axis`]), a share of its row, and the open part of the aperture that the pixel sees
-//! ([`open_cells`]), times the point's light. Shares need no more than a few polynomials per row and
-//! column of pixels, and their derivatives come with them. Every microlens has its own phase. Where two
-//! micro-images meet on a pixel, it gets the light of both: nothing is dropped.
+//! Behind each microlens that the point's light reaches, the light of a pixel is the point's light times a
+//! share for the pixel's column ([`axis`]), a share for its row, and the open share of its pupil cell
+//! ([`open_cells`]). Shares and their derivatives are evaluated as a few polynomials per row and column of
+//! pixels. Every microlens has its own phase. A pixel on the border of two micro-images receives the light of
+//! both.
 //!
-//! [`super::PointImager`] is the same for sources of some size in views, as tables see them.
+//! [`super::PointImager`] is the corresponding model for extended sources in views, as in the tables.
 
 mod axis;
 mod open_cells;
@@ -22,23 +22,23 @@ pub use axis::PointBlur;
 use axis::{AxisPoint, AxisShares, PixelEdges};
 use open_cells::OpenCells;
 
-/// Pixels that kernels take at a time: shares are padded with zeros to a multiple of it, and images need as
-/// many values behind their last pixel.
+/// Number of pixels per vector of the kernels. Shares are padded with zeros to a multiple of it, and images
+/// need this many values behind their last pixel.
 pub const LANES: usize = 8;
 
 /// Step of the derivatives of a camera's map, in mm. The map is smooth over millimetres.
 const STEP_MM: f64 = 1e-3;
 
-/// How one camera images points on its sensor.
+/// Imaging of points by one camera on its sensor.
 #[derive(Debug, Clone)]
 pub struct PointCamera {
-    seen: MappedOptics,
+    mapped: MappedOptics,
     open: Arc<OpenCells>,
-    /// Of the microlenses, along columns and rows.
+    /// Pitch of the microlenses along columns and rows.
     pitch_mm: [f64; 2],
-    /// Half the widest interval of the pupil that pixels see.
+    /// Half width of the union of all pupil intervals.
     pupil_mm: f64,
-    /// How its images are smeared.
+    /// Blur of its images.
     pub blur: PointBlur,
     /// Whether all microlenses of a column have the same phase along the pixels' columns, and those of
     /// a row along their rows.
@@ -50,40 +50,40 @@ pub struct PointCamera {
 pub struct LensShares {
     /// First pixel column or row.
     pub first_px: usize,
-    /// Where they begin among [`PointFootprint::shares`].
+    /// Index of their first value in [`PointFootprint::shares`].
     pub start: usize,
-    /// Pixels.
+    /// Number of pixels.
     pub len: usize,
 }
 
-/// What a point leaves behind one microlens.
+/// The image of a point behind one microlens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LensPatch {
-    /// Along the pixels' columns.
+    /// Shares along the pixels' columns.
     pub columns: LensShares,
-    /// Along the pixels' rows.
+    /// Shares along the pixels' rows.
     pub rows: LensShares,
-    /// Where the open share of the first pixel is among [`PointCamera::open_shares`].
+    /// Index of the first pixel's open share in [`PointCamera::open_shares`].
     pub open: usize,
 }
 
-/// The image of a point: a pixel's light is the product of three shares. To be filled again and again.
+/// The image of a point: a pixel's light is the product of three shares. It is reused for many points.
 #[derive(Debug, Clone, Default)]
 pub struct PointFootprint {
-    /// Shares, and, where they are asked for, their derivatives by offset per mm and by parallax.
+    /// Shares and, if requested, their derivatives with respect to offset (per mm) and parallax.
     pub shares: [Vec<f32>; 3],
-    /// By microlens.
+    /// Images behind each microlens.
     pub patches: Vec<LensPatch>,
-    /// Derivatives of offset and parallax along the columns, and along the rows, by x, y, z.
+    /// Derivatives of offset and parallax along columns, then along rows, with respect to x, y, z.
     pub by_place: [[f64; 3]; 4],
-    /// Along columns and along rows: of one microlens after the other, or, where phases are those of columns and
-    /// rows, of each column and each row.
+    /// Pixels along columns and along rows: for each microlens, or for each column and each row of an aligned
+    /// array.
     behind: [Vec<BehindLens>; 2],
 }
 
-/// A point as the camera sees it along columns and rows.
-struct SeenPoint {
-    /// Where its ray through the pupil's middle meets the microlens plane, from the window's first
+/// Projection of a point along columns and rows.
+struct ProjectedPoint {
+    /// Intersection of its ray through the pupil's middle with the microlens plane, from the window's first
     /// microlens.
     places_mm: [f64; 2],
     parallaxes: [f64; 2],
@@ -91,10 +91,10 @@ struct SeenPoint {
 }
 
 impl PointCamera {
-    /// The camera number `camera` (from 0) before `volume`, beyond which light is not looked for.
+    /// Imaging of points in `volume` by camera `camera`, from 0.
     ///
     /// # Errors
-    /// The camera does not see the volume, the volume reaches its lens, or its array is not square.
+    /// The volume is not in the camera's field or extends to its lens, or the array is not square.
     pub fn new(
         optics: &Optics,
         pose: &Pose,
@@ -103,56 +103,56 @@ impl PointCamera {
         camera: CameraName,
         blur: PointBlur,
     ) -> Result<Self, ModelError> {
-        let seen = MappedOptics::new(optics, pose, calibration, volume, camera)?;
-        let grid = &seen.sampling.grid;
+        let mapped = MappedOptics::new(optics, pose, calibration, volume, camera)?;
+        let grid = &mapped.sampling.grid;
         let aligned = grid.column_px[2] == 0.0 && grid.row_px[1] == 0.0;
-        let pupil_mm = optics.pupil_diameter_mm() / 2.0 + seen.sampling.cell_mm / 2.0;
-        let (open, pitch_mm) = (Arc::new(OpenCells::new(&seen)), seen.pitch_mm());
-        Ok(Self { open, pitch_mm, pupil_mm, seen, blur, aligned })
+        let pupil_mm = optics.pupil_diameter_mm() / 2.0 + mapped.sampling.cell_mm / 2.0;
+        let (open, pitch_mm) = (Arc::new(OpenCells::new(&mapped)), mapped.pitch_mm());
+        Ok(Self { open, pitch_mm, pupil_mm, mapped, blur, aligned })
     }
 
-    /// Open shares of the pixels of all microlenses, in steps of 1/255.
+    /// Open shares of the pixels of all microlenses, in units of 1/255.
     pub fn open_shares(&self) -> &[u8] {
         self.open.shares()
     }
 
-    /// Pixels from a row of open shares to the next.
+    /// Index step between rows of open shares.
     pub fn open_stride(&self) -> usize {
         self.open.edge()
     }
 
-    /// Width of the sensor and its height, in pixels.
+    /// Width and height of the sensor, in pixels.
     pub fn sensor_px(&self) -> [usize; 2] {
-        let sensor = &self.seen.optics.sensor;
+        let sensor = &self.mapped.optics.sensor;
         [sensor.columns, sensor.rows]
     }
 
-    /// Light of a point in a pixel that sees an open part of the aperture and gets all of it, over the
-    /// light of the whole image.
+    /// Light of a pixel with an open pupil cell that receives all light through it, as a share of the light of
+    /// the whole image.
     pub fn light_per_cell(&self) -> f64 {
-        let radius_mm = self.seen.optics.pupil_diameter_mm() / 2.0;
-        self.seen.sampling.cell_mm.powi(2) / (std::f64::consts::PI * radius_mm * radius_mm)
+        let radius_mm = self.mapped.optics.pupil_diameter_mm() / 2.0;
+        self.mapped.sampling.cell_mm.powi(2) / (std::f64::consts::PI * radius_mm * radius_mm)
     }
 
-    /// Diameter of the light of a point at `world_mm` on the microlens array, in pitches: of the narrower axis.
+    /// Diameter of the light of a point at `world_mm` on the microlens array, along the narrower axis, in pitches.
     pub fn spread_pitches(&self, world_mm: [f64; 3]) -> f64 {
         let (_, parallaxes) = self.place(world_mm);
-        let diameter_mm = self.seen.optics.pupil_diameter_mm();
+        let diameter_mm = self.mapped.optics.pupil_diameter_mm();
         let along = |axis: usize| parallaxes[axis].abs() * diameter_mm / self.pitch_mm[axis];
         along(0).min(along(1))
     }
 
-    /// Column and row of the microlens of the window that the ray through the pupil's middle meets.
+    /// Column and row in the window of the microlens on the ray through the pupil's middle.
     pub fn lens_at(&self, world_mm: [f64; 3]) -> [u16; 2] {
-        self.seen.see(&Point3::from(world_mm)).place.map(|place| place.round() as u16)
+        self.mapped.project(&Point3::from(world_mm)).place.map(|place| place.round() as u16)
     }
 
-    /// Makes `footprint` that of a point at `world_mm`: shares alone.
+    /// Sets `footprint` to that of a point at `world_mm`, without derivatives.
     pub fn image(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
         self.fill::<false>(world_mm, footprint);
     }
 
-    /// The same with the shares' derivatives.
+    /// As [`Self::image`], with derivatives.
     pub fn image_and_derivatives(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
         self.differentiate(world_mm, &mut footprint.by_place);
         self.fill::<true>(world_mm, footprint);
@@ -160,12 +160,12 @@ impl PointCamera {
 
     fn fill<const DERIVED: bool>(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
         footprint.clear();
-        let point = self.seen_point(world_mm);
+        let point = self.projected_point(world_mm);
         let [columns, rows] = [0, 1].map(|axis| self.reached(&point, axis));
         let lenses = [columns.clone(), rows.clone()];
         let PointFootprint { shares, patches, behind, .. } = footprint;
         for axis in 0..2 {
-            // Where phases are those of columns and rows, one microlens of each stands for all.
+            // In an aligned array all microlenses of a column, or row, have the same phase.
             let [columns, rows] = if self.aligned {
                 let mut lenses = lenses.clone();
                 lenses[1 - axis].end = lenses[1 - axis].end.min(lenses[1 - axis].start + 1);
@@ -193,22 +193,22 @@ impl PointCamera {
         }
     }
 
-    fn seen_point(&self, world_mm: [f64; 3]) -> SeenPoint {
+    fn projected_point(&self, world_mm: [f64; 3]) -> ProjectedPoint {
         let (places_mm, parallaxes) = self.place(world_mm);
         let axes = [0, 1].map(|axis| {
             AxisShares::new(AxisPoint {
                 parallax: parallaxes[axis],
                 half_lens_mm: self.pitch_mm[axis] / 2.0,
-                cell_mm: self.seen.sampling.cell_mm,
+                cell_mm: self.mapped.sampling.cell_mm,
                 blur: self.blur,
             })
         });
-        SeenPoint { places_mm, parallaxes, axes }
+        ProjectedPoint { places_mm, parallaxes, axes }
     }
 
     /// The microlenses of the window that a point reaches along an axis.
-    fn reached(&self, point: &SeenPoint, axis: usize) -> Range<usize> {
-        let window = &self.seen.window;
+    fn reached(&self, point: &ProjectedPoint, axis: usize) -> Range<usize> {
+        let window = &self.mapped.window;
         let lenses = [window.columns.len(), window.rows.len()][axis];
         let pitch_mm = self.pitch_mm[axis];
         let reach_mm = point.parallaxes[axis].abs() * self.pupil_mm + 3.0 * self.blur.plane_mm;
@@ -217,12 +217,12 @@ impl PointCamera {
         index(place_mm - reach_mm)..index(place_mm + reach_mm + pitch_mm)
     }
 
-    /// The pixels behind one microlens along an axis that a point lights.
-    fn behind(&self, point: &SeenPoint, axis: usize, lens: [usize; 2]) -> BehindLens {
-        let centre_px = self.seen.centre_px(lens)[axis];
+    /// The lit pixels behind one microlens along an axis.
+    fn behind(&self, point: &ProjectedPoint, axis: usize, lens: [usize; 2]) -> BehindLens {
+        let centre_px = self.mapped.centre_px(lens)[axis];
         let tile_px = self.open.first_px(centre_px);
         let offset_mm = point.places_mm[axis] - lens[axis] as f64 * self.pitch_mm[axis];
-        // Columns see the pupil from right to left, rows, which count downwards, upwards.
+        // The pupil coordinate decreases with columns and increases with rows, which are counted downwards.
         let sign = [-1.0, 1.0][axis];
         let shares = &point.axes[axis];
         let cell_mm = shares.cell_mm();
@@ -248,11 +248,11 @@ impl PointCamera {
         }
     }
 
-    /// Where the ray through the pupil's middle meets the microlens plane, in mm from the window's
-    /// first microlens, and the parallax.
+    /// Intersection of the ray through the pupil's middle with the microlens plane, in mm from the window's first
+    /// microlens, and the parallax.
     fn place(&self, world_mm: [f64; 3]) -> ([f64; 2], [f64; 2]) {
-        let seen = self.seen.see(&Point3::from(world_mm));
-        ([0, 1].map(|axis| seen.place[axis] * self.pitch_mm[axis]), seen.parallax)
+        let projected = self.mapped.project(&Point3::from(world_mm));
+        ([0, 1].map(|axis| projected.place[axis] * self.pitch_mm[axis]), projected.parallax)
     }
 
     fn differentiate(&self, world_mm: [f64; 3], by_place: &mut [[f64; 3]; 4]) {
@@ -285,7 +285,7 @@ impl PointFootprint {
 }
 
 impl PointFootprint {
-    /// [`Self::of`] with the zeros that fill the last lanes.
+    /// [`Self::of`] with zero padding to a multiple of [`LANES`].
     pub fn padded(&self, kind: usize, shares: &LensShares) -> &[f32] {
         &self.shares[kind][shares.start..shares.start + shares.len.next_multiple_of(LANES)]
     }
@@ -295,12 +295,12 @@ impl PointFootprint {
 #[derive(Debug, Clone, Copy)]
 struct BehindLens {
     edges: PixelEdges,
-    /// Of the first pixel, from the first of the microlens's tile.
+    /// Index of the first pixel in the microlens' tile.
     in_tile: usize,
     shares: LensShares,
 }
 
-/// Adds the shares behind microlenses side by side.
+/// Appends the shares behind the microlenses.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn fill_shares<const DERIVED: bool>(
     axis: &AxisShares,

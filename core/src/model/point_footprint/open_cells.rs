@@ -1,18 +1,18 @@
-//! How much of the aperture the pixels behind each microlens see.
+//! Open shares of the pupil cells of all pixels behind each microlens.
 
 use rayon::prelude::*;
 
 use super::LANES;
 use crate::{lightfield::Aperture, model::mapped_optics::MappedOptics};
 
-/// Pixels beside a micro-image that its outermost rays reach.
-const BESIDE_PX: f64 = 1.5;
+/// Margin around a micro-image for its outermost rays, in pixels.
+const MARGIN_PX: f64 = 1.5;
 
-/// Open shares in steps of 1/255, a tile of pixels per microlens of the window.
+/// Open shares in units of 1/255, in a tile of pixels for each microlens of the window.
 #[derive(Debug, Clone)]
 pub struct OpenCells {
     shares: Vec<u8>,
-    /// Pixels of a tile along its columns and rows.
+    /// Number of pixels along an edge of a tile.
     edge: usize,
     lens_columns: usize,
     half_px: f64,
@@ -20,22 +20,22 @@ pub struct OpenCells {
 
 impl OpenCells {
     /// The cells of a camera.
-    pub fn new(seen: &MappedOptics) -> Self {
-        let pitch_px = seen.sampling.grid.pitch_px().into_iter().fold(0.0, f64::max);
-        let half_px = pitch_px / 2.0 + BESIDE_PX;
+    pub fn new(mapped: &MappedOptics) -> Self {
+        let pitch_px = mapped.sampling.grid.pitch_px().into_iter().fold(0.0, f64::max);
+        let half_px = pitch_px / 2.0 + MARGIN_PX;
         let edge = (2.0 * half_px).ceil() as usize + 1;
-        let window = &seen.window;
+        let window = &mapped.window;
         let aperture = Aperture {
-            radius_mm: seen.optics.pupil_diameter_mm() / 2.0,
-            interval_mm: seen.sampling.cell_mm,
+            radius_mm: mapped.optics.pupil_diameter_mm() / 2.0,
+            interval_mm: mapped.sampling.cell_mm,
         };
         let (lens_columns, lens_rows) = (window.columns.len(), window.rows.len());
-        let cell_mm = seen.sampling.cell_mm;
+        let cell_mm = mapped.sampling.cell_mm;
         let mut shares: Vec<u8> = (0..lens_columns * lens_rows)
             .into_par_iter()
             .flat_map_iter(|lens| {
                 let lens = [lens % lens_columns, lens / lens_columns];
-                let centre = seen.centre_px(lens);
+                let centre = mapped.centre_px(lens);
                 let first = centre.map(|px| (px - half_px).ceil());
                 let aperture = &aperture;
                 (0..edge * edge).map(move |n| {
@@ -46,7 +46,7 @@ impl OpenCells {
                 })
             })
             .collect();
-        // Kernels read whole lanes.
+        // Padding, because kernels read multiples of `LANES` values.
         shares.extend([0; LANES]);
         Self { shares, edge, lens_columns, half_px }
     }
@@ -56,17 +56,17 @@ impl OpenCells {
         (centre_px - self.half_px).ceil() as i64
     }
 
-    /// Pixels of a tile along each axis.
+    /// Number of pixels along an edge of a tile.
     pub fn edge(&self) -> usize {
         self.edge
     }
 
-    /// All tiles, row-major each.
+    /// All tiles, each row-major.
     pub fn shares(&self) -> &[u8] {
         &self.shares
     }
 
-    /// Where the tile of a microlens of the window begins.
+    /// Index of the first pixel of the tile of a microlens of the window.
     pub fn tile(&self, lens: [usize; 2]) -> usize {
         (lens[1] * self.lens_columns + lens[0]) * self.edge * self.edge
     }

@@ -14,7 +14,7 @@ fn camera(calibration: &CameraCalibration, number: usize) -> PointCamera {
     PointCamera::new(&optics, &poses[number], calibration, &volume(), name, blur).unwrap()
 }
 
-/// The image pixel by pixel: a share of the column times one of the row times what is open.
+/// The image pixel by pixel: product of the shares of column and row and the open share.
 fn rendered(camera: &PointCamera, footprint: &PointFootprint) -> Vec<f64> {
     let [width, height] = camera.sensor_px();
     let mut image = vec![0.0; width * height];
@@ -48,9 +48,9 @@ fn all_light_that_passes_the_pupil_is_in_the_image() {
     }
 }
 
-/// What comes of an array that stands anyhow is what comes of one that is known to stand straight.
+/// The code for arbitrarily oriented arrays agrees with that for aligned ones.
 #[test]
-fn a_turned_array_changes_little_when_it_is_hardly_turned() {
+fn a_negligible_rotation_of_the_array_does_not_change_the_image() {
     let mut grid = MicroImageGrid::nominal(&test_bench::optics());
     grid.column_px[2] = 1e-9;
     let turned = camera(&CameraCalibration { grid: Some(grid), map: None }, 0);

@@ -23,17 +23,17 @@ impl<const W: usize> ThinLensProjector<'_, W> {
     }
 }
 
-/// The `W` values from pixel `at`, 0 beyond the image's end: taps of weight 0 reach there where
-/// the window is narrower than they are.
+/// The `W` values from pixel `at`; 0 beyond the image's end, which taps of weight 0 can reach if the window is
+/// narrow.
 fn line<const W: usize>(image: &[f32], at: usize) -> [f32; W] {
-    // The known length is what lets the loops over taps unroll.
+    // A constant length allows unrolling of the loops over taps.
     match image.get(at..at + W).and_then(|line| <[f32; W]>::try_from(line).ok()) {
         Some(line) => line,
         None => std::array::from_fn(|n| image.get(at + n).copied().unwrap_or(0.0)),
     }
 }
 
-/// Adds to the values from pixel `at`; what lies beyond the image's end is dropped, see [`line`].
+/// Adds to the values from pixel `at`; values beyond the image's end are dropped, see [`line`].
 fn add_line<const W: usize>(image: &mut [f32], at: usize, values: [f32; W]) {
     let add = |pixels: &mut [f32]| {
         for (pixel, value) in pixels.iter_mut().zip(values) {
@@ -54,7 +54,7 @@ fn block_maxima<const W: usize>(image: &[f32], width: usize) -> Vec<f32> {
     let len = image.len();
     let mut blocks = vec![0.0; W * W * len];
     let block = |high: usize, wide: usize| ((high - 1) * W + wide - 1) * len;
-    // Noise below the black level is no light.
+    // Negative values are noise.
     for (to, &from) in blocks[block(1, 1)..][..len].iter_mut().zip(image) {
         *to = from.max(0.0);
     }
@@ -120,7 +120,7 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
             let column = &columns[place.column as usize];
             let row = &rows[place.row as usize];
             let mut at = row.first as usize * width + column.first as usize;
-            // Written as loops: iterator sums cost ten times as much in the dev profile.
+            // Loops instead of iterator sums, which take ten times as long in the dev profile.
             let mut sums = [0.0f32; W];
             for weight in row.weights {
                 let line: [f32; W] = line(image, at);
@@ -146,7 +146,7 @@ impl<const W: usize> Projector for ThinLensProjector<'_, W> {
                 &judged
             }
         };
-        // Every voxel asks for the maximum over a block of at most W x W pixels: made once for all.
+        // Maxima over blocks of at most W x W pixels are computed once for all voxels.
         let blocks = block_maxima::<W>(image, width);
         for (place, out) in self.places[view.camera][range].iter().zip(out) {
             let column = &columns[place.column as usize];

@@ -77,7 +77,7 @@ fn all_active_in(
     volume.into_voxels()
 }
 
-/// Largest difference relative to the largest light.
+/// Largest difference, relative to the largest light.
 fn apart(a: &SparseVolume, b: &SparseVolume) -> f32 {
     assert_eq!(a.voxels, b.voxels);
     let brightest = a.intensity.iter().copied().fold(0.0, f32::max);
@@ -98,8 +98,8 @@ fn where_every_voxel_is_active_both_forms_are_the_same() {
     }
 }
 
-/// The fast tables hold 16-bit shares and so deviate by some thousandths. Both forms solve for a volume
-/// that explains the views, on voxels whose depths both paths share.
+/// The fast tables have 16-bit shares and thus deviate by some thousandths. Both forms solve for a volume that
+/// explains the views, on voxels with the same shared depths.
 #[test]
 fn the_fast_blocks_solve_as_the_voxelwise_ones_do() {
     let grid = VolumeGrid { voxels: [12, 10, 8], voxel_mm: 0.025, centre_mm: [0.1, -0.2, 0.3] };

@@ -112,7 +112,7 @@ fn column_sums_made_at_each_use_give_the_same_volume() {
     assert_eq!(run(0), run(usize::MAX));
 }
 
-/// A camera far off-axis sees only an edge of the volume: most sums of its views are zero.
+/// Only an edge of the volume is in the field of a far off-axis camera: most sums of its views are zero.
 #[test]
 fn voxels_that_no_pixel_sees_stay_dark_and_nothing_is_nan() {
     let optics = test_bench::optics();

@@ -9,20 +9,20 @@ use crate::{
         CardLight, WhiteImage,
         volume::{
             camera_model::CameraModel,
-            fiducial::{LEAST_CLARITY, by_the_fiducial},
+            fiducial::{LEAST_SIGNIFICANCE, resolved_by_fiducial},
             parameters::CameraParameters,
         },
     },
     lightfield::MicroImageGrid,
 };
 
-/// Rays to each microlens: the images are noisy.
+/// Rays of each microlens: the images are noisy.
 const RAYS: usize = 1 << 10;
 
-/// Microlenses of the small camera from one mark to the next.
+/// Spacing of the marks in the image, in microlenses.
 const LENSES_PER_SPACING: i64 = 8;
 
-/// A card of many marks, with fiducials 0.065 mm wider on every side than the other dots.
+/// A card with many marks; the radius of fiducial dots is larger by 0.065 mm.
 fn wide_card() -> Card {
     Card {
         spacing_mm: 0.8,
@@ -33,8 +33,8 @@ fn wide_card() -> Card {
     }
 }
 
-/// The shift in microlenses and the clarity, from `start`, for a card whose mark (0, 0) is `along_mm` along
-/// x from the middle, at three depths.
+/// Shift in microlenses and its significance, for the initial shift `start` and a card at three depths whose mark
+/// (0, 0) is `along_mm` along x from the middle.
 fn found(card: &Card, along_mm: f64, start: [i64; 2]) -> ([i64; 2], f64) {
     let (optics, flaws) = (small_optics(), CameraFlaws::default());
     let settings = RaySettings { rays_per_particle: 1, diffraction_nm: None };
@@ -57,30 +57,30 @@ fn found(card: &Card, along_mm: f64, start: [i64; 2]) -> ([i64; 2], f64) {
     });
     let positions: Vec<_> = lights.iter().zip(origins).collect();
     let model = CameraModel::new(&optics, pose, None, CameraParameters::default());
-    by_the_fiducial(&positions, &model, card, start)
+    resolved_by_fiducial(&positions, &model, card, start)
 }
 
 #[test]
-fn a_small_fiducial_tells_places_apart() {
-    let (shift, clarity) = found(&wide_card(), 0.0, [0, 0]);
-    println!("clarity {clarity:.2}");
+fn a_small_fiducial_resolves_the_ambiguity() {
+    let (shift, significance) = found(&wide_card(), 0.0, [0, 0]);
+    println!("significance {significance:.2}");
     assert_eq!(shift, [0, 0]);
-    assert!(clarity > LEAST_CLARITY, "{clarity}");
+    assert!(significance > LEAST_SIGNIFICANCE, "{significance}");
 }
 
 #[test]
 fn a_card_that_fits_a_spacing_away_is_moved_to_its_fiducial() {
     for start in [[LENSES_PER_SPACING, 0], [-LENSES_PER_SPACING, 0]] {
-        let (shift, clarity) = found(&wide_card(), 0.0, start);
-        println!("from {start:?} to {shift:?}, clarity {clarity:.2}");
+        let (shift, significance) = found(&wide_card(), 0.0, start);
+        println!("from {start:?} to {shift:?}, significance {significance:.2}");
         assert_eq!(shift, [0, 0]);
-        assert!(clarity > LEAST_CLARITY, "{clarity}");
+        assert!(significance > LEAST_SIGNIFICANCE, "{significance}");
     }
 }
 
 #[test]
-fn without_a_fiducial_in_view_nothing_tells_places_apart() {
-    let (_, clarity) = found(&wide_card(), 12.0 * 0.8, [0, 0]);
-    println!("clarity {clarity:.2}");
-    assert!(clarity < LEAST_CLARITY, "{clarity}");
+fn without_a_fiducial_in_view_the_ambiguity_remains() {
+    let (_, significance) = found(&wide_card(), 12.0 * 0.8, [0, 0]);
+    println!("significance {significance:.2}");
+    assert!(significance < LEAST_SIGNIFICANCE, "{significance}");
 }

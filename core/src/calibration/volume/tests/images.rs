@@ -1,4 +1,4 @@
-//! The whole way from ray-traced images of a card to maps, on a small sensor.
+//! Complete calibration with ray-traced images of a card, on a small sensor.
 
 use lfpiv_hw::{
     Optics, RawImage,
@@ -14,7 +14,7 @@ use crate::{
     lightfield::MicroImageGrid,
 };
 
-/// Rays to each microlens.
+/// Rays of each microlens.
 const RAYS: usize = 1 << 12;
 
 /// A third of the bench's sensor along each axis.
@@ -25,18 +25,18 @@ pub(super) fn small_optics() -> Optics {
     optics
 }
 
-/// What is wrong with the cameras and the card.
+/// Deviations of cameras and card.
 #[derive(Clone)]
 struct Trial {
     flaws: CameraFlaws,
     shifts_mm: [[f64; 3]; 2],
     card: Card,
-    /// How far the card is from its stated positions.
+    /// Distance of the card from its stated positions.
     stage_mm: f64,
 }
 
 impl Trial {
-    /// Benches off by two voxels and half a degree, behind tilted walls, on a card at 45 degrees.
+    /// Cameras displaced by two voxels and rotated by half a degree, behind tilted walls; a card at 45 degrees.
     fn typical() -> Self {
         Self {
             flaws: CameraFlaws {
@@ -113,7 +113,7 @@ impl Trial {
             .iter()
             .enumerate()
             .map(|(n, position)| {
-                // A stage that misses each place in another direction.
+                // The stage's error has another direction at each position.
                 let off_mm =
                     Vector3::new((n as f64).cos(), (2.3 * n as f64).sin(), (4.0 * n as f64).cos());
                 let placed = PlacedCard {
@@ -154,8 +154,7 @@ impl Trial {
         found
     }
 
-    /// Distance of the maps from the traced rays: in the middle and anywhere, across and in depth, in mm;
-    /// and the largest relative error of a scale.
+    /// Errors of the maps relative to traced rays.
     fn errors(&self, found: &VolumeCalibration) -> Errors {
         let optics = small_optics();
         let mut errors = Errors::default();
@@ -193,9 +192,13 @@ impl Trial {
 
 #[derive(Debug, Default)]
 struct Errors {
+    /// Lateral error in the middle.
     middle_mm: f64,
+    /// Depth error in the middle.
     middle_depth_mm: f64,
+    /// Largest lateral error at the tested points.
     worst_mm: f64,
+    /// Largest relative error of a scale.
     scale: f64,
 }
 
@@ -212,8 +215,8 @@ fn cameras_are_found_behind_tilted_walls() {
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
 }
 
-/// One camera sees the front and the other the back, and the stage errs by five micrometres: what is left out
-/// tells of the cameras, not of the stage.
+/// Each camera sees one side of the card, and the stage has errors of five micrometres. Held-out residuals must not
+/// contain the error of the stage.
 #[test]
 fn a_card_is_seen_from_both_sides_on_an_uncertain_stage() {
     const STAGE_MM: f64 = 0.005;

@@ -1,4 +1,4 @@
-//! Maps lit microlenses to the voxels that they may light, along one axis.
+//! Maps from lit microlenses to the voxels that may cause their light, along one axis.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use crate::model::{
         dark_counts::Line,
         pair_tap::{PairTap, SHARE_UNIT},
     },
-    tables::MIN_SEEN_SHARE,
+    tables::MIN_VISIBLE_SHARE,
 };
 
 /// Microlenses that are looked up together.
@@ -18,7 +18,7 @@ pub(super) const GROUP: usize = 6;
 /// Map of one view index along the columns, for a line of voxels.
 pub(super) struct ColumnMap<const W: usize> {
     words: [WordMap; W],
-    /// The voxels of which the view sees enough.
+    /// The voxels with sufficient light in the view.
     pub evaluated: Line<W>,
 }
 
@@ -72,8 +72,8 @@ pub(super) fn column_map<const W: usize, const L: usize>(
     ColumnMap { words: std::array::from_fn(|word| WordMap::new(&voxels_of, word)), evaluated }
 }
 
-/// The supports of at most `voxels` voxels along the rows, for view index and depth `at`, without
-/// voxels of which the view sees too little.
+/// The supports of at most `voxels` voxels along the rows, for view index and depth `at`, without voxels with
+/// too little light in the view.
 pub(super) fn row_supports<const L: usize>(
     table: &PairTable<L>,
     at: (i32, usize),
@@ -85,7 +85,7 @@ pub(super) fn row_supports<const L: usize>(
         .collect()
 }
 
-/// The support of each voxel along one axis, where a view sees enough of it.
+/// The support of each voxel with sufficient light in the view, along one axis.
 pub(super) fn supports<const L: usize>(
     table: &PairTable<L>,
     (view, depth): (i32, usize),
@@ -96,12 +96,12 @@ pub(super) fn supports<const L: usize>(
     })
 }
 
-/// The microlenses that receive a significant share of voxel `n` of a pair; `None` if the view sees
-/// too little of it.
+/// The microlenses that receive a significant share of voxel `n` of a pair. `None` if the view contains too
+/// little of its light.
 fn support<const L: usize>(tap: &PairTap<L>, n: usize) -> Option<Range<usize>> {
     // In integer units of the table, nothing is rounded.
     const NOT_LIT: u16 = (SUPPORT_SHARE / SHARE_UNIT) as u16;
-    const LEAST_SEEN: u32 = (MIN_SEEN_SHARE / SHARE_UNIT) as u32;
+    const LEAST_SEEN: u32 = (MIN_VISIBLE_SHARE / SHARE_UNIT) as u32;
     let shares = &tap.shares[n];
     if shares.iter().map(|&share| u32::from(share)).sum::<u32>() < LEAST_SEEN {
         return None;

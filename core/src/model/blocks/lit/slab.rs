@@ -33,20 +33,20 @@ pub(super) struct Slab<'a, const L: usize> {
 }
 
 impl<const L: usize> Slab<'_, L> {
-    /// The lines of possible and of seen voxels, in words of 64.
+    /// The lines of possibly lit and of visible voxels, in words of 64.
     pub fn evaluate<const W: usize>(&self, tolerated: usize) -> [Vec<Line<W>>; 2] {
         let columns = self.column_maps();
         let inside = line_of(self.columns - self.first_column);
         let mut dark = DarkCounts::new(self.rows, inside, tolerated);
-        let mut seen = vec![[0; W]; self.rows];
+        let mut visible = vec![[0; W]; self.rows];
         let mut first_view = 0;
         let mut group = ViewGroup::default();
         for views in self.layout.views.chunk_by(|a, b| a.l == b.l) {
             let mut supports = row_supports(&self.camera.rows, (views[0].l, self.depth), self.rows);
             let any = union(views.iter().map(|view| &columns[self.column_map_of(view)].evaluated));
             for support in &supports {
-                let seen = &mut seen[support.voxel];
-                *seen = union([&*seen, &any].into_iter());
+                let visible = &mut visible[support.voxel];
+                *visible = union([&*visible, &any].into_iter());
             }
             supports.retain(|support| dark.is_open(support.voxel));
             let images = self.images.of_views(first_view..first_view + views.len());
@@ -54,7 +54,7 @@ impl<const L: usize> Slab<'_, L> {
             count_dark(&mut group, &supports, &mut dark);
             first_view += views.len();
         }
-        [dark.within(), seen]
+        [dark.within(), visible]
     }
 
     /// The maps of all view indices along the columns.
@@ -74,13 +74,13 @@ impl<const L: usize> Slab<'_, L> {
 /// The selected views of one index along the rows.
 #[derive(Default)]
 struct ViewGroup<const W: usize> {
-    /// Per view, the voxels of which it sees enough.
+    /// Per view, the voxels with sufficient light in it.
     evaluated: Vec<Line<W>>,
     /// First row of microlenses in `lit`.
     first_row: usize,
     /// Per row of microlenses and view: the voxels that the row's lit pixels may come from.
     lit: Vec<Line<W>>,
-    /// Per view: the voxels that it finds dark. Scratch memory.
+    /// Per view, the voxels that are dark in it. Scratch memory.
     dark: Vec<Line<W>>,
 }
 
@@ -98,7 +98,7 @@ impl<const W: usize> ViewGroup<W> {
         self.evaluated.clear();
         self.lit.clear();
         self.lit.resize((end - self.first_row) * images.len(), [0; W]);
-        // One view's map fits into the L1 cache, those of all views do not.
+        // View by view, because one view's map fits into the L1 cache.
         for (n, image) in images.clone().enumerate() {
             let view = &slab.layout.views[slab.images.views[image]];
             let columns = &columns[slab.column_map_of(view)];
@@ -124,7 +124,7 @@ fn line_of<const W: usize>(voxels: usize) -> Line<W> {
     })
 }
 
-/// Counts the voxels without a lit row in their support, where the view sees enough of them.
+/// Counts the voxels without a lit row in their support, if they have sufficient light in the view.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn count_dark<const W: usize>(
     group: &mut ViewGroup<W>,

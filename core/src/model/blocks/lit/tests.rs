@@ -1,4 +1,4 @@
-//! The bit-parallel hull against a naive count of dark views.
+//! The bit-parallel hull compared with a naive count of dark views.
 
 use lfpiv_hw::Pose;
 use rand::{RngExt, SeedableRng};
@@ -20,8 +20,8 @@ fn bench_poses() -> Vec<Pose> {
     vec![pose([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]), pose([0.0, 0.0, -1.0], [0.0, 1.0, 0.0])]
 }
 
-/// The naive reference: for each voxel whether it is possible for a camera, and whether the camera
-/// sees it, by checking every view for every voxel.
+/// The naive reference: whether each voxel may be lit in a camera, and whether it is visible, by checking every
+/// view for every voxel.
 fn verdicts<const D: usize>(
     model: &AlignedModel<4, D>,
     camera: usize,
@@ -32,7 +32,7 @@ fn verdicts<const D: usize>(
     let AlignedCamera { axes, columns, rows, width } = &model.cameras[camera];
     let voxels = model.grid.voxels;
     let mut dark = vec![0; model.grid.len()];
-    let mut seen = vec![false; model.grid.len()];
+    let mut visible = vec![false; model.grid.len()];
     for (n, view) in model.layouts[camera].views.iter().enumerate() {
         let image = views.view(n);
         let is_lit = |pixel: usize| {
@@ -49,14 +49,14 @@ fn verdicts<const D: usize>(
                     let mut ijk = [0; 3];
                     (ijk[axes.column], ijk[axes.row], ijk[axes.depth]) = (column, row, depth);
                     let voxel = model.grid.linear(ijk);
-                    seen[voxel] = true;
+                    visible[voxel] = true;
                     let lit = along.clone().any(|y| across.clone().any(|x| is_lit(y * width + x)));
                     dark[voxel] += usize::from(!lit && criteria.selected[camera].contains(&n));
                 }
             }
         }
     }
-    dark.into_iter().zip(seen).map(|(dark, seen)| [dark <= tolerated, seen]).collect()
+    dark.into_iter().zip(visible).map(|(dark, visible)| [dark <= tolerated, visible]).collect()
 }
 
 /// Grids wider than a line, odd and even, with one and two depths per block.

@@ -112,7 +112,7 @@ impl Slopes {
             let [before, after] = [-0.5, 0.5].map(|step| {
                 let mut place = middle;
                 place[axis] += step * grid.voxel_mm;
-                optics.see(&place)
+                optics.project(&place)
             });
             for (n, radius) in radius.iter().enumerate() {
                 slopes.place[n][axis] = after.place[n] - before.place[n];
@@ -160,7 +160,7 @@ fn depths_mm(optics: &MappedOptics, grid: &VolumeGrid) -> [[f64; 2]; 2] {
             let last = grid.voxels[axis] as f64 - 1.0;
             grid.coordinate_mm(axis, steps[axis] as f64 / 2.0 * last)
         });
-        let depth_mm = optics.see(&Point3::from(world)).depth_mm;
+        let depth_mm = optics.project(&Point3::from(world)).depth_mm;
         for (range, depth) in range.iter_mut().zip(depth_mm) {
             *range = [range[0].min(depth - grid.voxel_mm), range[1].max(depth + grid.voxel_mm)];
         }

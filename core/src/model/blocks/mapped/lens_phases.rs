@@ -1,5 +1,5 @@
-//! Phase of each microlens: its pixel's offset from the ideal position, because pixels are not
-//! aligned with all microlenses.
+//! Phase of each microlens: the offset of its pixel from the ideal position, because pixels are not aligned
+//! with all microlenses.
 
 use super::{
     places::{ViewAddresses, phase_px},
@@ -70,8 +70,8 @@ impl LensPhases {
         (j.clamp(-MARGIN, self.rows + MARGIN - 1) + MARGIN) as usize
     }
 
-    /// The phases along i and j of the microlenses of row `j`, starting with microlens `first`. Far
-    /// outside the window, those of other microlenses.
+    /// The phases along i and j of the microlenses of row `j`, from microlens `first`. Far outside the window
+    /// they are those of other microlenses.
     #[inline(always)]
     pub fn row(&self, j: i32, first: i32) -> [&[f32; LENSES]; 2] {
         let line = self.line(j);

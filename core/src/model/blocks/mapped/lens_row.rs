@@ -1,8 +1,8 @@
-//! The voxels that a row of microlenses lights, in one view of a tile.
+//! The voxels that correspond to the lit microlenses of a row, in one view of a tile.
 //!
-//! Each microlens lights bits around its own position in the lines around it. The bits are a word
-//! per microlens. In lines that all microlenses of the row reach, which are nearly all of them, the
-//! union of the words is the same and is computed once.
+//! Each lit microlens sets bits around its own position in the lines around it. The bits are a word per
+//! microlens. In nearly all lines, those in reach of all microlenses of the row, the union of the words is the
+//! same and is computed once.
 
 use std::ops::Range;
 
@@ -29,11 +29,11 @@ pub(super) struct LensRow {
     /// Position of each microlens among the voxels.
     centre_bit: [f32; LENSES],
     centre_line: [f32; LENSES],
-    /// Middle of the gap beside each microlens among the voxels, and the distance within which it
-    /// hides too much; negative if there is no gap.
+    /// Middle of the gap next to each microlens among the voxels, and the distance within which it hides too much;
+    /// negative if there is no gap.
     gap_centre: [f32; LENSES],
     gap_reach: [f32; LENSES],
-    /// For each microlens, the bits that it lights in the lines from the first to the last.
+    /// For each microlens, the bits that it sets in the lines from the first to the last.
     zones: [u64; LENSES],
     first: [i32; LENSES],
     last: [i32; LENSES],
@@ -92,7 +92,7 @@ fn spread(bit: u32) -> u32 {
 }
 
 impl LensRow {
-    /// Places the row `j` of microlenses across the lines.
+    /// Sets the position of row `j` of microlenses across the lines.
     #[inline(always)]
     fn place(&mut self, view: &TileView, phases: &LensPhases, j: i32) {
         self.line = view.line_of(j);
@@ -105,7 +105,7 @@ impl LensRow {
         self.phase_lines = [x[0] + y[0], x[1] + y[1]];
     }
 
-    /// Computes the positions of the microlenses of row `j`, which has its place.
+    /// Computes the positions of the microlenses of row `j`, whose position is set.
     #[inline(always)]
     fn fill(&mut self, view: &TileView, phases: &LensPhases, j: i32) {
         let [[bit_x, bit_y], [line_x, line_y]] = view.voxels;
@@ -123,7 +123,7 @@ impl LensRow {
         }
     }
 
-    /// Lights the voxels of the microlenses whose bit is set.
+    /// Sets the voxels of the microlenses whose bit is set.
     #[inline(always)]
     fn light(&mut self, view: &TileView, lenses: u32, lit: &mut Lit) {
         let reach = [view.reach[0]; LENSES];
@@ -140,7 +140,7 @@ impl LensRow {
         }
     }
 
-    /// Lights the zones in the lines within `reach` of their microlenses.
+    /// Sets the zones in the lines within `reach` of their microlenses.
     #[inline(always)]
     fn light_within(&mut self, view: &TileView, reach: f32, lit: &mut Lit) {
         let zone = self.zones.iter().fold(0, |zone, of_lens| zone | of_lens);
@@ -171,7 +171,7 @@ impl LensRow {
         let first = ends[0].min(ends[1]) + self.phase_lines[0];
         let last = ends[0].max(ends[1]) + self.phase_lines[1];
         let (centre, half) = ((first + last) / 2.0 + shift, (last - first) / 2.0);
-        // Slightly more than any and fewer than all, so that rounding does not matter.
+        // A margin, so that rounding does not change the result.
         const LESS: f32 = 1e-3;
         [reach + half + LESS, reach - half - LESS].map(|reach| {
             let [low, high] = range(centre, reach, view.lines);
@@ -196,7 +196,7 @@ impl LensRow {
         i64::from(!(outside >> 31)) as u64
     }
 
-    /// Lights the zones line by line.
+    /// Sets the zones line by line.
     #[inline(always)]
     fn light_each(&self, lines: Range<usize>, lit: &mut [u64; MAX_LINES]) {
         for line in lines {
@@ -208,7 +208,7 @@ impl LensRow {
         }
     }
 
-    /// Lights the voxels of the zones line by line: those within reach along both columns and rows.
+    /// Sets the voxels of the zones line by line: those within reach along both columns and rows.
     #[inline(always)]
     fn light_skewed(
         &self,
@@ -226,7 +226,7 @@ impl LensRow {
         }
     }
 
-    /// The voxels of a line that a microlens lights in a skewed tile, in a layer of this shift.
+    /// The voxels of a line that a microlens sets in a skewed tile, in a layer of this shift.
     #[inline(always)]
     fn skewed(&self, view: &TileView, line: i32, shift: [f32; 2], n: usize) -> u64 {
         let beside = line as f32 - (self.centre_line[n] + shift[1]);
@@ -238,8 +238,8 @@ impl LensRow {
         zone
     }
 
-    /// Lights the voxels that no microlens sees well, in the gaps between the microlenses' pupil
-    /// intervals (see [`crate::model::tables::MIN_SEEN_SHARE`]), in this row and before it.
+    /// Sets the voxels in gaps between the microlenses' pupil intervals, which have too little light in the view
+    /// ([`crate::model::tables::MIN_VISIBLE_SHARE`]), in this row and before it.
     #[inline(always)]
     fn light_gaps(&mut self, view: &TileView, phases: &LensPhases, j: i32, lit: &mut Lit) {
         let [along, across] = phases.steps(j);
@@ -325,8 +325,8 @@ fn zones(centre: &[f32; LENSES], reach: &[f32; LENSES], bits: f32, lenses: u32) 
     zones
 }
 
-/// Lights the voxels of the microlenses whose bit is set in `rows`, by row number, and the voxels
-/// of which the view sees too little.
+/// Sets the voxels of the microlenses whose bit is set in `rows`, by row number, and the voxels with too little
+/// light in the view.
 #[inline(always)]
 pub(super) fn light(
     view: &TileView,
@@ -366,8 +366,8 @@ mod tests {
 
     use super::*;
 
-    /// The voxels within reach of any lit microlens, one by one: all that may be lit if `more` is
-    /// positive, and those that must be if it is negative.
+    /// The voxels within reach of any lit microlens, one by one, with the tolerance `more`: an upper bound if it is
+    /// positive, a lower bound if it is negative.
     fn naive(
         view: &TileView,
         phase: impl Fn(i32, i32) -> [f32; 2],

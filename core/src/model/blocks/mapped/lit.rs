@@ -19,7 +19,7 @@ use crate::{
     model::{
         HullCriteria, LitBlocks, VolumeGrid,
         blocks::{aligned_tables::Axes, blocks_along},
-        mapped_optics::SeenPoint,
+        mapped_optics::ProjectedPoint,
     },
 };
 
@@ -45,7 +45,8 @@ pub(super) fn lit_blocks<const L: usize>(
         if possible == 0 {
             continue;
         }
-        let children = possible & verdicts.iter().fold(0, |any, camera| any | camera.seen[block]);
+        let children =
+            possible & verdicts.iter().fold(0, |any, camera| any | camera.visible[block]);
         if children != 0 {
             lit.blocks.push(block as u32);
             lit.children.push(children);
@@ -57,7 +58,7 @@ pub(super) fn lit_blocks<const L: usize>(
 /// One camera's result for every voxel: one bit per child of every block.
 struct CameraResult {
     possible: Vec<u8>,
-    seen: Vec<u8>,
+    visible: Vec<u8>,
 }
 
 /// Voxels `first..first + count` along columns and rows, in one slab of a tile's thickness.
@@ -72,7 +73,7 @@ struct Span {
 struct Tiles<'a> {
     grid: &'a VolumeGrid,
     axes: Axes,
-    /// Voxels of a tile along the depth, and those that are evaluated as one.
+    /// Number of depths of a tile, and of depths that are evaluated as one.
     thickness: usize,
     layer_thickness: usize,
     camera: Camera<'a>,
@@ -81,7 +82,7 @@ struct Tiles<'a> {
 /// Properties of a camera that do not depend on the width of its tables.
 #[derive(Clone, Copy)]
 pub(super) struct Camera<'a> {
-    pub see: &'a (dyn Fn([f64; 3]) -> SeenPoint + Sync),
+    pub project: &'a (dyn Fn([f64; 3]) -> ProjectedPoint + Sync),
     pub support: &'a (dyn Fn([f64; 2]) -> Support + Sync),
     pub pupil_radius: [f64; 2],
 }
@@ -98,7 +99,7 @@ impl CameraResult {
         let addresses = |view: usize| camera.view(&layout.views[view]);
         let selected: Vec<ViewAddresses> =
             criteria.selected[number].iter().copied().map(addresses).collect();
-        // A view through the pupil's middle sees nearly all voxels that any view sees.
+        // Views near the pupil's middle contain nearly all visible voxels.
         let from_middle = |view: &ViewAddresses| view.pupil[0].hypot(view.pupil[1]);
         let mut all: Vec<ViewAddresses> = (0..layout.views.len()).map(addresses).collect();
         all.sort_by(|a, b| from_middle(a).total_cmp(&from_middle(b)));
@@ -110,14 +111,18 @@ impl CameraResult {
             phases: &phases,
             tolerated: criteria.tolerated[number],
         };
-        let see = |index: [f64; 3]| camera.see(&model.grid, index);
+        let project = |index: [f64; 3]| camera.project(&model.grid, index);
         let support = |depth_mm: [f64; 2]| camera.support(depth_mm);
         let mut tiles = Tiles {
             grid: &model.grid,
             axes: camera.axes,
             thickness: 1,
             layer_thickness: 1,
-            camera: Camera { see: &see, support: &support, pupil_radius: camera.pupil_radius() },
+            camera: Camera {
+                project: &project,
+                support: &support,
+                pupil_radius: camera.pupil_radius(),
+            },
         };
         let most = criteria.displacement[number];
         // Layers share the bits, so they differ little along the columns.
@@ -137,11 +142,11 @@ impl Tiles<'_> {
     /// All tiles, as large as possible.
     fn spans(&self) -> Vec<Span> {
         let Axes { column, row, depth } = self.axes;
-        let most_lenses = LENSES as f64 - self.lenses_beside();
+        let most_lenses = LENSES as f64 - self.lenses_beyond();
         let [lenses_per_bit, lenses_per_line] =
             [column, row].map(|axis| self.lenses_per_voxel(axis)[0]);
         let mut lines = MAX_LINES;
-        // If lines also run across the columns, fewer lines leave space for more bits.
+        // If lines are inclined to the columns, fewer lines allow more bits.
         while lines > MIN_EDGE && lines as f64 * lenses_per_line > most_lenses / 3.0 {
             lines /= 2;
         }
@@ -185,20 +190,20 @@ impl Tiles<'_> {
         let middle = self.middle();
         let mut next = middle;
         next[axis] += 1.0;
-        let (here, there) = ((self.camera.see)(middle), (self.camera.see)(next));
+        let (here, there) = ((self.camera.project)(middle), (self.camera.project)(next));
         [0, 1].map(|n| {
             let parallax = (there.parallax[n] - here.parallax[n]).abs();
             (there.place[n] - here.place[n]).abs() + parallax * self.camera.pupil_radius[n]
         })
     }
 
-    /// Microlenses of a row that a tile's light reaches outside its voxels.
-    fn lenses_beside(&self) -> f64 {
+    /// Number of microlenses of a row beyond a tile's voxels that its light reaches.
+    fn lenses_beyond(&self) -> f64 {
         let middle = self.middle();
         let beside = [0.0, 1.0].map(|end| {
             let mut index = middle;
             index[self.axes.depth] *= 2.0 * end;
-            let support = (self.camera.support)((self.camera.see)(index).depth_mm);
+            let support = (self.camera.support)((self.camera.project)(index).depth_mm);
             2.0 * (support.reach[0] + support.phase[0])
         });
         let displacement = self.lenses_per_voxel(self.axes.depth)[0] * self.half_thickness();
@@ -245,35 +250,38 @@ impl Tiles<'_> {
     /// the depths of its outermost voxels in thickness, for columns and rows.
     fn place(&self, span: &Span) -> (TilePlace, f64, [[f64; 2]; 2]) {
         let half = span.count.map(|count| (count as f64 - 1.0) / 2.0);
-        let see = |steps: [f64; 2]| {
-            (self.camera.see)(self.index(span, [0, 1].map(|n| half[n] * (1.0 + steps[n]))))
+        let project = |steps: [f64; 2]| {
+            (self.camera.project)(self.index(span, [0, 1].map(|n| half[n] * (1.0 + steps[n]))))
         };
-        let middle = see([0.0; 2]);
-        // With a single voxel, any distance will do.
+        let middle = project([0.0; 2]);
+        // For a single voxel the distance is arbitrary.
         let width = half.map(|half| 2.0 * half.max(0.25));
-        let ends = [[see([-1.0, 0.0]), see([1.0, 0.0])], [see([0.0, -1.0]), see([0.0, 1.0])]];
-        let slope = |value: &dyn Fn(&SeenPoint) -> [f64; 2]| -> [[f64; 2]; 2] {
+        let ends = [
+            [project([-1.0, 0.0]), project([1.0, 0.0])],
+            [project([0.0, -1.0]), project([0.0, 1.0])],
+        ];
+        let slope = |value: &dyn Fn(&ProjectedPoint) -> [f64; 2]| -> [[f64; 2]; 2] {
             [0, 1]
                 .map(|n| [0, 1].map(|v| (value(&ends[v][1])[n] - value(&ends[v][0])[n]) / width[v]))
         };
         let outermost = [-1.0, 1.0].map(|side| {
             let mut index = self.index(span, half);
             index[self.axes.depth] += side * self.half_thickness();
-            (self.camera.see)(index)
+            (self.camera.project)(index)
         });
-        let to_outermost = |value: &dyn Fn(&SeenPoint) -> [f64; 2]| {
+        let to_outermost = |value: &dyn Fn(&ProjectedPoint) -> [f64; 2]| {
             [0, 1].map(|n| (value(&outermost[1])[n] - value(&outermost[0])[n]) / 2.0)
         };
         let place = TilePlace {
             place: middle.place,
-            to_outermost: to_outermost(&|seen| seen.place),
-            parallax_to_outermost: to_outermost(&|seen| seen.parallax),
+            to_outermost: to_outermost(&|projected| projected.place),
+            parallax_to_outermost: to_outermost(&|projected| projected.parallax),
             layers: self.thickness / self.layer_thickness,
             layer_share: (self.layer_thickness as f64 - 1.0)
                 / (self.thickness as f64 - 1.0).max(1.0),
-            by_voxel: slope(&|seen| seen.place),
+            by_voxel: slope(&|projected| projected.place),
             parallax: middle.parallax,
-            parallax_by_voxel: slope(&|seen| seen.parallax),
+            parallax_by_voxel: slope(&|projected| projected.parallax),
             middle: half,
             bits: span.count[0],
             lines: span.count[1],
@@ -281,20 +289,20 @@ impl Tiles<'_> {
         let deviation = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
             .into_iter()
             .map(|steps| {
-                self.deviation(&place, &see(steps), [steps[0] * half[0], steps[1] * half[1]])
+                self.deviation(&place, &project(steps), [steps[0] * half[0], steps[1] * half[1]])
             })
             .fold(0.0, f64::max);
-        (place, deviation, outermost.map(|seen| seen.depth_mm))
+        (place, deviation, outermost.map(|projected| projected.depth_mm))
     }
 
     /// Deviation of a point from its linear position, in the view where it is largest.
-    fn deviation(&self, place: &TilePlace, seen: &SeenPoint, voxel: [f64; 2]) -> f64 {
+    fn deviation(&self, place: &TilePlace, projected: &ProjectedPoint, voxel: [f64; 2]) -> f64 {
         let of = |n: usize| {
             let linear = |middle: [f64; 2], slope: [[f64; 2]; 2]| {
                 middle[n] + slope[n][0] * voxel[0] + slope[n][1] * voxel[1]
             };
-            let beside = seen.place[n] - linear(place.place, place.by_voxel);
-            let parallax = seen.parallax[n] - linear(place.parallax, place.parallax_by_voxel);
+            let beside = projected.place[n] - linear(place.place, place.by_voxel);
+            let parallax = projected.parallax[n] - linear(place.parallax, place.parallax_by_voxel);
             beside.abs() + parallax.abs() * self.camera.pupil_radius[n]
         };
         of(0).max(of(1))
@@ -303,10 +311,10 @@ impl Tiles<'_> {
     /// Combines the results of all tiles, block by block.
     fn collect(&self, evaluated: Vec<(Span, TileResult)>) -> CameraResult {
         let blocks: usize = blocks_along(self.grid).into_iter().product();
-        let mut verdict = CameraResult { possible: vec![0; blocks], seen: vec![0; blocks] };
+        let mut verdict = CameraResult { possible: vec![0; blocks], visible: vec![0; blocks] };
         for (span, tile) in &evaluated {
             self.add(span, &tile.possible, &mut verdict.possible);
-            self.add(span, &tile.seen, &mut verdict.seen);
+            self.add(span, &tile.visible, &mut verdict.visible);
         }
         verdict
     }

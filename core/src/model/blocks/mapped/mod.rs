@@ -1,9 +1,9 @@
 //! Blocks for arbitrarily oriented cameras with any smooth optics.
 //!
-//! [`super::AlignedModel`] finds a block's taps by index, because every row of blocks lies along a
-//! row of microlenses. Here each block's position relative to the microlenses is stored (two
-//! multiply-adds give it for a view), and tables hold the footprint by depth, position between
-//! microlenses and phase ([`share_table`]). Only the addressing differs; the kernels are the same.
+//! [`super::AlignedModel`] addresses a block's taps by index, because every row of blocks is along a row of
+//! microlenses. Here each block's position relative to the microlenses is stored (two multiply-adds convert it
+//! to that in a view), and tables contain the footprint by depth, position between microlenses and phase
+//! ([`share_table`]). Only the addressing differs; the kernels are the same.
 
 mod arrangement;
 mod lens_phases;
@@ -32,7 +32,7 @@ use crate::{
     model::{
         CameraCalibration, ModelError, ModelParts, VolumeGrid,
         footprint::RayMap,
-        mapped_optics::{MappedOptics, SeenPoint},
+        mapped_optics::{MappedOptics, ProjectedPoint},
         tables::Nodes,
         thin_lens::coverage_bytes,
     },
@@ -68,16 +68,16 @@ pub(super) struct MappedCamera<const L: usize> {
 /// A camera's tables along columns and rows.
 #[derive(Debug)]
 enum CameraTables<const L: usize> {
-    /// Of pairs of voxels.
+    /// Tables of pairs of voxels.
     Pairs([ShareTable<L, 2>; 2]),
-    /// Of two pairs each, one for each of a block's depths.
+    /// Tables of two pairs, one for each of a block's depths.
     Quads([ShareTable<L, 4>; 2]),
 }
 
 /// The model with the narrowest sufficient tables; `None` if no table is wide enough.
 ///
 /// # Errors
-/// A camera does not see the grid, the grid extends to its lens, or an array is not square.
+/// The grid is not in the field of a camera or extends to its lens, or an array is not square.
 pub(super) fn mapped_model(
     optics: &Optics,
     poses: &[Pose],
@@ -93,9 +93,9 @@ pub(super) fn mapped_model(
 
 /// Layouts of the cameras' images; reuses the `known` layouts of another model of the same cameras
 /// if the windows are the same.
-fn layouts(seen: &[MappedOptics], parts: &ModelParts, known: &[ViewLayout]) -> Vec<ViewLayout> {
-    let mut layouts: Vec<ViewLayout> = Vec::with_capacity(seen.len());
-    for optics in seen {
+fn layouts(mapped: &[MappedOptics], parts: &ModelParts, known: &[ViewLayout]) -> Vec<ViewLayout> {
+    let mut layouts: Vec<ViewLayout> = Vec::with_capacity(mapped.len());
+    for optics in mapped {
         let same = |layout: &&ViewLayout| {
             layout.window == optics.window && layout.grid.as_ref() == Some(&optics.sampling)
         };
@@ -110,7 +110,7 @@ fn layouts(seen: &[MappedOptics], parts: &ModelParts, known: &[ViewLayout]) -> V
 
 /// Inputs of a model.
 struct Setup<'a> {
-    seen: Vec<MappedOptics>,
+    mapped: Vec<MappedOptics>,
     arrangements: Vec<Arrangement>,
     layouts: Vec<ViewLayout>,
     grid: &'a VolumeGrid,
@@ -132,7 +132,7 @@ impl<'a> Setup<'a> {
             return Err(ModelError::FootprintOutOfRange { footprint_mm });
         }
         let uncalibrated = CameraCalibration::default();
-        let seen: Vec<MappedOptics> = poses
+        let mapped: Vec<MappedOptics> = poses
             .iter()
             .enumerate()
             .map(|(n, pose)| {
@@ -141,9 +141,9 @@ impl<'a> Setup<'a> {
             })
             .collect::<Result<_, _>>()?;
         let arrangements =
-            seen.iter().map(|optics| Arrangement::new(optics, grid, footprint_mm)).collect();
-        let layouts = layouts(&seen, parts, known);
-        Ok(Self { seen, arrangements, layouts, grid, footprint_mm, parts })
+            mapped.iter().map(|optics| Arrangement::new(optics, grid, footprint_mm)).collect();
+        let layouts = layouts(&mapped, parts, known);
+        Ok(Self { mapped, arrangements, layouts, grid, footprint_mm, parts })
     }
 
     fn narrowest(&self) -> Option<Box<dyn BlockModel>> {
@@ -154,7 +154,7 @@ impl<'a> Setup<'a> {
     }
 
     fn model<const L: usize>(&self) -> Option<MappedModel<L>> {
-        let cameras = self.seen.iter().zip(&self.arrangements).map(|(optics, arrangement)| {
+        let cameras = self.mapped.iter().zip(&self.arrangements).map(|(optics, arrangement)| {
             let geometries = self.geometries(optics, arrangement);
             let tables = if arrangement.has_quads() {
                 CameraTables::Quads(tables(&geometries)?)
@@ -237,10 +237,10 @@ impl<const L: usize> CameraTables<L> {
 }
 
 impl<const L: usize> MappedCamera<L> {
-    /// A grid position, in voxels, as seen by the camera.
-    fn see(&self, grid: &VolumeGrid, index: [f64; 3]) -> SeenPoint {
+    /// Projects a grid position, in voxels.
+    fn project(&self, grid: &VolumeGrid, index: [f64; 3]) -> ProjectedPoint {
         let world: [f64; 3] = std::array::from_fn(|axis| grid.coordinate_mm(axis, index[axis]));
-        self.optics.see(&Point3::from(world))
+        self.optics.project(&Point3::from(world))
     }
 
     fn support(&self, depth_mm: [f64; 2]) -> Support {
@@ -293,7 +293,7 @@ impl<const L: usize> MappedModel<L> {
             for &block in blocks {
                 let first = block_indices(&self.grid, block);
                 let index = std::array::from_fn(|axis| 2.0 * first[axis] as f64 + offset[axis]);
-                places.push(&camera.see(&self.grid, index), layouts);
+                places.push(&camera.project(&self.grid, index), layouts);
             }
             places
         };

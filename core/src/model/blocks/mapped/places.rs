@@ -6,15 +6,14 @@ use super::{
 };
 use crate::{
     lightfield::TIE_PX,
-    model::{blocks::kernels::BATCH, mapped_optics::SeenPoint},
+    model::{blocks::kernels::BATCH, mapped_optics::ProjectedPoint},
 };
 
-/// Positions are clamped to this distance from the window, in microlenses. Nothing is lit so far
-/// outside, and pixel numbers stay small.
+/// Positions are clamped to this distance from the window, in microlenses, to limit pixel indices. No light
+/// reaches it.
 const BEYOND: f32 = 64.0;
 
-/// Added to a number of up to ± 2²², it leaves no bits for fractions: the sum is rounded to an integer,
-/// which is its lowest bits.
+/// A number of up to ± 2²² plus this is rounded to an integer, which is in the lowest bits of the mantissa.
 const INTEGERS: f32 = 12_582_912.0;
 
 /// Positions of blocks, or of one layer of each, as arrays for vectorised address computation.
@@ -34,7 +33,7 @@ pub(super) struct AxisPlaces {
     depth: Vec<u32>,
 }
 
-/// Index of a tap in its table, and the microlens that its first entry is relative to.
+/// Index of a tap in its table, and the microlens to which its first entry is relative.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Addresses {
     pub tap: [[u32; BATCH]; 2],
@@ -73,11 +72,11 @@ pub(super) struct AxisAddresses {
 }
 
 impl BlockPlaces {
-    pub fn push(&mut self, seen: &SeenPoint, layouts: [&TableLayout; 2]) {
+    pub fn push(&mut self, projected: &ProjectedPoint, layouts: [&TableLayout; 2]) {
         for (n, (axis, layout)) in self.axes.iter_mut().zip(layouts).enumerate() {
-            axis.place.push(seen.place[n] as f32);
-            axis.parallax.push(seen.parallax[n] as f32);
-            axis.depth.push(layout.depth_index(seen.depth_mm[n]) as u32);
+            axis.place.push(projected.place[n] as f32);
+            axis.parallax.push(projected.parallax[n] as f32);
+            axis.depth.push(layout.depth_index(projected.depth_mm[n]) as u32);
         }
     }
 

@@ -43,7 +43,7 @@ struct MappedTaps<'a, const L: usize, const C: usize> {
     fitting: [u32; 2],
 }
 
-/// With as many layers as the camera's blocks have.
+/// `D` is the number of layers of the camera's blocks.
 impl<const L: usize, const D: usize, const C: usize> TapSource<L, D, C> for MappedTaps<'_, L, C> {
     type Addresses = ([Addresses; D], usize);
 
@@ -97,7 +97,7 @@ impl<const L: usize, const C: usize> MappedTaps<'_, L, C> {
     ) -> PlacedTap<'a, L, C> {
         let tap = self.tables[n].tap(addresses.tap[n][b] as usize);
         let first = addresses.lens[n][b] + i32::from(tap.first) - FIRST_BIAS;
-        // Negative numbers are large ones here.
+        // Negative numbers become large unsigned ones.
         if first as u32 >= self.fitting[n] {
             *scratch = clipped(tap, first, self.lenses[n]);
             return PlacedTap { tap: scratch, first: usize::from(scratch.first) };
@@ -146,7 +146,7 @@ impl<'a, const L: usize> MappedProjector<'a, L> {
         Self { model, places: model.cameras.iter().map(places).collect() }
     }
 
-    /// The view `id` by its camera's `tables`.
+    /// The taps of view `id` from its camera's `tables`.
     fn taps<'t, const C: usize>(
         &'t self,
         id: ViewId,

@@ -5,8 +5,7 @@
 //! ([`crate::model::tables::AxisGeometry`] has the formula). The table has nodes in all four. Depth
 //! and slope only change its width, so few nodes suffice; the position determines the shares of the
 //! microlenses. The phase of the nearest microlens is added to the position; the table only needs
-//! its discontinuities, which decide which neighbours see the view through the previous or next
-//! pixel.
+//! its discontinuities, which determine the neighbours whose pixel of the view is the previous or next one.
 
 use lfpiv_hw::Optics;
 use rayon::prelude::*;

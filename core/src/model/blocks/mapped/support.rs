@@ -4,17 +4,17 @@ use super::share_table::FootprintGeometry;
 use crate::model::{
     SUPPORT_SHARE,
     footprint::{RayMap, Trapezoid},
-    tables::MIN_SEEN_SHARE,
+    tables::MIN_VISIBLE_SHARE,
 };
 
 /// Bisection steps.
 const HALVINGS: usize = 24;
 
-/// Positions around the middle of a gap between two microlenses at which too little of a voxel is seen
-/// ([`MIN_SEEN_SHARE`]), in microlenses.
+/// Positions around the middle of a gap between two microlenses at which a view contains too little of a
+/// voxel's light ([`MIN_VISIBLE_SHARE`]), in microlenses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GapZone {
-    /// The narrowest gap with such positions; infinite if phases leave no gap as wide.
+    /// Width of the narrowest gap with such positions; infinite if there are none.
     pub least: f64,
     /// Half width of the zone for that gap, and its increase with the gap's width.
     pub half: f64,
@@ -96,20 +96,20 @@ impl GapZone {
 
     /// For voxels with this shadow and gaps of at most `widest` microlenses.
     fn new(shadow: &Trapezoid, pitch_mm: f64, widest: f64) -> Self {
-        // Share of a voxel that a gap hides, at `beside` microlenses from its middle.
+        // Share of a voxel that a gap hides, at a distance of `beside` microlenses from its middle.
         let hidden = |gap: f64, beside: f64| {
             let below = |lenses: f64| shadow.below(lenses * pitch_mm);
             below(beside + gap / 2.0) - below(beside - gap / 2.0)
         };
         let too_much =
-            |gap: f64, beside: f64| hidden(gap, beside) > f64::from(1.0 - MIN_SEEN_SHARE);
+            |gap: f64, beside: f64| hidden(gap, beside) > f64::from(1.0 - MIN_VISIBLE_SHARE);
         if !too_much(widest, 0.0) {
             return Self::NONE;
         }
         let least = last_in(0.0, widest, |gap| !too_much(gap, 0.0));
         let farthest = widest + shadow.width() / pitch_mm;
         let half = |gap: f64| last_in(0.0, farthest, |beside| too_much(gap, beside));
-        // Slightly more than the smallest gap: a uniform shadow is hidden equally at many positions.
+        // Slightly wider than the narrowest gap, in which a uniform shadow is hidden equally at many positions.
         let slightly = least + 0.02 * (widest - least);
         let (first, last) = (half(slightly), half(widest));
         let half_per_gap = (last - first) / (widest - slightly).max(1e-12);

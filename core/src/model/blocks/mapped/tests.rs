@@ -13,7 +13,7 @@ use crate::{
     lightfield::MicroImageGrid,
     model::{
         BlockLight, EquivalentPoint, SUPPORT_SHARE, ViewId, VolumeMap, child_voxel,
-        tables::MIN_SEEN_SHARE,
+        tables::MIN_VISIBLE_SHARE,
     },
     test_bench,
 };
@@ -47,16 +47,16 @@ fn turned_array(degrees: f64) -> CameraCalibration {
 
 /// A map of a lens with slight distortion and different depths for columns and rows.
 fn bent_map(pose: &Pose) -> VolumeMap {
-    let seen = |world: [f64; 3]| {
-        let seen = pose.to_camera(&world.into());
-        let square = seen.xi_mm * seen.xi_mm + seen.eta_mm * seen.eta_mm;
+    let equivalent = |world: [f64; 3]| {
+        let point = pose.to_camera(&world.into());
+        let square = point.xi_mm * point.xi_mm + point.eta_mm * point.eta_mm;
         let stretched = 1.0 + 1e-4 * square;
         Some(EquivalentPoint {
-            lateral_mm: [seen.xi_mm * stretched, seen.eta_mm * stretched],
-            depth_mm: [0.76 * seen.depth_mm, 0.74 * seen.depth_mm],
+            lateral_mm: [point.xi_mm * stretched, point.eta_mm * stretched],
+            depth_mm: [0.76 * point.depth_mm, 0.74 * point.depth_mm],
         })
     };
-    VolumeMap::fit([3.0, -2.0, 2.5], [2.0; 3], 3, seen).unwrap().0
+    VolumeMap::fit([3.0, -2.0, 2.5], [2.0; 3], 3, equivalent).unwrap().0
 }
 
 fn grid() -> VolumeGrid {
@@ -67,7 +67,7 @@ struct Case {
     name: &'static str,
     pose: Pose,
     calibration: CameraCalibration,
-    /// Largest L1 distance from the definition, relative to a voxel's light: mean over views.
+    /// Largest L1 distance from the definition, relative to a voxel's light, averaged over views.
     most_apart: f64,
 }
 
@@ -115,22 +115,23 @@ impl Definition {
     fn new(case: &Case, grid: &VolumeGrid, footprint_mm: f64) -> Self {
         let parts = ModelParts::default();
         let mut setup = setup_of(case, grid, footprint_mm, &parts);
-        let geometries = setup.geometries(&setup.seen[0], &setup.arrangements[0]);
-        Self { optics: setup.seen.swap_remove(0), geometries }
+        let geometries = setup.geometries(&setup.mapped[0], &setup.arrangements[0]);
+        Self { optics: setup.mapped.swap_remove(0), geometries }
     }
 
     /// Adds a voxel's light to a view.
     fn project(&self, view: &View, world_mm: &Point3<f64>, image: &mut [f64]) {
-        let seen = self.optics.see(world_mm);
+        let projected = self.optics.project(world_mm);
         let cells = self.optics.lenses_per_cell();
         let window = &self.optics.window;
         let width = window.columns.len();
         let slope = |n: usize| {
             let [by_right, by_up] = cells[n];
             let pupil = by_right * f64::from(view.k) + by_up * f64::from(view.l);
-            (pupil + seen.place[n] - self.optics.on_axis()[n]).abs() * self.geometries[n].pitch_mm
+            (pupil + projected.place[n] - self.optics.on_axis()[n]).abs()
+                * self.geometries[n].pitch_mm
         };
-        let maps = [0, 1].map(|n| RayMap::at_depth(&self.optics.optics, seen.depth_mm[n]));
+        let maps = [0, 1].map(|n| RayMap::at_depth(&self.optics.optics, projected.depth_mm[n]));
         let shadows = [0, 1].map(|n| self.geometries[n].shadow(maps[n], slope(n)));
         for j in window.rows.clone() {
             for i in window.columns.clone() {
@@ -138,7 +139,8 @@ impl Definition {
                 let share = |n: usize, lens: usize| {
                     let [by_right, by_up] = cells[n];
                     let (k, l) = (f64::from(view.k) + phase[0], f64::from(view.l) + phase[1]);
-                    let place = seen.place[n] + seen.parallax[n] * (by_right * k + by_up * l);
+                    let place =
+                        projected.place[n] + projected.parallax[n] * (by_right * k + by_up * l);
                     self.geometries[n].share(maps[n], &shadows[n], 0.0, place - lens as f64, 0)
                 };
                 let at = (j - window.rows.start) * width + i - window.columns.start;
@@ -263,7 +265,7 @@ fn light_beyond_the_window_is_lost_and_nothing_else() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// A particle's voxel is never found dark, for any position and camera orientation.
+    /// The voxel of a particle is never dark, for any position and camera orientation.
     #[test]
     fn a_lit_voxel_is_in_the_hull(seed in 0u64..1_000_000, number in 0usize..8) {
         let case = cases().swap_remove(number);
@@ -319,14 +321,14 @@ fn voxels_of(lit: &LitBlocks, grid: &VolumeGrid) -> BTreeSet<u32> {
 }
 
 impl Definition {
-    /// Whether a view finds a voxel dark, by the rule of [`BlockModel::lit`]; `None` if it sees too
-    /// little of it.
+    /// Whether a voxel is dark in a view, by the criterion of [`BlockModel::lit`]. `None` if the view contains
+    /// too little of its light.
     fn is_dark(&self, view: &View, world_mm: &Point3<f64>, lit: &[bool]) -> Option<bool> {
-        let seen = self.optics.see(world_mm);
+        let projected = self.optics.project(world_mm);
         let cells = self.optics.lenses_per_cell();
         let window = &self.optics.window;
         let (columns, rows) = (window.columns.len() as i64, window.rows.len() as i64);
-        let maps = [0, 1].map(|n| RayMap::at_depth(&self.optics.optics, seen.depth_mm[n]));
+        let maps = [0, 1].map(|n| RayMap::at_depth(&self.optics.optics, projected.depth_mm[n]));
         let shares = |i: i64, j: i64| -> [f64; 2] {
             let (column, row) = (window.columns.start as i64 + i, window.rows.start as i64 + j);
             let phase = self.optics.sampling.phase(column as usize, row as usize);
@@ -335,16 +337,16 @@ impl Definition {
                 let shadow = geometry.shadow(maps[n], geometry.max_slope_mm / 2.0);
                 let [by_right, by_up] = cells[n];
                 let (k, l) = (f64::from(view.k) + phase[0], f64::from(view.l) + phase[1]);
-                let place = seen.place[n] + seen.parallax[n] * (by_right * k + by_up * l);
+                let place = projected.place[n] + projected.parallax[n] * (by_right * k + by_up * l);
                 geometry.share(maps[n], &shadow, 0.0, place - [i, j][n] as f64, 0)
             })
         };
         let nominal = [0, 1].map(|n| {
             let [by_right, by_up] = cells[n];
             let pupil = by_right * f64::from(view.k) + by_up * f64::from(view.l);
-            (seen.place[n] + seen.parallax[n] * pupil).round() as i64
+            (projected.place[n] + projected.parallax[n] * pupil).round() as i64
         });
-        let (mut seen_along, mut dark) = ([0.0; 2], true);
+        let (mut visible_along, mut dark) = ([0.0; 2], true);
         for j in nominal[1] - 4..=nominal[1] + 4 {
             for i in nominal[0] - 4..=nominal[0] + 4 {
                 let inside = (0..columns).contains(&i) && (0..rows).contains(&j);
@@ -352,14 +354,14 @@ impl Definition {
                     continue;
                 }
                 let [along_i, along_j] = shares(i, j);
-                seen_along[0] += if j == nominal[1] { along_i } else { 0.0 };
-                seen_along[1] += if i == nominal[0] { along_j } else { 0.0 };
+                visible_along[0] += if j == nominal[1] { along_i } else { 0.0 };
+                visible_along[1] += if i == nominal[0] { along_j } else { 0.0 };
                 let share = f64::from(SUPPORT_SHARE);
                 dark &= along_i <= share || along_j <= share || !lit[(j * columns + i) as usize];
             }
         }
-        let least = f64::from(MIN_SEEN_SHARE);
-        seen_along.iter().all(|&seen| seen >= least).then_some(dark)
+        let least = f64::from(MIN_VISIBLE_SHARE);
+        visible_along.iter().all(|&share| share >= least).then_some(dark)
     }
 }
 

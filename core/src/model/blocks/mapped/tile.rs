@@ -1,11 +1,11 @@
-//! Photo-hull of a tile: up to 60 × 96 voxels of up to eight depths, for all views of a camera.
-//! Depths that a view displaces little are evaluated as one, as a layer of the tile. Its layers share
-//! the bits that a microlens lights and differ in the lines.
+//! Photo-hull of a tile: up to 60 × 96 voxels of up to eight depths, for all views of a camera. Depths that a
+//! view displaces little are evaluated as one layer of the tile. Layers have the same bits of a microlens and
+//! differ in the lines.
 //!
 //! Relative to the array's columns and rows the voxels of a tile are almost evenly spaced, so a
-//! view maps microlenses onto voxels by an affine function ([`TileView`]). A lit microlens lights a
-//! rectangle of voxels ([`super::lens_row`]): a few bits of a few lines. Each microlens has the
-//! phase of its own pixel, so rectangles need not be widened for phases.
+//! view maps microlenses onto voxels by an affine function ([`TileView`]). A lit microlens corresponds to a
+//! rectangle of voxels ([`super::lens_row`]): a few bits of a few lines. Each microlens has the phase of its own
+//! pixel, so that rectangles need not be widened for phases.
 
 use super::{
     lens_phases::LensPhases,
@@ -23,21 +23,21 @@ use crate::model::blocks::dark_counts::DarkCounts;
 pub(super) struct Views<'a> {
     /// The selected views with images, in the order of `bits`.
     pub selected: &'a [ViewAddresses],
-    /// All views, those first that see the most.
+    /// All views, first those that contain most voxels.
     pub all: &'a [ViewAddresses],
     pub bits: &'a LitBits,
     pub phases: &'a LensPhases,
-    /// Number of views that may find a lit voxel dark.
+    /// Number of views in which a lit voxel may be dark.
     pub tolerated: usize,
 }
 
 /// Result for a tile.
 #[derive(Debug, Clone)]
 pub(super) struct TileResult {
-    /// Per layer and line, the voxels that no more views than tolerated find dark.
+    /// Per layer and line, the voxels that are dark in no more views than tolerated.
     pub possible: Vec<u64>,
-    /// Those of them that any view sees; it may contain others.
-    pub seen: Vec<u64>,
+    /// Those of them that are visible in any view; may contain others.
+    pub visible: Vec<u64>,
 }
 
 impl TilePlace {
@@ -84,27 +84,29 @@ impl TilePlace {
             }
         }
         let possible: Vec<u64> = dark.within().into_iter().map(|[line]| line & full).collect();
-        let mut seen = vec![0; lines];
-        let unseen = |seen: &[u64]| possible.iter().zip(seen).any(|(line, seen)| line & !seen != 0);
+        let mut visible = vec![0; lines];
+        let invisible = |visible: &[u64]| {
+            possible.iter().zip(visible).any(|(line, visible)| line & !visible != 0)
+        };
         for addresses in all {
-            if !unseen(&seen) {
+            if !invisible(&visible) {
                 break;
             }
             if let Some(view) = TileView::new(self, addresses, support) {
-                self.see(&view, addresses, phases, &mut row, &mut seen);
+                self.add_visible(&view, addresses, phases, &mut row, &mut visible);
             }
         }
-        TileResult { possible, seen }
+        TileResult { possible, visible }
     }
 
     /// Adds the voxels whose microlenses are all inside the window.
-    fn see(
+    fn add_visible(
         &self,
         view: &TileView,
         addresses: &ViewAddresses,
         phases: &LensPhases,
         row: &mut LensRow,
-        seen: &mut [u64],
+        visible: &mut [u64],
     ) {
         let full = self.full_line();
         let mut beyond = Lit::default();
@@ -121,8 +123,8 @@ impl TilePlace {
             };
             light(view, phases, outside, row, &mut beyond);
         }
-        for (seen, beyond) in seen.iter_mut().zip(self.lines_of(&beyond)) {
-            *seen |= full & !beyond;
+        for (visible, beyond) in visible.iter_mut().zip(self.lines_of(&beyond)) {
+            *visible |= full & !beyond;
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Size of the tiles of voxels, and where a tile lies relative to the microlenses.
+//! Size of the tiles of voxels, and position of a tile relative to the microlenses.
 
 /// Voxels along the columns: one bit of a word is needed for the ends of ranges, and the number is
 /// even for whole blocks.
@@ -7,7 +7,7 @@ pub(super) const MAX_BITS: usize = 60;
 /// Lines of voxels across the rows.
 pub(super) const MAX_LINES: usize = 96;
 
-/// Depths of a tile, and so the most of its layers.
+/// Largest number of depths, and thus of layers, of a tile.
 pub(super) const MAX_THICKNESS: usize = 8;
 
 /// Microlenses along a row of the array that are processed together.

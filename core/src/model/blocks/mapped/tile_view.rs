@@ -19,7 +19,7 @@ pub(super) struct TileView {
     pub middle: [f32; 2],
     /// Reach of a microlens' light, in voxels: along bits in any layer, along lines in its own.
     pub reach: [f32; 2],
-    /// Layers, the first one's shift along bits and lines, and the shift from one to the next.
+    /// Number of layers, shift of the first one along bits and lines, and shift from one to the next.
     pub layers: usize,
     pub first_shift: [f32; 2],
     pub shift: [f32; 2],
@@ -49,7 +49,8 @@ pub(super) struct TileView {
 }
 
 impl TileView {
-    /// `None` if a view sees the tile edge-on and has no affine map, or spans too many microlenses.
+    /// `None` if the tile is edge-on in the view, so that there is no affine map, or extends over too many
+    /// microlenses.
     pub fn new(tile: &TilePlace, view: &ViewAddresses, support: &Support) -> Option<Self> {
         let pupil = view.pupil.map(f64::from);
         let by_voxel: [[f64; 2]; 2] = std::array::from_fn(|n| {

@@ -1,4 +1,4 @@
-//! The ensemble: moments of every place, in groups of shots.
+//! The ensemble: moments at every node of the lattice, in groups of shots.
 
 use rayon::prelude::*;
 
@@ -11,51 +11,52 @@ use super::{
 };
 use crate::velocimetry::VectorGrid;
 
-/// Places that a thread takes at a time.
-const PLACES_AT_ONCE: usize = 256;
+/// Least number of nodes in a parallel task.
+const NODES_PER_TASK: usize = 256;
 
-/// Statistics of a run under way.
+/// Accumulated statistics of shots on a lattice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ensemble {
     grid: VectorGrid,
-    /// Shots in each group.
+    /// Number of shots in each group.
     shots: [u64; GROUPS],
-    /// Moments of each place, the groups of a place together: place · [`GROUPS`] + group.
+    /// Moments of each node and group, at node · [`GROUPS`] + group.
     moments: Vec<Moments>,
-    /// Pairs of places on the lines along x, y, z.
+    /// Pairs of nodes on the lines along x, y, z.
     lines: [LinePairs; 3],
 }
 
 impl Ensemble {
-    /// No shots yet, on the places of `grid`.
+    /// An ensemble without shots, on the nodes of `grid`.
     pub fn new(grid: VectorGrid) -> Self {
         let moments = vec![Moments::default(); grid.len() * GROUPS];
         let lines = [0, 1, 2].map(|axis| LinePairs::new(&grid, axis));
         Self { grid, shots: [0; GROUPS], moments, lines }
     }
 
-    /// Where the places are.
+    /// The lattice.
     pub fn grid(&self) -> &VectorGrid {
         &self.grid
     }
 
-    /// Shots so far.
+    /// Number of shots.
     pub fn shots(&self) -> u64 {
         self.shots.iter().sum()
     }
 
-    /// Adds a shot; each once. Samples beyond the places, or that are not finite, are left out.
+    /// Adds a shot, which must not be added twice. Samples beyond the lattice or with non-finite numbers are left
+    /// out.
     pub fn add(&mut self, snapshot: &Snapshot) {
-        let group = self.begin(snapshot.shot);
-        for (place, sample) in snapshot.samples.iter().take(self.grid.len()).enumerate() {
+        let group = self.count_shot(snapshot.shot);
+        for (node, sample) in snapshot.samples.iter().take(self.grid.len()).enumerate() {
             if let Some(sample) = sample.as_ref().filter(|sample| sample.is_finite()) {
-                self.moments[place * GROUPS + group].merge(&Moments::of(sample));
+                self.moments[node * GROUPS + group].merge(&Moments::of(sample));
             }
         }
         self.lines.par_iter_mut().for_each(|lines| lines.add(&snapshot.samples));
     }
 
-    /// Puts the shots of `other` to these; `false`, and nothing done, where its places are others.
+    /// Adds the shots of `other`. Returns `false`, without any change, if its lattice differs.
     pub fn merge(&mut self, other: &Self) -> bool {
         if self.grid != other.grid {
             return false;
@@ -66,23 +67,23 @@ impl Ensemble {
         true
     }
 
-    /// The statistics of every place.
+    /// The statistics at every node.
     pub fn estimates(&self) -> Estimates {
-        let of_places: Vec<_> =
-            self.moments.par_chunks(GROUPS).with_min_len(PLACES_AT_ONCE).map(estimates).collect();
+        let of_nodes: Vec<_> =
+            self.moments.par_chunks(GROUPS).with_min_len(NODES_PER_TASK).map(estimates).collect();
         let values = (0..Quantity::ALL.len())
-            .map(|quantity| of_places.iter().map(|place| place[quantity]).collect())
+            .map(|quantity| of_nodes.iter().map(|node| node[quantity]).collect())
             .collect();
         Estimates { counts: self.counts(), values }
     }
 
-    /// Samples of each place.
+    /// Number of samples at each node.
     pub fn counts(&self) -> Vec<u64> {
-        let of_place = |groups: &[Moments]| groups.iter().map(|group| group.count).sum();
-        self.moments.chunks(GROUPS).map(of_place).collect()
+        let of_node = |groups: &[Moments]| groups.iter().map(|group| group.count).sum();
+        self.moments.chunks(GROUPS).map(of_node).collect()
     }
 
-    /// How mean and fluctuations settle with the number of shots.
+    /// Convergence of mean and fluctuations with the number of shots.
     pub fn convergence(&self) -> Vec<Convergence> {
         convergence::convergence(&self.shots, &self.moments)
     }
@@ -93,15 +94,15 @@ impl Ensemble {
         [0, 1, 2].map(|axis| self.lines[axis].correlation(axis, self.grid.spacing_mm, noise))
     }
 
-    /// Mean square of the standard uncertainties of all samples, m²/s².
+    /// Mean squared standard uncertainty of all samples, in m²/s².
     fn mean_noise(&self) -> [f64; 3] {
         let mut all = Moments::default();
         self.moments.iter().for_each(|moments| all.merge(moments));
         all.noise
     }
 
-    /// Notes a shot; its group.
-    fn begin(&mut self, shot: u64) -> usize {
+    /// Counts a shot, and returns its group.
+    fn count_shot(&mut self, shot: u64) -> usize {
         let group = (shot % GROUPS as u64) as usize;
         self.shots[group] += 1;
         group
