@@ -337,8 +337,8 @@ fn light_outside_the_record_is_dark_and_truncating_formats_are_refused() {
             let path = stage.written("daemon.toml", &config);
             let text_of = fs::read_to_string(&path).unwrap();
             fs::write(&path, replaced(&text_of, TIMING, &slow_lamp)).unwrap();
-            lfpiv(&["run", "--config", utf8(&path), "--shots", "2"]);
-            let told = instruments.finish();
+            let output = lfpiv(&["run", "--config", utf8(&path), "--shots", "2"]);
+            let told = format!("{}{}", instruments.finish(), text(&output.stderr));
             assert!(told.contains("0 triggers as recorded; dark: 2 with other light"), "{told}");
 
             // 12 bits do not fit into 8.
