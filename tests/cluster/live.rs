@@ -196,6 +196,8 @@ fn a_run_that_is_told_to_stop_leaves_the_backlog_on_disk() {
     let root = tempfile::tempdir().expect("a folder");
     let nats = Nats::start(root.path());
     let run = Run::start(root.path(), &nats.url(), &[]);
+    // Before a shot has decided the forward model, nothing is published, and there is nothing to report.
+    run.has(1);
     wait_until("a backlog", || run.status()["cluster"]["shots"]["backlog"].as_u64() >= Some(5));
     let folder = run.folder.clone();
     let ended = run.process.terminate();
