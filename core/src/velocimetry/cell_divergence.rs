@@ -10,6 +10,11 @@ use super::{
     layout::Layout,
 };
 
+/// Standard deviation of the divergence in an incompressible flow, in voxel per voxel. It is not zero, because
+/// displacements are chords of curved paths, splines only approximate short waves, and errors of neighbouring
+/// particles are correlated.
+pub const DEVIATION: f64 = 0.01;
+
 /// A coefficient of one field, or of several fields side by side.
 pub trait Coefficient: Copy + Default + Send + Sync {
     /// A factor in its own precision.

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::{
     super::{
+        cell_divergence::DEVIATION,
         conjugate_gradients::Until,
         nodes::{Nodes, Taps},
     },
@@ -26,10 +27,6 @@ use crate::statistics::{NORMAL_OF_MEDIAN, median};
 /// errors than a normal distribution allows (Lange, Little and Taylor, J. Am.
 /// Stat. Assoc. 84, 1989).
 const DEGREES_OF_FREEDOM: f32 = 3.0;
-
-/// Standard deviation of the displacement's divergence in an incompressible flow, in voxel per voxel: it is not
-/// exactly zero, because paths are curved.
-const DIVERGENCE: f32 = 0.01;
 
 /// Additional standard deviation of the divergence, per voxel of the samples' additional one: with a strict
 /// constraint from the start, conjugate gradients would converge slowly.
@@ -286,7 +283,8 @@ impl<'a> Fit<'a> {
 
     /// Equations with a vector for each component.
     fn equations(&self, weights: Vec<Vec<Lane>>) -> Equations<'_> {
-        let divergence = DIVERGENCE.hypot(DIVERGENCE_PER_EXTRA_SIGMA * self.extra_sigma_vox);
+        let divergence =
+            (DEVIATION as f32).hypot(DIVERGENCE_PER_EXTRA_SIGMA * self.extra_sigma_vox);
         let divergence = Divergence {
             step_vox: self.nodes.step_vox,
             stiffness: 1.0 / (divergence * divergence),

@@ -1,11 +1,10 @@
 //! Penalty of a spline's divergence: its square in the middle of every cell between the nodes.
 
-use super::super::{cell_divergence::Cells, flow_nodes::FlowNodes, layout::Layout};
-
-/// Standard deviation of the divergence in an incompressible flow, in voxel per voxel. It is not zero, because
-/// displacements are chords of curved paths, splines only approximate short waves, and errors of neighbouring
-/// particles are correlated.
-const DEVIATION: f64 = 0.01;
+use super::super::{
+    cell_divergence::{Cells, DEVIATION},
+    flow_nodes::FlowNodes,
+    layout::Layout,
+};
 
 /// The penalty Σ (∇·B c)²/σ² over the middles of cells, for the coefficients c of three components, one after
 /// the other.
