@@ -27,11 +27,10 @@ CARGO = ["cargo", "test", "--workspace", "--locked"]
 # Clippy takes the compiler's place: everything is compiled once, and examined as it is.
 ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 
-# By their titles, the longest first: the last to begin should be short. Those that mostly wait for
-# instruments come before those that compute as long.
+# By their titles, the longest first: the last to begin should be short.
 LONGEST = [
-    "cluster", "page", "recorded_run", "capabilities", "loopback", "laser", "daemon", "adversary", "readers",
-    "lfpiv-core, unit tests", "commands", "lfpiv, unit tests", "validation", "synchroniser", "gige", "claims",
+    "cluster", "page", "recorded_run", "capabilities", "loopback", "readers", "lfpiv-core, unit tests", "laser",
+    "daemon", "lfpiv, unit tests", "adversary", "commands", "validation", "synchroniser", "gige", "claims",
 ]
 # Their input is the source text, which no compiled program shows.
 READ_SOURCES = {"module_order"}
