@@ -39,7 +39,7 @@ fn configuration(folder: &Path, port: &Path) -> String {
     format!(
         "{text}\n[timing]\nlaser_rate_limit_hz = 40.0\nreadout_us = 5000.0\nlamp_warm_up_s = 0.0\n\
          [instruments]\nframe_patience_s = 10.0\n{}{}[instruments.synchroniser]\n\
-         driver = \"bnc-575\"\nport = \"{}\"\npacing_ms = 0\n",
+         driver = \"bnc-575\"\nport = \"{}\"\nreply_timeout_ms = 5000\npacing_ms = 0\n",
         camera("127.0.0.1"),
         camera("127.0.0.2"),
         port.display()

@@ -122,7 +122,7 @@ fn a_line_that_is_cut_is_lost() {
 #[test]
 fn commands_are_paced_as_the_unit_needs_it() {
     let pacing = |too_soon| PulseGeneratorOptions {
-        pacing: Some(Pacing { least_gap_ns: 4_000_000, too_soon }),
+        pacing: Some(Pacing { least_gap_ns: 40_000_000, too_soon }),
         ..Default::default()
     };
     let bench = Bench::start(pacing(TooSoon::Unavailable));
@@ -131,7 +131,7 @@ fn commands_are_paced_as_the_unit_needs_it() {
     for too_soon in [TooSoon::Unavailable, TooSoon::Garbled] {
         let bench = Bench::start(pacing(too_soon));
         let mut settings = bench.settings();
-        settings.pacing_ms = 5;
+        settings.pacing_ms = 50;
         let mut unit = bench.try_connect(&settings, &timing()).0.unwrap();
         unit.program(&schedule()).unwrap();
     }

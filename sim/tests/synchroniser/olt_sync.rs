@@ -90,7 +90,7 @@ fn a_burst_ends_even_when_its_driver_is_dropped() {
 #[test]
 fn silence_leaves_the_state_unknown() {
     let served = unit();
-    let hasty = SynchroniserSettings { reply_timeout_ms: 60, ..settings(&served) };
+    let hasty = SynchroniserSettings { reply_timeout_ms: 1000, ..settings(&served) };
     let mut unit = open(&hasty, &timing()).unwrap();
     unit.program(&schedule()).unwrap();
     served.unit().set_silent(true);
