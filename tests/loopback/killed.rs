@@ -161,10 +161,11 @@ fn a_daemon_terminated_twice_ends_after_the_read_back() {
         for output in [2, 4, 1, 3, 0, 5, 6, 7, 8] {
             let read_back = format!("> :PULSE{output}:STATE?\\r\\n");
             // Asked again where instruments on a busy machine reply late.
-            let answer = |(at, _): (usize, &str)| last[at..].lines().nth(1);
-            let is_off = |line: &str| line.ends_with("< 0\\r\\n");
-            let mut answers = last.match_indices(&read_back).filter_map(answer);
-            assert!(answers.any(is_off), "{output}: {last}");
+            let next_line = |(at, _): (usize, &str)| last[at..].lines().nth(1);
+            let next_lines = last.match_indices(&read_back).filter_map(next_line);
+            let answers: Vec<&str> = next_lines.filter(|line| line.contains(" < ")).collect();
+            let all_off = answers.iter().all(|line| line.ends_with("< 0\\r\\n"));
+            assert!(!answers.is_empty() && all_off, "{output}: {last}");
         }
         let unit = instruments.unit();
         assert!(!unit.is_running() && (1..=8).all(|channel| !unit.is_enabled(channel)));

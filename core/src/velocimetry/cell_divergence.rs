@@ -13,7 +13,7 @@ use super::{
 /// Standard deviation of the divergence in an incompressible flow, in voxel per voxel. It is not zero, because
 /// displacements are chords of curved paths, splines only approximate short waves, and errors of neighbouring
 /// particles are correlated.
-pub const DEVIATION: f64 = 0.01;
+pub const DIVERGENCE_DEVIATION: f64 = 0.01;
 
 /// A coefficient of one field, or of several fields side by side.
 pub trait Coefficient: Copy + Default + Send + Sync {

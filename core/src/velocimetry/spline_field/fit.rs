@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{
     super::{
-        cell_divergence::DEVIATION,
+        cell_divergence::DIVERGENCE_DEVIATION,
         conjugate_gradients::Until,
         nodes::{Nodes, Taps},
     },
@@ -284,7 +284,7 @@ impl<'a> Fit<'a> {
     /// Equations with a vector for each component.
     fn equations(&self, weights: Vec<Vec<Lane>>) -> Equations<'_> {
         let divergence =
-            (DEVIATION as f32).hypot(DIVERGENCE_PER_EXTRA_SIGMA * self.extra_sigma_vox);
+            (DIVERGENCE_DEVIATION as f32).hypot(DIVERGENCE_PER_EXTRA_SIGMA * self.extra_sigma_vox);
         let divergence = Divergence {
             step_vox: self.nodes.step_vox,
             stiffness: 1.0 / (divergence * divergence),

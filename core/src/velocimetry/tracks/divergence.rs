@@ -1,7 +1,7 @@
 //! Penalty of a spline's divergence: its square in the middle of every cell between the nodes.
 
 use super::super::{
-    cell_divergence::{Cells, DEVIATION},
+    cell_divergence::{Cells, DIVERGENCE_DEVIATION},
     flow_nodes::FlowNodes,
     layout::Layout,
 };
@@ -28,7 +28,11 @@ impl Divergence {
         for (n, value) in divergence.iter_mut().enumerate() {
             let is_penalised =
                 self.cells.starts(n) && flow.is_none_or(|flow| self.touches(flow, n));
-            *value *= if is_penalised { 1.0 / (DEVIATION * DEVIATION) } else { 0.0 };
+            *value *= if is_penalised {
+                1.0 / (DIVERGENCE_DEVIATION * DIVERGENCE_DEVIATION)
+            } else {
+                0.0
+            };
         }
         let (u, rest) = sum.split_at_mut(count);
         let (v, w) = rest.split_at_mut(count);
@@ -46,7 +50,7 @@ impl Divergence {
 
     /// The diagonal of [`Self::add_forces`] away from the faces, the same for all coefficients.
     pub fn diagonal(&self) -> f64 {
-        self.cells.diagonal() / (DEVIATION * DEVIATION)
+        self.cells.diagonal() / (DIVERGENCE_DEVIATION * DIVERGENCE_DEVIATION)
     }
 }
 
