@@ -30,9 +30,9 @@ fn a_replay_gives_the_same_vectors_and_the_same_ledger() {
 #[test]
 fn a_replay_with_faults_reports_their_outcomes() {
     let root = tempfile::tempdir().expect("a folder");
-    let run = finished_run(&configuration(root.path(), ""), "40");
+    let run = finished_run(&configuration(root.path(), ""), "16");
     let faults = root.path().join("faults.toml");
-    fs::write(&faults, "seed = 3\n[camera.shares]\ndropped = 0.05\ntruncated = 0.05\n").unwrap();
+    fs::write(&faults, "seed = 3\n[camera.shares]\ndropped = 0.1\ntruncated = 0.1\n").unwrap();
     let out = root.path().join("again");
     let output = lfpiv(&[
         "replay",
@@ -49,8 +49,8 @@ fn a_replay_with_faults_reports_their_outcomes() {
     assert_eq!(ledger["balanced"], true);
     let outcomes = &ledger["cameras"][0]["outcomes"];
     let missing = outcomes["missing_packets"].as_u64().unwrap();
-    assert!((1..20).contains(&missing), "{outcomes}");
-    assert_eq!(ledger["cameras"][0]["triggers"], 40);
+    assert!((1..8).contains(&missing), "{outcomes}");
+    assert_eq!(ledger["cameras"][0]["triggers"], 16);
 }
 
 #[test]

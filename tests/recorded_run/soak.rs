@@ -48,6 +48,7 @@ fn in_flat_memory(shots: u64) {
         .replacen("columns = 13\nrows = 13", "columns = 5\nrows = 5", 1)
         .replacen("columns = 240\nrows = 240", "columns = 92\nrows = 92", 1)
         .replacen("voxels = [8, 8, 8]", "voxels = [4, 4, 4]", 1)
+        .replacen("refinement = 2", "refinement = 1", 1)
         .replacen("window_mm = 0.8", "window_mm = 0.4", 1);
     fs::write(&config, tiny).expect("the configuration");
     let running = Running::start(&config, &["--shots", &shots.to_string()]);
