@@ -27,6 +27,8 @@ CARGO = ["cargo", "test", "--workspace", "--locked"]
 # Clippy takes the compiler's place: everything is compiled once, and examined as it is.
 ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 
+# Programs, or tests that wait: twice as many as cores.
+SIDE_BY_SIDE = 2 * (os.cpu_count() or 1)
 # By their titles, the longest first: the last to begin should be short.
 LONGEST = [
     "cluster", "page", "recorded_run", "capabilities", "loopback", "readers", "lfpiv-core, unit tests", "laser",
@@ -37,6 +39,8 @@ READ_SOURCES = {"module_order"}
 # Tests of these crates start programs, but for those by this name, and read documents.
 WHOLE_PROGRAM = {"lfpiv", "lfpiv-bench"}
 START_NO_PROGRAM = {"claims", "validation"}
+# Their tests wait for instruments nearly all the time: twice as many of them as cores run at once.
+WAIT = {"laser", "daemon", "synchroniser", "gige"}
 
 RESULT = re.compile(r"^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored", re.MULTILINE)
 READERS_RESULT = re.compile(r"^(?:(\d+) failed, )?(\d+) passed", re.MULTILINE)
@@ -216,6 +220,8 @@ def run(program):
         "CARGO_MANIFEST_DIR": str(program.folder),
         "LFPIV": str(ROOT / "target/debug/lfpiv"),
     }
+    if program.name in WAIT:
+        environment["RUST_TEST_THREADS"] = str(SIDE_BY_SIDE)
     with tempfile.TemporaryFile() as captured:
         process = subprocess.Popen(
             [program.path, *program.arguments], cwd=program.folder, env=environment,
@@ -244,7 +250,7 @@ def run_all(programs, stamps):
         progress.end(outcome)
         return outcome
 
-    with ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as lanes:
+    with ThreadPoolExecutor(SIDE_BY_SIDE) as lanes:
         waiting = [lanes.submit(one, program) for program in programs]
         examples = lanes.submit(documented_examples)
         while progress.live and not all(future.done() for future in [*waiting, examples]):

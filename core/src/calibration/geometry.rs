@@ -1,6 +1,6 @@
 //! Neighbours and cells of a lattice.
 
-use crate::lightfield::MicroImageGrid;
+use crate::{lightfield::MicroImageGrid, statistics};
 
 /// Largest lattice step of a neighbour along each axis.
 const STEPS: i64 = 3;
@@ -68,10 +68,5 @@ pub(super) fn cell_pixels(
 
 /// The median; NaN without values.
 pub(super) fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<f64> = values.collect();
-    if values.is_empty() {
-        return f64::NAN;
-    }
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+    statistics::median(values).unwrap_or(f64::NAN)
 }
