@@ -21,8 +21,8 @@ use crate::{
     particles::PlacedParticles,
     reconstruction::{DenseVolume, FitVerdict, FrameLight, ModelFit, SparseVolume},
     velocimetry::{
-        CorrectedField, DisplacementField, Interrogation, PairResult, Placing, PointCloud,
-        StageSeconds, VelocityField,
+        CorrectedField, DisplacementField, Interrogation, MeasuredParticle, PairResult, Placing,
+        PointCloud, StageSeconds, VelocityField,
     },
 };
 
@@ -72,6 +72,14 @@ struct Measured {
     everywhere: DisplacementField,
     /// The particles in the images, where the field follows them.
     placed: Option<PlacedParticles>,
+}
+
+/// A field through placed particles.
+struct ThroughParticles {
+    field: VelocityField,
+    /// The particles as a result, in the order of the pairs.
+    particles: Vec<MeasuredParticle>,
+    placed: PlacedParticles,
 }
 
 impl Processor {
@@ -225,79 +233,92 @@ impl Processor {
         self.check(pair)?;
         let correction = self.correction();
         let fitted = self.models.fitted(&self.measurement, pair, &correction);
-        let started = (self.clock)();
+        let mut seconds = StageSeconds::default();
         let layouts = fitted.reconstructor.layouts();
         let decode = |frame| Frame::decode(pair, frame, layouts, &correction);
-        let (a, b) = rayon::join(|| decode(0), || decode(1));
-        let decode_s = seconds_since(self.clock, started);
-        let started = (self.clock)();
-        let micro_images = model_fit::micro_images(&self.measurement, pair);
-        let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
-        let found_s = seconds_since(self.clock, started);
-        let Measurement { velocimetry, mask, .. } = &self.measurement;
+        let (a, b) =
+            self.timed_in(&mut seconds.decode_s, || rayon::join(|| decode(0), || decode(1)));
+        let (micro_images, identical) = self.timed_in(&mut seconds.judge_s, || {
+            let identical: Vec<CameraName> = model_fit::identical_frames(pair).collect();
+            (model_fit::micro_images(&self.measurement, pair), identical)
+        });
+        let Measurement { velocimetry, mask, dt_s, .. } = &self.measurement;
         let kept = velocimetry.may_place(mask.is_some()).then_some(handed);
 
-        let started = (self.clock)();
         let solve = |frame: &Frame| fitted.reconstructor.reconstruct(&frame.views, &frame.levels);
-        let (solved_a, solved_b) = rayon::join(|| solve(&a), || solve(&b));
-        let reconstruct_s = seconds_since(self.clock, started);
-
-        let started = (self.clock)();
-        let grid = self.interrogation.cloud_grid();
-        let cloud = |volume| PointCloud::from_volume(volume, &grid);
-        let (mut field, everywhere) = self.interrogation.measure_everywhere(
-            &cloud(&solved_a.volume),
-            &cloud(&solved_b.volume),
-            self.measurement.dt_s,
-        );
-        let mut correlate_s = seconds_since(self.clock, started);
-
-        let started = (self.clock)();
-        let fit = model_fit::FitInputs {
-            measurement: &self.measurement,
-            fitted,
-            frames: [&a, &b],
-            solved: [&solved_a, &solved_b],
-            field: &field,
-            micro_images,
-        }
-        .fit();
-        let judge_s = found_s + seconds_since(self.clock, started);
+        let (solved_a, solved_b) =
+            self.timed_in(&mut seconds.reconstruct_s, || rayon::join(|| solve(&a), || solve(&b)));
+        let (mut field, everywhere) = self.timed_in(&mut seconds.correlate_s, || {
+            let grid = self.interrogation.cloud_grid();
+            let [a, b] =
+                [&solved_a, &solved_b].map(|solved| PointCloud::from_volume(&solved.volume, &grid));
+            self.interrogation.measure_everywhere(&a, &b, *dt_s)
+        });
+        let fit = self.timed_in(&mut seconds.judge_s, || {
+            let inputs = model_fit::FitInputs {
+                measurement: &self.measurement,
+                fitted,
+                frames: [&a, &b],
+                solved: [&solved_a, &solved_b],
+                field: &field,
+                micro_images,
+            };
+            inputs.fit()
+        });
         let volumes = [solved_a.volume, solved_b.volume];
         let (mut placed, mut particles) = (None, None);
         if fit.verdict == FitVerdict::Poor || !(a.lit && b.lit) {
-            field.invalidate(self.measurement.velocimetry.max_displacement_vox);
+            field.invalidate(velocimetry.max_displacement_vox);
         } else if let Some(pair) = kept.filter(|_| self.is_to_place(&field, &everywhere)) {
-            let started = (self.clock)();
-            let mut corrected = self.interrogation.to_correct(&everywhere);
-            let found = self.place(pair.borrow(), &volumes, &mut corrected)?;
-            let samples = samples(&found.pairs, &grid);
-            let alone = alone(&found, &grid);
-            let alone = alone.each_ref().map(Vec::as_slice);
-            let (through, agrees) =
-                self.interrogation.through_placed(&field, &corrected, &samples, alone);
-            field = through;
-            particles = Some(measured_particles(&found.pairs, &samples, &agrees));
-            placed = Some(found);
-            correlate_s += seconds_since(self.clock, started);
+            let through = self.timed_in(&mut seconds.correlate_s, || {
+                self.through_particles(pair.borrow(), &volumes, &field, &everywhere)
+            })?;
+            (field, particles, placed) =
+                (through.field, Some(through.particles), Some(through.placed));
         }
         tracing::debug!(
             "model fit {}: {}",
             fit.verdict,
             fit.numbers(self.measurement.optics.object_pitch_mm())
         );
-        let warnings = self.warnings(&fit, [&a, &b], &identical);
-        let seconds = StageSeconds { decode_s, reconstruct_s, correlate_s, judge_s };
         let result = PairResult {
             field,
             seconds,
-            warnings,
+            warnings: self.warnings(&fit, [&a, &b], &identical),
             model: fitted.choice.clone(),
             light: None,
             particles,
             fit: Some(fit),
         };
         Ok(Measured { result, volumes, everywhere, placed })
+    }
+
+    /// What `act` makes; the time that it takes is added to `seconds`.
+    fn timed_in<T>(&self, seconds: &mut f64, act: impl FnOnce() -> T) -> T {
+        let started = (self.clock)();
+        let made = act();
+        *seconds += seconds_since(self.clock, started);
+        made
+    }
+
+    /// The field through the particles placed in a pair's images, after correlation gave `field`, which was sampled
+    /// from `everywhere`.
+    fn through_particles(
+        &self,
+        pair: &ImagePair,
+        volumes: &[SparseVolume; 2],
+        field: &VelocityField,
+        everywhere: &DisplacementField,
+    ) -> Result<ThroughParticles, ProcessError> {
+        let grid = self.interrogation.cloud_grid();
+        let mut corrected = self.interrogation.to_correct(everywhere);
+        let placed = self.place(pair, volumes, &mut corrected)?;
+        let samples = samples(&placed.pairs, &grid);
+        let alone = alone(&placed, &grid);
+        let alone = alone.each_ref().map(Vec::as_slice);
+        let (field, agrees) = self.interrogation.through_placed(field, &corrected, &samples, alone);
+        let particles = measured_particles(&placed.pairs, &samples, &agrees);
+        Ok(ThroughParticles { field, particles, placed })
     }
 
     /// What the reader should know about a pair, the worst first.
