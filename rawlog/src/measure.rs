@@ -169,3 +169,20 @@ fn processor_s() -> f64 {
 fn bytes_of(images: &[RawImage]) -> u64 {
     images.iter().map(|image| 2 * image.counts().len() as u64).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speeds_are_those_of_all_counts_of_all_images() {
+        let image = |columns: usize| RawImage::new(columns, 3, vec![900; 3 * columns]).unwrap();
+        let images = [image(4), image(5)];
+        let speed = codec_speed(Codec::Raw, &images, 1).unwrap();
+        assert_eq!(speed.share, 1.0, "as it is, a count takes two bytes");
+        let folder = tempfile::tempdir().unwrap();
+        let copied = copy_speed(folder.path(), &images, 7).unwrap();
+        assert_eq!(copied.bytes_in, 7 * 2 * 3 * (4 + 5));
+        assert_eq!(copied.bytes_in, copied.bytes_written);
+    }
+}

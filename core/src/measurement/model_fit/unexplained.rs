@@ -60,11 +60,16 @@ pub fn unexplained(
     let noise = |mean: f64| levels.noise_counts.powi(2) + gain * mean.max(0.0);
     let tiles: Vec<Tile> = pixels.iter_mut().map(|pixels| Tile::of(pixels, &noise)).collect();
     let mean_light = tiles.iter().map(|tile| tile.light).sum::<f64>() / tiles.len().max(1) as f64;
-    let mut shares: Vec<f64> = tiles
+    let shares: Vec<f64> = tiles
         .iter()
         .filter(|tile| tile.light > LIT_SHARE_OF_MEAN * mean_light && tile.light > 0.0)
         .map(|tile| (tile.residual / tile.light).sqrt().min(1.0))
         .collect();
+    of_tiles(shares)
+}
+
+/// The share at [`TILE_RANK`] of all tiles in ascending order; 1 of none.
+fn of_tiles(mut shares: Vec<f64>) -> f64 {
     if shares.is_empty() {
         return 1.0;
     }
@@ -159,6 +164,13 @@ mod tests {
                 [modelled + other * unexplained + READ_NOISE * normal(), modelled / scale]
             })
             .collect()
+    }
+
+    #[test]
+    fn the_share_of_an_image_is_the_lower_quartile_of_its_tiles() {
+        assert_eq!(of_tiles(vec![]), 1.0);
+        assert_eq!(of_tiles(vec![0.6, 0.2]), 0.2);
+        assert_eq!(of_tiles(vec![0.5, 0.4, 0.1, 0.3, 0.2]), 0.2);
     }
 
     #[test]
