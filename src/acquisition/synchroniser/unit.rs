@@ -135,3 +135,61 @@ impl From<DeviceError> for UnsafeState {
         Self { is_lost: is_loss(&error), reason: error.to_string() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use lfpiv_hw::timing::PulseSchedule;
+
+    use super::*;
+
+    /// A unit that is always safe.
+    struct SafeUnit;
+
+    impl Synchroniser for SafeUnit {
+        fn identify(&mut self) -> Result<String, DeviceError> {
+            Ok("safe unit".to_owned())
+        }
+
+        fn program(&mut self, _: &PulseSchedule) -> Result<(), DeviceError> {
+            Ok(())
+        }
+
+        fn fire(&mut self, _: u64) -> Result<(), DeviceError> {
+            Ok(())
+        }
+
+        fn trigger_count(&mut self) -> Result<Option<u64>, DeviceError> {
+            Ok(None)
+        }
+
+        fn state(&mut self) -> Result<SynchroniserState, DeviceError> {
+            Ok(SynchroniserState::Safe)
+        }
+
+        fn make_safe(&mut self) -> Result<(), DeviceError> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_lost_unit_is_searched_again_to_be_made_safe_after_a_pause() {
+        let mut is_there = false;
+        let reopen: Reopen = Box::new(move || {
+            let detail = "unplugged".to_owned();
+            let lost = DeviceError::NotFound { device: SYNCHRONISER.to_owned(), detail };
+            let opened =
+                if is_there { Ok(Box::new(SafeUnit) as Box<dyn Synchroniser>) } else { Err(lost) };
+            is_there = true;
+            opened
+        });
+        let mut unit = Unit::new(Box::new(SafeUnit), Some(reopen), Arc::default());
+        assert!(unit.reopen().is_err());
+        // A time ahead: the pause has not passed however slow this machine is.
+        let failed_at =
+            |unit: &mut Unit, at: Instant| unit.last_failed_search.as_mut().unwrap().0 = at;
+        failed_at(&mut unit, Instant::now() + Duration::from_secs(3600));
+        assert!(unit.make_safe().is_err_and(|why| why.is_lost), "it was found without a search");
+        failed_at(&mut unit, Instant::now().checked_sub(SEARCH_COOLDOWN).unwrap());
+        assert!(unit.make_safe().is_ok() && unit.device.is_some());
+    }
+}
