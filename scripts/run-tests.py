@@ -27,7 +27,7 @@ CARGO = ["cargo", "test", "--workspace", "--locked"]
 # Clippy takes the compiler's place: everything is compiled once, and examined as it is.
 ENVIRONMENT = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
 
-# Programs, or tests that wait: twice as many as cores.
+# Number of programs at once, and of tests at once in a program of WAIT.
 SIDE_BY_SIDE = 2 * (os.cpu_count() or 1)
 # By their titles, the longest first: the last to begin should be short.
 LONGEST = [
@@ -39,7 +39,7 @@ READ_SOURCES = {"module_order"}
 # Tests of these crates start programs, but for those by this name, and read documents.
 WHOLE_PROGRAM = {"lfpiv", "lfpiv-bench"}
 START_NO_PROGRAM = {"claims", "validation"}
-# Their tests wait for instruments nearly all the time: twice as many of them as cores run at once.
+# Their tests mostly wait for instruments.
 WAIT = {"laser", "daemon", "synchroniser", "gige"}
 
 RESULT = re.compile(r"^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored", re.MULTILINE)

@@ -175,11 +175,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn speeds_are_those_of_all_counts_of_all_images() {
+    fn speeds_count_two_bytes_for_every_pixel() {
         let image = |columns: usize| RawImage::new(columns, 3, vec![900; 3 * columns]).unwrap();
         let images = [image(4), image(5)];
         let speed = codec_speed(Codec::Raw, &images, 1).unwrap();
-        assert_eq!(speed.share, 1.0, "as it is, a count takes two bytes");
+        assert_eq!(speed.share, 1.0, "not compressed");
         let folder = tempfile::tempdir().unwrap();
         let copied = copy_speed(folder.path(), &images, 7).unwrap();
         assert_eq!(copied.bytes_in, 7 * 2 * 3 * (4 + 5));

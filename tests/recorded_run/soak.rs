@@ -31,16 +31,17 @@ fn count(status: &Value, name: &str) -> u64 {
 
 #[test]
 fn shots_in_flat_memory() {
-    in_flat_memory(1000);
+    // Coarse voxels: half the time.
+    in_flat_memory(1000, 1);
 }
 
 #[test]
 #[ignore = "long: make soak"]
 fn long_five_thousand_shots_in_flat_memory() {
-    in_flat_memory(5000);
+    in_flat_memory(5000, 2);
 }
 
-fn in_flat_memory(shots: u64) {
+fn in_flat_memory(shots: u64, refinement: u32) {
     let root = tempfile::tempdir().expect("a folder");
     let config = configuration(root.path(), "[raw_log]\nsegment_mb = 20\n");
     let text = fs::read_to_string(&config).expect("the configuration");
@@ -48,7 +49,7 @@ fn in_flat_memory(shots: u64) {
         .replacen("columns = 13\nrows = 13", "columns = 5\nrows = 5", 1)
         .replacen("columns = 240\nrows = 240", "columns = 92\nrows = 92", 1)
         .replacen("voxels = [8, 8, 8]", "voxels = [4, 4, 4]", 1)
-        .replacen("refinement = 2", "refinement = 1", 1)
+        .replacen("refinement = 2", &format!("refinement = {refinement}"), 1)
         .replacen("window_mm = 0.8", "window_mm = 0.4", 1);
     fs::write(&config, tiny).expect("the configuration");
     let running = Running::start(&config, &["--shots", &shots.to_string()]);

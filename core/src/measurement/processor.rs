@@ -77,7 +77,7 @@ struct Measured {
 /// A field through placed particles.
 struct ThroughParticles {
     field: VelocityField,
-    /// The particles as a result, in the order of the pairs.
+    /// For the result, in the order of `placed.pairs`.
     particles: Vec<MeasuredParticle>,
     placed: PlacedParticles,
 }
@@ -293,7 +293,7 @@ impl Processor {
         Ok(Measured { result, volumes, everywhere, placed })
     }
 
-    /// What `act` makes; the time that it takes is added to `seconds`.
+    /// The result of `act`, whose duration is added to `seconds`.
     fn timed_in<T>(&self, seconds: &mut f64, act: impl FnOnce() -> T) -> T {
         let started = (self.clock)();
         let made = act();

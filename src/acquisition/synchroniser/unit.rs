@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lost_unit_is_searched_again_to_be_made_safe_after_a_pause() {
+    fn a_lost_unit_is_searched_for_again_after_a_pause_to_be_made_safe() {
         let mut is_there = false;
         let reopen: Reopen = Box::new(move || {
             let detail = "unplugged".to_owned();
@@ -188,7 +188,10 @@ mod tests {
         let failed_at =
             |unit: &mut Unit, at: Instant| unit.last_failed_search.as_mut().unwrap().0 = at;
         failed_at(&mut unit, Instant::now() + Duration::from_secs(3600));
-        assert!(unit.make_safe().is_err_and(|why| why.is_lost), "it was found without a search");
+        assert!(
+            unit.make_safe().is_err_and(|why| why.is_lost),
+            "it was searched for within the pause"
+        );
         failed_at(&mut unit, Instant::now().checked_sub(SEARCH_COOLDOWN).unwrap());
         assert!(unit.make_safe().is_ok() && unit.device.is_some());
     }

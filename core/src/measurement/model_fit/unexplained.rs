@@ -65,11 +65,11 @@ pub fn unexplained(
         .filter(|tile| tile.light > LIT_SHARE_OF_MEAN * mean_light && tile.light > 0.0)
         .map(|tile| (tile.residual / tile.light).sqrt().min(1.0))
         .collect();
-    of_tiles(shares)
+    share_at_rank(shares)
 }
 
-/// The share at [`TILE_RANK`] of all tiles in ascending order; 1 of none.
-fn of_tiles(mut shares: Vec<f64>) -> f64 {
+/// The share at [`TILE_RANK`] of the tiles' shares in ascending order; 1 without tiles.
+fn share_at_rank(mut shares: Vec<f64>) -> f64 {
     if shares.is_empty() {
         return 1.0;
     }
@@ -168,9 +168,9 @@ mod tests {
 
     #[test]
     fn the_share_of_an_image_is_the_lower_quartile_of_its_tiles() {
-        assert_eq!(of_tiles(vec![]), 1.0);
-        assert_eq!(of_tiles(vec![0.6, 0.2]), 0.2);
-        assert_eq!(of_tiles(vec![0.5, 0.4, 0.1, 0.3, 0.2]), 0.2);
+        assert_eq!(share_at_rank(vec![]), 1.0);
+        assert_eq!(share_at_rank(vec![0.6, 0.2]), 0.2);
+        assert_eq!(share_at_rank(vec![0.5, 0.4, 0.1, 0.3, 0.2]), 0.2);
     }
 
     #[test]
