@@ -192,7 +192,8 @@ proptest! {
         let expected = drain(&mut first, &clock);
         let (mut second, _) = faulty(60, &settings);
         let mut delivered = Vec::new();
-        for _ in 0..6000_u64.div_ceil(wait_ms) + 60 {
+        // A call takes a frame, of which there may be two each, or waits for its whole time.
+        for _ in 0..6000_u64.div_ceil(wait_ms) + 2 * 60 {
             delivered.extend(second.next_frame(Duration::from_millis(wait_ms)).unwrap());
         }
         // The pattern of calls does not change the faults.
