@@ -27,7 +27,7 @@ SMALL_UNITS = [
 CARGO = ["cargo", *SMALL_UNITS, "test", "--locked"]
 # What a property finds in a mutant is no case to keep.
 ENVIRONMENT = {**os.environ, "PROPTEST_DISABLE_FAILURE_PERSISTENCE": "1"}
-LONGEST_S = 600
+LONGEST_S = 300
 # What becomes of a replacement that the compiler refuses.
 NO_MUTANT = "does not compile"
 

@@ -60,6 +60,10 @@ impl<C: Camera + ?Sized> Camera for Box<C> {
     fn is_connected(&self) -> bool {
         (**self).is_connected()
     }
+
+    fn loss_detection_time(&self) -> Duration {
+        (**self).loss_detection_time()
+    }
 }
 
 /// The unit that times laser and cameras.

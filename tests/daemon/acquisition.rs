@@ -170,6 +170,22 @@ async fn a_silent_camera_ends_the_firing() {
     taken.assert_safe_end();
 }
 
+/// Triggers come faster than the driver notices.
+#[tokio::test]
+async fn a_silent_camera_whose_driver_notices_its_loss_is_waited_for() {
+    let patience = Duration::from_millis(700);
+    let settings = AcquisitionSettings { patience, ..settings(30, OverloadPolicy::Wait) };
+    let tricks = [(1, 6, Trick::Unplug)];
+    let taken = take(settings, &tricks, 3, CancellationToken::new(), |_| {}).await;
+    let triggers = taken.ended.as_ref().unwrap().triggers;
+    assert_eq!(triggers, 30);
+    let both = vec![Some(Outcome::Complete); 2];
+    assert_eq!(taken.outcomes(2), both);
+    assert_ne!(taken.outcomes(3), both);
+    assert_eq!(taken.outcomes(29), both);
+    taken.assert_safe_end();
+}
+
 #[tokio::test]
 async fn a_stop_ends_the_burst_and_keeps_received_frames() {
     let stop = CancellationToken::new();

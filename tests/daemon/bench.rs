@@ -40,6 +40,8 @@ pub enum Trick {
     Panic,
     /// The line to the synchroniser breaks.
     CutLine,
+    /// It is unplugged for a while. Its driver reports that once the laser has been made safe.
+    Unplug,
 }
 
 /// The calls that reached the devices, in order.
@@ -53,8 +55,13 @@ pub fn bench(file: &ConfigFile, tricks: &[(usize, u64, Trick)]) -> (Bench, CallL
     let inner = connect(scene, file.config.bench_geometry(), seed, Pacing::AsFramesAreTaken);
     let cameras = inner.cameras.into_iter().enumerate().map(|(index, inner)| {
         let tricks = tricks.iter().filter(|(camera, ..)| *camera == index);
-        let tricks = tricks.map(|(_, frame_id, trick)| (*frame_id, *trick)).collect();
-        Box::new(TrickCamera { inner, tricks, repeated: None, log: log.clone() }) as Box<dyn Camera>
+        let tricks: Vec<_> = tricks.map(|(_, frame_id, trick)| (*frame_id, *trick)).collect();
+        let log = log.clone();
+        let unplugged = tricks.iter().any(|(_, trick)| *trick == Trick::Unplug);
+        let loss_detection_time = if unplugged { LONGER_THAN_A_TEST } else { Duration::ZERO };
+        let (repeated, plug) = (None, Plug::In);
+        Box::new(TrickCamera { inner, tricks, repeated, plug, loss_detection_time, log })
+            as Box<dyn Camera>
     });
     let cameras = cameras.collect();
     let synchroniser = Box::new(LoggedUnit { inner: inner.synchroniser, log: log.clone() });
@@ -65,7 +72,44 @@ struct TrickCamera {
     inner: Box<dyn Camera>,
     tricks: Vec<(u64, Trick)>,
     repeated: Option<Frame>,
+    plug: Plug,
+    loss_detection_time: Duration,
     log: CallLog,
+}
+
+/// Whether a camera is plugged in.
+enum Plug {
+    In,
+    /// Pulled when the devices had received `calls` calls; the driver has not noticed.
+    Pulled {
+        calls: usize,
+    },
+    /// The driver reports the loss while it is asked for this many more frames.
+    Missed {
+        asked: usize,
+    },
+}
+
+/// Number of times that a driver that misses its camera is asked for frames.
+const MISSED: usize = 5;
+
+const LONGER_THAN_A_TEST: Duration = Duration::from_secs(60);
+
+impl Plug {
+    /// Goes on by one request for a frame.
+    fn turn(&mut self, log: &CallLog) {
+        *self = match *self {
+            Self::Pulled { calls }
+                if log.lock()[calls..].iter().any(|call| call == "make safe") =>
+            {
+                Self::Missed { asked: MISSED }
+            }
+            Self::Missed { asked: 0 } => Self::In,
+            Self::Missed { asked } => Self::Missed { asked: asked - 1 },
+            Self::In => Self::In,
+            Self::Pulled { calls } => Self::Pulled { calls },
+        }
+    }
 }
 
 impl Camera for TrickCamera {
@@ -82,7 +126,11 @@ impl Camera for TrickCamera {
         if let Some(frame) = self.repeated.take() {
             return Ok(Some(frame));
         }
-        let Some(mut frame) = self.inner.next_frame(timeout)? else { return Ok(None) };
+        let frame = self.inner.next_frame(timeout)?;
+        self.plug.turn(&self.log);
+        let Some(mut frame) = frame.filter(|_| matches!(self.plug, Plug::In)) else {
+            return Ok(None);
+        };
         let trick = self.tricks.iter().find(|(id, _)| *id == frame.frame_id).map(|(_, t)| *t);
         match trick {
             None => {}
@@ -95,6 +143,11 @@ impl Camera for TrickCamera {
             }
             Some(Trick::Panic) => panic!("driver bug"),
             Some(Trick::CutLine) => self.log.lock().push(CUT.to_owned()),
+            Some(Trick::Unplug) => {
+                self.plug = Plug::Pulled { calls: self.log.lock().len() };
+                self.tricks.retain(|(_, trick)| *trick != Trick::Unplug);
+                return Ok(None);
+            }
         }
         Ok(Some(frame))
     }
@@ -106,6 +159,14 @@ impl Camera for TrickCamera {
 
     fn statistics(&self) -> StreamStatistics {
         self.inner.statistics()
+    }
+
+    fn is_connected(&self) -> bool {
+        !matches!(self.plug, Plug::Missed { .. })
+    }
+
+    fn loss_detection_time(&self) -> Duration {
+        self.loss_detection_time
     }
 }
 

@@ -297,4 +297,8 @@ impl<C: Camera> Camera for FaultyCamera<C> {
     fn is_connected(&self) -> bool {
         !self.disconnected && self.camera.is_connected()
     }
+
+    fn loss_detection_time(&self) -> Duration {
+        self.camera.loss_detection_time()
+    }
 }
