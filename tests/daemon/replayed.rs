@@ -14,7 +14,7 @@ use lfpiv::{
     archive::ShotTime,
 };
 use lfpiv_hw::device::Camera;
-use lfpiv_rawlog::{RawLog, RawLogSettings};
+use lfpiv_rawlog::{RawLog, RawLogReader, RawLogSettings};
 use lfpiv_sim::faults::{CameraFaults, FaultSettings, FaultyCamera, FrameShares};
 use parking_lot::Mutex;
 use tokio_util::sync::CancellationToken;
@@ -175,4 +175,35 @@ async fn a_stopped_burst_marks_the_same_shots_as_in_the_run() {
     assert_eq!(suspects(&replayed), marked);
     assert_eq!(outcomes(&replayed), outcomes(&ledger));
     assert_eq!((again.triggers, again.frames), (report.triggers, report.frames));
+}
+
+/// Copies the record of a run up to the announcement that this trigger was given.
+fn cut_off(run: &Path, trigger: u64, copy: &Path) {
+    let reader = RawLogReader::open(&run.join(RAW_FOLDER)).unwrap();
+    let raw = RawLogSettings::default();
+    let (log, writer) = RawLog::create(&copy.join(RAW_FOLDER), reader.description(), &raw).unwrap();
+    for record in reader.records() {
+        let record = record.unwrap().1;
+        let entry: serde_json::Value = serde_json::from_slice(&record.head).unwrap();
+        log.append_blocking(record).unwrap();
+        if entry["entry"] == "given" && entry["trigger"] == trigger {
+            break;
+        }
+    }
+    writer.close().unwrap();
+}
+
+/// The process was killed before the frames of the last trigger were recorded.
+#[tokio::test]
+async fn a_replay_of_a_record_that_is_cut_off_counts_the_triggers_that_were_given() {
+    let [run, copy] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    record(run.path(), &FaultSettings::default(), false).await;
+    for trigger in [0, 6] {
+        let copy = copy.path().join(trigger.to_string());
+        std::fs::create_dir(&copy).unwrap();
+        cut_off(run.path(), trigger, &copy);
+        let (report, ledger) = play(&copy, Duration::ZERO).await;
+        assert_eq!(report.triggers, trigger + 1);
+        assert_eq!(ledger.accounts()[0].triggers, trigger + 1);
+    }
 }
