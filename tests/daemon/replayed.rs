@@ -7,7 +7,7 @@ use lfpiv::{
     acquisition::{
         AcquisitionLinks, AcquisitionReport, AcquisitionSettings, Bench, Command, Control, Journal,
         Ledger, Mode, Outcome, OverloadPolicy, acquire, control,
-        journal::{Description, JOURNAL_VERSION, RAW_FOLDER},
+        journal::{Description, JOURNAL_VERSION, RAW_FOLDER, RecordedRun, ledger_of},
         replay::{Replay, Speed, replay},
         shot_queue,
     },
@@ -145,6 +145,11 @@ async fn every_trigger_ends_as_in_the_run() {
         let root = tempfile::tempdir().unwrap();
         let (report, ledger) = record(root.path(), &faults, false).await;
         assert!(times(&ledger).iter().all(|(_, time)| time.is_some()));
+        // A run without a ledger file, as after a kill.
+        let recorded = RecordedRun::open(root.path()).unwrap();
+        let rebuilt = ledger_of(&recorded, &(0..SHOTS).collect()).unwrap();
+        assert_eq!(outcomes(&rebuilt), outcomes(&ledger), "seed {seed}");
+        assert_eq!(times(&rebuilt), times(&ledger), "seed {seed}");
         // With a slow and a fast pool, which must not affect the replay's clock.
         for pool in [Duration::ZERO, Duration::from_millis(60)] {
             let (again, replayed) = play(root.path(), pool).await;
