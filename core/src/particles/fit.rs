@@ -1,12 +1,11 @@
-//! Damped Gauss–Newton for many particles at once: block-diagonal, every particle steps against the common
-//! residual images.
+//! The particles of one frame, and the model of its images that consists of them.
 
 use rayon::prelude::*;
 
 use super::{
     disagreement::ParticleEquations,
     image::ParticleImage,
-    normal::{LightPrior, Normal, Particle, StepRule},
+    normal::{Normal, Particle},
     order::image_order,
 };
 use crate::model::{PointCamera, PointFootprint};
@@ -25,7 +24,7 @@ pub struct FrameFit {
     /// Length of each particle's last step, in mm.
     pub steps_mm: Vec<f64>,
     /// Per camera, the particles of the model in the order of their images.
-    orders: Vec<Vec<u32>>,
+    pub(super) orders: Vec<Vec<u32>>,
 }
 
 impl FrameFit {
@@ -99,22 +98,6 @@ impl FrameFit {
         in_order
     }
 
-    /// The normal equations of the numbered particles, summed over the cameras.
-    pub fn equations(&self, cameras: &[PointCamera], of: &[usize]) -> Vec<Normal> {
-        let mut sums = vec![Normal::default(); of.len()];
-        for (c, camera) in cameras.iter().enumerate() {
-            let by_camera = self.in_camera(c, of, |footprint, particle| {
-                let mut normal = Normal::default();
-                camera.image_and_derivatives(particle.at_mm, footprint);
-                let equations = self.images[c].equations(camera, footprint);
-                normal.add(&equations, &footprint.by_place, particle.light[c], c);
-                normal
-            });
-            sums.iter_mut().zip(&by_camera).for_each(|(sum, one)| *sum += one);
-        }
-        sums
-    }
-
     /// Per camera, the equations of the numbered particles that it sees across several microlenses, for covariances.
     ///
     /// Near a camera's focal plane all light of a particle is behind one microlens, and its image changes only
@@ -160,55 +143,6 @@ impl FrameFit {
             normal.add(&equations, &footprint.by_place, light, c);
         }
         normal
-    }
-
-    /// One step of the numbered particles.
-    pub fn step(
-        &mut self,
-        cameras: &[PointCamera],
-        of: &[usize],
-        prior: &LightPrior,
-        rule: &StepRule,
-    ) {
-        let normals = self.equations(cameras, of);
-        let moved: Vec<(Particle, f64)> = of
-            .iter()
-            .zip(&normals)
-            .map(|(&n, normal)| normal.stepped(&self.particles[n], cameras.len(), prior, rule))
-            .collect();
-        if 2 * of.len() > self.particles.len() {
-            self.take(of, &moved);
-            self.render(cameras);
-        } else {
-            let before: Vec<Particle> = of.iter().map(|&n| self.particles[n]).collect();
-            self.take(of, &moved);
-            self.exchange(cameras, &before, of);
-        }
-    }
-
-    fn take(&mut self, of: &[usize], moved: &[(Particle, f64)]) {
-        for (&n, &(particle, step_mm)) in of.iter().zip(moved) {
-            self.particles[n] = particle;
-            self.steps_mm[n] = step_mm;
-        }
-    }
-
-    /// Replaces the image of the numbered particles, as they were `before`, by their present one.
-    fn exchange(&mut self, cameras: &[PointCamera], before: &[Particle], of: &[usize]) {
-        let particles = &self.particles;
-        let places = places_in(of, particles.len());
-        let images = self.images.par_iter_mut().zip(&self.orders).zip(cameras).enumerate();
-        images.for_each(|(c, ((image, order), camera))| {
-            let mut footprint = PointFootprint::default();
-            for &n in order {
-                let n = n as usize;
-                let Some(old) = places[n].map(|place| before[place]) else { continue };
-                camera.image(old.at_mm, &mut footprint);
-                image.add(camera, &footprint, -old.light[c] as f32);
-                camera.image(particles[n].at_mm, &mut footprint);
-                image.add(camera, &footprint, particles[n].light[c] as f32);
-            }
-        });
     }
 }
 

@@ -23,6 +23,7 @@ mod partners;
 mod place;
 mod restart;
 mod select;
+mod step;
 
 pub use blur::{FIRST_WIDTH_PX, blur_of_width};
 pub use flow::Flow;

@@ -120,7 +120,7 @@ const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 const STARTS_REACH_VOX: f64 = 1.5;
 
 /// Rule for the steps of a particle.
-const STEP_RULE: StepRule = StepRule { relaxation: 0.8, damping: 0.01, longest_mm: 0.0 };
+const STEP_RULE: StepRule = StepRule { relaxation: 1.0, damping: 0.01, longest_mm: 0.0 };
 
 /// Largest step, in voxels.
 const MAX_STEP_VOX: f64 = 0.2;

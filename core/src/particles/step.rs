@@ -1,0 +1,248 @@
+//! Steps of particles towards the images: Gauss–Newton for the unknowns of each, Gauss–Seidel between them.
+//!
+//! Particles whose images overlap depend on each other. Batches of particles step one after the other, each
+//! against the residual that the steps before it left. The particles of a batch step at once, on several threads.
+//! Their images hardly overlap, because the batch takes every [`STRIDE`]-th particle in the order of their images.
+//! With neighbours in one batch, fewer particles are found (docs/decisions.md).
+
+use rayon::prelude::*;
+
+use super::{
+    fit::FrameFit,
+    normal::{LightPrior, Normal, Particle, StepRule},
+};
+use crate::model::{PointCamera, PointFootprint};
+
+/// Number of particles that step at once.
+const BATCH: usize = 64;
+
+/// Distance of a batch's particles in the order of their images. A batch extends over `BATCH * STRIDE` particles,
+/// whose part of an image remains in the processor's cache.
+const STRIDE: usize = 16;
+
+/// Least number of particles for a thread.
+const LEAST_PER_THREAD: usize = 8;
+
+/// A particle after a step, and the length of the step in mm.
+type Stepped = (Particle, f64);
+
+impl FrameFit {
+    /// One step of each of the numbered particles.
+    pub fn step(
+        &mut self,
+        cameras: &[PointCamera],
+        of: &[usize],
+        prior: &LightPrior,
+        rule: &StepRule,
+    ) {
+        let mut steps = vec![false; self.particles.len()];
+        of.iter().for_each(|&n| steps[n] = true);
+        let in_order = self.orders.first().into_iter().flatten().map(|&n| n as usize);
+        let in_order: Vec<usize> = in_order.filter(|&n| steps[n]).collect();
+        // The images of a batch's particles in each camera, kept until they are taken out of the model.
+        let mut footprints = vec![vec![PointFootprint::default(); cameras.len()]; BATCH];
+        for batch in batches(&in_order) {
+            let stepped = self.stepped(cameras, &batch, (prior, rule), &mut footprints);
+            self.exchange(cameras, &batch, &stepped, &footprints);
+            for (n, (particle, step_mm)) in batch.into_iter().zip(stepped) {
+                self.particles[n] = particle;
+                self.steps_mm[n] = step_mm;
+            }
+        }
+    }
+
+    /// Steps of a batch's particles against the residual; `footprints` are set to their images before.
+    fn stepped(
+        &self,
+        cameras: &[PointCamera],
+        batch: &[usize],
+        (prior, rule): (&LightPrior, &StepRule),
+        footprints: &mut [Vec<PointFootprint>],
+    ) -> Vec<Stepped> {
+        let step = |(&n, footprints): (&usize, &mut Vec<PointFootprint>)| {
+            let particle = &self.particles[n];
+            let mut normal = Normal::default();
+            for (c, (camera, footprint)) in cameras.iter().zip(footprints).enumerate() {
+                camera.image_and_derivatives(particle.at_mm, footprint);
+                let equations = self.images[c].equations(camera, footprint);
+                normal.add(&equations, &footprint.by_place, particle.light[c], c);
+            }
+            normal.stepped(particle, cameras.len(), prior, rule)
+        };
+        let particles = batch.par_iter().zip(footprints).with_min_len(LEAST_PER_THREAD);
+        particles.map(step).collect()
+    }
+
+    /// Replaces the images of a batch's particles in the model by those after their steps.
+    fn exchange(
+        &mut self,
+        cameras: &[PointCamera],
+        batch: &[usize],
+        stepped: &[Stepped],
+        footprints: &[Vec<PointFootprint>],
+    ) {
+        let particles = &self.particles;
+        let images = self.images.par_iter_mut().zip(cameras).enumerate();
+        images.for_each_init(PointFootprint::default, |footprint, (c, (image, camera))| {
+            for ((&n, (after, _)), before) in batch.iter().zip(stepped).zip(footprints) {
+                image.add(camera, &before[c], -particles[n].light[c] as f32);
+                camera.image(after.at_mm, footprint);
+                image.add(camera, footprint, after.light[c] as f32);
+            }
+        });
+    }
+}
+
+/// Batches of particles, given in the order of their images.
+fn batches(in_order: &[usize]) -> impl Iterator<Item = Vec<usize>> {
+    in_order.chunks(BATCH * STRIDE).flat_map(|part| {
+        (0..STRIDE.min(part.len()))
+            .map(|first| part.iter().skip(first).step_by(STRIDE).copied().collect())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use lfpiv_hw::{CameraName, RawImage};
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+    use rayon::ThreadPoolBuilder;
+
+    use super::*;
+    use crate::{
+        lightfield::LightLevels,
+        model::{CameraCalibration, LANES, PointBlur, VolumeGrid},
+        particles::{
+            image::ParticleImage,
+            kernels,
+            noise::PixelNoise,
+            normal::{CAMERAS, LightPrior},
+        },
+        test_bench,
+    };
+
+    const VOXEL_MM: f64 = 0.1;
+    const LIGHT: f64 = 3000.0;
+    const PARTICLES: usize = 130;
+    const RULE: StepRule = StepRule { relaxation: 1.0, damping: 0.01, longest_mm: 0.02 };
+    const PRIOR: LightPrior = LightPrior { typical: [LIGHT; CAMERAS], spread: 0.1 };
+
+    fn cameras() -> Vec<PointCamera> {
+        let (optics, poses) = (test_bench::optics(), test_bench::poses());
+        let volume = VolumeGrid { voxels: [30; 3], voxel_mm: VOXEL_MM, centre_mm: [0.0; 3] };
+        let blur = PointBlur { plane_mm: 2e-3, sensor_px: 0.3 };
+        let calibration = CameraCalibration::default();
+        let camera = |(c, pose)| {
+            PointCamera::new(&optics, pose, &calibration, &volume, CameraName(c), blur).unwrap()
+        };
+        poses.iter().enumerate().map(camera).collect()
+    }
+
+    fn particles(random: &mut Pcg64Mcg) -> Vec<Particle> {
+        let mut coordinate = |_| random.random_range(-1.4..1.4);
+        let place = |_| [0; 3].map(&mut coordinate);
+        let places: Vec<[f64; 3]> = (0..PARTICLES).map(place).collect();
+        places.into_iter().map(|at_mm| Particle { at_mm, light: [LIGHT; CAMERAS] }).collect()
+    }
+
+    /// An image without noise.
+    fn image(camera: &PointCamera, c: usize, particles: &[Particle]) -> ParticleImage {
+        let [width, height] = camera.sensor_px();
+        let mut light = vec![0.0; width * height + LANES];
+        let mut footprint = PointFootprint::default();
+        for particle in particles {
+            camera.image(particle.at_mm, &mut footprint);
+            let (open, stride) = (camera.open_shares(), camera.open_stride());
+            let counts = particle.light[c] as f32;
+            kernels::add_image(&mut light, width, open, stride, &footprint, counts);
+        }
+        let counts = light[..width * height].iter().map(|light| light.round() as u16).collect();
+        let image = RawImage::new(width, height, counts).unwrap();
+        let levels = LightLevels {
+            offset_counts: 0.0,
+            background_counts: 0.0,
+            noise_counts: 1.0,
+            saturation_counts: None,
+            saturated_share: 0.0,
+            mean_signal_counts: 0.0,
+            bright_share: 0.0,
+        };
+        ParticleImage::new(&image, &levels, PixelNoise { dark: 1.0, gain: 0.1, misfit: 0.0 })
+    }
+
+    /// Particles some tenths of a voxel from their true places, in the images of those.
+    fn misplaced(cameras: &[PointCamera]) -> (FrameFit, Vec<Particle>) {
+        let mut random = Pcg64Mcg::seed_from_u64(8);
+        let truth = particles(&mut random);
+        let images = cameras.iter().enumerate().map(|(c, camera)| image(camera, c, &truth));
+        let mut fit = FrameFit::new(images.collect());
+        let mut off = |mm: f64| mm + VOXEL_MM * random.random_range(-0.2..0.2);
+        fit.extend(truth.iter().map(|p| Particle { at_mm: p.at_mm.map(&mut off), ..*p }));
+        fit.render(cameras);
+        (fit, truth)
+    }
+
+    fn stepped(cameras: &[PointCamera], steps: usize) -> (FrameFit, Vec<Particle>) {
+        let (mut fit, truth) = misplaced(cameras);
+        let all: Vec<usize> = (0..PARTICLES).collect();
+        (0..steps).for_each(|_| fit.step(cameras, &all, &PRIOR, &RULE));
+        (fit, truth)
+    }
+
+    #[test]
+    fn batches_hold_every_particle_once_and_no_neighbours() {
+        for count in [0, 1, 15, 16, 17, 1000, 1024, 1025, 3000] {
+            let in_order: Vec<usize> = (0..count).collect();
+            let batches: Vec<Vec<usize>> = batches(&in_order).collect();
+            assert!(batches.iter().all(|batch| (1..=BATCH).contains(&batch.len())), "{count}");
+            let apart = |batch: &Vec<usize>| batch.windows(2).all(|two| two[1] - two[0] == STRIDE);
+            assert!(batches.iter().all(apart), "{count}");
+            let mut all: Vec<usize> = batches.into_iter().flatten().collect();
+            all.sort_unstable();
+            assert_eq!(all, in_order);
+        }
+    }
+
+    /// Most of these images overlap with many others.
+    #[test]
+    fn particles_find_their_places() {
+        let cameras = cameras();
+        let off_vox = |(fit, truth): (FrameFit, Vec<Particle>)| {
+            let off = fit.particles.iter().zip(&truth).map(|(found, truth)| {
+                let square = |n: usize| (found.at_mm[n] - truth.at_mm[n]).powi(2);
+                (0..3).map(square).sum::<f64>().sqrt() / VOXEL_MM
+            });
+            crate::statistics::median(off).unwrap()
+        };
+        let [before, after] = [0, 6].map(|steps| off_vox(stepped(&cameras, steps)));
+        assert!(before > 0.15 && after < 0.01, "{before} {after}");
+    }
+
+    /// What removed and added images leave in the model is far below the noise.
+    #[test]
+    fn the_model_is_that_of_the_particles() {
+        let cameras = cameras();
+        let (fit, _) = stepped(&cameras, 3);
+        let mut rendered = fit.clone();
+        rendered.render(&cameras);
+        let all: Vec<usize> = (0..PARTICLES).collect();
+        let of = |fit: &FrameFit| fit.equations_by_camera(&cameras, &all);
+        for (one, other) in of(&fit).iter().flatten().zip(of(&rendered).iter().flatten()) {
+            let (one, other) = (&one.normal, &other.normal);
+            for n in 0..3 + CAMERAS {
+                let scale = other.matrix[(n, n)].sqrt();
+                assert!((one.right[n] - other.right[n]).abs() <= 1e-2 * scale, "{one:?} {other:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn threads_do_not_change_a_step() {
+        let cameras = cameras();
+        let with = |threads: usize| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| stepped(&cameras, 2).0.particles)
+        };
+        assert_eq!(with(1), with(3));
+    }
+}
