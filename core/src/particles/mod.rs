@@ -3,7 +3,7 @@
 //! The light of a reconstructed volume gives a particle's position to a tenth of a voxel, the images far
 //! better. Candidates come from the light of the volume. Position and light of each are fitted to the pixels
 //! of all cameras with the exact footprint of a point ([`crate::model::PointCamera`]), all against common
-//! residual images (`fit`): iterative particle reconstruction (Wieneke, Measurement Science and Technology
+//! residual images (`fit`, `step`): iterative particle reconstruction (Wieneke, Measurement Science and Technology
 //! 24, 2013; Jahn, Schanz and Schröder, Experiments in Fluids 62, 2021) for light fields. Both frames support
 //! each other (`partners`; two pulses: Novara, Schanz and Schröder, 2023): a particle without a partner is
 //! proposed to the other frame, and starts again from several positions (`restart`). Blur (`blur`), the
