@@ -173,8 +173,7 @@ async fn a_silent_camera_ends_the_firing() {
 /// Triggers come faster than the driver notices.
 #[tokio::test]
 async fn a_silent_camera_whose_driver_notices_its_loss_is_waited_for() {
-    let patience = Duration::from_millis(700);
-    let settings = AcquisitionSettings { patience, ..settings(30, OverloadPolicy::Wait) };
+    let settings = settings(30, OverloadPolicy::Wait);
     let tricks = [(1, 6, Trick::Unplug)];
     let taken = take(settings, &tricks, 3, CancellationToken::new(), |_| {}).await;
     let triggers = taken.ended.as_ref().unwrap().triggers;
