@@ -1,7 +1,7 @@
 # `make demo` and `make test` set up a Debian machine that has a Rust toolchain, and run.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo demo-cluster cluster-scale loopback test soak bench bench-peers deb packages network-tools broker emulator components readers page-tools page format lint test-rust test-readers clean
+.PHONY: help demo demo-cluster cluster-scale loopback test soak bench bench-convection bench-peers deb packages network-tools broker emulator components readers page-tools page format lint test-rust test-readers clean
 
 # The compiler's linker, the NetCDF library with what finds it, and Aravis for the cameras with
 # the USB library that its package forgets to name.
@@ -44,6 +44,7 @@ help:
 	@echo "make soak    kills, damage, failing disks, floods and malformed files against the program for"
 	@echo "             $(SECONDS) s: SECONDS=3600 SEED=7 goes on longer, with other random numbers"
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
+	@echo "make bench-convection  error on particles of a direct numerical simulation"
 	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
 	@echo "make deb     a Debian package in target/deb: programs, systemd unit, documentation"
 	@echo "make page    build the bench page from web/bench, after a change there"
@@ -83,6 +84,16 @@ bench: packages
 	cargo build --release --locked
 	target/release/lfpiv bench --suite bench/report.toml --out $(BENCH_OUT) \
 		$(addprefix --set ,$(SETS)) $(addprefix --peers ,$(PEERS))
+
+# Particles of a direct numerical simulation, which takes five minutes the first time.
+CONVECTION := target/convection.npy
+bench-convection: packages $(CONVECTION)
+	cargo build --release --locked --package lfpiv --package lfpiv-bench
+	target/release/lfpiv bench --suite bench/convection.toml --out results/convection
+
+$(CONVECTION): bench/flows/convection.py | readers
+	@mkdir -p $(@D)
+	.venv/bin/python $< $@
 
 # Needs 13 GB of memory and 7 GB of disk for the largest explicit matrix. One case, one turn:
 # make bench-peers PEER_CASES=paper-50 PEER_TURNS=1

@@ -28,7 +28,10 @@ impl Case {
     pub(super) fn settings(&self, folder: &Path) -> Result<Vec<Setting<'_>>, BenchmarkError> {
         let config = self.configuration(folder)?;
         let no_scene = || BenchmarkError::NoScene { case: self.name.clone() };
-        let scene = config.simulation.clone().ok_or_else(no_scene)?;
+        let mut scene = config.simulation.clone().ok_or_else(no_scene)?;
+        scene.flow.in_folder(folder);
+        let case = || self.name.clone();
+        scene.flow.load().map_err(|reason| BenchmarkError::Flow { case: case(), reason })?;
         let densities = if self.ppm.is_empty() { vec![scene.ppm] } else { self.ppm.clone() };
         let cameras =
             if self.cameras.is_empty() { vec![config.camera.len()] } else { self.cameras.clone() };
@@ -179,6 +182,7 @@ fn flow_name(flow: &Flow) -> &'static str {
         Flow::PlaneWave(_) => "plane wave",
         Flow::Turbulence(_) => "turbulence",
         Flow::RoundJet(_) => "round jet",
+        Flow::Sampled(_) => "samples",
     }
 }
 

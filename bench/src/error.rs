@@ -7,6 +7,7 @@ use lfpiv_core::{
     measurement::{ProcessError, SetupError},
     model::ModelError,
 };
+use lfpiv_sim::flow::SampledFlowError;
 use thiserror::Error;
 
 /// Why a benchmark cannot be run.
@@ -43,6 +44,14 @@ pub enum BenchmarkError {
         set: String,
         /// All names.
         known: String,
+    },
+    /// A case's flow has samples that cannot be read.
+    #[error("case {case}: {reason}")]
+    Flow {
+        /// The case.
+        case: String,
+        /// What is wrong.
+        reason: SampledFlowError,
     },
     /// A case's configuration has no scene to simulate.
     #[error("case {case}: its configuration has no [simulation] table")]

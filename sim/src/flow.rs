@@ -7,7 +7,10 @@
 mod drawn;
 mod fields;
 mod round_jet;
+mod sampled;
 mod turbulence;
+
+use std::path::Path;
 
 use garde::Validate;
 use serde::{Deserialize, Serialize};
@@ -16,6 +19,7 @@ pub use fields::{
     Abc, Axis, Jet, LinearShear, PlaneWave, RingVortex, ShearLayer, SolidRotation, Uniform,
 };
 pub use round_jet::RoundJet;
+pub use sampled::{SampledFlow, SampledFlowError};
 pub use turbulence::Turbulence;
 
 /// mm/s in one m/s.
@@ -26,7 +30,8 @@ pub(crate) const MM_PER_M: f64 = 1000.0;
 /// A step of a 0.3 mm displacement pair is then 0.01 mm, a hundredth of the ring's core.
 const STEPS_PER_HALF: usize = 16;
 
-/// The same in a flow of random waves that are long beside a displacement: a step of a 1 mm pair is 0.13 mm.
+/// The same in a flow of random waves that are long beside a displacement, and between samples: a step of a 1 mm pair
+/// is 0.13 mm.
 const STEPS_PER_HALF_OF_LONG_WAVES: usize = 4;
 
 /// Steps by which the particle is found whose two positions average to a place: each leaves a hundredth.
@@ -56,6 +61,8 @@ pub enum Flow {
     Turbulence(#[garde(dive)] Turbulence),
     /// A spreading round jet along y whose fluctuations differ from shot to shot.
     RoundJet(#[garde(dive)] RoundJet),
+    /// Samples on a grid, read from a file.
+    Sampled(#[garde(dive)] SampledFlow),
 }
 
 impl Flow {
@@ -72,6 +79,25 @@ impl Flow {
             Flow::PlaneWave(flow) => flow.velocity_m_s(position_mm),
             Flow::Turbulence(flow) => flow.velocity_m_s(position_mm),
             Flow::RoundJet(flow) => flow.velocity_m_s(position_mm),
+            Flow::Sampled(flow) => flow.velocity_m_s(position_mm),
+        }
+    }
+
+    /// Makes the relative path of a file with samples one relative to `folder`.
+    pub fn in_folder(&mut self, folder: &Path) {
+        if let Flow::Sampled(flow) = self {
+            flow.in_folder(folder);
+        }
+    }
+
+    /// Reads the samples of a flow that has some.
+    ///
+    /// # Errors
+    /// The file cannot be read, or holds something else than samples of a velocity.
+    pub fn load(&self) -> Result<(), SampledFlowError> {
+        match self {
+            Flow::Sampled(flow) => flow.load(),
+            _ => Ok(()),
         }
     }
 
@@ -87,7 +113,7 @@ impl Flow {
     /// duration gives an earlier position. Classical fourth-order Runge-Kutta.
     pub fn advect_mm(&self, position_mm: [f64; 3], duration_s: f64) -> [f64; 3] {
         let steps = match self {
-            Flow::RoundJet(_) => STEPS_PER_HALF_OF_LONG_WAVES,
+            Flow::RoundJet(_) | Flow::Sampled(_) => STEPS_PER_HALF_OF_LONG_WAVES,
             _ => STEPS_PER_HALF,
         };
         let step = duration_s * MM_PER_M / steps as f64;

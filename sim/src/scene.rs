@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::{
-    flow::Flow,
+    flow::{Flow, SampledFlowError},
     geometry::BenchGeometry,
     imaging::{CameraFlaws, ElectronImage, PointSource, RaySettings, RayTracer},
     particles::{FrameOfPair, Placement, Seeding, Tracer},
@@ -51,6 +51,9 @@ pub enum SceneError {
          lens; change its distance_mm, thickness_mm or tilt_deg"
     )]
     WallElsewhere { camera: usize },
+    /// A flow without samples.
+    #[error("simulation.flow.file: {0}")]
+    Flow(#[from] SampledFlowError),
 }
 
 /// Flow, particles, light and sensor of a simulated run.
@@ -166,8 +169,9 @@ impl Scene {
     /// Checks whether this scene can be simulated on `bench`. Call it once before requesting shots.
     ///
     /// Errors: more particles than [`PARTICLE_LIMIT`]; an impossible position of a stop, an
-    /// aperture or a wall.
+    /// aperture or a wall; a flow whose samples cannot be read.
     pub fn check(&self, bench: &BenchGeometry) -> Result<(), SceneError> {
+        self.flow.load()?;
         let particles = self.seeding(bench).drawn(
             &bench.volume,
             bench.object_pitch_mm(),

@@ -108,6 +108,9 @@ pub(super) fn read(
     problems.extend(reader.overlong_arrays(&config));
     // Consistency is checked only when every value is in its range.
     if let (true, Some((purpose, folder))) = (problems.is_empty(), purpose) {
+        if let Some(scene) = &mut config.simulation {
+            scene.flow.in_folder(folder);
+        }
         let mut found = inconsistencies(&config, purpose);
         // A stored configuration already contains its calibrations.
         if matches!(purpose, Purpose::Images | Purpose::Bench) && config.calibration.is_empty() {

@@ -9,7 +9,12 @@ pub enum DisplacementField {
     /// Between the windows' vectors by cubic convolution, beyond them linearly.
     Windows(Lattice),
     /// As a spline; beyond its nodes as on them.
-    Particles(Spline),
+    Particles {
+        /// The field.
+        spline: Spline,
+        /// Standard deviation of the displacement that the windows' field misses, in voxels.
+        missed_by_windows_vox: f64,
+    },
 }
 
 impl DisplacementField {
@@ -18,7 +23,7 @@ impl DisplacementField {
     pub fn at(&self, at_vox: [f32; 3]) -> [f32; 3] {
         match self {
             Self::Windows(lattice) => lattice.at(at_vox),
-            Self::Particles(spline) => spline.of(&spline.taps(at_vox)).map(|vox| vox as f32),
+            Self::Particles { spline, .. } => spline.of(&spline.taps(at_vox)).map(|vox| vox as f32),
         }
     }
 }

@@ -23,7 +23,7 @@ use super::{
     raster::{Image, Raster},
     report::Report,
     settings::Sizes,
-    tracks::{follow, is_fine},
+    tracks::{Refined, follow, is_fine},
     uncertainty::{Cutouts, PeakStatistics},
     windows::Windows,
 };
@@ -137,11 +137,6 @@ impl Interrogation {
     /// The grid, with margin, in whose voxels clouds are given.
     pub fn cloud_grid(&self) -> VolumeGrid {
         self.grid.padded(self.margin)
-    }
-
-    /// The volume's first voxel, and the one after its last, in voxels of [`Self::cloud_grid`].
-    pub(super) fn volume_vox(&self) -> [[usize; 3]; 2] {
-        [[self.margin; 3], self.grid.voxels.map(|count| self.margin + count)]
     }
 
     /// Grid of the vectors.
@@ -339,7 +334,9 @@ impl Interrogation {
         let in_flow = self.flow_of_vectors();
         let field = field_of(grid, &self.grid, dt_s, (&reported, &ratios), in_flow);
         let everywhere = match refined {
-            Some(refined) => DisplacementField::Particles(refined.spline),
+            Some(Refined { spline, missed_by_windows_vox, .. }) => {
+                DisplacementField::Particles { spline, missed_by_windows_vox }
+            }
             None => DisplacementField::Windows(windows),
         };
         (field, everywhere)

@@ -6,6 +6,7 @@
 
 mod divergence;
 mod fit;
+mod missed;
 mod pairs;
 mod particles;
 mod samples;
@@ -16,6 +17,7 @@ pub use self::particles::{LightPeak, particles};
 pub use self::spline::Spline;
 use self::{
     fit::Fit,
+    missed::missed_by,
     pairs::{FARTHEST_VOX, Pair, pairs},
     samples::Samples,
 };
@@ -63,6 +65,8 @@ pub struct Refined {
     pub uncertainty_vox: Vec<Option<[f32; 3]>>,
     /// Windows whose vector is measured by particles alone.
     pub by_particles: Vec<bool>,
+    /// Standard deviation of the displacement that the windows' field misses, in voxels (`missed`).
+    pub missed_by_windows_vox: f64,
 }
 
 /// The field fitted to the particles of both frames, starting from the correlation's `field` with standard
@@ -97,7 +101,9 @@ pub fn follow(
     if !stage.allows_finer(near.len()) {
         let uncertainty_vox = stage.fit.uncertainty_vox();
         let nodes = stage.spline.on_nodes(&stage.nodes);
-        return Refined { spline: stage.spline, nodes, uncertainty_vox, by_particles };
+        let missed_by_windows_vox = missed_by(field, &near);
+        let spline = stage.spline;
+        return Refined { spline, nodes, uncertainty_vox, by_particles, missed_by_windows_vox };
     }
     let (nodes, known) = stage.finer(uncertainty_vox, flow.map(|flow| &flow.finer));
     let mut finer = fit_on(nodes, &known, 1);
@@ -109,7 +115,8 @@ pub fn follow(
     let nodes = finer.spline.on_nodes(&finer.nodes);
     let uncertainty_vox =
         larger(&nodes, finer.fit.uncertainty_vox(), field, &stage.fit.uncertainty_vox());
-    Refined { spline: finer.spline, nodes, uncertainty_vox, by_particles }
+    let missed_by_windows_vox = missed_by(field, &near);
+    Refined { spline: finer.spline, nodes, uncertainty_vox, by_particles, missed_by_windows_vox }
 }
 
 /// Residuals of the particles' displacements, per component.

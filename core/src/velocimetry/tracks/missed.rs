@@ -1,0 +1,129 @@
+//! What the windows' field misses of the flow, from residuals of single particles.
+//!
+//! A particle's residual is what the field misses at its position plus the particle's own error. Neighbours have the
+//! first in common, and their own errors are nearly independent. The mean product of the residuals of neighbours is
+//! therefore the variance of what the field misses. Neither the errors of single particles nor the smoothness of a
+//! fitted field changes it.
+
+use super::{super::lattice::Lattice, pairs::Pair};
+use crate::particles::Neighbours;
+
+/// Largest distance of neighbours, in spacings of the windows. Half-overlapping windows do not respond to waves of
+/// four times this length and shorter.
+const REACH: f32 = 0.5;
+
+/// Least mean product, in standard errors.
+const LEAST_SIGNIFICANCE: f64 = 3.0;
+
+/// Least mean product relative to the variance of the residuals. Errors of neighbours are correlated by up to 0.07 in a
+/// uniform flow, also with cameras 10 degrees apart (docs/decisions.md).
+const LEAST_CORRELATION: f64 = 0.2;
+
+/// Standard deviation of the displacement that the windows' `field` misses, in voxels: that of the component where it is
+/// largest. 0 where neighbours among the particles `pairs` have no significant part of their residuals in common.
+pub fn missed_by(field: &Lattice, pairs: &[Pair]) -> f64 {
+    let residual = |pair: &Pair| -> [f64; 3] {
+        let known = field.at(pair.middle_vox);
+        std::array::from_fn(|c| f64::from(pair.displacement_vox[c] - known[c]))
+    };
+    let residuals: Vec<[f64; 3]> = pairs.iter().map(residual).collect();
+    let places: Vec<[f32; 3]> = pairs.iter().map(|pair| pair.middle_vox).collect();
+    let near = Neighbours::new(&places, REACH * field.step_vox);
+    let mut sums = [Sums::default(); 3];
+    for (n, own) in residuals.iter().enumerate() {
+        near.visit(places[n], |other, _| {
+            if other > n {
+                (0..3).for_each(|c| sums[c].add(own[c], residuals[other][c]));
+            }
+        });
+    }
+    sums.iter().filter_map(Sums::in_common).fold(0.0, f64::max).sqrt()
+}
+
+/// Sums over pairs of neighbours, of one component.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sums {
+    count: f64,
+    product: f64,
+    squared_product: f64,
+    square: f64,
+}
+
+impl Sums {
+    fn add(&mut self, one: f64, other: f64) {
+        let product = one * other;
+        self.count += 1.0;
+        self.product += product;
+        self.squared_product += product * product;
+        self.square += (one * one + other * other) / 2.0;
+    }
+
+    /// Variance that neighbours have in common, in voxel², where it is significant.
+    fn in_common(&self) -> Option<f64> {
+        let is_significant = self.product > LEAST_SIGNIFICANCE * self.squared_product.sqrt()
+            && self.product > LEAST_CORRELATION * self.square;
+        is_significant.then(|| self.product / self.count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f32::consts::TAU;
+
+    use rand::{RngExt, SeedableRng};
+    use rand_distr::{Distribution, Normal};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    const EDGE_VOX: f32 = 80.0;
+
+    /// Particles at random positions in the flow `flow`, each with an error of this standard deviation, in voxels.
+    fn particles(count: usize, error_vox: f32, flow: impl Fn([f32; 3]) -> [f32; 3]) -> Vec<Pair> {
+        let mut random = Pcg64Mcg::seed_from_u64(5);
+        let error = Normal::new(0.0, error_vox).unwrap();
+        let mut pair = |_| {
+            let middle_vox = [0; 3].map(|_: i32| random.random_range(0.0..EDGE_VOX));
+            let displacement_vox = flow(middle_vox).map(|vox| vox + error.sample(&mut random));
+            Pair { middle_vox, displacement_vox, spread_vox2: [0.01; 3], light: 1.0 }
+        };
+        (0..count).map(&mut pair).collect()
+    }
+
+    /// The windows' field at rest.
+    fn at_rest() -> Lattice {
+        let nodes = [11; 3];
+        let values = vec![[0.0; 3]; nodes.iter().product()];
+        Lattice { nodes, first_vox: [0.0; 3], step_vox: 8.0, values }
+    }
+
+    fn wave(amplitude_vox: f32) -> impl Fn([f32; 3]) -> [f32; 3] {
+        move |at| [0.0, amplitude_vox * (TAU * at[0] / 16.0).sin(), 0.0]
+    }
+
+    #[test]
+    fn errors_of_particles_are_not_flow() {
+        for error_vox in [0.02, 0.1, 0.5] {
+            let particles = particles(5000, error_vox, |_| [0.0; 3]);
+            assert_eq!(missed_by(&at_rest(), &particles), 0.0, "{error_vox}");
+        }
+    }
+
+    /// A wave of a window, of which windows show nothing.
+    #[test]
+    fn a_wave_is_found_below_the_errors_of_particles() {
+        for (amplitude_vox, error_vox) in [(0.5, 0.1), (0.2, 0.15), (0.2, 0.0)] {
+            let missed = missed_by(&at_rest(), &particles(5000, error_vox, wave(amplitude_vox)));
+            // Neighbours within 4 voxels have less than the whole variance in common.
+            let deviation = f64::from(amplitude_vox) / 2f64.sqrt();
+            assert!(missed > 0.6 * deviation && missed < deviation, "{missed} of {deviation}");
+        }
+    }
+
+    #[test]
+    fn few_particles_tell_nothing() {
+        for count in [0, 1, 40] {
+            assert_eq!(missed_by(&at_rest(), &particles(count, 0.1, |_| [0.0; 3])), 0.0);
+        }
+    }
+}
