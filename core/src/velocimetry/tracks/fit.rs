@@ -36,9 +36,11 @@ const REWEIGHTINGS: usize = 2;
 /// Prior variance of a third difference, relative to the local mean square in the previous, smoothed field.
 const PRIOR_VARIANCE_FACTOR: f64 = 4.0;
 
-/// Third differences of a regular flow below this value count as zero, in voxels. Also the least uncertainty of the
-/// field.
+/// Third differences of a regular flow below this value count as zero, in voxels.
 const LEAST_DIFFERENCE_VOX: f64 = 3e-3;
+
+/// Least uncertainty of the field, in voxels: error of the midpoint rule.
+const LEAST_UNCERTAINTY_VOX: f64 = 1e-3;
 
 /// Factor on the correlation's variance where particles are much more accurate: it uses the same particles and is
 /// not an independent measurement.
@@ -46,7 +48,7 @@ const CORRELATION_DISCOUNT: f64 = 25.0;
 
 /// Ratio of the field's standard error to that of particles with independent errors: errors of the reconstruction
 /// are correlated between neighbours (docs/decisions.md, "Fitted constants").
-const COMMON_ERROR_FACTOR: f64 = 1.15;
+const COMMON_ERROR_FACTOR: f64 = 1.05;
 
 /// Common error of neighbouring particles where light is blurred, in voxels per unit of
 /// √(variance inflation) − 1 (`core/tests/hard_cases/geometry.rs`, cameras 20 to 5 degrees apart).
@@ -321,7 +323,7 @@ impl<'a> Fit<'a> {
                     let common_error =
                         COMMON_BLUR_ERROR_VOX * (self.variance_inflation[n][c].sqrt() - 1.0);
                     let uncertainty = (COMMON_ERROR_FACTOR * variance.sqrt()).hypot(common_error);
-                    uncertainty.max(LEAST_DIFFERENCE_VOX) as f32
+                    uncertainty.max(LEAST_UNCERTAINTY_VOX) as f32
                 }))
             })
             .collect()
