@@ -12,11 +12,9 @@ use crate::particles::Neighbours;
 /// four times this length and shorter.
 const REACH: f32 = 0.5;
 
-/// Least mean product, in standard errors.
-const LEAST_SIGNIFICANCE: f64 = 3.0;
-
-/// Least mean product relative to the variance of the residuals. Errors of neighbours are correlated by up to 0.07 in a
-/// uniform flow, also with cameras 10 degrees apart (docs/decisions.md).
+/// Least mean product, in standard errors, and relative to the variance of the residuals. Errors of neighbours are
+/// correlated, too: by up to 0.06 in a uniform flow, and by chance more among few particles (docs/decisions.md).
+const LEAST_SIGNIFICANCE: f64 = 5.0;
 const LEAST_CORRELATION: f64 = 0.2;
 
 /// Standard deviation of the displacement that the windows' `field` misses, in voxels: that of the component where it is
