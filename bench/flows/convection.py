@@ -22,9 +22,9 @@ WARM, COLD = 0.5, -0.5
 # Cells between the plates on the final grid, and times on the first and the final grid.
 CELLS = 64
 TIMES = 60.0, 6.0
-# Largest steps: part of the time in which the flow crosses a cell, and of that in which momentum does.
+# Longest time step, as a share of the time in which the flow crosses a cell and of that in which viscosity does.
 COURANT, DIFFUSION = 0.25, 0.1
-# Steps between adjustments of their length.
+# Number of steps after which their length is chosen again.
 STEADY_STEPS = 20
 
 X, Y = 0, 1

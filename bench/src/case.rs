@@ -30,8 +30,10 @@ impl Case {
         let no_scene = || BenchmarkError::NoScene { case: self.name.clone() };
         let mut scene = config.simulation.clone().ok_or_else(no_scene)?;
         scene.flow.in_folder(folder);
-        let case = || self.name.clone();
-        scene.flow.load().map_err(|reason| BenchmarkError::Flow { case: case(), reason })?;
+        scene
+            .flow
+            .load()
+            .map_err(|reason| BenchmarkError::Flow { case: self.name.clone(), reason })?;
         let densities = if self.ppm.is_empty() { vec![scene.ppm] } else { self.ppm.clone() };
         let cameras =
             if self.cameras.is_empty() { vec![config.camera.len()] } else { self.cameras.clone() };

@@ -116,7 +116,11 @@ impl Samples {
             [3, x, y, z] if x > 0 && y > 0 && z > 0 => [x, y, z].map(|count| count as usize),
             ref other => return Err(format!("its shape is {other:?}; allowed: (3, x, y, z)")),
         };
-        let is_fortran = file.order() == Order::Fortran;
+        if file.order() == Order::Fortran {
+            return Err("its first index runs fastest; allowed: C order, as numpy.save writes \
+                        numpy.ascontiguousarray(u_v_w)"
+                .to_owned());
+        }
         let values: Vec<f32> = match file.try_data::<f32>() {
             Ok(data) => data.collect::<Result<_, _>>().map_err(|error| error.to_string())?,
             Err(file) => match file.try_data::<f64>() {
@@ -132,11 +136,6 @@ impl Samples {
                 }
             },
         };
-        if is_fortran {
-            return Err("its first index runs fastest; allowed: C order, as numpy.save writes \
-                        numpy.ascontiguousarray(u_v_w)"
-                .to_owned());
-        }
         if let Some(n) = values.iter().position(|value| !value.is_finite()) {
             return Err(format!("its number {n} is {}; allowed: finite numbers", values[n]));
         }
