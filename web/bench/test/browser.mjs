@@ -154,6 +154,18 @@ export class Pictures {
     return (await shown.screenshot(options)).toString("base64");
   }
 
+  /** A picture of what stands still: it is the same twice. */
+  async still(shown) {
+    let last = await this.take(shown);
+    const change = async () => {
+      const before = last;
+      last = await this.take(shown);
+      return this.differing(before, last);
+    };
+    await until(change, (pixels) => pixels === 0, "a picture that stands still");
+    return last;
+  }
+
   /** How many pixels of `picture` differ by more than a trace from `other`, or from its own commonest colour. */
   differing(picture, other = null) {
     return this.reader.evaluate(async ([one, two]) => {

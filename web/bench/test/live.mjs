@@ -56,26 +56,32 @@ await withBrowser(async (browser) => {
   await look(page, "velocity");
   const space = page.locator("canvas.space");
   await until(() => space.getAttribute("data-gpu-objects"), (objects) => Number(objects) > 0, "a field", 120_000);
-  // What is held does not change by itself.
-  await page.click(".velocity .shot-choice button:text('Hold')");
+  // What is held does not change by itself, once it is drawn.
+  const choice = page.locator(".velocity .shot-choice");
+  await choice.getByText("Hold").click();
+  const kept = await choice.getByLabel("Shot number").inputValue();
+  await until(() => space.getAttribute("data-shot"), (shot) => shot === kept, "the shot that is held");
   await settle(page);
   const eye = await Pictures.open(browser);
   const straight = await eye.take(space);
   assert.ok((await eye.differing(straight)) > 2000, `${await eye.differing(straight)} pixels are drawn`);
+  const lastShot = async () => Number((await page.locator(".lamp.shot").textContent()).match(/shot (\d+)/)?.[1] ?? -1);
+  const shotThen = await lastShot();
+  await until(lastShot, (shot) => shot > shotThen, "another shot");
+  await settle(page);
   assert.ok((await eye.differing(straight, await eye.take(space))) < 50, "the picture changes by itself");
+  // How soon a change is drawn depends on what else the processors do.
+  const isTurned = (from, by) => until(async () => eye.differing(from, await eye.take(space)), (pixels) => pixels > 2000, `a turn by ${by}`);
   await space.focus();
   for (let n = 0; n < 4; n += 1) await page.keyboard.press("ArrowRight");
-  await page.waitForTimeout(300);
-  const turned = await eye.take(space);
-  const changed = await eye.differing(straight, turned);
-  assert.ok(changed > 2000, `turning changes ${changed} pixels`);
+  await isTurned(straight, "keys");
+  const turned = await eye.still(space);
   const box = await space.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 30, { steps: 4 });
   await page.mouse.up();
-  await page.waitForTimeout(300);
-  assert.ok((await eye.differing(turned, await eye.take(space))) > 2000, "the mouse turns it");
+  await isTurned(turned, "the mouse");
   // However it is turned, its box is whole: nothing reaches the rim.
   const rims = [{ y: box.y }, { y: box.y + box.height - 3 }, { width: 3 }, { x: box.x + box.width - 3, width: 3 }];
   for (const rim of rims) {
@@ -187,10 +193,12 @@ await withBrowser(async (browser) => {
   await look(page, "overview");
 
   step("the daemon goes away: values are grey, the laser is unknown");
+  // In tenths of a second of the page: where processors are busy, all of it is slower.
+  await page.evaluate(() => setInterval(() => (window.tenths = (window.tenths ?? 0) + 1), 100));
   await demand("kill");
-  const killed = Date.now();
-  await until(() => laserWord(page), (word) => word === "unknown", "doubt", 10_000);
-  assert.ok(Date.now() - killed < 5000, "within a few seconds");
+  const killed = await page.evaluate(() => window.tenths ?? 0);
+  await until(() => laserWord(page), (word) => word === "unknown", "doubt");
+  assert.ok((await page.evaluate(() => window.tenths)) - killed < 50, "within a few seconds");
   assert.ok(await page.evaluate(() => document.documentElement.hasAttribute("data-stale")));
   assert.equal(await said(), "", "nothing says that the run goes on");
   await page.screenshot({ path: join(pictures, "overview-stale.png") });

@@ -51,7 +51,7 @@ export class Results {
   }
 
   async fetchWanted() {
-    if (this.busy || this.wanted === null || document.hidden) return;
+    if (this.busy || this.wanted === null || this.held !== null || document.hidden) return;
     const wait = LEAST_MS - (performance.now() - this.lastFetch);
     if (wait > 0) {
       this.timer ??= setTimeout(() => {

@@ -98,6 +98,7 @@ export class FieldScene {
 
   /** The field's box; the view is set when it is another one. */
   frame(field) {
+    this.shot = field.shot;
     const size = field.n.map((n) => n * field.spacing);
     if (this.size && size.every((mm, axis) => mm === this.size[axis])) return;
     this.size = size;
@@ -237,8 +238,9 @@ export class FieldScene {
     this.renderer.render(this.scene, this.camera);
     this.placeLabels(width / ratio, height / ratio);
     const { geometries, textures } = this.renderer.info.memory;
-    // For whoever watches that they do not grow.
+    // For whoever watches that they do not grow, and which shot is drawn.
     this.canvas.dataset.gpuObjects = String(geometries + textures);
+    this.canvas.dataset.shot = String(this.shot);
   }
 
   placeLabels(width, height) {
