@@ -143,7 +143,7 @@ pub fn configuration(folder: &Path, port: u16, scene: Scene) -> PathBuf {
         ("address = \"127.0.0.1:0\"", server.as_str()),
         ("dir = \"results\"", &format!("dir = {:?}", folder.join("results"))),
         // More would be shed, and take the browser's processors.
-        ("rate_hz = 10.0", "rate_hz = 2.0"),
+        ("rate_hz = 10.0", "rate_hz = 1.0"),
         // A flow with something to see in it.
         ("kind = \"uniform\"", "kind = \"abc\"\nwavelength_mm = 2.4\namplitude_m_s = 0.6"),
         ("velocity_m_s = [1.0, -0.5, 0.25]", ""),

@@ -69,12 +69,6 @@ await withBrowser(async (browser) => {
     await until(() => row(name), (found) => found["last heard of"] === "now", "a sign of life");
   }
   assert.ok(parseFloat(await reading("All workers")) > 0);
-  // As many as a program that asks is told, by worker.
-  await until(async () => {
-    const { workers } = (await status()).cluster;
-    const shown = await Promise.all(workers.map(({ worker }) => row(worker)));
-    return workers.map(({ shots, attempts }, n) => [shots, attempts, Number(shown[n]?.delivered), Number(shown[n]?.begun)]);
-  }, (all) => all.length === 3 && all.every(([shots, attempts, delivered, begun]) => shots === delivered && attempts === begun), "the same numbers");
 
   step("pictures, and what axe finds");
   const violations = [];
@@ -119,6 +113,12 @@ await withBrowser(async (browser) => {
   const all = await until(async () => (await delivered("one")) + (await delivered("two")) + 1, (sum) => sum >= settled.shots.done, "all results");
   assert.equal(all, settled.shots.done);
   assert.equal(await reading("Work left"), "none");
+  // As many as a program that asks is told, by worker.
+  await until(async () => {
+    const { workers } = (await status()).cluster;
+    const shown = await Promise.all(workers.map(({ worker }) => row(worker)));
+    return workers.map(({ shots, attempts }, n) => [shots, attempts, Number(shown[n]?.delivered), Number(shown[n]?.begun)]);
+  }, (all) => all.length === 3 && all.every(([shots, attempts, delivered, begun]) => shots === delivered && attempts === begun), "the same numbers");
 
   step("a worker that ends says so");
   await demand("end two");
