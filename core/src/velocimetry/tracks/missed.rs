@@ -3,9 +3,10 @@
 //! A particle's residual is what the field misses at its position plus the particle's own error. Neighbours have the
 //! first in common, and their own errors are nearly independent. The mean product of the residuals of neighbours is
 //! therefore the variance of what the field misses. Neither the errors of single particles nor the smoothness of a
-//! fitted field changes it.
+//! fitted field changes it. Each product weighs as the inverse of both particles' variances: faint and wide light
+//! comes from overlapping particles, of which dense images are full.
 
-use super::{super::lattice::Lattice, pairs::Pair};
+use super::{super::lattice::Lattice, pairs::Pair, samples::relative_variances};
 use crate::particles::Neighbours;
 
 /// Largest distance of neighbours, in spacings of the windows. Half-overlapping windows do not respond to waves of
@@ -13,9 +14,9 @@ use crate::particles::Neighbours;
 const REACH: f32 = 0.5;
 
 /// Least mean product, in standard errors, and relative to the variance of the residuals. Errors of neighbours are
-/// correlated, too: by up to 0.06 in a uniform flow, and by chance more among few particles (docs/decisions.md).
-const LEAST_SIGNIFICANCE: f64 = 5.0;
-const LEAST_CORRELATION: f64 = 0.2;
+/// correlated, too: by up to 0.1 in a uniform flow, and by chance more among few particles (docs/decisions.md).
+const LEAST_SIGNIFICANCE: f64 = 6.0;
+const LEAST_CORRELATION: f64 = 0.15;
 
 /// Standard deviation of the displacement that the windows' `field` misses, in voxels: that of the component where it is
 /// largest. 0 where neighbours among the particles `pairs` have no significant part of their residuals in common.
@@ -25,42 +26,46 @@ pub fn missed_by(field: &Lattice, pairs: &[Pair]) -> f64 {
         std::array::from_fn(|c| f64::from(pair.displacement_vox[c] - known[c]))
     };
     let residuals: Vec<[f64; 3]> = pairs.iter().map(residual).collect();
+    let variances = relative_variances(pairs);
     let places: Vec<[f32; 3]> = pairs.iter().map(|pair| pair.middle_vox).collect();
     let near = Neighbours::new(&places, REACH * field.step_vox);
     let mut sums = [Sums::default(); 3];
     for (n, own) in residuals.iter().enumerate() {
         near.visit(places[n], |other, _| {
             if other > n {
-                (0..3).for_each(|c| sums[c].add(own[c], residuals[other][c]));
+                for (c, sums) in sums.iter_mut().enumerate() {
+                    let weight = 1.0 / (variances[n][c] * variances[other][c]);
+                    sums.add(weight, own[c], residuals[other][c]);
+                }
             }
         });
     }
     sums.iter().filter_map(Sums::in_common).fold(0.0, f64::max).sqrt()
 }
 
-/// Sums over pairs of neighbours, of one component.
+/// Weighted sums over pairs of neighbours, of one component.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
-    count: f64,
+    weight: f64,
     product: f64,
     squared_product: f64,
     square: f64,
 }
 
 impl Sums {
-    fn add(&mut self, one: f64, other: f64) {
-        let product = one * other;
-        self.count += 1.0;
+    fn add(&mut self, weight: f64, one: f64, other: f64) {
+        let product = weight * one * other;
+        self.weight += weight;
         self.product += product;
         self.squared_product += product * product;
-        self.square += (one * one + other * other) / 2.0;
+        self.square += weight * (one * one + other * other) / 2.0;
     }
 
     /// Variance that neighbours have in common, in voxel², where it is significant.
     fn in_common(&self) -> Option<f64> {
         let is_significant = self.product > LEAST_SIGNIFICANCE * self.squared_product.sqrt()
             && self.product > LEAST_CORRELATION * self.square;
-        is_significant.then(|| self.product / self.count)
+        is_significant.then(|| self.product / self.weight)
     }
 }
 
@@ -116,6 +121,17 @@ mod tests {
             let deviation = f64::from(amplitude_vox) / 2f64.sqrt();
             assert!(missed > 0.6 * deviation && missed < deviation, "{missed} of {deviation}");
         }
+    }
+
+    /// Light of overlapping particles is wide, and far from where either is.
+    #[test]
+    fn wide_light_does_not_hide_what_is_missed() {
+        let mut mixed = particles(5000, 0.1, wave(0.2));
+        for pair in particles(10_000, 0.4, |_| [0.0; 3]) {
+            mixed.push(Pair { spread_vox2: [0.05; 3], ..pair });
+        }
+        let missed = missed_by(&at_rest(), &mixed);
+        assert!(missed > 0.07 && missed < 0.15, "{missed}");
     }
 
     #[test]

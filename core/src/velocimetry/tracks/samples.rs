@@ -178,7 +178,7 @@ fn shrunk(count: usize, own: f64, common: f64) -> f64 {
 /// Variance of particles along x, y, z relative to that of a bright single particle. It is larger for wide light,
 /// which comes from two particles whose mixture differs between the frames, and for faint light, which is an
 /// artefact of reconstruction.
-fn relative_variances(pairs: &[Pair]) -> Vec<[f64; 3]> {
+pub fn relative_variances(pairs: &[Pair]) -> Vec<[f64; 3]> {
     let typical = median(pairs.iter().map(|pair| pair.light)).unwrap_or_default();
     let relative_variance = |pair: &Pair| {
         let faint = FAINT * typical / f64::from(pair.light);
