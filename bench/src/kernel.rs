@@ -12,8 +12,8 @@ use rayon::prelude::*;
 /// Tasks, each with buffers of its own; more than a machine of today has threads.
 const TASKS: usize = 16;
 
-/// y ← a·y + x over so many values in cache, so many times, in each task. Not optimised, as for tests, it would take
-/// minutes: a hundredth has to do, and the ratio to it means nothing.
+/// y ← a·y + x over so many values in cache, so many times, in each task. In an unoptimised build, as of the tests, the
+/// kernel would take minutes: it does about a hundredth of the work there, and ratios to it mean nothing.
 const CACHED_VALUES: usize = 2048;
 const CACHED_ROUNDS: usize = if cfg!(debug_assertions) { 600 } else { 60_000 };
 
