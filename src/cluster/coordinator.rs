@@ -17,7 +17,7 @@ use tokio::sync::{Notify, watch};
 
 use super::{
     Assignment, Attempt, ClusterError, Delivery, DeliveryLog, Report, ShotState, Tally, Verdict,
-    crew::Crew, expected::Expected,
+    crew::Crew, expected::Expected, remaining::Remaining,
 };
 use crate::{
     acquisition::journal::{RecordedRun, RecordedRunError, RecordedShot},
@@ -65,8 +65,6 @@ pub struct Coordinator {
     assignment: Assignment,
     expected: Expected,
     state: Mutex<State>,
-    /// Number of shots that are still to be measured.
-    left: watch::Sender<usize>,
     /// Told of shots that were added.
     added: Notify,
 }
@@ -74,6 +72,7 @@ pub struct Coordinator {
 struct State {
     shots: BTreeMap<u64, RecordedShot>,
     tally: Tally,
+    remaining: Remaining,
     /// Both are gone once it is closed.
     log: Option<DeliveryLog>,
     sink: Option<Arc<ResultTaker>>,
@@ -98,7 +97,7 @@ impl Coordinator {
             light,
             sink,
         } = setup;
-        let (left, _) = watch::channel(tally.open().len());
+        let remaining = Remaining::of(tally.open().len());
         Self {
             run,
             expected: Expected {
@@ -110,6 +109,7 @@ impl Coordinator {
             assignment,
             state: Mutex::new(State {
                 shots: shots.into_iter().map(|shot| (shot.trigger, shot)).collect(),
+                remaining,
                 tally,
                 log: Some(log),
                 sink: Some(Arc::new(sink)),
@@ -117,7 +117,6 @@ impl Coordinator {
                 refused: 0,
                 failure: None,
             }),
-            left,
             added: Notify::new(),
         }
     }
@@ -137,7 +136,7 @@ impl Coordinator {
         let mut state = self.state.lock();
         state.tally.add(shot.trigger);
         state.shots.insert(shot.trigger, shot);
-        self.left.send_replace(state.tally.open().len());
+        state.count_open();
         self.added.notify_one();
     }
 
@@ -237,7 +236,11 @@ impl Coordinator {
             (_, log) => log.report(shot, &report),
         };
         logged.inspect_err(|error| self.note_failure(&mut state, error))?;
-        let (left, sink) = (state.tally.open().len(), state.sink.clone());
+        let sink = state.sink.clone();
+        if verdict == Verdict::First {
+            let open = state.tally.open().len();
+            state.remaining.take_in(open);
+        }
         // Who writes results may be slower than those who deliver them.
         drop(state);
         if verdict == Verdict::Unequal {
@@ -247,14 +250,17 @@ impl Coordinator {
                 delivery.worker
             );
         }
-        delivery.result.measured.light = light;
-        let handed_on = |sink: Arc<ResultTaker>| sink(shot, delivery.result);
-        if verdict == Verdict::First && !sink.is_some_and(handed_on) {
-            let error = ClusterError::Broken("results cannot be stored".into());
-            self.note_failure(&mut self.state.lock(), &error);
-            return Err(error);
+        if verdict == Verdict::First {
+            delivery.result.measured.light = light;
+            let is_stored = sink.is_some_and(|sink| sink(shot, delivery.result));
+            let mut state = self.state.lock();
+            if !is_stored {
+                let error = ClusterError::Broken("results cannot be stored".into());
+                self.note_failure(&mut state, &error);
+                return Err(error);
+            }
+            state.remaining.handed_on();
         }
-        self.left.send_replace(left);
         Ok(verdict)
     }
 
@@ -279,14 +285,13 @@ impl Coordinator {
                 tracing::error!("shot {shot} is given up: {}", reasons.join("; "));
             }
         }
-        self.left.send_replace(state.tally.open().len());
+        state.count_open();
         Ok(verdict)
     }
 
     fn note_failure(&self, state: &mut State, error: &ClusterError) {
         state.failure.get_or_insert_with(|| error.to_string());
-        // Those who wait look again.
-        self.left.send_modify(|_| {});
+        state.remaining.tell();
     }
 
     /// The first shots that are still to be measured, at most `most`.
@@ -300,7 +305,7 @@ impl Coordinator {
         self.state.lock().tally.state(shot) == Some(ShotState::Open)
     }
 
-    /// Waits until every shot is settled.
+    /// Waits until every shot is settled, and its result with the one who writes it.
     ///
     /// # Errors
     /// Results can no longer be taken in.
@@ -317,7 +322,7 @@ impl Coordinator {
     }
 
     async fn wait(&self, is_over: impl Fn(usize) -> bool) -> Result<(), ClusterError> {
-        let mut left = self.left.subscribe();
+        let mut left = self.left();
         loop {
             if let Some(failure) = &self.state.lock().failure {
                 return Err(ClusterError::Broken(failure.clone()));
@@ -330,9 +335,9 @@ impl Coordinator {
         }
     }
 
-    /// Number of shots still to be measured, as it changes.
+    /// Number of shots still to be measured or handed on, as it changes.
     pub fn left(&self) -> watch::Receiver<usize> {
-        self.left.subscribe()
+        self.state.lock().remaining.subscribe()
     }
 
     /// Takes nothing in any more. The tally, the number of refused results, and the log.
@@ -348,6 +353,10 @@ impl State {
         if self.crew.see(worker, now) {
             tracing::info!("{worker} has joined");
         }
+    }
+
+    fn count_open(&mut self) {
+        self.remaining.set_open(self.tally.open().len());
     }
 
     fn log(&self) -> Result<&DeliveryLog, ClusterError> {

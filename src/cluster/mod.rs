@@ -31,6 +31,7 @@ mod job;
 mod offers;
 mod progress;
 mod queue;
+mod remaining;
 mod routes;
 mod service;
 mod settings;
