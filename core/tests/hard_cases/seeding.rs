@@ -55,7 +55,7 @@ fn half_mm(config: &Bench) -> [f64; 3] {
 #[test]
 fn dense_seeding_degrades_smoothly() {
     let mut before = Vec::new();
-    for (ppm, most_vox) in [(1.0, 0.06), (2.0, 0.1), (3.0, 0.15), (5.0, 0.3)] {
+    for (ppm, most_vox) in [(1.0, 0.06), (2.0, 0.1), (5.0, 0.3)] {
         let found = simulated(&with_scene(|scene| scene.ppm = ppm), SEED);
         found.print(&format!("{ppm} ppm"));
         assert!(found.rms() <= most_vox, "{ppm} ppm: {}", found.rms());

@@ -11,7 +11,7 @@ use cases::{CASES, bench, shots};
 
 #[test]
 fn wrong_benches_are_warned_of_with_their_cause_and_right_ones_are_not() {
-    let (config, seed) = (bench([90, 64, 64], 0.5), 3);
+    let (config, seed) = (bench([64, 56, 56], 0.5), 3);
     let shots = shots(&config, seed);
     let mut missed = Vec::new();
     for case in &CASES {

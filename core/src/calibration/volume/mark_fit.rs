@@ -215,25 +215,26 @@ impl MarkSearch<'_> {
         }
     }
 
-    /// Share of a pixel's rays that meet bright parts of the card, with the image moved.
-    fn bright(&self, pixel: &SampledPixel, offset_mm: [f64; 2], slopes: [f64; 2]) -> f64 {
-        let moved_mm = pixel.moved_mm(offset_mm, slopes);
-        let middle_mm = [0, 1].map(|along| pixel.middle_mm[along] + moved_mm[along]);
-        if self.card.edge_distance_mm(middle_mm) > pixel.reach_mm {
-            return f64::from(u8::from(self.card.is_bright(middle_mm)));
-        }
+    /// Share of a pixel's rays that meet bright parts of the card, with the rays' intersections moved.
+    fn bright(&self, pixel: &SampledPixel, moved_mm: [f64; 2]) -> f64 {
         self.card.count_bright(&pixel.rays_mm, moved_mm) as f64 / RAYS as f64
     }
 
     /// Rendered light and its derivatives with respect to the mark's place along both axes, per mm.
     fn rendered(&self, pixel: &SampledPixel, state: &State, step_mm: f64) -> [f64; 3] {
+        let moved_mm = pixel.moved_mm(state.offset_mm, state.slopes);
+        let middle_mm = [0, 1].map(|along| pixel.middle_mm[along] + moved_mm[along]);
+        // No edge is within reach of any ray, neither here nor a step away.
+        if self.card.edge_distance_mm(middle_mm) > pixel.reach_mm {
+            return [f64::from(u8::from(self.card.is_bright(middle_mm))), 0.0, 0.0];
+        }
         let at = |axis: usize, sign: f64| {
             let mut offset_mm = state.offset_mm;
             offset_mm[axis] += sign * step_mm;
-            self.bright(pixel, offset_mm, state.slopes)
+            self.bright(pixel, pixel.moved_mm(offset_mm, state.slopes))
         };
         let [low_x, high_x, low_y, high_y] = [at(0, -1.0), at(0, 1.0), at(1, -1.0), at(1, 1.0)];
-        let here = self.bright(pixel, state.offset_mm, state.slopes);
+        let here = self.bright(pixel, moved_mm);
         [here, (high_x - low_x) / (2.0 * step_mm), (high_y - low_y) / (2.0 * step_mm)]
     }
 
