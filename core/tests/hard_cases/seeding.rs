@@ -87,7 +87,7 @@ fn lone_particles(refinement: usize) -> (usize, f64) {
     config.reconstruction.refinement = refinement;
     let processor = Processor::new(config.measurement()).unwrap();
     let (mut lost, mut worst) = (0, 0.0f64);
-    for at_mm in drawn(0.02, [3.0, 2.6, 2.2]) {
+    for at_mm in drawn(0.01, [3.0, 2.6, 2.2]) {
         let truth = truth(&config, [(at_mm, 1.0)]);
         let pair = ImagePair { cameras: images_of(&config, &truth) };
         let (result, [volume, _]) = processor.process_with_volumes(&pair).unwrap();

@@ -255,32 +255,49 @@ fn fold(s: usize, values: &mut [Lane]) {
     }
 }
 
-/// Rows of the matrix that are multiplied at once, so that each value is read once for all of them.
-const ROWS: usize = 4;
-
 /// A square matrix of `count` rows times as many rows of values.
+///
+/// Several rows are multiplied at once: each value is read once for all of them, and their sums do not wait for each
+/// other.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn multiply(matrix: &[f32], count: usize, from: &[Lane], to: &mut [Lane]) {
+    let mut first = 0;
+    while first < count {
+        let multiplied = match count - first {
+            8.. => multiply_rows::<8>(matrix, (count, first), from, to),
+            4.. => multiply_rows::<4>(matrix, (count, first), from, to),
+            _ => multiply_rows::<1>(matrix, (count, first), from, to),
+        };
+        first += multiplied;
+    }
+}
+
+/// `ROWS` rows of [`multiply`], from row `first` on; returns their number.
+#[inline(always)]
+fn multiply_rows<const ROWS: usize>(
+    matrix: &[f32],
+    (count, first): (usize, usize),
+    from: &[Lane],
+    to: &mut [Lane],
+) -> usize {
     let s = from.len() / count;
-    for i in (0..count).step_by(ROWS) {
-        // Where fewer rows are left, the last one is computed several times.
-        let numbers: [usize; ROWS] = std::array::from_fn(|r| (i + r).min(count - 1));
-        let rows = numbers.map(|i| &matrix[i * count..][..count]);
-        for o in 0..s {
-            let mut sums = [[0.0; LANES]; ROWS];
-            for j in 0..count {
-                let value = &from[j * s + o];
-                for (sum, row) in sums.iter_mut().zip(rows) {
-                    for l in 0..LANES {
-                        sum[l] += row[j] * value[l];
-                    }
+    let rows: [&[f32]; ROWS] = std::array::from_fn(|r| &matrix[(first + r) * count..][..count]);
+    for o in 0..s {
+        let mut sums = [[0.0; LANES]; ROWS];
+        for j in 0..count {
+            let value = &from[j * s + o];
+            let factors = rows.map(|row| row[j]);
+            for (sum, factor) in sums.iter_mut().zip(factors) {
+                for l in 0..LANES {
+                    sum[l] += factor * value[l];
                 }
             }
-            for (i, sum) in numbers.into_iter().zip(sums) {
-                to[i * s + o] = sum;
-            }
+        }
+        for (r, sum) in sums.into_iter().enumerate() {
+            to[(first + r) * s + o] = sum;
         }
     }
+    ROWS
 }
 
 #[cfg(test)]
