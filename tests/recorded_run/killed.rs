@@ -46,7 +46,7 @@ fn fsynced_from(running: &Running, shots: u64) -> usize {
 
 #[test]
 fn acknowledged_data_survives_kills() {
-    acknowledged_data_survives(15);
+    acknowledged_data_survives(10);
 }
 
 #[test]
