@@ -224,7 +224,7 @@ fn cameras_are_found_behind_tilted_walls() {
 #[test]
 fn a_card_is_seen_from_both_sides_on_an_uncertain_stage() {
     const STAGE_MM: f64 = 0.005;
-    // The mean of five errors is half that of one.
+    // Of the stage's errors their mean remains, which is about half as large for five positions as for one.
     let mut trial = Trial { stage_mm: STAGE_MM, positions: 5, ..Trial::typical() };
     let half = 0.5f64.sqrt();
     trial.card.up = Vector3::new(0.0, half, half);
