@@ -238,8 +238,8 @@ impl Coordinator {
         logged.inspect_err(|error| self.note_failure(&mut state, error))?;
         let sink = state.sink.clone();
         if verdict == Verdict::First {
-            let open = state.tally.open().len();
-            state.remaining.take_in(open);
+            state.remaining.take_in();
+            state.count_open();
         }
         // Who writes results may be slower than those who deliver them.
         drop(state);
@@ -252,16 +252,27 @@ impl Coordinator {
         }
         if verdict == Verdict::First {
             delivery.result.measured.light = light;
-            let is_stored = sink.is_some_and(|sink| sink(shot, delivery.result));
-            let mut state = self.state.lock();
-            if !is_stored {
-                let error = ClusterError::Broken("results cannot be stored".into());
-                self.note_failure(&mut state, &error);
-                return Err(error);
-            }
-            state.remaining.handed_on();
+            self.hand_on(shot, delivery.result, sink)?;
         }
         Ok(verdict)
+    }
+
+    /// Gives a result to the one who writes it.
+    fn hand_on(
+        &self,
+        shot: u64,
+        result: ShotResult,
+        sink: Option<Arc<ResultTaker>>,
+    ) -> Result<(), ClusterError> {
+        let is_stored = sink.is_some_and(|sink| sink(shot, result));
+        let mut state = self.state.lock();
+        if !is_stored {
+            let error = ClusterError::Broken("results cannot be stored".into());
+            self.note_failure(&mut state, &error);
+            return Err(error);
+        }
+        state.remaining.handed_on();
+        Ok(())
     }
 
     /// Decodes and checks a delivered result.
@@ -355,6 +366,7 @@ impl State {
         }
     }
 
+    /// Tells those who wait how many shots are now to be measured.
     fn count_open(&mut self) {
         self.remaining.set_open(self.tally.open().len());
     }

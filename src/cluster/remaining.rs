@@ -23,10 +23,9 @@ impl Remaining {
         self.tell();
     }
 
-    /// A result was taken in, and so many shots are now to be measured. [`Self::handed_on`] follows.
-    pub fn take_in(&mut self, open: usize) {
+    /// A result was taken in. [`Self::set_open`] follows, then [`Self::handed_on`].
+    pub fn take_in(&mut self) {
         self.in_transit += 1;
-        self.set_open(open);
     }
 
     /// A result is with the one who writes it.
@@ -55,9 +54,11 @@ mod tests {
     fn nothing_remains_once_every_result_is_handed_on_in_whatever_order() {
         let mut remaining = Remaining::of(2);
         let left = remaining.subscribe();
-        remaining.take_in(1);
+        remaining.take_in();
+        remaining.set_open(1);
         assert_eq!(*left.borrow(), 2);
-        remaining.take_in(0);
+        remaining.take_in();
+        remaining.set_open(0);
         assert_eq!(*left.borrow(), 2);
         remaining.handed_on();
         assert_eq!(*left.borrow(), 1);
