@@ -58,13 +58,8 @@ impl Axes {
         Self { column: 2, row: 1, depth: 0 },
     ];
 
-    /// Index in [`Self::ALL`].
-    pub fn number(self) -> usize {
-        2 * self.column + usize::from(self.row > self.depth)
-    }
-
     /// For row r and column c of a block in the camera's orientation, the near and the far child.
-    pub const fn children(self) -> [[[usize; 2]; 2]; 2] {
+    pub fn children(self) -> [[[usize; 2]; 2]; 2] {
         let (c, r, d) = (1 << self.column, 1 << self.row, 1 << self.depth);
         [[[0, d], [c, c + d]], [[r, r + d], [r + c, r + c + d]]]
     }

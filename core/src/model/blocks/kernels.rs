@@ -14,7 +14,7 @@ use multiversion::multiversion;
 
 use super::{
     BlockLight,
-    aligned_tables::Axes,
+    child_order::ChildOrder,
     pair_tap::{PairTap, SHARE_UNIT},
 };
 
@@ -24,8 +24,8 @@ pub(super) trait TapSource<const L: usize, const D: usize, const C: usize>: Sync
     /// Addresses of a batch's taps.
     type Addresses;
 
-    /// Orientation of the blocks. Only used with [`ANY`].
-    fn axes(&self) -> Axes;
+    /// Orientation of the blocks. Not used with 8 layers.
+    fn child_order(&self) -> ChildOrder;
 
     /// The addresses of `count` blocks, at most [`BATCH`], starting with block `start`.
     fn addresses(&self, start: usize, count: usize) -> Self::Addresses;
@@ -51,14 +51,6 @@ pub(super) struct PlacedTap<'a, const L: usize, const C: usize> {
     pub first: usize,
 }
 
-/// Index of the arrangement in which each of a block's eight voxels is its own layer; smaller
-/// indices are those of [`Axes`].
-pub(super) const APART: usize = Axes::ALL.len();
-
-/// Index of any arrangement along [`TapSource::axes`], for kernels that are rarely used: one instead
-/// of six.
-pub(super) const ANY: usize = APART + 1;
-
 /// Unit of a share along the columns times one along the rows.
 const UNITS: f32 = SHARE_UNIT * SHARE_UNIT;
 
@@ -66,54 +58,41 @@ const UNITS: f32 = SHARE_UNIT * SHARE_UNIT;
 /// for its L1 cache.
 pub(super) const BATCH: usize = 16;
 
-/// The children of row r and column c of a block, near and far.
-type Children = [[[usize; 2]; 2]; 2];
-
-const fn children_of(arrangement: usize) -> Children {
-    // Unused if each voxel is its own layer.
-    Axes::ALL[arrangement % APART].children()
-}
-
-/// The light of a block's layer by row and column, with the voxels behind them: `C` rows.
+/// The light of a block's layer by row and column, with the voxels behind them: `C` rows. `light` is in the camera's
+/// order, or in the grid's with 8 layers: one voxel each.
 #[inline(always)]
-fn light_of<const D: usize, const C: usize>(
-    children: Children,
-    light: &BlockLight,
-    layer: usize,
-) -> [[f32; 2]; C] {
+fn light_of<const D: usize, const C: usize>(light: &BlockLight, layer: usize) -> [[f32; 2]; C] {
     let mut quarters = [[0.0; 2]; C];
     if D == 8 {
         quarters[0][0] = light[layer & 7] * UNITS;
         return quarters;
     }
-    for (q, quarters) in quarters.iter_mut().enumerate() {
+    for q in 0..C {
         for c in 0..2 {
-            let [near, far] = children[q % 2][c].map(|child| child & 7);
-            quarters[c] = match (D, C) {
-                (1, 2) => (light[near] + light[far]) * UNITS,
-                (1, _) => light[if q < 2 { near } else { far }] * UNITS,
-                _ => light[if layer == 0 { near } else { far }] * UNITS,
-            };
+            let mut sum = light[(4 * layer + 2 * q + c) & 7];
+            if (D, C) == (1, 2) {
+                sum += light[4 + 2 * (q & 1) + c];
+            }
+            quarters[q][c] = sum * UNITS;
         }
     }
     quarters
 }
 
-/// `A` is the index of the camera's [`Axes`], or [`APART`] with 8 layers.
+/// Adds a projection of the blocks' `light` to `image`, `width` pixels per row.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub(super) fn project_blocks<
     S: TapSource<L, D, C>,
     const L: usize,
     const D: usize,
     const C: usize,
-    const A: usize,
 >(
     source: &S,
     width: usize,
     light: &[BlockLight],
     image: &mut [f32],
 ) {
-    let children = if A == ANY { source.axes().children() } else { const { children_of(A) } };
+    let order = source.child_order();
     let mut scratch = [PairTap::NONE; 2];
     let mut next = source.addresses(0, light.len().min(BATCH));
     for (batch, lights) in light.chunks(BATCH).enumerate() {
@@ -121,11 +100,15 @@ pub(super) fn project_blocks<
         let start = (batch + 1) * BATCH;
         next = source.addresses(start, light.len().saturating_sub(start).min(BATCH));
         source.prefetch_taps(&next);
-        for (block, light) in lights.iter().enumerate() {
+        let mut reordered = [[0.0; 8]; BATCH];
+        for (block, &light) in lights.iter().enumerate() {
+            reordered[block % BATCH] = if D == 8 { light } else { order.to_camera(light) };
+        }
+        for (block, light) in reordered.iter().enumerate().take(lights.len()) {
             for layer in 0..D {
                 let [columns, rows] = source.taps(&addresses, block % BATCH, layer, &mut scratch);
                 let (column, row) = (columns.tap, rows.tap);
-                let quarters = light_of::<D, C>(children, light, layer);
+                let quarters = light_of::<D, C>(light, layer);
                 let mut spread = [[0.0f32; L]; C];
                 for q in 0..C {
                     let [low, high] = quarters[q];
@@ -164,7 +147,6 @@ pub(super) fn gather_blocks<
     const L: usize,
     const D: usize,
     const C: usize,
-    const A: usize,
 >(
     source: &S,
     width: usize,
@@ -172,7 +154,7 @@ pub(super) fn gather_blocks<
     image: &[f32],
     out: &mut [BlockLight],
 ) {
-    let children = if A == ANY { source.axes().children() } else { const { children_of(A) } };
+    let order = source.child_order();
     let mut scratch = [PairTap::NONE; 2];
     let blocks = out.len();
     let mut next = source.addresses(start, blocks.min(BATCH));
@@ -181,7 +163,10 @@ pub(super) fn gather_blocks<
         let done = (batch + 1) * BATCH;
         next = source.addresses(start + done, blocks.saturating_sub(done).min(BATCH));
         source.prefetch_taps(&next);
+        // Near and far quarters of each block, in the camera's order.
+        let mut gathered = [[[0.0; 4]; 2]; BATCH];
         for (block, out) in out.iter_mut().enumerate() {
+            let halves = &mut gathered[block % BATCH];
             for layer in 0..D {
                 let [columns, rows] = source.taps(&addresses, block, layer, &mut scratch);
                 let (column, row) = (columns.tap, rows.tap);
@@ -206,20 +191,19 @@ pub(super) fn gather_blocks<
                         out[layer & 7] += quarters[0];
                         continue;
                     }
-                    for r in 0..2 {
-                        for c in 0..2 {
-                            let sum = quarters[2 * r + c];
-                            let [near, far] = children[r][c].map(|child| child & 7);
-                            match (D, C) {
-                                (1, 2) => {
-                                    out[near] += sum;
-                                    out[far] += sum;
-                                }
-                                (1, _) => out[if d == 0 { near } else { far }] += sum,
-                                _ => out[if layer == 0 { near } else { far }] += sum,
-                            }
-                        }
+                    halves[(layer + d) & 1] = quarters;
+                    if (D, C) == (1, 2) {
+                        halves[1] = quarters;
                     }
+                }
+            }
+        }
+        if D < 8 {
+            for (block, out) in out.iter_mut().enumerate() {
+                let [[a, b, c, d], [e, f, g, h]] = gathered[block % BATCH];
+                let light = order.to_grid([a, b, c, d, e, f, g, h]);
+                for child in 0..8 {
+                    out[child] += light[child];
                 }
             }
         }

@@ -11,6 +11,7 @@
 mod aligned;
 mod aligned_tables;
 mod axis_table;
+mod child_order;
 mod dark_counts;
 #[expect(clippy::needless_range_loop, reason = "plain loops become vector instructions")]
 mod kernels;

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use super::{
     BlockLight, BlockProjector,
-    aligned_tables::{AlignedModel, Axes, Place, ViewTables},
+    aligned_tables::{AlignedModel, Place, ViewTables},
+    child_order::ChildOrder,
     kernels::{PlacedTap, TapSource, gather_blocks, project_blocks},
     pair_tap::PairTap,
     prefetch::prefetch,
@@ -22,14 +23,14 @@ pub(super) struct AlignedProjector<'a, const L: usize, const D: usize> {
 struct AlignedTaps<'a, const L: usize> {
     tables: ViewTables<'a, L>,
     places: &'a [Place],
-    axes: Axes,
+    child_order: ChildOrder,
 }
 
 impl<'a, const L: usize, const D: usize> TapSource<L, D, 2> for AlignedTaps<'a, L> {
     type Addresses = &'a [Place];
 
-    fn axes(&self) -> Axes {
-        self.axes
+    fn child_order(&self) -> ChildOrder {
+        self.child_order
     }
 
     #[inline(always)]
@@ -69,7 +70,7 @@ impl<const L: usize, const D: usize> AlignedProjector<'_, L, D> {
         AlignedTaps {
             tables: self.model.view(view),
             places: &self.places[view.camera],
-            axes: self.model.cameras[view.camera].axes,
+            child_order: ChildOrder::of(self.model.cameras[view.camera].axes),
         }
     }
 }
@@ -78,16 +79,7 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
     fn project(&self, view: ViewId, light: &[BlockLight], image: &mut [f32]) {
         let taps = self.taps(view);
         image.fill(0.0);
-        // With constant indices, children are shuffled in registers instead of being loaded one by one.
-        let project_blocks = match self.model.cameras[view.camera].axes.number() {
-            0 => project_blocks::<_, L, D, 2, 0>,
-            1 => project_blocks::<_, L, D, 2, 1>,
-            2 => project_blocks::<_, L, D, 2, 2>,
-            3 => project_blocks::<_, L, D, 2, 3>,
-            4 => project_blocks::<_, L, D, 2, 4>,
-            _ => project_blocks::<_, L, D, 2, 5>,
-        };
-        project_blocks(&taps, taps.tables.width, light, image);
+        project_blocks::<_, L, D, 2>(&taps, taps.tables.width, light, image);
         cover(taps.tables.coverage, image);
     }
 
@@ -103,15 +95,7 @@ impl<const L: usize, const D: usize> BlockProjector for AlignedProjector<'_, L, 
         out: &mut [BlockLight],
     ) {
         let taps = self.taps(view);
-        let gather_blocks = match self.model.cameras[view.camera].axes.number() {
-            0 => gather_blocks::<_, L, D, 2, 0>,
-            1 => gather_blocks::<_, L, D, 2, 1>,
-            2 => gather_blocks::<_, L, D, 2, 2>,
-            3 => gather_blocks::<_, L, D, 2, 3>,
-            4 => gather_blocks::<_, L, D, 2, 4>,
-            _ => gather_blocks::<_, L, D, 2, 5>,
-        };
-        gather_blocks(&taps, taps.tables.width, range.start, image, out);
+        gather_blocks::<_, L, D, 2>(&taps, taps.tables.width, range.start, image, out);
     }
 
     fn retain(&mut self, keep: &[bool]) {

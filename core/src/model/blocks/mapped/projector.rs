@@ -14,8 +14,8 @@ use crate::model::{
     ViewId,
     blocks::{
         BlockLight, BlockProjector,
-        aligned_tables::Axes,
-        kernels::{ANY, APART, PlacedTap, TapSource, gather_blocks, project_blocks},
+        child_order::ChildOrder,
+        kernels::{PlacedTap, TapSource, gather_blocks, project_blocks},
         pair_tap::PairTap,
         prefetch::prefetch,
         projector::cover,
@@ -35,7 +35,7 @@ pub(super) struct MappedProjector<'a, const L: usize> {
 /// One view's tables, and the blocks' positions in them.
 struct MappedTaps<'a, const L: usize, const C: usize> {
     tables: &'a [ShareTable<L, C>; 2],
-    axes: Axes,
+    child_order: ChildOrder,
     view: ViewAddresses,
     layers: &'a [BlockPlaces],
     lenses: [i32; 2],
@@ -47,8 +47,8 @@ struct MappedTaps<'a, const L: usize, const C: usize> {
 impl<const L: usize, const D: usize, const C: usize> TapSource<L, D, C> for MappedTaps<'_, L, C> {
     type Addresses = ([Addresses; D], usize);
 
-    fn axes(&self) -> Axes {
-        self.axes
+    fn child_order(&self) -> ChildOrder {
+        self.child_order
     }
 
     #[inline(always)]
@@ -157,7 +157,7 @@ impl<'a, const L: usize> MappedProjector<'a, L> {
         let lenses = [window.columns.len() as i32, window.rows.len() as i32];
         MappedTaps {
             tables,
-            axes: camera.axes,
+            child_order: ChildOrder::of(camera.axes),
             view: camera.view(&self.model.layouts[id.camera].views[id.view]),
             layers: &self.places[id.camera],
             lenses,
@@ -170,28 +170,13 @@ impl<'a, const L: usize> MappedProjector<'a, L> {
     }
 }
 
-/// The kernel for blocks with one position and `C` voxels per tap. With constant orientation, children
-/// are shuffled in registers instead of being loaded one by one.
-macro_rules! kernel_of_one {
-    ($kernel:ident, $voxels:literal, $axes:expr) => {
-        match $axes.number() {
-            0 => $kernel::<_, L, 1, $voxels, 0>,
-            1 => $kernel::<_, L, 1, $voxels, 1>,
-            2 => $kernel::<_, L, 1, $voxels, 2>,
-            3 => $kernel::<_, L, 1, $voxels, 3>,
-            4 => $kernel::<_, L, 1, $voxels, 4>,
-            _ => $kernel::<_, L, 1, $voxels, 5>,
-        }
-    };
-}
-
 /// The kernel for pairs of voxels.
 macro_rules! kernel_of_pairs {
     ($kernel:ident, $camera:expr) => {
         match $camera.layers {
-            Layers::One => kernel_of_one!($kernel, 2, $camera.axes),
-            Layers::Two => $kernel::<_, L, 2, 2, ANY>,
-            Layers::Eight => $kernel::<_, L, 8, 2, APART>,
+            Layers::One => $kernel::<_, L, 1, 2>,
+            Layers::Two => $kernel::<_, L, 2, 2>,
+            Layers::Eight => $kernel::<_, L, 8, 2>,
         }
     };
 }
@@ -207,8 +192,7 @@ impl<const L: usize> BlockProjector for MappedProjector<'_, L> {
                 project(&self.taps(view, tables), width, light, image);
             }
             CameraTables::Quads(tables) => {
-                let project = kernel_of_one!(project_blocks, 4, camera.axes);
-                project(&self.taps(view, tables), width, light, image);
+                project_blocks::<_, L, 1, 4>(&self.taps(view, tables), width, light, image);
             }
         }
         cover(self.coverage(view), image);
@@ -233,8 +217,8 @@ impl<const L: usize> BlockProjector for MappedProjector<'_, L> {
                 gather(&self.taps(view, tables), width, range.start, image, out);
             }
             CameraTables::Quads(tables) => {
-                let gather = kernel_of_one!(gather_blocks, 4, camera.axes);
-                gather(&self.taps(view, tables), width, range.start, image, out);
+                let taps = self.taps(view, tables);
+                gather_blocks::<_, L, 1, 4>(&taps, width, range.start, image, out);
             }
         }
     }
