@@ -70,14 +70,16 @@ fn sin_cos_of_octant(angle: f64) -> (f64, f64) {
         * (1.0
             + square
                 * (-1.0 / 6.0
-                    + square * (1.0 / 120.0 + square * (-1.0 / 5040.0 + square / 362_880.0))));
+                    + square
+                        * (1.0 / 120.0 + square * (-1.0 / 5040.0 + square * (1.0 / 362_880.0)))));
     let cos = 1.0
         + square
             * (-0.5
                 + square
                     * (1.0 / 24.0
                         + square
-                            * (-1.0 / 720.0 + square * (1.0 / 40_320.0 - square / 3_628_800.0))));
+                            * (-1.0 / 720.0
+                                + square * (1.0 / 40_320.0 - square * (1.0 / 3_628_800.0)))));
     (sin, cos)
 }
 
