@@ -1,6 +1,9 @@
 //! The displacement anywhere in the volume, to its faces and a little beyond.
 
-use super::{lattice::Lattice, tracks::Spline};
+use super::{
+    lattice::Lattice,
+    tracks::{Missed, Spline},
+};
 
 /// The field behind the vectors: that of the windows, whose lattice reaches to the volume's faces, or the one
 /// through particles.
@@ -12,8 +15,8 @@ pub enum DisplacementField {
     Particles {
         /// The field.
         spline: Spline,
-        /// Standard deviation of the displacement that the windows' field misses, in voxels.
-        missed_by_windows_vox: f64,
+        /// What fields by correlation miss of the flow.
+        missed: Missed,
     },
 }
 

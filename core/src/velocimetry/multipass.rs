@@ -334,9 +334,7 @@ impl Interrogation {
         let in_flow = self.flow_of_vectors();
         let field = field_of(grid, &self.grid, dt_s, (&reported, &ratios), in_flow);
         let everywhere = match refined {
-            Some(Refined { spline, missed_by_windows_vox, .. }) => {
-                DisplacementField::Particles { spline, missed_by_windows_vox }
-            }
+            Some(Refined { spline, missed, .. }) => DisplacementField::Particles { spline, missed },
             None => DisplacementField::Windows(windows),
         };
         (field, everywhere)

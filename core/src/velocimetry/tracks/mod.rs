@@ -14,13 +14,12 @@ mod spline;
 mod variance;
 
 pub use self::particles::{LightPeak, particles};
-pub use self::spline::Spline;
 use self::{
     fit::Fit,
-    missed::missed_by,
     pairs::{FARTHEST_VOX, Pair, pairs},
     samples::Samples,
 };
+pub use self::{missed::Missed, spline::Spline};
 use super::{
     cloud::PointCloud, flow_geometry::FlowGeometry, flow_nodes::FlowNodes, lattice::Lattice,
     layout::Layout,
@@ -65,8 +64,8 @@ pub struct Refined {
     pub uncertainty_vox: Vec<Option<[f32; 3]>>,
     /// Windows whose vector is measured by particles alone.
     pub by_particles: Vec<bool>,
-    /// Standard deviation of the displacement that the windows' field misses, in voxels (`missed`).
-    pub missed_by_windows_vox: f64,
+    /// What the fields miss of the flow.
+    pub missed: Missed,
 }
 
 /// The field fitted to the particles of both frames, starting from the correlation's `field` with standard
@@ -101,9 +100,9 @@ pub fn follow(
     if !stage.allows_finer(near.len()) {
         let uncertainty_vox = stage.fit.uncertainty_vox();
         let nodes = stage.spline.on_nodes(&stage.nodes);
-        let missed_by_windows_vox = missed_by(field, &near);
+        let missed = Missed::of(field, &stage.spline, &near);
         let spline = stage.spline;
-        return Refined { spline, nodes, uncertainty_vox, by_particles, missed_by_windows_vox };
+        return Refined { spline, nodes, uncertainty_vox, by_particles, missed };
     }
     let (nodes, known) = stage.finer(uncertainty_vox, flow.map(|flow| &flow.finer));
     let mut finer = fit_on(nodes, &known, 1);
@@ -115,8 +114,8 @@ pub fn follow(
     let nodes = finer.spline.on_nodes(&finer.nodes);
     let uncertainty_vox =
         larger(&nodes, finer.fit.uncertainty_vox(), field, &stage.fit.uncertainty_vox());
-    let missed_by_windows_vox = missed_by(field, &near);
-    Refined { spline: finer.spline, nodes, uncertainty_vox, by_particles, missed_by_windows_vox }
+    let missed = Missed::of(field, &finer.spline, &near);
+    Refined { spline: finer.spline, nodes, uncertainty_vox, by_particles, missed }
 }
 
 /// Residuals of the particles' displacements, per component.
