@@ -162,3 +162,16 @@ fn waves_of_ten_voxels_are_measured_by_placed_particles() {
     println!("{:.1} % of these are valid", 100.0 * valid);
     assert!(placed < 0.6 * windows && valid > 0.95, "{windows} {placed} {valid}");
 }
+
+/// Windows miss less of it than the error of a particle, but so do followed particles, and their residuals tell.
+#[test]
+fn turbulence_below_the_error_of_a_particle_is_measured_by_default() {
+    let weak = |scene: &mut Scene| {
+        let flow = "kind = \"turbulence\"\nwavelengths_mm = [1.6, 10.0]\nrms_m_s = 0.1\nseed = 1";
+        scene.flow = toml::from_str(flow).unwrap();
+    };
+    let [(windows, _), (placed, valid)] =
+        [Placing::Never, Placing::Auto].map(|placing| error_of_field(placing, 36, weak));
+    println!("{windows:.4} voxel by correlation, {placed:.4} through placed particles");
+    assert!(placed < 0.6 * windows && valid > 0.95, "{windows} {placed} {valid}");
+}
