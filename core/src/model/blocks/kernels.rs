@@ -100,6 +100,8 @@ pub(super) fn project_blocks<
         let start = (batch + 1) * BATCH;
         next = source.addresses(start, light.len().saturating_sub(start).min(BATCH));
         source.prefetch_taps(&next);
+        // In a loop of its own, as is the opposite in `gather_blocks`: between the others it keeps them from becoming
+        // vector instructions.
         let mut reordered = [[0.0; 8]; BATCH];
         for (block, &light) in lights.iter().enumerate() {
             reordered[block % BATCH] = if D == 8 { light } else { order.to_camera(light) };

@@ -168,7 +168,7 @@ mod tests {
         }
     }
 
-    /// Half of a long wave, which windows follow in part. Nothing of it is significant within half a spacing.
+    /// A third of a particle's error. Within half a spacing there are too few neighbours to tell it.
     #[test]
     fn a_faint_wave_is_found_by_the_neighbours_farther_away() {
         let faint = |at: [f32; 3]| [0.0, 0.03 * (TAU * at[0] / 24.0).sin(), 0.0];
