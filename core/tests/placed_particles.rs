@@ -163,7 +163,7 @@ fn waves_of_ten_voxels_are_measured_by_placed_particles() {
     assert!(placed < 0.6 * windows && valid > 0.95, "{windows} {placed} {valid}");
 }
 
-/// Windows miss less of it than the error of a particle, but so do followed particles, and their residuals tell.
+/// Windows miss less of it than the 0.05 voxel at which particles are placed. What followed particles miss decides.
 #[test]
 fn turbulence_below_the_error_of_a_particle_is_measured_by_default() {
     let weak = |scene: &mut Scene| {

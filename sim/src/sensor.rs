@@ -95,8 +95,8 @@ impl SensorSettings {
             electrons += rng.sample(read_noise);
         }
         let counts = self.offset_counts + self.gain_counts_per_electron * electrons;
-        // `as` rounds down and cuts below zero; `round` would be a function call on processors without SSE 4.1. The
-        // upper cut is the converter's.
+        // `as` drops decimals and what is below zero; `round` would be a function call on processors without SSE 4.1.
+        // The upper cut is the converter's.
         ((counts + 0.5) as u16).min(self.saturation_counts())
     }
 }

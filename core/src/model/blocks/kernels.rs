@@ -24,7 +24,7 @@ pub(super) trait TapSource<const L: usize, const D: usize, const C: usize>: Sync
     /// Addresses of a batch's taps.
     type Addresses;
 
-    /// Orientation of the blocks. Not used with 8 layers.
+    /// Order of a block's children in the camera's orientation. Not used with 8 layers.
     fn child_order(&self) -> ChildOrder;
 
     /// The addresses of `count` blocks, at most [`BATCH`], starting with block `start`.

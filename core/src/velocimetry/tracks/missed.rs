@@ -13,9 +13,9 @@ use crate::particles::Neighbours;
 struct Comparison {
     /// Largest distance of neighbours, in spacings of the windows.
     reach: f32,
-    /// Least mean product, in standard errors,
+    /// Least mean product, in standard errors.
     least_significance: f64,
-    /// and relative to the variance of the residuals.
+    /// Least mean product, relative to the variance of the residuals.
     least_correlation: f64,
 }
 
