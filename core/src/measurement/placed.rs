@@ -76,9 +76,9 @@ fn at_vox(grid: &VolumeGrid, at_mm: [f64; 3]) -> [f32; 3] {
 impl PairForPlacing<'_> {
     /// The particles: candidates are the local maxima of light in the volumes. They correct `field`.
     pub fn place(&self, pair: &ImagePair, field: &mut CorrectedField<'_>) -> PlacedParticles {
-        let starts = [0, 1].map(|frame| self.start(pair, frame));
+        let (a, b) = rayon::join(|| self.start(pair, 0), || self.start(pair, 1));
         let mut flow = FlowInMm { field, grid: self.grid };
-        place_pairs(self.cameras, self.grid.voxel_mm, starts, &mut flow)
+        place_pairs(self.cameras, self.grid.voxel_mm, [a, b], &mut flow)
     }
 
     fn start(&self, pair: &ImagePair, frame: usize) -> FrameStart {

@@ -1,6 +1,6 @@
 //! One image pair to one velocity field.
 
-use std::borrow::Borrow;
+use std::{borrow::Borrow, sync::OnceLock};
 
 use lfpiv_hw::{CameraName, RawImage};
 use thiserror::Error;
@@ -17,7 +17,7 @@ use crate::{
         plan::Plan,
         setup::{Measurement, SetupError},
     },
-    model::ModelError,
+    model::{ModelError, PointCamera, VolumeGrid},
     particles::PlacedParticles,
     reconstruction::{DenseVolume, FitVerdict, FrameLight, ModelFit, SparseVolume},
     velocimetry::{
@@ -59,6 +59,8 @@ pub struct Processor {
     /// Per camera.
     zones: Vec<PhotometricZones>,
     interrogation: Interrogation,
+    /// Set by the first pair whose particles are placed.
+    point_cameras: OnceLock<Vec<PointCamera>>,
     /// Per camera and frame, where stationary light has been learned.
     stationary: Vec<[StationaryLight; 2]>,
 }
@@ -101,7 +103,15 @@ impl Processor {
         let interrogation =
             Interrogation::new(volume, margin, velocimetry).with_spacing_mm(*spacing_mm);
         let interrogation = interrogation.with_mask(mask.clone());
-        Ok(Self { measurement, models, clock, zones, interrogation, stationary: Vec::new() })
+        Ok(Self {
+            measurement,
+            models,
+            clock,
+            zones,
+            interrogation,
+            point_cameras: OnceLock::new(),
+            stationary: Vec::new(),
+        })
     }
 
     /// What is measured and how.
@@ -199,12 +209,22 @@ impl Processor {
     ) -> Result<PlacedParticles, ProcessError> {
         let grid = self.interrogation.cloud_grid();
         let found = PairForPlacing {
-            cameras: &point_cameras(&self.measurement, &grid)?,
+            cameras: self.point_cameras(&grid)?,
             correction: &self.correction(),
             volumes: volumes.each_ref(),
             grid: &grid,
         };
         Ok(found.place(pair, field))
+    }
+
+    /// How the cameras image points of `grid`.
+    fn point_cameras(&self, grid: &VolumeGrid) -> Result<&[PointCamera], ModelError> {
+        if let Some(cameras) = self.point_cameras.get() {
+            return Ok(cameras);
+        }
+        // Not under the lock of `get_or_init`, as for the models of a run (`Models::fitted`).
+        let cameras = point_cameras(&self.measurement, grid)?;
+        Ok(self.point_cameras.get_or_init(|| cameras))
     }
 
     /// Whether particles are placed in a pair's images after correlation gave `field`, which was sampled from

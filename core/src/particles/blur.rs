@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::fit::FrameFit;
+use super::{fit::FrameFit, image::ParticleImage, normal::Particle};
 use crate::{
     model::{PointBlur, PointCamera, PointFootprint},
     parabola,
@@ -17,8 +17,12 @@ const WIDTHS_PX: [f64; 2] = [0.08, 1.2];
 /// Largest number of moves to a larger or smaller width.
 const MAX_MOVES: usize = 6;
 
-/// Every third particle is used.
-const SUBSAMPLING: usize = 3;
+/// Particles of a part of the image, in its order. Parts are used so that particles whose images overlap are mostly in
+/// the same one.
+const PART: usize = 500;
+
+/// Largest number of parts: 2500 particles determine the width to about a hundredth.
+const MOST_PARTS: usize = 5;
 
 /// Initial width of points, in pixels.
 pub const FIRST_WIDTH_PX: f64 = 0.25;
@@ -29,21 +33,37 @@ pub fn blur_of_width(width_px: f64, pixel_mm: f64) -> PointBlur {
     PointBlur { plane_mm: width_px * pixel_mm, sensor_px: width_px }
 }
 
-/// The width with the least residual of camera `c`'s image, for the particles with indices `of`.
-pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usize]) -> PointBlur {
+/// The width with the least residual of camera `c`'s image, for the particles of `paired`, or those in some evenly spread
+/// parts of the image if they are many.
+pub fn fitted_blur(
+    fit: &FrameFit,
+    cameras: &[PointCamera],
+    c: usize,
+    paired: &[usize],
+) -> PointBlur {
     let before = cameras[c].blur;
     let pixel_mm = before.plane_mm / before.sensor_px;
-    let sampled: Vec<usize> = of.iter().copied().step_by(SUBSAMPLING).collect();
-    let (mut camera, mut image) = (cameras[c].clone(), fit.images[c].clone());
-    let mut misfit = |log_width: f64| {
+    let order = &fit.orders[c];
+    let parts = order.len().div_ceil(PART);
+    let every = parts.div_ceil(MOST_PARTS).max(1);
+    let used = || order.chunks(PART).step_by(every).flatten().map(|&n| n as usize);
+    let particle = |n: usize| &fit.particles[n];
+    let mut is_paired = vec![false; fit.particles.len()];
+    paired.iter().for_each(|&n| is_paired[n] = true);
+    let measured: Vec<&Particle> = used().filter(|&n| is_paired[n]).map(particle).collect();
+    let used: Vec<&Particle> = used().map(particle).collect();
+    let mut without = fit.images[c].clone();
+    add_all(&mut without, &cameras[c], (&used, c), -1.0);
+    let misfit = |log_width: f64| {
+        let (mut image, mut camera) = (without.clone(), cameras[c].clone());
         camera.blur = blur_of_width(log_width.exp(), pixel_mm);
-        fit.render_in(&mut image, &camera, c);
+        add_all(&mut image, &camera, (&used, c), 1.0);
         // Pixels and weights are those of the previous width for every trial width.
-        let left = |footprint: &mut PointFootprint, &n: &usize| {
-            cameras[c].image(fit.particles[n].at_mm, footprint);
+        let left = |footprint: &mut PointFootprint, particle: &&Particle| {
+            cameras[c].image(particle.at_mm, footprint);
             image.weighted_residual(&fit.images[c], &cameras[c], footprint)
         };
-        let left: Vec<f64> = sampled.par_iter().map_init(PointFootprint::default, left).collect();
+        let left: Vec<f64> = measured.par_iter().map_init(PointFootprint::default, left).collect();
         left.iter().sum::<f64>()
     };
     let step = WIDTH_STEP.ln();
@@ -62,4 +82,18 @@ pub fn fitted_blur(fit: &FrameFit, cameras: &[PointCamera], c: usize, of: &[usiz
         }
     }
     blur_of_width((middle + parabola::minimum(at) * step).exp(), pixel_mm)
+}
+
+/// Adds particles to the model of camera number `c`, or removes them (`sign` −1).
+fn add_all(
+    image: &mut ParticleImage,
+    camera: &PointCamera,
+    (particles, c): (&[&Particle], usize),
+    sign: f64,
+) {
+    let mut footprint = PointFootprint::default();
+    for particle in particles {
+        camera.image(particle.at_mm, &mut footprint);
+        image.add(camera, &footprint, (sign * particle.light[c]) as f32);
+    }
 }

@@ -93,10 +93,7 @@ impl Pixels {
         let open: &[u8; LANES] = open.first_chunk()?;
         let mut pixels = Self { pull: [0.0; LANES], own: [0.0; LANES] };
         for n in 0..LANES {
-            let open = f32::from(open[n]) * (1.0 / 255.0);
-            let trust: f32 = if counts[n] < view.saturation { 1.0 } else { 0.0 };
-            let residual = f32::from(counts[n]) - view.black - model[n];
-            let weight = open * (trust / view.noise.variance(model[n]));
+            let (open, weight, residual) = weighted(view, counts[n], model[n], open[n]);
             pixels.pull[n] = weight * residual;
             pixels.own[n] = if SPREAD { pixels.pull[n] * pixels.pull[n] } else { open * weight };
         }
@@ -202,26 +199,56 @@ pub fn light_equation(
     footprint: &PointFootprint,
 ) -> [f64; 2] {
     let mut total_of = [[0.0f32; LANES]; 2];
+    let (mut pull, mut own) = (Vec::new(), Vec::new());
     for patch in &footprint.patches {
         let columns = footprint.padded(0, &patch.columns);
-        let rows = footprint.of(0, &patch.rows);
-        for start in (0..columns.len()).step_by(LANES) {
-            let mut sums = [[0.0f32; LANES]; 2];
-            let mut at = patch.rows.first_px * view.width + patch.columns.first_px + start;
-            let mut open_at = patch.open + start;
-            for &row in rows {
-                let Some(pixels) = Pixels::at::<false>(view, at, &open[open_at..]) else { break };
-                add(&mut sums[0], &pixels.pull, row);
-                add(&mut sums[1], &pixels.own, row * row);
-                at += view.width;
-                open_at += open_stride;
+        for sums in [&mut pull, &mut own] {
+            sums.clear();
+            sums.resize(columns.len(), 0.0);
+        }
+        let mut at = patch.rows.first_px * view.width + patch.columns.first_px;
+        let mut open_at = patch.open;
+        for &row in footprint.of(0, &patch.rows) {
+            add_row(view, at, &open[open_at..], row, (&mut pull, &mut own));
+            at += view.width;
+            open_at += open_stride;
+        }
+        let sums = pull.chunks_exact(LANES).zip(own.chunks_exact(LANES));
+        for (column, (pull, own)) in columns.chunks_exact(LANES).zip(sums) {
+            for n in 0..LANES {
+                total_of[0][n] += column[n] * pull[n];
+                total_of[1][n] += column[n] * column[n] * own[n];
             }
-            let column = lanes_of(&columns[start..]);
-            add_product(&mut total_of[0], column, &sums[0]);
-            add_product(&mut total_of[1], &times(column, column), &sums[1]);
         }
     }
     total_of.map(total)
+}
+
+/// Adds pixels of one row, from `at` on, to the sums of their columns. The compiler vectorises a loop over a whole
+/// row; over [`LANES`] pixels with two sums it does not.
+#[inline(always)]
+fn add_row(
+    view: &ImageSlices<'_>,
+    at: usize,
+    open: &[u8],
+    row: f32,
+    (pull, own): (&mut [f32], &mut [f32]),
+) {
+    let pixels = view.counts[at..].iter().zip(&view.model[at..]).zip(open);
+    for (((&count, &model), &open), (pull, own)) in pixels.zip(pull.iter_mut().zip(own)) {
+        let (open, weight, residual) = weighted(view, count, model, open);
+        *pull += row * (weight * residual);
+        *own += row * row * (open * weight);
+    }
+}
+
+/// A pixel's open share, that over its variance, and its residual.
+#[inline(always)]
+fn weighted(view: &ImageSlices<'_>, count: u16, model: f32, open: u8) -> (f32, f32, f32) {
+    let open = f32::from(open) * (1.0 / 255.0);
+    let trust: f32 = if count < view.saturation { 1.0 } else { 0.0 };
+    let weight = open * (trust / view.noise.variance(model));
+    (open, weight, f32::from(count) - view.black - model)
 }
 
 #[inline(always)]

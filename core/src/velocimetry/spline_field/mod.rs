@@ -20,6 +20,7 @@ mod divergence;
 mod equations;
 mod field;
 mod fit;
+mod interpolation;
 mod lanes;
 mod modes;
 mod noise;
@@ -83,16 +84,17 @@ const RATIOS: [f32; 2] = [2.5, 1.7];
 const EXTRA_SIGMA: [f32; 2] = [0.5, 0.1];
 
 /// Rounds in which samples are weighted by their estimated errors.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 2;
 
-/// Stopping criteria for the search of penalties, the fit to samples, and cross-validation.
+/// Stopping criteria for the search of penalties, the fit to samples weighted by their estimated errors, and
+/// cross-validation.
 const TRYING: Until = Until { steps: 60, tolerance: 1e-3 };
 const FOLLOWING: Until = Until { steps: 25, tolerance: 3e-3 };
 const LEAVING_OUT: Until = Until { steps: 60, tolerance: 1e-3 };
 
-/// The same for an intermediate field.
+/// The same for an intermediate field, and for the fit before errors are estimated.
 const TRYING_QUICKLY: Until = Until { steps: 12, tolerance: 1e-3 };
-const FOLLOWING_QUICKLY: Until = Until { steps: 10, tolerance: 3e-3 };
+const FOLLOWING_QUICKLY: Until = Until { steps: 12, tolerance: 3e-3 };
 
 impl Extent {
     /// Nodes for this number of particles: about one per particle.
@@ -118,7 +120,7 @@ pub fn through(
     let samples: Vec<Sample> = order.iter().map(|&n| samples[n]).collect();
     let mut fit = Fit::new(nodes, &samples, guess.at, incompressible);
     // The field's uncertainty is part of the samples' weights from the first round.
-    follow(&mut fit, guess, TRYING, |fit| fit.improve(FOLLOWING));
+    follow(&mut fit, guess, TRYING, |fit| fit.improve(FOLLOWING_QUICKLY));
     for round in 0..ROUNDS {
         fit.weigh(0.0);
         if round == 0 {
@@ -146,17 +148,18 @@ pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineFie
     fit.field()
 }
 
-/// Moves the field from a guess towards the samples, with decreasing additional standard deviation.
+/// Moves the field from a guess towards the samples. A first guess, without a known stiffness, is followed in two steps
+/// with decreasing additional standard deviation.
 fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, towards: impl Fn(&mut Fit<'_>)) {
-    fit.weigh(EXTRA_SIGMA[0] * guess.error_vox);
     match guess.stiffness {
         Some(stiffness) => fit.stiffness = stiffness,
         None => {
+            fit.weigh(EXTRA_SIGMA[0] * guess.error_vox);
             let ladder = Ladder::expecting(LARGEST_DIFFERENCE_VOX, RATIOS[0]);
             fit.choose_stiffness(&ladder, 0, trying);
+            towards(fit);
         }
     }
-    towards(fit);
     fit.weigh(EXTRA_SIGMA[1] * guess.error_vox);
     towards(fit);
 }
