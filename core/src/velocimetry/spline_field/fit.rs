@@ -12,7 +12,6 @@ use super::{
     divergence::Divergence,
     equations::{Equations, Targets, values_at},
     field::SplineField,
-    interpolation::coefficients_through,
     lanes::{LANES, Lane, Vectors, packed, zeros},
     modes::Modes,
     noise::Noise,
@@ -76,11 +75,11 @@ impl<'a> Fit<'a> {
         incompressible: bool,
     ) -> Self {
         let (layout, count) = (nodes.layout, nodes.layout.len());
-        let values: Vec<[f32; 3]> = (0..count).map(|n| start(nodes.place_vox(n))).collect();
         let mut coefficients = zeros(3, count);
-        for (n, of_node) in coefficients_through(layout, values).into_iter().enumerate() {
-            for (lanes, coefficient) in coefficients.iter_mut().zip(of_node) {
-                lanes[n][0] = coefficient;
+        for n in 0..count {
+            let value = start(nodes.place_vox(n));
+            for (lanes, value) in coefficients.iter_mut().zip(value) {
+                lanes[n][0] = value;
             }
         }
         let before = first_in_all_lanes(&coefficients);

@@ -20,7 +20,6 @@ mod divergence;
 mod equations;
 mod field;
 mod fit;
-mod interpolation;
 mod lanes;
 mod modes;
 mod noise;
@@ -84,17 +83,16 @@ const RATIOS: [f32; 2] = [2.5, 1.7];
 const EXTRA_SIGMA: [f32; 2] = [0.5, 0.1];
 
 /// Rounds in which samples are weighted by their estimated errors.
-const ROUNDS: usize = 2;
+const ROUNDS: usize = 3;
 
-/// Stopping criteria for the search of penalties, the fit to samples weighted by their estimated errors, and
-/// cross-validation.
+/// Stopping criteria for the search of penalties, the fit to samples, and cross-validation.
 const TRYING: Until = Until { steps: 60, tolerance: 1e-3 };
 const FOLLOWING: Until = Until { steps: 25, tolerance: 3e-3 };
 const LEAVING_OUT: Until = Until { steps: 60, tolerance: 1e-3 };
 
-/// The same for an intermediate field, and for the fit before errors are estimated.
+/// The same for an intermediate field.
 const TRYING_QUICKLY: Until = Until { steps: 12, tolerance: 1e-3 };
-const FOLLOWING_QUICKLY: Until = Until { steps: 12, tolerance: 3e-3 };
+const FOLLOWING_QUICKLY: Until = Until { steps: 10, tolerance: 3e-3 };
 
 impl Extent {
     /// Nodes for this number of particles: about one per particle.
@@ -120,7 +118,7 @@ pub fn through(
     let samples: Vec<Sample> = order.iter().map(|&n| samples[n]).collect();
     let mut fit = Fit::new(nodes, &samples, guess.at, incompressible);
     // The field's uncertainty is part of the samples' weights from the first round.
-    follow(&mut fit, guess, TRYING, |fit| fit.improve(FOLLOWING_QUICKLY));
+    follow(&mut fit, guess, TRYING, |fit| fit.improve(FOLLOWING));
     for round in 0..ROUNDS {
         fit.weigh(0.0);
         if round == 0 {
