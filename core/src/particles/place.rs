@@ -72,7 +72,7 @@ impl ParticlePair {
 }
 
 /// Largest number of steps before and after the first removal of faint and duplicate particles.
-const FIRST_STEPS: [usize; 2] = [2, 2];
+const FIRST_STEPS: [usize; 2] = [3, 2];
 /// The same after an exchange between the frames.
 const EXCHANGE_STEPS: [usize; 2] = [4, 2];
 /// Largest number of steps of the last fit.
