@@ -23,8 +23,6 @@ pub struct FrameFit {
     pub particles: Vec<Particle>,
     /// Length of each particle's last step, in mm.
     pub steps_mm: Vec<f64>,
-    /// Where each particle was after its last restart, in mm; infinite before the first.
-    pub restarted_mm: Vec<[f64; 3]>,
     /// Per camera, the particles of the model in the order of their images.
     pub(super) orders: Vec<Vec<u32>>,
 }
@@ -32,20 +30,13 @@ pub struct FrameFit {
 impl FrameFit {
     /// A frame without particles.
     pub fn new(images: Vec<ParticleImage>) -> Self {
-        Self {
-            images,
-            particles: Vec::new(),
-            steps_mm: Vec::new(),
-            restarted_mm: Vec::new(),
-            orders: Vec::new(),
-        }
+        Self { images, particles: Vec::new(), steps_mm: Vec::new(), orders: Vec::new() }
     }
 
     /// Adds particles; the model does not hold them before [`Self::render`].
     pub fn extend(&mut self, particles: impl IntoIterator<Item = Particle>) {
         self.particles.extend(particles);
         self.steps_mm.resize(self.particles.len(), f64::INFINITY);
-        self.restarted_mm.resize(self.particles.len(), [f64::INFINITY; 3]);
     }
 
     /// Removes particles; the model holds them until [`Self::render`].
@@ -56,7 +47,6 @@ impl FrameFit {
         }
         retain(&mut self.particles, gone);
         retain(&mut self.steps_mm, gone);
-        retain(&mut self.restarted_mm, gone);
     }
 
     /// Sets the relative error of the model, which bounds the weight of bright pixels.

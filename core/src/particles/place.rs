@@ -72,11 +72,11 @@ impl ParticlePair {
 }
 
 /// Largest number of steps before and after the first removal of faint and duplicate particles.
-const FIRST_STEPS: [usize; 2] = [3, 2];
+const FIRST_STEPS: [usize; 2] = [4, 2];
 /// The same after an exchange between the frames.
 const EXCHANGE_STEPS: [usize; 2] = [4, 2];
 /// Largest number of steps of the last fit.
-const LAST_STEPS: usize = 2;
+const LAST_STEPS: usize = 3;
 
 /// Number of exchanges between the frames.
 const EXCHANGES: usize = 4;
@@ -118,9 +118,6 @@ const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 
 /// Proposals of the other frame within this distance of a particle are restart positions as well, in voxels.
 const STARTS_REACH_VOX: f64 = 1.5;
-
-/// A particle this near to where its last restart left it is not restarted again, in voxels.
-const RESTARTED_VOX: f64 = 0.1;
 
 /// Rule for the steps of a particle.
 const STEP_RULE: StepRule = StepRule { relaxation: 1.0, damping: 0.01, longest_mm: 0.0 };
@@ -227,7 +224,7 @@ impl Placement {
         }
     }
 
-    /// Restarts particles without a partner that have moved since their last restart.
+    /// Restarts particles without a partner.
     fn restart(&self, fits: &mut [FrameFit; 2], flow: &dyn Flow, agree_vox: f64) {
         let partners = self.partners(fits, flow, agree_vox);
         let proposals = [0, 1].map(|frame: usize| -> Vec<[f64; 3]> {
@@ -248,9 +245,6 @@ impl Placement {
                     continue;
                 }
                 let own = fit.particles[n].at_mm;
-                if distance(own, fit.restarted_mm[n]) < RESTARTED_VOX * self.voxel_mm {
-                    continue;
-                }
                 let mut starts = Vec::new();
                 near.visit(own.map(|mm| mm as f32), |place, _| {
                     starts.push(proposals[frame][place]);
@@ -262,7 +256,6 @@ impl Placement {
                 }
                 let how = (&self.priors[frame], &self.rule);
                 fit.restart(&self.cameras, n, &starts, how, &mut footprint);
-                fit.restarted_mm[n] = fit.particles[n].at_mm;
             }
         };
         let [a, b] = fits;
@@ -328,8 +321,10 @@ impl Placement {
         };
         let (middles_mm, moved_mm) = (of(|a, b| (a + b) / 2.0), of(|a, b| b - a));
         flow.correct(&middles_mm, &moved_mm);
-        let left =
-            |(at_mm, moved): (&[f64; 3], &[f64; 3])| distance(*moved, flow.displacement_mm(*at_mm));
+        let left = |(at_mm, moved): (&[f64; 3], &[f64; 3])| {
+            let known = flow.displacement_mm(*at_mm);
+            (0..3).map(|axis| (moved[axis] - known[axis]).powi(2)).sum::<f64>().sqrt()
+        };
         let left: Vec<f64> = middles_mm.iter().zip(&moved_mm).map(left).collect();
         let typical = median(left).unwrap_or_default() / self.voxel_mm;
         (AGREE_DEVIATIONS * typical).clamp(AGREE_VOX[0], AGREE_VOX[1])
@@ -357,8 +352,4 @@ impl Placement {
         let [a, b] = fits;
         rayon::join(|| act(a, &self.priors[0]), || act(b, &self.priors[1]));
     }
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt()
 }

@@ -14,11 +14,11 @@ use super::{
 use crate::model::{PointCamera, PointFootprint};
 
 /// Number of particles that step at once.
-const BATCH: usize = 32;
+const BATCH: usize = 64;
 
 /// Distance of a batch's particles in the order of their images. A batch extends over `BATCH * STRIDE` particles,
 /// whose part of an image remains in the processor's cache.
-const STRIDE: usize = 8;
+const STRIDE: usize = 16;
 
 /// Least number of particles for a thread.
 const LEAST_PER_THREAD: usize = 8;

@@ -146,18 +146,17 @@ pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineFie
     fit.field()
 }
 
-/// Moves the field from a guess towards the samples. A first guess, without a known stiffness, is followed in two steps
-/// with decreasing additional standard deviation.
+/// Moves the field from a guess towards the samples, with decreasing additional standard deviation.
 fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, towards: impl Fn(&mut Fit<'_>)) {
+    fit.weigh(EXTRA_SIGMA[0] * guess.error_vox);
     match guess.stiffness {
         Some(stiffness) => fit.stiffness = stiffness,
         None => {
-            fit.weigh(EXTRA_SIGMA[0] * guess.error_vox);
             let ladder = Ladder::expecting(LARGEST_DIFFERENCE_VOX, RATIOS[0]);
             fit.choose_stiffness(&ladder, 0, trying);
-            towards(fit);
         }
     }
+    towards(fit);
     fit.weigh(EXTRA_SIGMA[1] * guess.error_vox);
     towards(fit);
 }
