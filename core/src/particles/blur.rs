@@ -17,11 +17,10 @@ const WIDTHS_PX: [f64; 2] = [0.08, 1.2];
 /// Largest number of moves to a larger or smaller width.
 const MAX_MOVES: usize = 6;
 
-/// Particles of a part of the image, in its order. Parts are used so that particles whose images overlap are mostly in
-/// the same one.
+/// Number of particles in a part of the image: neighbours, so that most overlapping images are in the same part.
 const PART: usize = 500;
 
-/// Largest number of parts: 2500 particles determine the width to about a hundredth.
+/// Largest number of parts that are used. With all of them no more particles are found (docs/decisions.md).
 const MOST_PARTS: usize = 5;
 
 /// Initial width of points, in pixels.
