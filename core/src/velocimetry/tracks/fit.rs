@@ -25,7 +25,7 @@ use super::{
         nodes::Taps,
     },
     divergence::Divergence,
-    samples::{Samples, add_diagonal, add_transposed, cells_at, values_at},
+    samples::{Samples, add_diagonal, add_product, add_transposed, cells_at, values_at},
     spline::Spline,
     variance::{Waves, near_faces},
 };
@@ -76,13 +76,14 @@ struct Weighed {
 pub struct Fit<'a> {
     layout: Layout,
     nodes: [usize; 3],
-    /// Interpolation weights at the nodes.
-    on_nodes: Vec<Taps>,
     /// Whether the correlation has a vector on each node.
     has_vector: Vec<bool>,
-    /// Per component: the correlation's vectors and their variance, in voxel and voxel². Nodes without a vector
-    /// have the mean variance of the others.
+    /// Interpolation weights at the nodes with a vector.
+    at_vectors: Vec<Taps>,
+    /// Per component: the vectors on these nodes, in voxels.
     vectors: [Vec<f64>; 3],
+    /// Per component and node: variance of the vector, in voxel². Nodes without a vector have the mean variance of the
+    /// others.
     variance: [Vec<f64>; 3],
     /// Share of the correlation's variance that unresolved third differences may have.
     unresolved_share: f64,
@@ -111,14 +112,15 @@ impl<'a> Fit<'a> {
         incompressible: bool,
     ) -> Self {
         let (nodes, count) = (field.nodes, field.values.len());
+        let with_vector = || (0..count).filter(|&n| uncertainty_vox[n].is_some());
         let unknown = Penalty { layout, stiffness: [0; 3].map(|_| vec![0.0; layout.len()]) };
         Self {
             layout,
             nodes,
-            on_nodes: (0..count).map(|n| Taps::of_node(layout, nodes, n)).collect(),
             has_vector: uncertainty_vox.iter().map(Option::is_some).collect(),
+            at_vectors: with_vector().map(|n| Taps::of_node(layout, nodes, n)).collect(),
             vectors: std::array::from_fn(|c| {
-                field.values.iter().map(|v| f64::from(v[c])).collect()
+                with_vector().map(|n| f64::from(field.values[n][c])).collect()
             }),
             variance: std::array::from_fn(|c| variances(uncertainty_vox, c)),
             // The third difference of an error with a window's length scale is proportional to the cube of the step.
@@ -176,13 +178,12 @@ impl<'a> Fit<'a> {
         let residual: Vec<f64> = measured.iter().zip(values).map(|(m, v)| m - v).collect();
         let weights = samples.weights(c, &residual);
         let density = samples.density(&weights);
-        let certainty = self.certainty(c, &density);
+        let certainty = self.certainty_of_vectors(c, &density);
         let (mut diagonal, mut right) =
             (vec![0.0; coefficients.len()], vec![0.0; coefficients.len()]);
         self.penalties[c].add_diagonal(&mut diagonal);
-        for (taps, values, weights) in
-            [(samples.taps(), &measured, &weights), (&self.on_nodes, &self.vectors[c], &certainty)]
-        {
+        let vectors = (&self.at_vectors[..], &self.vectors[c], &certainty);
+        for (taps, values, weights) in [(samples.taps(), &measured, &weights), vectors] {
             add_diagonal(self.layout, taps, weights, &mut diagonal);
             add_transposed(self.layout, taps, &products(values, weights), &mut right);
         }
@@ -197,14 +198,20 @@ impl<'a> Fit<'a> {
         samples: &Samples,
         weighed: &Weighed,
     ) -> Vec<f64> {
-        let mut sum = vec![0.0; coefficients.len()];
-        self.penalties[c].add_forces(coefficients, &mut sum);
-        for (taps, weights) in
-            [(samples.taps(), &weighed.weights), (&self.on_nodes, &weighed.certainty)]
-        {
-            let values = values_at(self.layout, taps, coefficients);
-            add_transposed(self.layout, taps, &products(&values, weights), &mut sum);
-        }
+        let of_measured = |taps: &[Taps], weights: &[f64]| {
+            let mut sum = vec![0.0; coefficients.len()];
+            add_product(self.layout, taps, weights, coefficients, &mut sum);
+            sum
+        };
+        let (mut sum, others) = rayon::join(
+            || of_measured(samples.taps(), &weighed.weights),
+            || {
+                let mut sum = of_measured(&self.at_vectors, &weighed.certainty);
+                self.penalties[c].add_forces(coefficients, &mut sum);
+                sum
+            },
+        );
+        sum.iter_mut().zip(others).for_each(|(sum, other)| *sum += other);
         sum
     }
 
@@ -251,29 +258,28 @@ impl<'a> Fit<'a> {
         std::array::from_fn(|c| solved[c * count..][..count].to_vec())
     }
 
-    /// Weight 1/u² of the correlation's vectors: reduced where particles are more accurate, 0 where there is no
-    /// vector. `density` is the weight of particles per cell.
-    fn certainty(&self, c: usize, density: &[f64]) -> Vec<f64> {
-        let certainty = |n: usize| {
-            if !self.has_vector[n] {
-                return 0.0;
-            }
-            // The particles' variance is the inverse of their weight in the eight cells at a node.
-            let (variance, density) = (self.variance[c][n], density[n]);
-            let share = variance * 8.0 * density / (variance * 8.0 * density + 1.0);
-            1.0 / (variance * (1.0 + (CORRELATION_DISCOUNT - 1.0) * share))
-        };
-        (0..density.len()).map(certainty).collect()
+    /// Weight 1/u² of the correlation's vector on node `n`: reduced where particles are more accurate. `density` is
+    /// their weight per cell.
+    fn certainty(&self, c: usize, n: usize, density: f64) -> f64 {
+        // The particles' variance is the inverse of their weight in the eight cells at a node.
+        let variance = self.variance[c][n];
+        let share = variance * 8.0 * density / (variance * 8.0 * density + 1.0);
+        1.0 / (variance * (1.0 + (CORRELATION_DISCOUNT - 1.0) * share))
+    }
+
+    /// The same for all vectors, with `density` per node.
+    fn certainty_of_vectors(&self, c: usize, density: &[f64]) -> Vec<f64> {
+        let with_vector = (0..density.len()).filter(|&n| self.has_vector[n]);
+        with_vector.map(|n| self.certainty(c, n, density[n])).collect()
     }
 
     /// Whether each coefficient is determined by a vector or a particle.
     fn measured(&self, samples: &Samples) -> Vec<bool> {
         let mut weight = vec![0.0; self.layout.len()];
         let particles = vec![1.0; samples.taps().len()];
-        let vectors: Vec<f64> =
-            self.has_vector.iter().map(|&has| f64::from(u8::from(has))).collect();
+        let vectors = vec![1.0; self.at_vectors.len()];
         add_diagonal(self.layout, samples.taps(), &particles, &mut weight);
-        add_diagonal(self.layout, &self.on_nodes, &vectors, &mut weight);
+        add_diagonal(self.layout, &self.at_vectors, &vectors, &mut weight);
         weight.into_iter().map(|weight| weight > 0.0).collect()
     }
 
@@ -305,11 +311,9 @@ impl<'a> Fit<'a> {
     /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels; `None` where there is neither a vector
     /// nor a particle.
     pub fn uncertainty_vox(&self) -> Vec<Option<[f32; 3]>> {
-        let certainty: [Vec<f64>; 3] =
-            std::array::from_fn(|c| self.certainty(c, &self.densities[c]));
         let waves = Waves::new();
         let layout = Layout { nodes: self.nodes };
-        (0..self.on_nodes.len())
+        (0..self.has_vector.len())
             .into_par_iter()
             .map(|n| {
                 if !self.has_vector[n] && self.counts[n] == 0.0 {
@@ -318,7 +322,9 @@ impl<'a> Fit<'a> {
                 let near_faces = near_faces(self.nodes, layout.place(n));
                 Some(std::array::from_fn(|c| {
                     let (density, stiffness) = (self.densities[c][n], self.stiffness_at(c, n));
-                    let variance = near_faces * waves.variance(density, certainty[c][n], stiffness);
+                    let certainty =
+                        if self.has_vector[n] { self.certainty(c, n, density) } else { 0.0 };
+                    let variance = near_faces * waves.variance(density, certainty, stiffness);
                     let variance = variance * few(variance * self.mean_weight(c, n));
                     let common_error =
                         COMMON_BLUR_ERROR_VOX * (self.variance_inflation[n][c].sqrt() - 1.0);

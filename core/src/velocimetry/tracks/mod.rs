@@ -29,17 +29,16 @@ use super::{
 /// reconstructed particle's position, and less than the distance to its neighbours.
 const FINAL_SEARCH_RADIUS_VOX: f32 = 0.6;
 
-/// Most rounds with the large search radius.
+/// Most rounds with the large search radius on the windows' nodes. On finer nodes there is one: with more the field is
+/// less accurate, because it fits the errors of its particles (docs/decisions.md).
 const FAR_ROUNDS: usize = 5;
 
 /// A component of the field has converged if it changes by no more than this, in voxels: its uncertainty on the
 /// bench.
 const CONVERGED_VOX: f32 = 0.015;
 
-/// Largest share of unconverged components at which iteration stops, on the windows' nodes and on finer ones. It is
-/// smaller on finer nodes, because a rough flow may fill only a small part of the volume.
-const COARSE_UNCONVERGED_SHARE: f64 = 0.05;
-const FINE_UNCONVERGED_SHARE: f64 = 0.002;
+/// Largest share of unconverged components at which iteration stops.
+const UNCONVERGED_SHARE: f64 = 0.05;
 
 /// Least number of particles per cell between the finer nodes.
 const LEAST_PER_FINER_CELL: f64 = 0.5;
@@ -79,20 +78,22 @@ pub fn follow(
     incompressible: bool,
     flow: Option<&FlowGeometry>,
 ) -> Refined {
-    let in_flow = |cloud: &PointCloud| {
-        let mut found = particles(cloud);
-        found.retain(|particle| flow.is_none_or(|flow| flow.is_flow(particle.at_vox)));
-        found
-    };
-    let [a, b] = frames;
-    let (a, b) = rayon::join(|| in_flow(a), || in_flow(b));
-    let frames: [&[LightPeak]; 2] = [&a, &b];
     let fit_on = |nodes: Lattice, uncertainty_vox: &[Option<[f32; 3]>], level: usize| {
         let flow = flow.map(|flow| &flow.splines[level]);
         SplineFit::new(nodes, uncertainty_vox, (field.step_vox, incompressible), flow)
     };
     let mut stage = fit_on(field.clone(), uncertainty_vox, 0);
-    stage.iterate(frames, COARSE_UNCONVERGED_SHARE);
+    let in_flow = |cloud: &PointCloud| -> Vec<LightPeak> {
+        let mut found = particles(cloud);
+        found.retain(|particle| flow.is_none_or(|flow| flow.is_flow(particle.at_vox)));
+        // Neighbours follow each other, so the coefficients they need are in the processor's cache.
+        let order = stage.spline.nodes.order(found.iter().map(|particle| particle.at_vox));
+        order.into_iter().map(|n| found[n]).collect()
+    };
+    let [a, b] = frames;
+    let (a, b) = rayon::join(|| in_flow(a), || in_flow(b));
+    let frames: [&[LightPeak]; 2] = [&a, &b];
+    stage.iterate(frames);
     let near = pairs(&stage.spline, frames, FINAL_SEARCH_RADIUS_VOX);
     stage.adjust(&near);
     let by_particles = Samples::new(field.nodes, &stage.spline, &near)
@@ -106,7 +107,7 @@ pub fn follow(
     }
     let (nodes, known) = stage.finer(uncertainty_vox, flow.map(|flow| &flow.finer));
     let mut finer = fit_on(nodes, &known, 1);
-    finer.iterate(frames, FINE_UNCONVERGED_SHARE);
+    finer.adjust(&pairs(&finer.spline, frames, FARTHEST_VOX));
     let near = pairs(&finer.spline, frames, FINAL_SEARCH_RADIUS_VOX);
     finer.adjust(&near);
     let samples = Samples::new(field.nodes, &stage.spline, &near);
@@ -171,13 +172,12 @@ impl<'a> SplineFit<'a> {
         Self { nodes, spline, fit }
     }
 
-    /// Pairs particles by the field and fits the field to them, until at most `unconverged_share` of its components
-    /// change.
-    fn iterate(&mut self, frames: [&[LightPeak]; 2], unconverged_share: f64) {
+    /// Pairs particles by the field and fits the field to them, until few of its components change.
+    fn iterate(&mut self, frames: [&[LightPeak]; 2]) {
         for _ in 0..FAR_ROUNDS {
             let before = self.spline.on_nodes(&self.nodes);
             self.adjust(&pairs(&self.spline, frames, FARTHEST_VOX));
-            if moved(&before, &self.spline.on_nodes(&self.nodes)) <= unconverged_share {
+            if moved(&before, &self.spline.on_nodes(&self.nodes)) <= UNCONVERGED_SHARE {
                 return;
             }
         }

@@ -222,6 +222,21 @@ pub fn add_transposed(layout: Layout, taps: &[Taps], values: &[f64], sum: &mut [
     }
 }
 
+/// Adds BᵀWB of the coefficients to `sum`.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+pub fn add_product(
+    layout: Layout,
+    taps: &[Taps],
+    weights: &[f64],
+    coefficients: &[f64],
+    sum: &mut [f64],
+) {
+    for (taps, weight) in taps.iter().zip(weights) {
+        let value = taps.gather_component(layout, coefficients);
+        taps.scatter_component(layout, weight * value, sum);
+    }
+}
+
 /// Adds the diagonal of BᵀWB to `sum`.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 pub fn add_diagonal(layout: Layout, taps: &[Taps], weights: &[f64], sum: &mut [f64]) {

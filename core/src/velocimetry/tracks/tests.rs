@@ -6,7 +6,7 @@ use super::{
     super::{differences::Penalty, layout::Layout, nodes::Taps},
     pairs::Pair,
     particles::LightPeak,
-    samples::{add_transposed, values_at},
+    samples::{add_product, add_transposed, values_at},
     variance::{Waves, near_faces},
     *,
 };
@@ -114,9 +114,16 @@ fn scattering_is_the_transpose_of_gathering() {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut transposed = vec![0.0; coefficients.len()];
     add_transposed(spline.nodes.layout, &taps, &values, &mut transposed);
-    let gathered = dot(&values_at(spline.nodes.layout, &taps, &coefficients), &values);
+    let on_taps = values_at(spline.nodes.layout, &taps, &coefficients);
+    let gathered = dot(&on_taps, &values);
     let scattered = dot(&coefficients, &transposed);
     assert!((gathered / scattered - 1.0).abs() < 1e-9, "{gathered} {scattered}");
+    // In one pass the product with BᵀWB is the same.
+    let [mut separate, mut fused] = [(); 2].map(|()| vec![0.0; coefficients.len()]);
+    let weighted: Vec<f64> = values.iter().zip(&on_taps).map(|(w, value)| w * value).collect();
+    add_transposed(spline.nodes.layout, &taps, &weighted, &mut separate);
+    add_product(spline.nodes.layout, &taps, &values, &coefficients, &mut fused);
+    assert!(separate.iter().zip(&fused).all(|(a, b)| (a - b).abs() < 1e-9 * (1.0 + b.abs())));
 }
 
 #[test]
