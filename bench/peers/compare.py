@@ -44,6 +44,10 @@ SART_SETTINGS = [
 ]
 
 
+# What radial basis functions are smoothed by; the particles are exact, the flow is not resolved.
+SMOOTHING = ("0", "0.01")
+
+
 def reconstruction(name: str, turns: int = 3) -> Case:
     own = [["reconstruct", "--passes", passes] for passes in ("1", "2", "4", "8")]
     sart = [["astra_sart.py"], ["astra_sart.py", "--relaxation", "0.25"]]
@@ -57,10 +61,24 @@ def correlation(name: str, *make: str | Path) -> Case:
     return Case(name, list(make), own, openpiv, turns=3)
 
 
+def field(name: str) -> Case:
+    own = [["field"], ["field", "--incompressible"]]
+    functions = [
+        ["rbf_interpolation.py", "--kernel", kernel, "--neighbours", neighbours, "--smoothing", by]
+        for kernel in ("thin_plate_spline", "quintic")
+        for neighbours in ("50", "100", "200")
+        for by in SMOOTHING
+    ]
+    openpiv = [["openpiv_correlation.py", "--extended", "--unseen"]]
+    return Case(name, [LFPIV, "peers", "export-particles"], own, functions + openpiv, turns=3)
+
+
 CASES = [
     correlation("gaussian", sys.executable, HERE / "gaussian_volumes.py"),
     correlation("ring", LFPIV, "peers", "export-volumes"),
     correlation("abc", LFPIV, "peers", "export-volumes", "--reconstructed"),
+    field("turbulence"),
+    field("turbulence-sparse"),
     reconstruction("paper-50"),
     reconstruction("few-views"),
     reconstruction("paper-100", turns=1),  # minutes a turn

@@ -1,7 +1,8 @@
 """OpenPIV's 3-D correlation of an exported pair of volumes: prints one row as JSON.
 
 One pass of `extended_search_area_piv3D` over windows of the case's size. OpenPIV has no multi-pass
-correlation of volumes.
+correlation of volumes. With `--unseen` the error is that of its field between the vectors, cubically
+interpolated.
 """
 
 import argparse
@@ -15,6 +16,7 @@ import numpy as np
 from case import Case
 from openpiv.pyprocess3D import extended_search_area_piv3D, get_coordinates
 from row import peak_mb, print_row, timed
+from scipy.interpolate import RegularGridInterpolator
 
 
 def displacement(a: np.ndarray, b: np.ndarray, edge: int, step: int, search: int) -> np.ndarray:
@@ -57,10 +59,17 @@ def search_area(edge: int, truth: np.ndarray) -> int:
     return edge + 4 * int(np.ceil(np.abs(truth).max()))
 
 
+def between(found: np.ndarray, edge: int, step: int, places: np.ndarray) -> np.ndarray:
+    """The field at places (n, 3) as x, y, z, in voxels, from vectors at the windows' centres."""
+    axes = [(edge - 1) / 2 + step * np.arange(n) for n in found.shape[:3]]
+    return RegularGridInterpolator(axes, found, method="cubic")(places[:, ::-1])
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("case", type=Path)
     parser.add_argument("--extended", action="store_true", help="search areas beyond the motion")
+    parser.add_argument("--unseen", action="store_true", help="errors between the vectors")
     arguments = parser.parse_args()
     case = Case(arguments.case)
     windows = case.description["windows"]
@@ -69,10 +78,16 @@ def main() -> None:
     search = search_area(edge, truth) if arguments.extended else edge
     check_components(search)
     found, work = timed(lambda: displacement(a, b, edge, step, search))
-    error = np.abs(np.nan_to_num(found) - truth).reshape(-1, 3)
+    found = np.nan_to_num(found)
+    method = "single pass"
+    if arguments.unseen:
+        method = "vectors of a single pass, interpolated"
+        found = between(found, edge, step, case.array("unseen_vox"))
+        truth = case.array("unseen_moved_vox")
+    error = np.abs(found - truth).reshape(-1, 3)
     print_row(
         case=case.name,
-        method=f"single pass, search area {search}",
+        method=f"{method}, search area {search}",
         peer="OpenPIV",
         version=version("openpiv"),
         threads=work.threads,

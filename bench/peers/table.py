@@ -36,7 +36,7 @@ def row_cells(row: dict) -> list[str]:
 
 
 def error_text(row: dict) -> str:
-    return " ".join(f"{error:.3f}" for error in row["mean_abs_error_vox"])
+    return " ".join(f"{error:.4f}" for error in row["mean_abs_error_vox"])
 
 
 def ratios_table(rows: list[dict]) -> str:
@@ -60,7 +60,7 @@ def ratio_cells(ratio: Ratio) -> list[str]:
         f"{own['threads']}, peer {peer['threads']}",
         f"{ratio.faster:.1f}",
         "" if ratio.faster_cpu is None else f"{ratio.faster_cpu:.1f}",
-        f"{ratio.needed:.0f}",
+        "" if ratio.needed is None else f"{ratio.needed:.0f}",
         reached,
         ratio.verdict,
     ]

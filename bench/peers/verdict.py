@@ -8,7 +8,7 @@ OWN = "lfpiv"
 
 SECONDS = ("seconds", "cpu_seconds", "assembly_seconds")
 
-# How often faster this program has to be than a peer's methods that begin like this.
+# How often faster this program has to be than a peer's methods that begin like this; others are reported.
 FASTER = {"SART, full volume": 15.0, "SART, active voxels": 4.0, "single pass": 10.0}
 
 # The share of a peer's error that is allowed.
@@ -54,8 +54,8 @@ class Ratio:
         return None
 
     @property
-    def needed(self) -> float:
-        return FASTER[kind(self.peer)]
+    def needed(self) -> float | None:
+        return FASTER.get(kind(self.peer))
 
     @property
     def good_enough(self) -> bool:
@@ -67,7 +67,7 @@ class Ratio:
     @property
     def verdict(self) -> str:
         """What the bar says; it holds for one thread each, where processor seconds are fair."""
-        if self.own["threads"] != 1 or self.peer["threads"] != 1:
+        if self.needed is None or self.own["threads"] != 1 or self.peer["threads"] != 1:
             return ""
         short = [] if (self.faster_cpu or self.faster) >= self.needed else ["speed"]
         short += [] if self.good_enough else ["Q" if "q" in self.peer else "error"]
@@ -76,7 +76,7 @@ class Ratio:
 
 def kind(row: dict) -> str:
     """What a peer's method is, whatever its settings."""
-    return next(kind for kind in FASTER if row["method"].startswith(kind))
+    return next((kind for kind in FASTER if row["method"].startswith(kind)), row["method"])
 
 
 def ratios(rows: list[dict]) -> Iterator[Ratio]:
@@ -95,11 +95,16 @@ def ratios(rows: list[dict]) -> Iterator[Ratio]:
 
 
 def standing(rows: list[dict]) -> Iterator[dict]:
-    """The peers' rows that ratios are given for."""
+    """The peers' rows that ratios are given for: without a bar, a program's setting of least error."""
     peers = [row for row in rows if row["peer"] != OWN]
+    without_bar = {}
     for row in peers:
-        if "q" not in row:
+        if "q" not in row and kind(row) in FASTER:
             yield row
+        elif "q" not in row:
+            without_bar.setdefault((row["case"], row["peer"]), []).append(row)
+    for settings in without_bar.values():
+        yield min(settings, key=mean_error)
     curves = {(row["case"], kind(row)): [] for row in peers if "q" in row}
     for row in peers:
         if "q" in row:

@@ -72,7 +72,7 @@ pub fn gain(
 
 /// Point `n` of an additive sequence that fills the unit cube evenly: the fractional parts of n/g, n/g²,
 /// n/g³ with g⁴ = g + 1 (Roberts 2018).
-fn spread(n: usize) -> [f64; 3] {
+pub fn spread(n: usize) -> [f64; 3] {
     const G: f64 = 1.220_744_084_605_759_5;
     [1, 2, 3].map(|power| (0.5 + (n + 1) as f64 / G.powi(power)).fract())
 }

@@ -9,7 +9,8 @@ use anyhow::{Context, bail};
 use lfpiv::cli::output::print;
 use lfpiv::config::{Config, ConfigFile};
 use lfpiv_bench::peers::{
-    CorrelationCase, ReconstructionCase, Row, time_correlation, time_reconstruction,
+    CorrelationCase, FieldCase, ReconstructionCase, Row, time_correlation, time_field,
+    time_reconstruction,
 };
 use lfpiv_sim::Scene;
 
@@ -29,6 +30,8 @@ pub enum PeersCommand {
         #[arg(long)]
         reconstructed: bool,
     },
+    /// Write true particles with their displacements, unseen places, and the particles' light as volumes.
+    ExportParticles(ExportArgs),
     /// Time the configured solver on exported views and print the row as JSON.
     Reconstruct {
         #[command(flatten)]
@@ -44,6 +47,14 @@ pub enum PeersCommand {
         /// Correlation passes instead of the configured ones.
         #[arg(long, value_name = "N")]
         passes: Option<usize>,
+    },
+    /// Time the field through exported particles and print the row as JSON.
+    Field {
+        #[command(flatten)]
+        time: TimeArgs,
+        /// A field that is nearly free of divergence.
+        #[arg(long)]
+        incompressible: bool,
     },
 }
 
@@ -75,6 +86,11 @@ pub fn peers(command: &PeersCommand) -> anyhow::Result<()> {
         PeersCommand::ExportViews(export) => export_views(export),
         PeersCommand::ExportVolumes { export, reconstructed } => {
             export_volumes(export, *reconstructed)
+        }
+        PeersCommand::ExportParticles(export) => export_particles(export),
+        PeersCommand::Field { time, incompressible } => {
+            let grid = case_config(&time.case)?.volume.grid();
+            print_row(&time_field(&time.case, &grid, *incompressible, time.repeats)?)
         }
         PeersCommand::Reconstruct { time, passes } => {
             let config = case_config(&time.case)?;
@@ -115,6 +131,14 @@ fn export_volumes(export: &ExportArgs, reconstructed: bool) -> anyhow::Result<()
     } else {
         CorrelationCase::of_particles(&bench, &config.volume.grid(), &scene, &config.velocimetry)
     };
+    Ok(case.write(&export.out)?)
+}
+
+fn export_particles(export: &ExportArgs) -> anyhow::Result<()> {
+    let (config, scene) = start_export(export)?;
+    let grid = config.volume.grid();
+    let bench = config.bench_geometry();
+    let case = FieldCase::of_particles(&bench, &grid, &scene, &config.velocimetry);
     Ok(case.write(&export.out)?)
 }
 

@@ -29,10 +29,11 @@ pub struct CorrelationCase {
     windows: Windows,
 }
 
+/// Interrogation windows on a volume's voxels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Windows {
+pub struct Windows {
     /// Edge, in voxels.
-    edge_vox: usize,
+    pub edge_vox: usize,
     /// Distance between neighbouring windows, in voxels; the first lies in the volume's corner.
     step_vox: usize,
     /// Counts along x, y, z.
@@ -96,6 +97,11 @@ impl CorrelationCase {
             .collect();
         let windows = Windows { edge_vox, step_vox, vectors: vectors.vectors };
         Self { volumes, displacement_vox, windows }
+    }
+
+    /// The windows at whose centres the displacement is given.
+    pub fn windows(&self) -> &Windows {
+        &self.windows
     }
 
     /// Writes `a.npy` and `b.npy` (z, y, x) and `displacement_vox.npy` (z, y, x, component),

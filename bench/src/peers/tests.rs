@@ -126,3 +126,22 @@ fn exported_volumes_read_back_and_are_correlated() {
         assert!(row.mean_abs_error_vox.unwrap().iter().all(|error| *error < 0.3));
     }
 }
+
+#[test]
+fn exported_particles_read_back_and_their_field_is_the_flow() {
+    let grid = grid([40, 36, 32]);
+    let bench = bench(&grid);
+    let flow = Flow::RingVortex(RingVortex::default());
+    let scene = Scene { ppm: 2.0, flow, ..Scene::default() };
+    let case = FieldCase::of_particles(&bench, &grid, &scene, &VelocimetrySettings::default());
+    let folder = tempdir().unwrap();
+    case.write(folder.path()).unwrap();
+    assert_eq!(FieldCase::read(folder.path(), &grid).unwrap(), case);
+    for incompressible in [false, true] {
+        let row = time_field(folder.path(), &grid, incompressible, 1).unwrap();
+        println!("{row:?}");
+        assert_eq!(row.vectors, Some(case.unseen.at_vox.len()));
+        // A thousandth of the ring's largest displacement.
+        assert!(row.mean_abs_error_vox.unwrap().iter().all(|error| *error < 0.002));
+    }
+}

@@ -28,7 +28,7 @@ mod report;
 mod result;
 mod settings;
 mod smoothing;
-mod spline_field;
+pub mod spline_field;
 #[cfg(test)]
 mod test_data;
 mod tracks;
