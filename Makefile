@@ -45,7 +45,7 @@ help:
 	@echo "             $(SECONDS) s: SECONDS=3600 SEED=7 goes on longer, with other random numbers"
 	@echo "make bench   speed against error in one report; SETS=\"speed ring\" takes a part"
 	@echo "make bench-convection  error on particles of a direct numerical simulation"
-	@echo "make bench-peers  seconds and error beside ASTRA and OpenPIV, in one run"
+	@echo "make bench-peers  seconds and error beside ASTRA, OpenPIV and SciPy"
 	@echo "make deb     a Debian package in target/deb: programs, systemd unit, documentation"
 	@echo "make page    build the bench page from web/bench, after a change there"
 	@echo "make clean   remove build outputs, the Python environments and the packages of node"

@@ -30,7 +30,7 @@ use super::{
 const FINAL_SEARCH_RADIUS_VOX: f32 = 0.6;
 
 /// Most rounds with the large search radius on the windows' nodes. On finer nodes there is one: with more the field is
-/// less accurate, because it fits the errors of its particles (docs/decisions.md).
+/// less accurate (docs/decisions.md).
 const FAR_ROUNDS: usize = 5;
 
 /// A component of the field has converged if it changes by no more than this, in voxels: its uncertainty on the
