@@ -123,6 +123,8 @@ impl Setting<'_> {
         let mut config = self.config.clone();
         if let Some(method) = method {
             config.reconstruction = method.reconstruction.clone();
+            let own = config.velocimetry.place_particles;
+            config.velocimetry.place_particles = method.place_particles.unwrap_or(own);
         }
         config
     }

@@ -3,7 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use lfpiv::config::read_or_shipped;
-use lfpiv_core::reconstruction::{ReconstructionSettings, Solver};
+use lfpiv_core::{
+    reconstruction::{ReconstructionSettings, Solver},
+    velocimetry::Placing,
+};
 use serde::{Deserialize, Serialize};
 
 use super::BenchmarkError;
@@ -15,7 +18,7 @@ pub const AS_CONFIGURED: &str = "configured";
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Suite {
-    /// Ways to reconstruct.
+    /// Ways to measure.
     #[serde(rename = "method", default)]
     pub methods: Vec<Method>,
     /// What to reconstruct.
@@ -26,7 +29,7 @@ pub struct Suite {
     pub folder: PathBuf,
 }
 
-/// A way to reconstruct.
+/// A way to measure.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Method {
@@ -36,6 +39,9 @@ pub struct Method {
     pub label: String,
     /// The whole `[reconstruction]` table.
     pub reconstruction: ReconstructionSettings,
+    /// When particles are placed, instead of what the configuration says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place_particles: Option<Placing>,
 }
 
 /// A family of simulated shots and what is measured on them.
