@@ -44,7 +44,7 @@ SART_SETTINGS = [
 ]
 
 
-# What radial basis functions are smoothed by; the particles are exact, the flow is not resolved.
+# Smoothing of radial basis functions: displacements are exact, so that more of it only adds error.
 SMOOTHING = ("0", "0.01")
 
 

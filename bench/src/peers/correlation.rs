@@ -7,7 +7,7 @@ use lfpiv_core::{
     measurement::{Measurement, Processor},
     model::VolumeGrid,
     reconstruction::DenseVolume,
-    velocimetry::{PointCloud, VelocimetrySettings, VelocityField, VolumeInterrogation},
+    velocimetry::{PointCloud, VelocimetrySettings, VolumeInterrogation},
 };
 use lfpiv_sim::{BenchGeometry, FrameOfPair, Scene};
 use serde::{Deserialize, Serialize};
@@ -107,19 +107,24 @@ impl CorrelationCase {
     /// Writes `a.npy` and `b.npy` (z, y, x) and `displacement_vox.npy` (z, y, x, component),
     /// described by `case.json`.
     pub fn write(&self, folder: &Path) -> Result<(), PeersError> {
+        self.write_arrays(folder)?;
+        let description = Description {
+            kind: "correlation".to_owned(),
+            voxels: self.volumes[0].grid.voxels,
+            windows: self.windows.clone(),
+        };
+        write_description(folder, &description)
+    }
+
+    /// The same without a description.
+    pub(super) fn write_arrays(&self, folder: &Path) -> Result<(), PeersError> {
         let [nx, ny, nz] = self.volumes[0].grid.voxels;
         for (name, volume) in ["a.npy", "b.npy"].iter().zip(&self.volumes) {
             write_array(&folder.join(name), &[nz, ny, nx], &volume.intensity)?;
         }
         let [vx, vy, vz] = self.windows.vectors;
         let path = folder.join("displacement_vox.npy");
-        write_array(&path, &[vz, vy, vx, 3], self.displacement_vox.as_flattened())?;
-        let description = Description {
-            kind: "correlation".to_owned(),
-            voxels: [nx, ny, nz],
-            windows: self.windows.clone(),
-        };
-        write_description(folder, &description)
+        write_array(&path, &[vz, vy, vx, 3], self.displacement_vox.as_flattened())
     }
 
     /// Reads a case that [`Self::write`] has written on this grid.
@@ -136,18 +141,17 @@ impl CorrelationCase {
         let displacement_vox = flat.as_chunks().0.to_vec();
         Ok(Self { volumes, displacement_vox, windows })
     }
+}
 
-    /// Mean absolute error of a field along x, y, z, in voxels, over all vectors, whatever their
-    /// status: a method may not choose where it is judged.
-    fn mean_abs_error_vox(&self, field: &VelocityField) -> [f64; 3] {
-        let pairs = || field.displacement_vox.iter().zip(&self.displacement_vox);
-        std::array::from_fn(|axis| {
-            let error = |(found, truth): (&[f32; 3], &[f32; 3])| {
-                f64::from((found[axis] - truth[axis]).abs())
-            };
-            pairs().map(error).sum::<f64>() / self.displacement_vox.len().max(1) as f64
-        })
-    }
+/// Mean absolute error along x, y, z, in voxels, over all vectors, whatever their status: a method may not choose where
+/// it is judged.
+pub(super) fn mean_abs_error_vox(found_vox: &[[f32; 3]], true_vox: &[[f32; 3]]) -> [f64; 3] {
+    std::array::from_fn(|axis| {
+        let error =
+            |(found, truth): (&[f32; 3], &[f32; 3])| f64::from((found[axis] - truth[axis]).abs());
+        let sum: f64 = found_vox.iter().zip(true_vox).map(error).sum();
+        sum / true_vox.len().max(1) as f64
+    })
 }
 
 /// Times the correlation of the case in `folder`, from dense volumes to vectors. The seconds are the
@@ -173,7 +177,10 @@ pub fn time_correlation(
     Ok(Row {
         iterations: Some(passes),
         vectors: Some(field.grid.len()),
-        mean_abs_error_vox: Some(case.mean_abs_error_vox(&field)),
+        mean_abs_error_vox: Some(mean_abs_error_vox(
+            &field.displacement_vox,
+            &case.displacement_vox,
+        )),
         ..row
     })
 }

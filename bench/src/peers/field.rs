@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     CorrelationCase, PeersError, Row,
-    correlation::Windows,
+    correlation::{Windows, mean_abs_error_vox},
     description::{case_name, read_description, write_description},
     npy::{read_array, write_array},
     row::repeated,
@@ -83,10 +83,7 @@ impl FieldCase {
                 let last_vox = (grid.voxels[axis] - 1) as f64 - rim_vox;
                 rim_vox + share[axis] * (last_vox - rim_vox)
             };
-            let at_mm = std::array::from_fn(|axis| {
-                let from_middle = along(axis) - (grid.voxels[axis] - 1) as f64 / 2.0;
-                grid.centre_mm[axis] + from_middle * grid.voxel_mm
-            });
+            let at_mm = std::array::from_fn(|axis| grid.coordinate_mm(axis, along(axis)));
             let moved_mm = scene.flow.displacement_about_mm(at_mm, bench.dt_s);
             unseen.push(along, |axis| moved_mm[axis] / grid.voxel_mm);
         }
@@ -96,7 +93,7 @@ impl FieldCase {
     /// Writes the volumes and, of shape (n, 3), `particles_vox.npy` and `particles_moved_vox.npy`, and the same of
     /// unseen places, described by `case.json`.
     pub fn write(&self, folder: &Path) -> Result<(), PeersError> {
-        self.volumes.write(folder)?;
+        self.volumes.write_arrays(folder)?;
         self.particles.write(folder, "particles")?;
         self.unseen.write(folder, "unseen")?;
         let description = Description {
@@ -156,17 +153,6 @@ impl Displacements {
         let guess = Guess { at: &|_| [0.0; 3], error_vox, stiffness: None };
         through(&extent, &samples, &guess, incompressible).0
     }
-
-    /// Mean |error| of values at these places along x, y, z, in voxels.
-    fn mean_abs_error_vox(&self, values: &[[f32; 3]]) -> [f64; 3] {
-        std::array::from_fn(|axis| {
-            let error = |(found, truth): (&[f32; 3], &[f32; 3])| {
-                f64::from((found[axis] - truth[axis]).abs())
-            };
-            let sum: f64 = values.iter().zip(&self.moved_vox).map(error).sum();
-            sum / values.len().max(1) as f64
-        })
-    }
 }
 
 fn files(name: &str) -> [String; 2] {
@@ -195,7 +181,7 @@ pub fn time_field(
     );
     Ok(Row {
         vectors: Some(values.len()),
-        mean_abs_error_vox: Some(case.unseen.mean_abs_error_vox(&values)),
+        mean_abs_error_vox: Some(mean_abs_error_vox(&values, &case.unseen.moved_vox)),
         ..row
     })
 }

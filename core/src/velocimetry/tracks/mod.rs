@@ -86,7 +86,7 @@ pub fn follow(
     let in_flow = |cloud: &PointCloud| -> Vec<LightPeak> {
         let mut found = particles(cloud);
         found.retain(|particle| flow.is_none_or(|flow| flow.is_flow(particle.at_vox)));
-        // Neighbours follow each other, so the coefficients they need are in the processor's cache.
+        // In the order of the field's coefficients, so that those of the next particle are in the processor's cache.
         let order = stage.spline.nodes.order(found.iter().map(|particle| particle.at_vox));
         order.into_iter().map(|n| found[n]).collect()
     };
