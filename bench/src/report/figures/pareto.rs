@@ -42,7 +42,7 @@ pub fn error_seconds(report: &Report) -> Option<Section> {
                   alone leave more than images in which single particles are followed; true \
                   particles that are followed, too, are what images and reconstruction add to. \
                   Seconds are those of one pair in a running program: decoding, two \
-                  reconstructions, correlation."
+                  reconstructions, correlation, and particles where they are placed."
             .to_owned(),
         compared: Vec::new(),
     })
