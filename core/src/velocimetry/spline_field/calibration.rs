@@ -6,14 +6,29 @@ use super::{
     field::SplineField,
 };
 
-/// Nodes on either side whose samples count for the local factor.
-const REACH: usize = 2;
+/// Least number of nodes on either side whose samples count for the local factor.
+const LEAST_REACH: usize = 2;
+
+/// Least number of samples that count for it, on average.
+const LEAST_WITHIN_REACH: f32 = 15.0;
 
 /// Weight of the global factor in each local estimate, as a number of samples.
-const GLOBAL_WEIGHT: f32 = 30.0;
+const GLOBAL_WEIGHT: f32 = 10.0;
 
 /// Residuals are clipped at this many standard deviations: larger ones may be outliers.
-const CLIP_SIGMA: f32 = 4.0;
+const CLIP_SIGMA: f32 = 2.5;
+
+/// Mean square of normal residuals of standard deviation 1 that are clipped at [`CLIP_SIGMA`]:
+/// erf(c/√2) − c √(2/π) exp(−c²/2) + c² (1 − erf(c/√2)) with c = 2.5 (Huber's proposal 2, Ann. Math. Stat. 35, 1964).
+const CLIPPED_MEAN_SQUARE: f32 = 0.9776;
+
+/// Samples count that are at least this far inside the box around all samples, in mean particle spacings: those
+/// nearer to its faces are extrapolated when they are left out, and miss by more than the vectors do
+/// (docs/decisions.md).
+const INSIDE: f32 = 0.7;
+
+/// Largest such distance, as a share of the box's edge: in a thin sheet of light most samples are near its faces.
+const LARGEST_MARGIN: f32 = 0.125;
 
 /// Share of the samples' noise in the variance of the field. The rest is due to third differences that the penalty
 /// allows; it is not an error where the flow has none. In three dimensions each is half:
@@ -46,14 +61,14 @@ struct Factors {
 }
 
 impl Missed {
-    /// The field's share of the variance, and the squared residual divided by the variance, minus 1 (0 on average).
+    /// The field's share of the variance, and the clipped square of the residual relative to its mean, minus 1.
     /// Their product is the derivative of twice the log-likelihood with respect to the logarithm of the field's
     /// factor.
     fn share_and_surplus(&self, factors: Factors) -> (f32, f32) {
         let field = factors.field * self.field_variance;
         let variance = factors.own * self.own_variance + field;
         let square = (self.off * self.off / variance).min(CLIP_SIGMA * CLIP_SIGMA);
-        (field / variance, square - 1.0)
+        (field / variance, square / CLIPPED_MEAN_SQUARE - 1.0)
     }
 }
 
@@ -67,14 +82,15 @@ pub fn widening(
     variance: impl Fn(usize, usize) -> f32,
 ) -> Vec<[f32; 3]> {
     let mut factors = vec![[1.0; 3]; nodes.layout.len()];
+    let inside = inside(samples);
     for c in 0..3 {
-        let of = |(n, (sample, missed)): (usize, (&Sample, &[f32; 3]))| Missed {
-            node: nodes.nearest(sample.middle_vox),
-            off: missed[c].abs(),
+        let of = |&n: &usize| Missed {
+            node: nodes.nearest(samples[n].middle_vox),
+            off: missed[n][c].abs(),
             own_variance: variance(c, n),
-            field_variance: field.uncertainty_vox(sample.middle_vox)[c].powi(2),
+            field_variance: field.uncertainty_vox(samples[n].middle_vox)[c].powi(2),
         };
-        let missed: Vec<Missed> = samples.iter().zip(missed).enumerate().map(of).collect();
+        let missed: Vec<Missed> = inside.iter().map(of).collect();
         for (factors, factor) in factors.iter_mut().zip(of_component(nodes, &missed)) {
             factors[c] = factor;
         }
@@ -82,10 +98,38 @@ pub fn widening(
     factors
 }
 
+/// Indices of the samples that are [`INSIDE`] the box around all.
+fn inside(samples: &[Sample]) -> Vec<usize> {
+    let [mut low, mut high] = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
+    for sample in samples {
+        for (axis, &at) in sample.middle_vox.iter().enumerate() {
+            low[axis] = low[axis].min(at);
+            high[axis] = high[axis].max(at);
+        }
+    }
+    let edges: [f32; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
+    let between = libm::cbrtf(edges.iter().product::<f32>() / samples.len() as f32);
+    let is_inside = |n: &usize| {
+        (0..3).all(|axis| {
+            let margin = (INSIDE * between).min(LARGEST_MARGIN * edges[axis]);
+            let at = samples[*n].middle_vox[axis];
+            at - low[axis] >= margin && high[axis] - at >= margin
+        })
+    };
+    (0..samples.len()).filter(is_inside).collect()
+}
+
+/// Nodes on either side whose samples count for the local factor, for this number of samples.
+fn reach(nodes: &Nodes, samples: usize) -> usize {
+    let edge = libm::cbrtf(LEAST_WITHIN_REACH * nodes.all_cells() as f32 / samples.max(1) as f32);
+    ((edge / 2.0).round() as usize).max(LEAST_REACH)
+}
+
 /// Local factors of one component. A residual contains the errors of the sample and of the field. Where the field's
 /// error is much smaller, residuals do not determine its factor, and the global one is used.
 fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
     let shared = of_all(missed);
+    let reach = reach(nodes, missed.len());
     let mut factors = vec![shared.field; nodes.layout.len()];
     for _ in 0..STEPS[1] {
         let mut gradient = vec![0.0; nodes.layout.len()];
@@ -96,8 +140,8 @@ fn of_component(nodes: &Nodes, missed: &[Missed]) -> Vec<f32> {
             gradient[one.node] += share * surplus;
             information[one.node] += share * share;
         }
-        sums_within(nodes.layout, REACH, &mut gradient);
-        sums_within(nodes.layout, REACH, &mut information);
+        sums_within(nodes.layout, reach, &mut gradient);
+        sums_within(nodes.layout, reach, &mut information);
         for ((factor, gradient), information) in factors.iter_mut().zip(gradient).zip(information) {
             let gradient = gradient - GLOBAL_WEIGHT * libm::logf(*factor / shared.field);
             let step = gradient / (information + GLOBAL_WEIGHT);
@@ -194,6 +238,34 @@ mod tests {
 
     fn near(found: f32, expected: f32) -> bool {
         (found / expected).ln().abs() < 0.2
+    }
+
+    #[test]
+    fn the_mean_square_is_that_of_clipped_normal_residuals() {
+        let c = f64::from(CLIP_SIGMA);
+        let within = libm::erf(c / 2f64.sqrt());
+        let tail = c * (2.0 / std::f64::consts::PI).sqrt() * (-c * c / 2.0).exp();
+        let expected = within - tail + c * c * (1.0 - within);
+        assert!((f64::from(CLIPPED_MEAN_SQUARE) - expected).abs() < 1e-4, "{expected}");
+    }
+
+    #[test]
+    fn extrapolated_samples_do_not_count() {
+        let sample = |n: usize| {
+            let middle_vox = [n % 10, n / 10 % 10, n / 100].map(|at| 4.0 * at as f32);
+            Sample { middle_vox, displacement_vox: [0.0; 3], variance_vox2: [1.0; 3] }
+        };
+        let samples: Vec<Sample> = (0..1000).map(sample).collect();
+        let counted = inside(&samples);
+        assert_eq!(counted.len(), 8 * 8 * 8);
+        let is_inner =
+            |n: &usize| [n % 10, n / 10 % 10, n / 100].iter().all(|at| (1..9).contains(at));
+        assert!(counted.iter().all(is_inner));
+        // A sheet nine tenths of a voxel thick.
+        let mut sheet = samples;
+        sheet.iter_mut().for_each(|sample| sample.middle_vox[2] /= 40.0);
+        assert_eq!(inside(&sheet).len(), 8 * 8 * 6);
+        assert!(inside(&[]).is_empty());
     }
 
     #[test]

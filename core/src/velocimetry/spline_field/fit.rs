@@ -19,7 +19,7 @@ use super::{
     preconditioner::Preconditioner,
     scatter::inflation,
     solve::improve,
-    stiffness::Ladder,
+    stiffness::{Ladder, Scores, Search},
 };
 use crate::statistics::{NORMAL_OF_MEDIAN, median};
 
@@ -126,8 +126,24 @@ impl<'a> Fit<'a> {
     }
 
     /// Chooses the stiffness with the least cross-validation error. Every eighth sample is left out, beginning with
-    /// index `first`.
-    pub fn choose_stiffness(&mut self, ladder: &Ladder, first: usize, until: Until) {
+    /// index `first`, then others, until there are enough residuals.
+    pub fn choose_stiffness(&mut self, ladder: &Ladder, first: usize, search: Search) {
+        let folds = (LANES * search.residuals).div_ceil(self.samples.len().max(1)).clamp(1, LANES);
+        let mut scores: [Scores; 3] = Default::default();
+        for first in (first..first + folds).map(|first| first % LANES) {
+            self.leave_out(first, ladder, search.until, &mut scores);
+        }
+        for (c, scores) in scores.into_iter().enumerate() {
+            let (factor, rung) = ladder.best(&scores.sums);
+            self.stiffness[c] *= factor;
+            let typical = median(scores.missed[rung].iter().copied()).unwrap_or_default();
+            self.missed_vox[c] = (NORMAL_OF_MEDIAN * typical) as f32;
+        }
+    }
+
+    /// Adds the cross-validation residuals of every eighth sample, beginning with index `first`, to the scores of the
+    /// components.
+    fn leave_out(&self, first: usize, ladder: &Ladder, until: Until, scores: &mut [Scores; 3]) {
         let is_left_out = |n: usize| n % LANES == first;
         let weights =
             self.lanes_of_weights(
@@ -141,23 +157,13 @@ impl<'a> Fit<'a> {
         }
         let mut field = self.before.clone();
         self.solve_for_samples(&equations, &mut field, until);
-        for (c, field) in field.iter().enumerate() {
+        for (c, (field, scores)) in field.iter().zip(scores).enumerate() {
             let values = self.values(field);
-            let mut scores = [0.0f64; LANES];
-            let mut missed: [Vec<f64>; LANES] = Default::default();
             for n in (first..self.samples.len()).step_by(LANES) {
                 let variance = f64::from(DEGREES_OF_FREEDOM * self.variance(c, n));
-                for l in 0..LANES {
-                    let left = f64::from(self.samples[n].displacement_vox[c] - values[n][l]);
-                    // Minus the logarithm of Student's density.
-                    scores[l] += libm::log1p(left * left / variance);
-                    missed[l].push(left.abs());
-                }
+                let missed = values[n].map(|value| self.samples[n].displacement_vox[c] - value);
+                scores.add(missed.map(f64::from), variance);
             }
-            let (factor, rung) = ladder.best(&scores);
-            self.stiffness[c] *= factor;
-            let typical = median(std::mem::take(&mut missed[rung])).unwrap_or_default();
-            self.missed_vox[c] = (NORMAL_OF_MEDIAN * typical) as f32;
         }
     }
 

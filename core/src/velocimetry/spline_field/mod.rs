@@ -32,7 +32,7 @@ mod stiffness;
 use super::{conjugate_gradients::Until, nodes::Nodes};
 pub use field::SplineField;
 use fit::Fit;
-use stiffness::Ladder;
+use stiffness::{Ladder, Search};
 
 /// The displacement of a particle, or of anything else that is known at a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,13 +85,15 @@ const EXTRA_SIGMA: [f32; 2] = [0.5, 0.1];
 /// Rounds in which samples are weighted by their estimated errors.
 const ROUNDS: usize = 3;
 
-/// Stopping criteria for the search of penalties, the fit to samples, and cross-validation.
-const TRYING: Until = Until { steps: 60, tolerance: 1e-3 };
+/// The search of penalties. Of some 50 residuals the least error is found by chance (docs/decisions.md).
+const TRYING: Search = Search { until: Until { steps: 60, tolerance: 1e-3 }, residuals: 500 };
+
+/// Stopping criteria for the fit to samples, and cross-validation.
 const FOLLOWING: Until = Until { steps: 25, tolerance: 3e-3 };
 const LEAVING_OUT: Until = Until { steps: 60, tolerance: 1e-3 };
 
 /// The same for an intermediate field.
-const TRYING_QUICKLY: Until = Until { steps: 12, tolerance: 1e-3 };
+const TRYING_QUICKLY: Search = Search { until: Until { steps: 12, tolerance: 1e-3 }, residuals: 1 };
 const FOLLOWING_QUICKLY: Until = Until { steps: 10, tolerance: 3e-3 };
 
 impl Extent {
@@ -147,7 +149,7 @@ pub fn near(extent: &Extent, samples: &[Sample], guess: &Guess<'_>) -> SplineFie
 }
 
 /// Moves the field from a guess towards the samples, with decreasing additional standard deviation.
-fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Until, towards: impl Fn(&mut Fit<'_>)) {
+fn follow(fit: &mut Fit<'_>, guess: &Guess<'_>, trying: Search, towards: impl Fn(&mut Fit<'_>)) {
     fit.weigh(EXTRA_SIGMA[0] * guess.error_vox);
     match guess.stiffness {
         Some(stiffness) => fit.stiffness = stiffness,

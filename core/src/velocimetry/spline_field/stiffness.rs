@@ -1,8 +1,40 @@
 //! Stiffness of the field: the penalty of third differences with the least cross-validation error
 //! (Craven and Wahba, Numer. Math. 31, 1979).
 
-use super::lanes::{LANES, Lane};
+use super::{
+    super::conjugate_gradients::Until,
+    lanes::{LANES, Lane},
+};
 use crate::parabola;
+
+/// How a stiffness is searched for.
+#[derive(Debug, Clone, Copy)]
+pub struct Search {
+    /// Stopping criterion of each field.
+    pub until: Until,
+    /// Number of cross-validation residuals, if there are as many samples.
+    pub residuals: usize,
+}
+
+/// Cross-validation errors of one component.
+#[derive(Default)]
+pub struct Scores {
+    /// Per penalty: minus the logarithm of the residuals' likelihood.
+    pub sums: [f64; LANES],
+    /// Per penalty: absolute residuals, in voxels.
+    pub missed: [Vec<f64>; LANES],
+}
+
+impl Scores {
+    /// Adds a residual per penalty, of Student's distribution; `variance` is the squared scale times the degrees of
+    /// freedom, in voxel².
+    pub fn add(&mut self, missed: [f64; LANES], variance: f64) {
+        for (l, missed) in missed.into_iter().enumerate() {
+            self.sums[l] += libm::log1p(missed * missed / variance);
+            self.missed[l].push(missed.abs());
+        }
+    }
+}
 
 /// Trial penalties, one per lane.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -32,7 +32,15 @@ fn normal(random: &mut impl Rng) -> f32 {
 
 /// `count` samples of a flow with independent errors.
 fn samples(flow: impl Fn([f32; 3]) -> [f32; 3], count: usize, deviation_vox: f32) -> Vec<Sample> {
-    let mut random = random();
+    samples_by(random(), flow, count, deviation_vox)
+}
+
+fn samples_by(
+    mut random: impl Rng,
+    flow: impl Fn([f32; 3]) -> [f32; 3],
+    count: usize,
+    deviation_vox: f32,
+) -> Vec<Sample> {
     let sample = |_| {
         let middle_vox = place(&mut random);
         let mut displacement_vox = flow(middle_vox);
@@ -265,6 +273,30 @@ fn waves_are_resolved_and_intervals_hold() {
         assert!(error < 0.04 + 0.6 * deviation_vox, "{error}");
         assert!((0.55..0.9).contains(&one) && two > 0.85, "{one} {two}");
     }
+}
+
+/// The components of a wave are alike, so their penalties should be. Few residuals choose them by chance.
+#[test]
+fn few_particles_choose_like_penalties_for_like_components() {
+    let nodes = Nodes::covering(LOW, HIGH, 8.0);
+    let spread = |residuals: usize| -> f32 {
+        let of_seed = |seed: u64| {
+            let random = Pcg64Mcg::seed_from_u64(seed);
+            let mut samples = samples_by(random, |at| wave(64.0, at), 120, 0.02);
+            samples.sort_by_key(|sample| nodes.taps(sample.middle_vox).first);
+            let mut fit = Fit::new(nodes, &samples, |_| [0.0; 3], false);
+            fit.weigh(0.0);
+            let search = Search { residuals, ..TRYING };
+            fit.choose_stiffness(&Ladder::expecting(LARGEST_DIFFERENCE_VOX, RATIOS[0]), 0, search);
+            let logarithms = fit.stiffness.map(f32::ln);
+            logarithms.iter().copied().fold(f32::MIN, f32::max)
+                - logarithms.iter().copied().fold(f32::MAX, f32::min)
+        };
+        (0..12).map(of_seed).sum::<f32>() / 12.0
+    };
+    let [one, all] = [1, 120].map(spread);
+    println!("{one:.2} {all:.2}");
+    assert!(all < 0.6 * one, "{one} {all}");
 }
 
 /// Again from the field that was found, with its stiffness: what most particles follow, not what few do.
