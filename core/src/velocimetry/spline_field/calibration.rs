@@ -9,7 +9,7 @@ use super::{
 /// Least number of nodes on either side whose samples count for the local factor.
 const LEAST_REACH: usize = 2;
 
-/// Least number of samples that count for it, on average.
+/// Least average number of samples within reach of a node.
 const LEAST_WITHIN_REACH: f32 = 15.0;
 
 /// Weight of the global factor in each local estimate, as a number of samples.
@@ -22,12 +22,12 @@ const CLIP_SIGMA: f32 = 2.5;
 /// erf(c/√2) − c √(2/π) exp(−c²/2) + c² (1 − erf(c/√2)) with c = 2.5 (Huber's proposal 2, Ann. Math. Stat. 35, 1964).
 const CLIPPED_MEAN_SQUARE: f32 = 0.9776;
 
-/// Samples count that are at least this far inside the box around all samples, in mean particle spacings: those
-/// nearer to its faces are extrapolated when they are left out, and miss by more than the vectors do
-/// (docs/decisions.md).
-const INSIDE: f32 = 0.7;
+/// Least distance of a sample that counts from the faces of the box around all samples, in mean particle spacings. The
+/// field at a left-out sample nearer to a face is extrapolated, and misses it by more than it misses the flow at the
+/// vectors (docs/decisions.md).
+const MARGIN: f32 = 0.7;
 
-/// Largest such distance, as a share of the box's edge: in a thin sheet of light most samples are near its faces.
+/// Largest such distance, relative to the box's edge: in a thin sheet of light most samples are near a face.
 const LARGEST_MARGIN: f32 = 0.125;
 
 /// Share of the samples' noise in the variance of the field. The rest is due to third differences that the penalty
@@ -61,9 +61,9 @@ struct Factors {
 }
 
 impl Missed {
-    /// The field's share of the variance, and the clipped square of the residual relative to its mean, minus 1.
-    /// Their product is the derivative of twice the log-likelihood with respect to the logarithm of the field's
-    /// factor.
+    /// The field's share of the variance, and the clipped squared residual divided by its expected value, minus 1.
+    /// For residuals that are not clipped, their product is the derivative of twice the log-likelihood with respect to
+    /// the logarithm of the field's factor.
     fn share_and_surplus(&self, factors: Factors) -> (f32, f32) {
         let field = factors.field * self.field_variance;
         let variance = factors.own * self.own_variance + field;
@@ -98,7 +98,7 @@ pub fn widening(
     factors
 }
 
-/// Indices of the samples that are [`INSIDE`] the box around all.
+/// Indices of the samples that are farther from the faces of the box around all than the margin.
 fn inside(samples: &[Sample]) -> Vec<usize> {
     let [mut low, mut high] = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
     for sample in samples {
@@ -108,12 +108,12 @@ fn inside(samples: &[Sample]) -> Vec<usize> {
         }
     }
     let edges: [f32; 3] = std::array::from_fn(|axis| high[axis] - low[axis]);
-    let between = libm::cbrtf(edges.iter().product::<f32>() / samples.len() as f32);
+    let spacing = libm::cbrtf(edges.iter().product::<f32>() / samples.len() as f32);
+    let margins = edges.map(|edge| (MARGIN * spacing).min(LARGEST_MARGIN * edge));
     let is_inside = |n: &usize| {
+        let at = samples[*n].middle_vox;
         (0..3).all(|axis| {
-            let margin = (INSIDE * between).min(LARGEST_MARGIN * edges[axis]);
-            let at = samples[*n].middle_vox[axis];
-            at - low[axis] >= margin && high[axis] - at >= margin
+            at[axis] - low[axis] >= margins[axis] && high[axis] - at[axis] >= margins[axis]
         })
     };
     (0..samples.len()).filter(is_inside).collect()

@@ -85,7 +85,7 @@ const EXTRA_SIGMA: [f32; 2] = [0.5, 0.1];
 /// Rounds in which samples are weighted by their estimated errors.
 const ROUNDS: usize = 3;
 
-/// The search of penalties. Of some 50 residuals the least error is found by chance (docs/decisions.md).
+/// The search of penalties. With 50 residuals the choice depends on chance (docs/decisions.md).
 const TRYING: Search = Search { until: Until { steps: 60, tolerance: 1e-3 }, residuals: 500 };
 
 /// Stopping criteria for the fit to samples, and cross-validation.

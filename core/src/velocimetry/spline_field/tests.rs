@@ -275,7 +275,7 @@ fn waves_are_resolved_and_intervals_hold() {
     }
 }
 
-/// The components of a wave are alike, so their penalties should be. Few residuals choose them by chance.
+/// The components of this wave are alike, so their penalties should be. With few residuals they differ by chance.
 #[test]
 fn few_particles_choose_like_penalties_for_like_components() {
     let nodes = Nodes::covering(LOW, HIGH, 8.0);
