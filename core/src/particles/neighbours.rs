@@ -1,21 +1,25 @@
 //! Points near a place.
 
+/// Searches look this much further than their reach for cells, relative to a cell's edge: rounding may put a point
+/// into the next one.
+const ROUNDING: f32 = 1e-3;
+
 /// Points sorted into cells, so that those near a place are found quickly.
-pub struct Neighbours<'a> {
-    points: &'a [[f32; 3]],
+pub struct Neighbours {
     reach: f32,
     /// Edge of a cell: no shorter than the reach, and long enough that there are not many more cells than points.
     edge: f32,
     first: [f32; 3],
     cells: [usize; 3],
-    /// Where the points of each cell begin in `order`, and where the last ones end.
+    /// Where the points of each cell begin in `sorted`, and where the last ones end.
     starts: Vec<u32>,
-    order: Vec<u32>,
+    /// The points by cell, with their numbers.
+    sorted: Vec<([f32; 3], u32)>,
 }
 
-impl<'a> Neighbours<'a> {
+impl Neighbours {
     /// Sorts points for searches within `reach`.
-    pub fn new(points: &'a [[f32; 3]], reach: f32) -> Self {
+    pub fn new(points: &[[f32; 3]], reach: f32) -> Self {
         let bound = |pick: fn(f32, f32) -> f32, start: f32| -> [f32; 3] {
             std::array::from_fn(|axis| points.iter().map(|p| p[axis]).fold(start, pick))
         };
@@ -27,16 +31,16 @@ impl<'a> Neighbours<'a> {
         } else {
             std::array::from_fn(|axis| ((high[axis] - low[axis]) / edge) as usize + 1)
         };
-        let mut neighbours =
-            Self { points, reach, edge, first: low, cells, starts: Vec::new(), order: Vec::new() };
-        neighbours.sort();
+        let (starts, sorted) = (Vec::new(), Vec::new());
+        let mut neighbours = Self { reach, edge, first: low, cells, starts, sorted };
+        neighbours.sort(points);
         neighbours
     }
 
     /// Counting sort by cell; points of a cell stay in their order.
-    fn sort(&mut self) {
+    fn sort(&mut self, points: &[[f32; 3]]) {
         let count = self.cells.iter().product::<usize>();
-        let cell_of: Vec<usize> = self.points.iter().map(|&at| self.cell_of(at)).collect();
+        let cell_of: Vec<usize> = points.iter().map(|&at| self.cell_of(at)).collect();
         let mut ends = vec![0u32; count + 1];
         for &cell in &cell_of {
             ends[cell + 1] += 1;
@@ -45,9 +49,9 @@ impl<'a> Neighbours<'a> {
             ends[cell + 1] += ends[cell];
         }
         self.starts = ends.clone();
-        self.order = vec![0; self.points.len()];
-        for (point, cell) in (0u32..).zip(cell_of) {
-            self.order[ends[cell] as usize] = point;
+        self.sorted = vec![([0.0; 3], 0); points.len()];
+        for ((number, &point), cell) in (0u32..).zip(points).zip(cell_of) {
+            self.sorted[ends[cell] as usize] = (point, number);
             ends[cell] += 1;
         }
     }
@@ -61,13 +65,14 @@ impl<'a> Neighbours<'a> {
 
     /// Calls `found` with every point within reach of `at` and the square of its distance.
     pub fn visit(&self, at: [f32; 3], mut found: impl FnMut(usize, f32)) {
-        if self.points.is_empty() {
+        if self.sorted.is_empty() {
             return;
         }
+        let reach = self.reach / self.edge + ROUNDING;
         let range = |axis: usize| {
-            let place = ((at[axis] - self.first[axis]) / self.edge).floor() as i64;
-            let last = self.cells[axis] as i64;
-            (place - 1).clamp(0, last) as usize..(place + 2).clamp(0, last) as usize
+            let place = (at[axis] - self.first[axis]) / self.edge;
+            let within = |cell: f32| (cell as i64).clamp(0, self.cells[axis] as i64) as usize;
+            within((place - reach).floor())..within((place + reach).floor() + 1.0)
         };
         let along = range(0);
         if along.is_empty() {
@@ -77,11 +82,10 @@ impl<'a> Neighbours<'a> {
             for y in range(1) {
                 let row = (z * self.cells[1] + y) * self.cells[0];
                 let cells = self.starts[row + along.start]..self.starts[row + along.end];
-                for &point in &self.order[cells.start as usize..cells.end as usize] {
-                    let other = self.points[point as usize];
-                    let square: f32 = (0..3).map(|axis| (other[axis] - at[axis]).powi(2)).sum();
+                for &(point, number) in &self.sorted[cells.start as usize..cells.end as usize] {
+                    let square: f32 = (0..3).map(|axis| (point[axis] - at[axis]).powi(2)).sum();
                     if square <= self.reach * self.reach {
-                        found(point as usize, square);
+                        found(number as usize, square);
                     }
                 }
             }

@@ -38,7 +38,7 @@ impl Partners {
             let sign = [1.0, -1.0][frame];
             let in_voxels =
                 |p: &Particle| middle(p.at_mm, flow, sign).map(|mm| (mm / voxel_mm) as f32);
-            frames[frame].iter().map(in_voxels).collect::<Vec<_>>()
+            frames[frame].par_iter().map(in_voxels).collect::<Vec<_>>()
         });
         let partners = mutual(&middles, reach_vox as f32);
         Self { middles, partners }
@@ -104,7 +104,7 @@ fn mutual(middles: &[Vec<[f32; 3]>; 2], reach: f32) -> [Vec<Option<usize>>; 2] {
         let near = Neighbours::new(&middles[1 - from], reach);
         middles[from].iter().map(|&at| near.nearest(at, reach)).collect()
     };
-    let (a, b) = (nearest(0), nearest(1));
+    let (a, b) = rayon::join(|| nearest(0), || nearest(1));
     let both = |one: &[Option<usize>], other: &[Option<usize>]| -> Vec<Option<usize>> {
         let partner = |(n, partner): (usize, &Option<usize>)| {
             partner.filter(|&partner| other[partner] == Some(n))

@@ -145,23 +145,23 @@ impl Interrogation {
 }
 
 /// The particles around a vector, with and without a partner.
-struct Support<'a> {
-    paired: Neighbours<'a>,
-    alone: [Neighbours<'a>; 2],
+struct Support {
+    paired: Neighbours,
+    alone: [Neighbours; 2],
 }
 
-impl<'a> Support<'a> {
+impl Support {
     /// From positions in voxels of `grid`. Spheres around vectors contain [`PAIRS_PER_SPHERE`] pairs on average.
-    fn new(grid: &VolumeGrid, paired: &'a [[f32; 3]], alone: [&'a [[f32; 3]]; 2]) -> Self {
+    fn new(grid: &VolumeGrid, paired: &[[f32; 3]], alone: [&[[f32; 3]]; 2]) -> Self {
         let sphere = 4.0 / 3.0 * std::f32::consts::PI;
         let density = paired.len().max(1) as f32 / grid.voxels.iter().product::<usize>() as f32;
         let reach = (PAIRS_PER_SPHERE / (sphere * density)).cbrt();
-        let near = |places: &'a [[f32; 3]]| Neighbours::new(places, reach);
+        let near = |places: &[[f32; 3]]| Neighbours::new(places, reach);
         Self { paired: near(paired), alone: alone.map(near) }
     }
 
     fn is_enough(&self, at_vox: [f32; 3]) -> bool {
-        let about = |near: &Neighbours<'_>| {
+        let about = |near: &Neighbours| {
             let mut count = 0;
             near.visit(at_vox, |_, _| count += 1);
             count

@@ -287,7 +287,7 @@ impl<'a> Fit<'a> {
     /// constrain the coefficients that were `measured`.
     fn penalties(&self, spline: &Spline, measured: &[bool]) -> [Penalty; 3] {
         let layout = self.layout;
-        std::array::from_fn(|c| {
+        let of_component = |c: usize| {
             let stiffness = std::array::from_fn(|axis| {
                 let squares = layout.roughness(axis, &spline.coefficients[c], measured, self.flow);
                 let stiffness = |(n, square): (usize, f64)| {
@@ -305,7 +305,10 @@ impl<'a> Fit<'a> {
                 penalty.drop_across_bodies(flow);
             }
             penalty
-        })
+        };
+        let (u, (v, w)) =
+            rayon::join(|| of_component(0), || rayon::join(|| of_component(1), || of_component(2)));
+        [u, v, w]
     }
 
     /// Standard uncertainty of the field on the nodes, along x, y, z, in voxels; `None` where there is neither a vector

@@ -1,6 +1,7 @@
 //! Displacements of single particles, and their weights, on the nodes of a lattice.
 
 use multiversion::multiversion;
+use rayon::prelude::*;
 
 use super::{
     super::{layout::Layout, nodes::Taps},
@@ -110,6 +111,7 @@ impl<'a> Samples<'a> {
             .collect();
         let common = median(scaled.iter().copied()).unwrap_or_default().powi(2);
         let about: Vec<f64> = (0..self.around.len())
+            .into_par_iter()
             .map(|node| self.variance_about(node, c, &scaled, common))
             .collect();
         let weight = |n: usize| {
@@ -198,12 +200,12 @@ fn variance_inflation(pairs: &[Pair], around: &[Vec<u32>]) -> Vec<[f64; 3]> {
     for c in 0..3 {
         let spread = |n: usize| f64::from(pairs[n].spread_vox2[c]);
         let common = lower_quartile((0..pairs.len()).map(spread)).unwrap_or_default();
-        for (blur, near) in variance_inflation.iter_mut().zip(around) {
+        variance_inflation.par_iter_mut().zip(around).for_each(|(blur, near)| {
             let own = lower_quartile(near.iter().map(|&n| spread(n as usize))).unwrap_or_default();
             let seen = shrunk(near.len(), own, common);
             let told = 1.0 - seen / (BLURRED_SPREAD_VOX * BLURRED_SPREAD_VOX);
             blur[c] = told.max(0.1).powi(-3);
-        }
+        });
     }
     variance_inflation
 }
