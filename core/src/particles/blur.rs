@@ -53,8 +53,9 @@ pub fn fitted_blur(
     let used: Vec<&Particle> = used().map(particle).collect();
     let mut without = fit.images[c].clone();
     add_all(&mut without, &cameras[c], (&used, c), -1.0);
-    let misfit = |log_width: f64| {
-        let (mut image, mut camera) = (without.clone(), cameras[c].clone());
+    let (mut image, mut camera) = (without.clone(), cameras[c].clone());
+    let mut misfit = |log_width: f64| {
+        image.copy_model(&without);
         camera.blur = blur_of_width(log_width.exp(), pixel_mm);
         add_all(&mut image, &camera, (&used, c), 1.0);
         // Pixels and weights are those of the previous width for every trial width.

@@ -1,10 +1,13 @@
 //! One camera's image of one frame, and its model from the current particles.
 
+use std::sync::Arc;
+
 use lfpiv_hw::RawImage;
 
 use super::{
     kernels::{self, Equations},
     noise::{PixelNoise, noise_of},
+    prefetch::prefetch,
 };
 use crate::{
     lightfield::LightLevels,
@@ -14,8 +17,8 @@ use crate::{
 /// A raw image and the model of it.
 #[derive(Debug, Clone)]
 pub struct ParticleImage {
-    /// Counts, row-major, and [`LANES`] more values.
-    counts: Vec<u16>,
+    /// Counts, row-major, and [`LANES`] more values. Copies of the image share them.
+    counts: Arc<[u16]>,
     /// Expected value of each pixel from the particles, in counts above `black`; same length.
     model: Vec<f32>,
     width: usize,
@@ -30,8 +33,8 @@ pub struct ParticleImage {
 impl ParticleImage {
     /// An image without particles.
     pub fn new(image: &RawImage, levels: &LightLevels, noise: PixelNoise) -> Self {
-        let mut counts = image.counts().to_vec();
-        counts.extend([0; LANES]);
+        let padding = [0; LANES];
+        let counts: Arc<[u16]> = image.counts().iter().chain(&padding).copied().collect();
         let model = vec![0.0; counts.len()];
         let black = (levels.offset_counts + levels.background_counts) as f32;
         let saturation = levels.saturation_counts.unwrap_or(u16::MAX);
@@ -43,10 +46,45 @@ impl ParticleImage {
         self.model.fill(0.0);
     }
 
+    /// Makes its model that of `other`, an image of the same size.
+    pub fn copy_model(&mut self, other: &Self) {
+        self.model.copy_from_slice(&other.model);
+    }
+
     /// Adds a particle of `light` counts in an open pixel to the model; negative light removes it.
     pub fn add(&mut self, camera: &PointCamera, footprint: &PointFootprint, light: f32) {
         let (open, stride) = (camera.open_shares(), camera.open_stride());
         kernels::add_image(&mut self.model, self.width, open, stride, footprint, light);
+    }
+
+    /// Asks the processor for the pixels of a particle whose equations are summed up soon. The rows of its image are
+    /// on pages of their own, and the processor does not foresee them.
+    pub fn prefetch(&self, camera: &PointCamera, footprint: &PointFootprint) {
+        self.prefetch_rows::<true>(camera, footprint);
+    }
+
+    /// The same for a particle that is added to the model soon.
+    pub fn prefetch_model(&self, camera: &PointCamera, footprint: &PointFootprint) {
+        self.prefetch_rows::<false>(camera, footprint);
+    }
+
+    fn prefetch_rows<const COUNTS: bool>(&self, camera: &PointCamera, footprint: &PointFootprint) {
+        for patch in &footprint.patches {
+            let columns = patch.columns.len.next_multiple_of(LANES);
+            let mut first = patch.rows.first_px * self.width + patch.columns.first_px;
+            let mut open = patch.open;
+            for _ in 0..patch.rows.len {
+                for at in [first, first + columns - 1] {
+                    prefetch(&self.model, at);
+                    if COUNTS {
+                        prefetch(&self.counts, at);
+                    }
+                }
+                prefetch(camera.open_shares(), open);
+                first += self.width;
+                open += camera.open_stride();
+            }
+        }
     }
 
     /// Normal equations of a particle from the residual.

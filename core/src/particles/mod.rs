@@ -21,6 +21,7 @@ mod normal;
 mod order;
 mod partners;
 mod place;
+mod prefetch;
 mod restart;
 mod select;
 mod step;

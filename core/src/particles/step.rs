@@ -20,8 +20,8 @@ const BATCH: usize = 64;
 /// whose part of an image remains in the processor's cache.
 const STRIDE: usize = 16;
 
-/// Least number of particles for a thread.
-const LEAST_PER_THREAD: usize = 8;
+/// Number of a batch's particles that one thread takes at once.
+const PER_TASK: usize = 8;
 
 /// A particle after a step, and the length of the step in mm.
 type Stepped = (Particle, f64);
@@ -56,21 +56,55 @@ impl FrameFit {
         &self,
         cameras: &[PointCamera],
         batch: &[usize],
-        (prior, rule): (&LightPrior, &StepRule),
+        rules: (&LightPrior, &StepRule),
         footprints: &mut [Vec<PointFootprint>],
     ) -> Vec<Stepped> {
-        let step = |(&n, footprints): (&usize, &mut Vec<PointFootprint>)| {
-            let particle = &self.particles[n];
-            let mut normal = Normal::default();
-            for (c, (camera, footprint)) in cameras.iter().zip(footprints).enumerate() {
-                camera.image_and_derivatives(particle.at_mm, footprint);
-                let equations = self.images[c].equations(camera, footprint);
-                normal.add(&equations, &footprint.by_place, particle.light[c], c);
-            }
-            normal.stepped(particle, cameras.len(), prior, rule)
-        };
-        let particles = batch.par_iter().zip(footprints).with_min_len(LEAST_PER_THREAD);
-        particles.map(step).collect()
+        let particles = batch.par_chunks(PER_TASK).zip(footprints.par_chunks_mut(PER_TASK));
+        let stepped = particles.map(|(numbers, footprints)| {
+            // While a particle's equations are summed up, the pixels of the next one are loaded.
+            let image = |k: usize, footprints: &mut [Vec<PointFootprint>]| {
+                if let Some(&n) = numbers.get(k) {
+                    self.image_and_prefetch(cameras, n, &mut footprints[k]);
+                }
+            };
+            image(0, footprints);
+            let step = |(k, &n): (usize, &usize)| {
+                image(k + 1, footprints);
+                self.stepped_one(cameras, n, rules, &footprints[k])
+            };
+            numbers.iter().enumerate().map(step).collect::<Vec<Stepped>>()
+        });
+        stepped.collect::<Vec<_>>().concat()
+    }
+
+    /// Sets `footprints` to the images of particle `n`, and asks for their pixels.
+    fn image_and_prefetch(
+        &self,
+        cameras: &[PointCamera],
+        n: usize,
+        footprints: &mut [PointFootprint],
+    ) {
+        for ((camera, footprint), image) in cameras.iter().zip(footprints).zip(&self.images) {
+            camera.image_and_derivatives(self.particles[n].at_mm, footprint);
+            image.prefetch(camera, footprint);
+        }
+    }
+
+    /// Step of particle `n`, which has these images.
+    fn stepped_one(
+        &self,
+        cameras: &[PointCamera],
+        n: usize,
+        (prior, rule): (&LightPrior, &StepRule),
+        footprints: &[PointFootprint],
+    ) -> Stepped {
+        let particle = &self.particles[n];
+        let mut normal = Normal::default();
+        for (c, (camera, footprint)) in cameras.iter().zip(footprints).enumerate() {
+            let equations = self.images[c].equations(camera, footprint);
+            normal.add(&equations, &footprint.by_place, particle.light[c], c);
+        }
+        normal.stepped(particle, cameras.len(), prior, rule)
     }
 
     /// Replaces the images of a batch's particles in the model by those after their steps.
@@ -84,8 +118,11 @@ impl FrameFit {
         let particles = &self.particles;
         let images = self.images.par_iter_mut().zip(cameras).enumerate();
         images.for_each_init(PointFootprint::default, |footprint, (c, (image, camera))| {
-            for ((&n, (after, _)), before) in batch.iter().zip(stepped).zip(footprints) {
-                image.add(camera, &before[c], -particles[n].light[c] as f32);
+            for (k, (&n, (after, _))) in batch.iter().zip(stepped).enumerate() {
+                if let Some(next) = footprints[..batch.len()].get(k + 1) {
+                    image.prefetch_model(camera, &next[c]);
+                }
+                image.add(camera, &footprints[k][c], -particles[n].light[c] as f32);
                 camera.image(after.at_mm, footprint);
                 image.add(camera, footprint, after.light[c] as f32);
             }
@@ -219,21 +256,31 @@ mod tests {
     }
 
     /// What removed and added images leave in the model is far below the noise.
-    #[test]
-    fn the_model_is_that_of_the_particles() {
-        let cameras = cameras();
-        let (fit, _) = stepped(&cameras, 3);
+    fn assert_model_is_that_of_the_particles(fit: &FrameFit, cameras: &[PointCamera]) {
         let mut rendered = fit.clone();
-        rendered.render(&cameras);
-        let all: Vec<usize> = (0..PARTICLES).collect();
-        let of = |fit: &FrameFit| fit.equations_by_camera(&cameras, &all);
-        for (one, other) in of(&fit).iter().flatten().zip(of(&rendered).iter().flatten()) {
+        rendered.render(cameras);
+        let all: Vec<usize> = (0..fit.particles.len()).collect();
+        let of = |fit: &FrameFit| fit.equations_by_camera(cameras, &all);
+        for (one, other) in of(fit).iter().flatten().zip(of(&rendered).iter().flatten()) {
             let (one, other) = (&one.normal, &other.normal);
             for n in 0..3 + CAMERAS {
                 let scale = other.matrix[(n, n)].sqrt();
                 assert!((one.right[n] - other.right[n]).abs() <= 1e-2 * scale, "{one:?} {other:?}");
             }
         }
+    }
+
+    #[test]
+    fn the_model_is_that_of_the_particles() {
+        let cameras = cameras();
+        let (mut fit, _) = stepped(&cameras, 3);
+        assert_model_is_that_of_the_particles(&fit, &cameras);
+        fit.particles[3].light = [0.1 * LIGHT; CAMERAS];
+        fit.particles[7].at_mm = fit.particles[8].at_mm.map(|mm| mm + 0.02);
+        fit.render(&cameras);
+        fit.prune(&cameras, &PRIOR, (0.25, 0.04));
+        assert!(fit.particles.len() <= PARTICLES - 2);
+        assert_model_is_that_of_the_particles(&fit, &cameras);
     }
 
     #[test]
