@@ -35,7 +35,7 @@ pub struct VelocimetrySettings {
     #[garde(skip)]
     pub follow_particles: bool,
     /// Fit particle positions to the images after correlation, and the field to the particles in both frames. Rough
-    /// flows are resolved down to the particle spacing; this takes about five times as long. With
+    /// flows are resolved down to the particle spacing; this takes about four times as long. With
     /// [`Placing::Auto`] only for pairs that need it, and never if single particles are not tracked.
     #[garde(skip)]
     pub place_particles: Placing,
