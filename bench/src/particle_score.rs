@@ -2,10 +2,7 @@
 
 use std::collections::HashMap;
 
-use lfpiv_core::{
-    particles::{ParticlePair, PlacedParticles},
-    statistics::median,
-};
+use lfpiv_core::{statistics::median, velocimetry::MeasuredParticle};
 use lfpiv_sim::{Tracer, Truth};
 use nalgebra::Point3;
 
@@ -14,24 +11,24 @@ use crate::case::Setting;
 /// A particle counts that has this share of the median brightness or more in both frames.
 const LEAST_BRIGHTNESS: f64 = 0.3;
 
-/// It is found when a pair is so near to it, in voxels ...
+/// It is found when a valid particle is so near to it, in voxels ...
 const FOUND_VOX: f64 = 0.2;
 
-/// ... and a pair is false when no particle is so near. Displacements are compared up to it.
+/// ... and a valid particle is false when none is so near. Displacements are compared up to it.
 const MATCHED_VOX: f64 = 0.5;
 
 /// A camera's image of a particle so near to its focal plane is flat, in mm.
 const NEAR_FOCUS_MM: f64 = 0.8;
 
-/// The particles of a shot against those that made its images, in the middle of the pair.
+/// The valid particles of a shot against those that made its images, in the middle of the pair.
 #[derive(Debug, Clone)]
 pub struct ParticleScore {
     /// Share of the counted particles that were found: all, those further than 0.8 mm from every
     /// camera's focal plane, and those nearer to one; `None` where there are none.
     pub found: [Option<f64>; 3],
-    /// Share of the pairs that are false.
+    /// Share of the valid particles that are false.
     pub wrong: f64,
-    /// Median and mean |error| of the displacement's components, over matched pairs, in voxels.
+    /// Median and mean |error| of the displacement's components, over matched particles, in voxels.
     pub error_vox: [f64; 2],
     /// Shares of these components within one and within 1.96 stated standard uncertainties.
     pub covered: [f64; 2],
@@ -39,7 +36,7 @@ pub struct ParticleScore {
 
 impl ParticleScore {
     /// Of a setting's shot.
-    pub fn of(placed: &PlacedParticles, truth: &Truth, setting: &Setting) -> Self {
+    pub fn of(measured: &[MeasuredParticle], truth: &Truth, setting: &Setting) -> Self {
         let volume = &setting.config.volume.grid();
         let voxel_mm = volume.voxel_mm;
         let inside = |at: &[f64; 3]| {
@@ -49,10 +46,10 @@ impl ParticleScore {
             })
         };
         let lit = lit_in_both(truth);
-        let pairs: Vec<&ParticlePair> =
-            placed.pairs.iter().filter(|pair| inside(&pair.middle_mm())).collect();
+        let valid: Vec<&MeasuredParticle> =
+            measured.iter().filter(|one| one.agrees && inside(&one.at_mm)).collect();
         let places: Vec<[f64; 3]> = lit.iter().map(|particle| middle_mm(particle)).collect();
-        let found: Vec<[f64; 3]> = pairs.iter().map(|pair| pair.middle_mm()).collect();
+        let found: Vec<[f64; 3]> = valid.iter().map(|one| one.at_mm).collect();
         let links = one_to_one(&found, &places, MATCHED_VOX * voxel_mm);
         let mut found_vox = vec![f64::INFINITY; lit.len()];
         for &(_, particle, apart_mm) in &links {
@@ -69,14 +66,14 @@ impl ParticleScore {
             (!of.is_empty()).then(|| found as f64 / of.len() as f64)
         };
         let (mut errors, mut within) = (Vec::new(), [0usize; 2]);
-        for &(pair, particle, _) in &links {
-            let (moved, uncertainty) =
-                (pairs[pair].displacement_mm(), pairs[pair].uncertainty_mm());
+        for &(one, particle, _) in &links {
+            let MeasuredParticle { displacement_vox, uncertainty_vox, .. } = valid[one];
             for axis in 0..3 {
-                let error = (moved[axis] - displacement_mm(lit[particle])[axis]).abs();
-                errors.push(error / voxel_mm);
+                let moved_vox = displacement_mm(lit[particle])[axis] / voxel_mm;
+                let error = (f64::from(displacement_vox[axis]) - moved_vox).abs();
+                errors.push(error);
                 for (within, widths) in within.iter_mut().zip([1.0, 1.96]) {
-                    *within += usize::from(error <= widths * uncertainty[axis]);
+                    *within += usize::from(error <= widths * f64::from(uncertainty_vox[axis]));
                 }
             }
         }
@@ -88,7 +85,7 @@ impl ParticleScore {
                 share(&|n| !near_focus(&places[n])),
                 share(&|n| near_focus(&places[n])),
             ],
-            wrong: (pairs.len() - links.len()) as f64 / pairs.len().max(1) as f64,
+            wrong: (valid.len() - links.len()) as f64 / valid.len().max(1) as f64,
             error_vox: [median, errors.iter().sum::<f64>() / count],
             covered: within.map(|within| within as f64 / count),
         }

@@ -77,7 +77,6 @@ fn line(row: &Row) -> String {
         row.covered_68
             .zip(row.covered_95)
             .map(|(one, two)| format!("{:.0} and {:.0} % covered", 100.0 * one, 100.0 * two)),
-        row.vectors_s.map(|seconds| format!("{seconds:.3} s of them for vectors")),
         particles(row),
         row.fwhm_mm.map(|width| format!("FWHM {width:.4} mm")),
         row.centroid_error_mm.map(|error| format!("centroid off by {error:.4} mm")),

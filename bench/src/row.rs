@@ -56,8 +56,6 @@ pub struct Row {
     /// Volumes to vectors, in s.
     pub correlate_s: Option<f64>,
     pub judge_s: Option<f64>,
-    /// What the vectors took of the seconds, where particles were placed after them.
-    pub vectors_s: Option<f64>,
     /// Peak resident memory, in MB (10⁶ bytes).
     pub peak_mb: Option<f64>,
     /// Quality factor (paper, Eq. 5).

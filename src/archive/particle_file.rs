@@ -50,13 +50,13 @@ const QUANTITIES: [(Described, PerParticle); 9] = [
     (described("v", "m s-1", "velocity along y"), |p, speed, _| velocity(p, 1) * speed),
     (described("w", "m s-1", "velocity along z"), |p, speed, _| velocity(p, 2) * speed),
     (described("x_uncertainty", "mm", "standard uncertainty of x"), |p, _, mm| {
-        uncertainty(p, 0) * mm / 2.0
+        place_uncertainty(p, 0) * mm
     }),
     (described("y_uncertainty", "mm", "standard uncertainty of y"), |p, _, mm| {
-        uncertainty(p, 1) * mm / 2.0
+        place_uncertainty(p, 1) * mm
     }),
     (described("z_uncertainty", "mm", "standard uncertainty of z"), |p, _, mm| {
-        uncertainty(p, 2) * mm / 2.0
+        place_uncertainty(p, 2) * mm
     }),
     (described("u_uncertainty", "m s-1", "standard uncertainty of u"), |p, speed, _| {
         uncertainty(p, 0) * speed
@@ -80,6 +80,10 @@ const VALID: Described =
 
 fn velocity(particle: &MeasuredParticle, component: usize) -> f64 {
     f64::from(particle.displacement_vox[component])
+}
+
+fn place_uncertainty(particle: &MeasuredParticle, component: usize) -> f64 {
+    f64::from(particle.place_uncertainty_vox[component])
 }
 
 fn uncertainty(particle: &MeasuredParticle, component: usize) -> f64 {

@@ -101,6 +101,7 @@ fn read(
     let light = file.variable("light").ok_or_else(|| missing("light"))?;
     let light: Vec<f32> = light.get_values((rows.clone(), ..))?;
     let places = triples(["x", "y", "z"])?;
+    let place_uncertainties = triples(["x_uncertainty", "y_uncertainty", "z_uncertainty"])?;
     let velocities = triples(["u", "v", "w"])?;
     let uncertainties = triples(["u_uncertainty", "v_uncertainty", "w_uncertainty"])?;
     let valid = numbers("valid")?;
@@ -108,6 +109,7 @@ fn read(
     let particle = |n: usize| {
         let mut particle = MeasuredParticle {
             at_mm: places[n],
+            place_uncertainty_vox: place_uncertainties[n].map(|mm| (mm / field.voxel_mm) as f32),
             displacement_vox: velocities[n].map(|speed| (speed * voxels) as f32),
             uncertainty_vox: uncertainties[n].map(|speed| (speed * voxels) as f32),
             light: Default::default(),
@@ -159,6 +161,7 @@ mod tests {
             assert_eq!((found.at_mm, found.light), (expected.at_mm, expected.light));
             assert_eq!(found.agrees, expected.agrees);
             let pairs = [
+                (found.place_uncertainty_vox, expected.place_uncertainty_vox),
                 (found.displacement_vox, expected.displacement_vox),
                 (found.uncertainty_vox, expected.uncertainty_vox),
             ];

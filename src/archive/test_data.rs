@@ -56,6 +56,7 @@ pub(super) fn with_particles(shot: u64, count: usize) -> ShotResult {
         let number = shot as f32 + 0.01 * n as f32;
         MeasuredParticle {
             at_mm: [0.1, -0.2, 0.3].map(|mm| mm * f64::from(number)),
+            place_uncertainty_vox: [0.02, 0.01, 0.04].map(|vox| vox * (2.0 + number)),
             displacement_vox: [number, 2.0, -number],
             uncertainty_vox: [0.01, 0.02, 0.03].map(|vox| vox * (1.0 + number)),
             light: [100.0 + number, 200.0 + number],

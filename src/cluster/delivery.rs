@@ -84,10 +84,16 @@ mod tests {
     use crate::archive::{RawLevel, ShotTime};
 
     fn particle() -> impl Strategy<Value = MeasuredParticle> {
-        (any::<[f64; 3]>(), any::<[u32; 8]>(), any::<bool>()).prop_map(|(at_mm, bits, agrees)| {
-            let [a, b, c, d, e, f, g, h] = bits.map(f32::from_bits);
-            let (displacement_vox, uncertainty_vox, light) = ([a, b, c], [d, e, f], [g, h]);
-            MeasuredParticle { at_mm, displacement_vox, uncertainty_vox, light, agrees }
+        (any::<[f64; 3]>(), any::<[u32; 11]>(), any::<bool>()).prop_map(|(at_mm, bits, agrees)| {
+            let [a, b, c, d, e, f, g, h, i, j, k] = bits.map(f32::from_bits);
+            MeasuredParticle {
+                at_mm,
+                place_uncertainty_vox: [a, b, c],
+                displacement_vox: [d, e, f],
+                uncertainty_vox: [g, h, i],
+                light: [j, k],
+                agrees,
+            }
         })
     }
 

@@ -36,9 +36,11 @@
 //! | 48 | 32 bytes | zero |
 //! | 80 | 3n × f32 | place x, y, z per particle in the middle of the pair, in mm |
 //! | 80 + 12n | 3n × f32 | displacement x, y, z between the frames, in voxels |
-//! | 80 + 24n | 3n × f32 | standard uncertainty of the displacement x, y, z, in voxels; that of the place is half of it |
+//! | 80 + 24n | 3n × f32 | standard uncertainty of the displacement x, y, z, in voxels |
 //! | 80 + 36n | c·n × f32 | light in each camera per particle |
 //! | 80 + (36 + 4c)n | n × u8 | 1 valid: it agrees with the particles about it; 0 rejected |
+//! | | up to 3 bytes | zero, to a multiple of 4 |
+//! | | 3n × f32 | standard uncertainty of the place x, y, z, in voxels |
 //!
 //! A volume:
 //!
@@ -129,7 +131,8 @@ pub fn encode(shot: u64, field: &VelocityField) -> Vec<u8> {
 
 /// Size of so many encoded particles, seen by so many cameras, in bytes.
 pub fn particle_bytes(particles: usize, cameras: usize) -> usize {
-    HEADER_BYTES as usize + (37 + 4 * cameras) * particles
+    let with_flags = HEADER_BYTES as usize + (37 + 4 * cameras) * particles;
+    with_flags.next_multiple_of(4) + 12 * particles
 }
 
 /// Encodes the particles of a result, none where none were placed, as described in the module documentation.
@@ -156,6 +159,9 @@ pub fn encode_particles(shot: u64, result: &ShotResult) -> Vec<u8> {
         bytes.extend(particle.light[..cameras].iter().flat_map(|light| light.to_le_bytes()));
     }
     bytes.extend(particles.iter().map(|particle| u8::from(particle.agrees)));
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    let places = particles.iter().flat_map(|particle| particle.place_uncertainty_vox);
+    bytes.extend(places.flat_map(f32::to_le_bytes));
     bytes
 }
 

@@ -50,7 +50,6 @@ impl ParticlesView {
         let particles = result.measured.particles.as_ref()?;
         let speed = field.metres_per_second_per_voxel();
         let scaled = |vector: [f32; 3], factor: f64| vector.map(|part| f64::from(part) * factor);
-        let half_mm = field.voxel_mm / 2.0;
         Some(Self {
             shot,
             time: result.time,
@@ -59,7 +58,7 @@ impl ParticlesView {
             place_mm: particles.iter().map(|p| p.at_mm).collect(),
             place_uncertainty_mm: particles
                 .iter()
-                .map(|p| scaled(p.uncertainty_vox, half_mm))
+                .map(|p| scaled(p.place_uncertainty_vox, field.voxel_mm))
                 .collect(),
             velocity_m_s: particles.iter().map(|p| scaled(p.displacement_vox, speed)).collect(),
             velocity_uncertainty_m_s: particles

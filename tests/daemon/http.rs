@@ -15,6 +15,7 @@ use crate::{bench::quick_result, client::Ask, server::Server};
 fn particles() -> Vec<MeasuredParticle> {
     let first = MeasuredParticle {
         at_mm: [0.5, -0.25, 1.5],
+        place_uncertainty_vox: [0.5, 0.25, 2.0],
         displacement_vox: [1.0, -2.0, 0.5],
         uncertainty_vox: [0.25, 0.5, 0.125],
         light: [400.0, 300.0],
@@ -181,7 +182,9 @@ fn check_particles(bytes: &[u8], shot: u64) {
     assert_eq!([104, 108, 112].map(f32_at), [1.0, -2.0, 0.5]);
     assert_eq!([128, 132, 136].map(f32_at), [0.25, 0.5, 0.125]);
     assert_eq!([152, 156].map(f32_at), [400.0, 300.0]);
-    assert_eq!(bytes[168..], [1, 0]);
+    assert_eq!(bytes[168..172], [1, 0, 0, 0]);
+    assert_eq!([172, 176, 180].map(f32_at), [0.5, 0.25, 2.0]);
+    assert_eq!(bytes.len(), 172 + 2 * 12);
 }
 
 #[tokio::test]

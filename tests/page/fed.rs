@@ -141,6 +141,7 @@ fn particle(n: usize) -> MeasuredParticle {
     let turn = 40.0 * share;
     MeasuredParticle {
         at_mm: [3.0 * turn.cos(), 3.0 * turn.sin(), 6.0 * (share - 0.5)],
+        place_uncertainty_vox: [0.005; 3],
         displacement_vox: [share as f32, 0.5, 0.0],
         uncertainty_vox: [0.01; 3],
         light: [400.0; 2],

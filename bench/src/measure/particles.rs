@@ -1,8 +1,10 @@
-//! Particles placed in the images of a pair, against those that made them; seconds beside those of the
-//! vectors alone.
+//! Particles placed in the images of a pair, as they are stored, against those that made the images.
 
 use lfpiv::pipeline::monotonic;
-use lfpiv_core::measurement::{Measurement, Processor};
+use lfpiv_core::{
+    measurement::{Measurement, Processor},
+    velocimetry::Placing,
+};
 
 use super::{
     Findings, Surroundings,
@@ -19,21 +21,21 @@ pub(super) fn measure(
 ) -> Result<(), BenchmarkError> {
     let calibrations = calibrations(setting, surroundings)?;
     for &method in methods {
-        let measurement = Measurement {
-            calibrations: calibrations.clone(),
-            ..setting.config_with(method).measurement()
-        };
+        let mut config = setting.config_with(method);
+        config.velocimetry.place_particles = Placing::Always;
+        let measurement =
+            Measurement { calibrations: calibrations.clone(), ..config.measurement() };
         let processor = Processor::timed(measurement, monotonic)?;
         for &seed in &setting.case.seeds {
             let shot = simulated(setting, seed);
-            let started = monotonic();
-            let (result, placed) = processor.process_with_particles(&shot.pair)?;
-            let seconds = (monotonic() - started).as_secs_f64();
-            let score = ParticleScore::of(&placed, &shot.truth, setting);
+            let result = processor.process(&shot.pair)?;
+            // A pair that does not fit the bench has no particles.
+            let particles = result.particles.as_deref().unwrap_or_default();
+            let score = ParticleScore::of(particles, &shot.truth, setting);
             let mut row = setting.row(method, seed);
-            row.seconds = Some(seconds);
-            row.seconds_of = "one pair in a running program: vectors, then particles".to_owned();
-            row.vectors_s = Some(result.seconds.total_s());
+            row.seconds = Some(result.seconds.total_s());
+            row.seconds_of =
+                "one pair in a running program: decode, reconstruct, correlate, place".to_owned();
             row.set_particles(&score);
             findings.add(row, surroundings);
         }

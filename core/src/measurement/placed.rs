@@ -7,11 +7,14 @@ use crate::{
     lightfield::ImagePair,
     model::{CameraCalibration, ModelError, PointCamera, VolumeGrid},
     particles::{
-        Candidate, FIRST_WIDTH_PX, Flow, FrameStart, ParticleImage, ParticlePair, PixelNoise,
-        PlacedParticles, blur_of_width, place_pairs,
+        Candidate, ExpectedDisplacement, FIRST_WIDTH_PX, Flow, FrameStart, Motion, ParticleImage,
+        ParticlePair, PixelNoise, PlacedParticles, blur_of_width, place_pairs,
     },
     reconstruction::SparseVolume,
-    velocimetry::{CorrectedField, MeasuredParticle, PointCloud, Sample, particles},
+    velocimetry::{
+        CorrectedField, MeasuredParticle, PlacedPositions, PointCloud, Prediction, Sample,
+        particles,
+    },
 };
 
 /// How the cameras image points of `volume`, with the blur that the fit starts from.
@@ -114,26 +117,53 @@ pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> 
     pairs.iter().map(sample).collect()
 }
 
-/// Positions of the particles without a partner, in voxels of `grid`.
-pub(super) fn alone(placed: &PlacedParticles, grid: &VolumeGrid) -> [Vec<[f32; 3]>; 2] {
-    placed.unpaired.each_ref().map(|of| of.iter().map(|one| at_vox(grid, one.at_mm)).collect())
+/// Mid-pair positions of the particles, in voxels of `grid`.
+pub(super) fn positions(placed: &PlacedParticles, grid: &VolumeGrid) -> PlacedPositions {
+    let seen = placed.pairs.iter().filter(|pair| placed.is_seen_by_all(pair));
+    PlacedPositions {
+        paired: seen.map(|pair| at_vox(grid, pair.middle_mm())).collect(),
+        alone: placed
+            .unpaired
+            .each_ref()
+            .map(|of| of.iter().map(|one| at_vox(grid, one.at_mm)).collect()),
+    }
 }
 
-/// The particles of `samples`, and whether they agree with their neighbours.
+/// The particles of `pairs`: from their images, and from the others' predictions where both agree.
 pub(super) fn measured_particles(
     pairs: &[ParticlePair],
-    samples: &[Sample],
-    agrees: &[bool],
+    predictions: &[Prediction],
+    grid: &VolumeGrid,
 ) -> Vec<MeasuredParticle> {
-    let particle = |((pair, sample), &agrees): ((&ParticlePair, &Sample), &bool)| {
+    let voxel_mm = grid.voxel_mm;
+    let particle = |(pair, prediction): (&ParticlePair, &Prediction)| {
+        let motion = motion(pair, prediction, voxel_mm);
         let [a, b] = pair.light;
+        let uncertainty_vox = |variance_mm2: [f64; 3], least: f32| {
+            variance_mm2.map(|variance| ((variance.sqrt() / voxel_mm) as f32).max(least))
+        };
         MeasuredParticle {
-            at_mm: pair.middle_mm(),
-            displacement_vox: sample.displacement_vox,
-            uncertainty_vox: sample.variance_vox2.map(f32::sqrt),
+            at_mm: motion.middle_mm,
+            place_uncertainty_vox: uncertainty_vox(
+                motion.middle_variance_mm2,
+                LEAST_DEVIATION_VOX / 2.0,
+            ),
+            displacement_vox: motion.displacement_mm.map(|mm| (mm / voxel_mm) as f32),
+            uncertainty_vox: uncertainty_vox(motion.displacement_variance_mm2, LEAST_DEVIATION_VOX),
             light: std::array::from_fn(|camera| ((a[camera] + b[camera]) / 2.0) as f32),
-            agrees,
+            agrees: prediction.agrees,
         }
     };
-    pairs.iter().zip(samples).zip(agrees).map(particle).collect()
+    pairs.iter().zip(predictions).map(particle).collect()
+}
+
+fn motion(pair: &ParticlePair, prediction: &Prediction, voxel_mm: f64) -> Motion {
+    if !prediction.agrees {
+        return pair.motion();
+    }
+    let mm = |vox: f32| f64::from(vox) * voxel_mm;
+    pair.motion_given(&ExpectedDisplacement {
+        displacement_mm: prediction.displacement_vox.map(mm),
+        variance_mm2: prediction.uncertainty_vox.map(|vox| mm(vox).powi(2)),
+    })
 }

@@ -13,7 +13,7 @@ use crate::{
         fitted::Models,
         frame::{Correction, Frame},
         model_fit,
-        placed::{PairForPlacing, alone, measured_particles, point_cameras, samples},
+        placed::{PairForPlacing, measured_particles, point_cameras, positions, samples},
         plan::Plan,
         setup::{Measurement, SetupError},
     },
@@ -334,10 +334,10 @@ impl Processor {
         let mut corrected = self.interrogation.to_correct(everywhere);
         let placed = self.place(pair, volumes, &mut corrected)?;
         let samples = samples(&placed.pairs, &grid);
-        let alone = alone(&placed, &grid);
-        let alone = alone.each_ref().map(Vec::as_slice);
-        let (field, agrees) = self.interrogation.through_placed(field, &corrected, &samples, alone);
-        let particles = measured_particles(&placed.pairs, &samples, &agrees);
+        let positions = positions(&placed, &grid);
+        let (field, predictions) =
+            self.interrogation.through_placed(field, &corrected, &samples, &positions);
+        let particles = measured_particles(&placed.pairs, &predictions, &grid);
         Ok(ThroughParticles { field, particles, placed })
     }
 

@@ -45,7 +45,7 @@ pub use field::{VectorGrid, VectorStatus, VelocityField};
 pub use floor::correlation_error_vox;
 pub use flow_geometry::InFlow;
 pub use multipass::Interrogation;
-pub use placed::CorrectedField;
+pub use placed::{CorrectedField, PlacedPositions, Prediction};
 pub use placing::Placing;
 pub use result::{MeasuredParticle, PairResult, StageSeconds};
 pub use settings::VelocimetrySettings;

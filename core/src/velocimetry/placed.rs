@@ -39,8 +39,14 @@ const LEAST_PAIRS: usize = 6;
 /// (docs/decisions.md).
 const LEAST_PAIRED_SHARE: f32 = 1.0 / 3.0;
 
-/// Largest cross-validation residual of a particle that agrees with its neighbours, in standard deviations.
+/// Largest cross-validation residual of a particle that agrees with its neighbours, in standard deviations, or, if that
+/// is more, in voxels. Particles whose images overlap often have a larger error than is stated, and pairs within half a
+/// voxel are seldom false (docs/decisions.md).
 const AGREEMENT_SIGMA: f32 = 4.0;
+const AGREEMENT_VOX: f32 = 0.5;
+
+/// Least inverse variance of a prediction, relative to that of the sample.
+const LEAST_KNOWN: f32 = 1e-6;
 
 /// The displacement field during the fit of particle positions, in voxels of [`Interrogation::cloud_grid`].
 pub struct CorrectedField<'a> {
@@ -83,6 +89,26 @@ impl CorrectedField<'_> {
     }
 }
 
+/// Mid-pair positions of placed particles, in voxels.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct PlacedPositions {
+    /// Of the pairs that every camera sees in both frames. A single camera hardly knows the depth.
+    pub paired: Vec<[f32; 3]>,
+    /// Of the particles without a partner, in frames a and b.
+    pub alone: [Vec<[f32; 3]>; 2],
+}
+
+/// What the other particles tell about the displacement of one, in voxels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prediction {
+    /// The field fitted to the others.
+    pub displacement_vox: [f32; 3],
+    /// Its standard uncertainty.
+    pub uncertainty_vox: [f32; 3],
+    /// Whether the particle's own displacement agrees with it.
+    pub agrees: bool,
+}
+
 impl Interrogation {
     /// A field to be corrected by particles.
     pub fn to_correct<'a>(&self, by_correlation: &'a DisplacementField) -> CorrectedField<'a> {
@@ -96,16 +122,16 @@ impl Interrogation {
         }
     }
 
-    /// The field fitted to `samples`, starting from `known`, and whether each sample agrees with its neighbours. The
-    /// field replaces the vectors `before` where there are enough samples and not too many particles without a
-    /// partner: `alone` are the positions of those in frames a and b. All in voxels of [`Self::cloud_grid`].
+    /// The field fitted to `samples`, starting from `known`, and the prediction of each sample from the others. The
+    /// field replaces the vectors `before` where there are enough pairs and not too many particles without a partner.
+    /// Positions are in voxels of [`Self::cloud_grid`].
     pub fn through_placed(
         &self,
         before: &VelocityField,
         known: &CorrectedField<'_>,
         samples: &[Sample],
-        alone: [&[[f32; 3]]; 2],
-    ) -> (VelocityField, Vec<bool>) {
+        positions: &PlacedPositions,
+    ) -> (VelocityField, Vec<Prediction>) {
         let grid = self.cloud_grid();
         let at = |at_vox| known.at(at_vox);
         let error_vox =
@@ -113,8 +139,7 @@ impl Interrogation {
         let guess = Guess { at: &at, error_vox, stiffness: None };
         let VelocimetrySettings { incompressible, largest_uncertainty_vox, .. } = *self.settings();
         let (field, missed) = spline_field::through(&known.extent, samples, &guess, incompressible);
-        let paired: Vec<[f32; 3]> = samples.iter().map(|sample| sample.middle_vox).collect();
-        let support = Support::new(&grid, &paired, alone);
+        let support = Support::new(&grid, positions);
         let vector = |n: usize| {
             let at_mm = before.grid.position_mm(n);
             let at_vox = std::array::from_fn(|axis| grid.index_of(axis, at_mm[axis]) as f32);
@@ -137,10 +162,10 @@ impl Interrogation {
         };
         let vectors: Vec<Vector> = (0..before.grid.len()).map(vector).collect();
         let flow = self.flow_of_vectors();
-        let agrees = agreeing(samples, &missed, |at_vox| field.uncertainty_vox(at_vox));
+        let predictions = predictions(samples, &missed, |at_vox| field.uncertainty_vox(at_vox));
         let field =
             field_of(before.grid.clone(), &grid, before.dt_s, (&vectors, &before.peak_ratio), flow);
-        (field, agrees)
+        (field, predictions)
     }
 }
 
@@ -152,12 +177,13 @@ struct Support {
 
 impl Support {
     /// From positions in voxels of `grid`. Spheres around vectors contain [`PAIRS_PER_SPHERE`] pairs on average.
-    fn new(grid: &VolumeGrid, paired: &[[f32; 3]], alone: [&[[f32; 3]]; 2]) -> Self {
+    fn new(grid: &VolumeGrid, positions: &PlacedPositions) -> Self {
+        let PlacedPositions { paired, alone } = positions;
         let sphere = 4.0 / 3.0 * std::f32::consts::PI;
         let density = paired.len().max(1) as f32 / grid.voxels.iter().product::<usize>() as f32;
         let reach = (PAIRS_PER_SPHERE / (sphere * density)).cbrt();
         let near = |places: &[[f32; 3]]| Neighbours::new(places, reach);
-        Self { paired: near(paired), alone: alone.map(near) }
+        Self { paired: near(paired), alone: alone.each_ref().map(|alone| near(alone)) }
     }
 
     fn is_enough(&self, at_vox: [f32; 3]) -> bool {
@@ -174,25 +200,37 @@ impl Support {
     }
 }
 
-/// Whether each sample agrees with the prediction from the others, within the typical residual, the field's
-/// uncertainty and the sample's.
-fn agreeing(
+/// Predictions of the samples from their cross-validation residuals `missed` and the field's uncertainty. A sample
+/// agrees within the typical residual, the field's uncertainty and its own.
+///
+/// The field knows the sample. Without it, the inverse of the field's variance is smaller by the inverse of the
+/// sample's.
+fn predictions(
     samples: &[Sample],
     missed: &[[f32; 3]],
     field_vox: impl Fn([f32; 3]) -> [f32; 3],
-) -> Vec<bool> {
+) -> Vec<Prediction> {
     let typical: [f32; 3] = std::array::from_fn(|c| {
         let all = missed.iter().map(|missed| f64::from(missed[c].abs()));
         (NORMAL_OF_MEDIAN * median(all).unwrap_or_default()) as f32
     });
-    let agrees = |(sample, missed): (&Sample, &[f32; 3])| {
-        let field = field_vox(sample.middle_vox);
-        (0..3).all(|c| {
-            let variance = sample.variance_vox2[c] + typical[c].powi(2) + field[c].powi(2);
-            missed[c] * missed[c] <= AGREEMENT_SIGMA * AGREEMENT_SIGMA * variance
-        })
+    let prediction = |(sample, missed): (&Sample, &[f32; 3])| {
+        let (own, field_vox) = (sample.variance_vox2, field_vox(sample.middle_vox));
+        let variance: [f32; 3] = std::array::from_fn(|c| {
+            let known = 1.0 / (field_vox[c] * field_vox[c]) - 1.0 / own[c];
+            1.0 / known.max(LEAST_KNOWN / own[c])
+        });
+        let within_deviations = (0..3).all(|c| {
+            let expected = own[c] + typical[c].powi(2) + variance[c];
+            missed[c] * missed[c] <= AGREEMENT_SIGMA * AGREEMENT_SIGMA * expected
+        });
+        let square: f32 = missed.iter().map(|missed| missed * missed).sum();
+        let agrees = within_deviations || square <= AGREEMENT_VOX * AGREEMENT_VOX;
+        let uncertainty_vox = variance.map(f32::sqrt);
+        let displacement_vox = std::array::from_fn(|c| sample.displacement_vox[c] - missed[c]);
+        Prediction { displacement_vox, uncertainty_vox, agrees }
     };
-    samples.iter().zip(missed).map(agrees).collect()
+    samples.iter().zip(missed).map(prediction).collect()
 }
 
 #[cfg(test)]
@@ -214,8 +252,42 @@ mod tests {
         };
         let [paired, a, b, asked] = [pairs, alone, alone, 500].map(&mut places);
         let grid = VolumeGrid { voxels: [EDGE_VOX; 3], voxel_mm: 0.1, centre_mm: [0.0; 3] };
-        let support = Support::new(&grid, &paired, [&a, &b]);
+        let support = Support::new(&grid, &PlacedPositions { paired, alone: [a, b] });
         asked.iter().filter(|&&at| support.is_enough(at)).count() as f64 / asked.len() as f64
+    }
+
+    /// Samples at rest with these standard deviations and residuals in a field with an uncertainty of 0.1 voxel.
+    fn predicted(of: &[(f32, f32)]) -> Vec<Prediction> {
+        let sample = |&(deviation, _): &(f32, f32)| Sample {
+            middle_vox: [0.0; 3],
+            displacement_vox: [0.0; 3],
+            variance_vox2: [deviation * deviation; 3],
+        };
+        let samples: Vec<Sample> = of.iter().map(sample).collect();
+        let missed: Vec<[f32; 3]> = of.iter().map(|&(_, missed)| [missed, 0.0, 0.0]).collect();
+        predictions(&samples, &missed, |_| [0.1; 3])
+    }
+
+    /// Of two equally good sources of a value each has twice the variance of their mean.
+    #[test]
+    fn a_prediction_is_what_the_field_knows_without_the_particle() {
+        let [even, sure, alone] = [0.1 * 2.0f32.sqrt(), 10.0, 0.05].map(|deviation| {
+            let [prediction] = predicted(&[(deviation, 0.3)])[..] else { panic!() };
+            assert_eq!(prediction.displacement_vox, [-0.3, 0.0, 0.0]);
+            prediction.uncertainty_vox[0]
+        });
+        assert!((even - 0.1 * 2.0f32.sqrt()).abs() < 1e-6, "{even}");
+        assert!((sure - 0.1).abs() < 1e-4, "{sure}");
+        // A field that knows less than the particle tells says nothing of it.
+        assert!(alone > 10.0, "{alone}");
+    }
+
+    #[test]
+    fn particles_disagree_beyond_their_deviations_and_half_a_voxel() {
+        let of = [(0.11, 0.0); 6].into_iter().chain([(0.11, 0.45), (0.11, 2.0), (1.0, 2.0)]);
+        let predictions = predicted(&of.collect::<Vec<_>>());
+        let agrees: Vec<bool> = predictions[5..].iter().map(|one| one.agrees).collect();
+        assert_eq!(agrees, [true, true, false, true]);
     }
 
     #[test]

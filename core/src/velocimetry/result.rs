@@ -51,17 +51,20 @@ pub struct PairResult {
     pub particles: Option<Vec<MeasuredParticle>>,
 }
 
-/// A particle in the middle of the pair.
+/// A particle in the middle of the pair, from its images and the particles about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredParticle {
     /// Its place, in mm.
     pub at_mm: [f64; 3],
+    /// Standard uncertainty of the place, in voxels.
+    pub place_uncertainty_vox: [f32; 3],
     /// From frame a to frame b, in voxels.
     pub displacement_vox: [f32; 3],
-    /// Standard uncertainty of the displacement, in voxels; that of the place is half of it.
+    /// Standard uncertainty of the displacement, in voxels.
     pub uncertainty_vox: [f32; 3],
     /// Its light in each camera, mean of both frames, in counts of an open pixel that gets all of it.
     pub light: [f32; CAMERAS],
-    /// Whether its displacement agrees with that of the neighbouring particles.
+    /// Whether its displacement in the images agrees with that of the neighbouring particles. If not, the images alone
+    /// tell its motion.
     pub agrees: bool,
 }

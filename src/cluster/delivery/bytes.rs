@@ -73,9 +73,17 @@ pub(super) fn result_bytes(delivery: &Delivery) -> Vec<u8> {
 }
 
 fn put_particle(to: &mut Sink, particle: &MeasuredParticle) {
-    let MeasuredParticle { at_mm, displacement_vox, uncertainty_vox, light, agrees } = particle;
+    let MeasuredParticle {
+        at_mm,
+        place_uncertainty_vox,
+        displacement_vox,
+        uncertainty_vox,
+        light,
+        agrees,
+    } = particle;
     at_mm.iter().for_each(|mm| to.f64(*mm));
-    for number in displacement_vox.iter().chain(uncertainty_vox).chain(light) {
+    let vectors = [place_uncertainty_vox, displacement_vox, uncertainty_vox];
+    for number in vectors.into_iter().flatten().chain(light) {
         to.f32(*number);
     }
     to.0.push(u8::from(*agrees));
@@ -227,6 +235,7 @@ fn take_plane(from: &mut Unread<'_>) -> Option<MaximumProjection> {
 fn take_particle(from: &mut Unread<'_>) -> Option<MeasuredParticle> {
     let mut particle = MeasuredParticle {
         at_mm: [from.f64()?, from.f64()?, from.f64()?],
+        place_uncertainty_vox: [from.f32()?, from.f32()?, from.f32()?],
         displacement_vox: [from.f32()?, from.f32()?, from.f32()?],
         uncertainty_vox: [from.f32()?, from.f32()?, from.f32()?],
         light: Default::default(),
