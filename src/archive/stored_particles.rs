@@ -198,7 +198,7 @@ mod tests {
         // A voxel of 0.1 mm in 100 us, and in 300 us, is 1 m/s and a third of it.
         assert_eq!(values("u")[..2], [7.0, f64::from(7.01_f32)]);
         assert!((values("v")[20] - 2.0 / 3.0).abs() < 1e-6);
-        assert!((values("x_uncertainty")[0] - 0.5 * 0.1 * 0.08).abs() < 1e-8);
+        assert!((values("x_uncertainty")[0] - 0.1 * 0.18).abs() < 1e-8);
     }
 
     #[test]

@@ -146,7 +146,7 @@ async fn particles_are_json_or_bytes() {
     };
     near("velocity_m_s", [1.0, -2.0, 0.5]);
     near("velocity_uncertainty_m_s", [0.25, 0.5, 0.125]);
-    near("place_uncertainty_mm", [0.0125, 0.025, 0.00625]);
+    near("place_uncertainty_mm", [0.05, 0.025, 0.2]);
     assert_eq!(latest["light"], serde_json::json!([[400.0, 300.0], [400.0, 300.0]]));
     assert_eq!(latest["valid"], serde_json::json!([true, false]));
 
