@@ -40,21 +40,6 @@ pub struct PlacedParticles {
     pub typical: [[f64; CAMERAS]; 2],
 }
 
-/// Least light of a particle in a camera that sees it, relative to its light in the other; both relative to typical ones.
-const LEAST_SEEN_LIGHT: f64 = 0.1;
-
-impl PlacedParticles {
-    /// Whether every camera sees the particle in both frames.
-    pub fn is_seen_by_all(&self, pair: &ParticlePair) -> bool {
-        pair.light.iter().zip(&self.typical).all(|(light, typical)| {
-            let cameras = self.blurs.len();
-            let relative: [f64; CAMERAS] = std::array::from_fn(|c| light[c] / typical[c]);
-            let brightest = relative[..cameras].iter().copied().fold(0.0, f64::max);
-            relative[..cameras].iter().all(|light| *light >= LEAST_SEEN_LIGHT * brightest)
-        })
-    }
-}
-
 /// Largest number of steps before and after the first removal of faint and duplicate particles.
 const FIRST_STEPS: [usize; 2] = [4, 2];
 /// The same after an exchange between the frames.
@@ -103,12 +88,8 @@ const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 /// Proposals of the other frame within this distance of a particle are restart positions as well, in voxels.
 const STARTS_REACH_VOX: f64 = 1.5;
 
-/// Rule for the steps of a particle. Batches step one after the other, so a relaxation factor above 1 is successive
-/// over-relaxation (Young, Trans. Am. Math. Soc. 76, 1954).
-const STEP_RULE: StepRule = StepRule { relaxation: 1.3, damping: 0.01, longest_mm: 0.0 };
-
-/// Relaxation factor of the last fit and of restarts, whose result is where they end.
-const LAST_RELAXATION: f64 = 1.0;
+/// Rule for the steps of a particle.
+const STEP_RULE: StepRule = StepRule { relaxation: 1.0, damping: 0.01, longest_mm: 0.0 };
 
 /// Largest step, in voxels.
 const MAX_STEP_VOX: f64 = 0.2;
@@ -150,11 +131,6 @@ struct Placement {
 }
 
 impl Placement {
-    /// Rule for the steps of the last fit and of restarts.
-    fn last_rule(&self) -> StepRule {
-        StepRule { relaxation: LAST_RELAXATION, ..self.rule }
-    }
-
     /// First steps of all candidates, and removal of faint ones.
     fn begin(&self, fits: &mut [FrameFit; 2]) {
         let converged_mm = CONVERGED_VOX * self.voxel_mm;
@@ -247,7 +223,7 @@ impl Placement {
                     start[axis] += vox * self.voxel_mm;
                     starts.push(start);
                 }
-                let how = (&self.priors[frame], &self.last_rule());
+                let how = (&self.priors[frame], &self.rule);
                 fit.restart(&self.cameras, n, &starts, how, &mut footprint);
             }
         };
@@ -264,7 +240,7 @@ impl Placement {
                 image.noise.misfit = image.noise.misfit.max(LEAST_MODEL_ERROR);
             }
             fit.reactivate();
-            fit.iterate(&self.cameras, prior, &self.last_rule(), (converged_mm, LAST_STEPS));
+            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, LAST_STEPS));
         });
         self.correct(fits, flow);
         let partners = self.wider_partners(fits, flow, MAX_PAIR_DISTANCE_VOX);
