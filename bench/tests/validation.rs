@@ -73,12 +73,11 @@ fn both_cameras_and_planar_piv_find_the_jet_and_one_camera_not_along_its_depth()
     let (difference, _) = along_x(&comparison, dual);
     assert!(difference.mean_from_shots_m_s < 0.2, "{difference:?}");
 
-    // Along its depth, z for the first camera and x for the second, one camera errs more than twice as much as both
-    // together: 2.4 to 5.4 times in the root mean square of eight shots, in three seeds.
+    // Along its depth, z for the first camera and x for the second, one camera errs more than both together.
     for (single, depth) in [(first, "w"), (second, "u")] {
         let [one, both] = [single, dual].map(|instrument| over_volume(instrument, depth));
-        assert!(one.mean_from_shots_m_s > 2.0 * both.mean_from_shots_m_s, "{one:?} {both:?}");
-        assert!(one.rms_from_shots_m_s > 2.0 * both.rms_from_shots_m_s, "{one:?} {both:?}");
+        assert!(one.mean_from_shots_m_s > 3.0 * both.mean_from_shots_m_s, "{one:?} {both:?}");
+        assert!(one.rms_from_shots_m_s > 3.0 * both.rms_from_shots_m_s, "{one:?} {both:?}");
     }
 
     let folder = tempfile::tempdir().unwrap();

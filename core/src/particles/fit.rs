@@ -39,7 +39,7 @@ impl FrameFit {
         self.steps_mm.resize(self.particles.len(), f64::INFINITY);
     }
 
-    /// Removes particles that the model does not hold any more.
+    /// Removes particles; the model holds them until [`Self::render`].
     pub fn remove(&mut self, gone: &[bool]) {
         fn retain<T>(all: &mut Vec<T>, gone: &[bool]) {
             let mut gone = gone.iter();
@@ -47,37 +47,6 @@ impl FrameFit {
         }
         retain(&mut self.particles, gone);
         retain(&mut self.steps_mm, gone);
-        let mut left = 0;
-        let number = |gone: &bool| {
-            let number = left;
-            left += u32::from(!gone);
-            (!gone).then_some(number)
-        };
-        let numbers: Vec<Option<u32>> = gone.iter().map(number).collect();
-        for order in &mut self.orders {
-            *order = order.iter().filter_map(|&n| numbers[n as usize]).collect();
-        }
-    }
-
-    /// Replaces the images of particles in the model, which holds them as `before`; `gone` ones are taken out.
-    pub fn replace(&mut self, cameras: &[PointCamera], before: &[Particle], gone: &[bool]) {
-        let (particles, orders) = (&self.particles, &self.orders);
-        let images = self.images.par_iter_mut().zip(cameras).enumerate();
-        images.for_each_init(PointFootprint::default, |footprint, (c, (image, camera))| {
-            let mut add = |particle: &Particle, sign: f64| {
-                camera.image(particle.at_mm, footprint);
-                image.add(camera, footprint, (sign * particle.light[c]) as f32);
-            };
-            for n in orders[c].iter().map(|&n| n as usize) {
-                let (before, now) = (&before[n], &particles[n]);
-                if gone[n] || before != now {
-                    add(before, -1.0);
-                }
-                if !gone[n] && before != now {
-                    add(now, 1.0);
-                }
-            }
-        });
     }
 
     /// Sets the relative error of the model, which bounds the weight of bright pixels.

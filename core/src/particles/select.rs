@@ -102,7 +102,6 @@ impl FrameFit {
         (least_light, one_mm): (f64, f64),
     ) {
         let count = self.particles.len();
-        let before = self.particles.clone();
         let lights: Vec<f64> =
             self.particles.iter().map(|p| prior.mean_relative(p, cameras.len())).collect();
         let places: Vec<[f32; 3]> =
@@ -128,8 +127,10 @@ impl FrameFit {
             }
             gone[n] = lights[n] < least_light;
         }
-        self.replace(cameras, &before, &gone);
         self.remove(&gone);
+        if self.particles.len() < count {
+            self.render(cameras);
+        }
     }
 
     /// Adds the light of particle `other`, a share of both's, to particle `n`.

@@ -59,11 +59,6 @@ pub struct AxisShares {
     half_mm: f64,
     /// Its derivative with respect to a.
     half_by_parallax: f64,
-    /// 1/a and 1/(1 − a), and the inverses of the half width and of a pupil cell's width, per mm.
-    per_parallax: f64,
-    per_spread: f64,
-    per_half: f64,
-    per_cell: f64,
 }
 
 impl AxisShares {
@@ -76,28 +71,14 @@ impl AxisShares {
         };
         let plane_mm = HALF_WIDTH * point.blur.plane_mm / parallax;
         let sensor_mm = HALF_WIDTH * point.blur.sensor_px * point.cell_mm;
-        // `hypot` takes longer, because it prevents overflow.
-        let half_mm = (plane_mm * plane_mm + sensor_mm * sensor_mm).sqrt().max(1e-6);
-        Self {
-            point,
-            parallax,
-            half_mm,
-            half_by_parallax: -plane_mm * plane_mm / (parallax * half_mm),
-            per_parallax: 1.0 / parallax,
-            per_spread: 1.0 / (1.0 - parallax),
-            per_half: 1.0 / half_mm,
-            per_cell: 1.0 / point.cell_mm,
-        }
+        let half_mm = plane_mm.hypot(sensor_mm).max(1e-6);
+        let half_by_parallax = -plane_mm * plane_mm / (parallax * half_mm);
+        Self { point, parallax, half_mm, half_by_parallax }
     }
 
     /// Width of a pixel's interval on the pupil, in mm.
     pub fn cell_mm(&self) -> f64 {
         self.point.cell_mm
-    }
-
-    /// Its inverse.
-    pub fn per_cell(&self) -> f64 {
-        self.per_cell
     }
 
     /// The pupil interval of a microlens at `offset_mm` (D), widened by the blur.
@@ -108,7 +89,7 @@ impl AxisShares {
 
     fn ends_mm(&self, offset_mm: f64) -> [f64; 2] {
         let half = self.point.half_lens_mm.copysign(self.parallax);
-        [-half, half].map(|end| (end - offset_mm) * self.per_parallax)
+        [(-half - offset_mm) / self.parallax, (half - offset_mm) / self.parallax]
     }
 
     /// T of the pixel edge that corresponds to the pupil coordinate `pupil_mm`.
@@ -119,7 +100,9 @@ impl AxisShares {
     /// [`Share`] at several pixel edges: values and, if requested, derivatives.
     #[inline(always)]
     fn beyond_edges<const DERIVED: bool>(&self, edges_mm: &Lanes, offset_mm: f64) -> [Lanes; 3] {
-        let Self { per_parallax, per_spread, per_half, per_cell, .. } = *self;
+        let per_spread = 1.0 / (1.0 - self.parallax);
+        let (per_half, per_parallax) = (1.0 / self.half_mm, 1.0 / self.parallax);
+        let per_cell = 1.0 / self.point.cell_mm;
         let by_offset = (-per_parallax - per_spread) * per_cell;
         let pupil_mm = edges_mm.map(|edge_mm| (edge_mm + offset_mm) * per_spread);
         let mut shares = [[0.0; LANES]; 3];

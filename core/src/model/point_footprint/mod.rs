@@ -154,15 +154,13 @@ impl PointCamera {
 
     /// As [`Self::image`], with derivatives.
     pub fn image_and_derivatives(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
+        self.differentiate(world_mm, &mut footprint.by_place);
         self.fill::<true>(world_mm, footprint);
     }
 
     fn fill<const DERIVED: bool>(&self, world_mm: [f64; 3], footprint: &mut PointFootprint) {
         footprint.clear();
         let point = self.projected_point(world_mm);
-        if DERIVED {
-            self.differentiate(world_mm, &point, &mut footprint.by_place);
-        }
         let [columns, rows] = [0, 1].map(|axis| self.reached(&point, axis));
         let lenses = [columns.clone(), rows.clone()];
         let PointFootprint { shares, patches, behind, .. } = footprint;
@@ -214,7 +212,7 @@ impl PointCamera {
         let lenses = [window.columns.len(), window.rows.len()][axis];
         let pitch_mm = self.pitch_mm[axis];
         let reach_mm = point.parallaxes[axis].abs() * self.pupil_mm + 3.0 * self.blur.plane_mm;
-        let index = |at_mm: f64| (floor(at_mm / pitch_mm + 0.5).max(0) as usize).min(lenses);
+        let index = |at_mm: f64| ((at_mm / pitch_mm).round().max(0.0) as usize).min(lenses);
         let place_mm = point.places_mm[axis];
         index(place_mm - reach_mm)..index(place_mm + reach_mm + pitch_mm)
     }
@@ -231,8 +229,7 @@ impl PointCamera {
         let [low, high] = shares.interval_mm(offset_mm);
         let (low, high) = (low.max(-self.pupil_mm), high.min(self.pupil_mm));
         let at_px = |pupil_mm| {
-            let edge_mm = shares.edge_at(pupil_mm, offset_mm);
-            floor(centre_px + sign * edge_mm * shares.per_cell() + 0.5)
+            (centre_px + sign * shares.edge_at(pupil_mm, offset_mm) / cell_mm + 0.5).floor() as i64
         };
         let (one, other) = (at_px(low), at_px(high));
         let last_px = (tile_px + self.open.edge() as i64).min(self.sensor_px()[axis] as i64) - 1;
@@ -258,21 +255,17 @@ impl PointCamera {
         ([0, 1].map(|axis| projected.place[axis] * self.pitch_mm[axis]), projected.parallax)
     }
 
-    /// Derivatives of the projection `point` of the point at `world_mm`. Differences to one side are exact to the
-    /// ratio of the step to the object distance.
-    fn differentiate(
-        &self,
-        world_mm: [f64; 3],
-        point: &ProjectedPoint,
-        by_place: &mut [[f64; 3]; 4],
-    ) {
+    fn differentiate(&self, world_mm: [f64; 3], by_place: &mut [[f64; 3]; 4]) {
         for axis in 0..3 {
-            let mut beside_mm = world_mm;
-            beside_mm[axis] += STEP_MM;
-            let (places_mm, parallaxes) = self.place(beside_mm);
+            let at = |step: f64| {
+                let mut at_mm = world_mm;
+                at_mm[axis] += step;
+                self.place(at_mm)
+            };
+            let ((low_place, low), (high_place, high)) = (at(-STEP_MM), at(STEP_MM));
             for n in 0..2 {
-                by_place[2 * n][axis] = (places_mm[n] - point.places_mm[n]) / STEP_MM;
-                by_place[2 * n + 1][axis] = (parallaxes[n] - point.parallaxes[n]) / STEP_MM;
+                by_place[2 * n][axis] = (high_place[n] - low_place[n]) / (2.0 * STEP_MM);
+                by_place[2 * n + 1][axis] = (high[n] - low[n]) / (2.0 * STEP_MM);
             }
         }
     }
@@ -296,14 +289,6 @@ impl PointFootprint {
     pub fn padded(&self, kind: usize, shares: &LensShares) -> &[f32] {
         &self.shares[kind][shares.start..shares.start + shares.len.next_multiple_of(LANES)]
     }
-}
-
-/// The largest whole number that is not larger. `f64::floor` calls a function where the processor is not known to
-/// have an instruction for it.
-#[inline(always)]
-fn floor(value: f64) -> i64 {
-    let whole = value as i64;
-    whole - i64::from(whole as f64 > value)
 }
 
 /// The pixels behind one microlens along one axis.

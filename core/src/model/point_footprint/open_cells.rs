@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{LANES, floor};
+use super::LANES;
 use crate::{lightfield::Aperture, model::mapped_optics::MappedOptics};
 
 /// Margin around a micro-image for its outermost rays, in pixels.
@@ -53,7 +53,7 @@ impl OpenCells {
 
     /// First column, or row, of a tile whose micro-image is centred at `centre_px`.
     pub fn first_px(&self, centre_px: f64) -> i64 {
-        -floor(self.half_px - centre_px)
+        (centre_px - self.half_px).ceil() as i64
     }
 
     /// Number of pixels along an edge of a tile.
