@@ -32,8 +32,12 @@ pub fn blur_of_width(width_px: f64, pixel_mm: f64) -> PointBlur {
     PointBlur { plane_mm: width_px * pixel_mm, sensor_px: width_px }
 }
 
-/// The width with the least residual of camera `c`'s image, for the particles of `paired`, or those in some evenly spread
-/// parts of the image if they are many.
+/// The width with which camera `c`'s image leaves the least residual at the particles of `paired`, or those in some evenly
+/// spread parts of the image if they are many.
+///
+/// Each particle has a misfit of its own, of unknown scale, so what is least is the sum of the logarithms of their
+/// residuals (profile likelihood). By the sum itself few misplaced or false particles would decide, and for them a wider
+/// image is always better (docs/decisions.md).
 pub fn fitted_blur(
     fit: &FrameFit,
     cameras: &[PointCamera],
@@ -64,7 +68,7 @@ pub fn fitted_blur(
             image.weighted_residual(&fit.images[c], &cameras[c], footprint)
         };
         let left: Vec<f64> = measured.par_iter().map_init(PointFootprint::default, left).collect();
-        left.iter().sum::<f64>()
+        left.iter().map(|left| left.max(f64::MIN_POSITIVE).ln()).sum::<f64>()
     };
     let step = WIDTH_STEP.ln();
     let [low, high] = WIDTHS_PX.map(f64::ln);
@@ -95,5 +99,38 @@ fn add_all(
     for particle in particles {
         camera.image(particle.at_mm, &mut footprint);
         image.add(camera, &footprint, (sign * particle.light[c]) as f32);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+    use crate::particles::test_data::{VOXEL_MM, cameras, image, particles};
+
+    #[test]
+    fn misplaced_particles_do_not_widen_the_blur() {
+        const WIDTH_PX: f64 = 0.2;
+        let mut cameras = cameras();
+        let pixel_mm = cameras[0].blur.plane_mm / cameras[0].blur.sensor_px;
+        let truth = particles(&mut Pcg64Mcg::seed_from_u64(9));
+        let images = cameras.iter_mut().enumerate().map(|(c, camera)| {
+            camera.blur = blur_of_width(WIDTH_PX, pixel_mm);
+            image(camera, c, &truth)
+        });
+        let mut fit = FrameFit::new(images.collect());
+        cameras.iter_mut().for_each(|camera| camera.blur = blur_of_width(0.5, pixel_mm));
+        fit.extend(truth.iter().enumerate().map(|(n, particle)| {
+            let off = if n % 4 == 0 { 0.5 * VOXEL_MM } else { 0.0 };
+            Particle { at_mm: particle.at_mm.map(|mm| mm + off), ..*particle }
+        }));
+        fit.render(&cameras);
+        let all: Vec<usize> = (0..truth.len()).collect();
+        for c in 0..cameras.len() {
+            let found = fitted_blur(&fit, &cameras, c, &all).sensor_px;
+            assert!((found / WIDTH_PX - 1.0).abs() < 0.2, "camera {c}: {found}");
+        }
     }
 }

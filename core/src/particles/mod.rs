@@ -26,6 +26,8 @@ mod prefetch;
 mod restart;
 mod select;
 mod step;
+#[cfg(test)]
+mod test_data;
 
 pub use blur::{FIRST_WIDTH_PX, blur_of_width};
 pub use flow::Flow;
