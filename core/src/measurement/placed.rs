@@ -119,8 +119,9 @@ pub(super) fn samples(pairs: &[ParticlePair], grid: &VolumeGrid) -> Vec<Sample> 
 
 /// Mid-pair positions of the particles, in voxels of `grid`.
 pub(super) fn positions(placed: &PlacedParticles, grid: &VolumeGrid) -> PlacedPositions {
+    let seen = placed.pairs.iter().filter(|pair| placed.is_seen_by_all(pair));
     PlacedPositions {
-        paired: placed.pairs.iter().map(|pair| at_vox(grid, pair.middle_mm())).collect(),
+        paired: seen.map(|pair| at_vox(grid, pair.middle_mm())).collect(),
         alone: placed
             .unpaired
             .each_ref()

@@ -40,6 +40,22 @@ pub struct PlacedParticles {
     pub typical: [[f64; CAMERAS]; 2],
 }
 
+/// Least light of a particle in a camera that sees it, over that in the brighter camera. Both are relative to typical
+/// lights.
+const LEAST_SEEN_LIGHT: f64 = 0.1;
+
+impl PlacedParticles {
+    /// Whether every camera sees the particle in both frames.
+    pub fn is_seen_by_all(&self, pair: &ParticlePair) -> bool {
+        pair.light.iter().zip(&self.typical).all(|(light, typical)| {
+            let cameras = self.blurs.len();
+            let relative: [f64; CAMERAS] = std::array::from_fn(|c| light[c] / typical[c]);
+            let brightest = relative[..cameras].iter().copied().fold(0.0, f64::max);
+            relative[..cameras].iter().all(|light| *light >= LEAST_SEEN_LIGHT * brightest)
+        })
+    }
+}
+
 /// Largest number of steps before and after the first removal of faint and duplicate particles.
 const FIRST_STEPS: [usize; 2] = [4, 2];
 /// The same after an exchange between the frames.
@@ -88,8 +104,14 @@ const STARTS_VOX: [f64; 2] = [-0.6, 0.6];
 /// Proposals of the other frame within this distance of a particle are restart positions as well, in voxels.
 const STARTS_REACH_VOX: f64 = 1.5;
 
-/// Rule for the steps of a particle.
-const STEP_RULE: StepRule = StepRule { relaxation: 1.0, damping: 0.01, longest_mm: 0.0 };
+/// Relaxation factor of steps, except in exchanges.
+const RELAXATION: f64 = 1.0;
+/// The same in exchanges: batches step one after the other, so a factor above 1 is successive over-relaxation (Young,
+/// Trans. Am. Math. Soc. 76, 1954).
+const EXCHANGE_RELAXATION: f64 = 1.3;
+
+/// Levenberg–Marquardt damping of a step, relative to the diagonal.
+const DAMPING: f64 = 0.01;
 
 /// Largest step, in voxels.
 const MAX_STEP_VOX: f64 = 0.2;
@@ -107,7 +129,6 @@ pub fn place_pairs(
     let mut placement = Placement {
         cameras: cameras.to_vec(),
         voxel_mm,
-        rule: StepRule { longest_mm: MAX_STEP_VOX * voxel_mm, ..STEP_RULE },
         priors: starts.each_ref().map(|start| LightPrior::of_candidates(&start.candidates)),
     };
     let mut fits = starts.map(|start| {
@@ -126,26 +147,30 @@ pub fn place_pairs(
 struct Placement {
     cameras: Vec<PointCamera>,
     voxel_mm: f64,
-    rule: StepRule,
     priors: [LightPrior; 2],
 }
 
 impl Placement {
+    fn rule(&self, relaxation: f64) -> StepRule {
+        StepRule { relaxation, damping: DAMPING, longest_mm: MAX_STEP_VOX * self.voxel_mm }
+    }
+
     /// First steps of all candidates, and removal of faint ones.
     fn begin(&self, fits: &mut [FrameFit; 2]) {
         let converged_mm = CONVERGED_VOX * self.voxel_mm;
+        let rule = self.rule(RELAXATION);
         self.each(fits, |fit, prior| {
             fit.set_model_error(MODEL_ERRORS[0]);
             fit.render(&self.cameras);
             let [before, after] = FIRST_STEPS;
-            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, before));
+            fit.iterate(&self.cameras, prior, &rule, (converged_mm, before));
             fit.prune(
                 &self.cameras,
                 prior,
                 (LEAST_PARTICLE_LIGHT, MERGE_DISTANCE_VOX * self.voxel_mm),
             );
             fit.reactivate();
-            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, after));
+            fit.iterate(&self.cameras, prior, &rule, (converged_mm, after));
         });
     }
 
@@ -156,19 +181,19 @@ impl Placement {
         self.learn(fits, &partners, round);
         exchange(fits, &partners, flow, (&self.cameras, &self.priors), (RIVAL_VOX, self.voxel_mm));
         let converged_mm = CONVERGED_VOX * self.voxel_mm;
-        let misfit = MODEL_ERRORS[round + 1];
+        let (misfit, rule) = (MODEL_ERRORS[round + 1], self.rule(EXCHANGE_RELAXATION));
         self.each(fits, |fit, prior| {
             fit.set_model_error(misfit);
             fit.reactivate();
             fit.render(&self.cameras);
             let [before, after] = EXCHANGE_STEPS;
-            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, before));
+            fit.iterate(&self.cameras, prior, &rule, (converged_mm, before));
             fit.prune(
                 &self.cameras,
                 prior,
                 (LEAST_PARTICLE_LIGHT, MERGE_DISTANCE_VOX * self.voxel_mm),
             );
-            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, after));
+            fit.iterate(&self.cameras, prior, &rule, (converged_mm, after));
         });
         self.restart(fits, flow, agree_vox);
     }
@@ -204,6 +229,7 @@ impl Placement {
                 .collect()
         });
         let reach = STARTS_REACH_VOX * self.voxel_mm;
+        let rule = self.rule(RELAXATION);
         let restart = |frame: usize, fit: &mut FrameFit| {
             let places: Vec<[f32; 3]> =
                 proposals[frame].iter().map(|at| at.map(|mm| mm as f32)).collect();
@@ -223,7 +249,7 @@ impl Placement {
                     start[axis] += vox * self.voxel_mm;
                     starts.push(start);
                 }
-                let how = (&self.priors[frame], &self.rule);
+                let how = (&self.priors[frame], &rule);
                 fit.restart(&self.cameras, n, &starts, how, &mut footprint);
             }
         };
@@ -234,13 +260,14 @@ impl Placement {
     /// Last steps, with pixels weighted by their estimated noise, and the result.
     fn finish(&self, fits: &mut [FrameFit; 2], flow: &mut dyn Flow) -> PlacedParticles {
         let converged_mm = CONVERGED_VOX * self.voxel_mm / 10.0;
+        let rule = self.rule(RELAXATION);
         self.each(fits, |fit, prior| {
             for image in &mut fit.images {
                 image.noise = image.noise_of_residual();
                 image.noise.misfit = image.noise.misfit.max(LEAST_MODEL_ERROR);
             }
             fit.reactivate();
-            fit.iterate(&self.cameras, prior, &self.rule, (converged_mm, LAST_STEPS));
+            fit.iterate(&self.cameras, prior, &rule, (converged_mm, LAST_STEPS));
         });
         self.correct(fits, flow);
         let partners = self.wider_partners(fits, flow, MAX_PAIR_DISTANCE_VOX);

@@ -92,7 +92,7 @@ impl CorrectedField<'_> {
 /// Mid-pair positions of placed particles, in voxels.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PlacedPositions {
-    /// Of the pairs.
+    /// Of the pairs that every camera sees in both frames. A single camera hardly knows the depth.
     pub paired: Vec<[f32; 3]>,
     /// Of the particles without a partner, in frames a and b.
     pub alone: [Vec<[f32; 3]>; 2],
