@@ -97,7 +97,7 @@ def test_a_run_keeps_the_particles_of_its_shots_beside_its_vectors(run):
     with xarray.open_mfdataset(str(run / "velocity_*.nc")) as vectors:
         for shot, of_shot in dataset.groupby("shot"):
             assert (of_shot["time"] == vectors["time"].sel(shot=shot)).all()
-    # The flow is uniform. The median of one shot, all of it near a focal plane, is off by 0.04 m/s on average.
+    # The flow is uniform. The median of one shot, all of it near a focal plane, is off by up to 0.1 m/s along v or w.
     valid = dataset.isel(particle=dataset["valid"].values == 1)
     for name, speed in zip("uvw", [1.0, -0.5, 0.25]):
         assert abs(float(valid[name].median()) - speed) < 0.05
