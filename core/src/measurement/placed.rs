@@ -7,8 +7,8 @@ use crate::{
     lightfield::ImagePair,
     model::{CameraCalibration, ModelError, PointCamera, VolumeGrid},
     particles::{
-        Candidate, ExpectedDisplacement, FIRST_WIDTH_PX, Flow, FrameStart, Motion, ParticleImage,
-        ParticlePair, PixelNoise, PlacedParticles, blur_of_width, place_pairs,
+        Candidate, ExpectedDisplacement, FIRST_WIDTH_PX, Flow, FrameStart, Motion, MovedParticle,
+        ParticleImage, ParticlePair, PixelNoise, PlacedParticles, blur_of_width, place_pairs,
     },
     reconstruction::SparseVolume,
     velocimetry::{
@@ -62,13 +62,13 @@ impl Flow for FlowInMm<'_, '_> {
         self.field.at(at_vox(self.grid, at_mm)).map(|vox| f64::from(vox) * self.grid.voxel_mm)
     }
 
-    fn correct(&mut self, middles_mm: &[[f64; 3]], moved_mm: &[[f64; 3]]) {
-        let sample = |(middle_mm, moved_mm): (&[f64; 3], &[f64; 3])| Sample {
-            middle_vox: at_vox(self.grid, *middle_mm),
-            displacement_vox: moved_mm.map(|mm| (mm / self.grid.voxel_mm) as f32),
+    fn correct(&mut self, near: &[MovedParticle], far: &[MovedParticle]) {
+        let sample = |particle: &MovedParticle| Sample {
+            middle_vox: at_vox(self.grid, particle.middle_mm),
+            displacement_vox: particle.moved_mm.map(|mm| (mm / self.grid.voxel_mm) as f32),
             variance_vox2: [PLACING_ERROR_VOX * PLACING_ERROR_VOX; 3],
         };
-        self.field.correct(middles_mm.iter().zip(moved_mm).map(sample));
+        self.field.correct(near.iter().map(sample), far.iter().map(sample));
     }
 }
 

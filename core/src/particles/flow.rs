@@ -5,8 +5,28 @@ pub trait Flow: Sync {
     /// Displacement of the particle with this mid-pair position, both in mm.
     fn displacement_mm(&self, at_mm: [f64; 3]) -> [f64; 3];
 
-    /// Corrects it by mid-pair positions and displacements of particles, in mm. Some pairs are mismatched.
-    fn correct(&mut self, middles_mm: &[[f64; 3]], moved_mm: &[[f64; 3]]);
+    /// Corrects it by particles. `near` are pairs that roughly agree with it, some of which are mismatched. `far` are
+    /// pairs that disagree with it, but agree with each other.
+    fn correct(&mut self, near: &[MovedParticle], far: &[MovedParticle]);
+}
+
+/// A particle of both frames.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovedParticle {
+    /// Mid-pair position, in mm.
+    pub middle_mm: [f64; 3],
+    /// Displacement from frame a to frame b, in mm.
+    pub moved_mm: [f64; 3],
+}
+
+impl MovedParticle {
+    /// The particle at these places in frames a and b.
+    pub fn between([a, b]: [[f64; 3]; 2]) -> Self {
+        Self {
+            middle_mm: std::array::from_fn(|axis| (a[axis] + b[axis]) / 2.0),
+            moved_mm: std::array::from_fn(|axis| b[axis] - a[axis]),
+        }
+    }
 }
 
 /// Fixed-point iterations for the middle of a path.
@@ -33,7 +53,7 @@ mod tests {
             [0.2 + 0.05 * at[1], -0.1 * at[0], 0.03]
         }
 
-        fn correct(&mut self, _: &[[f64; 3]], _: &[[f64; 3]]) {}
+        fn correct(&mut self, _: &[MovedParticle], _: &[MovedParticle]) {}
     }
 
     #[test]

@@ -6,10 +6,12 @@
 //! residual images (`fit`, `step`): iterative particle reconstruction (Wieneke, Measurement Science and Technology
 //! 24, 2013; Jahn, Schanz and Schröder, Experiments in Fluids 62, 2021) for light fields. Both frames support
 //! each other (`partners`; two pulses: Novara, Schanz and Schröder, 2023): a particle without a partner is
-//! proposed to the other frame, and starts again from several positions (`restart`). Blur (`blur`), the
+//! proposed to the other frame, and starts again from several positions (`restart`). Where the flow is wrong, pairs
+//! are found by the agreement of neighbours (`consensus`). Blur (`blur`), the
 //! cameras' shares of the light (`select`) and pixel noise (`noise`) are estimated from the images.
 
 mod blur;
+mod consensus;
 mod disagreement;
 mod fit;
 mod flow;
@@ -30,7 +32,7 @@ mod step;
 mod test_data;
 
 pub use blur::{FIRST_WIDTH_PX, blur_of_width};
-pub use flow::Flow;
+pub use flow::{Flow, MovedParticle};
 pub use image::ParticleImage;
 pub use neighbours::Neighbours;
 pub use noise::PixelNoise;

@@ -65,6 +65,13 @@ impl Partners {
 
     /// The radius, in voxels, within which there are [`CHANCE_PARTNERS`] of these positions on average.
     fn longer_reach(&self, places: &[Vec<[f32; 3]>; 2]) -> f32 {
+        let most = places.iter().map(Vec::len).max().unwrap_or_default().max(1) as f32;
+        let sphere = 4.0 / 3.0 * std::f32::consts::PI;
+        (CHANCE_PARTNERS * self.volume_vox3() / (most * sphere)).cbrt().min(LONGEST_REACH_VOX)
+    }
+
+    /// Volume of the box around all particles.
+    pub fn volume_vox3(&self) -> f32 {
         let all = || self.middles.iter().flatten();
         let span = |axis: usize| {
             let (low, high) = all().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), at| {
@@ -72,10 +79,7 @@ impl Partners {
             });
             (high - low).max(1.0)
         };
-        let volume: f32 = (0..3).map(span).product();
-        let most = places.iter().map(Vec::len).max().unwrap_or_default().max(1) as f32;
-        let sphere = 4.0 / 3.0 * std::f32::consts::PI;
-        (CHANCE_PARTNERS * volume / (most * sphere)).cbrt().min(LONGEST_REACH_VOX)
+        (0..3).map(span).product()
     }
 
     /// Pairs as indices in frames a and b.
@@ -181,6 +185,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
+    use crate::particles::flow::MovedParticle;
 
     struct Still;
 
@@ -189,7 +194,7 @@ mod tests {
             [0.0; 3]
         }
 
-        fn correct(&mut self, _: &[[f64; 3]], _: &[[f64; 3]]) {}
+        fn correct(&mut self, _: &[MovedParticle], _: &[MovedParticle]) {}
     }
 
     fn particle(at_mm: [f64; 3]) -> Particle {

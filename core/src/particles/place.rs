@@ -6,7 +6,7 @@ use super::{
     blur::fitted_blur,
     disagreement::{ParticleEquations, variance_factor},
     fit::FrameFit,
-    flow::Flow,
+    flow::{Flow, MovedParticle},
     image::ParticleImage,
     neighbours::Neighbours,
     normal::{CAMERAS, LightPrior, Particle, StepRule},
@@ -91,6 +91,12 @@ const AGREE_DEVIATIONS: f64 = 3.0;
 
 /// Largest distance of partners from which the flow is corrected, in voxels.
 const MAX_CORRECTION_DISTANCE_VOX: f64 = 1.0;
+
+/// The flow is corrected again while pairs that disagree with it, but not with each other, are this share of the others
+/// or more ...
+const LEAST_FAR_SHARE: f64 = 0.005;
+/// ... but not more often than this.
+const MOST_CORRECTIONS: usize = 5;
 
 /// A proposal this near to a particle without a partner competes with it, in voxels.
 const RIVAL_VOX: f64 = 1.0;
@@ -270,7 +276,8 @@ impl Placement {
             fit.iterate(&self.cameras, prior, &rule, (converged_mm, LAST_STEPS));
         });
         self.correct(fits, flow);
-        let partners = self.wider_partners(fits, flow, MAX_PAIR_DISTANCE_VOX);
+        let partners = self.partners(fits, flow, MAX_PAIR_DISTANCE_VOX);
+        let partners = self.widened(partners, fits);
         let pairs: Vec<[usize; 2]> = partners.pairs().collect();
         let equations = [0, 1].map(|frame: usize| {
             let of: Vec<usize> = pairs.iter().map(|pair| pair[frame]).collect();
@@ -306,24 +313,34 @@ impl Placement {
         }
     }
 
-    /// Corrects the flow by mutual nearest neighbours. Returns the largest distance of partners that agree, in voxels.
+    /// Corrects the flow by mutual nearest neighbours, and where it is wrong by pairs that agree with each other; again
+    /// while there are many of the latter. Returns the largest distance of partners that agree, in voxels.
     fn correct(&self, fits: &[FrameFit; 2], flow: &mut dyn Flow) -> f64 {
-        let partners = self.wider_partners(fits, flow, MAX_CORRECTION_DISTANCE_VOX);
-        let places =
-            |pair: [usize; 2]| [0, 1].map(|frame| fits[frame].particles[pair[frame]].at_mm);
-        let pairs: Vec<[[f64; 3]; 2]> = partners.pairs().map(places).collect();
-        let of = |by: fn(f64, f64) -> f64| -> Vec<[f64; 3]> {
-            pairs.iter().map(|[a, b]| std::array::from_fn(|axis| by(a[axis], b[axis]))).collect()
+        let mut typical_vox = 0.0;
+        for _ in 0..MOST_CORRECTIONS {
+            let moved = |pair: [usize; 2]| {
+                MovedParticle::between([0, 1].map(|f| fits[f].particles[pair[f]].at_mm))
+            };
+            let partners = self.partners(fits, flow, MAX_CORRECTION_DISTANCE_VOX);
+            let far: Vec<MovedParticle> = partners.by_consensus().into_iter().map(moved).collect();
+            let near: Vec<MovedParticle> =
+                self.widened(partners, fits).pairs().map(moved).collect();
+            flow.correct(&near, &far);
+            typical_vox = self.typical_distance_vox(&near, flow);
+            if (far.len() as f64) < LEAST_FAR_SHARE * near.len() as f64 {
+                break;
+            }
+        }
+        (AGREE_DEVIATIONS * typical_vox).clamp(AGREE_VOX[0], AGREE_VOX[1])
+    }
+
+    /// Median distance of particles in frame b from where the flow leads, in voxels.
+    fn typical_distance_vox(&self, moved: &[MovedParticle], flow: &dyn Flow) -> f64 {
+        let distance_mm = |particle: &MovedParticle| {
+            let known = flow.displacement_mm(particle.middle_mm);
+            (0..3).map(|axis| (particle.moved_mm[axis] - known[axis]).powi(2)).sum::<f64>().sqrt()
         };
-        let (middles_mm, moved_mm) = (of(|a, b| (a + b) / 2.0), of(|a, b| b - a));
-        flow.correct(&middles_mm, &moved_mm);
-        let left = |(at_mm, moved): (&[f64; 3], &[f64; 3])| {
-            let known = flow.displacement_mm(*at_mm);
-            (0..3).map(|axis| (moved[axis] - known[axis]).powi(2)).sum::<f64>().sqrt()
-        };
-        let left: Vec<f64> = middles_mm.iter().zip(&moved_mm).map(left).collect();
-        let typical = median(left).unwrap_or_default() / self.voxel_mm;
-        (AGREE_DEVIATIONS * typical).clamp(AGREE_VOX[0], AGREE_VOX[1])
+        median(moved.iter().map(distance_mm)).unwrap_or_default() / self.voxel_mm
     }
 
     fn partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
@@ -331,16 +348,16 @@ impl Placement {
         Partners::new(frames, flow, reach_vox, self.voxel_mm)
     }
 
-    /// Partners within `reach_vox`. For remaining particles that are bright enough in every camera, the search radius
-    /// is larger.
-    fn wider_partners(&self, fits: &[FrameFit; 2], flow: &dyn Flow, reach_vox: f64) -> Partners {
+    /// `partners`, and more. For remaining particles that are bright enough in every camera, the search radius is
+    /// larger.
+    fn widened(&self, partners: Partners, fits: &[FrameFit; 2]) -> Partners {
         let is_bright = |frame: usize, n: usize| {
             let light = fits[frame].particles[n].light.iter().zip(&self.priors[frame].typical);
             light
                 .take(self.cameras.len())
                 .all(|(light, typical)| *light >= LEAST_PARTICLE_LIGHT * typical)
         };
-        self.partners(fits, flow, reach_vox).widened(is_bright)
+        partners.widened(is_bright)
     }
 
     /// Applies `act` to both frames in parallel.

@@ -18,6 +18,7 @@ mod kernel;
 mod lags;
 mod lattice;
 mod layout;
+mod local_mean;
 mod multipass;
 mod nodes;
 mod peak;

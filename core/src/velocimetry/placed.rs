@@ -7,6 +7,7 @@
 use super::{
     DisplacementField, Interrogation, VectorStatus, VelocimetrySettings, VelocityField,
     judge::{Vector, field_of},
+    local_mean::{LocalMean, Residual},
     spline_field::{self, Extent, Guess, Sample, SplineField},
 };
 use crate::{
@@ -64,8 +65,13 @@ impl CorrectedField<'_> {
         std::array::from_fn(|c| known[c] + missed[c])
     }
 
-    /// Corrects it by displacements of particles at their mid-pair positions.
-    pub fn correct(&mut self, moved: impl Iterator<Item = Sample>) {
+    /// Corrects it by displacements of particles at their mid-pair positions. It agrees with those of `near` within some
+    /// voxels, and not with those of `far`, but these agree with each other.
+    pub fn correct(
+        &mut self,
+        near: impl Iterator<Item = Sample>,
+        far: impl Iterator<Item = Sample>,
+    ) {
         let left_by_correlation = |mut sample: Sample| {
             let known = self.by_correlation.at(sample.middle_vox);
             sample
@@ -75,13 +81,30 @@ impl CorrectedField<'_> {
                 .for_each(|(moved, known)| *moved -= known);
             sample
         };
-        let missed: Vec<Sample> = moved.map(left_by_correlation).collect();
+        let mut missed: Vec<Sample> = near.map(left_by_correlation).collect();
+        let first_far = missed.len();
+        missed.extend(far.map(left_by_correlation));
         if missed.len() >= LEAST_CORRECTING {
             let stiffness = self.correction.as_ref().map(|field| field.stiffness);
-            let at = |at_vox| self.missed(at_vox);
+            // Weights are reduced for large residuals: the fit would ignore samples that are far from where it starts.
+            let start = LocalMean::new(&self.residuals(&missed), first_far);
+            let at = |at_vox| {
+                let (known, further) = (self.missed(at_vox), start.at(at_vox));
+                std::array::from_fn(|c| known[c] + further[c])
+            };
             let guess = Guess { at: &at, error_vox: FIRST_ERROR_VOX, stiffness };
             self.correction = Some(spline_field::near(&self.extent, &missed, &guess));
         }
+    }
+
+    /// Positions and what the correction misses there.
+    fn residuals(&self, samples: &[Sample]) -> Vec<Residual> {
+        let residual = |sample: &Sample| {
+            let known = self.missed(sample.middle_vox);
+            let left_vox = std::array::from_fn(|c| sample.displacement_vox[c] - known[c]);
+            Residual { at_vox: sample.middle_vox, left_vox }
+        };
+        samples.iter().map(residual).collect()
     }
 
     fn missed(&self, at_vox: [f32; 3]) -> [f32; 3] {
