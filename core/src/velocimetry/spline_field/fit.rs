@@ -32,9 +32,10 @@ const DEGREES_OF_FREEDOM: f32 = 3.0;
 /// constraint from the start, conjugate gradients would converge slowly.
 const DIVERGENCE_PER_EXTRA_SIGMA: f32 = 0.1;
 
-/// Standard deviation of a coefficient about that of the previous field, in voxels. Its weight is negligible where
-/// there are samples; without it, fields that are quadratic along every axis would be undetermined.
-const ANCHOR_VOX: f32 = 3.0;
+/// Standard deviation of a coefficient about that of the previous field, in voxels. Without it, fields that are quadratic
+/// along every axis would be undetermined. The previous field knows the samples that cross-validation leaves out: with a
+/// small deviation their residuals would be too small where samples are few (docs/decisions.md).
+const ANCHOR_VOX: f32 = 10.0;
 
 /// Standard deviation added to that of every sample, relative to the typical cross-validation residual. Samples
 /// that are much more accurate than the field between them do not improve it, but weights that differ by a factor
