@@ -7,7 +7,10 @@
 
 use rayon::prelude::*;
 
-use super::{neighbours::Neighbours, partners::Partners};
+use super::{
+    neighbours::Neighbours,
+    partners::{Partners, UNIT_SPHERE},
+};
 
 /// Largest distance of a partner from where the flow leads, in voxels.
 const FARTHEST_VOX: f32 = 5.0;
@@ -32,8 +35,6 @@ const CONFIRMATIONS: usize = 2;
 
 /// Radius within which the particles of the other frame are counted for their density, in voxels.
 const DENSITY_RADIUS_VOX: f32 = 6.0;
-
-const UNIT_SPHERE: f32 = 4.0 / 3.0 * std::f32::consts::PI;
 
 /// A possible partner of a particle.
 #[derive(Debug, Clone, Copy)]
@@ -132,6 +133,7 @@ impl Alone {
     fn agreeing_by_chance(&self, n: usize, near_b: &Neighbours) -> f64 {
         let mut about = 0.5;
         near_b.visit(self.places[0][n], |_, _| about += 1.0);
+        // In particles per sphere of radius 1, as volumes are those of spheres.
         let density = about / DENSITY_RADIUS_VOX.powi(3);
         let by_chance =
             |near: &Neighbour| -libm::expm1(-f64::from(density * near.tolerance_vox.powi(3)));

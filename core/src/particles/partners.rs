@@ -23,6 +23,9 @@ const CHANCE_PARTNERS: f32 = 0.01;
 /// Largest radius of the wider search, in voxels.
 const LONGEST_REACH_VOX: f32 = 3.0;
 
+/// Volume of a sphere of radius 1.
+pub const UNIT_SPHERE: f32 = 4.0 / 3.0 * std::f32::consts::PI;
+
 /// The particles of both frames at mid-pair, and their pairs.
 pub struct Partners {
     /// Mid-pair positions, in voxels.
@@ -66,8 +69,7 @@ impl Partners {
     /// The radius, in voxels, within which there are [`CHANCE_PARTNERS`] of these positions on average.
     fn longer_reach(&self, places: &[Vec<[f32; 3]>; 2]) -> f32 {
         let most = places.iter().map(Vec::len).max().unwrap_or_default().max(1) as f32;
-        let sphere = 4.0 / 3.0 * std::f32::consts::PI;
-        (CHANCE_PARTNERS * self.volume_vox3() / (most * sphere)).cbrt().min(LONGEST_REACH_VOX)
+        (CHANCE_PARTNERS * self.volume_vox3() / (most * UNIT_SPHERE)).cbrt().min(LONGEST_REACH_VOX)
     }
 
     /// Volume of the box around all particles.

@@ -316,22 +316,21 @@ impl Placement {
     /// Corrects the flow by mutual nearest neighbours, and where it is wrong by pairs that agree with each other; again
     /// while there are many of the latter. Returns the largest distance of partners that agree, in voxels.
     fn correct(&self, fits: &[FrameFit; 2], flow: &mut dyn Flow) -> f64 {
-        let mut typical_vox = 0.0;
+        let moved = |pair: [usize; 2]| {
+            MovedParticle::between([0, 1].map(|f| fits[f].particles[pair[f]].at_mm))
+        };
+        let mut near: Vec<MovedParticle> = Vec::new();
         for _ in 0..MOST_CORRECTIONS {
-            let moved = |pair: [usize; 2]| {
-                MovedParticle::between([0, 1].map(|f| fits[f].particles[pair[f]].at_mm))
-            };
             let partners = self.partners(fits, flow, MAX_CORRECTION_DISTANCE_VOX);
             let far: Vec<MovedParticle> = partners.by_consensus().into_iter().map(moved).collect();
-            let near: Vec<MovedParticle> =
-                self.widened(partners, fits).pairs().map(moved).collect();
+            near = self.widened(partners, fits).pairs().map(moved).collect();
             flow.correct(&near, &far);
-            typical_vox = self.typical_distance_vox(&near, flow);
             if (far.len() as f64) < LEAST_FAR_SHARE * near.len() as f64 {
                 break;
             }
         }
-        (AGREE_DEVIATIONS * typical_vox).clamp(AGREE_VOX[0], AGREE_VOX[1])
+        (AGREE_DEVIATIONS * self.typical_distance_vox(&near, flow))
+            .clamp(AGREE_VOX[0], AGREE_VOX[1])
     }
 
     /// Median distance of particles in frame b from where the flow leads, in voxels.

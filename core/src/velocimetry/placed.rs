@@ -87,9 +87,12 @@ impl CorrectedField<'_> {
         if missed.len() >= LEAST_CORRECTING {
             let stiffness = self.correction.as_ref().map(|field| field.stiffness);
             // Weights are reduced for large residuals: the fit would ignore samples that are far from where it starts.
-            let start = LocalMean::new(&self.residuals(&missed), first_far);
+            let far_mean = (first_far < missed.len())
+                .then(|| LocalMean::new(&self.residuals(&missed), first_far));
             let at = |at_vox| {
-                let (known, further) = (self.missed(at_vox), start.at(at_vox));
+                let known = self.missed(at_vox);
+                let Some(far_mean) = &far_mean else { return known };
+                let further = far_mean.at(at_vox);
                 std::array::from_fn(|c| known[c] + further[c])
             };
             let guess = Guess { at: &at, error_vox: FIRST_ERROR_VOX, stiffness };
